@@ -1,0 +1,29 @@
+/// Which halfedge lies across each halfedge, and which faces meet at each vertex.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+/// For every halfedge (3 * face + corner) the one that runs the other way along the same edge;
+/// no_index on a border, on an edge with more than two faces, and where both faces run the same
+/// way. Vertices are the same when their indices are. O(n); deterministic.
+std::vector<Index> opposite_halfedges(const Mesh& mesh);
+
+/// The faces around each vertex in ascending order, as one array with offsets.
+class VertexFaces {
+ public:
+  explicit VertexFaces(const Mesh& mesh);
+  std::span<const Index> operator[](Index vertex) const {
+    return {faces_.data() + offsets_[vertex], faces_.data() + offsets_[vertex + 1]};
+  }
+
+ private:
+  std::vector<Index> offsets_;
+  std::vector<Index> faces_;
+};
+
+}  // namespace transformesh

@@ -1,0 +1,32 @@
+/// Loops on all allowed threads. Results must not depend on the number of threads: write to slots
+/// indexed by the loop variable, and reduce in index order afterwards.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace transformesh {
+
+/// Calls body(first, last) on disjoint ranges that cover [0, count). Ranges hold at least `grain`
+/// indices where count allows. An exception thrown by a body reaches the caller.
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t first, std::size_t last)>& body);
+
+/// Runs both, perhaps at the same time.
+void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
+
+/// While alive, the library uses at most `count` threads; 0 means one per core.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int count);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct Control;
+  std::unique_ptr<Control> control_;
+};
+
+}  // namespace transformesh
