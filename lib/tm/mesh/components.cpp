@@ -1,0 +1,101 @@
+#include "tm/mesh/components.h"
+
+#include "tm/mesh/disjoint_sets.h"
+#include "tm/mesh/edges.h"
+#include "tm/mesh/measure.h"
+#include "tm/mesh/umbrellas.h"
+
+namespace transformesh {
+namespace {
+
+/// Six times the signed volume between the face and the reference point.
+double volume_under_face(const Mesh& mesh, const Face& face, const Vec3& reference) {
+  const Vec3 a = mesh.positions[face[0]] - reference;
+  const Vec3 b = mesh.positions[face[1]] - reference;
+  const Vec3 c = mesh.positions[face[2]] - reference;
+  return a.dot(b.cross(c));
+}
+
+/// Numbers the sets of faces in order of their first face.
+std::vector<Index> component_of_face(const Mesh& mesh, DisjointSets& vertices, std::size_t& count) {
+  std::vector<Index> of_face(mesh.faces.size());
+  std::vector<Index> of_root(mesh.positions.size(), no_index);
+  count = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    Index& component = of_root[vertices.find(mesh.faces[f][0])];
+    if (component == no_index) component = static_cast<Index>(count++);
+    of_face[f] = component;
+  }
+  return of_face;
+}
+
+}  // namespace
+
+Components connected_components(const Mesh& mesh) {
+  // Faces are connected through the vertices they name.
+  DisjointSets vertices(mesh.positions.size());
+  for (const Face& face : mesh.faces) {
+    vertices.join(face[0], face[1]);
+    vertices.join(face[0], face[2]);
+  }
+  Components result;
+  std::size_t count = 0;
+  result.of_face = component_of_face(mesh, vertices, count);
+  result.components.resize(count);
+  const auto component = [&](Index face) -> Component& {
+    return result.components[result.of_face[face]];
+  };
+
+  // Faces, their volume, and the vertices each seen for the first time.
+  const Box box = bounding_box(mesh);
+  const Vec3 reference = box.minimum + (box.maximum - box.minimum) / 2;
+  std::vector<bool> is_seen(mesh.positions.size(), false);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    Component& own = component(static_cast<Index>(f));
+    ++own.faces;
+    own.volume += volume_under_face(mesh, mesh.faces[f], reference) / 6;
+    for (const Index vertex : mesh.faces[f]) {
+      if (!is_seen[vertex]) ++own.vertices;
+      is_seen[vertex] = true;
+    }
+  }
+
+  // Edges and boundary loops, found through one of their faces.
+  const Edges edges(mesh);
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
+    ++component(edges.halfedges(edge)[0] / 3).edges;
+  for (const Index halfedge : boundary_loops(mesh, edges, find_umbrellas(mesh, edges)))
+    ++component(halfedge / 3).boundary_loops;
+  return result;
+}
+
+Mesh select_faces(const Mesh& mesh, const std::vector<bool>& keep) {
+  // Rows to keep, and the new number of each vertex.
+  std::vector<Index> kept_faces;
+  std::vector<Index> new_vertex(mesh.positions.size(), no_index);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (!keep[f]) continue;
+    kept_faces.push_back(static_cast<Index>(f));
+    for (const Index vertex : mesh.faces[f]) new_vertex[vertex] = 0;
+  }
+  std::vector<Index> kept_vertices;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (new_vertex[v] == no_index) continue;
+    new_vertex[v] = static_cast<Index>(kept_vertices.size());
+    kept_vertices.push_back(static_cast<Index>(v));
+  }
+
+  Mesh result;
+  result.positions.reserve(kept_vertices.size());
+  for (const Index vertex : kept_vertices) result.positions.push_back(mesh.positions[vertex]);
+  result.faces.reserve(kept_faces.size());
+  for (const Index f : kept_faces) {
+    const Face& face = mesh.faces[f];
+    result.faces.push_back({new_vertex[face[0]], new_vertex[face[1]], new_vertex[face[2]]});
+  }
+  result.vertex_columns = mesh.vertex_columns.select(kept_vertices);
+  result.face_columns = mesh.face_columns.select(kept_faces);
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,71 @@
+#include "tm/mesh/edges.h"
+
+#include <algorithm>
+
+namespace transformesh {
+namespace {
+
+/// A halfedge, filed under the smaller of its two vertices.
+struct Entry {
+  Index larger_vertex;
+  Index halfedge;
+  bool operator<(const Entry& other) const {
+    return larger_vertex != other.larger_vertex ? larger_vertex < other.larger_vertex
+                                                : halfedge < other.halfedge;
+  }
+};
+
+/// Calls visit(smaller vertex, larger vertex, halfedge) in order of the halfedges.
+template <class Visit>
+void for_each_halfedge(const Mesh& mesh, const Visit& visit) {
+  Index halfedge = 0;
+  for (const Face& face : mesh.faces) {
+    for (int corner = 0; corner < 3; ++corner, ++halfedge) {
+      const Index source = face[corner];
+      const Index target = face[corner == 2 ? 0 : corner + 1];
+      if (source != target) visit(std::min(source, target), std::max(source, target), halfedge);
+    }
+  }
+}
+
+/// Buckets hold three entries on average, where inserting beats any general sort.
+void sort_bucket(Entry* first, Entry* last) {
+  if (last - first > 32) return std::sort(first, last);
+  for (Entry* entry = first; entry != last; ++entry) {
+    const Entry moving = *entry;
+    Entry* slot = entry;
+    for (; slot != first && moving < slot[-1]; --slot) *slot = slot[-1];
+    *slot = moving;
+  }
+}
+
+}  // namespace
+
+Edges::Edges(const Mesh& mesh) {
+  // Counting sort by the smaller vertex.
+  std::vector<Index> bucket_end(mesh.positions.size() + 1, 0);
+  for_each_halfedge(mesh, [&](Index smaller, Index, Index) { ++bucket_end[smaller + 1]; });
+  for (std::size_t v = 1; v < bucket_end.size(); ++v) bucket_end[v] += bucket_end[v - 1];
+  std::vector<Entry> entries(bucket_end.back());
+  for_each_halfedge(mesh, [&](Index smaller, Index larger, Index halfedge) {
+    entries[bucket_end[smaller]++] = {larger, halfedge};
+  });
+
+  // Each bucket by the larger vertex; a new edge starts where that changes.
+  halfedges_.reserve(entries.size());
+  offsets_.reserve(entries.size() / 2 + 2);
+  Index first = 0;
+  for (std::size_t v = 0; v + 1 < bucket_end.size(); ++v) {
+    const Index last = bucket_end[v];
+    sort_bucket(entries.data() + first, entries.data() + last);
+    for (Index i = first; i < last; ++i) {
+      if (i == first || entries[i].larger_vertex != entries[i - 1].larger_vertex)
+        offsets_.push_back(i);
+      halfedges_.push_back(entries[i].halfedge);
+    }
+    first = last;
+  }
+  offsets_.push_back(first);
+}
+
+}  // namespace transformesh

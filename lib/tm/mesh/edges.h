@@ -1,0 +1,29 @@
+/// The undirected edges of a mesh, each with the halfedges that run along it. Vertices are the same
+/// when their indices are. A halfedge from a vertex to itself (a face that names a vertex twice) is
+/// no edge and appears nowhere.
+/// Edges are sorted by their smaller vertex, then by their larger one; the halfedges of an edge
+/// ascend. Cost: O(n) for vertices of bounded valence, O(n log n) at worst; deterministic.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+class Edges {
+ public:
+  explicit Edges(const Mesh& mesh);
+
+  std::size_t size() const { return offsets_.size() - 1; }
+  std::span<const Index> halfedges(std::size_t edge) const {
+    return {halfedges_.data() + offsets_[edge], halfedges_.data() + offsets_[edge + 1]};
+  }
+
+ private:
+  std::vector<Index> halfedges_;
+  std::vector<Index> offsets_;
+};
+
+}  // namespace transformesh

@@ -1,0 +1,160 @@
+#include "tm/mesh/measure.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tm/mesh/edges.h"
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+constexpr std::size_t faces_per_task = 4096;
+
+/// The angle between two vectors in [0, pi]; accurate for small and for flat ones.
+double angle_between(const Vec3& u, const Vec3& v) {
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+/// The smallest angle of a face lies across its shortest edge.
+double smallest_angle(const Mesh& mesh, const Face& face) {
+  std::array<Vec3, 3> edges;
+  for (int i = 0; i < 3; ++i)
+    edges[i] = mesh.positions[face[(i + 1) % 3]] - mesh.positions[face[i]];
+  int shortest = 0;
+  for (int i = 1; i < 3; ++i)
+    if (edges[i].squaredNorm() < edges[shortest].squaredNorm()) shortest = i;
+  return angle_between(edges[(shortest + 1) % 3], -edges[(shortest + 2) % 3]);
+}
+
+std::array<double, 3> corner_angles(const Mesh& mesh, const Face& face) {
+  std::array<double, 3> result;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3& corner = mesh.positions[face[i]];
+    result[i] = angle_between(mesh.positions[face[(i + 1) % 3]] - corner,
+                              mesh.positions[face[(i + 2) % 3]] - corner);
+  }
+  return result;
+}
+
+void extend(Box& box, const Vec3& point) {
+  box.minimum = box.minimum.cwiseMin(point);
+  box.maximum = box.maximum.cwiseMax(point);
+}
+
+}  // namespace
+
+Box bounding_box(const Mesh& mesh) {
+  if (mesh.positions.empty()) return {};
+  const Vec3& first = mesh.positions[mesh.faces.empty() ? 0 : mesh.faces[0][0]];
+  Box box{first, first};
+  for (const Face& face : mesh.faces)
+    for (const Index vertex : face) extend(box, mesh.positions[vertex]);
+  if (mesh.faces.empty())
+    for (const Vec3& point : mesh.positions) extend(box, point);
+  return box;
+}
+
+Vec3 face_normal(const Mesh& mesh, Index face) {
+  const Face& corners = mesh.faces[face];
+  const Vec3& a = mesh.positions[corners[0]];
+  return (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
+}
+
+double face_area(const Mesh& mesh, Index face) { return face_normal(mesh, face).norm() / 2; }
+
+double surface_area(const Mesh& mesh) {
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    area += face_area(mesh, static_cast<Index>(f));
+  return area;
+}
+
+double volume(const Mesh& mesh) {
+  // Tetrahedra over a point amid the mesh: far from the origin less would cancel out.
+  const Box box = bounding_box(mesh);
+  const Vec3 apex = box.minimum + (box.maximum - box.minimum) / 2;
+  double sum = 0;
+  for (const Face& face : mesh.faces) {
+    const Vec3 a = mesh.positions[face[0]] - apex;
+    const Vec3 b = mesh.positions[face[1]] - apex;
+    const Vec3 c = mesh.positions[face[2]] - apex;
+    sum += a.dot(b.cross(c));
+  }
+  return sum / 6;
+}
+
+EdgeLengths edge_lengths(const Mesh& mesh) {
+  const Edges edges(mesh);
+  EdgeLengths result;
+  result.count = edges.size();
+  if (result.count == 0) return result;
+  result.minimum = std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    const Index halfedge = edges.halfedges(edge)[0];
+    const double length = (mesh.positions[halfedge_source(mesh, halfedge)] -
+                           mesh.positions[halfedge_target(mesh, halfedge)])
+                              .norm();
+    sum += length;
+    result.minimum = std::min(result.minimum, length);
+    result.maximum = std::max(result.maximum, length);
+  }
+  result.mean = sum / static_cast<double>(result.count);
+  return result;
+}
+
+Angles angles(const Mesh& mesh) {
+  if (mesh.faces.empty()) return {};
+  std::vector<double> smallest(mesh.faces.size());
+  parallel_for(mesh.faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) smallest[f] = smallest_angle(mesh, mesh.faces[f]);
+  });
+  double sum = 0;
+  for (const double angle : smallest) sum += angle;
+  return {*std::min_element(smallest.begin(), smallest.end()) * degrees_per_radian,
+          sum / static_cast<double>(smallest.size()) * degrees_per_radian};
+}
+
+std::vector<Vec3> vertex_normals(const Mesh& mesh) {
+  std::vector<std::array<double, 3>> weights(mesh.faces.size());
+  parallel_for(mesh.faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) weights[f] = corner_angles(mesh, mesh.faces[f]);
+  });
+  std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Vec3 unit = face_normal(mesh, static_cast<Index>(f)).stableNormalized();
+    for (int i = 0; i < 3; ++i) normals[mesh.faces[f][i]] += weights[f][i] * unit;
+  }
+  for (Vec3& normal : normals) normal = normal.stableNormalized();
+  return normals;
+}
+
+double valence_six_share(const Mesh& mesh) {
+  // Edges at each vertex, and the vertices on a border.
+  const Edges edges(mesh);
+  std::vector<Index> valence(mesh.positions.size(), 0);
+  std::vector<bool> is_border(mesh.positions.size(), false);
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    const auto halfedges = edges.halfedges(edge);
+    for (const Index vertex :
+         {halfedge_source(mesh, halfedges[0]), halfedge_target(mesh, halfedges[0])}) {
+      ++valence[vertex];
+      if (halfedges.size() == 1) is_border[vertex] = true;
+    }
+  }
+
+  std::size_t interior = 0;
+  std::size_t six = 0;
+  for (std::size_t v = 0; v < valence.size(); ++v) {
+    if (valence[v] == 0 || is_border[v]) continue;
+    ++interior;
+    if (valence[v] == 6) ++six;
+  }
+  return interior == 0 ? 0 : static_cast<double>(six) / static_cast<double>(interior);
+}
+
+}  // namespace transformesh

@@ -1,0 +1,124 @@
+/// Small meshes for tests, closed and oriented outwards unless they say otherwise.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "tm/mesh/mesh.h"
+
+namespace transformesh::test {
+
+/// Corners at (0,0,0), (1,0,0), (0,1,0), (0,0,1): volume 1/6.
+inline Mesh tetrahedron() {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  return mesh;
+}
+
+/// The box between two corners: 8 vertices, 12 faces.
+inline Mesh cuboid(const Vec3& low, const Vec3& high) {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i)
+    mesh.positions.emplace_back(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(),
+                                i & 4 ? high.z() : low.z());
+  mesh.faces = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+inline Mesh cube() { return cuboid(Vec3::Zero(), Vec3::Ones()); }
+
+/// A unit sphere: an icosahedron, each face cut into 4^subdivisions.
+inline Mesh icosphere(int subdivisions) {
+  const double t = std::numbers::phi;
+  Mesh mesh;
+  mesh.positions = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
+                    {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
+  mesh.faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  for (Vec3& point : mesh.positions) point.normalize();
+
+  for (; subdivisions > 0; --subdivisions) {
+    std::map<std::pair<Index, Index>, Index> middles;
+    const auto middle = [&](Index a, Index b) {
+      const auto [entry, is_new] =
+          middles.try_emplace(std::minmax(a, b), static_cast<Index>(mesh.positions.size()));
+      const Vec3 sum = mesh.positions[a] + mesh.positions[b];
+      if (is_new) mesh.positions.push_back(sum.normalized());
+      return entry->second;
+    };
+    std::vector<Face> faces;
+    for (const auto& [a, b, c] : mesh.faces) {
+      const Index ab = middle(a, b);
+      const Index bc = middle(b, c);
+      const Index ca = middle(c, a);
+      faces.insert(faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    mesh.faces = std::move(faces);
+  }
+  return mesh;
+}
+
+/// A torus about the z axis as a grid of around x across vertices; every valence is six.
+inline Mesh torus(double major, double minor, int around, int across) {
+  Mesh mesh;
+  const auto vertex = [&](int i, int j) {
+    return static_cast<Index>((i % around) * across + j % across);
+  };
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across; ++j) {
+      const double u = 2 * std::numbers::pi * i / around;
+      const double v = 2 * std::numbers::pi * j / across;
+      const double radius = major + minor * std::cos(v);
+      mesh.positions.emplace_back(radius * std::cos(u), radius * std::sin(u), minor * std::sin(v));
+      mesh.faces.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      mesh.faces.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return mesh;
+}
+
+/// An open square grid of n x n cells in the plane z = 0, facing up.
+inline Mesh grid(int n) {
+  Mesh mesh;
+  const auto vertex = [&](int i, int j) { return static_cast<Index>(i * (n + 1) + j); };
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      mesh.positions.emplace_back(i / static_cast<double>(n), j / static_cast<double>(n), 0);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      mesh.faces.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      mesh.faces.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return mesh;
+}
+
+/// All faces of both; positions and faces only.
+inline Mesh joined(const Mesh& first, const Mesh& second) {
+  Mesh mesh = first;
+  const Index base = static_cast<Index>(first.positions.size());
+  mesh.positions.insert(mesh.positions.end(), second.positions.begin(), second.positions.end());
+  for (const auto& [a, b, c] : second.faces) mesh.faces.push_back({a + base, b + base, c + base});
+  return mesh;
+}
+
+inline Mesh moved(Mesh mesh, const Vec3& by) {
+  for (Vec3& point : mesh.positions) point += by;
+  return mesh;
+}
+
+inline Mesh scaled(Mesh mesh, double by) {
+  for (Vec3& point : mesh.positions) point *= by;
+  return mesh;
+}
+
+inline Mesh reversed(Mesh mesh) {
+  for (Face& face : mesh.faces) std::swap(face[1], face[2]);
+  return mesh;
+}
+
+}  // namespace transformesh::test
