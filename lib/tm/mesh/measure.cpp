@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "tm/mesh/edges.h"
@@ -19,25 +20,25 @@ double angle_between(const Vec3& u, const Vec3& v) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// The smallest angle of a face lies across its shortest edge.
-double smallest_angle(const Mesh& mesh, const Face& face) {
-  std::array<Vec3, 3> edges;
-  for (int i = 0; i < 3; ++i)
-    edges[i] = mesh.positions[face[(i + 1) % 3]] - mesh.positions[face[i]];
-  int shortest = 0;
-  for (int i = 1; i < 3; ++i)
-    if (edges[i].squaredNorm() < edges[shortest].squaredNorm()) shortest = i;
-  return angle_between(edges[(shortest + 1) % 3], -edges[(shortest + 2) % 3]);
+double corner_angle(const Mesh& mesh, const Face& face, int corner) {
+  const Vec3& apex = mesh.positions[face[corner]];
+  return angle_between(mesh.positions[face[(corner + 1) % 3]] - apex,
+                       mesh.positions[face[(corner + 2) % 3]] - apex);
 }
 
-std::array<double, 3> corner_angles(const Mesh& mesh, const Face& face) {
-  std::array<double, 3> result;
+/// The smallest angle of a face lies across its shortest edge.
+double smallest_angle(const Mesh& mesh, const Face& face) {
+  int apex = 0;
+  double shortest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    const Vec3& corner = mesh.positions[face[i]];
-    result[i] = angle_between(mesh.positions[face[(i + 1) % 3]] - corner,
-                              mesh.positions[face[(i + 2) % 3]] - corner);
+    const double across =
+        (mesh.positions[face[(i + 2) % 3]] - mesh.positions[face[(i + 1) % 3]]).squaredNorm();
+    if (across < shortest) {
+      shortest = across;
+      apex = i;
+    }
   }
-  return result;
+  return corner_angle(mesh, face, apex);
 }
 
 void extend(Box& box, const Vec3& point) {
@@ -122,7 +123,8 @@ Angles angles(const Mesh& mesh) {
 std::vector<Vec3> vertex_normals(const Mesh& mesh) {
   std::vector<std::array<double, 3>> weights(mesh.faces.size());
   parallel_for(mesh.faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f) weights[f] = corner_angles(mesh, mesh.faces[f]);
+    for (std::size_t f = first; f < last; ++f)
+      for (int i = 0; i < 3; ++i) weights[f][i] = corner_angle(mesh, mesh.faces[f], i);
   });
   std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

@@ -1,0 +1,118 @@
+#include "tm/mesh/measure.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "helpers/shapes.h"
+
+using namespace transformesh;
+using doctest::Approx;
+using std::numbers::pi;
+
+TEST_CASE("a cube measures what a cube measures") {
+  const Mesh mesh = test::cuboid({1, 2, 3}, {2, 4, 6});
+  CHECK(surface_area(mesh) == Approx(22).epsilon(1e-14));
+  CHECK(volume(mesh) == Approx(6).epsilon(1e-14));
+  CHECK(volume(test::reversed(mesh)) == Approx(-6).epsilon(1e-14));
+  const Box box = bounding_box(mesh);
+  CHECK(box.minimum == Vec3(1, 2, 3));
+  CHECK(box.maximum == Vec3(2, 4, 6));
+  CHECK(box.diagonal() == Approx(std::sqrt(14.0)));
+
+  const EdgeLengths unit = edge_lengths(test::cube());
+  CHECK(unit.count == 18);
+  CHECK(unit.minimum == 1);
+  CHECK(unit.maximum == std::sqrt(2.0));
+  CHECK(unit.mean == Approx((12 + 6 * std::sqrt(2.0)) / 18));
+  CHECK(angles(test::cube()).minimum_deg == Approx(45));
+  CHECK(angles(test::cube()).minimum_mean_deg == Approx(45));
+}
+
+TEST_CASE("spheres and tori converge with the square of the edge length") {
+  double last_area = 0;
+  double last_volume = 0;
+  for (int level = 2; level <= 5; ++level) {
+    const Mesh sphere = test::icosphere(level);
+    const double area_error = 4 * pi - surface_area(sphere);
+    const double volume_error = 4 * pi / 3 - volume(sphere);
+    CHECK(area_error > 0);
+    if (level > 2) {
+      CHECK(last_area / area_error == Approx(4).epsilon(0.05));
+      CHECK(last_volume / volume_error == Approx(4).epsilon(0.05));
+    }
+    last_area = area_error;
+    last_volume = volume_error;
+  }
+  const Mesh torus = test::torus(2, 0.5, 400, 100);
+  CHECK(surface_area(torus) == Approx(4 * pi * pi * 2 * 0.5).epsilon(1e-3));
+  CHECK(volume(torus) == Approx(2 * pi * pi * 2 * 0.25).epsilon(1e-3));
+}
+
+TEST_CASE("the volume does not depend on where the mesh lies") {
+  const Mesh sphere = test::icosphere(3);
+  const Mesh far = test::moved(sphere, Vec3(1048576, -1048576, 2097152));
+  CHECK(volume(far) == Approx(volume(sphere)).epsilon(1e-8));
+}
+
+TEST_CASE("the box ignores vertices without faces, unless there are no faces") {
+  Mesh mesh = test::cube();
+  mesh.positions.emplace_back(50, 50, 50);
+  CHECK(bounding_box(mesh).maximum == Vec3(1, 1, 1));
+  mesh.faces.clear();
+  CHECK(bounding_box(mesh).maximum == Vec3(50, 50, 50));
+  CHECK(bounding_box(Mesh{}).diagonal() == 0);
+}
+
+TEST_CASE("degenerate faces have angle zero and area zero") {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 0}, {0, 1, 0}};
+  mesh.faces = {{0, 1, 4}};
+  CHECK(angles(mesh).minimum_deg == Approx(45));
+  for (const Face& face : {Face{0, 1, 2}, Face{0, 1, 3}, Face{0, 1, 1}, Face{0, 0, 0}}) {
+    mesh.faces = {face};
+    CHECK(angles(mesh).minimum_deg == 0);
+    CHECK(surface_area(mesh) == 0);
+  }
+  CHECK(angles(Mesh{}).minimum_mean_deg == 0);
+  CHECK(edge_lengths(Mesh{}).mean == 0);
+}
+
+TEST_CASE("angles of a 3-4-5 triangle and of slivers") {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {4, 1e-9, 0}};
+  mesh.faces = {{0, 1, 2}};
+  CHECK(angles(mesh).minimum_deg == Approx(std::atan2(3, 4) * 180 / pi));
+  mesh.faces = {{0, 1, 3}};
+  CHECK(angles(mesh).minimum_deg == Approx(2.5e-10 * 180 / pi));
+}
+
+TEST_CASE("vertex normals weigh by angle, not by how a side is cut") {
+  const auto normals = vertex_normals(test::cube());
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 outwards(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    CHECK((normals[i] - outwards.normalized()).norm() < 1e-15);
+  }
+  const Mesh sphere = test::icosphere(4);
+  const auto sphere_normals = vertex_normals(sphere);
+  for (std::size_t v = 0; v < sphere.positions.size(); ++v)
+    CHECK((sphere_normals[v] - sphere.positions[v]).norm() < 5e-3);
+  Mesh lonely;
+  lonely.positions = {{1, 2, 3}};
+  CHECK(vertex_normals(lonely)[0] == Vec3::Zero());
+}
+
+TEST_CASE("vertex normals of tiny and of huge meshes are unit") {
+  for (const double scale : {1e-30, 1e30})
+    for (const Vec3& normal : vertex_normals(test::scaled(test::icosphere(1), scale)))
+      CHECK(normal.norm() == Approx(1));
+}
+
+TEST_CASE("valence six is counted over interior vertices") {
+  CHECK(valence_six_share(test::torus(2, 0.5, 9, 6)) == 1);
+  CHECK(valence_six_share(test::icosphere(0)) == 0);
+  CHECK(valence_six_share(test::icosphere(2)) == Approx(150.0 / 162));
+  CHECK(valence_six_share(test::grid(3)) == 1);
+  CHECK(valence_six_share(Mesh{}) == 0);
+}
