@@ -30,6 +30,10 @@ struct Style {
   Scalar face_list_index = Scalar::int32;
   std::size_t position_column = 0;   ///< vertex properties that come before x y z
   std::size_t face_list_column = 0;  ///< face properties that come before the index list
+  /// Names of the PLY elements in the order of the file; empty: vertex, face, then the others.
+  /// Where it leaves out `face`, none is written while the mesh has no faces (a point cloud).
+  std::vector<std::string> element_order;
+  bool sized_type_names = false;  ///< PLY types are spelt float32, uint8 and not float, uchar
 };
 
 struct Document {

@@ -1,0 +1,63 @@
+#include "tm/io/losses.h"
+
+#include <algorithm>
+
+#include "tm/io/source.h"
+
+namespace transformesh {
+namespace {
+
+class Losses {
+ public:
+  explicit Losses(const std::string& format) : format_(format) {
+    for (char& c : format_) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    ending_ = " cannot be stored in " + format + ", dropped";
+  }
+
+  void add(const std::string& what) { notes_.push_back(format_ + ": " + what + ending_); }
+
+  void add_columns(const Columns& columns, const std::vector<std::string_view>& kept,
+                   const std::string& element) {
+    for (const Column& column : columns.columns) {
+      const bool is_kept = std::find(kept.begin(), kept.end(), column.name) != kept.end();
+      if (!is_kept) add(element + " property " + quoted(column.name));
+    }
+  }
+
+  std::vector<std::string> take() { return std::move(notes_); }
+
+ private:
+  std::string format_;
+  std::string ending_;
+  std::vector<std::string> notes_;
+};
+
+/// Our own lines are written into every file; nobody misses them.
+bool is_ours(const std::string& comment) {
+  return comment.rfind("tm-", 0) == 0 || comment.rfind("tm:", 0) == 0;
+}
+
+}  // namespace
+
+std::vector<std::string> losses(const Document& document, const Keeps& keeps) {
+  Losses losses(keeps.format);
+  losses.add_columns(document.mesh.vertex_columns, keeps.vertex_columns, "vertex");
+  losses.add_columns(document.mesh.face_columns, keeps.face_columns, "face");
+  for (const OtherElement& other : document.other_elements) {
+    losses.add("element " + quoted(other.name));
+  }
+  const std::vector<std::string>& comments = document.style.comments;
+  const bool has_comment = !std::all_of(comments.begin(), comments.end(), is_ours);
+  if (has_comment && !keeps.comments) losses.add("the comments");
+  if (!document.style.obj_info.empty()) losses.add("obj_info");
+  return losses.take();
+}
+
+bool has_columns(const Columns& columns, std::initializer_list<std::string_view> names) {
+  return std::all_of(names.begin(), names.end(), [&](std::string_view name) {
+    const Column* column = columns.find(name);
+    return column && !column->list_count_type;
+  });
+}
+
+}  // namespace transformesh

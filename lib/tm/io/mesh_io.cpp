@@ -1,0 +1,101 @@
+#include "tm/io/mesh_io.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tm/io/off.h"
+#include "tm/io/ply.h"
+#include "tm/io/sniff.h"
+#include "tm/support/error.h"
+
+namespace transformesh {
+namespace {
+
+std::string_view without_byte_order_mark(std::string_view bytes) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return bytes.substr(0, mark.size()) == mark ? bytes.substr(mark.size()) : bytes;
+}
+
+void check_columns(const Columns& columns, std::size_t rows, const std::string& element) {
+  for (const Column& column : columns.columns) {
+    const bool fits = column.list_count_type
+                          ? column.list_offsets.size() == rows + 1 &&
+                                column.list_offsets.back() == column.values.size()
+                          : column.values.size() == rows;
+    if (fits) continue;
+    throw GoalError(element + " property '" + column.name + "' does not have one value for each " +
+                    element);
+  }
+}
+
+void check_writable(const Document& document) {
+  check_columns(document.mesh.vertex_columns, document.mesh.positions.size(), "vertex");
+  check_columns(document.mesh.face_columns, document.mesh.faces.size(), "face");
+  for (const OtherElement& other : document.other_elements) {
+    check_columns(other.columns, other.rows, other.name);
+  }
+}
+
+void check_float_range(const Mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const bool fits = mesh.positions[i].cast<float>().allFinite();
+    if (fits) continue;
+    throw GoalError("vertex " + std::to_string(i) +
+                    " has a coordinate too large for float: write double");
+  }
+}
+
+}  // namespace
+
+ReadResult read_mesh(std::string_view bytes, const std::string& name) {
+  const Source source{without_byte_order_mark(bytes), name};
+  switch (sniff(source)) {
+    case FileKind::ply:
+      return read_ply(source);
+    case FileKind::off:
+      return read_off(source);
+    default:
+      source.fail("this format is not read yet");
+  }
+}
+
+WriteResult write_mesh(const Document& document) {
+  check_writable(document);
+  const Format format = document.style.format;
+  switch (format) {
+    case Format::off:
+      return write_off(document);
+    default:
+      if (document.style.coordinate == Scalar::float32) check_float_range(document.mesh);
+      return write_ply(document);
+  }
+}
+
+bool format_of_name(std::string_view name, Format encoding_like, Format& format) {
+  const std::size_t dot = std::min(name.rfind('.'), name.size());
+  std::string extension(name.substr(dot));
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  if (extension == ".ply") {
+    const bool is_ply = encoding_like == Format::ply_ascii || encoding_like == Format::ply_big;
+    format = is_ply ? encoding_like : Format::ply_little;
+  } else if (extension == ".off") {
+    format = Format::off;
+  } else if (extension == ".obj") {
+    format = Format::obj;
+  } else if (extension == ".stl") {
+    format = encoding_like == Format::stl_ascii ? Format::stl_ascii : Format::stl_binary;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void round_positions(Mesh& mesh, Scalar coordinate) {
+  if (coordinate != Scalar::float32) return;
+  check_float_range(mesh);
+  for (Vec3& position : mesh.positions) position = position.cast<float>().cast<double>();
+}
+
+}  // namespace transformesh

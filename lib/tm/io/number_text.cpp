@@ -1,0 +1,36 @@
+#include "tm/io/number_text.h"
+
+#include <algorithm>
+
+namespace transformesh {
+
+bool is_below_one(std::string_view number) {
+  // The sign of an exponent that does not even fit a long decides alone.
+  const std::size_t exponent_mark = number.find_first_of("eE");
+  long exponent = 0;
+  if (exponent_mark != std::string_view::npos) {
+    const char* first = number.data() + exponent_mark + 1;
+    const bool negative = *first == '-';
+    if (parse_number(first, number.data() + number.size(), exponent) != Parsed::ok) return negative;
+  }
+
+  // Else the place of the first digit that is not zero, moved by the exponent.
+  const std::string_view digits = number.substr(0, exponent_mark);
+  const std::size_t first_digit = digits.find_first_of("123456789");
+  if (first_digit == std::string_view::npos) return true;
+  const auto point = static_cast<long>(std::min(digits.find('.'), digits.size()));
+  const long place = point - static_cast<long>(first_digit);
+  return exponent < 0 ? place <= -exponent : place + exponent <= 0;
+}
+
+void add_comments(std::string_view mark, const std::vector<std::string>& comments,
+                  TextBuffer& text) {
+  for (const std::string& comment : comments) {
+    text.add(mark);
+    if (!comment.empty()) text.add(' ');
+    for (const char c : comment) text.add(c == '\n' || c == '\r' ? ' ' : c);
+    text.add('\n');
+  }
+}
+
+}  // namespace transformesh

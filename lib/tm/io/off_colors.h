@@ -1,0 +1,39 @@
+/// The colours of OFF rows, whose number of channels and type show only at the end of the file.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "tm/mesh/columns.h"
+
+namespace transformesh {
+
+class ColorRows {
+ public:
+  using Color = std::array<double, 4>;
+  static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  static constexpr Color no_color{missing, missing, missing, missing};
+
+  /// Rows in growing order; those left out have no colour.
+  void set(std::size_t row, const Color& color);
+  /// Shows a number as it is written: a point or an exponent makes all colours floating point.
+  void see_word(std::string_view word);
+
+  /// Adds red green blue (alpha), or color_index where rows have one number only. Integers become
+  /// uchar where they fit. Rows without colour get zeros, without alpha are opaque.
+  void add_columns(std::size_t rows, Columns& columns);
+  std::size_t missing_rows() const;
+
+ private:
+  bool is_any(std::size_t channel) const;
+  Scalar type_of_values() const;
+  void add_column(const char* name, Scalar type, std::size_t channel, double absent,
+                  Columns& columns) const;
+
+  std::vector<Color> colors_;
+  bool is_integer_ = true;
+};
+
+}  // namespace transformesh

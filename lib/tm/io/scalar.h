@@ -1,0 +1,103 @@
+/// The eight PLY scalar types as values, names and bytes.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+
+#include "tm/mesh/columns.h"
+
+namespace transformesh {
+
+/// Calls f with a zero of the C++ type that `type` names, and returns what it returns.
+template <class Function>
+decltype(auto) with_scalar(Scalar type, Function&& f) {
+  switch (type) {
+    case Scalar::int8:
+      return f(std::int8_t{});
+    case Scalar::uint8:
+      return f(std::uint8_t{});
+    case Scalar::int16:
+      return f(std::int16_t{});
+    case Scalar::uint16:
+      return f(std::uint16_t{});
+    case Scalar::int32:
+      return f(std::int32_t{});
+    case Scalar::uint32:
+      return f(std::uint32_t{});
+    case Scalar::float32:
+      return f(float{});
+    default:
+      return f(double{});
+  }
+}
+
+inline std::size_t byte_size(Scalar type) {
+  return with_scalar(type, [](auto zero) { return sizeof(zero); });
+}
+
+inline bool is_floating(Scalar type) { return type == Scalar::float32 || type == Scalar::float64; }
+
+/// The PLY name, as `uchar` or, sized, as `uint8`.
+std::string_view scalar_name(Scalar type, bool sized);
+/// Takes both spellings; nothing for other words.
+std::optional<Scalar> scalar_of_name(std::string_view name);
+
+/// The integer type itself while it holds `largest`, else the next wider one that does.
+Scalar widened(Scalar type, std::uint64_t largest);
+
+/// The nearest value that T holds; integers are rounded and clamped, NaN becomes 0.
+template <class T>
+T to_scalar(double value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return static_cast<T>(value);
+  } else {
+    constexpr double smallest = std::numeric_limits<T>::min();
+    constexpr double largest = std::numeric_limits<T>::max();
+    if (!(value > smallest)) return value <= smallest ? std::numeric_limits<T>::min() : T{};
+    return value >= largest ? std::numeric_limits<T>::max() : static_cast<T>(std::round(value));
+  }
+}
+
+template <class T>
+T byte_swapped(T value) {
+  if constexpr (sizeof(T) == 1) {
+    return value;
+  } else if constexpr (sizeof(T) == 2) {
+    return std::bit_cast<T>(__builtin_bswap16(std::bit_cast<std::uint16_t>(value)));
+  } else if constexpr (sizeof(T) == 4) {
+    return std::bit_cast<T>(__builtin_bswap32(std::bit_cast<std::uint32_t>(value)));
+  } else {
+    return std::bit_cast<T>(__builtin_bswap64(std::bit_cast<std::uint64_t>(value)));
+  }
+}
+
+template <class T>
+T load_scalar(const char* from, bool swapped) {
+  T value;
+  if constexpr (sizeof(T) == 4) {  // swap before the bits become a float: a copy may change NaNs
+    std::uint32_t bits;
+    std::memcpy(&bits, from, sizeof(bits));
+    return std::bit_cast<T>(swapped ? byte_swapped(bits) : bits);
+  } else if constexpr (sizeof(T) == 8) {
+    std::uint64_t bits;
+    std::memcpy(&bits, from, sizeof(bits));
+    return std::bit_cast<T>(swapped ? byte_swapped(bits) : bits);
+  } else {
+    std::memcpy(&value, from, sizeof(value));
+    return swapped ? byte_swapped(value) : value;
+  }
+}
+
+template <class T>
+void store_scalar(char* to, T value, bool swapped) {
+  if (swapped) value = byte_swapped(value);
+  std::memcpy(to, &value, sizeof(value));
+}
+
+}  // namespace transformesh

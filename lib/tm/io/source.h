@@ -1,0 +1,29 @@
+/// The bytes being read and the name that messages give them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace transformesh {
+
+struct Source {
+  std::string_view bytes;
+  std::string name;
+
+  const char* begin() const { return bytes.data(); }
+  const char* end() const { return bytes.data() + bytes.size(); }
+
+  /// Each throws InputError: `what (name)`, `what (name line 12)`, `what (name byte 1034)`.
+  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail_at_line(const char* place, const std::string& what) const;
+  [[noreturn]] void fail_at_byte(const char* place, const std::string& what) const;
+};
+
+/// Text taken from the input, fit for a message: quoted, shortened, unprintable bytes as \xNN.
+std::string quoted(std::string_view text);
+
+/// "1 face", "2 faces".
+std::string counted(std::size_t count, const std::string& noun);
+
+}  // namespace transformesh
