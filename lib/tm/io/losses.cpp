@@ -32,11 +32,6 @@ class Losses {
   std::vector<std::string> notes_;
 };
 
-/// Our own lines are written into every file; nobody misses them.
-bool is_ours(const std::string& comment) {
-  return comment.rfind("tm-", 0) == 0 || comment.rfind("tm:", 0) == 0;
-}
-
 }  // namespace
 
 std::vector<std::string> losses(const Document& document, const Keeps& keeps) {
@@ -47,10 +42,15 @@ std::vector<std::string> losses(const Document& document, const Keeps& keeps) {
     losses.add("element " + quoted(other.name));
   }
   const std::vector<std::string>& comments = document.style.comments;
-  const bool has_comment = !std::all_of(comments.begin(), comments.end(), is_ours);
-  if (has_comment && !keeps.comments) losses.add("the comments");
+  const auto own = std::count_if(comments.begin(), comments.end(), is_own_comment);
+  const std::size_t others = comments.size() - static_cast<std::size_t>(own);
+  if (others > keeps.comments) losses.add(counted(others - keeps.comments, "comment"));
   if (!document.style.obj_info.empty()) losses.add("obj_info");
   return losses.take();
+}
+
+bool is_own_comment(const std::string& comment) {
+  return comment.rfind("tm-", 0) == 0 || comment.rfind("tm:", 0) == 0;
 }
 
 bool has_columns(const Columns& columns, std::initializer_list<std::string_view> names) {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tm/io/obj.h"
 #include "tm/io/off.h"
 #include "tm/io/ply.h"
 #include "tm/io/sniff.h"
+#include "tm/io/stl.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -54,17 +56,26 @@ ReadResult read_mesh(std::string_view bytes, const std::string& name) {
       return read_ply(source);
     case FileKind::off:
       return read_off(source);
+    case FileKind::obj:
+      return read_obj(source);
+    case FileKind::stl_ascii:
+      return read_stl_text(source);
     default:
-      source.fail("this format is not read yet");
+      return read_stl_binary(source);
   }
 }
 
 WriteResult write_mesh(const Document& document) {
   check_writable(document);
-  const Format format = document.style.format;
-  switch (format) {
+  switch (document.style.format) {
     case Format::off:
       return write_off(document);
+    case Format::obj:
+      return write_obj(document);
+    case Format::stl_ascii:
+    case Format::stl_binary:
+      check_float_range(document.mesh);
+      return write_stl(document);
     default:
       if (document.style.coordinate == Scalar::float32) check_float_range(document.mesh);
       return write_ply(document);

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
+#include "tm/io/color_rows.h"
 #include "tm/io/off.h"
-#include "tm/io/off_colors.h"
 #include "tm/io/polygons.h"
 #include "tm/io/text_rows.h"
 
@@ -126,7 +126,7 @@ class OffReader {
     if (channels_ == 3 || channels_ == 4 || (channels_ == 0 && !variant_.color)) {
       if (channels_ > 0 && !variant_.color) {
         result_.notes.emplace_back("off: " + std::to_string(channels_) +
-                                " further numbers of each vertex are read as its colour");
+                                   " further numbers of each vertex are read as its colour");
       }
     } else {
       rows_.fail("vertex 0 has " + counted(words, "number") + ", which does not fit the header");
@@ -204,16 +204,16 @@ class OffReader {
     std::vector<std::string>& notes = result_.notes;
     if (face_colors_.missing_rows() > 0) {
       notes.emplace_back("off: " + counted(face_colors_.missing_rows(), "face") +
-                      " without a colour made black");
+                         " without a colour made black");
     }
     if (strange_faces_ > 0) {
       notes.emplace_back("off: the numbers behind " + counted(strange_faces_, "face") +
-                      " are no colour, dropped");
+                         " are no colour, dropped");
     }
     if (rows_.next_row()) notes.emplace_back("off: what follows the last face is ignored");
     if (rows_.trailing_comments > 0) {
       notes.emplace_back("off: " + counted(rows_.trailing_comments, "comment") +
-                      " behind data dropped");
+                         " behind data dropped");
     }
   }
 

@@ -42,6 +42,15 @@ std::size_t TextRows::words_left() const {
   return count;
 }
 
+std::string_view TextRows::skip_row() {
+  skip_blanks();
+  const char* first = next_;
+  const char* last = row_end_;
+  while (last != first && is_blank(last[-1])) --last;
+  next_ = row_end_;
+  return {first, static_cast<std::size_t>(last - first)};
+}
+
 std::string_view TextRows::last_word() const {
   return {place_, static_cast<std::size_t>(next_ - place_)};
 }

@@ -28,6 +28,8 @@ class TextRows {
   /// What word() would return, and how many words are left in the row.
   std::string_view peek() const { return TextRows(*this).word(); }
   std::size_t words_left() const;
+  /// Leaves out what is left of the row, and returns it without blanks around it.
+  std::string_view skip_row();
   /// The word that was read last, as number or as word.
   std::string_view last_word() const;
   /// The number that the next word is. Throws InputError where it is none; what() names it there.
@@ -42,6 +44,8 @@ class TextRows {
     if (has_more()) fail_rest(row());
   }
 
+  /// Where the last word or number starts.
+  const char* place() const { return place_; }
   [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(place_, what); }
 
   /// Whole lines of comment met so far, without the mark and one space behind it.

@@ -1,4 +1,4 @@
-/// The colours of OFF rows, whose number of channels and type show only at the end of the file.
+/// The colours of rows of text, whose number of channels and type show only at the end of the file.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "tm/io/off_colors.h"
+#include "tm/io/color_rows.h"
 
 #include <algorithm>
 #include <cmath>

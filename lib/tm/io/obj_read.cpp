@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "tm/io/color_rows.h"
+#include "tm/io/obj.h"
+#include "tm/io/polygons.h"
+#include "tm/io/text_rows.h"
+
+namespace transformesh {
+namespace {
+
+/// What the format knows besides vertices and faces.
+bool is_other_keyword(std::string_view word) {
+  constexpr std::array<std::string_view, 42> words{
+      "bevel", "bmat",     "bsp",    "bzp",    "c_interp",   "call",     "cdc",  "cdp",  "con",
+      "csh",   "cstype",   "ctech",  "curv",   "curv2",      "deg",      "end",  "g",    "hole",
+      "l",     "lod",      "maplib", "mg",     "mtllib",     "o",        "p",    "parm", "res",
+      "s",     "scrv",     "sp",     "stech",  "step",       "surf",     "trim", "vn",   "vp",
+      "vt",    "d_interp", "usemap", "usemtl", "shadow_obj", "trace_obj"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+class ObjReader {
+ public:
+  explicit ObjReader(const Source& source) : source_(source), rows_(source, 0, {'#', true}) {}
+
+  ReadResult read() {
+    while (rows_.next_row()) read_row(rows_.word());
+    if (largest_index_ >= mesh().positions.size() && largest_index_place_) {
+      source_.fail_at_line(largest_index_place_, out_of_range(largest_index_ + 1));
+    }
+    add_colors();
+    polygons_.move_into(mesh(), "obj", result_.notes);
+    add_notes();
+    result_.document.style.format = Format::obj;
+    result_.document.style.comments = std::move(rows_.comments);
+    return std::move(result_);
+  }
+
+ private:
+  Mesh& mesh() { return result_.document.mesh; }
+
+  void read_row(std::string_view keyword) {
+    if (keyword == "v") {
+      read_vertex();
+    } else if (keyword == "f" || keyword == "fo") {
+      read_face();
+    } else if (is_other_keyword(keyword)) {
+      ++ignored_[keyword];
+    } else {
+      rows_.fail("an OBJ file has no lines that start with " + quoted(keyword));
+    }
+  }
+
+  void read_vertex() {
+    const std::size_t row = mesh().positions.size();
+    const auto name = [&] { return "a number of vertex " + std::to_string(row + 1); };
+    const std::size_t words = rows_.words_left();
+    if (words != 3 && words != 4 && words != 6) {
+      rows_.fail("vertex " + std::to_string(row + 1) + " has " + counted(words, "number") +
+                 "; 3 are needed, 4 with a weight or 6 with a colour");
+    }
+    if (row + 1 >= no_index) rows_.fail("more vertices than 32 bits can count");
+    Vec3& position = mesh().positions.emplace_back();
+    for (const Eigen::Index axis : {0, 1, 2}) position[axis] = rows_.finite_number<double>(name);
+    if (words == 4 && rows_.finite_number<double>(name) != 1) ++weights_;
+    if (words != 6) return;
+    ColorRows::Color color = ColorRows::no_color;
+    for (std::size_t i = 0; i < 3; ++i) color[i] = rows_.finite_number<double>(name);
+    colors_.set(row, color);
+  }
+
+  void read_face() {
+    corners_.clear();
+    while (rows_.has_more()) corners_.push_back(read_corner(rows_.word()));
+    polygons_.add(corners_);
+  }
+
+  /// A corner is `vertex`, `vertex/texture`, `vertex//normal` or `vertex/texture/normal`. Indices
+  /// start at 1; negative ones count back from the last vertex read.
+  Index read_corner(std::string_view word) {
+    const char* first = word.data();
+    const char* last = first + word.size();
+    std::int64_t index = 0;
+    const bool is_number = parse_number(first, last, index) == Parsed::ok;
+    const bool has_others = first != last && *first == '/';
+    const std::string_view others(first, static_cast<std::size_t>(last - first));
+    const bool is_clean = others.find_first_not_of("/0123456789-") == std::string_view::npos;
+    if (!is_number || !is_clean || !(first == last || has_others)) {
+      rows_.fail("a corner of " + face_name() + " is not an index: " + quoted(word));
+    }
+    const auto known = static_cast<std::int64_t>(mesh().positions.size());
+    const std::int64_t absolute = index < 0 ? known + index : index - 1;
+    if (index == 0 || absolute < 0 || absolute >= no_index) rows_.fail(out_of_range(index));
+    remember_largest(static_cast<Index>(absolute));
+    return static_cast<Index>(absolute);
+  }
+
+  /// A face may come before its vertices, so that only the end of the file can tell.
+  void remember_largest(Index index) {
+    if (largest_index_place_ && index <= largest_index_) return;
+    largest_index_ = index;
+    largest_index_place_ = rows_.place();
+    largest_index_face_ = polygons_.rows() + 1;
+  }
+
+  std::string face_name() const { return "face " + std::to_string(polygons_.rows() + 1); }
+
+  std::string out_of_range(std::int64_t index) {
+    const std::uint32_t face = index > 0 && index == std::int64_t{largest_index_} + 1
+                                   ? largest_index_face_
+                                   : polygons_.rows() + 1;
+    return "face " + std::to_string(face) + " has vertex index " + std::to_string(index) +
+           ", but there are " + std::to_string(mesh().positions.size()) + " vertices";
+  }
+
+  /// Colours that are whole 255ths in every vertex come from bytes, and become bytes.
+  void add_colors() {
+    Columns& columns = mesh().vertex_columns;
+    colors_.see_word(".");
+    if (colors_.missing_rows() > 0)
+      result_.notes.emplace_back("obj: vertices without a colour made black");
+    colors_.add_columns(mesh().positions.size(), columns);
+    const auto is_byte = [](double value) {
+      return value >= 0 && value <= 1 && std::round(value * 255) / 255 == value;
+    };
+    const bool are_bytes =
+        std::all_of(columns.columns.begin(), columns.columns.end(), [&](const Column& column) {
+          return std::all_of(column.values.begin(), column.values.end(), is_byte);
+        });
+    if (!are_bytes) return;
+    for (Column& column : columns.columns) {
+      column.type = Scalar::uint8;
+      for (double& value : column.values) value = std::round(value * 255);
+    }
+  }
+
+  void add_notes() {
+    std::vector<std::string>& notes = result_.notes;
+    for (const auto& [keyword, count] : ignored_) {
+      notes.push_back("obj: " + counted(count, "line") + " '" + std::string(keyword) +
+                      "' left out");
+    }
+    if (weights_ > 0)
+      notes.push_back("obj: weights of " + std::to_string(weights_) + " vertices left out");
+    if (rows_.trailing_comments > 0) {
+      notes.push_back("obj: " + counted(rows_.trailing_comments, "comment") +
+                      " behind data left out");
+    }
+  }
+
+  const Source& source_;
+  TextRows rows_;
+  PolygonFans polygons_;
+  ColorRows colors_;
+  std::vector<Index> corners_;
+  Index largest_index_ = 0;
+  const char* largest_index_place_ = nullptr;
+  std::uint32_t largest_index_face_ = 0;
+  std::map<std::string_view, std::size_t> ignored_;
+  std::size_t weights_ = 0;
+  ReadResult result_;
+};
+
+}  // namespace
+
+ReadResult read_obj(const Source& source) { return ObjReader(source).read(); }
+
+}  // namespace transformesh
