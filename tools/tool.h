@@ -55,8 +55,9 @@ class Run {
   virtual const Progress& progress() = 0;
 };
 
-/// A program's name, description and options. Options are bound to variables, whose values are the
-/// defaults that --help shows. Declaration order is the order of the help text.
+/// A program's name, description and options. Options are named without dashes and bound to
+/// variables, whose values are the defaults that --help shows. Declaration order is the order of
+/// the help text; help is a phrase without capital and full stop.
 class Program {
  public:
   /// `summary` is one line without full stop; `synopsis` the usage without the program's name.
@@ -73,6 +74,7 @@ class Program {
               bool may_be_negative = false);
   void length(const std::string& option, std::optional<Length>* value, const std::string& help,
               bool may_be_negative = false);
+  /// A placeholder that contains FILE keeps the value out of the provenance comment.
   void text(const std::string& option, std::string* value, const std::string& placeholder,
             const std::string& help);
   /// One of the names given; anything else is a usage error that names the nearest.
@@ -88,6 +90,8 @@ class Program {
 
   /// Options affect the result, and so go into the provenance comment, unless named here.
   void keep_out_of_provenance(const std::string& option);
+  /// While *key is not empty after parsing, a predicate prints only that entry's value.
+  void print_only(const std::string* key);
   /// Paragraphs shown after the options by --help: examples, formulas.
   void epilog(std::string text);
 
@@ -102,10 +106,11 @@ class Program {
   /// One mesh in, the report on stdout as `key: value` lines, or JSON with --json; exit 0 for true
   /// and 1 for false.
   int predicate(int argc, char** argv, const std::function<bool(Document&, Run&)>& body);
-  /// A filter that becomes a predicate while *is_predicate holds after parsing.
+  /// A filter that becomes a predicate while *is_predicate holds after parsing. As a filter it
+  /// writes nothing and exits with 1 where the body returns false.
   int filter_or_predicate(int argc, char** argv, const bool* is_predicate,
                           const std::function<bool(Document&, Run&)>& body);
-  /// Any number of meshes in, bytes that are not a mesh out.
+  /// Any number of meshes in (stdin where none is named), bytes that are not a mesh out.
   int picture(int argc, char** argv,
               const std::function<std::string(std::vector<Document>, Run&)>& body);
 

@@ -1,0 +1,95 @@
+#include "comments.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "tm/support/error.h"
+
+namespace transformesh::tool {
+namespace {
+
+constexpr std::size_t provenance_lines_kept = 20;
+constexpr std::string_view reference_edge_key = "tm:reference-edge";
+
+bool is_digit(char character) { return character >= '0' && character <= '9'; }
+
+// `tm-name 1.2.3` and anything after a space.
+bool is_provenance(const std::string& comment) {
+  if (!comment.starts_with("tm-")) return false;
+  const std::size_t name_end = comment.find(' ');
+  if (name_end == std::string::npos) return false;
+  const std::size_t version_end = std::min(comment.find(' ', name_end + 1), comment.size());
+  const std::string version = comment.substr(name_end + 1, version_end - name_end - 1);
+  const auto dots = std::count(version.begin(), version.end(), '.');
+  const auto digits = std::count_if(version.begin(), version.end(), is_digit);
+  return dots == 2 && digits >= 3 && dots + digits == static_cast<long>(version.size());
+}
+
+bool is_reference_edge(const std::string& comment) {
+  return comment == reference_edge_key ||
+         comment.starts_with(std::string(reference_edge_key) + ' ');
+}
+
+// A word as a shell would need it; control characters could end the comment's line.
+std::string quoted(std::string word) {
+  for (char& character : word) {
+    if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
+  }
+  const bool is_plain = !word.empty() && word.find_first_of(" '\"\\$`*?") == std::string::npos;
+  return is_plain ? word : "'" + word + "'";
+}
+
+}  // namespace
+
+std::string provenance(const std::string& program, const std::string& version,
+                       const std::vector<std::string>& words, const OptionTable& table) {
+  std::string line = program + ' ' + version;
+  for (const std::string& word : words) line += ' ' + quoted(word);
+  for (const Option& option : table.options()) {
+    if (!option.given || !option.affects_result) continue;
+    line += " --" + option.name;
+    if (!option.is_flag()) line += ' ' + quoted(option.value_text());
+  }
+  return line;
+}
+
+void add_provenance(std::vector<std::string>& comments, const std::string& line) {
+  comments.push_back(line);
+  const auto count = std::count_if(comments.begin(), comments.end(), is_provenance);
+  auto surplus = count - static_cast<long>(provenance_lines_kept);
+  const auto drop = [&surplus](const std::string& comment) {
+    return surplus > 0 && is_provenance(comment) && surplus-- > 0;
+  };
+  std::vector<std::string> kept;
+  for (std::string& comment : comments) {
+    if (!drop(comment)) kept.push_back(std::move(comment));
+  }
+  comments = std::move(kept);
+}
+
+std::optional<double> reference_edge_of(const std::vector<std::string>& comments) {
+  const auto last = std::find_if(comments.rbegin(), comments.rend(), is_reference_edge);
+  if (last == comments.rend()) return std::nullopt;
+  const std::string text = last->substr(std::min(last->size(), reference_edge_key.size() + 1));
+  double length = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, length);
+  if (error == std::errc() && rest == end && std::isfinite(length) && length > 0) return length;
+  throw InputError("the comment '" + *last +
+                   "' does not hold a positive length; measure it anew with --reference-edge auto");
+}
+
+void set_reference_edge(std::vector<std::string>& comments, double length) {
+  const std::string line = std::string(reference_edge_key) + ' ' + shortest_text(length);
+  const auto first = std::find_if(comments.begin(), comments.end(), is_reference_edge);
+  if (first == comments.end()) {
+    comments.push_back(line);
+    return;
+  }
+  *first = line;
+  comments.erase(std::remove_if(first + 1, comments.end(), is_reference_edge), comments.end());
+}
+
+}  // namespace transformesh::tool

@@ -1,0 +1,95 @@
+#include "help_text.h"
+
+#include <sstream>
+
+namespace transformesh::tool {
+namespace {
+
+constexpr std::size_t line_width = 79;
+constexpr std::size_t help_column = 26;
+
+// Breaks text into lines at spaces; the first line begins at `column`, later ones at `indent`.
+std::string wrapped(const std::string& text, std::size_t column, std::size_t indent) {
+  std::string lines;
+  std::istringstream words(text);
+  bool line_is_empty = true;
+  for (std::string word; words >> word;) {
+    if (!line_is_empty && column + 1 + word.size() > line_width) {
+      lines += '\n' + std::string(indent, ' ');
+      column = indent;
+      line_is_empty = true;
+    }
+    if (!line_is_empty) ++column;
+    lines += (line_is_empty ? "" : " ") + word;
+    column += word.size();
+    line_is_empty = false;
+  }
+  return lines + '\n';
+}
+
+// `  left   help`, with the help on its own line where the left part is too wide.
+std::string entry(const std::string& left, const std::string& help) {
+  std::string line = "  " + left;
+  if (line.size() + 2 > help_column) {
+    line += '\n' + std::string(help_column, ' ');
+  } else {
+    line.resize(help_column, ' ');
+  }
+  return line + wrapped(help, help_column, help_column);
+}
+
+std::string option_entry(const Option& option) {
+  std::string left;
+  if (option.short_name != 0) left = std::string("-") + option.short_name + ", ";
+  left += "--" + option.name;
+  if (!option.is_flag()) left += ' ' + option.placeholder;
+  std::string help = option.help;
+  if (!option.default_text.empty()) help += " (default " + option.default_text + ")";
+  return entry(left, help);
+}
+
+std::string option_entries(const OptionTable& table, bool is_common) {
+  std::string entries;
+  for (const Option& option : table.options()) {
+    if (option.is_common == is_common) entries += option_entry(option);
+  }
+  return entries;
+}
+
+std::string exit_code_lines(bool is_predicate) {
+  return wrapped(std::string("Exit codes: 0 ") + (is_predicate ? "yes, 1 no" : "done") +
+                     ", 2 usage, 3 bad input, 4 goal not reached, 5 output failed, 6 out of "
+                     "memory.",
+                 0, 12);
+}
+
+std::string usage_line(const Description& program) {
+  return wrapped("Usage: " + program.name + " " + program.synopsis, 0, 8 + program.name.size());
+}
+
+}  // namespace
+
+std::string help_text(const Description& program, const OptionTable& table, bool is_predicate) {
+  std::string text = usage_line(program) + '\n' + wrapped(program.summary + '.', 0, 0);
+  if (!program.words.empty()) {
+    text += "\nArguments:\n" + entry(program.words, program.words_help);
+  }
+  const std::string own = option_entries(table, false);
+  if (!own.empty()) text += "\nOptions:\n" + own;
+  text += "\nCommon options:\n" + option_entries(table, true);
+  if (table.has_lengths()) {
+    text += '\n' + wrapped(
+                       "A LENGTH is 0.02 (input units), 1% (of the bounding box's diagonal) or "
+                       "0.7x (of the reference edge).",
+                       0, 0);
+  }
+  for (const std::string& epilog : program.epilogs) text += '\n' + epilog + '\n';
+  return text + '\n' + exit_code_lines(is_predicate);
+}
+
+std::string short_help_text(const Description& program) {
+  return usage_line(program) + wrapped(program.summary + '.', 0, 0) + "Try '" + program.name +
+         " --help'.\n";
+}
+
+}  // namespace transformesh::tool

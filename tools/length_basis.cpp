@@ -1,0 +1,56 @@
+#include "length_basis.h"
+
+#include "comments.h"
+#include "tm/mesh/measure.h"
+#include "tm/support/error.h"
+
+namespace transformesh::tool {
+
+double LengthBasis::diagonal() {
+  if (!diagonal_) {
+    if (document_ == nullptr) throw UsageError("a length in % needs a mesh to refer to");
+    diagonal_ = bounding_box(document_->mesh).diagonal();
+  }
+  return *diagonal_;
+}
+
+double LengthBasis::measured_edge() const {
+  const double mean = edge_lengths(document_->mesh).mean;
+  if (mean > 0) return mean;
+  throw InputError("the mesh has no edges, so there is no reference edge that x could refer to");
+}
+
+double LengthBasis::inherited_edge() const {
+  const auto inherited = reference_edge_of(document_->style.comments);
+  return inherited ? *inherited : measured_edge();
+}
+
+double LengthBasis::reference_edge() {
+  if (reference_edge_) return *reference_edge_;
+  if (document_ == nullptr) throw UsageError("a length in x needs a mesh to refer to");
+  if (choice_.empty()) {
+    reference_edge_ = inherited_edge();
+  } else if (choice_ == "auto") {
+    reference_edge_ = measured_edge();
+  } else {
+    const Length length = parse_length(choice_);
+    const bool is_relative = length.unit == Length::Unit::reference_edge;
+    const bool needs_diagonal = length.unit == Length::Unit::diagonal;
+    reference_edge_ =
+        length.resolve(needs_diagonal ? diagonal() : 0, is_relative ? inherited_edge() : 0);
+  }
+  return *reference_edge_;
+}
+
+double LengthBasis::resolve(const Length& length) {
+  switch (length.unit) {
+    case Length::Unit::diagonal:
+      return length.resolve(diagonal(), 0);
+    case Length::Unit::reference_edge:
+      return length.resolve(0, reference_edge());
+    default:
+      return length.value;
+  }
+}
+
+}  // namespace transformesh::tool

@@ -1,0 +1,19 @@
+/// In which format and scalar type a mesh leaves the program.
+#pragma once
+
+#include "common_options.h"
+#include "tm/io/document.h"
+
+namespace transformesh::tool {
+
+/// Changes the style as -o, --format, --float and --double ask, and rounds the coordinates where
+/// the output will hold floats: what is computed is what will be read back.
+void apply_output_style(Document& document, const CommonOptions& options);
+
+/// Whether the format is text, which may go to a terminal.
+bool is_text(Format format);
+
+/// For messages and reports: ply, ply-ascii, ply-be, off, obj, stl.
+const char* format_name(Format format);
+
+}  // namespace transformesh::tool

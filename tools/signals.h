@@ -1,0 +1,22 @@
+/// Being interrupted: files half written disappear, the terminal's line is cleared, and the
+/// exit code says which signal it was. Everything here is async-signal-safe where it has to be.
+#pragma once
+
+#include <string>
+
+namespace transformesh::tool {
+
+/// Opens unusable descriptors in place of closed standard ones, so that no file takes their number.
+void occupy_standard_descriptors();
+
+/// SIGINT, SIGTERM, SIGHUP and SIGPIPE end the process at once with 128 + their number.
+void install_signal_handlers();
+
+/// Files that a signal removes. At most 16 at a time, with paths below 4096 bytes.
+void remove_on_signal(const std::string& path);
+void keep_on_signal(const std::string& path);
+
+/// Whether a progress bar stands on the terminal's current line.
+void set_bar_is_visible(bool is_visible);
+
+}  // namespace transformesh::tool
