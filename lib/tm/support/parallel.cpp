@@ -22,13 +22,15 @@ void parallel_invoke(const std::function<void()>& first, const std::function<voi
 }
 
 struct ThreadLimit::Control {
+  // Made in place: a copy would lift the limit when it goes.
+  explicit Control(std::size_t count)
+      : threads(tbb::global_control::max_allowed_parallelism, count) {}
   tbb::global_control threads;
 };
 
 ThreadLimit::ThreadLimit(int count) {
   if (count <= 0) return;
-  control_ = std::make_unique<Control>(Control{tbb::global_control(
-      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count))});
+  control_ = std::make_unique<Control>(static_cast<std::size_t>(count));
 }
 
 ThreadLimit::~ThreadLimit() = default;

@@ -1,0 +1,60 @@
+#include "tm/geometry/float_box.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t boxes_per_task = 4096;
+
+/// The next float above; std::nextafter is a library call that costs more than the whole box.
+float next_above(float value) {
+  const auto bits = std::bit_cast<std::int32_t>(value);
+  if (value == 0) return std::bit_cast<float>(1);
+  return std::bit_cast<float>(value > 0 ? bits + 1 : bits - 1);
+}
+
+FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return float_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+}
+
+}  // namespace
+
+float float_above(double value) {
+  const auto nearest = static_cast<float>(value);
+  return nearest < value ? next_above(nearest) : nearest;
+}
+
+float float_below(double value) { return -float_above(-value); }
+
+FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
+  return {{float_below(minimum.x()), float_below(minimum.y()), float_below(minimum.z())},
+          {float_above(maximum.x()), float_above(maximum.y()), float_above(maximum.z())}};
+}
+
+std::vector<FloatBox> face_boxes(const Mesh& mesh) {
+  std::vector<FloatBox> boxes(mesh.faces.size());
+  parallel_for(boxes.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      const auto& [a, b, c] = mesh.faces[f];
+      boxes[f] = box_of_corners(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    }
+  });
+  return boxes;
+}
+
+std::vector<FloatBox> face_boxes(const Mesh& mesh, std::span<const Index> faces) {
+  std::vector<FloatBox> boxes(faces.size());
+  parallel_for(boxes.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto& [a, b, c] = mesh.faces[faces[i]];
+      boxes[i] = box_of_corners(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    }
+  });
+  return boxes;
+}
+
+}  // namespace transformesh
