@@ -33,7 +33,7 @@ class Descriptor {
 };
 
 [[noreturn]] void throw_unreadable(const std::string& path) {
-  throw InputError("cannot read " + input_name(path) + ": " + std::strerror(errno));
+  throw InputError(input_name(path) + ": cannot be read: " + std::strerror(errno));
 }
 
 // Waits where the other side made the descriptor non-blocking; false for a real error.
@@ -73,9 +73,7 @@ char* Bytes::reserve(std::size_t size) {
   return data_.get() + size_;
 }
 
-std::string input_name(const std::string& path) {
-  return path == "-" ? "standard input" : "'" + path + "'";
-}
+std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 Bytes read_all(const std::string& path) {
   const Descriptor descriptor(path);
