@@ -1,0 +1,58 @@
+/// The exact arrangement of a mesh with itself (paper 3.2.3): every face that takes part in an
+/// intersection is cut along all others, so that pieces meet only in equal corners and equal edges.
+/// Faces that take no part stay whole. Coplanar faces that meet are cut together, and where they
+/// overlap they share one piece.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "tm/clean/intersect.h"
+#include "tm/clean/soup.h"
+#include "tm/geometry/exact_point.h"
+#include "tm/support/progress.h"
+
+namespace transformesh {
+
+/// A face of the soup that covers a piece, and whether it looks the other way.
+struct Source {
+  Index face;
+  bool reversed;
+};
+
+struct Piece {
+  Face corners;           ///< arrangement points
+  Index first_source;     ///< its sources are [first_source, first_source + source_count)
+  std::uint32_t source_count;
+  std::int32_t winding;   ///< how much w grows from its front to its back: sources less reversed
+};
+
+struct Arrangement {
+  std::shared_ptr<const Soup> soup;
+  std::vector<ExactPoint> cut_points;  ///< arrangement point i is cut_points[i - soup.points.size()]
+  std::vector<Piece> pieces;           ///< whole faces first, in order, then the cut ones
+  std::vector<Source> sources;
+  std::size_t whole_pieces = 0;
+
+  ExactGeometry geometry() const { return {soup->points, soup->faces}; }
+  ExactPoint point(Index i) const {
+    return i < soup->points.size() ? geometry().given(i) : cut_points[i - soup->points.size()];
+  }
+  /// The nearest double position.
+  Vec3 position(Index i) const {
+    return i < soup->points.size() ? soup->points[i] : cut_points[i - soup->points.size()].center;
+  }
+  std::size_t point_count() const { return soup->points.size() + cut_points.size(); }
+  std::span<const Source> sources_of(const Piece& piece) const {
+    return {sources.data() + piece.first_source, piece.source_count};
+  }
+};
+
+/// `pairs` are the intersecting pairs of soup faces, sorted.
+Arrangement arrange(std::shared_ptr<const Soup> soup, const std::vector<FacePair>& pairs,
+                    const Progress& progress);
+
+/// The intersecting pairs of soup faces.
+std::vector<FacePair> find_soup_intersections(const Soup& soup, const Progress& progress);
+
+}  // namespace transformesh

@@ -1,0 +1,28 @@
+/// The mesh as geometry sees it: equal positions are one point, whatever their indices, and faces
+/// without area are left out (what touches them still meets, as equal or touching edges).
+#pragma once
+
+#include <vector>
+
+#include "tm/geometry/predicates.h"
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+struct Soup {
+  std::vector<Vec3> points;      ///< all different
+  std::vector<Index> vertex_of;  ///< the first mesh vertex at each point
+  std::vector<Index> point_of;   ///< the point of each mesh vertex
+  std::vector<Face> faces;       ///< corners as points; none is degenerate
+  std::vector<Index> face_of;    ///< the mesh face of each
+
+  Triangle triangle(Index face) const {
+    const Face& f = faces[face];
+    return {points[f[0]], points[f[1]], points[f[2]]};
+  }
+};
+
+/// O(n); exact; deterministic.
+Soup make_soup(const Mesh& mesh);
+
+}  // namespace transformesh

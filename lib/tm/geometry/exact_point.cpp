@@ -1,0 +1,378 @@
+#include "tm/geometry/exact_point.h"
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace transformesh {
+
+/// Homogeneous coordinates with positive weight.
+struct ExactCoordinates {
+  std::array<CGAL::Mpzf, 3> x;
+  CGAL::Mpzf w;
+};
+
+namespace {
+
+using Exact = CGAL::Mpzf;
+using Interval = CGAL::Interval_nt<false>;
+template <class Number>
+using Vector = std::array<Number, 3>;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double underflow_guard = 1e-280;
+
+template <class Number>
+Vector<Number> difference(const Vec3& p, const Vec3& origin) {
+  return {Number(p[0]) - Number(origin[0]), Number(p[1]) - Number(origin[1]),
+          Number(p[2]) - Number(origin[2])};
+}
+
+template <class Number>
+Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class Number>
+Number dot(const Vector<Number>& a, const Vector<Number>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class Number>
+Vector<Number> normal(const Triangle& t) {
+  return cross<Number>(difference<Number>(t[1], t[0]), difference<Number>(t[2], t[0]));
+}
+
+/// A point as origin + numerator / denominator, the origin a given point.
+template <class Number>
+struct Fraction {
+  Vec3 origin;
+  Vector<Number> numerator;
+  Number denominator;
+};
+
+template <class Number>
+Fraction<Number> along_edge(const Vec3& u, const Vec3& v, const Number& from_u,
+                            const Number& total) {
+  Vector<Number> step = difference<Number>(v, u);
+  for (Number& coordinate : step) coordinate = coordinate * from_u;
+  return {u, step, total};
+}
+
+// The heights of u and v over the plane divide the edge.
+template <class Number>
+Fraction<Number> line_plane_fraction(const Vec3& u, const Vec3& v, const Triangle& plane) {
+  const Vector<Number> n = normal<Number>(plane);
+  const Number height_u = dot(n, difference<Number>(plane[0], u));
+  const Number climb = dot(n, difference<Number>(v, u));
+  return along_edge(u, v, height_u, climb);
+}
+
+// In the projection: (x - u) x (y - x) over (v - u) x (y - x).
+template <class Number>
+Fraction<Number> line_line_fraction(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y,
+                                    Projection p) {
+  const auto turn = [&](const Vector<Number>& a, const Vector<Number>& b) {
+    const auto i = static_cast<std::size_t>(p.u);
+    const auto j = static_cast<std::size_t>(p.v);
+    return Number(a[i] * b[j] - a[j] * b[i]);
+  };
+  const Vector<Number> other = difference<Number>(y, x);
+  return along_edge(u, v, turn(difference<Number>(x, u), other),
+                    turn(difference<Number>(v, u), other));
+}
+
+// Cramer's rule relative to a corner of the first plane, whose offset there is zero.
+template <class Number>
+Fraction<Number> three_planes_fraction(const Triangle& f, const Triangle& g, const Triangle& h) {
+  const Vector<Number> nf = normal<Number>(f);
+  const Vector<Number> ng = normal<Number>(g);
+  const Vector<Number> nh = normal<Number>(h);
+  const Number dg = dot(ng, difference<Number>(g[0], f[0]));
+  const Number dh = dot(nh, difference<Number>(h[0], f[0]));
+  const Vector<Number> hf = cross(nh, nf);
+  const Vector<Number> fg = cross(nf, ng);
+  Vector<Number> numerator;
+  for (std::size_t i = 0; i < 3; ++i) numerator[i] = dg * hf[i] + dh * fg[i];
+  return {f[0], numerator, dot(ng, hf)};
+}
+
+ExactCoordinates exact_coordinates(const Fraction<Exact>& fraction) {
+  const bool negative = CGAL::sign(fraction.denominator) == CGAL::NEGATIVE;
+  ExactCoordinates result;
+  result.w = negative ? -fraction.denominator : fraction.denominator;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Exact numerator = negative ? -fraction.numerator[i] : fraction.numerator[i];
+    result.x[i] = Exact(fraction.origin[static_cast<int>(i)]) * result.w + numerator;
+  }
+  return result;
+}
+
+// The middle of an interval and a radius that covers it and the rounding made here.
+void set_ball(ExactPoint& point, int i, double low, double high) {
+  if (!(std::isfinite(low) && std::isfinite(high) && low <= high)) {
+    point.center[i] = 0;
+    point.radius[i] = std::numeric_limits<double>::infinity();
+    return;
+  }
+  const double center = low + (high - low) / 2;
+  const double radius = std::max(high - center, center - low);
+  point.center[i] = center;
+  point.radius[i] = radius == 0 ? 0 : radius * (1 + 4 * epsilon) + 1e-300;
+}
+
+// The ball from the fraction in intervals, cut down to the box that is known to hold the point.
+void set_balls(ExactPoint& point, const Fraction<Interval>& fraction, const Vec3& low,
+               const Vec3& high) {
+  const bool uncertain = fraction.denominator.do_overlap(Interval(0));
+  for (int i = 0; i < 3; ++i) {
+    double from = low[i];
+    double to = high[i];
+    if (!uncertain) {
+      const Interval x = Interval(fraction.origin[i]) +
+                         fraction.numerator[static_cast<std::size_t>(i)] / fraction.denominator;
+      from = std::max(from, x.inf());
+      to = std::min(to, x.sup());
+    }
+    set_ball(point, i, from, to);
+  }
+}
+
+struct Bound {
+  double value;  ///< computed
+  double error;  ///< the true value is within
+};
+
+Bound bounded_difference(const ExactPoint& a, const ExactPoint& b, int i) {
+  const double value = a.center[i] - b.center[i];
+  return {value, a.radius[i] + b.radius[i] + epsilon * std::abs(value)};
+}
+
+Bound bounded_product(const Bound& a, const Bound& b) {
+  const double value = a.value * b.value;
+  return {value, std::abs(a.value) * b.error + a.error * (std::abs(b.value) + b.error) +
+                     epsilon * std::abs(value)};
+}
+
+// The sign of a - b, or 0 where the errors leave it open. The factor covers rounding in the errors.
+int sign_of_difference(const Bound& a, const Bound& b) {
+  const double value = a.value - b.value;
+  const double error =
+      (a.error + b.error + epsilon * std::abs(value)) * (1 + 16 * epsilon) + underflow_guard;
+  if (value > error) return 1;
+  if (value < -error) return -1;
+  return 0;
+}
+
+int exact_sign(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
+
+bool is_exact(const ExactPoint& point) { return point.radius == Vec3::Zero(); }
+
+}  // namespace
+
+Triangle ExactGeometry::triangle(Index face) const {
+  const Face& f = faces_[face];
+  return {positions_[f[0]], positions_[f[1]], positions_[f[2]]};
+}
+
+ExactPoint ExactGeometry::given(Index vertex) const {
+  ExactPoint point = free(positions_[vertex]);
+  point.definition[0] = vertex;
+  return point;
+}
+
+ExactPoint ExactGeometry::free(const Vec3& position) {
+  ExactPoint point;
+  point.center = position;
+  return point;
+}
+
+ExactPoint ExactGeometry::line_plane(Index u, Index v, Index face) const {
+  if (u > v) std::swap(u, v);
+  ExactPoint point;
+  point.kind = ExactPoint::Kind::line_plane;
+  point.definition = {u, v, face, 0};
+  const CGAL::Protect_FPU_rounding<true> upward;
+  set_balls(point, line_plane_fraction<Interval>(positions_[u], positions_[v], triangle(face)),
+            positions_[u].cwiseMin(positions_[v]), positions_[u].cwiseMax(positions_[v]));
+  return point;
+}
+
+namespace {
+
+// Two edges that cross in one point span a plane: any projection that keeps them from being
+// parallel will do.
+Projection projection_of_edges(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y) {
+  Projection projection = projection_of({u, v, x});
+  if (orient2d(u, v, x, projection) == 0) projection = projection_of({u, v, y});
+  return projection;
+}
+
+}  // namespace
+
+ExactPoint ExactGeometry::line_line(Index u, Index v, Index x, Index y) const {
+  if (u > v) std::swap(u, v);
+  if (x > y) std::swap(x, y);
+  if (u > x || (u == x && v > y)) {
+    std::swap(u, x);
+    std::swap(v, y);
+  }
+  ExactPoint point;
+  point.kind = ExactPoint::Kind::line_line;
+  point.definition = {u, v, x, y};
+  const Vec3 &a = positions_[u], &b = positions_[v], &c = positions_[x], &d = positions_[y];
+  const Projection projection = projection_of_edges(a, b, c, d);
+  const CGAL::Protect_FPU_rounding<true> upward;
+  set_balls(point, line_line_fraction<Interval>(a, b, c, d, projection),
+            a.cwiseMin(b).cwiseMax(c.cwiseMin(d)), a.cwiseMax(b).cwiseMin(c.cwiseMax(d)));
+  return point;
+}
+
+ExactPoint ExactGeometry::three_planes(Index f, Index g, Index h) const {
+  std::array<Index, 3> ids{f, g, h};
+  std::sort(ids.begin(), ids.end());
+  ExactPoint point;
+  point.kind = ExactPoint::Kind::three_planes;
+  point.definition = {ids[0], ids[1], ids[2], 0};
+  std::array<Triangle, 3> planes;
+  Vec3 low = Vec3::Constant(-std::numeric_limits<double>::max());
+  Vec3 high = -low;
+  for (std::size_t i = 0; i < 3; ++i) {
+    planes[i] = triangle(ids[i]);
+    low = low.cwiseMax(planes[i][0].cwiseMin(planes[i][1]).cwiseMin(planes[i][2]));
+    high = high.cwiseMin(planes[i][0].cwiseMax(planes[i][1]).cwiseMax(planes[i][2]));
+  }
+  const CGAL::Protect_FPU_rounding<true> upward;
+  set_balls(point, three_planes_fraction<Interval>(planes[0], planes[1], planes[2]), low, high);
+  return point;
+}
+
+const ExactCoordinates& ExactGeometry::exact(const ExactPoint& point) const {
+  if (point.exact) return *point.exact;
+  const auto& d = point.definition;
+  ExactCoordinates coordinates;
+  switch (point.kind) {
+    case ExactPoint::Kind::given:
+      coordinates = {{Exact(point.center[0]), Exact(point.center[1]), Exact(point.center[2])},
+                     Exact(1)};
+      break;
+    case ExactPoint::Kind::line_plane:
+      coordinates = exact_coordinates(
+          line_plane_fraction<Exact>(positions_[d[0]], positions_[d[1]], triangle(d[2])));
+      break;
+    case ExactPoint::Kind::line_line: {
+      const Vec3 &a = positions_[d[0]], &b = positions_[d[1]];
+      const Vec3 &x = positions_[d[2]], &y = positions_[d[3]];
+      coordinates = exact_coordinates(
+          line_line_fraction<Exact>(a, b, x, y, projection_of_edges(a, b, x, y)));
+      break;
+    }
+    case ExactPoint::Kind::three_planes:
+      coordinates = exact_coordinates(
+          three_planes_fraction<Exact>(triangle(d[0]), triangle(d[1]), triangle(d[2])));
+      break;
+  }
+  point.exact = std::make_shared<const ExactCoordinates>(std::move(coordinates));
+  return *point.exact;
+}
+
+int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                            Projection p) const {
+  if (is_exact(a) && is_exact(b) && is_exact(c)) {
+    return transformesh::orient2d(a.center, b.center, c.center, p);
+  }
+  const Bound left = bounded_product(bounded_difference(b, a, p.u), bounded_difference(c, a, p.v));
+  const Bound right = bounded_product(bounded_difference(b, a, p.v), bounded_difference(c, a, p.u));
+  const int sign = sign_of_difference(left, right);
+  if (sign != 0) return sign;
+
+  // Expand the determinant of the rows (x, y, w) along the weights.
+  const ExactCoordinates &ea = exact(a), &eb = exact(b), &ec = exact(c);
+  const auto i = static_cast<std::size_t>(p.u);
+  const auto j = static_cast<std::size_t>(p.v);
+  return exact_sign(ea.w * (eb.x[i] * ec.x[j] - eb.x[j] * ec.x[i]) -
+                    eb.w * (ea.x[i] * ec.x[j] - ea.x[j] * ec.x[i]) +
+                    ec.w * (ea.x[i] * eb.x[j] - ea.x[j] * eb.x[i]));
+}
+
+int ExactGeometry::orient3d(Index face, const ExactPoint& point) const {
+  const Triangle t = triangle(face);
+  if (is_exact(point)) return transformesh::orient3d(t[0], t[1], t[2], point.center);
+
+  // In doubles, with the error of the normal and of the ball.
+  const Vec3 b = t[1] - t[0];
+  const Vec3 c = t[2] - t[0];
+  const Vec3 n = b.cross(c);
+  const Vec3 d = point.center - t[0];
+  const double size = b.norm() * c.norm();
+  const double error = 16 * epsilon * size * d.norm() +
+                       (n.cwiseAbs() + Vec3::Constant(8 * epsilon * size)).dot(point.radius);
+  const double value = n.dot(d);
+  const double bound = error * (1 + 64 * epsilon) + underflow_guard;
+  if (value > bound) return 1;
+  if (value < -bound) return -1;
+
+  const ExactCoordinates& e = exact(point);
+  const Vector<Exact> exact_n = normal<Exact>(t);
+  Vector<Exact> offset;
+  for (std::size_t i = 0; i < 3; ++i) {
+    offset[i] = e.x[i] - Exact(t[0][static_cast<int>(i)]) * e.w;
+  }
+  return exact_sign(dot(exact_n, offset));
+}
+
+int ExactGeometry::compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const {
+  const double value = a.center[i] - b.center[i];
+  const double error = (a.radius[i] + b.radius[i]) * (1 + 4 * epsilon);
+  if (value > error) return 1;
+  if (value < -error) return -1;
+  if (a.radius[i] == 0 && b.radius[i] == 0) return 0;
+  const ExactCoordinates &ea = exact(a), &eb = exact(b);
+  const auto k = static_cast<std::size_t>(i);
+  return exact_sign(ea.x[k] * eb.w - eb.x[k] * ea.w);
+}
+
+int ExactGeometry::compare(const ExactPoint& a, const ExactPoint& b) const {
+  for (int i = 0; i < 3; ++i) {
+    const int sign = compare_coordinate(a, b, i);
+    if (sign != 0) return sign;
+  }
+  return 0;
+}
+
+ExactPoint ExactGeometry::mean(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                               const std::array<int, 3>& weights) const {
+  const std::array<const ExactPoint*, 3> points{&a, &b, &c};
+  const int total = weights[0] + weights[1] + weights[2];
+  ExactPoint result;
+  result.kind = ExactPoint::Kind::three_planes;  // anything but given: its exact form is set here
+
+  // The ball.
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double share = static_cast<double>(weights[k]) / total;
+    result.center += share * points[k]->center;
+    result.radius += share * points[k]->radius;
+    result.radius += 8 * epsilon * points[k]->center.cwiseAbs();
+  }
+  result.radius = result.radius * (1 + 16 * epsilon) + Vec3::Constant(1e-300);
+
+  // The exact form over the common denominator.
+  const ExactCoordinates &ea = exact(a), &eb = exact(b), &ec = exact(c);
+  const std::array<const ExactCoordinates*, 3> e{&ea, &eb, &ec};
+  const std::array<Exact, 3> others{eb.w * ec.w, ea.w * ec.w, ea.w * eb.w};
+  ExactCoordinates coordinates;
+  coordinates.w = ea.w * others[0] * Exact(total);
+  for (std::size_t i = 0; i < 3; ++i) {
+    coordinates.x[i] = Exact(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      coordinates.x[i] = coordinates.x[i] + e[k]->x[i] * others[k] * Exact(weights[k]);
+    }
+  }
+  result.exact = std::make_shared<const ExactCoordinates>(std::move(coordinates));
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,65 @@
+/// Points known by what defines them: a given point, an edge and a face, two coplanar edges, or
+/// three faces. Each carries a ball in doubles that contains it; predicates decide from the balls
+/// and recompute from the definition, in exact arithmetic, only when the sign is not certain. So
+/// every answer is exact at nearly floating-point cost. Nothing is perturbed.
+/// References: Attene, "Indirect predicates for geometric constructions", CAD 2020; Cherchi et al.,
+/// "Fast and robust mesh arrangements using floating-point arithmetic", ACM TOG 2020.
+/// Thread-safe as long as each thread uses its own copies of points (exact coordinates are cached
+/// in the point); deterministic.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "tm/geometry/predicates.h"
+
+namespace transformesh {
+
+struct ExactCoordinates;
+
+struct ExactPoint {
+  enum class Kind : std::uint8_t { given, line_plane, line_line, three_planes };
+
+  Kind kind = Kind::given;
+  std::array<Index, 4> definition{};  ///< vertex | u v face | u v x y | three faces, in that order
+  Vec3 center = Vec3::Zero();         ///< the point is within radius of center, per coordinate
+  Vec3 radius = Vec3::Zero();
+  mutable std::shared_ptr<const ExactCoordinates> exact;  ///< filled when first needed
+};
+
+class ExactGeometry {
+ public:
+  /// Keeps references: the vertices and faces that definitions name. Faces are not degenerate.
+  ExactGeometry(std::span<const Vec3> positions, std::span<const Face> faces)
+      : positions_(positions), faces_(faces) {}
+
+  ExactPoint given(Index vertex) const;
+  /// A point with coordinates of its own: for scaffolding.
+  static ExactPoint free(const Vec3& position);
+  /// Where edge uv crosses the plane of the face, which it must do.
+  ExactPoint line_plane(Index u, Index v, Index face) const;
+  /// Where two coplanar edges that are not parallel cross.
+  ExactPoint line_line(Index u, Index v, Index x, Index y) const;
+  /// Where the planes of three faces meet, which they must do in one point inside all three.
+  ExactPoint three_planes(Index f, Index g, Index h) const;
+
+  /// As in predicates.h.
+  int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+               Projection projection) const;
+  int orient3d(Index face, const ExactPoint& point) const;
+  /// An order by x, then y, then z: -1, 0 or +1. Zero exactly where the points are equal.
+  int compare(const ExactPoint& a, const ExactPoint& b) const;
+  int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int coordinate) const;
+  /// The weighted mean of three points; weights are positive integers.
+  ExactPoint mean(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                  const std::array<int, 3>& weights) const;
+
+ private:
+  const ExactCoordinates& exact(const ExactPoint& point) const;
+  Triangle triangle(Index face) const;
+
+  std::span<const Vec3> positions_;
+  std::span<const Face> faces_;
+};
+
+}  // namespace transformesh
