@@ -178,6 +178,14 @@ void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, Arrangem
       result.sources.push_back(cut.sources[s]);
       piece.winding += cut.sources[s].reversed ? -1 : 1;
     }
+    // Every piece looks the way most of its sources do.
+    if (piece.winding < 0) {
+      piece.winding = -piece.winding;
+      std::swap(piece.corners[1], piece.corners[2]);
+      for (Index s = piece.first_source; s < result.sources.size(); ++s) {
+        result.sources[s].reversed = !result.sources[s].reversed;
+      }
+    }
     result.pieces.push_back(piece);
   }
 }

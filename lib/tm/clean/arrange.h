@@ -21,16 +21,18 @@ struct Source {
 };
 
 struct Piece {
-  Face corners;           ///< arrangement points
-  Index first_source;     ///< its sources are [first_source, first_source + source_count)
+  Face corners;        ///< arrangement points
+  Index first_source;  ///< its sources are [first_source, first_source + source_count)
   std::uint32_t source_count;
-  std::int32_t winding;   ///< how much w grows from its front to its back: sources less reversed
+  std::int32_t winding;  ///< by how much w grows from front to back: sources less reversed ones;
+                         ///< never negative, and 0 where the sources cancel out
 };
 
 struct Arrangement {
   std::shared_ptr<const Soup> soup;
-  std::vector<ExactPoint> cut_points;  ///< arrangement point i is cut_points[i - soup.points.size()]
-  std::vector<Piece> pieces;           ///< whole faces first, in order, then the cut ones
+  std::vector<ExactPoint>
+      cut_points;             ///< arrangement point i is cut_points[i - soup.points.size()]
+  std::vector<Piece> pieces;  ///< whole faces first, in order, then the cut ones
   std::vector<Source> sources;
   std::size_t whole_pieces = 0;
 

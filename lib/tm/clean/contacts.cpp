@@ -10,8 +10,8 @@ constexpr Place outside = 255;
 // One of the two faces together with what is known about it relative to the other.
 struct Side {
   std::array<const Vec3*, 3> p{};
-  std::array<int, 3> sign{};     // of each corner over the plane of the other face
-  std::array<int, 3> shared{};   // the corner of the other face that is this point, or -1
+  std::array<int, 3> sign{};    // of each corner over the plane of the other face
+  std::array<int, 3> shared{};  // the corner of the other face that is this point, or -1
 };
 
 Side make_side(const Soup& soup, Index face) {

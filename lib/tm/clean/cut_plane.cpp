@@ -88,8 +88,7 @@ void PlaneCutter::insert_faces() {
       lines_.push_back({true, corners[i], corners[(i + 1) % 3]});
     }
     for (Index i = 0; i < 3; ++i) {
-      local[i] =
-          triangulation_.insert(geometry_.given(corners[i]), {line + i, line + (i + 2) % 3});
+      local[i] = triangulation_.insert(geometry_.given(corners[i]), {line + i, line + (i + 2) % 3});
     }
     corners_.push_back(local);
     for (Index i = 0; i < 3; ++i) {
@@ -136,8 +135,8 @@ void PlaneCutter::flood(std::size_t k, std::vector<std::vector<Source>>& covers)
   for (std::size_t i = 0; i < 3; ++i) {
     const Index from = corner[i], to = corner[(i + 1) % 3];
     // The chain runs so that the face lies to its left.
-    for (const Index edge : reversed ? triangulation_.chain(to, from)
-                                     : triangulation_.chain(from, to)) {
+    for (const Index edge :
+         reversed ? triangulation_.chain(to, from) : triangulation_.chain(from, to)) {
       border_stamp_[edge] = stamp;
       stack.push_back(edge / 3);
     }

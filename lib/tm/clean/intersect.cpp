@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "tm/clean/arrange.h"
-#include "tm/clean/contacts.h"
 #include "tm/clean/contact_points.h"
+#include "tm/clean/contacts.h"
 #include "tm/geometry/bvh.h"
 
 namespace transformesh {
@@ -33,8 +33,7 @@ std::vector<Index> soup_faces(const Soup& soup, std::size_t mesh_faces) {
 std::vector<FacePair> find_soup_intersections(const Soup& soup, const Progress& progress) {
   progress("intersect");
   const Bvh bvh(face_boxes(soup));
-  return bvh.overlapping_pairs(
-      [&](Index f, Index g) { return find_contacts(soup, f, g).meet; });
+  return bvh.overlapping_pairs([&](Index f, Index g) { return find_contacts(soup, f, g).meet; });
 }
 
 std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress) {

@@ -26,8 +26,8 @@ std::array<Vec3, 3> scaffold(const Triangle& plane, Projection p, const Vec3& lo
     Vec3& corner = corners[i];
     corner[p.u] = middle[p.u] + size * directions[i][0];
     corner[p.v] = middle[p.v] + size * directions[i][1];
-    const double slope = normal[p.u] * (corner[p.u] - plane[0][p.u]) +
-                         normal[p.v] * (corner[p.v] - plane[0][p.v]);
+    const double slope =
+        normal[p.u] * (corner[p.u] - plane[0][p.u]) + normal[p.v] * (corner[p.v] - plane[0][p.v]);
     corner[w] = plane[0][w] - slope / normal[w];
     if (!std::isfinite(corner[w])) corner[w] = middle[w];
   }
@@ -47,9 +47,7 @@ PlanarTriangulation::PlanarTriangulation(const ExactGeometry& geometry, const Tr
   for (const Vec3& corner : scaffold(plane, projection_, low, high)) {
     add_point(ExactGeometry::free(corner));
   }
-  facets_.push_back({{0, 1, 2},
-                     {no_index, no_index, no_index},
-                     {no_index, no_index, no_index}});
+  facets_.push_back({{0, 1, 2}, {no_index, no_index, no_index}, {no_index, no_index, no_index}});
   facet_of_.assign(3, 0);
 }
 
@@ -188,10 +186,11 @@ void PlanarTriangulation::split_edge(Index edge, Index p) {
   facets_.resize(facets_.size() + 2, left);
   const Index none = no_index;
   // Left: a p c and p b c. Right: p a d and b p d.
-  facets_[f] = {{a, p, c}, {g, f2, left.next[previous_corner(i)]},
+  facets_[f] = {{a, p, c},
+                {g, f2, left.next[previous_corner(i)]},
                 {line, none, left.line[previous_corner(i)]}};
-  facets_[g] = {{p, a, d}, {f, right.next[next_corner(k)], g2},
-                {line, right.line[next_corner(k)], none}};
+  facets_[g] = {
+      {p, a, d}, {f, right.next[next_corner(k)], g2}, {line, right.line[next_corner(k)], none}};
   set_facet(f2, {p, b, c}, {g2, left.next[next_corner(i)], f},
             {line, left.line[next_corner(i)], none});
   set_facet(g2, {b, p, d}, {f2, g, right.next[previous_corner(k)]},

@@ -266,8 +266,8 @@ const ExactCoordinates& ExactGeometry::exact(const ExactPoint& point) const {
     case ExactPoint::Kind::line_line: {
       const Vec3 &a = positions_[d[0]], &b = positions_[d[1]];
       const Vec3 &x = positions_[d[2]], &y = positions_[d[3]];
-      coordinates = exact_coordinates(
-          line_line_fraction<Exact>(a, b, x, y, projection_of_edges(a, b, x, y)));
+      coordinates =
+          exact_coordinates(line_line_fraction<Exact>(a, b, x, y, projection_of_edges(a, b, x, y)));
       break;
     }
     case ExactPoint::Kind::three_planes:
@@ -298,8 +298,7 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
                     ec.w * (ea.x[i] * eb.x[j] - ea.x[j] * eb.x[i]));
 }
 
-int ExactGeometry::orient3d(Index face, const ExactPoint& point) const {
-  const Triangle t = triangle(face);
+int ExactGeometry::orient3d(const Triangle& t, const ExactPoint& point) const {
   if (is_exact(point)) return transformesh::orient3d(t[0], t[1], t[2], point.center);
 
   // In doubles, with the error of the normal and of the ball.

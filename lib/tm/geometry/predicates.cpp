@@ -121,8 +121,8 @@ int normals_cross(const Triangle& first, const Triangle& second, int coordinate)
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
   const int sign = filtered_sign(n.cross(m)[coordinate], 32 * epsilon * size + underflow_guard);
   if (sign != 0) return sign;
-  return exact_sign(exact_cross(exact_normal(first),
-                                exact_normal(second))[static_cast<std::size_t>(coordinate)]);
+  return exact_sign(
+      exact_cross(exact_normal(first), exact_normal(second))[static_cast<std::size_t>(coordinate)]);
 }
 
 int compare_positions(const Vec3& a, const Vec3& b) {

@@ -17,9 +17,9 @@ struct Entry {
 
 /// Calls visit(smaller vertex, larger vertex, halfedge) in order of the halfedges.
 template <class Visit>
-void for_each_halfedge(const Mesh& mesh, const Visit& visit) {
+void for_each_halfedge(std::span<const Face> faces, const Visit& visit) {
   Index halfedge = 0;
-  for (const Face& face : mesh.faces) {
+  for (const Face& face : faces) {
     for (int corner = 0; corner < 3; ++corner, ++halfedge) {
       const Index source = face[corner];
       const Index target = face[corner == 2 ? 0 : corner + 1];
@@ -41,13 +41,13 @@ void sort_bucket(Entry* first, Entry* last) {
 
 }  // namespace
 
-Edges::Edges(const Mesh& mesh) {
+Edges::Edges(std::span<const Face> faces, std::size_t vertices) {
   // Counting sort by the smaller vertex.
-  std::vector<Index> bucket_end(mesh.positions.size() + 1, 0);
-  for_each_halfedge(mesh, [&](Index smaller, Index, Index) { ++bucket_end[smaller + 1]; });
+  std::vector<Index> bucket_end(vertices + 1, 0);
+  for_each_halfedge(faces, [&](Index smaller, Index, Index) { ++bucket_end[smaller + 1]; });
   for (std::size_t v = 1; v < bucket_end.size(); ++v) bucket_end[v] += bucket_end[v - 1];
   std::vector<Entry> entries(bucket_end.back());
-  for_each_halfedge(mesh, [&](Index smaller, Index larger, Index halfedge) {
+  for_each_halfedge(faces, [&](Index smaller, Index larger, Index halfedge) {
     entries[bucket_end[smaller]++] = {larger, halfedge};
   });
 

@@ -14,7 +14,8 @@ namespace transformesh {
 
 class Edges {
  public:
-  explicit Edges(const Mesh& mesh);
+  explicit Edges(const Mesh& mesh) : Edges(mesh.faces, mesh.positions.size()) {}
+  Edges(std::span<const Face> faces, std::size_t vertices);
 
   std::size_t size() const { return offsets_.size() - 1; }
   std::span<const Index> halfedges(std::size_t edge) const {

@@ -1,0 +1,242 @@
+#include "tm/clean/assemble.h"
+
+#include <algorithm>
+#include <map>
+
+#include "tm/clean/angular_order.h"
+#include "tm/clean/umbrellas.h"
+
+namespace transformesh {
+namespace {
+
+class Assembler {
+ public:
+  Assembler(const Mesh& input, const Arrangement& arrangement, const std::vector<char>& kept);
+  Assembly assemble();
+
+ private:
+  void choose_old_vertices();
+  void number_vertices();
+  void add_vertex_row(Index umbrella);
+  RowBlend row_on_face(Index face, const Vec3& position) const;
+  Index piece_face(const Piece& piece) const;
+  void add_faces();
+  void split_singular_edges();
+  void split_at(Index halfedge, Index vertex);
+  void set_columns();
+
+  const Mesh& input_;
+  const Arrangement& arrangement_;
+  const std::vector<char>& kept_;
+  std::vector<Face> faces_;  ///< corners of kept pieces as points
+  std::vector<Index> opposite_;
+  Umbrellas umbrellas_;
+  std::vector<Index> old_vertex_;  ///< per umbrella: the input vertex that it keeps
+  std::vector<Index> example_;     ///< per umbrella: a halfedge that starts there
+  std::vector<Index> vertex_of_;   ///< per umbrella: the output vertex
+  std::vector<RowBlend> vertex_rows_;
+  std::vector<Index> face_rows_;
+  std::vector<Index> output_opposite_;
+  std::map<Index, Index> moved_;  ///< halfedges that splitting moved to a new face
+  Assembly result_;
+};
+
+Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
+                     const std::vector<char>& kept)
+    : input_(input), arrangement_(arrangement), kept_(kept) {
+  faces_.assign(arrangement.pieces.size(), Face{0, 0, 0});
+  for (std::size_t p = 0; p < faces_.size(); ++p) {
+    if (kept[p]) faces_[p] = arrangement.pieces[p].corners;
+  }
+  const Edges edges(faces_, arrangement.point_count());
+  opposite_ = pair_across_inside(faces_, edges, [&](std::span<const Index> halfedges) {
+    return sort_around_edge(arrangement, halfedges);
+  });
+  umbrellas_ = find_umbrellas(faces_, kept, opposite_);
+}
+
+// The mesh face that a piece is cut from and looks the same way as.
+Index Assembler::piece_face(const Piece& piece) const {
+  for (const Source& source : arrangement_.sources_of(piece)) {
+    if (!source.reversed) return arrangement_.soup->face_of[source.face];
+  }
+  return arrangement_.soup->face_of[arrangement_.sources_of(piece).front().face];
+}
+
+// An umbrella keeps the smallest input vertex among its corners, unless another one did before.
+void Assembler::choose_old_vertices() {
+  const Soup& soup = *arrangement_.soup;
+  old_vertex_.assign(umbrellas_.point_of.size(), no_index);
+  example_.assign(umbrellas_.point_of.size(), no_index);
+  for (Index h = 0; h < umbrellas_.of_corner.size(); ++h) {
+    const Index umbrella = umbrellas_.of_corner[h];
+    if (umbrella == no_index) continue;
+    if (example_[umbrella] == no_index) example_[umbrella] = h;
+    const Index point = umbrellas_.point_of[umbrella];
+    if (point >= soup.points.size()) continue;
+    for (const Index vertex : input_.faces[piece_face(arrangement_.pieces[h / 3])]) {
+      if (soup.point_of[vertex] == point) {
+        old_vertex_[umbrella] = std::min(old_vertex_[umbrella], vertex);
+      }
+    }
+  }
+  std::vector<char> taken(input_.positions.size(), 0);
+  for (Index& vertex : old_vertex_) {
+    if (vertex == no_index) continue;
+    if (taken[vertex]) vertex = no_index;
+    if (vertex != no_index) taken[vertex] = 1;
+  }
+}
+
+// Input vertices first, in their order; then the others in order of their umbrellas.
+void Assembler::number_vertices() {
+  choose_old_vertices();
+  std::vector<Index> umbrella_of(input_.positions.size(), no_index);
+  for (Index u = 0; u < old_vertex_.size(); ++u) {
+    if (old_vertex_[u] != no_index) umbrella_of[old_vertex_[u]] = u;
+  }
+  vertex_of_.assign(old_vertex_.size(), no_index);
+  for (const Index u : umbrella_of) {
+    if (u != no_index) add_vertex_row(u);
+  }
+  for (Index u = 0; u < old_vertex_.size(); ++u) {
+    if (old_vertex_[u] == no_index) add_vertex_row(u);
+  }
+}
+
+void Assembler::add_vertex_row(Index umbrella) {
+  const Soup& soup = *arrangement_.soup;
+  const Index point = umbrellas_.point_of[umbrella];
+  const bool is_new = point >= soup.points.size();
+  vertex_of_[umbrella] = static_cast<Index>(result_.mesh.positions.size());
+  result_.vertex_is_new.push_back(is_new);
+  if (old_vertex_[umbrella] != no_index) {
+    result_.mesh.positions.push_back(input_.positions[old_vertex_[umbrella]]);
+    vertex_rows_.push_back({{old_vertex_[umbrella], 0, 0}, {1, 0, 0}});
+    return;
+  }
+  const Vec3 position = arrangement_.position(point);
+  result_.mesh.positions.push_back(position);
+  const Index face = piece_face(arrangement_.pieces[example_[umbrella] / 3]);
+  vertex_rows_.push_back(row_on_face(face, position));
+  if (!is_new) ++result_.copies;
+}
+
+// Barycentric coordinates, kept inside the face.
+RowBlend Assembler::row_on_face(Index face, const Vec3& position) const {
+  const Face& f = input_.faces[face];
+  const Vec3 &a = input_.positions[f[0]], &b = input_.positions[f[1]], &c = input_.positions[f[2]];
+  const Vec3 normal = (b - a).cross(c - a);
+  const double total = normal.squaredNorm();
+  std::array<double, 3> weight{1, 0, 0};
+  if (total > 0) {
+    weight[1] = std::clamp(normal.dot((position - a).cross(c - a)) / total, 0.0, 1.0);
+    weight[2] = std::clamp(normal.dot((b - a).cross(position - a)) / total, 0.0, 1.0 - weight[1]);
+    weight[0] = 1 - weight[1] - weight[2];
+  }
+  return {f, weight};
+}
+
+void Assembler::add_faces() {
+  std::vector<Index> output_face(faces_.size(), no_index);
+  for (Index p = 0; p < faces_.size(); ++p) {
+    if (!kept_[p]) continue;
+    const Piece& piece = arrangement_.pieces[p];
+    const bool is_whole = p < arrangement_.whole_pieces;
+    output_face[p] = static_cast<Index>(result_.mesh.faces.size());
+    Face face;
+    for (Index i = 0; i < 3; ++i) face[i] = vertex_of_[umbrellas_.of_corner[3 * p + i]];
+    result_.mesh.faces.push_back(face);
+    result_.face_is_new.push_back(!is_whole);
+    result_.whole_soup_face.push_back(is_whole ? arrangement_.sources_of(piece).front().face
+                                               : no_index);
+    face_rows_.push_back(piece_face(piece));
+  }
+  for (Index h = 0; h < opposite_.size(); ++h) {
+    if (output_face[h / 3] == no_index) continue;
+    const Index across = opposite_[h];
+    output_opposite_.push_back(across == no_index ? no_index
+                                                  : 3 * output_face[across / 3] + across % 3);
+  }
+}
+
+// Puts the vertex on the edge: the face keeps the first half, a new face gets the second.
+void Assembler::split_at(Index h, Index vertex) {
+  Mesh& mesh = result_.mesh;
+  const Index f = h / 3, i = h % 3, next = (i + 1) % 3;
+  const auto added = static_cast<Index>(mesh.faces.size());
+  Face second = mesh.faces[f];
+  second[i] = vertex;
+  mesh.faces[f][next] = vertex;
+  mesh.faces.push_back(second);
+  result_.face_is_new[f] = 1;
+  result_.face_is_new.push_back(1);
+  result_.whole_soup_face[f] = no_index;
+  result_.whole_soup_face.push_back(no_index);
+  face_rows_.push_back(face_rows_[f]);
+
+  // The edge behind the split one moves to the new face.
+  const Index moved = output_opposite_[3 * f + next];
+  output_opposite_.resize(3 * mesh.faces.size(), no_index);
+  output_opposite_[3 * added + next] = moved;
+  if (moved != no_index) output_opposite_[moved] = 3 * added + next;
+  moved_[3 * f + next] = 3 * added + next;
+  output_opposite_[3 * f + next] = 3 * added + (i + 2) % 3;
+  output_opposite_[3 * added + (i + 2) % 3] = 3 * f + next;
+}
+
+// Where copies of the ends still leave more than two faces on an edge, every sheet gets a midpoint.
+void Assembler::split_singular_edges() {
+  Mesh& mesh = result_.mesh;
+  const Edges edges(mesh);
+  std::vector<Index> singular;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges.halfedges(e).size() <= 2) continue;
+    ++result_.split_edges;
+    for (const Index h : edges.halfedges(e)) {
+      if (halfedge_source(mesh, h) < halfedge_target(mesh, h)) singular.push_back(h);
+    }
+  }
+  for (Index h : singular) {
+    for (auto it = moved_.find(h); it != moved_.end(); it = moved_.find(h)) h = it->second;
+    const Index u = halfedge_source(mesh, h), v = halfedge_target(mesh, h);
+    const Index across = output_opposite_[h];
+    const auto middle = static_cast<Index>(mesh.positions.size());
+    mesh.positions.push_back(0.5 * (mesh.positions[u] + mesh.positions[v]));
+    result_.vertex_is_new.push_back(1);
+    vertex_rows_.push_back(row_on_face(face_rows_[h / 3], mesh.positions.back()));
+    split_at(h, middle);
+    if (across != no_index) split_at(across, middle);
+    const auto second = static_cast<Index>(mesh.faces.size());
+    if (across != no_index) {
+      // First half of h faces the second half of its partner, and the other way round.
+      const Index new_h = 3 * (second - 2) + h % 3, new_across = 3 * (second - 1) + across % 3;
+      output_opposite_[h] = new_across;
+      output_opposite_[new_across] = h;
+      output_opposite_[across] = new_h;
+      output_opposite_[new_h] = across;
+    }
+  }
+}
+
+void Assembler::set_columns() {
+  result_.mesh.vertex_columns = input_.vertex_columns.blend(vertex_rows_);
+  result_.mesh.face_columns = input_.face_columns.select(face_rows_);
+}
+
+Assembly Assembler::assemble() {
+  number_vertices();
+  add_faces();
+  split_singular_edges();
+  set_columns();
+  return std::move(result_);
+}
+
+}  // namespace
+
+Assembly assemble(const Mesh& input, const Arrangement& arrangement,
+                  const std::vector<char>& kept) {
+  return Assembler(input, arrangement, kept).assemble();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,16 @@
+/// Whether a soup is the boundary of something: along every edge as many faces run one way as the
+/// other. If not, whether what is missing is a border of an oriented open mesh.
+#pragma once
+
+#include <vector>
+
+#include "tm/clean/soup.h"
+
+namespace transformesh {
+
+/// The borders of an open mesh as loops of points, each running along its faces; none if the mesh
+/// is closed. Throws InputError, naming the place, where two faces run the same way along an edge
+/// or faces are left over at an edge of more than two.
+std::vector<std::vector<Index>> find_border_loops(const Soup& soup, const Mesh& mesh);
+
+}  // namespace transformesh

@@ -1,0 +1,95 @@
+#include "tm/clean/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tm/clean/contacts.h"
+#include "tm/clean/soup.h"
+#include "tm/geometry/bvh.h"
+
+namespace transformesh {
+namespace {
+
+FloatBox face_box(const Soup& soup, Index face) {
+  const Triangle t = soup.triangle(face);
+  return float_box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
+}
+
+// The new faces of the soup, and a hierarchy over them.
+struct NewFaces {
+  std::vector<Index> faces;
+  Bvh bvh;
+};
+
+NewFaces collect_new_faces(const Assembly& assembly, const Soup& soup) {
+  NewFaces result;
+  std::vector<FloatBox> boxes;
+  for (Index f = 0; f < soup.faces.size(); ++f) {
+    if (!assembly.face_is_new[soup.face_of[f]]) continue;
+    result.faces.push_back(f);
+    boxes.push_back(face_box(soup, f));
+  }
+  result.bvh = Bvh(boxes);
+  return result;
+}
+
+void mark_faces_without_area(const Mesh& mesh, const Soup& soup, std::vector<char>& broken) {
+  std::vector<char> has_area(mesh.faces.size(), 0);
+  for (const Index f : soup.face_of) has_area[f] = 1;
+  for (std::size_t f = 0; f < has_area.size(); ++f) broken[f] |= has_area[f] == 0;
+}
+
+void mark_crossings(const Assembly& assembly, const Soup& soup, const NewFaces& news,
+                    std::vector<char>& broken) {
+  const auto mark = [&](Index f, Index g) {
+    broken[soup.face_of[f]] = broken[soup.face_of[g]] = 1;
+  };
+  const auto meet = [&](Index i, Index k) {
+    return find_contacts(soup, news.faces[i], news.faces[k]).meet;
+  };
+  for (const auto& [i, k] : news.bvh.overlapping_pairs(meet)) mark(news.faces[i], news.faces[k]);
+  for (Index f = 0; f < soup.faces.size(); ++f) {
+    if (assembly.face_is_new[soup.face_of[f]]) continue;
+    news.bvh.visit_overlaps(face_box(soup, f), [&](Index i) {
+      if (find_contacts(soup, f, news.faces[i]).meet) mark(f, news.faces[i]);
+      return true;
+    });
+  }
+}
+
+double largest_coordinate(const Mesh& mesh) {
+  double largest = 0;
+  for (const Vec3& p : mesh.positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+}  // namespace
+
+std::vector<Index> find_broken_faces(const Assembly& assembly) {
+  const Soup soup = make_soup(assembly.mesh);
+  std::vector<char> broken(assembly.mesh.faces.size(), 0);
+  mark_faces_without_area(assembly.mesh, soup, broken);
+  const NewFaces news = collect_new_faces(assembly, soup);
+  if (!news.faces.empty()) mark_crossings(assembly, soup, news, broken);
+  std::vector<Index> result;
+  for (Index f = 0; f < broken.size(); ++f) {
+    if (broken[f]) result.push_back(f);
+  }
+  return result;
+}
+
+void snap(Assembly& assembly, const std::vector<Index>& faces, Scalar coordinate, int doublings,
+          bool move_old) {
+  const int digits = coordinate == Scalar::float32 ? 24 : 53;
+  const int exponent = std::ilogb(largest_coordinate(assembly.mesh)) + 1 - digits + doublings;
+  const double grid = std::ldexp(1.0, exponent);
+  for (const Index face : faces) {
+    for (const Index vertex : assembly.mesh.faces[face]) {
+      if (!assembly.vertex_is_new[vertex] && !move_old) continue;
+      Vec3& position = assembly.mesh.positions[vertex];
+      for (int i = 0; i < 3; ++i) position[i] = std::round(position[i] / grid) * grid;
+    }
+  }
+}
+
+}  // namespace transformesh

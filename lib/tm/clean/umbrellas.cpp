@@ -1,0 +1,66 @@
+#include "tm/clean/umbrellas.h"
+
+namespace transformesh {
+namespace {
+
+bool runs_forward(std::span<const Face> faces, Index h) {
+  const Face& face = faces[h / 3];
+  return face[h % 3] < face[(h % 3 + 1) % 3];
+}
+
+// A forward piece has its back towards its predecessor, which must have its back there too.
+void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& sorted,
+                        std::vector<Index>& opposite) {
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const Index h = sorted[i];
+    const Index before = sorted[(i + sorted.size() - 1) % sorted.size()];
+    if (!runs_forward(faces, h) || runs_forward(faces, before)) continue;
+    opposite[h] = before;
+    opposite[before] = h;
+  }
+}
+
+}  // namespace
+
+std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& edges,
+                                      const AngularSort& sort) {
+  std::vector<Index> opposite(3 * faces.size(), no_index);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    if (halfedges.size() > 2) {
+      pair_singular_edge(faces, sort(halfedges), opposite);
+    } else if (halfedges.size() == 2 &&
+               runs_forward(faces, halfedges[0]) != runs_forward(faces, halfedges[1])) {
+      opposite[halfedges[0]] = halfedges[1];
+      opposite[halfedges[1]] = halfedges[0];
+    }
+  }
+  return opposite;
+}
+
+Umbrellas find_umbrellas(std::span<const Face> faces, const std::vector<char>& included,
+                         const std::vector<Index>& opposite) {
+  Umbrellas result;
+  result.of_corner.assign(3 * faces.size(), no_index);
+  for (Index start = 0; start < 3 * faces.size(); ++start) {
+    if (!included[start / 3] || result.of_corner[start] != no_index) continue;
+    const auto umbrella = static_cast<Index>(result.point_of.size());
+    result.point_of.push_back(faces[start / 3][start % 3]);
+
+    // Turn one way until the fan closes, else also the other way to its border.
+    Index h = start;
+    while (h != no_index && result.of_corner[h] == no_index) {
+      result.of_corner[h] = umbrella;
+      h = opposite[previous_halfedge(h)];
+    }
+    for (h = opposite[start]; h != no_index;) {
+      h = next_halfedge(h);
+      if (result.of_corner[h] != no_index) break;
+      result.of_corner[h] = umbrella;
+      h = opposite[h];
+    }
+  }
+  return result;
+}
+
+}  // namespace transformesh

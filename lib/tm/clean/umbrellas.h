@@ -1,0 +1,33 @@
+/// Stitching pieces that know their corners only as points (paper 3.3): which pieces continue each
+/// other across an edge, and which corners at a point belong to one umbrella and so to one vertex.
+/// A point with more than one umbrella is a singular vertex of the paper.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "tm/mesh/edges.h"
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+/// Brings the halfedges of one edge into angular order: counter-clockwise seen against the
+/// direction from the smaller to the larger point.
+using AngularSort = std::function<std::vector<Index>(std::span<const Index> halfedges)>;
+
+/// The halfedge of the piece across each halfedge; no_index on a border. At a singular edge pieces
+/// pair across the inside, behind both, so that sheets never cross.
+std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& edges,
+                                      const AngularSort& sort);
+
+struct Umbrellas {
+  std::vector<Index> of_corner;  ///< per halfedge: the umbrella of the corner where it starts
+  std::vector<Index> point_of;   ///< per umbrella, in order of their first corners
+};
+
+/// Faces without included[face] have no umbrella.
+Umbrellas find_umbrellas(std::span<const Face> faces, const std::vector<char>& included,
+                         const std::vector<Index>& opposite);
+
+}  // namespace transformesh

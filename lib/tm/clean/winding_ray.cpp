@@ -1,0 +1,98 @@
+#include "tm/clean/winding_ray.h"
+
+#include <limits>
+
+namespace transformesh {
+namespace {
+
+std::vector<Triangle> collect_triangles(const Soup& soup,
+                                        const std::vector<std::vector<Index>>& loops) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(soup.faces.size());
+  for (Index f = 0; f < soup.faces.size(); ++f) triangles.push_back(soup.triangle(f));
+  for (const std::vector<Index>& loop : loops) {
+    Vec3 center = Vec3::Zero();
+    for (const Index p : loop) center += soup.points[p] / static_cast<double>(loop.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      // A border runs along its faces: the fan runs against it.
+      triangles.push_back({soup.points[loop[(i + 1) % loop.size()]], soup.points[loop[i]], center});
+    }
+  }
+  return triangles;
+}
+
+Bvh build_bvh(const std::vector<Triangle>& triangles) {
+  std::vector<FloatBox> boxes;
+  boxes.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    boxes.push_back(
+        float_box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])));
+  }
+  return Bvh(boxes);
+}
+
+// Weights of ever new points inside a triangle.
+std::array<int, 3> weights(int attempt) {
+  return {1 + attempt % 7 * attempt, 1 + attempt % 5 * 3, 1 + attempt % 11 * 2 + attempt / 7};
+}
+
+}  // namespace
+
+WindingRay::WindingRay(const Arrangement& arrangement,
+                       const std::vector<std::vector<Index>>& border_loops)
+    : arrangement_(arrangement),
+      triangles_(collect_triangles(*arrangement.soup, border_loops)),
+      bvh_(build_bvh(triangles_)) {}
+
+int WindingRay::in_front_of(const Piece& piece) const {
+  // Along the axis nearest to the normal, to the front.
+  const Source source = arrangement_.sources_of(piece).front();
+  const Projection projection = projection_of(arrangement_.soup->triangle(source.face));
+  const bool even = projection.v == (projection.u + 1) % 3;
+  const int axis = 3 - projection.u - projection.v;
+  const int direction = even != source.reversed ? 1 : -1;
+
+  const ExactGeometry geometry = arrangement_.geometry();
+  const ExactPoint a = arrangement_.point(piece.corners[0]);
+  const ExactPoint b = arrangement_.point(piece.corners[1]);
+  const ExactPoint c = arrangement_.point(piece.corners[2]);
+  for (int attempt = 0;; ++attempt) {
+    const Count count = cast(geometry.mean(a, b, c, weights(attempt)), axis, direction);
+    if (!count.grazes) return count.winding;
+    if (attempt > 1000) throw GoalError("internal: every ray from a face grazes an edge");
+  }
+}
+
+WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direction) const {
+  const Projection projection{(axis + 1) % 3, (axis + 2) % 3};
+  const ExactGeometry geometry = arrangement_.geometry();
+  Vec3 low = origin.center - origin.radius;
+  Vec3 high = origin.center + origin.radius;
+  (direction > 0 ? high : low)[axis] = direction * std::numeric_limits<double>::max();
+
+  Count count;
+  const auto cross = [&](Index i) {
+    const Triangle& t = triangles_[i];
+    bool left = false, right = false, on = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int turn = geometry.orient2d(ExactGeometry::free(t[k]),
+                                         ExactGeometry::free(t[(k + 1) % 3]), origin, projection);
+      left |= turn > 0;
+      right |= turn < 0;
+      on |= turn == 0;
+    }
+    if (left && right) return true;
+    if (on) {
+      count.grazes = true;
+      return false;
+    }
+    const int up = left ? 1 : -1;  // the sign of the normal along the axis
+    const int side = geometry.orient3d(t, origin);
+    if (side * up * direction < 0) count.winding += up * direction;
+    return true;
+  };
+  bvh_.visit_overlaps(float_box(low, high), cross);
+  return count;
+}
+
+}  // namespace transformesh
