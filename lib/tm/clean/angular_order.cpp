@@ -5,62 +5,67 @@
 namespace transformesh {
 namespace {
 
-Index smaller_end(const std::vector<Piece>& pieces, Index h) {
-  return std::min(halfedge_source(pieces, h), halfedge_target(pieces, h));
-}
-
-Index larger_end(const std::vector<Piece>& pieces, Index h) {
-  return std::max(halfedge_source(pieces, h), halfedge_target(pieces, h));
-}
-
-// Angles around one edge by exact signs of the faces' normals: an inward direction and the normal
-// of the piece (turned about for backward halfedges) differ by a right angle, the same for all.
-class AngleOrder {
- public:
-  AngleOrder(const Arrangement& arrangement, Index first_halfedge)
-      : arrangement_(arrangement), first_(spoke(first_halfedge)) {
-    const Index u = smaller_end(arrangement.pieces, first_halfedge);
-    const Index v = larger_end(arrangement.pieces, first_halfedge);
-    const ExactPoint from = arrangement.point(u);
-    const ExactPoint to = arrangement.point(v);
-    const Vec3 along = (to.center - from.center).cwiseAbs();
-    along.maxCoeff(&coordinate_);
-    for (int i = 0; i < 3 && direction_ == 0; ++i) {
-      if (i > 0) coordinate_ = (coordinate_ + 1) % 3;
-      direction_ = arrangement.geometry().compare_coordinate(to, from, coordinate_);
-    }
-  }
-
-  struct Spoke {
-    Triangle triangle;
-    int sign;      ///< of the turned normal relative to the triangle's
-    int half = 0;  ///< 0 at the first spoke, 1 before the opposite direction, 2 there, 3 after
-  };
-
-  Spoke spoke(Index h) const {
-    const Piece& piece = arrangement_.pieces[h / 3];
-    const Source source = arrangement_.sources_of(piece).front();
-    const bool turned = source.reversed == is_forward(arrangement_.pieces, h);
-    return {arrangement_.soup->triangle(source.face), turned ? -1 : 1};
-  }
-
-  // The sign of the sine of the angle from one spoke to the other.
-  int turn(const Spoke& a, const Spoke& b) const {
-    return normals_cross(a.triangle, b.triangle, coordinate_) * a.sign * b.sign * direction_;
-  }
-
-  int half(const Spoke& s) const {
-    const int sine = turn(first_, s);
-    if (sine != 0) return sine > 0 ? 1 : 3;
-    return normals_dot(first_.triangle, s.triangle) * first_.sign * s.sign > 0 ? 0 : 2;
-  }
-
- private:
-  const Arrangement& arrangement_;
-  Spoke first_;
-  int coordinate_ = 0;
-  int direction_ = 0;
+// A face at an edge. Its inward direction and its normal (turned about where it runs backward)
+// differ by a right angle, the same for all: so normals can be sorted instead.
+struct Spoke {
+  Triangle triangle;
+  bool is_forward;
+  Index halfedge;
+  int sign;      ///< of the turned normal relative to the triangle's
+  int half = 0;  ///< 0 at the first spoke, 1 before the opposite direction, 2 there, 3 after
 };
+
+// A coordinate in which the edge advances, and which way.
+struct Axis {
+  int coordinate;
+  int direction;
+};
+
+// The sign of the sine of the angle from one spoke to the other.
+int turn(const Spoke& a, const Spoke& b, Axis axis) {
+  return normals_cross(a.triangle, b.triangle, axis.coordinate) * a.sign * b.sign * axis.direction;
+}
+
+int half_of(const Spoke& first, const Spoke& s, Axis axis) {
+  const int sine = turn(first, s, axis);
+  if (sine != 0) return sine > 0 ? 1 : 3;
+  return normals_dot(first.triangle, s.triangle) * first.sign * s.sign > 0 ? 0 : 2;
+}
+
+std::vector<Index> sort_spokes(std::vector<Spoke> spokes, Axis axis) {
+  const Spoke first = spokes.front();
+  for (Spoke& spoke : spokes) spoke.half = half_of(first, spoke, axis);
+  std::sort(spokes.begin(), spokes.end(), [&](const Spoke& a, const Spoke& b) {
+    if (a.half != b.half) return a.half < b.half;
+    const int sine = a.half % 2 == 0 ? 0 : turn(a, b, axis);
+    if (sine != 0) return sine > 0;
+    return a.is_forward != b.is_forward ? a.is_forward : a.halfedge < b.halfedge;
+  });
+  std::vector<Index> sorted;
+  for (const Spoke& spoke : spokes) sorted.push_back(spoke.halfedge);
+  return sorted;
+}
+
+Axis axis_between(const Arrangement& arrangement, Index u, Index v) {
+  const ExactPoint from = arrangement.point(std::min(u, v));
+  const ExactPoint to = arrangement.point(std::max(u, v));
+  Axis axis{0, 0};
+  (to.center - from.center).cwiseAbs().maxCoeff(&axis.coordinate);
+  for (int i = 0; i < 3 && axis.direction == 0; ++i) {
+    if (i > 0) axis.coordinate = (axis.coordinate + 1) % 3;
+    axis.direction = arrangement.geometry().compare_coordinate(to, from, axis.coordinate);
+  }
+  return axis;
+}
+
+Axis axis_between(const Mesh& mesh, Index u, Index v) {
+  const Vec3& from = mesh.positions[std::min(u, v)];
+  const Vec3& to = mesh.positions[std::max(u, v)];
+  Axis axis{0, 0};
+  (to - from).cwiseAbs().maxCoeff(&axis.coordinate);
+  axis.direction = to[axis.coordinate] > from[axis.coordinate] ? 1 : -1;
+  return axis;
+}
 
 }  // namespace
 
@@ -86,19 +91,32 @@ Edges piece_edges(const Arrangement& arrangement, const std::vector<char>& inclu
 
 std::vector<Index> sort_around_edge(const Arrangement& arrangement,
                                     std::span<const Index> halfedges) {
-  const AngleOrder order(arrangement, halfedges.front());
-  std::vector<std::pair<AngleOrder::Spoke, Index>> spokes;
+  const auto& pieces = arrangement.pieces;
+  std::vector<Spoke> spokes;
   for (const Index h : halfedges) {
-    spokes.emplace_back(order.spoke(h), h);
-    spokes.back().first.half = order.half(spokes.back().first);
+    const Source source = arrangement.sources_of(pieces[h / 3]).front();
+    const bool forward = is_forward(pieces, h);
+    spokes.push_back({arrangement.soup->triangle(source.face), forward, h,
+                      forward == source.reversed ? -1 : 1});
   }
-  std::sort(spokes.begin(), spokes.end(), [&](const auto& a, const auto& b) {
-    if (a.first.half != b.first.half) return a.first.half < b.first.half;
-    return order.turn(a.first, b.first) > 0;
-  });
-  std::vector<Index> sorted;
-  for (const auto& [spoke, h] : spokes) sorted.push_back(h);
-  return sorted;
+  const Index h = halfedges.front();
+  return sort_spokes(std::move(spokes), axis_between(arrangement, halfedge_source(pieces, h),
+                                                     halfedge_target(pieces, h)));
+}
+
+std::vector<Index> sort_around_edge(const Mesh& mesh, std::span<const Index> halfedges) {
+  std::vector<Spoke> spokes;
+  for (const Index h : halfedges) {
+    const Face& f = mesh.faces[h / 3];
+    const bool forward = halfedge_source(mesh, h) < halfedge_target(mesh, h);
+    spokes.push_back({{mesh.positions[f[0]], mesh.positions[f[1]], mesh.positions[f[2]]},
+                      forward,
+                      h,
+                      forward ? 1 : -1});
+  }
+  const Index h = halfedges.front();
+  return sort_spokes(std::move(spokes),
+                     axis_between(mesh, halfedge_source(mesh, h), halfedge_target(mesh, h)));
 }
 
 }  // namespace transformesh

@@ -22,8 +22,10 @@ bool is_forward(const std::vector<Piece>& pieces, Index halfedge);
 
 /// The halfedges of one edge in counter-clockwise order as seen against the forward direction,
 /// starting with the first. Exact. So a forward piece has its front towards its successor and a
-/// backward piece has its back there. All angles differ, as coincident pieces are one.
+/// backward piece has its back there. Where faces of a mesh coincide, forward ones come first, so
+/// that nothing but emptiness lies between them.
 std::vector<Index> sort_around_edge(const Arrangement& arrangement,
                                     std::span<const Index> halfedges);
+std::vector<Index> sort_around_edge(const Mesh& mesh, std::span<const Index> halfedges);
 
 }  // namespace transformesh

@@ -5,6 +5,7 @@
 
 #include "tm/clean/angular_order.h"
 #include "tm/clean/winding_ray.h"
+#include "tm/support/error.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {

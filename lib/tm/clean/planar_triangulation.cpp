@@ -4,6 +4,8 @@
 #include <cmath>
 #include <deque>
 
+#include "tm/support/error.h"
+
 namespace transformesh {
 namespace {
 

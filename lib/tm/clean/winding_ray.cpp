@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "tm/support/error.h"
+
 namespace transformesh {
 namespace {
 

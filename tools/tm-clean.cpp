@@ -1,0 +1,70 @@
+#include "tm/clean/clean.h"
+
+#include "tm/mesh/components.h"
+#include "tool.h"
+
+using namespace transformesh;
+
+namespace {
+
+struct Options {
+  CleanOptions clean;
+  std::string method = "grow";
+  long level = 1;
+  bool source_faces = false;
+};
+
+void number_faces(Mesh& mesh) {
+  Column& column = mesh.face_columns.get("source_face", Scalar::int32, mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
+}
+
+void report_topology(const Mesh& mesh, tool::Run& run) {
+  const Components components = connected_components(mesh);
+  long genus = 0;
+  for (const Component& component : components.components) genus += component.genus();
+  run.report("components", components.components.size());
+  run.report("genus", genus);
+}
+
+void clean_document(Document& document, Options options, tool::Run& run) {
+  options.clean.method =
+      options.method == "grow" ? ExteriorMethod::grow : ExteriorMethod::static_test;
+  options.clean.level = static_cast<int>(options.level);
+  options.clean.coordinate = document.style.coordinate;
+  if (options.source_faces) number_faces(document.mesh);
+  CleanResult result = clean(document.mesh, options.clean, run.progress());
+  document.mesh = std::move(result.mesh);
+
+  run.report("changed", result.changed);
+  run.report("pairs", result.pairs);
+  run.report("cut_faces", result.cut_faces);
+  run.report("removed_faces", result.removed_faces);
+  run.report("new_vertices", result.new_vertices);
+  run.report("copied_vertices", result.copied_vertices);
+  run.report("patches", result.patches);
+  run.report("rays", result.rays);
+  run.report("dropped_components", result.dropped_components);
+  run.report("rounding_repairs", result.rounding_repairs);
+  report_topology(document.mesh, run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program("tm-clean", "[OPTION]... [INPUT]",
+                        "Remove self-intersections: the boundary of winding number >= 1");
+  program.choice("method", &options.method, {"grow", "static"},
+                 "grow regions from seeds, or test every piece (slow reference)");
+  program.integer("level", &options.level, 1, 1000000,
+                  "keep the boundary of winding number >= LEVEL; 2 intersects two operands");
+  program.flag("outermost", &options.clean.outermost,
+               "drop components that bound cavities and what floats in them");
+  program.flag("refuse", &options.clean.refuse, "exit 4 rather than change anything");
+  program.flag("source-face", &options.source_faces,
+               "write the input face of each face as the face property source_face");
+  return program.filter(argc, argv, [&](Document& document, tool::Run& run) {
+    clean_document(document, options, run);
+  });
+}

@@ -1,0 +1,40 @@
+#include "tm/clean/stitch.h"
+
+#include "tool.h"
+
+using namespace transformesh;
+
+namespace {
+
+void stitch_document(Document& document, StitchOptions options, const Length& tolerance,
+                     tool::Run& run) {
+  options.tolerance = run.length(tolerance);
+  const StitchResult result = stitch(document.mesh, options);
+  if (result.misoriented_edges > 0) {
+    run.note(std::to_string(result.misoriented_edges) +
+             " edges lie between faces that run the same way; --orient turns faces to agree");
+  }
+  run.report("joined_vertices", result.joined_vertices);
+  run.report("copied_vertices", result.copied_vertices);
+  run.report("dropped_faces", result.dropped_faces);
+  run.report("turned_faces", result.turned_faces);
+  run.report("misoriented_edges", result.misoriented_edges);
+  run.report("border_edges", result.border_edges);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  StitchOptions options;
+  Length tolerance;
+  tool::Program program("tm-stitch", "[OPTION]... [INPUT]",
+                        "Join a soup of triangles into a manifold mesh");
+  program.length("tolerance", &tolerance,
+                 "join vertices within this distance; 0 joins equal positions only");
+  program.flag("orient", &options.orient,
+               "turn faces so that neighbours agree; closed components then look outwards");
+  program.flag("flip", &options.flip, "reverse all faces");
+  return program.filter(argc, argv, [&](Document& document, tool::Run& run) {
+    stitch_document(document, options, tolerance, run);
+  });
+}
