@@ -1,5 +1,4 @@
 #include "tm/clean/clean.h"
-
 #include "tm/mesh/components.h"
 #include "tool.h"
 

@@ -1,5 +1,4 @@
 #include "tm/clean/stitch.h"
-
 #include "tool.h"
 
 using namespace transformesh;

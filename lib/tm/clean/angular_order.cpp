@@ -96,8 +96,8 @@ std::vector<Index> sort_around_edge(const Arrangement& arrangement,
   for (const Index h : halfedges) {
     const Source source = arrangement.sources_of(pieces[h / 3]).front();
     const bool forward = is_forward(pieces, h);
-    spokes.push_back({arrangement.soup->triangle(source.face), forward, h,
-                      forward == source.reversed ? -1 : 1});
+    spokes.push_back(
+        {arrangement.soup->triangle(source.face), forward, h, forward == source.reversed ? -1 : 1});
   }
   const Index h = halfedges.front();
   return sort_spokes(std::move(spokes), axis_between(arrangement, halfedge_source(pieces, h),

@@ -85,8 +85,8 @@ std::size_t orient_faces(std::vector<Face>& faces, const std::vector<Vec3>& poin
   for (Index first = 0; first < faces.size(); ++first) {
     if (visited[first]) continue;
     const std::vector<Index> component = spread(faces, neighbors, first, visited, turned);
-    const auto turns = static_cast<std::size_t>(std::count_if(
-        component.begin(), component.end(), [&](Index f) { return turned[f] != 0; }));
+    const auto turns = static_cast<std::size_t>(
+        std::count_if(component.begin(), component.end(), [&](Index f) { return turned[f] != 0; }));
     if (turns == 0) continue;
     const bool reverse = is_closed(neighbors, component)
                              ? signed_volume(faces, component, points, turned) < 0

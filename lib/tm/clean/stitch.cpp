@@ -100,8 +100,7 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   const std::vector<Index> opposite = pair_across_inside(mesh.faces, edges, sort);
   count_open_edges(edges, opposite, result);
   const std::vector<char> all(mesh.faces.size(), 1);
-  result.copied_vertices =
-      number_umbrellas(mesh, find_umbrellas(mesh.faces, all, opposite));
+  result.copied_vertices = number_umbrellas(mesh, find_umbrellas(mesh.faces, all, opposite));
   if (options.flip) {
     for (Face& face : mesh.faces) std::swap(face[1], face[2]);
   }

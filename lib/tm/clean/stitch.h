@@ -5,9 +5,9 @@
 /// References: the paper, 3.3; Gueziec, Taubin, Lazarus & Horn, "Cutting and stitching", TVCG 2001.
 ///
 /// The first vertex of each position survives, with its columns; faces keep their order. Faces that
-/// name a position twice are dropped. Two faces that run the same way along an edge stay apart there
-/// unless `orient`. Throws InputError where a component cannot be oriented (a Moebius strip), naming
-/// a face. Cost: O(n log n). Deterministic.
+/// name a position twice are dropped. Two faces that run the same way along an edge stay apart
+/// there unless `orient`. Throws InputError where a component cannot be oriented (a Moebius strip),
+/// naming a face. Cost: O(n log n). Deterministic.
 #pragma once
 
 #include "tm/mesh/mesh.h"
@@ -22,12 +22,12 @@ struct StitchOptions {
 };
 
 struct StitchResult {
-  std::size_t joined_vertices = 0;   ///< how many positions were given more than once
-  std::size_t copied_vertices = 0;   ///< duplicates made at singular vertices, edges, triangles
+  std::size_t joined_vertices = 0;  ///< how many positions were given more than once
+  std::size_t copied_vertices = 0;  ///< duplicates made at singular vertices, edges, triangles
   std::size_t dropped_faces = 0;
-  std::size_t turned_faces = 0;      ///< by `orient`
+  std::size_t turned_faces = 0;       ///< by `orient`
   std::size_t misoriented_edges = 0;  ///< left between two faces that run the same way
-  std::size_t border_edges = 0;      ///< left without a partner
+  std::size_t border_edges = 0;       ///< left without a partner
 };
 
 StitchResult stitch(Mesh& mesh, const StitchOptions& options = {});
