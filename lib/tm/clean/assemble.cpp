@@ -4,6 +4,7 @@
 #include <map>
 
 #include "tm/clean/angular_order.h"
+#include "tm/clean/face_row.h"
 #include "tm/clean/umbrellas.h"
 
 namespace transformesh {
@@ -18,7 +19,6 @@ class Assembler {
   void choose_old_vertices();
   void number_vertices();
   void add_vertex_row(Index umbrella);
-  RowBlend row_on_face(Index face, const Vec3& position) const;
   Index piece_face(const Piece& piece) const;
   void add_faces();
   void split_singular_edges();
@@ -118,23 +118,8 @@ void Assembler::add_vertex_row(Index umbrella) {
   const Vec3 position = arrangement_.position(point);
   result_.mesh.positions.push_back(position);
   const Index face = piece_face(arrangement_.pieces[example_[umbrella] / 3]);
-  vertex_rows_.push_back(row_on_face(face, position));
+  vertex_rows_.push_back(row_on_face(input_, face, position));
   if (!is_new) ++result_.copies;
-}
-
-// Barycentric coordinates, kept inside the face.
-RowBlend Assembler::row_on_face(Index face, const Vec3& position) const {
-  const Face& f = input_.faces[face];
-  const Vec3 &a = input_.positions[f[0]], &b = input_.positions[f[1]], &c = input_.positions[f[2]];
-  const Vec3 normal = (b - a).cross(c - a);
-  const double total = normal.squaredNorm();
-  std::array<double, 3> weight{1, 0, 0};
-  if (total > 0) {
-    weight[1] = std::clamp(normal.dot((position - a).cross(c - a)) / total, 0.0, 1.0);
-    weight[2] = std::clamp(normal.dot((b - a).cross(position - a)) / total, 0.0, 1.0 - weight[1]);
-    weight[0] = 1 - weight[1] - weight[2];
-  }
-  return {f, weight};
 }
 
 void Assembler::add_faces() {
@@ -204,7 +189,7 @@ void Assembler::split_singular_edges() {
     const auto middle = static_cast<Index>(mesh.positions.size());
     mesh.positions.push_back(0.5 * (mesh.positions[u] + mesh.positions[v]));
     result_.vertex_is_new.push_back(1);
-    vertex_rows_.push_back(row_on_face(face_rows_[h / 3], mesh.positions.back()));
+    vertex_rows_.push_back(row_on_face(input_, face_rows_[h / 3], mesh.positions.back()));
     split_at(h, middle);
     if (across != no_index) split_at(across, middle);
     const auto second = static_cast<Index>(mesh.faces.size());

@@ -87,6 +87,7 @@ void settle(Assembly& assembly, const CleanOptions& options, CleanResult& result
 }  // namespace
 
 CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
   Pass pass = run_pass(mesh, options, options.level, progress);
   CleanResult result;
   result.pairs = pass.pairs;

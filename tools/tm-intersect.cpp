@@ -1,0 +1,77 @@
+#include "tm/clean/intersect.h"
+#include "tm/clean/refine.h"
+#include "tm/io/mesh_io.h"
+#include "tool.h"
+
+using namespace transformesh;
+
+namespace {
+
+struct Options {
+  bool check = false;
+  bool refine = false;
+  std::string pairs;
+  std::string segments;
+};
+
+std::string pair_lines(const std::vector<FacePair>& pairs) {
+  std::string lines;
+  for (const auto& [f, g] : pairs) lines += std::to_string(f) + ' ' + std::to_string(g) + '\n';
+  return lines;
+}
+
+// A PLY of vertices and edges.
+std::string segment_file(const std::vector<std::pair<Vec3, Vec3>>& segments) {
+  Document document;
+  OtherElement edges{"edge", segments.size(), {}};
+  Column& first = edges.columns.get("vertex1", Scalar::int32, segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) first.values[i] = static_cast<double>(2 * i);
+  Column& second = edges.columns.get("vertex2", Scalar::int32, segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    second.values[i] = static_cast<double>(2 * i + 1);
+    document.mesh.positions.push_back(segments[i].first);
+    document.mesh.positions.push_back(segments[i].second);
+  }
+  document.other_elements.push_back(std::move(edges));
+  return write_mesh(document).bytes;
+}
+
+void count_per_face(Mesh& mesh, const std::vector<FacePair>& pairs) {
+  mesh.face_columns.erase("intersections");
+  Column& column = mesh.face_columns.get("intersections", Scalar::int32, mesh.faces.size());
+  for (const auto& [f, g] : pairs) {
+    ++column.values[f];
+    ++column.values[g];
+  }
+}
+
+bool intersect(Document& document, const Options& options, tool::Run& run) {
+  const std::vector<FacePair> pairs = find_intersections(document.mesh, run.progress());
+  run.report("pairs", pairs.size());
+  if (!options.pairs.empty()) run.write(options.pairs, pair_lines(pairs));
+  if (!options.segments.empty()) {
+    run.write(options.segments, segment_file(intersection_segments(document.mesh, pairs)));
+  }
+  count_per_face(document.mesh, pairs);
+  if (options.refine) document.mesh = refine(document.mesh, run.progress());
+  return pairs.empty();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program("tm-intersect", "[OPTION]... [INPUT]",
+                        "Find the pairs of faces that intersect");
+  program.flag("check", &options.check,
+               "print the number of pairs; exit 1 where there are any, write no mesh");
+  program.text("pairs", &options.pairs, "FILE", "write the pairs of face numbers as text");
+  program.text("segments", &options.segments, "FILE", "write the common segments as PLY edges");
+  program.flag("refine", &options.refine,
+               "split faces along the intersections; source_face tells where they come from");
+  program.keep_out_of_provenance("pairs");
+  program.keep_out_of_provenance("segments");
+  return program.filter_or_predicate(
+      argc, argv, &options.check,
+      [&](Document& document, tool::Run& run) { return intersect(document, options, run); });
+}
