@@ -54,7 +54,7 @@ bool intersect(Document& document, const Options& options, tool::Run& run) {
   }
   count_per_face(document.mesh, pairs);
   if (options.refine) document.mesh = refine(document.mesh, run.progress());
-  return pairs.empty();
+  return pairs.empty() || !options.check;
 }
 
 }  // namespace
