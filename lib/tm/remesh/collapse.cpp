@@ -1,0 +1,236 @@
+#include "tm/remesh/collapse.h"
+
+#include <algorithm>
+
+#include "tm/remesh/edge_queue.h"
+#include "tm/remesh/star.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double least_turn_cosine = 0.5;
+/// Triangles at least this round are good enough; others must not get worse.
+constexpr double round_enough = 0.3;
+/// A triangle rounder than this has a normal to rely on.
+constexpr double has_normal = 0.02;
+
+class Collapser {
+ public:
+  Collapser(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles, double max_edge)
+      : mesh_(mesh), guard_(guard), roles_(roles), longest_(max_edge * max_edge) {}
+
+  /// The vertex that the edge became, or no_index.
+  Index collapse(Index halfedge);
+
+ private:
+  /// One triangle that stays, with its corner at the edge left out.
+  struct Spoke {
+    Vec3 first;
+    Vec3 second;
+    Vec3 normal;
+    double roundness;
+    double longest;  ///< squared, of the two edges at the corner that moves
+  };
+
+  void gather();
+  void gather_star(Index vertex);
+  bool try_position(const Vec3& wanted, double source_share);
+  bool try_free_positions();
+  Vec3 volume_keeping_shift(const Vec3& position) const;
+  bool is_sound(const Vec3& position) const;
+  void fill_patch(const Vec3& position);
+
+  EditableMesh& mesh_;
+  EmbeddingGuard& guard_;
+  const VertexRoles& roles_;
+  double longest_;
+  Index edge_ = no_index;
+  Index goes_ = no_index;
+  Index stays_ = no_index;
+  std::vector<Spoke> spokes_;
+  Vec3 mean_normal_ = Vec3::Zero();
+  double least_roundness_ = 1;
+  double volume_ = 0;  ///< six times what the star of goes_ encloses with stays_
+  Patch patch_;
+};
+
+Index Collapser::collapse(Index halfedge) {
+  if (!roles_.may_merge(halfedge) || !mesh_.can_collapse(halfedge)) return no_index;
+  const bool turned = !mesh_.is_border(halfedge) && mesh_.target(halfedge) > mesh_.source(halfedge);
+  edge_ = turned ? mesh_.opposite(halfedge) : halfedge;
+  goes_ = mesh_.source(edge_);
+  stays_ = mesh_.target(edge_);
+  gather();
+
+  // the end that is bound more keeps its place
+  const VertexRole from = roles_[goes_];
+  const VertexRole to = roles_[stays_];
+  bool done = false;
+  if (from != to) {
+    const bool source_wins = from > to;
+    done = try_position(mesh_.position(source_wins ? goes_ : stays_), source_wins ? 1 : 0);
+  } else {
+    done = try_free_positions();
+  }
+  return done ? stays_ : no_index;
+}
+
+void Collapser::gather() {
+  spokes_.clear();
+  patch_.clear();
+  mean_normal_.setZero();
+  least_roundness_ = 1;
+  volume_ = 0;
+  gather_star(goes_);
+  gather_star(stays_);
+  patch_.vertices.push_back(stays_);
+}
+
+void Collapser::gather_star(Index vertex) {
+  const Vec3& corner = mesh_.position(vertex);
+  const Vec3& origin = mesh_.position(stays_);
+  mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
+    const Index first = mesh_.target(halfedge);
+    const Index second = mesh_.apex(halfedge);
+    const Vec3& a = mesh_.position(first);
+    const Vec3& b = mesh_.position(second);
+    const double round = roundness(corner, a, b);
+    least_roundness_ = std::min(least_roundness_, round);
+    patch_.replaced.push_back(halfedge / 3);
+    const Index other_end = vertex == goes_ ? stays_ : goes_;
+    if (first == other_end || second == other_end) return;
+    const Vec3 normal = normal_of(corner, a, b);
+    const double longest = std::max((a - corner).squaredNorm(), (b - corner).squaredNorm());
+    spokes_.push_back({a, b, normal, round, longest});
+    mean_normal_ += normal;
+    volume_ += (corner - origin).dot((a - origin).cross(b - origin));
+    patch_.vertices.push_back(first);
+    patch_.vertices.push_back(second);
+  });
+}
+
+bool Collapser::try_free_positions() {
+  const Vec3& source = mesh_.position(goes_);
+  const Vec3& target = mesh_.position(stays_);
+  const Vec3 middle = 0.5 * source + 0.5 * target;
+  if (roles_[stays_] == VertexRole::free) {
+    const Vec3 shift = volume_keeping_shift(middle);
+    if (shift.norm() <= 0.5 * (target - source).norm() && try_position(middle + shift, 0.5)) {
+      return true;
+    }
+  }
+  return try_position(middle, 0.5) || try_position(target, 0) || try_position(source, 1);
+}
+
+Vec3 Collapser::volume_keeping_shift(const Vec3& position) const {
+  // the volume is linear in the position: six times it is position . ring + const
+  const Vec3& origin = mesh_.position(stays_);
+  Vec3 ring = Vec3::Zero();
+  for (const Spoke& spoke : spokes_) {
+    ring += (spoke.first - origin).cross(spoke.second - origin);
+  }
+  const double squared = ring.squaredNorm();
+  if (squared == 0) return Vec3::Zero();
+  return (volume_ - (position - origin).dot(ring)) / squared * ring;
+}
+
+bool Collapser::is_sound(const Vec3& position) const {
+  const double least_round = std::min(round_enough, least_roundness_);
+  return std::all_of(spokes_.begin(), spokes_.end(), [&](const Spoke& spoke) {
+    const double longest = std::max(longest_, spoke.longest);
+    if ((spoke.first - position).squaredNorm() > longest) return false;
+    if ((spoke.second - position).squaredNorm() > longest) return false;
+    if (roundness(position, spoke.first, spoke.second) < least_round) return false;
+    const Vec3& before = spoke.roundness > has_normal ? spoke.normal : mean_normal_;
+    return !turns(before, normal_of(position, spoke.first, spoke.second), least_turn_cosine);
+  });
+}
+
+void Collapser::fill_patch(const Vec3& position) {
+  patch_.centre = stays_;
+  patch_.centre_position = position;
+  patch_.made.clear();
+  for (const Spoke& spoke : spokes_) patch_.made.push_back({position, spoke.first, spoke.second});
+}
+
+bool Collapser::try_position(const Vec3& wanted, double source_share) {
+  const Vec3 position = mesh_.rounded(wanted);
+  if (!is_sound(position)) return false;
+  fill_patch(position);
+  if (!guard_.allows(patch_)) return false;
+  mesh_.collapse(edge_, position, source_share);
+  guard_.forget(goes_);
+  guard_.commit(patch_);
+  return true;
+}
+
+/// Shortest first, until no short edge is left that may go.
+class ShortEdges {
+ public:
+  ShortEdges(EditableMesh& mesh, bool keep_border, double min_edge)
+      : mesh_(mesh), limit_(min_edge * min_edge), keep_border_(keep_border) {
+    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+      if (mesh.is_edge(h)) push(h);
+    }
+  }
+
+  bool empty() const { return queue_.empty(); }
+  QueuedEdge pop() {
+    const QueuedEdge edge = queue_.top();
+    queue_.pop();
+    return edge;
+  }
+  void push_around(Index vertex) {
+    mesh_.for_each_neighbour(vertex, [&](Index, Index halfedge) { push(halfedge); });
+  }
+  std::size_t count() const {
+    std::size_t result = 0;
+    for (Index h = 0; h < mesh_.halfedge_slots(); ++h) result += mesh_.is_edge(h) && is_short(h);
+    return result;
+  }
+
+ private:
+  bool is_short(Index halfedge) const {
+    return mesh_.squared_length(halfedge) < limit_ && !(keep_border_ && mesh_.is_border(halfedge));
+  }
+  void push(Index halfedge) {
+    if (is_short(halfedge)) queue_.emplace(mesh_, halfedge);
+  }
+
+  EditableMesh& mesh_;
+  double limit_;
+  bool keep_border_;
+  EdgeQueue<ShorterFirst> queue_;
+};
+
+}  // namespace
+
+CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
+                                    const VertexRoles& roles, double min_edge, double max_edge,
+                                    const Progress& progress) {
+  CollapseCounts counts;
+  Collapser collapser(mesh, guard, roles, max_edge);
+  ShortEdges edges(mesh, roles.keeps_border(), min_edge);
+  std::size_t tried = 0;
+  while (!edges.empty()) {
+    if (++tried % 1024 == 0) progress("collapse", 0.3);
+    const QueuedEdge edge = edges.pop();
+    if (!edge.is_current(mesh)) continue;
+    const Index vertex = collapser.collapse(edge.halfedge);
+    if (vertex == no_index) {
+      ++counts.refused;
+    } else {
+      ++counts.done;
+      edges.push_around(vertex);
+    }
+  }
+  if (counts.refused != 0) counts.refused = edges.count();
+  return counts;
+}
+
+bool collapse_edge(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+                   Index halfedge, double max_edge) {
+  return Collapser(mesh, guard, roles, max_edge).collapse(halfedge) != no_index;
+}
+
+}  // namespace transformesh

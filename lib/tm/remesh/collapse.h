@@ -1,0 +1,28 @@
+/// Collapses short edges.
+#pragma once
+
+#include "tm/remesh/embedding_guard.h"
+#include "tm/remesh/vertex_role.h"
+#include "tm/support/progress.h"
+
+namespace transformesh {
+
+struct CollapseCounts {
+  std::size_t done = 0;
+  std::size_t refused = 0;  ///< short edges left
+};
+
+/// Collapses edges shorter than `min_edge`, the shortest first, where that keeps the topology (link
+/// condition; a closed component keeps four faces), turns no normal by more than 60 degrees, makes
+/// no sliver, no edge longer than `max_edge` and no contact. The merged vertex lies at the
+/// midpoint, shifted along the normal so that the volume stays (Lindstrom & Turk, "Fast and memory
+/// efficient polygonal simplification", Visualization 1998), or at the end that must stay.
+CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
+                                    const VertexRoles& roles, double min_edge, double max_edge,
+                                    const Progress& progress);
+
+/// Tries to collapse one edge under the same rules, whatever its length.
+bool collapse_edge(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+                   Index halfedge, double max_edge);
+
+}  // namespace transformesh

@@ -1,0 +1,367 @@
+#include "tm/remesh/editable_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "tm/support/error.h"
+
+namespace transformesh {
+namespace {
+
+constexpr const char* advice = "; mend it with tm-stitch --orient";
+
+[[noreturn]] void throw_crowded_edge(const EditableMesh& mesh, Index first, Index second) {
+  throw InputError("faces " + std::to_string(first / 3) + " and " + std::to_string(second / 3) +
+                   " run the same way along the edge from vertex " +
+                   std::to_string(mesh.source(first)) + " to vertex " +
+                   std::to_string(mesh.target(first)) + ": the mesh is not an oriented manifold" +
+                   advice);
+}
+
+/// The halfedges that leave each vertex, as one array with offsets.
+struct Outgoing {
+  std::vector<Index> offsets;
+  std::vector<Index> halfedges;
+
+  Outgoing(const std::vector<Index>& sources, std::size_t vertices)
+      : offsets(vertices + 1, 0), halfedges(sources.size()) {
+    for (const Index source : sources) ++offsets[source + 1];
+    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+    std::vector<Index> next(offsets.begin(), offsets.end() - 1);
+    for (std::size_t h = 0; h < sources.size(); ++h) {
+      halfedges[next[sources[h]]++] = static_cast<Index>(h);
+    }
+  }
+};
+
+}  // namespace
+
+EditableMesh::EditableMesh(const Mesh& mesh)
+    : positions_(mesh.positions),
+      outgoing_(mesh.positions.size(), no_index),
+      vertex_rows_(mesh.positions.size()),
+      face_rows_(mesh.faces.size()),
+      vertex_columns_(mesh.vertex_columns),
+      face_columns_(mesh.face_columns),
+      vertex_row_count_(static_cast<Index>(mesh.positions.size())) {
+  sources_.reserve(3 * mesh.faces.size());
+  for (const Face& face : mesh.faces) sources_.insert(sources_.end(), face.begin(), face.end());
+  std::iota(vertex_rows_.begin(), vertex_rows_.end(), 0U);
+  std::iota(face_rows_.begin(), face_rows_.end(), 0U);
+  check_corners();
+  link_opposites();
+  find_outgoing();
+}
+
+void EditableMesh::check_corners() const {
+  for (Index h = 0; h < halfedge_slots(); ++h) {
+    if (sources_[h] >= positions_.size()) {
+      throw InputError("face " + std::to_string(h / 3) + " has vertex index " +
+                       std::to_string(sources_[h]) + ", but there are " +
+                       std::to_string(positions_.size()) + " vertices");
+    }
+  }
+  for (Index h = 0; h < halfedge_slots(); ++h) {
+    if (source(h) == target(h)) {
+      throw InputError("face " + std::to_string(h / 3) + " uses vertex " +
+                       std::to_string(source(h)) + " twice" + advice);
+    }
+  }
+}
+
+void EditableMesh::link_opposites() {
+  opposites_.assign(sources_.size(), no_index);
+  const Outgoing outgoing(sources_, positions_.size());
+  const auto visit_leaving = [&](Index vertex, const auto& visit) {
+    for (Index i = outgoing.offsets[vertex]; i < outgoing.offsets[vertex + 1]; ++i) {
+      visit(outgoing.halfedges[i]);
+    }
+  };
+  for (Index h = 0; h < halfedge_slots(); ++h) {
+    const Index from = source(h);
+    const Index to = target(h);
+    visit_leaving(from, [&](Index other) {
+      if (other > h && target(other) == to) throw_crowded_edge(*this, h, other);
+    });
+    if (from > to) continue;
+    visit_leaving(to, [&](Index other) {
+      if (target(other) == from) link(h, other);
+    });
+  }
+  for (Index h = 0; h < halfedge_slots(); ++h) has_borders_ |= opposites_[h] == no_index;
+}
+
+void EditableMesh::find_outgoing() {
+  std::vector<Index> count(positions_.size(), 0);
+  for (Index h = 0; h < halfedge_slots(); ++h) {
+    ++count[source(h)];
+    // a border halfedge, else the lowest
+    if (outgoing_[source(h)] == no_index || is_border(h)) outgoing_[source(h)] = h;
+  }
+  isolated_.assign(positions_.size(), false);
+  for (Index v = 0; v < vertex_slots(); ++v) {
+    isolated_[v] = count[v] == 0;
+    if (isolated_[v]) continue;
+    Index reached = 0;
+    for_each_outgoing(v, [&](Index) { ++reached; });
+    if (reached == count[v]) continue;
+    throw InputError("vertex " + std::to_string(v) + " joins " + std::to_string(count[v]) +
+                     " faces that are not one fan (face " + std::to_string(outgoing_[v] / 3) +
+                     " is in one of them): the mesh is not an oriented manifold" + advice);
+  }
+}
+
+std::vector<Index> EditableMesh::squeezed_vertices(std::vector<Index>& new_index) const {
+  std::vector<Index> kept;
+  for (Index v = 0; v < vertex_slots(); ++v) {
+    const bool lives = has_vertex(v) || (v < isolated_.size() && isolated_[v]);
+    if (!lives) continue;
+    new_index[v] = static_cast<Index>(kept.size());
+    kept.push_back(v);
+  }
+  return kept;
+}
+
+Mesh EditableMesh::to_mesh() const {
+  Mesh mesh;
+  std::vector<Index> new_index(vertex_slots(), no_index);
+  const std::vector<Index> kept = squeezed_vertices(new_index);
+  std::vector<Index> rows;
+  rows.reserve(kept.size());
+  mesh.positions.reserve(kept.size());
+  for (const Index v : kept) {
+    mesh.positions.push_back(positions_[v]);
+    rows.push_back(vertex_rows_[v]);
+  }
+  mesh.vertex_columns = vertex_columns_.select(rows);
+  rows.clear();
+  mesh.faces.reserve(face_slots());
+  for (Index f = 0; f < face_slots(); ++f) {
+    if (!has_face(f)) continue;
+    mesh.faces.push_back({new_index[sources_[3 * f]], new_index[sources_[3 * f + 1]],
+                          new_index[sources_[3 * f + 2]]});
+    rows.push_back(face_rows_[f]);
+  }
+  mesh.face_columns = face_columns_.select(rows);
+  return mesh;
+}
+
+Vec3 EditableMesh::face_normal(Index face) const {
+  const Vec3& a = positions_[sources_[3 * face]];
+  return (positions_[sources_[3 * face + 1]] - a).cross(positions_[sources_[3 * face + 2]] - a);
+}
+
+Index EditableMesh::valence(Index vertex) const {
+  Index count = 0;
+  for_each_neighbour(vertex, [&](Index, Index) { ++count; });
+  return count;
+}
+
+bool EditableMesh::are_neighbours(Index first, Index second) const {
+  bool found = false;
+  for_each_neighbour(first, [&](Index neighbour, Index) { found |= neighbour == second; });
+  return found;
+}
+
+void EditableMesh::set_feature(Index halfedge, bool is_feature) {
+  if (features_.empty()) features_.assign(sources_.size(), 0);
+  features_[halfedge] = is_feature;
+  if (!is_border(halfedge)) features_[opposite(halfedge)] = is_feature;
+}
+
+void EditableMesh::copy_feature(Index from, Index to) {
+  if (!features_.empty()) features_[to] = features_[from];
+}
+
+void EditableMesh::link(Index first, Index second) {
+  opposites_[first] = second;
+  opposites_[second] = first;
+}
+
+void EditableMesh::set_opposite(Index halfedge, Index opposite) {
+  opposites_[halfedge] = opposite;
+  if (opposite != no_index) opposites_[opposite] = halfedge;
+}
+
+Index EditableMesh::append_face(Index a, Index b, Index c, Index row) {
+  const Index face = face_slots();
+  sources_.insert(sources_.end(), {a, b, c});
+  opposites_.insert(opposites_.end(), 3, no_index);
+  if (!features_.empty()) features_.insert(features_.end(), 3, 0);
+  face_rows_.push_back(row);
+  return face;
+}
+
+Index EditableMesh::append_row(const RowBlend& blend) {
+  if (vertex_columns_.columns.empty()) return 0;
+  vertex_columns_.append(blend);
+  return vertex_row_count_++;
+}
+
+void EditableMesh::blend_attributes(Index vertex, const std::array<Index, 3>& sources,
+                                    const std::array<double, 3>& weights) {
+  if (vertex_columns_.columns.empty()) return;
+  vertex_rows_[vertex] = append_row(RowBlend{
+      {vertex_rows_[sources[0]], vertex_rows_[sources[1]], vertex_rows_[sources[2]]}, weights});
+}
+
+Index EditableMesh::split(Index halfedge, const Vec3& position) {
+  const Index h = halfedge;
+  const Index o = opposites_[h];
+  const Index from = source(h);
+  const Index to = target(h);
+  const Index middle = vertex_slots();
+  positions_.push_back(position);
+  vertex_rows_.push_back(
+      append_row(RowBlend{{vertex_rows_[from], vertex_rows_[to], 0}, {0.5, 0.5, 0}}));
+
+  // the face of h keeps its half at `from`, a new face takes the half at `to`
+  const Index n = next_halfedge(h);
+  const Index half = 3 * append_face(middle, to, apex(h), face_rows_[h / 3]);
+  sources_[n] = middle;
+  set_opposite(half + 1, opposites_[n]);
+  link(n, half + 2);
+  copy_feature(n, half + 1);
+  copy_feature(half + 2, n);
+  copy_feature(h, half);
+  if (outgoing_[to] == n) outgoing_[to] = half + 1;
+  outgoing_.push_back(half);
+  if (o == no_index) return middle;
+
+  // the same across the edge
+  const Index p = previous_halfedge(o);
+  const Index other = 3 * append_face(to, middle, apex(o), face_rows_[o / 3]);
+  sources_[o] = middle;
+  set_opposite(other + 2, opposites_[p]);
+  link(p, other + 1);
+  link(half, other);
+  copy_feature(p, other + 2);
+  copy_feature(other + 1, p);
+  copy_feature(o, other);
+  if (outgoing_[to] == o) outgoing_[to] = other;
+  if (outgoing_[source(p)] == p) outgoing_[source(p)] = other + 2;
+  return middle;
+}
+
+bool EditableMesh::can_collapse(Index halfedge) const {
+  const Index from = source(halfedge);
+  const Index to = target(halfedge);
+  const Index o = opposites_[halfedge];
+  const bool border_edge = o == no_index;
+  if (is_border_vertex(from) && is_border_vertex(to) && !border_edge) return false;
+
+  // each face that vanishes must leave an apex that still has a fan
+  for (const Index h : {halfedge, o}) {
+    if (h == no_index) continue;
+    const Index n = opposites_[next_halfedge(h)];
+    const Index p = opposites_[previous_halfedge(h)];
+    if (n == no_index && p == no_index) return false;
+    if (!is_border_vertex(apex(h)) && valence(apex(h)) <= 3) return false;
+  }
+
+  // no common neighbours but the apexes
+  Index common = 0;
+  for_each_neighbour(from, [&](Index neighbour, Index) {
+    if (neighbour != to && are_neighbours(to, neighbour)) ++common;
+  });
+  return common == (border_edge ? 1U : 2U);
+}
+
+void EditableMesh::close_gap(Index removed, Index other_removed) {
+  // the two edges of a vanished face become one
+  const Index first = opposites_[removed];
+  const Index second = opposites_[other_removed];
+  const bool feature = is_feature(removed) || is_feature(other_removed);
+  if (first != no_index) opposites_[first] = second;
+  if (second != no_index) opposites_[second] = first;
+  if (!has_features()) return;
+  if (first != no_index) features_[first] = feature;
+  if (second != no_index) features_[second] = feature;
+}
+
+void EditableMesh::rewind_outgoing(Index vertex, Index any_outgoing) {
+  Index halfedge = any_outgoing;
+  while (opposites_[halfedge] != no_index) {
+    halfedge = next_halfedge(opposites_[halfedge]);
+    if (halfedge == any_outgoing) break;
+  }
+  outgoing_[vertex] = halfedge;
+}
+
+void EditableMesh::collapse(Index halfedge, const Vec3& position, double source_weight) {
+  const Index from = source(halfedge);
+  const Index to = target(halfedge);
+  const Index o = opposites_[halfedge];
+  positions_[to] = position;
+  if (source_weight != 0)
+    blend_attributes(to, {to, from, to}, {1 - source_weight, source_weight, 0});
+  Index moved = outgoing_[from];
+  const Index first = moved;
+  do {  // not for_each_outgoing: the source changes under way
+    const Index next = opposites_[previous_halfedge(moved)];
+    sources_[moved] = to;
+    moved = next;
+  } while (moved != first && moved != no_index);
+
+  Index outgoing = no_index;
+  for (const Index h : {halfedge, o}) {
+    if (h == no_index) continue;
+    const Index n = next_halfedge(h);
+    const Index p = previous_halfedge(h);
+    // p leaves the apex where h is the halfedge, and n arrives; at o the roles are the same
+    close_gap(n, p);
+    if (outgoing_[source(p)] == p) outgoing_[source(p)] = opposites_[n];
+    const Index leaves_kept = opposites_[p];
+    const Index arrives_kept = opposites_[n];
+    outgoing = leaves_kept != no_index ? leaves_kept : next_halfedge(arrives_kept);
+  }
+  for (const Index h : {halfedge, o}) {
+    if (h != no_index) remove_face(h / 3);
+  }
+  remove_vertex(from);
+  rewind_outgoing(to, outgoing);
+}
+
+bool EditableMesh::can_flip(Index halfedge) const {
+  const Index o = opposites_[halfedge];
+  return o != no_index && apex(halfedge) != apex(o) && !are_neighbours(apex(halfedge), apex(o));
+}
+
+void EditableMesh::flip(Index halfedge) {
+  const Index h = halfedge;
+  const Index o = opposites_[h];
+  const Index hn = next_halfedge(h);
+  const Index hp = previous_halfedge(h);
+  const Index on = next_halfedge(o);
+  const Index op = previous_halfedge(o);
+  const Index from = source(h);
+  const Index to = target(h);
+  const Index left = apex(h);
+  const Index right = apex(o);
+  const std::array<Index, 4> across{opposites_[hp], opposites_[on], opposites_[op], opposites_[hn]};
+  const std::array<bool, 4> sharp{is_feature(hp), is_feature(on), is_feature(op), is_feature(hn)};
+  const std::array<Index, 4> rim{hn, hp, on, op};  // left-from, from-right, right-to, to-left
+
+  sources_[h] = right;
+  sources_[hn] = left;
+  sources_[hp] = from;
+  sources_[o] = left;
+  sources_[on] = right;
+  sources_[op] = to;
+  for (std::size_t i = 0; i < 4; ++i) {
+    set_opposite(rim[i], across[i]);
+    if (has_features()) features_[rim[i]] = sharp[i];
+  }
+  if (outgoing_[from] == h || outgoing_[from] == on) outgoing_[from] = hp;
+  if (outgoing_[to] == o || outgoing_[to] == hn) outgoing_[to] = op;
+  if (outgoing_[left] == hp) outgoing_[left] = hn;
+  if (outgoing_[right] == op) outgoing_[right] = on;
+}
+
+void EditableMesh::remove_face(Index face) {
+  for (Index corner = 0; corner < 3; ++corner) sources_[3 * face + corner] = no_index;
+}
+
+}  // namespace transformesh

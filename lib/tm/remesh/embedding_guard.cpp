@@ -1,0 +1,347 @@
+#include "tm/remesh/embedding_guard.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace transformesh {
+namespace {
+
+constexpr std::uint32_t all_directions = (1U << 26) - 1;
+/// A direction counts as seeing a front when cosine to the normal is above this.
+constexpr double least_cosine = 0.03;
+/// Cells are this many longest edges wide: a patch around a vertex reaches one longest edge and
+/// half of one more, and each face that meets the ball has a corner within 0.58 of one.
+constexpr double cell_edges = 2.1;
+constexpr double corner_reach = 0.58;
+constexpr int key_bits = 21;
+
+/// Bit 2k where direction k of thirteen sees the front of a face with that normal, bit 2k + 1 where
+/// the opposite direction does: the axes, the diagonals of a cube's faces, and its diagonals.
+std::uint32_t seeing_directions(const Vec3& normal) {
+  const double x = normal.x();
+  const double y = normal.y();
+  const double z = normal.z();
+  const std::array<double, 13> along{x,         y,         z,         x + y, x - y,
+                                     y + z,     y - z,     z + x,     z - x, x + y + z,
+                                     x + y - z, x - y + z, -x + y + z};
+  const double least = least_cosine * normal.norm();
+  std::uint32_t directions = 0;
+  for (std::size_t k = 0; k < 13; ++k) {
+    const double scale = k < 3 ? 1.0 : k < 9 ? 1.4142135623730951 : 1.7320508075688772;
+    directions |= static_cast<std::uint32_t>(along[k] > least * scale) << (2 * k);
+    directions |= static_cast<std::uint32_t>(-along[k] > least * scale) << (2 * k + 1);
+  }
+  return directions;
+}
+
+Vec3 lowest(const Triangle& triangle) {
+  return triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
+}
+Vec3 highest(const Triangle& triangle) {
+  return triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
+}
+
+bool boxes_touch(const Triangle& first, const Triangle& second) {
+  return (lowest(first).array() <= highest(second).array()).all() &&
+         (lowest(second).array() <= highest(first).array()).all();
+}
+
+double longest_edge_of(const EditableMesh& mesh) {
+  double longest = 0;
+  for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+    if (mesh.is_edge(h)) longest = std::max(longest, mesh.squared_length(h));
+  }
+  return std::sqrt(longest);
+}
+
+}  // namespace
+
+void Patch::clear() {
+  made.clear();
+  replaced.clear();
+  vertices.clear();
+}
+
+EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge)
+    : mesh_(mesh),
+      longest_edge_(std::max(longest_edge, longest_edge_of(mesh))),
+      cell_size_(cell_edges * longest_edge_),
+      component_(mesh.vertex_slots(), no_index),
+      cell_of_(mesh.vertex_slots(), no_index),
+      next_in_cell_(mesh.vertex_slots(), no_index),
+      previous_in_cell_(mesh.vertex_slots(), no_index),
+      stamp_(mesh.face_slots(), 0) {
+  Vec3 low = Vec3::Constant(HUGE_VAL);
+  Vec3 high = -low;
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    if (!mesh.has_vertex(v)) continue;
+    low = low.cwiseMin(mesh.position(v));
+    high = high.cwiseMax(mesh.position(v));
+  }
+  // a margin of cells on each side, and as many cells as a key can count
+  cell_size_ = std::max(cell_size_, (high - low).maxCoeff() / (1 << (key_bits - 3)));
+  origin_ = low - Vec3::Constant(8 * cell_size_);
+  label_components();
+  fill_cells();
+}
+
+void EmbeddingGuard::label_components() {
+  std::vector<Index> stack;
+  std::vector<Index> members;
+  for (Index seed = 0; seed < mesh_.vertex_slots(); ++seed) {
+    if (!mesh_.has_vertex(seed) || stamp_[mesh_.outgoing(seed) / 3] != 0) continue;
+    members.clear();
+    bool closed = true;
+    stack.assign(1, mesh_.outgoing(seed) / 3);
+    stamp_[stack[0]] = 1;
+    while (!stack.empty()) {
+      const Index face = stack.back();
+      stack.pop_back();
+      members.push_back(face);
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+        const Index opposite = mesh_.opposite(h);
+        closed &= opposite != no_index;
+        if (opposite == no_index || stamp_[opposite / 3] != 0) continue;
+        stamp_[opposite / 3] = 1;
+        stack.push_back(opposite / 3);
+      }
+    }
+    if (!closed) continue;
+    for (const Index face : members) {
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) component_[mesh_.source(h)] = seed;
+    }
+  }
+  stamp_now_ = 1;
+}
+
+EmbeddingGuard::Key EmbeddingGuard::key_of(const Vec3& position) const {
+  const Vec3 at = (position - origin_) / cell_size_;
+  Key key = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double limit = (1 << key_bits) - 2;
+    key = (key << key_bits) | static_cast<Key>(std::clamp(at[axis], 1.0, limit));
+  }
+  return key;
+}
+
+Index EmbeddingGuard::find_cell(Key key) const {
+  const std::size_t mask = table_.size() - 1;
+  std::size_t slot = (static_cast<std::uint64_t>(key) * 0x9e3779b97f4a7c15ULL) >> 32;
+  for (;; ++slot) {
+    const Index cell = table_[slot & mask];
+    if (cell == no_index || cells_[cell].key == key) return cell;
+  }
+}
+
+void EmbeddingGuard::grow_table() {
+  table_.assign(std::max<std::size_t>(1024, 2 * table_.size()), no_index);
+  const std::size_t mask = table_.size() - 1;
+  for (Index cell = 0; cell < cells_.size(); ++cell) {
+    std::size_t slot = (static_cast<std::uint64_t>(cells_[cell].key) * 0x9e3779b97f4a7c15ULL) >> 32;
+    while (table_[slot & mask] != no_index) ++slot;
+    table_[slot & mask] = cell;
+  }
+}
+
+Index EmbeddingGuard::make_cell(Key key, Index component) {
+  const auto cell = static_cast<Index>(cells_.size());
+  const std::uint32_t directions = component == no_index ? 0 : all_directions;
+  cells_.push_back({key, directions, directions, no_index, component});
+  if (2 * cells_.size() > table_.size()) {
+    grow_table();
+  } else {
+    const std::size_t mask = table_.size() - 1;
+    std::size_t slot = (static_cast<std::uint64_t>(key) * 0x9e3779b97f4a7c15ULL) >> 32;
+    while (table_[slot & mask] != no_index) ++slot;
+    table_[slot & mask] = cell;
+  }
+  return cell;
+}
+
+template <class Visit>
+void EmbeddingGuard::for_each_cell_around(Key key, const Visit& visit) const {
+  for (Key dx = -1; dx <= 1; ++dx) {
+    for (Key dy = -1; dy <= 1; ++dy) {
+      for (Key dz = -1; dz <= 1; ++dz) {
+        const Index cell =
+            find_cell(key + dx * (Key{1} << (2 * key_bits)) + dy * (Key{1} << key_bits) + dz);
+        if (cell != no_index) visit(cell);
+      }
+    }
+  }
+}
+
+void EmbeddingGuard::fill_cells() {
+  grow_table();
+  for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
+    if (!mesh_.has_vertex(v)) continue;
+    const Key key = key_of(mesh_.position(v));
+    Index cell = find_cell(key);
+    if (cell == no_index) cell = make_cell(key, component_[v]);
+    if (cells_[cell].component != component_[v]) cells_[cell].directions = 0;
+    insert(v, cell);
+  }
+  for (Index face = 0; face < mesh_.face_slots(); ++face) {
+    if (!mesh_.has_face(face)) continue;
+    const std::uint32_t directions = seeing_directions(mesh_.face_normal(face));
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      cells_[cell_of_[mesh_.source(h)]].directions &= directions;
+    }
+  }
+  for (Cell& cell : cells_) dilate(cell);
+}
+
+void EmbeddingGuard::dilate(Cell& cell) const {
+  cell.around = cell.directions;
+  for_each_cell_around(cell.key, [&](Index other) {
+    const bool alike = cells_[other].component == cell.component;
+    cell.around &= alike ? cells_[other].directions : 0;
+  });
+}
+
+void EmbeddingGuard::restrict_cell(Index cell, std::uint32_t directions) {
+  const std::uint32_t left = cells_[cell].directions & directions;
+  if (left == cells_[cell].directions) return;
+  cells_[cell].directions = left;
+  for_each_cell_around(cells_[cell].key, [&](Index other) { cells_[other].around &= left; });
+}
+
+void EmbeddingGuard::insert(Index vertex, Index cell) {
+  const Index next = cells_[cell].first_vertex;
+  cell_of_[vertex] = cell;
+  next_in_cell_[vertex] = next;
+  previous_in_cell_[vertex] = no_index;
+  if (next != no_index) previous_in_cell_[next] = vertex;
+  cells_[cell].first_vertex = vertex;
+}
+
+void EmbeddingGuard::remove(Index vertex) {
+  const Index next = next_in_cell_[vertex];
+  const Index previous = previous_in_cell_[vertex];
+  if (next != no_index) previous_in_cell_[next] = previous;
+  if (previous != no_index) {
+    next_in_cell_[previous] = next;
+  } else {
+    cells_[cell_of_[vertex]].first_vertex = next;
+  }
+}
+
+void EmbeddingGuard::forget(Index vertex) { remove(vertex); }
+
+void EmbeddingGuard::commit(const Patch& patch) {
+  const Key key = key_of(mesh_.position(patch.centre));
+  if (key != cells_[cell_of_[patch.centre]].key) change_cell(patch.centre, key);
+  for (const Index vertex : patch.vertices) restrict_cell(cell_of_[vertex], directions_);
+}
+
+void EmbeddingGuard::change_cell(Index vertex, Key key) {
+  const Index component = component_[vertex];
+  remove(vertex);
+  Index cell = find_cell(key);
+  if (cell == no_index) {
+    cell = make_cell(key, component);
+    dilate(cells_[cell]);
+    for_each_cell_around(key, [&](Index other) {
+      if (cells_[other].component != component) cells_[other].around = 0;
+    });
+  } else if (cells_[cell].component != component) {
+    restrict_cell(cell, 0);
+  }
+  insert(vertex, cell);
+}
+
+bool EmbeddingGuard::allows(const Patch& patch) { return is_certified(patch) || is_free(patch); }
+
+bool EmbeddingGuard::is_certified(const Patch& patch) {
+  directions_ = all_directions;
+  const double longest = longest_edge_ * longest_edge_;
+  bool fits = true;
+  for (const Triangle& triangle : patch.made) {
+    const Vec3 ab = triangle[1] - triangle[0];
+    const Vec3 ac = triangle[2] - triangle[0];
+    const Vec3 bc = triangle[2] - triangle[1];
+    directions_ &= seeing_directions(ab.cross(ac));
+    fits &=
+        ab.squaredNorm() <= longest && ac.squaredNorm() <= longest && bc.squaredNorm() <= longest;
+  }
+  if (!fits) directions_ = 0;
+  if ((directions_ & cells_[cell_of_[patch.centre]].around) == 0) return false;
+
+  // the ball around the centre must hold the patch
+  const double radius = cell_size_ - corner_reach * longest_edge_;
+  const Vec3& centre = mesh_.position(patch.centre);
+  for (const Index vertex : patch.vertices) {
+    if ((mesh_.position(vertex) - centre).squaredNorm() > radius * radius) return false;
+  }
+  return (patch.centre_position - centre).squaredNorm() <= radius * radius;
+}
+
+bool EmbeddingGuard::is_free(const Patch& patch) {
+  const double longest = longest_edge_ * longest_edge_;
+  for (const Triangle& triangle : patch.made) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((triangle[(i + 1) % 3] - triangle[i]).squaredNorm() > longest) return false;
+    }
+  }
+  return !meets_itself(patch) && !meets_others(patch);
+}
+
+bool EmbeddingGuard::meets_itself(const Patch& patch) const {
+  for (std::size_t i = 0; i < patch.made.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (boxes_touch(patch.made[i], patch.made[j]) && may_touch(patch.made[i], patch.made[j])) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool EmbeddingGuard::meets_face(const Patch& patch, Index face) const {
+  const Triangle other{mesh_.position(mesh_.source(3 * face)),
+                       mesh_.position(mesh_.source(3 * face + 1)),
+                       mesh_.position(mesh_.source(3 * face + 2))};
+  return std::any_of(patch.made.begin(), patch.made.end(), [&](const Triangle& triangle) {
+    return boxes_touch(triangle, other) && may_touch(triangle, other);
+  });
+}
+
+bool EmbeddingGuard::meets_others(const Patch& patch) {
+  // the cells that hold a corner of every face that meets the patch
+  Vec3 low = patch.centre_position;
+  Vec3 high = low;
+  for (const Triangle& triangle : patch.made) {
+    low = low.cwiseMin(lowest(triangle));
+    high = high.cwiseMax(highest(triangle));
+  }
+  const Vec3 reach = Vec3::Constant(corner_reach * longest_edge_);
+  const Key first = key_of(low - reach);
+  const Key last = key_of(high + reach);
+
+  // every face there once, but for those that give way
+  ++stamp_now_;
+  for (const Index face : patch.replaced) stamp_[face] = stamp_now_;
+  constexpr Key axis_mask = (Key{1} << key_bits) - 1;
+  for (Key x = first >> (2 * key_bits); x <= last >> (2 * key_bits); ++x) {
+    for (Key y = (first >> key_bits) & axis_mask; y <= ((last >> key_bits) & axis_mask); ++y) {
+      for (Key z = first & axis_mask; z <= (last & axis_mask); ++z) {
+        const Index cell = find_cell((x << (2 * key_bits)) | (y << key_bits) | z);
+        Index vertex = cell == no_index ? no_index : cells_[cell].first_vertex;
+        for (; vertex != no_index; vertex = next_in_cell_[vertex]) {
+          bool meets = false;
+          mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
+            const Index face = halfedge / 3;
+            if (meets || stamp_[face] == stamp_now_) return;
+            stamp_[face] = stamp_now_;
+            meets = meets_face(patch, face);
+          });
+          if (meets) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,92 @@
+/// Keeps a surface free of self-intersections while patches of it are replaced.
+///
+/// A patch is allowed at once by a certificate: where all faces that meet a ball have normals on
+/// one side of a plane, a closed connected surface without self-intersections is a height field in
+/// that ball (along the plane's normal its crossings alternate between in and out). A new patch
+/// with the same rim whose normals are on that side too covers the same ground, so it cannot meet
+/// the rest. Normals are kept per cell of a grid as a set of 26 directions, so that the test of a
+/// whole neighbourhood is one bitwise and (the idea of the normal cone: Volino &
+/// Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized surface
+/// animations", Eurographics 1994). Elsewhere, and near borders or a second component, every new
+/// triangle is tested against all triangles nearby and those of its own patch (triangle_contact).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tm/remesh/editable_mesh.h"
+#include "tm/remesh/triangle_contact.h"
+
+namespace transformesh {
+
+/// A part of the surface about to be replaced by another with the same rim.
+struct Patch {
+  Index centre = no_index;      ///< a living vertex of it, before and after
+  Vec3 centre_position;         ///< where it will be
+  std::vector<Triangle> made;   ///< the new triangles
+  std::vector<Index> replaced;  ///< the faces that give way
+  std::vector<Index> vertices;  ///< the corners of the new triangles
+
+  void clear();
+};
+
+class EmbeddingGuard {
+ public:
+  /// Keeps a reference to the mesh, whose faces and vertices may afterwards only be replaced by
+  /// patches that were allowed. No new edge may be longer than the longest edge now or
+  /// `longest_edge`.
+  EmbeddingGuard(const EditableMesh& mesh, double longest_edge);
+
+  /// Whether the patch certainly meets nothing but its rim and does not fold onto itself. Contact
+  /// within rounding error counts as meeting.
+  bool allows(const Patch& patch);
+  /// To be called after the mesh was changed by the patch that was allowed last.
+  void commit(const Patch& patch);
+  void forget(Index vertex);
+
+ private:
+  using Key = std::int64_t;
+  struct Cell {
+    Key key;
+    std::uint32_t directions;  ///< that see the front of every face at the cell's vertices
+    std::uint32_t around;      ///< the same for the 27 cells around; 0 near other components
+    Index first_vertex;
+    Index component;
+  };
+
+  Key key_of(const Vec3& position) const;
+  Index find_cell(Key key) const;
+  Index make_cell(Key key, Index component);
+  void grow_table();
+  template <class Visit>
+  void for_each_cell_around(Key key, const Visit& visit) const;
+  void label_components();
+  void fill_cells();
+  void dilate(Cell& cell) const;
+  void restrict_cell(Index cell, std::uint32_t directions);
+  void change_cell(Index vertex, Key key);
+  void insert(Index vertex, Index cell);
+  void remove(Index vertex);
+  bool is_certified(const Patch& patch);
+  bool is_free(const Patch& patch);
+  bool meets_itself(const Patch& patch) const;
+  bool meets_others(const Patch& patch);
+  bool meets_face(const Patch& patch, Index face) const;
+
+  const EditableMesh& mesh_;
+  double longest_edge_;
+  double cell_size_;
+  Vec3 origin_ = Vec3::Zero();
+  std::vector<Cell> cells_;
+  std::vector<Index> table_;         ///< open addressing, no_index where empty
+  std::vector<Index> component_;     ///< per vertex; no_index in components with a border
+  std::vector<Index> cell_of_;       ///< per vertex
+  std::vector<Index> next_in_cell_;  ///< per vertex
+  std::vector<Index> previous_in_cell_;
+  std::vector<std::uint32_t> stamp_;  ///< per face, against visiting twice
+  std::uint32_t stamp_now_ = 0;
+  std::uint32_t directions_ = 0;  ///< of the patch allowed last
+};
+
+}  // namespace transformesh

@@ -1,0 +1,185 @@
+#include "tm/remesh/flip.h"
+
+#include <algorithm>
+
+#include "tm/remesh/star.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double least_cosine = 0.5;
+/// A flip for valence may not make an angle below this smaller: cosine of 20 degrees.
+constexpr double narrow = 0.9396926207859084;
+/// Angles must grow by more than rounding, so that no edge flips to and fro.
+constexpr double least_gain = 1e-9;
+
+class Flipper {
+ public:
+  Flipper(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule, double max_edge)
+      : mesh_(mesh), guard_(guard), rule_(rule), longest_(max_edge * max_edge) {}
+
+  FlipCounts run(const Progress& progress);
+  bool flip(Index halfedge);
+
+ private:
+  struct Corners {
+    Index from, to, left, right;
+  };
+  Corners corners(Index h) const {
+    return {mesh_.source(h), mesh_.target(h), mesh_.apex(h), mesh_.apex(mesh_.opposite(h))};
+  }
+
+  void count_valences();
+  int deviation_gain(const Corners& at) const;
+  bool is_wanted(Index halfedge) const;
+  bool gains_angle(const Corners& at, bool only_not_narrow) const;
+  bool is_sound(Index halfedge, const Corners& at) const;
+  bool attempt(Index halfedge);
+  void push_around(Index halfedge);
+
+  EditableMesh& mesh_;
+  EmbeddingGuard& guard_;
+  FlipRule rule_;
+  double longest_;
+  std::vector<int> excess_;  ///< valence minus what it should be
+  std::vector<Index> queue_;
+  std::vector<char> queued_;  ///< per halfedge
+  Patch patch_;
+  std::size_t refused_ = 0;
+};
+
+void Flipper::count_valences() {
+  excess_.assign(mesh_.vertex_slots(), -6);
+  for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
+    if (!mesh_.has_halfedge(h)) continue;
+    ++excess_[mesh_.source(h)];
+    // a border vertex has one edge more than faces, and should have four
+    if (mesh_.is_border(h)) excess_[mesh_.source(h)] += 3;
+  }
+}
+
+int Flipper::deviation_gain(const Corners& at) const {
+  // the sum over the ends of x^2 - (x - 1)^2, over the apexes of x^2 - (x + 1)^2
+  return 2 * (excess_[at.from] + excess_[at.to] - excess_[at.left] - excess_[at.right]) - 4;
+}
+
+bool Flipper::gains_angle(const Corners& at, bool only_not_narrow) const {
+  const Vec3& a = mesh_.position(at.from);
+  const Vec3& b = mesh_.position(at.to);
+  const Vec3& c = mesh_.position(at.left);
+  const Vec3& d = mesh_.position(at.right);
+  const double after =
+      std::max(cosine_of_smallest_angle(a, d, c), cosine_of_smallest_angle(b, c, d));
+  if (only_not_narrow && after < narrow) return true;
+  const double before =
+      std::max(cosine_of_smallest_angle(a, b, c), cosine_of_smallest_angle(a, d, b));
+  return after < before - least_gain;
+}
+
+bool Flipper::is_wanted(Index halfedge) const {
+  const Corners at = corners(halfedge);
+  if (rule_ == FlipRule::angle) return gains_angle(at, false);
+  const int gain = deviation_gain(at);
+  if (gain < 0) return false;
+  return gains_angle(at, gain > 0);
+}
+
+bool Flipper::is_sound(Index halfedge, const Corners& at) const {
+  const Vec3& a = mesh_.position(at.from);
+  const Vec3& b = mesh_.position(at.to);
+  const Vec3& c = mesh_.position(at.left);
+  const Vec3& d = mesh_.position(at.right);
+  const double squared = (d - c).squaredNorm();
+  if (squared > longest_ && squared > mesh_.squared_length(halfedge)) return false;
+
+  // all four triangles look the same way
+  const Vec3 left = normal_of(a, b, c);
+  const Vec3 right = normal_of(a, d, b);
+  const Vec3 first = normal_of(a, d, c);
+  const Vec3 second = normal_of(b, c, d);
+  const Vec3 mean = left + right;
+  const bool flat_left = left.squaredNorm() == 0;
+  const bool flat_right = right.squaredNorm() == 0;
+  if (!flat_left && !flat_right && turns(left, right, least_cosine)) return false;
+  return !turns(mean, first, least_cosine) && !turns(mean, second, least_cosine) &&
+         !turns(first, second, least_cosine);
+}
+
+bool Flipper::attempt(Index halfedge) {
+  const Corners at = corners(halfedge);
+  const Vec3& a = mesh_.position(at.from);
+  const Vec3& b = mesh_.position(at.to);
+  const Vec3& c = mesh_.position(at.left);
+  const Vec3& d = mesh_.position(at.right);
+  patch_.centre = at.from;
+  patch_.centre_position = a;
+  patch_.made.assign({Triangle{a, d, c}, Triangle{b, c, d}});
+  patch_.replaced.assign({halfedge / 3, mesh_.opposite(halfedge) / 3});
+  patch_.vertices.assign({at.from, at.to, at.left, at.right});
+  if (!guard_.allows(patch_)) {
+    ++refused_;
+    return false;
+  }
+  mesh_.flip(halfedge);
+  guard_.commit(patch_);
+  return true;
+}
+
+bool Flipper::flip(Index halfedge) {
+  if (mesh_.is_border(halfedge) || mesh_.is_feature(halfedge)) return false;
+  return mesh_.can_flip(halfedge) && is_sound(halfedge, corners(halfedge)) && attempt(halfedge);
+}
+
+void Flipper::push_around(Index halfedge) {
+  for (const Index h : {halfedge, mesh_.opposite(halfedge)}) {
+    for (const Index rim : {next_halfedge(h), previous_halfedge(h)}) {
+      if (mesh_.is_border(rim)) continue;
+      const Index edge = std::min(rim, mesh_.opposite(rim));
+      if (queued_[edge]) continue;
+      queued_[edge] = 1;
+      queue_.push_back(edge);
+    }
+  }
+}
+
+FlipCounts Flipper::run(const Progress& progress) {
+  count_valences();
+  queued_.assign(mesh_.halfedge_slots(), 1);
+  for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
+    if (mesh_.is_edge(h)) queue_.push_back(h);
+  }
+
+  // every flip lowers a bounded measure, but in rounded arithmetic a bound is safer than a proof
+  FlipCounts counts;
+  const std::size_t most = 20 * queue_.size();
+  for (std::size_t next = 0; next < queue_.size() && next < most; ++next) {
+    if (next % 16384 == 0) progress("flip", 0.5);
+    const Index h = queue_[next];
+    queued_[h] = 0;
+    if (mesh_.is_border(h) || !is_wanted(h)) continue;
+    const Corners at = corners(h);
+    if (!flip(h)) continue;
+    ++counts.done;
+    --excess_[at.from];
+    --excess_[at.to];
+    ++excess_[at.left];
+    ++excess_[at.right];
+    push_around(h);
+  }
+  counts.refused = refused_;
+  return counts;
+}
+
+}  // namespace
+
+FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule, double max_edge,
+                      const Progress& progress) {
+  if (rule == FlipRule::none) return {};
+  return Flipper(mesh, guard, rule, max_edge).run(progress);
+}
+
+bool flip_edge(EditableMesh& mesh, EmbeddingGuard& guard, Index halfedge) {
+  return Flipper(mesh, guard, FlipRule::angle, 0).flip(halfedge);
+}
+
+}  // namespace transformesh

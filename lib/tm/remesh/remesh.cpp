@@ -1,0 +1,134 @@
+#include "tm/remesh/remesh.h"
+
+#include <cmath>
+#include <string>
+
+#include "tm/remesh/collapse.h"
+#include "tm/remesh/degenerate.h"
+#include "tm/remesh/flip.h"
+#include "tm/remesh/small_components.h"
+#include "tm/remesh/smooth.h"
+#include "tm/remesh/split.h"
+#include "tm/support/length.h"
+
+namespace transformesh {
+namespace {
+
+/// Halves of split edges shorter than 3/4 of the least length would be collapsed again at once.
+constexpr double least_ratio = 1.5;
+constexpr double most_faces = 500e6;
+
+void check_lengths(double min_edge, double max_edge) {
+  if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
+    throw UsageError("edge lengths must be positive: the shortest is " + shortest_text(min_edge) +
+                     ", the longest " + shortest_text(max_edge));
+  }
+  if (max_edge < least_ratio * min_edge) {
+    throw UsageError("the longest edge " + shortest_text(max_edge) + " is below 1.5 times the " +
+                     "shortest " + shortest_text(min_edge) +
+                     ": what is split would be collapsed again; use at most " +
+                     shortest_text(max_edge / least_ratio) + " for the shortest, or at least " +
+                     shortest_text(min_edge * least_ratio) + " for the longest");
+  }
+}
+
+void check_options(const RemeshOptions& options) {
+  check_lengths(options.min_edge, options.max_edge);
+  const double first = options.smooth_first;
+  const double second = options.smooth_second;
+  if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
+  if (!(options.feature_angle_deg > 0 && options.feature_angle_deg <= 180)) {
+    throw UsageError("the feature angle " + shortest_text(options.feature_angle_deg) +
+                     " is not above 0 and at most 180 degrees");
+  }
+  if (!(first >= 0 && first <= 1)) {
+    throw UsageError("the smoothing factor " + shortest_text(first) + " is not between 0 and 1");
+  }
+  if (options.smoothing != Smoothing::bilaplace) return;
+  if (!(second >= (first - 1) / 2 && second <= first / 2)) {
+    throw UsageError("the second smoothing factor " + shortest_text(second) +
+                     " would amplify noise: with the first factor " + shortest_text(first) +
+                     " it must be between " + shortest_text((first - 1) / 2) + " and " +
+                     shortest_text(first / 2));
+  }
+}
+
+void check_size(const Mesh& mesh, double max_edge) {
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces, so there is nothing to remesh");
+  double area = 0;
+  for (const Face& face : mesh.faces) {
+    for (const Index v : face) {
+      if (v >= mesh.positions.size()) return;  // EditableMesh says what is wrong
+    }
+    const Vec3& a = mesh.positions[face[0]];
+    area += (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a).norm() / 2;
+  }
+  const double faces = area / (max_edge * max_edge * std::sqrt(3.0) / 4);
+  if (faces > most_faces) {
+    throw UsageError("a longest edge of " + shortest_text(max_edge) + " would take more than " +
+                     shortest_text(std::ceil(faces / 1e6)) + " million faces");
+  }
+}
+
+void smooth(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+            const RemeshOptions& options, RemeshResult& result, const Progress& progress) {
+  SmoothCounts counts;
+  const double second = options.smoothing == Smoothing::bilaplace ? options.smooth_second : 0;
+  switch (options.smoothing) {
+    case Smoothing::none:
+      break;
+    case Smoothing::tangential:
+      counts = relax_tangentially(mesh, guard, roles, progress);
+      break;
+    default:
+      counts = smooth_laplace(mesh, guard, roles, options.smooth_first, second, progress);
+  }
+  result.refused += counts.refused;
+}
+
+void iterate(EditableMesh& mesh, const RemeshOptions& options, RemeshResult& result,
+             const Progress& progress) {
+  mark_features(mesh, options.feature_angle_deg);
+  result.splits += split_long_edges(mesh, options.max_edge, options.keep_border, progress);
+
+  const VertexRoles roles(mesh, options.keep_border);
+  EmbeddingGuard guard(mesh, options.max_edge);
+  const CollapseCounts collapses =
+      collapse_short_edges(mesh, guard, roles, options.min_edge, options.max_edge, progress);
+  remove_degenerate_faces(mesh, guard, roles, options.max_edge);
+  const FlipCounts flips = flip_edges(mesh, guard, options.flip, options.max_edge, progress);
+  result.collapses += collapses.done;
+  result.flips += flips.done;
+  result.refused = collapses.refused + flips.refused;
+  smooth(mesh, guard, roles, options, result, progress);
+}
+
+}  // namespace
+
+RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress) {
+  check_options(options);
+  check_size(mesh, options.max_edge);
+  progress("remesh");
+  EditableMesh editable(mesh);
+  editable.set_coordinate(options.coordinate);
+  RemeshResult result;
+  result.components_removed =
+      remove_small_components(editable, options.min_edge, options.keep_border);
+  for (int i = 0; i < options.iterations; ++i) {
+    iterate(editable, options, result, progress);
+    result.components_removed +=
+        remove_small_components(editable, options.min_edge, options.keep_border);
+  }
+  result.degenerate_faces = count_degenerate_faces(editable);
+  Mesh remeshed = editable.to_mesh();
+  if (remeshed.faces.empty()) {
+    throw GoalError("all " + std::to_string(result.components_removed) +
+                    " components are smaller than the shortest edge " +
+                    shortest_text(options.min_edge) +
+                    ", so nothing would be left; use a smaller --min-edge");
+  }
+  mesh = std::move(remeshed);
+  return result;
+}
+
+}  // namespace transformesh

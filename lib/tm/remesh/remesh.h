@@ -1,0 +1,50 @@
+/// Keeps a surface well sampled while it evolves (paper 5.1.2): edges between two lengths, six
+/// edges at a vertex, round triangles. Each iteration splits long edges, collapses short ones,
+/// flips, and smooths, in the order of Botsch & Kobbelt, "A remeshing approach to multiresolution
+/// modeling", SGP 2004.
+///
+/// Guarantees, for an oriented manifold with or without borders:
+/// - the result is one too; genus and number of components change only by small components removed;
+/// - no step makes a self-intersection: collapses, flips and moves that might meet another part of
+///   the surface are refused (embedding_guard.h). Crossings of the input stay where they are;
+/// - surviving vertices and faces keep their order, new ones follow; attributes are interpolated
+///   for new and for sliding vertices, inherited by faces.
+/// Not guaranteed: that all edges reach the interval, where that would break one of the above.
+/// Floating point; deterministic; O(n log n); about 300 bytes per face.
+#pragma once
+
+#include "tm/mesh/mesh.h"
+#include "tm/support/progress.h"
+
+namespace transformesh {
+
+enum class FlipRule { none, valence, angle };
+enum class Smoothing { none, tangential, laplace, bilaplace };
+
+struct RemeshOptions {
+  double min_edge = 0;  ///< e1: shorter edges are collapsed; input units, > 0
+  double max_edge = 0;  ///< e2: longer edges are split; input units, >= 1.5 min_edge
+  int iterations = 1;   ///< >= 0; with 0 only small components and degenerate faces go
+  FlipRule flip = FlipRule::valence;  ///< towards valence 6 (4 on borders), or larger least angles
+  Smoothing smoothing = Smoothing::tangential;
+  double smooth_first = 0;         ///< b of v - b dv, or b1; in [0, 1]
+  double smooth_second = 0;        ///< b2 of v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
+  double feature_angle_deg = 180;  ///< edges sharper than this stay; in (0, 180], 180: none are
+  bool keep_border = false;        ///< leave border vertices and edges alone
+  Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
+};
+
+struct RemeshResult {
+  std::size_t splits = 0;
+  std::size_t collapses = 0;
+  std::size_t flips = 0;
+  std::size_t refused = 0;  ///< of the last iteration: steps wanted that would break a guarantee
+  std::size_t components_removed = 0;  ///< all edges < e1 and |volume| < pi/6 e1^3
+  std::size_t degenerate_faces = 0;    ///< left
+};
+
+/// Throws UsageError for options out of range, InputError where the mesh is not an oriented
+/// manifold (with face ids) or has no faces, GoalError where nothing would be left.
+RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress = {});
+
+}  // namespace transformesh

@@ -1,0 +1,13 @@
+/// Removes components too small to be surface (paper 5.1.2).
+#pragma once
+
+#include "tm/remesh/editable_mesh.h"
+
+namespace transformesh {
+
+/// Removes every component whose edges are all shorter than `edge` and whose volume is, whatever
+/// its sign, below pi/6 edge^3; with keep_border not those with a border. The volume of a component
+/// with a border is taken against one of its vertices. O(n). Returns how many went.
+std::size_t remove_small_components(EditableMesh& mesh, double edge, bool keep_border);
+
+}  // namespace transformesh

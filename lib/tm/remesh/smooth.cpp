@@ -1,0 +1,194 @@
+#include "tm/remesh/smooth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tm/remesh/vertex_mover.h"
+
+namespace transformesh {
+namespace {
+
+/// Moves below this share of the star's size are not worth making.
+constexpr double rest = 1e-3;
+/// The cotangent of 5 degrees.
+constexpr double largest_cotangent = 11.430052302761343;
+constexpr double least_weight = 0.01;
+
+class Relaxer {
+ public:
+  Relaxer(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles)
+      : mesh_(mesh), roles_(roles), mover_(mesh, guard) {}
+
+  SmoothCounts run(const Progress& progress) {
+    SmoothCounts counts;
+    for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
+      if (v % 8192 == 0) progress("smooth", 0.7);
+      if (!mesh_.has_vertex(v)) continue;
+      const VertexRole role = roles_[v];
+      if (role == VertexRole::fixed) continue;
+      star_.gather(mesh_, v);
+      const Vec3 target = role == VertexRole::free ? free_target() : line_target(v);
+      if ((target - star_.centre).squaredNorm() < rest * rest * star_.normal.norm()) continue;
+      if (mover_.move(v, star_, target)) {
+        ++counts.moved;
+        carry_attributes(v);
+      } else {
+        ++counts.refused;
+      }
+    }
+    return counts;
+  }
+
+ private:
+  Vec3 free_target() const;
+  Vec3 line_target(Index vertex) const;
+  void carry_attributes(Index vertex);
+
+  EditableMesh& mesh_;
+  const VertexRoles& roles_;
+  VertexMover mover_;
+  Star star_;
+};
+
+Vec3 Relaxer::free_target() const {
+  // the mean of the triangles' centroids, weighted by area, taken from the old centre
+  Vec3 sum = Vec3::Zero();
+  double weight = 0;
+  for (const Star::Spoke& spoke : star_.spokes) {
+    const Vec3 a = spoke.first_position - star_.centre;
+    const Vec3 b = spoke.second_position - star_.centre;
+    const double area = a.cross(b).norm();
+    sum += area * (a + b);
+    weight += area;
+  }
+  if (weight == 0) return star_.centre;
+  const Vec3 shift = sum / (2 * weight);
+  const double squared = star_.normal.squaredNorm();
+  const double along = squared > 0 ? shift.dot(star_.normal) / squared : 0;
+  return star_.centre + shift - along * star_.normal;
+}
+
+Vec3 Relaxer::line_target(Index vertex) const {
+  const auto [before, after] = roles_.line_neighbours(vertex);
+  const Vec3& first = mesh_.position(before);
+  const Vec3 along = mesh_.position(after) - first;
+  const Vec3 shift = first + 0.5 * along - star_.centre;
+  return star_.centre + shift.dot(along) / along.squaredNorm() * along;
+}
+
+void Relaxer::carry_attributes(Index vertex) {
+  if (!mesh_.has_vertex_columns()) return;
+  // the triangle of the old star that holds the new place, by barycentric coordinates
+  const Vec3 shift = mesh_.position(vertex) - star_.centre;
+  double best = -HUGE_VAL;
+  std::array<Index, 3> sources{vertex, vertex, vertex};
+  std::array<double, 3> weights{1, 0, 0};
+  mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
+    const Vec3 a = mesh_.position(mesh_.target(halfedge)) - star_.centre;
+    const Vec3 b = mesh_.position(mesh_.apex(halfedge)) - star_.centre;
+    const Vec3 normal = a.cross(b);
+    const double squared = normal.squaredNorm();
+    if (squared == 0) return;
+    const double u = shift.cross(b).dot(normal) / squared;
+    const double w = a.cross(shift).dot(normal) / squared;
+    const double least = std::min({u, w, 1 - u - w});
+    if (least <= best) return;
+    best = least;
+    sources = {vertex, mesh_.target(halfedge), mesh_.apex(halfedge)};
+    const double kept = std::clamp(u, 0.0, 1.0);
+    const double other = std::clamp(w, 0.0, 1 - kept);
+    weights = {1 - kept - other, kept, other};
+  });
+  mesh_.blend_attributes(vertex, sources, weights);
+}
+
+double clamped_cotangent(const Vec3& a, const Vec3& b) {
+  const double cross = a.cross(b).norm();
+  const double dot = a.dot(b);
+  if (std::abs(dot) >= largest_cotangent * cross) {
+    return dot < 0 ? -largest_cotangent : largest_cotangent;
+  }
+  return dot / cross;
+}
+
+/// One row of the operator for every vertex: value(v) - the weighted mean of its neighbours'
+/// values.
+class Laplacian {
+ public:
+  Laplacian(const EditableMesh& mesh, const VertexRoles& roles) : mesh_(mesh), roles_(roles) {
+    cotangents_.assign(mesh.halfedge_slots(), 0);
+    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+      if (!mesh.has_halfedge(h)) continue;
+      const Vec3& apex = mesh.position(mesh.apex(h));
+      cotangents_[h] = clamped_cotangent(mesh.position(mesh.source(h)) - apex,
+                                         mesh.position(mesh.target(h)) - apex);
+    }
+  }
+
+  Vec3 apply(const std::vector<Vec3>& values, Index vertex, VertexRole role) const {
+    Vec3 sum = Vec3::Zero();
+    double total = 0;
+    mesh_.for_each_neighbour(vertex, [&](Index neighbour, Index halfedge) {
+      if (role == VertexRole::on_line && !is_line(mesh_, halfedge)) return;
+      const double w = role == VertexRole::on_line ? 1 : weight(halfedge);
+      sum += w * (values[neighbour] - values[vertex]);
+      total += w;
+    });
+    return sum / -total;
+  }
+
+  std::vector<Vec3> apply(const std::vector<Vec3>& values) const {
+    std::vector<Vec3> result(values.size(), Vec3::Zero());
+    for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
+      if (!mesh_.has_vertex(v)) continue;
+      const VertexRole role = roles_[v];
+      if (role != VertexRole::fixed) result[v] = apply(values, v, role);
+    }
+    return result;
+  }
+
+ private:
+  double weight(Index halfedge) const {
+    const Index opposite = mesh_.opposite(halfedge);
+    const double across = opposite == no_index ? 0 : cotangents_[opposite];
+    return std::max(least_weight, cotangents_[halfedge] + across);
+  }
+
+  const EditableMesh& mesh_;
+  const VertexRoles& roles_;
+  std::vector<double> cotangents_;  ///< of the angle opposite each halfedge
+};
+
+}  // namespace
+
+SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+                                const Progress& progress) {
+  return Relaxer(mesh, guard, roles).run(progress);
+}
+
+SmoothCounts smooth_laplace(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+                            double first, double second, const Progress& progress) {
+  progress("smooth", 0.7);
+  const Laplacian laplacian(mesh, roles);
+  std::vector<Vec3> positions(mesh.vertex_slots());
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) positions[v] = mesh.position(v);
+  const std::vector<Vec3> once = laplacian.apply(positions);
+  std::vector<Vec3> twice;
+  if (second != 0) twice = laplacian.apply(once);
+
+  SmoothCounts counts;
+  VertexMover mover(mesh, guard);
+  Star star;
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    if (v % 8192 == 0) progress("smooth", 0.8);
+    if (once[v].isZero(0)) continue;
+    Vec3 target = positions[v] - first * once[v];
+    if (second != 0) target += second * twice[v];
+    star.gather(mesh, v);
+    const bool moved = mover.move(v, star, target);
+    ++(moved ? counts.moved : counts.refused);
+  }
+  return counts;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,40 @@
+/// Measures of the triangles around an edge or a vertex that the operations compare before and
+/// after.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "tm/remesh/triangle_contact.h"
+
+namespace transformesh {
+
+inline Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
+
+/// 1 for equilateral, 0 for degenerate triangles: area over the sum of squared edges, scaled.
+inline double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const double squares = ab.squaredNorm() + ac.squaredNorm() + (c - b).squaredNorm();
+  return squares > 0 ? 3.4641016151377544 * ab.cross(ac).norm() / squares : 0;
+}
+
+/// The cosine of the smallest angle: smaller is better.
+inline double cosine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double ab = (b - a).squaredNorm();
+  const double bc = (c - b).squaredNorm();
+  const double ca = (a - c).squaredNorm();
+  // the smallest angle is opposite the shortest edge
+  const double shortest = std::min({ab, bc, ca});
+  const double product = shortest == ab ? bc * ca : shortest == bc ? ab * ca : ab * bc;
+  return product > 0 ? (ab + bc + ca - 2 * shortest) / (2 * std::sqrt(product)) : 1;
+}
+
+/// Whether a normal turns by more than the angle with this cosine.
+inline bool turns(const Vec3& before, const Vec3& after, double least_cosine) {
+  const double dot = before.dot(after);
+  if (dot <= 0) return true;
+  return dot * dot < least_cosine * least_cosine * before.squaredNorm() * after.squaredNorm();
+}
+
+}  // namespace transformesh

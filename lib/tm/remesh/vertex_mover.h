@@ -1,0 +1,38 @@
+/// Moves one vertex where all that the operations promise stays true.
+#pragma once
+
+#include "tm/remesh/embedding_guard.h"
+#include "tm/remesh/star.h"
+
+namespace transformesh {
+
+/// The triangles at a vertex, without that corner.
+struct Star {
+  struct Spoke {
+    Index first;
+    Vec3 first_position;
+    Vec3 second_position;
+  };
+  std::vector<Spoke> spokes;
+  Vec3 centre;
+  Vec3 normal;  ///< sum of the area normals, doubled
+
+  void gather(const EditableMesh& mesh, Index vertex);
+};
+
+class VertexMover {
+ public:
+  VertexMover(EditableMesh& mesh, EmbeddingGuard& guard) : mesh_(mesh), guard_(guard) {}
+
+  /// Moves the vertex to `target`, or half the way; false where neither is sound.
+  bool move(Index vertex, const Star& star, const Vec3& target);
+
+ private:
+  bool attempt(Index vertex, const Star& star, const Vec3& target);
+
+  EditableMesh& mesh_;
+  EmbeddingGuard& guard_;
+  Patch patch_;
+};
+
+}  // namespace transformesh
