@@ -1,0 +1,104 @@
+/// tm-remesh: edges between two lengths, six at a vertex, round triangles (paper 5.1.2).
+#include <charconv>
+
+#include "tm/remesh/remesh.h"
+#include "tm/support/error.h"
+#include "tool.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  Length min_edge{0.7, Length::Unit::reference_edge};
+  Length max_edge{1.5, Length::Unit::reference_edge};
+  long iterations = 1;
+  std::string flip = "valence";
+  std::string smooth = "tangential";
+  std::string smooth_twice;
+  double feature_angle = 180;
+  bool keep_border = false;
+};
+
+double factor(const std::string& option, std::string_view text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end) {
+    throw UsageError(
+        "--" + option + ": '" + std::string(text) + "' is not a number" +
+        (option == "smooth" ? "; write tangential, none or a factor such as 0.1" : ""));
+  }
+  return value;
+}
+
+void read_smoothing(const Options& options, RemeshOptions& result) {
+  if (!options.smooth_twice.empty()) {
+    const std::string_view text = options.smooth_twice;
+    const std::size_t comma = text.find(',');
+    if (options.smooth != "tangential")
+      throw UsageError("--smooth and --smooth2 exclude each other");
+    if (comma == text.npos) throw UsageError("--smooth2: write two factors, such as 0.1,0.05");
+    result.smoothing = Smoothing::bilaplace;
+    result.smooth_first = factor("smooth2", text.substr(0, comma));
+    result.smooth_second = factor("smooth2", text.substr(comma + 1));
+  } else if (options.smooth == "none") {
+    result.smoothing = Smoothing::none;
+  } else if (options.smooth != "tangential") {
+    result.smoothing = Smoothing::laplace;
+    result.smooth_first = factor("smooth", options.smooth);
+  }
+}
+
+RemeshOptions resolve(const Options& options, const Document& document, tool::Run& run) {
+  RemeshOptions result;
+  result.min_edge = run.length(options.min_edge);
+  result.max_edge = run.length(options.max_edge);
+  result.iterations = static_cast<int>(options.iterations);
+  result.flip = options.flip == "angle"  ? FlipRule::angle
+                : options.flip == "none" ? FlipRule::none
+                                         : FlipRule::valence;
+  result.feature_angle_deg = options.feature_angle;
+  result.keep_border = options.keep_border;
+  result.coordinate = document.style.coordinate;
+  read_smoothing(options, result);
+  return result;
+}
+
+void remesh_document(Document& document, const Options& options, tool::Run& run) {
+  const RemeshOptions resolved = resolve(options, document, run);
+  const RemeshResult result = remesh(document.mesh, resolved, run.progress());
+  run.report("splits", result.splits);
+  run.report("collapses", result.collapses);
+  run.report("flips", result.flips);
+  run.report("refused", result.refused);
+  run.report("components_removed", result.components_removed);
+  run.report("degenerate_faces", result.degenerate_faces);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program("tm-remesh", "[OPTION]... [INPUT]",
+                        "Keeps edges between two lengths and triangles round");
+  program.length("min-edge", &options.min_edge, "collapse shorter edges");
+  program.length("max-edge", &options.max_edge,
+                 "split longer edges; at least 1.5 times the shortest");
+  program.integer("iterations", &options.iterations, 0, 1000,
+                  "rounds of split, collapse, flip and smooth");
+  program.choice("flip", &options.flip, {"valence", "angle", "none"},
+                 "flip edges for six edges at a vertex, or for larger least angles");
+  program.text("smooth", &options.smooth, "KIND",
+               "tangential (slides vertices, does not shrink), none, or the factor B of the "
+               "Laplace-Beltrami operator, 0 to 1");
+  program.text("smooth2", &options.smooth_twice, "B1,B2",
+               "the operator used twice: v - B1 dv + B2 d2v");
+  program.number("feature-angle", &options.feature_angle, 1, 180,
+                 "keep edges sharper than this, in degrees; 180 keeps none");
+  program.flag("keep-border", &options.keep_border, "leave borders as they are");
+  program.epilog("After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply");
+  return program.filter(argc, argv, [&](Document& document, tool::Run& run) {
+    remesh_document(document, options, run);
+  });
+}
