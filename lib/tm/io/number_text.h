@@ -56,6 +56,14 @@ class TextBuffer {
     ensure(longest_number);
     end_ = std::to_chars(end_, end_ + longest_number, value).ptr;
   }
+  /// As add_number, with a point or an exponent even where the value is whole.
+  void add_decimal(double value) {
+    const auto start = static_cast<std::size_t>(end_ - text_.data());
+    add_number(value);
+    const std::string_view written(text_.data() + start,
+                                   static_cast<std::size_t>(end_ - text_.data()) - start);
+    if (written.find_first_of(".en") == std::string_view::npos) add(".0");
+  }
   std::string take() {
     text_.resize(static_cast<std::size_t>(end_ - text_.data()));
     return std::move(text_);

@@ -55,7 +55,8 @@ class ObjReader {
 
   void read_vertex() {
     const std::size_t row = mesh().positions.size();
-    const auto name = [&] { return "a number of vertex " + std::to_string(row + 1); };
+    const auto coordinate = [&] { return "a coordinate of vertex " + std::to_string(row + 1); };
+    const auto color_name = [&] { return "the colour of vertex " + std::to_string(row + 1); };
     const std::size_t words = rows_.words_left();
     if (words != 3 && words != 4 && words != 6) {
       rows_.fail("vertex " + std::to_string(row + 1) + " has " + counted(words, "number") +
@@ -63,11 +64,12 @@ class ObjReader {
     }
     if (row + 1 >= no_index) rows_.fail("more vertices than 32 bits can count");
     Vec3& position = mesh().positions.emplace_back();
-    for (const Eigen::Index axis : {0, 1, 2}) position[axis] = rows_.finite_number<double>(name);
-    if (words == 4 && rows_.finite_number<double>(name) != 1) ++weights_;
+    for (const Eigen::Index axis : {0, 1, 2})
+      position[axis] = rows_.finite_number<double>(coordinate);
+    if (words == 4 && rows_.finite_number<double>(coordinate) != 1) ++weights_;
     if (words != 6) return;
     ColorRows::Color color = ColorRows::no_color;
-    for (std::size_t i = 0; i < 3; ++i) color[i] = rows_.finite_number<double>(name);
+    for (std::size_t i = 0; i < 3; ++i) color[i] = rows_.finite_number<double>(color_name);
     colors_.set(row, color);
   }
 
@@ -119,9 +121,11 @@ class ObjReader {
   void add_colors() {
     Columns& columns = mesh().vertex_columns;
     colors_.see_word(".");
-    if (colors_.missing_rows() > 0)
-      result_.notes.emplace_back("obj: vertices without a colour made black");
     colors_.add_columns(mesh().positions.size(), columns);
+    if (colors_.missing_rows() > 0) {
+      result_.notes.push_back("obj: " + counted(colors_.missing_rows(), "point") +
+                              " without a colour made black");
+    }
     const auto is_byte = [](double value) {
       return value >= 0 && value <= 1 && std::round(value * 255) / 255 == value;
     };

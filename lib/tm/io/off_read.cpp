@@ -61,12 +61,13 @@ class OffReader {
   }
 
  private:
-  void need_row(const std::string& what) {
-    if (!rows_.next_row()) rows_.fail("the data ends before " + what);
+  template <class What>
+  void need_row(const What& what) {
+    if (!rows_.next_row()) rows_.fail("the data ends before " + what());
   }
 
   void read_header() {
-    need_row("the word OFF");
+    need_row([] { return std::string("the word OFF"); });
     const std::string_view keyword = rows_.peek();
     variant_ = off_variant(keyword);
     std::string_view glued;
@@ -78,7 +79,8 @@ class OffReader {
                  quoted(keyword));
     }
     if (rows_.peek() == "BINARY") rows_.fail("binary OFF is not read: convert it to text or PLY");
-    if (glued.empty() && !rows_.has_more()) need_row("the counts of vertices and faces");
+    if (glued.empty() && !rows_.has_more())
+      need_row([] { return std::string("the counts of vertices and faces"); });
     vertex_count_ = glued.empty() ? read_count("the count of vertices") : glued_count(glued);
     face_count_ = read_count("the count of faces");
     if (rows_.has_more()) read_count("the count of edges");
@@ -110,7 +112,7 @@ class OffReader {
     const auto count = static_cast<std::size_t>(vertex_count_);
     mesh.positions.resize(count);
     for (row_ = 0; row_ < count; ++row_) {
-      need_row(row_name("vertex") + " of " + std::to_string(count));
+      need_row([&] { return row_name("vertex") + " of " + std::to_string(count); });
       if (row_ == 0) decide_layout(rows_.words_left());
       read_vertex(mesh);
     }
@@ -143,14 +145,14 @@ class OffReader {
 
   void read_vertex(Mesh& mesh) {
     for (const Eigen::Index axis : {0, 1, 2}) {
-      mesh.positions[row_][axis] = read_value([&] { return row_name("vertex"); });
+      mesh.positions[row_][axis] = read_value("a coordinate of vertex");
     }
     for (Column& column : mesh.vertex_columns.columns) {
-      column.values[row_] = read_value([&] { return row_name("normal"); });
+      column.values[row_] = read_value("the normal of vertex");
     }
     if (channels_ > 0) read_color(channels_, vertex_colors_);
     for (Column& column : texture_.columns) {
-      column.values[row_] = read_value([&] { return row_name("texture coordinate"); });
+      column.values[row_] = read_value("the texture coordinate of vertex");
     }
     rows_.end_row([&] { return row_name("vertex"); });
   }
@@ -158,11 +160,12 @@ class OffReader {
   void read_faces() {
     std::vector<Index> corners;
     for (row_ = 0; row_ < face_count_; ++row_) {
-      need_row(row_name("face") + " of " + std::to_string(face_count_));
+      need_row([&] { return row_name("face") + " of " + std::to_string(face_count_); });
       corners.clear();
       const auto name = [&] { return row_name("face"); };
-      for (auto left = rows_.number<std::uint64_t>(name); left > 0; --left) {
-        const auto index = rows_.number<std::int64_t>(name);
+      auto left = rows_.number<std::uint64_t>([&] { return "the number of corners of " + name(); });
+      for (; left > 0; --left) {
+        const auto index = rows_.number<std::int64_t>([&] { return "a corner of " + name(); });
         if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) {
           rows_.fail(name() + " has vertex index " + std::to_string(index) + ", but there are " +
                      std::to_string(vertex_count_) + " vertices");
@@ -187,18 +190,20 @@ class OffReader {
   void read_color(std::size_t channels, ColorRows& colors) {
     ColorRows::Color color = ColorRows::no_color;
     for (std::size_t i = 0; i < channels; ++i) {
-      color[i] = read_value([&] { return row_name("colour"); });
+      color[i] =
+          read_value(&colors == &face_colors_ ? "the colour of face" : "the colour of vertex");
       colors.see_word(rows_.last_word());
     }
     colors.set(row_, color);
   }
 
-  template <class What>
-  double read_value(const What& what) {
-    return rows_.finite_number<double>([&] { return "a number of " + what(); });
+  double read_value(const char* what) {
+    return rows_.finite_number<double>([&] { return row_name(what); });
   }
 
-  std::string row_name(const char* what) const { return what + (' ' + std::to_string(row_)); }
+  std::string row_name(const char* what) const {
+    return std::string(what) + ' ' + std::to_string(row_);
+  }
 
   void note_rest() {
     std::vector<std::string>& notes = result_.notes;

@@ -49,7 +49,6 @@ class OffWriter {
   }
 
   void add_vertices() {
-    const Columns& columns = mesh_.vertex_columns;
     for (std::size_t row = 0; row < mesh_.positions.size(); ++row) {
       const Vec3& position = mesh_.positions[row];
       text_.add_number(position[0]);
@@ -57,9 +56,9 @@ class OffWriter {
         text_.add(' ');
         text_.add_number(position[axis]);
       }
-      add_values(columns, normals_, row);
-      add_values(columns, colors_, row);
-      add_values(columns, texture_, row);
+      add_numbers(normals_, row);
+      add_colors(mesh_.vertex_columns, colors_, row);
+      add_numbers(texture_, row);
       text_.add('\n');
     }
   }
@@ -71,24 +70,29 @@ class OffWriter {
         text_.add(' ');
         text_.add_number(corner);
       }
-      add_values(mesh_.face_columns, face_colors_, row);
+      add_colors(mesh_.face_columns, face_colors_, row);
       text_.add('\n');
     }
   }
 
-  void add_values(const Columns& columns, const std::vector<std::string_view>& names,
+  /// Whether colours are floating point shows in their spelling alone.
+  void add_colors(const Columns& columns, const std::vector<std::string_view>& names,
                   std::size_t row) {
     for (const std::string_view name : names) {
       const Column& column = *columns.find(name);
       text_.add(' ');
-      const double value = column.values[row];
-      if (!is_floating(column.type)) {
-        text_.add_number(static_cast<std::int64_t>(value));
-        continue;
+      if (is_floating(column.type)) {
+        text_.add_decimal(column.values[row]);
+      } else {
+        text_.add_number(to_scalar<std::int64_t>(column.values[row]));
       }
-      text_.add_number(value);
-      // Whether colours are floating point shows in their spelling alone.
-      if (value == std::round(value) && std::abs(value) < 1e5) text_.add(".0");
+    }
+  }
+
+  void add_numbers(const std::vector<std::string_view>& names, std::size_t row) {
+    for (const std::string_view name : names) {
+      text_.add(' ');
+      text_.add_number(mesh_.vertex_columns.find(name)->values[row]);
     }
   }
 

@@ -7,7 +7,7 @@ namespace {
 /// Reads the values of one row after the other from text.
 class TextCursor {
  public:
-  TextCursor(TextRows& rows, const PlyTable& table) : rows_(rows), table_(table) {}
+  TextCursor(TextRows& rows, PlyTable& table) : rows_(rows), table_(table) {}
 
   void start_row(std::size_t row) {
     row_ = row;
@@ -16,8 +16,10 @@ class TextCursor {
          std::to_string(table_.element.rows));
   }
 
+  /// Headers that leave out the last properties are common; what is known is still in its place.
   void end_row() {
-    rows_.end_row([&] { return table_.row_name(row_); });
+    if (!rows_.has_more()) return;
+    if (table_.long_rows++ == 0) table_.first_long_row = rows_.place();
   }
 
   double scalar(const PlyProperty& property) {
@@ -50,23 +52,13 @@ class TextCursor {
   }
 
   TextRows& rows_;
-  const PlyTable& table_;
+  PlyTable& table_;
   std::size_t row_ = 0;
 };
 
-/// A value takes a digit and, but for the last one, a separator.
-void check_claim(const TextRows& rows, std::size_t bytes_left, const PlyTable& table) {
-  const std::uint64_t values = table.element.properties.size();
-  if (values == 0 || table.element.rows <= (bytes_left + 1) / 2 / values) return;
-  rows.fail("the header announces " + std::to_string(table.element.rows) + " rows of element " +
-            quoted(table.element.name) + ", but only " + std::to_string(bytes_left) +
-            " bytes follow: the file is cut off or its header wrong");
-}
-
 }  // namespace
 
-void read_text_rows(TextRows& rows, std::size_t bytes_left, PlyTable& table) {
-  check_claim(rows, bytes_left, table);
+void read_text_rows(TextRows& rows, PlyTable& table) {
   if (table.element.properties.empty()) return;
   const auto row_count = static_cast<std::size_t>(table.element.rows);
   if (table.element.name == "vertex") table.positions.resize(row_count);

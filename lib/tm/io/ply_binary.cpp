@@ -52,30 +52,6 @@ class BinaryCursor {
   std::size_t row_ = 0;
 };
 
-/// Bytes of a row of which the lists have the lengths given: 3 for the corners, 0 for others.
-std::size_t row_size(const PlyTable& table, std::size_t corner_count) {
-  std::size_t size = 0;
-  for (std::size_t i = 0; i < table.targets.size(); ++i) {
-    const PlyProperty& property = table.element.properties[i];
-    size += byte_size(property.count_type.value_or(property.type));
-    if (table.targets[i].kind == PlyTable::Target::face_list) {
-      size += corner_count * byte_size(property.type);
-    }
-  }
-  return size;
-}
-
-void check_claim(const Source& source, const char* place, const PlyTable& table) {
-  const auto left = static_cast<std::size_t>(source.end() - place);
-  const std::size_t size = row_size(table, 0);
-  if (size == 0 || table.element.rows <= left / size) return;
-  source.fail_at_byte(place, "the header announces " + std::to_string(table.element.rows) +
-                                 " rows of element " + quoted(table.element.name) +
-                                 " of at least " + counted(size, "byte") + ", but only " +
-                                 std::to_string(left) +
-                                 " bytes follow: the file is cut off or its header wrong");
-}
-
 /// The fast path: rows of one size, each property decoded by a loop of its own.
 class FixedRows {
  public:
@@ -143,7 +119,7 @@ void decode_columns(const FixedRows& rows, std::size_t count, PlyTable& table) {
 }
 
 void check_positions(const Source& source, const char* place, const PlyTable& table) {
-  const std::size_t stride = row_size(table, 0);
+  const std::size_t stride = table.row_size(0);
   for (std::size_t row = 0; row < table.positions.size(); ++row) {
     if (table.positions[row].allFinite()) continue;
     source.fail_at_byte(place + row * stride,
@@ -174,7 +150,7 @@ std::size_t read_triangles(const Source& source, const char* place, bool swapped
   std::size_t offset = 0;
   const PlyProperty* list = only_face_list(table, offset);
   if (!list) return 0;
-  const std::size_t stride = row_size(table, 3);
+  const std::size_t stride = table.row_size(3);
   const auto left = static_cast<std::size_t>(source.end() - place);
   const auto most =
       static_cast<std::size_t>(std::min<std::uint64_t>(table.element.rows, left / stride));
@@ -196,18 +172,17 @@ bool has_list(const PlyTable& table) {
 
 const char* read_binary_rows(const Source& source, const char* place, bool swapped,
                              PlyTable& table) {
-  check_claim(source, place, table);
   if (table.element.properties.empty()) return place;
   const auto row_count = static_cast<std::size_t>(table.element.rows);
   if (table.element.name == "vertex") table.positions.resize(row_count);
   if (!has_list(table)) {
-    const std::size_t stride = row_size(table, 0);
+    const std::size_t stride = table.row_size(0);
     decode_columns(FixedRows(place, stride, row_count, swapped), row_count, table);
     check_positions(source, place, table);
     return place + row_count * stride;
   }
   const std::size_t triangles = read_triangles(source, place, swapped, table);
-  BinaryCursor cursor(source, place + triangles * row_size(table, 3), swapped, table);
+  BinaryCursor cursor(source, place + triangles * table.row_size(3), swapped, table);
   std::vector<Index> corners;
   for (std::size_t row = triangles; row < row_count; ++row) {
     cursor.start_row(row);

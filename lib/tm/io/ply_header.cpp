@@ -14,9 +14,12 @@ class HeaderReader {
   PlyHeader read() {
     next_line();
     if (line_ != "ply") fail("a PLY file starts with the line 'ply', not " + quoted(line_));
-    next_line();
-    read_format();
     for (next_line(); line_ != "end_header"; next_line()) read_line();
+    if (!has_format_) {
+      fail(
+          "the PLY header has no line 'format ascii 1.0' (or binary_little_endian, "
+          "binary_big_endian)");
+    }
     header_.size = static_cast<std::size_t>(place_ - source_.begin());
     for (const PlyElement& element : header_.elements) {
       header_.style.element_order.push_back(element.name);
@@ -33,9 +36,9 @@ class HeaderReader {
     const std::string_view rest =
         source_.bytes.substr(static_cast<std::size_t>(place_ - source_.begin()));
     if (line_start_ == source_.begin()) {
-      const std::size_t first_end = rest.find_first_of("\r\n");
-      is_mac_ =
-          first_end + 1 < rest.size() && rest[first_end] == '\r' && rest[first_end + 1] != '\n';
+      const std::size_t first_end = std::min(rest.find_first_of("\r\n"), rest.size());
+      const std::string_view ending = rest.substr(first_end, 2);
+      is_mac_ = !ending.empty() && ending[0] == '\r' && ending != "\r\n";
     }
     const std::size_t length = rest.find(is_mac_ ? '\r' : '\n');
     if (length == std::string_view::npos) fail("the PLY header has no line 'end_header'");
@@ -53,31 +56,11 @@ class HeaderReader {
     return word;
   }
 
-  void read_format() {
-    const std::string_view keyword = next_word();
-    const std::string_view encoding = next_word();
-    const std::string_view version = next_word();
-    Format& format = header_.style.format;
-    if (encoding == "ascii") {
-      format = Format::ply_ascii;
-    } else if (encoding == "binary_little_endian") {
-      format = Format::ply_little;
-    } else if (encoding == "binary_big_endian") {
-      format = Format::ply_big;
-    } else {
-      fail(
-          "the second line of a PLY file is 'format ascii 1.0' (or binary_little_endian, "
-          "binary_big_endian), not " +
-          quoted(line_));
-    }
-    if (keyword != "format" || version != "1.0") {
-      fail("only PLY format 1.0 is known, not " + quoted(line_));
-    }
-  }
-
   void read_line() {
     const std::string_view keyword = next_word();
-    if (keyword == "comment") {
+    if (keyword == "format") {
+      read_format();
+    } else if (keyword == "comment") {
       header_.style.comments.push_back(rest_of_line());
     } else if (keyword == "obj_info") {
       header_.style.obj_info.push_back(rest_of_line());
@@ -88,6 +71,23 @@ class HeaderReader {
     } else if (!keyword.empty()) {
       fail("unknown word in the PLY header: " + quoted(keyword));
     }
+  }
+
+  void read_format() {
+    const std::string_view encoding = next_word();
+    Format& format = header_.style.format;
+    if (encoding == "ascii") {
+      format = Format::ply_ascii;
+    } else if (encoding == "binary_little_endian") {
+      format = Format::ply_little;
+    } else if (encoding == "binary_big_endian") {
+      format = Format::ply_big;
+    } else {
+      fail("PLY is ascii, binary_little_endian or binary_big_endian, not " + quoted(encoding));
+    }
+    const std::string_view version = next_word();
+    if (version != "1.0") fail("only version 1.0 of PLY is known, not " + quoted(version));
+    has_format_ = true;
   }
 
   std::string rest_of_line() const {
@@ -139,6 +139,7 @@ class HeaderReader {
   const char* place_;
   const char* line_start_ = nullptr;
   bool is_mac_ = false;
+  bool has_format_ = false;
   std::string_view line_;
   std::string_view words_;  ///< of the line, not read yet
   PlyHeader header_;

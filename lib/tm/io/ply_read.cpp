@@ -62,7 +62,6 @@ class PlyReader {
     style.position_column = places.empty() ? 0 : places.front();
     add_columns(table);
     read_rows(table);
-    if (element.rows >= no_index) source_.fail("more vertices than 32 bits can count");
     result_.document.mesh.positions = std::move(table.positions);
     result_.document.mesh.vertex_columns = std::move(table.columns);
   }
@@ -139,13 +138,44 @@ class PlyReader {
   }
 
   void read_rows(PlyTable& table) {
-    const Format format = header_.style.format;
-    if (format == Format::ply_ascii) {
-      read_text_rows(rows_, source_.bytes.size() - header_.size, table);
+    const bool is_text = header_.style.format == Format::ply_ascii;
+    check_claim(table, is_text);
+    if (is_text) {
+      read_text_rows(rows_, table);
+      note_long_rows(table);
     } else {
       constexpr bool host_is_little = std::endian::native == std::endian::little;
-      const bool swapped = (format == Format::ply_little) != host_is_little;
+      const bool swapped = (header_.style.format == Format::ply_little) != host_is_little;
       place_ = read_binary_rows(source_, place_, swapped, table);
+    }
+  }
+
+  void note_long_rows(const PlyTable& table) {
+    if (table.long_rows == 0) return;
+    result_.notes.push_back("ply: " + counted(table.long_rows, "row") + " of element " +
+                            quoted(table.element.name) +
+                            " with more values than the header names, from line " +
+                            std::to_string(source_.line_of(table.first_long_row)) +
+                            " on; the rest of each is left out");
+  }
+
+  /// Refuses a count that the bytes left cannot hold, before anything is allocated for it. As text
+  /// a value takes a digit and, but for the last one, a separator.
+  void check_claim(const PlyTable& table, bool is_text) const {
+    const char* place = is_text ? rows_.rest() : place_;
+    const auto left = static_cast<std::size_t>(source_.end() - place);
+    const std::size_t size = is_text ? 2 * table.targets.size() : table.row_size(0);
+    const std::uint64_t rows = table.element.rows;
+    if (size > 0 && rows > (left + (is_text ? 1 : 0)) / size) {
+      source_.fail_at_byte(place, "the header announces " + std::to_string(rows) +
+                                      " rows of element " + quoted(table.element.name) +
+                                      ", but only " + counted(left, "byte") +
+                                      " follow: the file is cut off or its header wrong");
+    }
+    const bool is_face = table.element.name == "face";
+    if (size > 0 && rows >= (is_face ? no_index / 3 : no_index)) {
+      source_.fail("more rows of element " + quoted(table.element.name) +
+                   " than 32 bits can count");
     }
   }
 
@@ -170,6 +200,16 @@ class PlyReader {
 };
 
 }  // namespace
+
+std::size_t PlyTable::row_size(std::size_t corner_count) const {
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const PlyProperty& property = element.properties[i];
+    size += byte_size(property.count_type.value_or(property.type));
+    if (targets[i].kind == Target::face_list) size += corner_count * byte_size(property.type);
+  }
+  return size;
+}
 
 std::string PlyTable::row_name(std::size_t row) const {
   if (element.name == "vertex" || element.name == "face") {

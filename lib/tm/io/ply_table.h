@@ -23,6 +23,11 @@ struct PlyTable {
   std::vector<Vec3> positions;     ///< of the vertices
   PolygonFans polygons;            ///< of the faces
   Columns columns;
+  std::size_t long_rows = 0;  ///< lines of text with more values than there are properties
+  const char* first_long_row = nullptr;
+
+  /// Bytes of a binary row whose face has so many corners and whose other lists are empty.
+  std::size_t row_size(std::size_t corner_count) const;
 
   /// How messages name a row: `vertex 12`, or `row 12 of element 'edge'`.
   std::string row_name(std::size_t row) const;
@@ -30,10 +35,11 @@ struct PlyTable {
   [[nodiscard]] std::string bad_index(std::size_t row, double index) const;
 };
 
-/// Reads the rows of the table from `place` on and returns where they end. Throws InputError.
+/// Both read the rows of the table, of which there are enough bytes if all lists are empty. The
+/// first returns where the rows end, the second leaves the text there. Throw InputError.
 const char* read_binary_rows(const Source& source, const char* place, bool swapped,
                              PlyTable& table);
-void read_text_rows(TextRows& rows, std::size_t bytes_left, PlyTable& table);
+void read_text_rows(TextRows& rows, PlyTable& table);
 
 /// Reads one row through a cursor, which has `double scalar(property)`, `std::uint64_t
 /// count(property)` and `fail(message)`.

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "tm/io/source.h"
+#include "tm/support/error.h"
 
 namespace transformesh {
 
@@ -24,6 +25,9 @@ void PolygonFans::add(std::span<const Index> corners) {
 
 void PolygonFans::move_into(Mesh& mesh, const std::string& format,
                             std::vector<std::string>& notes) {
+  if (faces_.size() >= no_index / 3) {
+    throw InputError(format + ": more triangles than 32 bits can count");
+  }
   mesh.faces = std::move(faces_);
   if (!remembers_sources_) return;
   mesh.face_columns = mesh.face_columns.select(source_);

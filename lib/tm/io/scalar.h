@@ -57,8 +57,8 @@ T to_scalar(double value) {
   if constexpr (std::is_floating_point_v<T>) {
     return static_cast<T>(value);
   } else {
-    constexpr double smallest = std::numeric_limits<T>::min();
-    constexpr double largest = std::numeric_limits<T>::max();
+    constexpr auto smallest = static_cast<double>(std::numeric_limits<T>::min());
+    constexpr auto largest = static_cast<double>(std::numeric_limits<T>::max());
     if (!(value > smallest)) return value <= smallest ? std::numeric_limits<T>::min() : T{};
     return value >= largest ? std::numeric_limits<T>::max() : static_cast<T>(std::round(value));
   }

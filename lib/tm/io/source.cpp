@@ -8,11 +8,14 @@ namespace transformesh {
 
 void Source::fail(const std::string& what) const { throw InputError(what + " (" + name + ")"); }
 
-void Source::fail_at_line(const char* place, const std::string& what) const {
+std::size_t Source::line_of(const char* place) const {
   // Files of old Macintoshes end their lines with a carriage return alone.
   const char line_end = bytes.find('\n') == std::string_view::npos ? '\r' : '\n';
-  const auto line = 1 + std::count(begin(), place, line_end);
-  throw InputError(what + " (" + name + " line " + std::to_string(line) + ")");
+  return 1 + static_cast<std::size_t>(std::count(begin(), place, line_end));
+}
+
+void Source::fail_at_line(const char* place, const std::string& what) const {
+  throw InputError(what + " (" + name + " line " + std::to_string(line_of(place)) + ")");
 }
 
 void Source::fail_at_byte(const char* place, const std::string& what) const {

@@ -14,6 +14,9 @@ struct Source {
   const char* begin() const { return bytes.data(); }
   const char* end() const { return bytes.data() + bytes.size(); }
 
+  /// Counted from 1.
+  std::size_t line_of(const char* place) const;
+
   /// Each throws InputError: `what (name)`, `what (name line 12)`, `what (name byte 1034)`.
   [[noreturn]] void fail(const std::string& what) const;
   [[noreturn]] void fail_at_line(const char* place, const std::string& what) const;

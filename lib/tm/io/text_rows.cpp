@@ -17,8 +17,7 @@ TextRows::TextRows(const Source& source, std::size_t start, Rules rules)
 bool TextRows::next_row() {
   while (line_end_ != source_->end()) {
     next_ = place_ = line_end_;
-    line_end_ = row_end_ = find_line_end(next_);
-    if (rules_.comment != '\0') cut_comment();
+    find_row();
     if (has_more()) {
       place_ = next_;
       return true;
@@ -31,20 +30,24 @@ bool TextRows::next_row() {
 std::string_view TextRows::word() {
   if (has_more()) place_ = next_;
   const char* first = next_;
-  while (next_ != row_end_ && !is_blank(*next_)) ++next_;
+  next_ = word_end(first);
   return {first, static_cast<std::size_t>(next_ - first)};
 }
 
+std::string_view TextRows::peek() const {
+  const char* first = word_start(next_);
+  return {first, static_cast<std::size_t>(word_end(first) - first)};
+}
+
 std::size_t TextRows::words_left() const {
-  TextRows rest(*this);
   std::size_t count = 0;
-  while (!rest.word().empty()) ++count;
+  const char* place = word_start(next_);
+  for (; place != row_end_; place = word_start(word_end(place))) ++count;
   return count;
 }
 
 std::string_view TextRows::skip_row() {
-  skip_blanks();
-  const char* first = next_;
+  const char* first = word_start(next_);
   const char* last = row_end_;
   while (last != first && is_blank(last[-1])) --last;
   next_ = row_end_;
@@ -55,27 +58,35 @@ std::string_view TextRows::last_word() const {
   return {place_, static_cast<std::size_t>(next_ - place_)};
 }
 
-void TextRows::fail_rest(const std::string& row) {
-  fail(row + " has more values than it should, beginning with " + quoted(word()));
-}
-
-const char* TextRows::find_line_end(const char* from) const {
-  const char* end = source_->end();
-  while (from != end) {
-    const void* found = std::memchr(from, terminator_, static_cast<std::size_t>(end - from));
-    if (!found) return end;
-    const char* last = static_cast<const char*>(found);
-    from = last + 1;
-    if (!rules_.backslash_joins) break;
-    if (last != source_->begin() && last[-1] == '\r') --last;
-    if (last == source_->begin() || last[-1] != '\\') break;
-  }
+const char* TextRows::word_end(const char* from) const {
+  while (from != row_end_ && !separates(*from)) ++from;
   return from;
 }
 
-void TextRows::cut_comment() {
-  const char* mark = std::find(next_, line_end_, rules_.comment);
-  if (mark == line_end_) return;
+const char* TextRows::find_line_end(const char* from) const {
+  const auto size = static_cast<std::size_t>(source_->end() - from);
+  const void* found = std::memchr(from, terminator_, size);
+  return found ? static_cast<const char*>(found) + 1 : source_->end();
+}
+
+/// A row is a line up to its comment. A backslash joins lines, but not from within a comment.
+void TextRows::find_row() {
+  line_end_ = next_;
+  for (;;) {
+    const char* start = line_end_;
+    line_end_ = row_end_ = find_line_end(start);
+    if (rules_.comment != '\0') {
+      const char* mark = std::find(start, line_end_, rules_.comment);
+      if (mark != line_end_) return keep_comment(mark);
+    }
+    if (!rules_.backslash_joins || line_end_ == source_->end()) return;
+    const char* last = line_end_ - 1;
+    while (last != start && is_blank(*last)) --last;
+    if (*last != '\\') return;
+  }
+}
+
+void TextRows::keep_comment(const char* mark) {
   row_end_ = mark;
   if (has_more()) {
     ++trailing_comments;
@@ -88,12 +99,15 @@ void TextRows::cut_comment() {
   comments.emplace_back(first, last);
 }
 
-void TextRows::fail_number(const std::string& what, Parsed problem) {
-  if (!has_more() && problem == Parsed::malformed) fail(what + " is missing");
+void TextRows::fail_rest(const std::string& row) {
+  fail(row + " has more values than it should, beginning with " + quoted(word()));
+}
+
+void TextRows::fail_number(const std::string& what, const char* needed, Parsed problem) {
   next_ = place_;
   const std::string text = quoted(word());
   if (problem == Parsed::out_of_range) fail(what + " is out of range: " + text);
-  fail(what + " is not a number of the kind needed: " + text);
+  fail(what + " is not " + needed + ": " + text);
 }
 
 }  // namespace transformesh

@@ -26,7 +26,7 @@ class TextRows {
   /// The next word, empty at the end of the row.
   std::string_view word();
   /// What word() would return, and how many words are left in the row.
-  std::string_view peek() const { return TextRows(*this).word(); }
+  std::string_view peek() const;
   std::size_t words_left() const;
   /// Leaves out what is left of the row, and returns it without blanks around it.
   std::string_view skip_row();
@@ -44,6 +44,8 @@ class TextRows {
     if (has_more()) fail_rest(row());
   }
 
+  /// Where the row that next_row finds may start at the earliest.
+  const char* rest() const { return line_end_; }
   /// Where the last word or number starts.
   const char* place() const { return place_; }
   [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(place_, what); }
@@ -55,11 +57,14 @@ class TextRows {
 
  private:
   static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-  void skip_blanks();
+  bool separates(char c) const { return is_blank(c) || (rules_.backslash_joins && c == '\\'); }
+  const char* word_start(const char* from) const;
+  const char* word_end(const char* from) const;
   const char* find_line_end(const char* from) const;
-  void cut_comment();
+  void find_row();
+  void keep_comment(const char* mark);
   [[noreturn]] void fail_rest(const std::string& row);
-  [[noreturn]] void fail_number(const std::string& what, Parsed problem);
+  [[noreturn]] void fail_number(const std::string& what, const char* needed, Parsed problem);
 
   const Source* source_;
   Rules rules_;
@@ -70,31 +75,34 @@ class TextRows {
   const char* line_end_;  ///< of the text line
 };
 
-inline void TextRows::skip_blanks() {
-  while (next_ != row_end_ && (is_blank(*next_) || (rules_.backslash_joins && *next_ == '\\'))) {
-    ++next_;
-  }
+inline const char* TextRows::word_start(const char* from) const {
+  while (from != row_end_ && separates(*from)) ++from;
+  return from;
 }
 
 inline bool TextRows::has_more() {
-  skip_blanks();
+  next_ = word_start(next_);
   return next_ != row_end_;
 }
 
 template <class T, class What>
 T TextRows::number(const What& what) {
-  if (has_more()) place_ = next_;
+  constexpr const char* needed = std::is_floating_point_v<T> ? "a number"
+                                 : std::is_signed_v<T>       ? "a whole number"
+                                                             : "a whole number of 0 or more";
+  if (!has_more()) fail(what() + " is missing");
+  place_ = next_;
   T value;
   const Parsed parsed = parse_number(next_, row_end_, value);
-  const bool is_word_end = next_ == row_end_ || is_blank(*next_);
-  if (parsed != Parsed::ok || !is_word_end) fail_number(what(), parsed);
+  const bool is_whole_word = next_ == row_end_ || separates(*next_);
+  if (parsed != Parsed::ok || !is_whole_word) fail_number(what(), needed, parsed);
   return value;
 }
 
 template <class T, class What>
 T TextRows::finite_number(const What& what) {
   const T value = number<T>(what);
-  if (!std::isfinite(value)) fail(what() + " is not a finite number");
+  if (!std::isfinite(value)) fail_number(what(), "a finite number", Parsed::malformed);
   return value;
 }
 

@@ -1,0 +1,141 @@
+#include <clocale>
+
+#include "tm/io/bytes.h"
+
+using namespace transformesh;
+using namespace transformesh::testing;
+
+namespace {
+
+const std::vector<Format> all_formats{Format::ply_ascii, Format::ply_little, Format::ply_big,
+                                      Format::off,       Format::obj,        Format::stl_ascii,
+                                      Format::stl_binary};
+
+/// Coordinates that are floats, so that every format can hold them.
+Document float_document() {
+  Document document;
+  document.mesh = tetrahedron();
+  for (Vec3& position : document.mesh.positions)
+    position = position * 0.75 + Vec3(0.125, -3e-5F, 7);
+  round_positions(document.mesh, Scalar::float32);
+  return document;
+}
+
+std::vector<Vec3> corners(const Mesh& mesh) {
+  std::vector<Vec3> result;
+  for (const Face& face : mesh.faces) {
+    for (const Index corner : face) result.push_back(mesh.positions[corner]);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("mesh io: every format, read and written as every other, is the same mesh") {
+  const Document original = float_document();
+  for (const Format first : all_formats) {
+    Document document = original;
+    document.style.format = first;
+    const Document as_first = read_document(write_mesh(document).bytes);
+    CHECK(as_first.style.format == first);
+    for (const Format second : all_formats) {
+      Document next = as_first;
+      next.style.format = second;
+      const Document as_second = read_document(write_mesh(next).bytes);
+      CHECK(as_second.style.format == second);
+      CHECK(corners(as_second.mesh) == corners(original.mesh));
+      const auto is_soup = [](Format format) { return format >= Format::stl_ascii; };
+      if (is_soup(first) || is_soup(second)) continue;
+      CHECK(as_second.mesh.positions == original.mesh.positions);
+      CHECK(as_second.mesh.faces == original.mesh.faces);
+    }
+  }
+}
+
+TEST_CASE("mesh io: vertices without a face and their order stay") {
+  for (const Format format : {Format::ply_ascii, Format::ply_little, Format::off, Format::obj}) {
+    Document document = float_document();
+    document.mesh.positions.insert(document.mesh.positions.begin(), Vec3(5, 5, 5));
+    document.style.format = format;
+    CHECK(read_document(write_mesh(document).bytes).mesh.positions == document.mesh.positions);
+  }
+}
+
+TEST_CASE("mesh io: our comments survive the text formats") {
+  for (const Format format : {Format::ply_ascii, Format::ply_big, Format::off, Format::obj}) {
+    Document document = float_document();
+    document.style.comments = {"tm:reference-edge 0.25", "", "  indented #"};
+    document.style.format = format;
+    CHECK(read_document(write_mesh(document).bytes).style.comments == document.style.comments);
+  }
+}
+
+TEST_CASE("mesh io: the decimal comma of a locale changes nothing") {
+  const Document original = float_document();
+  std::vector<std::string> expected;
+  for (const Format format : all_formats) {
+    Document document = original;
+    document.style.format = format;
+    expected.push_back(write_mesh(document).bytes);
+  }
+  bool has_locale = false;
+  for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"}) {
+    has_locale = has_locale || std::setlocale(LC_ALL, name) != nullptr;
+  }
+  if (!has_locale) MESSAGE("no locale with a decimal comma is installed");
+  for (std::size_t i = 0; i < all_formats.size(); ++i) {
+    Document document = read_document(expected[i]);
+    CHECK(write_mesh(document).bytes == expected[i]);
+  }
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST_CASE("mesh io: the name of a file chooses its format") {
+  Format format = Format::ply_ascii;
+  CHECK(format_of_name("a.PLY", Format::ply_big, format));
+  CHECK(format == Format::ply_big);
+  CHECK(format_of_name("a.ply", Format::off, format));
+  CHECK(format == Format::ply_little);
+  CHECK(format_of_name("dir.ply/a.Off", Format::ply_ascii, format));
+  CHECK(format == Format::off);
+  CHECK(format_of_name("a.b.obj", Format::ply_ascii, format));
+  CHECK(format == Format::obj);
+  CHECK(format_of_name("a.stl", Format::stl_ascii, format));
+  CHECK(format == Format::stl_ascii);
+  CHECK(format_of_name("a.stl", Format::ply_ascii, format));
+  CHECK(format == Format::stl_binary);
+  for (const char* name : {"", "ply", "a.plyx", "a.ply/b", "-", "a."}) {
+    CHECK_FALSE(format_of_name(name, Format::ply_ascii, format));
+  }
+}
+
+TEST_CASE("mesh io: rounding to float") {
+  Mesh mesh = tetrahedron();
+  mesh.positions[0] = {0.1, 1e-60, -1.0 / 3};
+  Mesh same = mesh;
+  round_positions(same, Scalar::float64);
+  CHECK(same.positions == mesh.positions);
+  round_positions(mesh, Scalar::float32);
+  CHECK(mesh.positions[0] == Vec3(static_cast<double>(0.1F), 0, static_cast<double>(-1.0F / 3)));
+  mesh.positions[3][1] = -1e39;
+  CHECK_THROWS_AS(round_positions(mesh, Scalar::float32), GoalError);
+}
+
+TEST_CASE("mesh io: what is no mesh is refused with its first bytes") {
+  CHECK(read_error("") == "the input is empty: not a single byte of a mesh (input)");
+  CHECK(read_error("\x89PNG\r\n") ==
+        "unknown mesh format, starting with '\\x89PNG\\x0d\\x0a': PLY, OFF, OBJ and STL are read "
+        "(input)");
+  CHECK(contains(read_error("\x1f\x8b\x08"), "gzip -dc"));
+  CHECK(contains(read_error("just text"), "'just text'"));
+  CHECK(contains(read_error("plyx\n"), "unknown mesh format"));
+  CHECK(contains(read_error("\n \n"), "unknown mesh format"));
+  CHECK(contains(read_error("plyx", "a.ply"), "no line 'end_header'"));
+  CHECK(
+      contains(read_error("plyx\n", "a.ply"), "a PLY file starts with the line 'ply', not 'plyx'"));
+  CHECK(contains(read_error("4OFF\n", "a.off"), "not '4OFF'"));
+}
+
+TEST_CASE("mesh io: a byte order mark in front of text is skipped") {
+  CHECK(read_document("\xef\xbb\xbfOFF 1 0 0\n1 2 3\n").mesh.positions.size() == 1);
+}

@@ -1,0 +1,121 @@
+#include "tm/io/bytes.h"
+
+using namespace transformesh;
+using namespace transformesh::testing;
+
+namespace {
+
+Bytes binary_start(const std::string& header, std::uint64_t facets) {
+  Bytes file;
+  file.text(header + std::string(80 - header.size(), '\0')).u32(facets);
+  return file;
+}
+
+void add_facet(Bytes& file, float x, std::uint64_t attribute) {
+  file.f32(0).f32(0).f32(1);
+  file.f32(x).f32(0).f32(0).f32(x + 1).f32(0).f32(0).f32(x).f32(1).f32(0).u16(attribute);
+}
+
+const std::string text_file =
+    "solid box\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0.1\n"
+    "endloop\nendfacet\nendsolid box\n";
+
+}  // namespace
+
+TEST_CASE("stl: binary by hand and back; nothing is joined") {
+  Bytes file = binary_start("made by hand", 2);
+  add_facet(file, 0, 0);
+  add_facet(file, 0, 0);
+  const ReadResult result = read_mesh(file.str(), "input");
+  const Mesh& mesh = result.document.mesh;
+  CHECK(mesh.positions.size() == 6);
+  CHECK(mesh.positions[4] == Vec3(1, 0, 0));
+  CHECK(mesh.faces == std::vector<Face>{{0, 1, 2}, {3, 4, 5}});
+  CHECK(mesh.face_columns.columns.empty());
+  CHECK(result.document.style.coordinate == Scalar::float32);
+  CHECK(result.document.style.comments == std::vector<std::string>{"made by hand"});
+  CHECK(result.notes == std::vector<std::string>{"stl: 2 faces read as a soup of separate "
+                                                 "triangles; join them with tm-stitch"});
+  CHECK(write_mesh(result.document).bytes == file.str());
+}
+
+TEST_CASE("stl: attributes, headers that say solid, bytes behind the end") {
+  Bytes file = binary_start("solid but binary", 2);
+  add_facet(file, 0, 0);
+  add_facet(file, 5, 0xfffe);
+  const ReadResult result = read_mesh(file.str() + "rest", "input.stl");
+  CHECK(column(result.document.mesh.face_columns, "attribute").values ==
+        std::vector<double>{0, 65534});
+  CHECK(has_note(result.notes, "stl: 4 bytes after the last facet ignored"));
+  // Written without `solid`, by which others would take it for text.
+  CHECK(write_mesh(result.document).bytes.substr(0, 11) == std::string("but binary\0", 11));
+}
+
+TEST_CASE("stl: text by hand") {
+  const Document document = read_document(text_file);
+  CHECK(document.style.format == Format::stl_ascii);
+  CHECK(document.mesh.positions[2] == Vec3(0, 1, static_cast<double>(0.1F)));
+  CHECK(document.mesh.faces == std::vector<Face>{{0, 1, 2}});
+  CHECK(document.style.comments == std::vector<std::string>{"box"});
+}
+
+TEST_CASE("stl: text in upper case, several solids, odd normals, a name with facet in it") {
+  const ReadResult result = read_mesh(
+      "SOLID facet of a Gem\r\n  FACET NORMAL nan -nan(ind) 0\r\nOUTER LOOP VERTEX 0 0 0\r\n"
+      "VERTEX 1 0 0 VERTEX 0 1 0 ENDLOOP ENDFACET\r\nENDSOLID facet of a Gem\r\n\r\n"
+      "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
+      "vertex 0 1 0\nendloop\nendfacet\nendsolid\n",
+      "input");
+  CHECK(result.document.mesh.faces == std::vector<Face>{{0, 1, 2}, {3, 4, 5}, {3, 5, 6}});
+  CHECK(has_note(result.notes, "stl: 2 solids read as one mesh"));
+  CHECK(has_note(result.notes, "stl: 1 polygon cut into 2 triangles"));
+}
+
+TEST_CASE("stl: what is written by hand") {
+  Document document;
+  document.mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {9, 9, 9}};
+  document.mesh.faces = {{0, 2, 1}, {0, 0, 1}};
+  document.style.format = Format::stl_ascii;
+  document.style.comments = {"tm-shape 0.1.0 box", "a name", "another"};
+  document.mesh.face_columns.get("attribute", Scalar::uint16, 2);
+  const WriteResult result = write_mesh(document);
+  CHECK(result.bytes ==
+        "solid a name\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 2 0\n"
+        "vertex 2 0 0\nendloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n"
+        "vertex 0 0 0\nvertex 2 0 0\nendloop\nendfacet\nendsolid a name\n");
+  CHECK(result.notes ==
+        std::vector<std::string>{"stl: face property 'attribute' cannot be stored in STL, dropped",
+                                 "stl: 1 comment cannot be stored in STL, dropped",
+                                 "stl: 1 point without a face cannot be stored in STL, dropped"});
+  document.mesh.positions[1][0] = 0.1;
+  CHECK(has_note(write_mesh(document).notes, "stl: coordinates are rounded to float"));
+  document.mesh.positions[1][0] = 1e300;
+  CHECK_THROWS_AS(write_mesh(document), GoalError);
+}
+
+TEST_CASE("stl: errors name the place") {
+  Bytes file = binary_start("x", 2);
+  add_facet(file, 0, 0);
+  CHECK(read_error(file.str(), "a.stl") ==
+        "the header announces 2 facets, but only 1 follow: the file is cut off or not STL "
+        "(a.stl byte 80)");
+  CHECK(contains(read_error("short", "a.STL"), "not an STL file"));
+  Bytes infinite = binary_start("x", 1);
+  add_facet(infinite, std::numeric_limits<float>::infinity(), 0);
+  CHECK(read_error(infinite.str()) ==
+        "a coordinate of facet 0 is not a finite number (input byte 96)");
+
+  const auto changed = [](const std::string& from, const std::string& to) {
+    std::string text = text_file;
+    return read_error(text.replace(text.find(from), from.size(), to));
+  };
+  CHECK(changed("endsolid box\n", "") ==
+        "the data ends within facet 1, before 'endsolid' (input line 9)");
+  CHECK(changed("vertex 0 0 0", "vertex 0 0") ==
+        "a coordinate of facet 0 is missing (input line 4)");
+  CHECK(changed("vertex 0 0 0", "vertex 0 nan 0") ==
+        "a coordinate of facet 0 is not a finite number: 'nan' (input line 4)");
+  CHECK(changed("vertex 0 0 0", "vertex 0 1e39 0") ==
+        "a coordinate of facet 0 is out of range: '1e39' (input line 4)");
+  CHECK(changed("outer", "inner") == "'outer' is needed in facet 0, not 'inner' (input line 3)");
+}
