@@ -22,8 +22,8 @@ class BinaryCursor {
     const std::size_t size = byte_size(property.type);
     if (value < 0 || value > static_cast<double>(bytes_left() / size)) {
       fail("the length of " + table_.value_name(row_, property) + " is " +
-           std::to_string(static_cast<long>(value)) + ", but only " + std::to_string(bytes_left()) +
-           " bytes follow");
+           std::to_string(static_cast<long>(value)) + ", with only " +
+           counted(bytes_left(), "byte") + " left");
     }
     return static_cast<std::uint64_t>(value);
   }

@@ -37,7 +37,7 @@ std::string_view first_word(std::string_view text) {
     first = text.find_first_of("\r\n", first);
     first = text.find_first_not_of(blanks, first);
   }
-  if (first == std::string_view::npos) return {};
+  if (first == std::string_view::npos) return text.substr(text.size());
   const std::size_t last = text.find_first_of(" \t\r\n\v\f#", first);
   return text.substr(first, last - first);
 }
@@ -58,10 +58,12 @@ bool is_ascii_stl(std::string_view bytes) {
   return next == "facet" || next == "endsolid" || next.empty();
 }
 
-bool is_obj_keyword(std::string_view word) {
-  constexpr std::array<std::string_view, 14> keywords{
-      "v", "vn", "vt", "vp", "f", "o", "g", "s", "l", "p", "mtllib", "usemtl", "cstype", "fo"};
-  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+bool is_obj_start(std::string_view bytes, std::string_view word) {
+  constexpr std::array<std::string_view, 10> keywords{"v", "vn", "vt", "vp",     "f",
+                                                      "o", "g",  "s",  "mtllib", "usemtl"};
+  const auto end = static_cast<std::size_t>(word.data() + word.size() - bytes.data());
+  const bool has_values = end < bytes.size() && (bytes[end] == ' ' || bytes[end] == '\t');
+  return has_values && std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
@@ -72,7 +74,7 @@ std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   if (is_off_keyword(word)) return FileKind::off;
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
   if (is_ascii_stl(bytes)) return FileKind::stl_ascii;
-  if (is_obj_keyword(word)) return FileKind::obj;
+  if (is_obj_start(bytes, word)) return FileKind::obj;
   return {};
 }
 
