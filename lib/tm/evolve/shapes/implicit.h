@@ -1,0 +1,29 @@
+/// A mesh of the surface where a function is zero, with well-shaped triangles of equal size.
+/// The lattice is body-centred cubic; its points close to the surface move onto it, which leaves no
+/// slivers when its tetrahedra are cut; edge flips and tangential smoothing on the surface follow.
+/// Reference: Labelle & Shewchuk, "Isosurface stuffing", TOG 2007.
+#pragma once
+
+#include <functional>
+
+#include "tm/mesh/mesh.h"
+#include "tm/support/progress.h"
+
+namespace transformesh::shapes {
+
+/// A connected solid. Its function is negative inside, never steeper than 1, and smooth near the
+/// surface, where its gradient is not zero.
+struct ImplicitSolid {
+  std::function<double(const Vec3&)> function;
+  double half_width = 1.2;  ///< it lies in the cube [-half_width, half_width]^3
+  long genus = 0;           ///< of its surface
+};
+
+/// About `faces` triangles. Throws UsageError where that is too few for the genus, naming a number
+/// that is enough. O(faces).
+Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress& progress);
+
+/// The closest point of the surface, nearly, for a point close to it.
+Vec3 projected(const ImplicitSolid& solid, Vec3 point);
+
+}  // namespace transformesh::shapes
