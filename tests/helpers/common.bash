@@ -31,6 +31,12 @@ needs_command() {
   command -v "$1" >/dev/null || skip "$1 is not installed"
 }
 
+# winding_oracle INPUT OUTPUT [--level K] [--samples N] [--seed S]: whether OUTPUT is the boundary
+# of what INPUT encloses at least K times. Prints `tested N wrong N undecided N`; status 1 if wrong.
+winding_oracle() {
+  "$tm_build/bin-test/winding_oracle" "$@"
+}
+
 # What went wrong, shown when a test fails.
 fail() {
   echo "$*" >&2
