@@ -116,6 +116,10 @@ void Session::show_settings() {
   }
 }
 
+void Session::show_report() {
+  for (const std::string& key : report_.keys()) detail(key + ": " + text_of(*report_.find(key)));
+}
+
 void Session::write_mesh(Document& document, const std::vector<std::string>& words) {
   phases_.begin("write");
   if (!has_mesh_) apply_output_style(document, options_);
@@ -138,6 +142,7 @@ void Session::write_bytes(std::string_view bytes) {
 }
 
 void Session::write_report(bool as_json, const std::string& only_key) {
+  report_is_written_ = true;
   if (only_key.empty()) return write_bytes(as_json ? json_text(report_.json()) : report_.lines());
   const ReportValue* value = report_.find(only_key);
   if (value == nullptr) {
@@ -149,6 +154,7 @@ void Session::write_report(bool as_json, const std::string& only_key) {
 
 void Session::finish() {
   if (!settings_are_shown_) show_settings();
+  if (!report_is_written_) show_report();
   for (const auto& [path, bytes] : further_files_) outputs_.stage(path, bytes);
   if (!options_.report.empty()) outputs_.stage(options_.report, json_text(full_report()));
   outputs_.commit();

@@ -61,6 +61,7 @@ class Session : public Run {
   void refuse_binary_on_terminal(Format format) const;
   std::optional<double> resolved(const Option& option);
   void show_settings();
+  void show_report();
   nlohmann::ordered_json option_values();
   nlohmann::ordered_json full_report();
 
@@ -76,6 +77,7 @@ class Session : public Run {
   std::optional<Counts> output_counts_;
   bool has_mesh_ = false;
   bool settings_are_shown_ = false;
+  bool report_is_written_ = false;
   std::vector<std::pair<std::string, std::string>> further_files_;
   Outputs outputs_;
 };

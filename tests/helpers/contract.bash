@@ -1,0 +1,97 @@
+# What the contract's checks need to know about every program, and the meshes that they feed.
+
+# name|kind|arguments beside the input; MESH stands for a file with the mesh itself.
+contract_programs() {
+  cat <<'TABLE'
+tm-cat|filter|
+tm-checkmanifold|predicate|
+tm-clean|filter|
+tm-compare|predicate|--reference MESH
+tm-convert|filter|
+tm-displace|filter|--normal-speed 0.01
+tm-info|predicate|
+tm-intersect|filter|
+tm-morph-step|filter|--target MESH
+tm-remesh|filter|
+tm-render|picture|
+tm-shape|source|sphere --faces 500
+tm-stitch|filter|
+TABLE
+}
+
+# torus COLUMNS ROWS [SHIFT]: a closed mesh of 2 * COLUMNS * ROWS faces as ASCII PLY with float
+# coordinates, a comment, and properties that no program knows.
+torus() {
+  awk -v columns="$1" -v rows="$2" -v shift="${3:-0}" 'BEGIN {
+    print "ply\nformat ascii 1.0\ncomment made by hand"
+    print "element vertex " columns * rows
+    print "property float x\nproperty float y\nproperty float z\nproperty float quality"
+    print "element face " 2 * columns * rows
+    print "property list uchar int vertex_indices\nproperty int label\nend_header"
+    pi = atan2(0, -1)
+    for (i = 0; i < columns; ++i)
+      for (j = 0; j < rows; ++j) {
+        u = 2 * pi * i / columns
+        v = 2 * pi * j / rows
+        r = 2 + cos(v)
+        printf "%.5f %.5f %.5f %d\n", r * cos(u) + shift, r * sin(u), sin(v), i
+      }
+    for (i = 0; i < columns; ++i)
+      for (j = 0; j < rows; ++j) {
+        a = i * rows + j
+        b = (i + 1) % columns * rows + j
+        c = (i + 1) % columns * rows + (j + 1) % rows
+        d = i * rows + (j + 1) % rows
+        print 3, a, b, c, j
+        print 3, a, c, d, j
+      }
+  }'
+}
+
+# for_each KIND... -- FUNCTION: calls FUNCTION for every program of these kinds with $program,
+# $kind and the array $arguments set, and fails, naming the program, where FUNCTION does. Programs
+# of other kinds are named: the check makes no sense for them.
+for_each() {
+  local kinds=" " failed=0 rest row
+  while [ "$1" != -- ]; do
+    kinds+="$1 "
+    shift
+  done
+  while IFS='|' read -r -u 8 program kind rest; do
+    if [[ $kinds != *" $kind "* ]]; then
+      echo "# $program: not for a $kind" >&3
+      continue
+    fi
+    if [ ! -e "$tm_root/tools/$program.cpp" ]; then
+      echo "# $program: not written yet" >&3
+      continue
+    fi
+    read -ra row <<<"$rest"
+    arguments=("${row[@]/MESH/$mesh}")
+    # Not as a condition: bash would then go on after a failing line of the function.
+    set +e
+    (
+      set -e
+      "$2"
+    )
+    if [ $? -ne 0 ]; then
+      echo "$program ${arguments[*]}: failed" >&2
+      failed=1
+    fi
+    set -e
+  done 8< <(contract_programs)
+  return "$failed"
+}
+
+# Waits until a process, started in the background, catches SIGINT.
+wait_until_interruptible() {
+  local caught
+  for _ in $(seq 1000); do
+    kill -0 "$1" || fail "process $1 has ended early"
+    caught=$(awk '/^SigCgt:/ { print substr($2, length($2)) }' "/proc/$1/status" 2>/dev/null)
+    # Signal 2 is the second bit.
+    if [[ $caught == [2367abef] ]]; then return; fi
+    sleep 0.01
+  done
+  fail "process $1 never caught SIGINT"
+}

@@ -1,0 +1,173 @@
+# The command-line contract: the same checks over every program.
+
+load ../helpers/common
+load ../helpers/contract
+
+setup_file() {
+  export mesh=$BATS_FILE_TMPDIR/torus.ply
+  export crossing=$BATS_FILE_TMPDIR/crossing.ply
+  export binary=$BATS_FILE_TMPDIR/binary.ply
+  torus 24 12 >"$mesh"
+  tm-convert --no-provenance --format ply -o "$binary" "$mesh"
+  torus 24 12 1.1 | tm-cat --no-provenance --format ply -o "$crossing" "$mesh" -
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+}
+
+@test "the table names every program, and each is built" {
+  for source in "$tm_root"/tools/tm-*.cpp; do
+    program=$(basename "$source" .cpp)
+    contract_programs | grep -q "^$program|" || fail "tests/helpers/contract.bash lacks $program"
+    [ -x "$tm_build/bin/$program" ] || fail "$program is not built"
+  done
+}
+
+help_is_golden() {
+  diff "$tm_root/tests/tools/golden/$program.help" <("$program" --help 2>stderr) ||
+    fail "$program --help has changed; scripts/update-golden accepts the new text"
+  "$program" --help >/dev/null
+  [ ! -s stderr ]
+}
+@test "1: --help prints the golden text" {
+  for_each filter predicate picture source -- help_is_golden
+}
+
+version_is_printed() {
+  run --separate-stderr "$program" --version
+  assert_status 0
+  [[ $output =~ ^"$program "[0-9]+\.[0-9]+\.[0-9]+$ ]] && [ -z "$stderr" ]
+}
+@test "2: --version prints name and version" {
+  for_each filter predicate picture source -- version_is_printed
+}
+
+unknown_option_is_refused() {
+  run --separate-stderr "$program" "${arguments[@]}" --versoin "$mesh"
+  assert_status 2
+  one_line "$stderr"
+  [ -z "$output" ] && [[ $stderr == "$program: "*"'--versoin'"*"'--version'"* ]]
+}
+@test "3: an unknown option is exit 2 and one line that names the nearest" {
+  for_each filter predicate picture source -- unknown_option_is_refused
+}
+
+stdin_equals_file() {
+  "$program" "${arguments[@]}" "$mesh" >named
+  "$program" "${arguments[@]}" <"$mesh" >piped
+  cat "$mesh" | "$program" "${arguments[@]}" - >dash
+  cmp named piped && cmp named dash && [ -s named ]
+}
+@test "4: stdin equals the named file, byte for byte" {
+  for_each filter predicate picture -- stdin_equals_file
+}
+
+output_option_equals_stdout() {
+  [ "$kind" = source ] || arguments+=("$mesh")
+  "$program" "${arguments[@]}" >expected
+  "$program" "${arguments[@]}" -o target >stdout
+  cmp expected target && [ ! -s stdout ]
+}
+@test "5: -o FILE equals stdout" {
+  for_each filter predicate picture source -- output_option_equals_stdout
+}
+
+empty_input_is_refused() {
+  run --separate-stderr "$program" "${arguments[@]}" -o target </dev/null
+  assert_status 3
+  one_line "$stderr"
+  [ -z "$output" ] && [[ $stderr == "$program: "*empty* ]] && [ ! -e target ]
+}
+@test "6: empty input is exit 3 and says so" {
+  for_each filter predicate picture -- empty_input_is_refused
+}
+
+truncated_input_is_refused() {
+  head -c -7 "$binary" >truncated.ply
+  run --separate-stderr "$program" "${arguments[@]}" -o target truncated.ply
+  assert_status 3
+  one_line "$stderr"
+  [ -z "$output" ] && [[ $stderr == "$program: "* ]] && [ ! -e target ]
+}
+@test "7: truncated binary PLY is exit 3, and nothing is written" {
+  for_each filter predicate picture -- truncated_input_is_refused
+}
+
+closed_pipe_is_silent() {
+  [ "$kind" = source ] || arguments+=("$binary")
+  exec {pipe}> >(exit 0)
+  wait $!
+  code=0
+  "$program" "${arguments[@]}" >&"$pipe" 2>stderr || code=$?
+  [ "$code" -eq 141 ] && [ ! -s stderr ] || fail "exit code $code, $(cat stderr)"
+}
+@test "8: a closed output pipe ends the program silently" {
+  for_each filter predicate picture source -- closed_pipe_is_silent
+}
+
+failed_output_is_told() {
+  [ "$kind" = source ] || arguments+=("$binary")
+  code=0
+  "$program" "${arguments[@]}" 2>stderr || code=$?
+  [ "$code" -eq 5 ] || fail "exit code $code, $(cat stderr)"
+  one_line "$(cat stderr)"
+}
+full_disk_is_told() { failed_output_is_told >/dev/full; }
+closed_stdout_is_told() { failed_output_is_told >&-; }
+@test "9: a full disk and a closed stdout are exit 5 and told" {
+  for_each filter predicate picture source -- full_disk_is_told
+  for_each filter predicate picture source -- closed_stdout_is_told
+}
+
+header_survives() {
+  "$program" "${arguments[@]}" "$mesh" >output.ply
+  for line in "format ascii 1.0" "comment made by hand" "property float x" \
+    "property float quality" "property int label"; do
+    sed '/^end_header/q' output.ply | grep -qx "$line" || fail "lost: $line"
+  done
+}
+@test "10: an unknown property, a comment and the scalar type survive" {
+  for_each filter -- header_survives
+}
+
+threads_make_no_difference() {
+  [ "$kind" = source ] || arguments+=("$crossing")
+  for threads in 1 2 4; do
+    # A predicate's no is an answer too.
+    "$program" "${arguments[@]}" --threads "$threads" >"$threads" || [ $? -eq 1 ]
+  done
+  cmp 1 2 && cmp 1 4 && [ -s 1 ]
+}
+@test "11: 1, 2 and 4 threads give the same bytes" {
+  for_each filter predicate picture source -- threads_make_no_difference
+}
+
+# The program waits for the rest of its input, or for a reader of its output, when the signal comes.
+signal_ends_it() {
+  rm -rf folder && mkdir folder
+  mkfifo folder/fifo
+  if [ "$kind" = source ]; then
+    "$program" "${arguments[@]}" -o folder/fifo 3>&- 8>&- &
+  else
+    "$program" "${arguments[@]}" -o folder/target <folder/fifo 3>&- 8>&- &
+    exec 9>folder/fifo
+    head -c 1000 "$binary" >&9
+  fi
+  pid=$!
+  wait_until_interruptible "$pid"
+  before=$SECONDS
+  kill -s "$1" "$pid"
+  code=0
+  wait "$pid" || code=$?
+  [ "$code" -eq "$2" ] || fail "exit code $code"
+  # A second is promised; a loaded machine may take longer.
+  [ $((SECONDS - before)) -le 5 ] || fail "took $((SECONDS - before)) seconds"
+  [ "$(ls -A folder)" = fifo ] || fail "left behind: $(ls -A folder)"
+}
+interrupt_ends_it() { signal_ends_it INT 130; }
+termination_ends_it() { signal_ends_it TERM 143; }
+@test "12: SIGINT and SIGTERM end it at once, and leave no partial file" {
+  for_each filter predicate picture source -- interrupt_ends_it
+  for_each filter predicate picture source -- termination_ends_it
+}

@@ -1,0 +1,48 @@
+# Every program has a man page that lists exactly the options of its --help.
+
+load ../helpers/common
+
+programs() {
+  (cd "$tm_root/tools" && printf '%s\n' tm-*.cpp | sed 's/\.cpp$//')
+}
+
+# The long options that start an entry of the help.
+options_of_help() {
+  "$1" --help | sed -nE 's/^  (-[a-zA-Z], )?--([a-z0-9-]+).*/\2/p' | sort
+}
+
+# The long options in the terms of the page's definition lists, fragments included.
+options_of_page() {
+  grep -B1 '^:   ' "$tm_build/man/$1.1.md" | grep '^\*\*\\*-' |
+    grep -oE '\*\*\\?--[a-z0-9-]+' | sed -E 's/^\*\*\\?--//' | sort
+}
+
+@test "every program has a page with exactly its options" {
+  for program in $(programs); do
+    [ -e "$tm_root/man/$program.1.md" ] || fail "man/$program.1.md is missing"
+    diff <(options_of_help "$program") <(options_of_page "$program") ||
+      fail "man/$program.1.md (>) differs from $program --help (<)"
+  done
+}
+
+@test "every page has the fixed sections" {
+  for program in $(programs); do
+    for section in NAME SYNOPSIS DESCRIPTION OPTIONS REPORT EXAMPLES "EXIT STATUS" "SEE ALSO"; do
+      grep -qx "# $section" "$tm_build/man/$program.1.md" || fail "$program.1: no $section"
+    done
+  done
+}
+
+@test "every page becomes a man page that names its program" {
+  needs_command pandoc
+  for program in $(programs) tm; do
+    page=$(echo "$tm_build/man/$program".[17])
+    head -n 20 "$page" | grep -qi "^\.TH .*${program//-/.*}" || fail "$page"
+  done
+}
+
+@test "the suite's page names every program" {
+  for program in $(programs); do
+    grep -q "$program" "$tm_root/man/tm.7.md" || fail "man/tm.7.md does not name $program"
+  done
+}
