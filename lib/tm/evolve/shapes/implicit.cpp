@@ -10,12 +10,16 @@
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
 #include "tm/support/error.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh::shapes {
 namespace {
 
-constexpr int relax_iterations = 30;
+constexpr int relax_iterations = 20;
+constexpr std::size_t vertices_per_task = 1024;
+constexpr int march_attempts = 16;
 constexpr double good_enough = 0.01;  // relative error of the number of faces
+constexpr double acceptable = 0.05;
 
 double error_of(const Mesh& mesh, std::size_t faces) {
   return std::abs(std::log(static_cast<double>(mesh.faces.size()) / static_cast<double>(faces)));
@@ -29,59 +33,67 @@ bool has_topology(const Mesh& mesh, long genus) {
 }
 
 /// The mesh of right topology whose number of faces is closest to the one wanted. The number goes
-/// with the inverse square of the spacing, apart from how the lattice happens to lie.
-std::optional<Mesh> march_for(const ImplicitSolid& solid, std::size_t faces,
+/// with the inverse square of the spacing, apart from how the lattice happens to lie; a different
+/// lattice each time also helps where the shape is hardly resolved.
+std::optional<Mesh> march_for(const ImplicitSolid& solid, std::size_t faces, int attempts,
                               const Progress& progress) {
-  double spacing = solid.half_width * 1.6 / std::sqrt(2000.0);
-  spacing *= std::sqrt(static_cast<double>(march(solid, spacing).faces.size()) /
-                       static_cast<double>(faces));
   std::optional<Mesh> best;
-  for (int attempt = 0; attempt < 12; ++attempt) {
-    progress("march", attempt / 12.0);
-    Mesh mesh = march(solid, spacing);
-    spacing *= std::sqrt(std::max<double>(static_cast<double>(mesh.faces.size()), 4) /
-                         static_cast<double>(faces)) *
-               (1 + 0.003 * attempt);
-    if (!has_topology(mesh, solid.genus)) continue;
-    if (!best || error_of(mesh, faces) < error_of(*best, faces)) best = std::move(mesh);
-    if (error_of(*best, faces) < good_enough) break;
+  double spacing = 0.04 * solid.half_width;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    progress("march", static_cast<double>(attempt) / attempts);
+    Mesh mesh = march(solid, spacing, static_cast<unsigned>(attempt));
+    const double error = error_of(mesh, faces);
+    const double excess = static_cast<double>(mesh.faces.size()) / static_cast<double>(faces);
+    spacing *= std::clamp(std::sqrt(excess), 0.25, 4.0);
+    const bool is_better = error < acceptable && (!best || error < error_of(*best, faces));
+    if (!is_better || !has_topology(mesh, solid.genus)) continue;
+    best = std::move(mesh);
+    if (error < good_enough) break;
   }
   return best;
 }
 
+[[noreturn]] void refuse_few(const ImplicitSolid& solid, std::size_t faces,
+                             const Progress& progress) {
+  std::string advice = "many more are needed";
+  for (std::size_t enough = 2 * faces; enough <= 512 * faces && enough < 4000000; enough *= 2) {
+    if (!march_for(solid, enough, march_attempts / 2, progress)) continue;
+    advice = std::to_string(enough) + " are enough";
+    break;
+  }
+  throw UsageError(std::to_string(faces) + " faces are too few for this shape; " + advice);
+}
+
 }  // namespace
 
-Vec3 projected(const ImplicitSolid& solid, Vec3 point) {
+Vec3 projected(const ImplicitSolid& solid, const Vec3& point, int iterations) {
   const double step = 1e-5 * solid.half_width;
-  for (int iteration = 0; iteration < 4; ++iteration) {
-    const double value = solid.function(point);
+  Vec3 foot = point;
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    const double value = solid.function(foot);
+    if (std::abs(value) < 1e-13 * solid.half_width) break;
     Vec3 gradient;
     for (int axis = 0; axis < 3; ++axis) {
-      Vec3 ahead = point;
-      Vec3 back = point;
-      ahead[axis] += step;
-      back[axis] -= step;
-      gradient[axis] = (solid.function(ahead) - solid.function(back)) / (2 * step);
+      const Vec3 offset = step * Vec3::Unit(axis);
+      gradient[axis] = (solid.function(foot + offset) - solid.function(foot - offset)) / (2 * step);
     }
     const double squared = gradient.squaredNorm();
     if (squared < 1e-6) break;
-    point -= value / squared * gradient;
-    if (std::abs(value) < 1e-12 * solid.half_width) break;
+    foot -= value / squared * gradient;
   }
-  return point;
+  return foot;
 }
 
 Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress& progress) {
-  std::optional<Mesh> mesh = march_for(solid, faces, progress);
-  if (!mesh) {
-    std::size_t enough = 2 * faces;
-    while (!march_for(solid, enough, progress)) enough *= 2;
-    throw UsageError(std::to_string(faces) + " faces are too few for this shape; " +
-                     std::to_string(enough) + " are enough");
-  }
-  relax(
-      *mesh, [&](const Vec3& point) { return projected(solid, point); }, relax_iterations,
-      progress);
+  std::optional<Mesh> mesh = march_for(solid, faces, march_attempts, progress);
+  if (!mesh) refuse_few(solid, faces, progress);
+  // While everything moves, nearly on the surface is good enough.
+  const auto roughly = [&](const Vec3& point) { return projected(solid, point, 1); };
+  relax(*mesh, roughly, relax_iterations, progress);
+  parallel_for(mesh->positions.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v)
+      mesh->positions[v] = projected(solid, mesh->positions[v], 6);
+  });
   return std::move(*mesh);
 }
 

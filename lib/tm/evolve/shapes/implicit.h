@@ -23,7 +23,7 @@ struct ImplicitSolid {
 /// that is enough. O(faces).
 Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress& progress);
 
-/// The closest point of the surface, nearly, for a point close to it.
-Vec3 projected(const ImplicitSolid& solid, Vec3 point);
+/// The point of the surface, nearly the closest, that Newton steps along the gradient lead to.
+Vec3 projected(const ImplicitSolid& solid, const Vec3& point, int iterations);
 
 }  // namespace transformesh::shapes

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "tm/evolve/shapes/assembly.h"
+
 namespace transformesh::shapes {
 namespace {
 
 /// Lattice points closer to the surface than this, per spacing, move onto it.
-constexpr double snap_distance = 0.45;
+constexpr double snap_distance = 0.55;
 
 /// All even or all odd; the two kinds are the corners and the centres of the cubes.
 using Site = std::array<int, 3>;
@@ -23,29 +25,38 @@ struct LatticePoint {
   Index vertex = no_index;  ///< of the mesh, for points on the surface
 };
 
+/// Up to four of a tetrahedron's points or of a cut's corners.
+struct Selection {
+  std::array<Index, 4> item;
+  int size = 0;
+  void add(Index index) { item[size++] = index; }
+};
+
 class Marcher {
  public:
-  Marcher(const ImplicitSolid& solid, double spacing) : solid_(solid), spacing_(spacing) {}
+  Marcher(const ImplicitSolid& solid, double spacing, unsigned variant)
+      : solid_(solid), spacing_(spacing), turn_(generic_rotation(variant)) {}
 
   Mesh run() {
     int size = 4;
-    while (size * spacing_ < 2 * solid_.half_width + 8 * spacing_) size *= 2;
+    while (size * spacing_ < 2 * std::sqrt(3.0) * solid_.half_width + 8 * spacing_) size *= 2;
     visit({-size / 2, -size / 2, -size / 2}, size);
     remove_membranes();
     return std::move(mesh_);
   }
 
  private:
-  Vec3 place(const Site& site) const {
-    // Off the planes of symmetry that solids like to have.
-    return spacing_ * (Vec3(site[0], site[1], site[2]) + Vec3(0.317, 0.731, 0.523));
+  // Turned and shifted away from the planes and axes of symmetry that solids like to have.
+  Vec3 place(const Vec3& site) const {
+    return spacing_ * (turn_ * site + Vec3(0.317, 0.731, 0.523));
   }
+  Vec3 place(const Site& site) const { return place(Vec3(site[0], site[1], site[2])); }
 
   // Cubes that cannot meet the surface are left out: the function is never steeper than 1.
   void visit(const Site& low, int size) {
-    const Vec3 diagonal = spacing_ * Vec3::Constant(size);
-    const double reach = (diagonal / 2).norm() + 4 * spacing_;
-    if (std::abs(solid_.function(place(low) + diagonal / 2)) > reach) return;
+    const Vec3 center = Vec3(low[0], low[1], low[2]) + Vec3::Constant(size / 2.0);
+    const double reach = spacing_ * (std::sqrt(3.0) / 2 * size + 4);
+    if (std::abs(solid_.function(place(center))) > reach) return;
     if (size == 2) return cut_tetrahedra(low);
     const int half = size / 2;
     for (int corner = 0; corner < 8; ++corner)
@@ -86,36 +97,35 @@ class Marcher {
   LatticePoint evaluated(const Vec3& position) const {
     const double value = solid_.function(position);
     if (std::abs(value) < snap_distance * spacing_) {
-      const Vec3 foot = projected(solid_, position);
+      const Vec3 foot = projected(solid_, position, 3);
       if ((foot - position).norm() < snap_distance * spacing_) return {foot, 0, Side::on};
     }
     return {position, value, value < 0 ? Side::inside : Side::outside};
   }
 
   void cut(const std::array<Index, 4>& tetrahedron) {
-    std::vector<Index> inside, on, outside;
+    Selection inside, on, outside;
     for (const Index i : tetrahedron) {
       const Side side = points_[i].side;
-      (side == Side::inside ? inside : side == Side::on ? on : outside).push_back(i);
+      (side == Side::inside ? inside : side == Side::on ? on : outside).add(i);
     }
-    if (inside.empty() || (outside.empty() && on.size() < 3)) return;
+    if (inside.size == 0 || on.size + outside.size == 0) return;
 
     // The corners of the cut: the points on the surface, then where edges cross it.
-    std::vector<Index> corners;
-    for (const Index i : on) corners.push_back(vertex_on(i));
-    for (std::size_t i = 0; i < inside.size(); ++i)
-      for (std::size_t j = 0; j < outside.size(); ++j) {
+    Selection corners;
+    for (int i = 0; i < on.size; ++i) corners.add(vertex_on(on.item[i]));
+    for (int i = 0; i < inside.size; ++i)
+      for (int j = 0; j < outside.size; ++j) {
         // The second row backwards, so that a quadrilateral's corners go around.
-        const std::size_t column = i == 0 ? j : outside.size() - 1 - j;
-        corners.push_back(crossing(inside[i], outside[column]));
+        const int column = i == 0 ? j : outside.size - 1 - j;
+        corners.add(crossing(inside.item[i], outside.item[column]));
       }
-    if (corners.size() < 3) return;
-    const Vec3& behind = points_[inside[0]].position;
-    if (corners.size() == 3) return add_face(corners[0], corners[1], corners[2], behind);
-    add_quadrilateral(corners, behind);
+    const Vec3& behind = points_[inside.item[0]].position;
+    if (corners.size == 3) add_face(corners.item[0], corners.item[1], corners.item[2], behind);
+    if (corners.size == 4) add_quadrilateral(corners.item, behind);
   }
 
-  void add_quadrilateral(const std::vector<Index>& corners, const Vec3& behind) {
+  void add_quadrilateral(const std::array<Index, 4>& corners, const Vec3& behind) {
     const auto length = [&](int i, int j) {
       return (mesh_.positions[corners[i]] - mesh_.positions[corners[j]]).squaredNorm();
     };
@@ -178,6 +188,7 @@ class Marcher {
 
   const ImplicitSolid& solid_;
   const double spacing_;
+  const Eigen::Matrix3d turn_;
   std::vector<LatticePoint> points_;
   std::unordered_map<std::uint64_t, Index> point_of_site_;   // looked up only, never walked
   std::unordered_map<std::uint64_t, Index> vertex_of_edge_;  // likewise
@@ -186,6 +197,8 @@ class Marcher {
 
 }  // namespace
 
-Mesh march(const ImplicitSolid& solid, double spacing) { return Marcher(solid, spacing).run(); }
+Mesh march(const ImplicitSolid& solid, double spacing, unsigned variant) {
+  return Marcher(solid, spacing, variant).run();
+}
 
 }  // namespace transformesh::shapes

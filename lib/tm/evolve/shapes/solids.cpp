@@ -22,8 +22,8 @@ double smooth_minimum(double a, double b, double width) {
 struct PerforatedPlate {
   std::vector<Vec2> holes;
   double hole_radius = 1;
-  double wall = 1.15;  // between holes, and around them
-  double hub = 0;      // radius of the disk that fills the middle
+  double wall = 1.4;  // between holes, and around them
+  double hub = 0;     // radius of the disk that fills the middle
 
   explicit PerforatedPlate(long count) {
     const double spacing = 2 * hole_radius + wall;
@@ -105,8 +105,8 @@ Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
 }
 
 Mesh bowl(std::size_t faces, const Progress& progress) {
-  constexpr double radius = 1;
-  constexpr double thickness = 0.2;        // half of it
+  constexpr double radius = 0.9;
+  constexpr double thickness = 0.27;       // half of it
   constexpr double rim_angle = 0.05 * pi;  // above the horizon
   const Vec2 rim = radius * Vec2(std::cos(rim_angle), std::sin(rim_angle));
   ImplicitSolid solid;
