@@ -1,0 +1,114 @@
+#include "tm/picture/camera.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace transformesh {
+namespace {
+
+constexpr double field_of_view_deg = 30;
+constexpr double filled_share = 0.92;  ///< of the image's width or height
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+/// The axes of the front view.
+EyeAxes front_axes(Axis up) {
+  switch (up) {
+    case Axis::x:
+      return {-Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
+    case Axis::y:
+      return {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    default:
+      return {Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitY()};
+  }
+}
+
+/// Pixels per unit of x / depth, without zoom.
+double focal_length(int width, int height) {
+  return 0.5 * std::min(width, height) / std::tan(radians(field_of_view_deg / 2));
+}
+
+/// One direction of the image: the middle of the points, and how far back the eye must be.
+struct Fit {
+  double middle = 0;
+  double eye_back = 0;
+};
+
+/// An eye at (m, b) sees point (u, d) inside where |u - m| * slope <= b - d. That bounds
+/// b + slope m and b - slope m from below; with both at their bounds b is least.
+Fit fit(std::span<const Vec3> points, const Vec3& direction, const Vec3& back, double slope) {
+  double plus = -HUGE_VAL;
+  double minus = -HUGE_VAL;
+  for (const Vec3& point : points) {
+    const double place = slope * direction.dot(point);
+    plus = std::max(plus, back.dot(point) + place);
+    minus = std::max(minus, back.dot(point) - place);
+  }
+  return {(plus - minus) / (2 * slope), plus + (minus - plus) / 2};
+}
+
+}  // namespace
+
+Vec3 Camera::center() const {
+  const Eigen::Matrix3d left = projection.leftCols<3>();
+  return -left.inverse() * projection.col(3);
+}
+
+Camera Camera::resampled(int factor) const {
+  // Pixel x becomes factor x + (factor - 1) / 2: half a pixel before the first stays there.
+  Camera camera{projection, width * factor, height * factor};
+  for (int row = 0; row < 2; ++row)
+    camera.projection.row(row) =
+        factor * projection.row(row) + 0.5 * (factor - 1) * projection.row(2);
+  return camera;
+}
+
+EyeAxes eye_axes(const Orbit& orbit) {
+  const EyeAxes front = front_axes(orbit.up);
+  const double azimuth = radians(orbit.azimuth_deg);
+  const double elevation = radians(orbit.elevation_deg);
+  const Vec3 right = std::cos(azimuth) * front.right - std::sin(azimuth) * front.back;
+  const Vec3 level_back = std::sin(azimuth) * front.right + std::cos(azimuth) * front.back;
+  const Vec3 back = std::cos(elevation) * level_back + std::sin(elevation) * front.up;
+  return {right, back.cross(right), back};
+}
+
+Aim aim_at(std::span<const Vec3> points, const Orbit& orbit, int width, int height) {
+  const EyeAxes axes = eye_axes(orbit);
+  const double focal = focal_length(width, height);
+  const Fit across = fit(points, axes.right, axes.back, focal / (filled_share * width / 2));
+  const Fit along = fit(points, axes.up, axes.back, focal / (filled_share * height / 2));
+  const double eye_back = std::max(across.eye_back, along.eye_back);
+
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (const Vec3& point : points) {
+    low = std::min(low, axes.back.dot(point));
+    high = std::max(high, axes.back.dot(point));
+  }
+  const double middle = low + (high - low) / 2;
+  const double distance = eye_back - middle;
+  return {across.middle * axes.right + along.middle * axes.up + middle * axes.back,
+          distance > 0 ? distance : 1};
+}
+
+Camera orbit_camera(const Aim& aim, const Orbit& orbit, int width, int height) {
+  const EyeAxes axes = eye_axes(orbit);
+  const double focal = focal_length(width, height) * orbit.zoom;
+  Eigen::Matrix3d directions;
+  directions.row(2) = -axes.back;
+  directions.row(0) = focal * axes.right.transpose() + 0.5 * (width - 1) * directions.row(2);
+  directions.row(1) = -focal * axes.up.transpose() + 0.5 * (height - 1) * directions.row(2);
+
+  Camera camera;
+  camera.width = width;
+  camera.height = height;
+  camera.projection.leftCols<3>() = directions;
+  camera.projection.col(3) = -directions * (aim.target + aim.distance * axes.back);
+  return camera;
+}
+
+}  // namespace transformesh

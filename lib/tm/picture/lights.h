@@ -1,0 +1,29 @@
+/// A photographer's lights, which move with the eye: a key from the upper left, a fill from the
+/// right, a rim from behind, and sky and ground all around.
+#pragma once
+
+#include "tm/picture/camera.h"
+#include "tm/picture/color.h"
+
+namespace transformesh {
+
+class Lights {
+ public:
+  /// For an eye at the camera's centre; `upright` is the direction of the sky, of length 1.
+  Lights(const Camera& camera, const Vec3& upright);
+
+  /// The light that leaves a surface of that colour towards the eye. The normal and the direction
+  /// to the eye have length 1.
+  Color reflected(const Color& surface, const Eigen::Vector3f& normal,
+                  const Eigen::Vector3f& to_eye) const;
+
+ private:
+  struct Light {
+    Eigen::Vector3f direction;  ///< towards it
+    Color color;
+  };
+  std::array<Light, 3> lights_;
+  Eigen::Vector3f upright_;
+};
+
+}  // namespace transformesh

@@ -1,0 +1,33 @@
+/// One picture of one or several meshes, side by side, each framed by itself.
+#pragma once
+
+#include <span>
+
+#include "tm/picture/camera.h"
+#include "tm/picture/shade.h"
+#include "tm/support/progress.h"
+
+namespace transformesh {
+
+/// What fills a panel: its own mesh; as much as the largest mesh needs, so that sizes compare; or
+/// the box of all meshes, so that places compare too.
+enum class Framing { each, scale, place };
+
+struct PictureOptions {
+  int width = 800;   ///< pixels of the whole picture, [1, 32768]
+  int height = 600;  ///< at most 2^26 pixels in all
+  Orbit orbit;       ///< orbit.up is also where the sky is
+  Framing framing = Framing::each;
+  int columns = 0;               ///< panels in a row; 0: all
+  const Mesh* around = nullptr;  ///< frames this mesh in every panel instead: a film keeps still
+  ShadeOptions shade;
+};
+
+/// Panels go from left to right, then down. Throws InputError for a mesh without faces, UsageError
+/// for a size out of range, with less than a pixel for a panel, or a highlighted column that no
+/// mesh has; meshes without it are drawn without highlights. Deterministic for any number of
+/// threads.
+Image picture(std::span<const Mesh* const> meshes, const PictureOptions& options = {},
+              const Progress& progress = {});
+
+}  // namespace transformesh

@@ -1,0 +1,47 @@
+/// Which face each pixel of a camera sees, at what depth, and where in the face.
+/// Reference: Olano & Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics
+/// Hardware 1997: faces that reach behind the eye need no clipping.
+///
+/// A pixel sees what its centre sees. Faces that share an edge leave no gap between them; of faces
+/// at the same depth the lowest index is seen. Both sides of a face are seen; faces on edge to the
+/// eye, collapsed or behind it are not. Depths are floats, weights are perspective-correct.
+/// Cost: O(faces + pixels covered), parallel over rows; deterministic for any number of threads.
+#pragma once
+
+#include <vector>
+
+#include "tm/mesh/mesh.h"
+#include "tm/picture/camera.h"
+
+namespace transformesh {
+
+struct FacePixel {
+  Index face = no_index;
+  float depth = 0;                ///< as the camera defines it
+  std::array<float, 2> weight{};  ///< of the face's corners 0 and 1; that of corner 2 is the rest
+};
+
+struct FaceBuffer {
+  int width = 0;
+  int height = 0;
+  std::vector<FacePixel> pixels;  ///< rows from the top
+
+  const FacePixel& at(int x, int y) const {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
+  }
+};
+
+FaceBuffer rasterize(const Mesh& mesh, const Camera& camera);
+
+/// The linear functions of pixel (x, y, 1) that vanish on the image of the edge across from each
+/// corner and are positive on the face's side of it. Their sum is `depth_numerator` / depth, each
+/// one's share of the sum the corner's weight. All zero for a face that cannot be seen.
+struct EdgeFunctions {
+  std::array<Vec3, 3> edge{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  double depth_numerator = 0;
+};
+/// From the projections of the corners.
+EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace transformesh

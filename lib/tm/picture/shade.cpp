@@ -1,0 +1,116 @@
+#include "tm/picture/shade.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "tm/picture/corner_normals.h"
+#include "tm/picture/lights.h"
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t rows_per_task = 8;
+constexpr double line_half_width = 0.45;  ///< in pixels; the face beyond the edge adds as much
+constexpr float line_strength = 0.65F;
+const Color line_color = color_of_srgb(0.10, 0.12, 0.16);
+
+class Shader {
+ public:
+  Shader(const Mesh& mesh, const Camera& samples, const ShadeOptions& options)
+      : mesh_(mesh),
+        camera_(samples),
+        options_(options),
+        color_(mesh, options.color),
+        lights_(samples, options.upright),
+        eye_(samples.center()),
+        normals_(corner_normals(mesh, options.crease_angle_deg)),
+        buffer_(rasterize(mesh, samples)) {}
+
+  /// The mean of the samples of a pixel.
+  Pixel pixel(int x, int y) const {
+    const int n = options_.samples;
+    Color sum = Color::Zero();
+    int hits = 0;
+    for (int j = y * n; j < (y + 1) * n; ++j)
+      for (int i = x * n; i < (x + 1) * n; ++i) {
+        if (buffer_.at(i, j).face == no_index) continue;
+        sum += sample(i, j).cwiseMin(1.0F);
+        ++hits;
+      }
+    return blended(sum, hits, n * n, y);
+  }
+
+ private:
+  Pixel blended(const Color& sum, int hits, int samples, int y) const {
+    const Background& background = options_.background;
+    if (background.is_transparent) {
+      if (hits == 0) return {0, 0, 0, 0};
+      const auto alpha = static_cast<std::uint8_t>((255 * hits + samples / 2) / samples);
+      return opaque(sum / static_cast<float>(hits), alpha);
+    }
+    const Color behind = background.at(y, camera_.height / options_.samples);
+    const Color all = sum + static_cast<float>(samples - hits) * behind;
+    return opaque(all / static_cast<float>(samples), 255);
+  }
+
+  static Pixel opaque(const Color& color, std::uint8_t alpha) {
+    return {srgb_byte(color[0]), srgb_byte(color[1]), srgb_byte(color[2]), alpha};
+  }
+
+  Color sample(int x, int y) const {
+    const FacePixel& hit = buffer_.at(x, y);
+    const Face& face = mesh_.faces[hit.face];
+    const Vec3& a = mesh_.positions[face[0]];
+    const Vec3& b = mesh_.positions[face[1]];
+    const Vec3& c = mesh_.positions[face[2]];
+    const Vec3 to_eye = eye_ - (c + hit.weight[0] * (a - c) + hit.weight[1] * (b - c));
+    const bool is_front = (b - a).cross(c - a).dot(eye_ - a) > 0;
+
+    const CornerNormals& corners = normals_[hit.face];
+    const float rest = 1 - hit.weight[0] - hit.weight[1];
+    const Eigen::Vector3f normal =
+        (hit.weight[0] * corners[0] + hit.weight[1] * corners[1] + rest * corners[2]).normalized();
+    const Color lit = lights_.reflected(color_.at(hit, is_front), is_front ? normal : -normal,
+                                        to_eye.normalized().cast<float>());
+    if (!options_.draw_edges || !is_on_line(face, x, y)) return lit;
+    return lit + line_strength * (line_color - lit);
+  }
+
+  /// Whether the sample is close to an edge of its face, as seen in the picture.
+  bool is_on_line(const Face& face, int x, int y) const {
+    const EdgeFunctions functions = edge_functions(camera_.project(mesh_.positions[face[0]]),
+                                                   camera_.project(mesh_.positions[face[1]]),
+                                                   camera_.project(mesh_.positions[face[2]]));
+    const double width = line_half_width * options_.samples;
+    return std::any_of(functions.edge.begin(), functions.edge.end(), [&](const Vec3& edge) {
+      return edge.dot(Vec3(x, y, 1)) < width * std::hypot(edge.x(), edge.y());
+    });
+  }
+
+  const Mesh& mesh_;
+  const Camera& camera_;
+  const ShadeOptions& options_;
+  const SurfaceColor color_;
+  const Lights lights_;
+  const Vec3 eye_;
+  const std::vector<CornerNormals> normals_;
+  const FaceBuffer buffer_;
+};
+
+}  // namespace
+
+Image shade(const Mesh& mesh, const Camera& camera, const ShadeOptions& options) {
+  const Camera samples = camera.resampled(options.samples);
+  const Shader shader(mesh, samples, options);
+  Image image(camera.width, camera.height);
+  parallel_for(static_cast<std::size_t>(image.height), rows_per_task,
+               [&](std::size_t first, std::size_t last) {
+                 for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
+                   for (int x = 0; x < image.width; ++x) image.at(x, y) = shader.pixel(x, y);
+               });
+  return image;
+}
+
+}  // namespace transformesh

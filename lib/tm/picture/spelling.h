@@ -1,0 +1,25 @@
+/// How sizes, angles and colours of pictures are written on a command line. Each throws UsageError
+/// with the text and an example where it cannot be read. Independent of the locale.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "tm/picture/background.h"
+
+namespace transformesh {
+
+/// `800x600`: width and height, at least 1.
+std::pair<int, int> parse_size(std::string_view text);
+
+/// `30,20`: azimuth and elevation in degrees.
+std::pair<double, double> parse_orbit(std::string_view text);
+
+/// `#rrggbb` or `#rgb`, or one of white, black, grey.
+Color parse_color(std::string_view text);
+
+/// `default`, `transparent`, a colour, or two from top to bottom: `white,#8899aa`.
+Background parse_background(std::string_view text);
+
+}  // namespace transformesh

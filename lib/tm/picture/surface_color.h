@@ -1,0 +1,40 @@
+/// The colour of the surface itself, before any light falls on it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tm/mesh/mesh.h"
+#include "tm/picture/color.h"
+#include "tm/picture/rasterize.h"
+
+namespace transformesh {
+
+struct SurfaceColorOptions {
+  /// Of every front side; without it the columns red, green and blue of the vertices, else of the
+  /// faces (integers up to 255, floats up to 1), else a light blue-grey.
+  std::optional<Color> front;
+  /// Name of a face column, else of a vertex column: where it is not zero the surface is orange.
+  /// None where empty.
+  std::string highlight;
+};
+
+class SurfaceColor {
+ public:
+  /// Keeps a reference to the mesh. Throws UsageError where the column to highlight is missing.
+  SurfaceColor(const Mesh& mesh, const SurfaceColorOptions& options);
+
+  /// Back sides are tinted towards dark red, so that surfaces inside out stand out.
+  Color at(const FacePixel& pixel, bool is_front) const;
+
+ private:
+  const Mesh* mesh_;
+  Color front_;
+  std::vector<Color> vertex_colors_;  ///< empty where the vertices have none
+  std::vector<Color> face_colors_;
+  const Column* face_highlight_ = nullptr;
+  const Column* vertex_highlight_ = nullptr;
+};
+
+}  // namespace transformesh
