@@ -155,7 +155,7 @@ const std::vector<Kind>& kinds() {
       {"tori", {"gap"}, {}, 0, make_tori},
       {"dumbbell", {"neck"}, {}, 0, make_dumbbell},
       {"bowl", {}, {}, 0, make_bowl},
-      {"folded", {"radius"}, {"sphere"}, 0.2, make_folded},
+      {"folded", {"radius"}, {"sphere"}, 0.38, make_folded},
       {"tangle", {"radius", "tube"}, {"2", "3"}, 0, make_tangle},
       {"many-spheres", {"count"}, {}, 0, make_many_spheres},
       {"boxes", {"count"}, {}, 0, make_boxes},
