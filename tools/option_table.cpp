@@ -15,6 +15,9 @@ struct ValueText {
   std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
   std::string operator()(const double* value) const { return shortest_text(*value); }
   std::string operator()(const long* value) const { return std::to_string(*value); }
+  std::string operator()(const std::optional<long>* value) const {
+    return *value ? std::to_string(**value) : "";
+  }
   std::string operator()(const std::string* value) const { return *value; }
   std::string operator()(const Length* value) const { return value->text(); }
   std::string operator()(const std::optional<Length>* value) const {

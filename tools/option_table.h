@@ -13,8 +13,8 @@
 namespace transformesh::tool {
 
 /// The variable that an option sets.
-using OptionTarget = std::variant<bool*, double*, long*, std::string*, Length*,
-                                  std::optional<Length>*, std::vector<double>*>;
+using OptionTarget = std::variant<bool*, double*, long*, std::optional<long>*, std::string*,
+                                  Length*, std::optional<Length>*, std::vector<double>*>;
 
 struct Option {
   std::string name;  ///< without dashes
@@ -55,6 +55,8 @@ Option number_option(const std::string& name, double* value, double minimum, dou
                      const std::string& help);
 Option integer_option(const std::string& name, long* value, long minimum, long maximum,
                       const std::string& help);
+Option integer_option(const std::string& name, std::optional<long>* value, long minimum,
+                      long maximum, const std::string& help);
 Option length_option(const std::string& name, Length* value, const std::string& help,
                      bool may_be_negative);
 Option length_option(const std::string& name, std::optional<Length>* value, const std::string& help,

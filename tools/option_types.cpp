@@ -36,6 +36,12 @@ void check_range(Number number, const std::string& text, Number minimum, Number 
     throw UsageError(quoted(text) + " is too large: at most " + text_of(maximum));
 }
 
+long parse_integer(const std::string& text, long minimum, long maximum) {
+  const auto number = parse_whole<long>(text, "a whole number");
+  check_range(number, text, minimum, maximum);
+  return number;
+}
+
 Length parse_checked_length(const std::string& text, bool may_be_negative) {
   const Length length = parse_length(text);
   if (length.value < 0 && !may_be_negative) {
@@ -79,11 +85,18 @@ Option number_option(const std::string& name, double* value, double minimum, dou
 
 Option integer_option(const std::string& name, long* value, long minimum, long maximum,
                       const std::string& help) {
-  return {name, 0, "N", help, value, [=](const std::string& text) {
-            const long number = parse_whole<long>(text, "a whole number");
-            check_range(number, text, minimum, maximum);
-            *value = number;
-          }};
+  return {name,  0,
+          "N",   help,
+          value, [=](const std::string& text) {
+            *value = parse_integer(text, minimum, maximum); }};
+}
+
+Option integer_option(const std::string& name, std::optional<long>* value, long minimum,
+                      long maximum, const std::string& help) {
+  return {name,  0,
+          "N",   help,
+          value, [=](const std::string& text) {
+            *value = parse_integer(text, minimum, maximum); }};
 }
 
 Option length_option(const std::string& name, Length* value, const std::string& help,

@@ -31,6 +31,9 @@ nlohmann::ordered_json value_of(const Option& option) {
   if (const auto* flag = std::get_if<bool*>(&option.target)) return **flag;
   if (const auto* number = std::get_if<double*>(&option.target)) return **number;
   if (const auto* integer = std::get_if<long*>(&option.target)) return **integer;
+  if (const auto* integer = std::get_if<std::optional<long>*>(&option.target);
+      integer != nullptr && (*integer)->has_value())
+    return (*integer)->value();
   if (const auto* numbers = std::get_if<std::vector<double>*>(&option.target)) return **numbers;
   return option.value_text();
 }

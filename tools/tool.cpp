@@ -137,6 +137,11 @@ void Program::integer(const std::string& option, long* value, long minimum, long
   implementation_->table.add(integer_option(option, value, minimum, maximum, help));
 }
 
+void Program::integer(const std::string& option, std::optional<long>* value, long minimum,
+                      long maximum, const std::string& help) {
+  implementation_->table.add(integer_option(option, value, minimum, maximum, help));
+}
+
 void Program::length(const std::string& option, Length* value, const std::string& help,
                      bool may_be_negative) {
   implementation_->table.add(length_option(option, value, help, may_be_negative));

@@ -69,6 +69,8 @@ class Program {
               const std::string& help);
   void integer(const std::string& option, long* value, long minimum, long maximum,
                const std::string& help);
+  void integer(const std::string& option, std::optional<long>* value, long minimum, long maximum,
+               const std::string& help);
   /// A length must be >= 0 unless `may_be_negative`.
   void length(const std::string& option, Length* value, const std::string& help,
               bool may_be_negative = false);

@@ -32,10 +32,11 @@ struct ShapeOptions {
   std::optional<double> gap;   ///< two-spheres, tori: between the two; negative where they overlap
   std::optional<double> neck;  ///< dumbbell: radius; negative where it is inverted
   std::optional<std::size_t> count;  ///< many-spheres, boxes
-  std::optional<double> noise;       ///< along the normals; >= 0, default 0, of folded 0.38 of its diagonal
-  std::uint64_t seed = 1;            ///< of the noise and of random shapes
-  std::optional<Box> around;         ///< sphere: contains this box with a little room
-  Vec3 center = Vec3::Zero();        ///< where the shape's own origin goes
+  std::optional<double>
+      noise;               ///< along the normals; >= 0, default 0, of folded 0.38 of its diagonal
+  std::uint64_t seed = 1;  ///< of the noise and of random shapes
+  std::optional<Box> around;   ///< sphere: contains this box with a little room
+  Vec3 center = Vec3::Zero();  ///< where the shape's own origin goes
 };
 
 /// The names of all kinds, in the order of the manual.
