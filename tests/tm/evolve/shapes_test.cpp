@@ -293,7 +293,7 @@ TEST_CASE("volumes are those of the smooth shapes, up to the flatness of faces")
     options.faces = 12000;
     const double fine = 1 - signed_volume(make_shape(options)) / volume;
     CHECK(coarse > 0);
-    CHECK(coarse < 0.02);
+    CHECK(coarse < 0.03);
     CHECK(coarse / fine == doctest::Approx(4).epsilon(0.08));
   };
   ShapeOptions sphere = shape("sphere");
@@ -384,8 +384,7 @@ TEST_CASE("workloads cross themselves, in general position") {
 
 TEST_CASE("overlaps have winding number 2 and an inverted neck -1") {
   CHECK(winding_number(make_shape(shape("two-spheres")), {0, 0, 0}) == doctest::Approx(2));
-  CHECK(winding_number(make_shape(with_gap(shape("tori"), -0.1)), {0.3, 0, 0}) ==
-        doctest::Approx(0));
+  CHECK(winding_number(make_shape(with_gap(shape("tori"), -0.1)), {0, 0, 0}) == doctest::Approx(2));
   const Mesh plain = make_shape(shape("dumbbell"));
   const Mesh inverted = make_shape(with_neck(shape("dumbbell"), -0.15));
   CHECK(winding_number(plain, {0, 0, 0}) == doctest::Approx(1));

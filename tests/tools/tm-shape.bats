@@ -1,0 +1,101 @@
+# Shapes without input; what they are is tested in tests/tm/evolve/shapes_test.cpp.
+
+load ../helpers/common
+
+# refused TEXT COMMAND...: exit 2, nothing on stdout, one line on stderr that contains TEXT.
+refused() {
+  local text=$1
+  shift
+  run --separate-stderr "$@"
+  assert_status 2
+  [ -z "$output" ] || fail "output despite the error"
+  one_line "$stderr"
+  [[ $stderr == "tm-shape: "*"$text"* ]] || fail "'$text' is not in: $stderr"
+}
+
+header_of() {
+  head -c 400 "$1" | sed '/^end_header/q' | tr -d '\0'
+}
+
+faces_of() {
+  header_of "$1" | sed -n 's/^element face //p'
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+}
+
+@test "the default is binary little endian PLY with double coordinates and nothing else" {
+  tm-shape sphere --faces 320 >sphere.ply
+  run header_of sphere.ply
+  [ "$output" = "ply
+format binary_little_endian 1.0
+comment tm-shape $(tm-shape --version | cut -d' ' -f2) sphere --faces 320
+element vertex 162
+property double x
+property double y
+property double z
+element face 320
+property list uchar int vertex_indices
+end_header" ] || fail "$output"
+}
+
+@test "every kind of the manual works with its default, into a pipe too" {
+  for kind in sphere ellipsoid box torus genus torus-knot two-spheres tori dumbbell bowl folded \
+    tangle many-spheres boxes pinch; do
+    grep -qE "^\*\*$kind\*\*" "$tm_root/man/tm-shape.1.md" || fail "$kind is not in the manual"
+    pipe "tm-shape $kind --faces 1200 | tm-convert --format off | head -n 1"
+    [ "$output" = OFF ] || fail "$kind: $output"
+  done
+}
+
+@test "the same options give the same bytes, another seed others" {
+  tm-shape folded --seed 7 >first.ply
+  tm-shape folded --seed 7 >second.ply
+  tm-shape folded --seed 8 --no-provenance >third.ply
+  tm-shape folded --seed 7 --no-provenance >fourth.ply
+  cmp first.ply second.ply
+  run cmp third.ply fourth.ply
+  assert_status 1
+}
+
+@test "lengths in % are of the shape, or of the box to go around" {
+  tm-shape torus -o torus.ply
+  tm-shape sphere --edge 1% -o fine.ply
+  tm-shape sphere --edge 2% -o coarse.ply
+  tm-shape sphere --edge 2% --around torus.ply -o around.ply
+  awk -v fine="$(faces_of fine.ply)" -v coarse="$(faces_of coarse.ply)" \
+    'BEGIN { exit !(fine / coarse > 3.8 && fine / coarse < 4.2) }' || fail "$(faces_of fine.ply)"
+  [ "$(faces_of around.ply)" -gt 1000 ]
+}
+
+@test "negative lengths are values, not options" {
+  tm-shape two-spheres --gap -0.2 -o overlapping.ply
+  tm-shape dumbbell --neck=-0.1 -o inverted.ply
+}
+
+@test "an unknown kind is refused with the nearest" {
+  refused "did you mean 'sphere'?" tm-shape shpere
+  refused "did you mean 'torus-knot'?" tm-shape torus_knot
+  refused "KIND" tm-shape
+}
+
+@test "bad parameters are refused in one clear line" {
+  refused "common factor" tm-shape torus-knot 2 4
+  refused "2 parameters" tm-shape torus-knot 2
+  refused "'0' is not an integer" tm-shape genus 0
+  refused "too few" tm-shape genus 8 --faces 500
+  refused "--radius" tm-shape sphere --radius -1
+  refused "--radius must be positive" tm-shape sphere --radius 0
+  refused "dumbbell" tm-shape sphere --neck 0.1
+  refused "give one of them" tm-shape sphere --faces 100 --edge 0.1
+  refused "10^9" tm-shape sphere --edge 1e-7
+  refused "x" tm-shape sphere --edge 0.7x
+  refused "--around" tm-shape torus --around /dev/null
+}
+
+@test "a file to go around that is missing or empty is bad input" {
+  run --separate-stderr tm-shape sphere --around missing.ply
+  assert_status 3
+  one_line "$stderr"
+}
