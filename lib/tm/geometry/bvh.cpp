@@ -36,29 +36,6 @@ std::vector<BoxQuad> pack(std::size_t count, const BoxOf& box_of) {
   return quads;
 }
 
-/// A little below the squared distances between the point and the boxes, so that rounding does not
-/// hide a box that holds a point as near as the nearest; NaN for unused boxes.
-std::array<double, 4> squared_distances(const BoxQuad& quad, const Vec3& point) {
-  constexpr double rounding = 1 - 8 * std::numeric_limits<double>::epsilon();
-  std::array<double, 4> sums{};
-  for (int axis = 0; axis < 3; ++axis)
-    for (int lane = 0; lane < 4; ++lane) {
-      const double below = quad.minimum[axis][lane] - point[axis];
-      const double above = point[axis] - quad.maximum[axis][lane];
-      const double outside = std::max(std::max(below, above), 0.0);  // keeps NaN
-      sums[lane] += outside * outside;
-    }
-  for (double& sum : sums) sum *= rounding;
-  return sums;
-}
-
-/// A quad, or at level -1 a box, that waits for its visit.
-struct Waiting {
-  double distance;
-  int level;
-  Index index;
-};
-
 }  // namespace
 
 Bvh::Bvh(std::span<const FloatBox> boxes) : order_(hilbert_order(boxes)) {
@@ -91,34 +68,6 @@ void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& 
       } else if (!visit(order_[below])) {
         return;
       }
-    }
-  }
-}
-
-void Bvh::visit_nearest(const Vec3& point, double& bound_squared,
-                        const std::function<void(Index)>& visit) const {
-  if (empty()) return;
-  std::array<Waiting, stack_size> stack;
-  std::size_t waiting = 0;
-  stack[waiting++] = {0, static_cast<int>(levels_.size()) - 1, 0};
-  while (waiting > 0) {
-    const auto [distance, level, index] = stack[--waiting];
-    if (!(distance <= bound_squared)) continue;
-    if (level < 0) {
-      visit(order_[index]);
-      continue;
-    }
-
-    // The nearest of the four on top of the stack.
-    const auto distances =
-        squared_distances(levels_[static_cast<std::size_t>(level)][index], point);
-    const std::size_t first = waiting;
-    for (unsigned lane = 0; lane < 4; ++lane) {
-      if (!(distances[lane] <= bound_squared)) continue;
-      std::size_t slot = waiting++;
-      for (; slot > first && stack[slot - 1].distance < distances[lane]; --slot)
-        stack[slot] = stack[slot - 1];
-      stack[slot] = {distances[lane], level - 1, 4 * index + lane};
     }
   }
 }

@@ -1,8 +1,8 @@
-/// A bounding volume hierarchy over boxes, for pairs of overlapping boxes and for queries. Boxes
+/// A bounding volume hierarchy over boxes, for pairs of overlapping boxes. Boxes
 /// are packed four by four in the order of a Hilbert curve, level upon level, and four are tested
 /// at once; touching counts as overlap. Building and pair searches run on all allowed threads;
 /// results do not depend on their number. Every level is as shallow as counting allows, whatever
-/// the boxes: many equal boxes cost pairs, not depth.
+/// the boxes: many equal boxes cost pairs, not depth. (MedianTree serves nearest queries.)
 /// Cost: O(n) to build for boxes in distinct places, 40 bytes per box.
 /// Reference: Kamel & Faloutsos, "On packing R-trees", CIKM 1993.
 #pragma once
@@ -35,12 +35,6 @@ class Bvh {
 
   /// Calls visit(i) for every box that overlaps `box`, until it returns false.
   void visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit) const;
-  /// Calls visit(i) for boxes no farther from the point than the bound, near ones first as far as
-  /// the tree tells. `visit` may lower the bound. Every box within the final bound is visited, so
-  /// the smallest of (distance, index) does not depend on the order.
-  void visit_nearest(const Vec3& point, double& bound_squared,
-                     const std::function<void(Index)>& visit) const;
-
   bool empty() const { return order_.empty(); }
 
  private:

@@ -1,20 +1,38 @@
 /// The closest point of a triangle mesh, and on which side of it a query lies.
+/// Vertices are the same when their indices are: the sign of a soup whose faces share no indices is
+/// that of single faces. Floating point; deterministic; the face of lowest index wins ties. Safe to
+/// call from several threads at once.
+/// Cost: O(n log n) to build on all allowed threads, O(log n) a query on usual meshes.
 /// Reference for the sign: Baerentzen & Aanaes, "Signed distance computation using the angle
-/// weighted pseudonormal", TVCG 2005. Floating point; deterministic; the face of lowest index wins
-/// ties. Cost: O(log n) a query on usual meshes.
+/// weighted pseudonormal", TVCG 11(3), 2005.
 #pragma once
 
-#include "tm/geometry/bvh.h"
+#include <vector>
+
+#include "tm/geometry/median_tree.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
+
+/// The part of a triangle on which a point lies: corner i, the edge from corner i to the next, or
+/// the inside.
+enum class TrianglePart { corner_0, corner_1, corner_2, edge_0, edge_1, edge_2, inside };
+
+struct TrianglePoint {
+  Vec3 point = Vec3::Zero();
+  TrianglePart part = TrianglePart::inside;
+};
+
+/// The point of triangle abc closest to the query. Triangles without area are segments or points.
+TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const Vec3& b,
+                                        const Vec3& c);
 
 struct ClosestPoint {
   Vec3 point = Vec3::Zero();
   Index face = no_index;
   double distance = 0;
-  Vec3 pseudonormal = Vec3::Zero();  ///< of the face, edge or vertex hit; unit length
-  /// Negative inside, by the pseudonormal.
+  Vec3 pseudonormal = Vec3::Zero();  ///< of the face, edge or vertex hit; unit length, or zero
+  /// Negative inside, by the pseudonormal; of an open mesh, behind it.
   double signed_distance = 0;
 };
 
@@ -25,14 +43,13 @@ class ClosestPointQuery {
   ClosestPoint operator()(const Vec3& query) const;
 
  private:
+  Vec3 pseudonormal(Index face, TrianglePart part) const;
+
   const Mesh* mesh_;
-  Bvh bvh_;
+  MedianTree tree_;
   std::vector<Vec3> face_normals_;
   std::vector<Vec3> vertex_normals_;
-  std::vector<Vec3> halfedge_normals_;
+  std::vector<Index> opposite_;
 };
-
-/// The point of triangle abc closest to the query.
-Vec3 closest_point_of_triangle(const Vec3& query, const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace transformesh

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "tm/support/parallel.h"
 
@@ -15,6 +16,11 @@ float next_above(float value) {
   const auto bits = std::bit_cast<std::int32_t>(value);
   if (value == 0) return std::bit_cast<float>(1);
   return std::bit_cast<float>(value > 0 ? bits + 1 : bits - 1);
+}
+
+double finite(float value) {
+  constexpr float largest = std::numeric_limits<float>::max();
+  return std::clamp(value, -largest, largest);
 }
 
 FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -33,6 +39,10 @@ float float_below(double value) { return -float_above(-value); }
 FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
   return {{float_below(minimum.x()), float_below(minimum.y()), float_below(minimum.z())},
           {float_above(maximum.x()), float_above(maximum.y()), float_above(maximum.z())}};
+}
+
+double centre(const FloatBox& box, std::size_t axis) {
+  return (finite(box.minimum[axis]) + finite(box.maximum[axis])) / 2;
 }
 
 std::vector<FloatBox> face_boxes(const Mesh& mesh) {

@@ -22,6 +22,9 @@ float float_above(double value);
 /// The smallest box in floats around a box in doubles.
 FloatBox float_box(const Vec3& minimum, const Vec3& maximum);
 
+/// The middle of a box along an axis, infinite bounds counted as the largest float.
+double centre(const FloatBox& box, std::size_t axis);
+
 /// One box around each face.
 std::vector<FloatBox> face_boxes(const Mesh& mesh);
 /// One box around each of the faces named, in that order.

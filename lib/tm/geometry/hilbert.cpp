@@ -59,15 +59,6 @@ struct Key {
   }
 };
 
-double finite(float value) {
-  constexpr float largest = std::numeric_limits<float>::max();
-  return std::clamp(value, -largest, largest);
-}
-
-double centre(const FloatBox& box, std::size_t axis) {
-  return (finite(box.minimum[axis]) + finite(box.maximum[axis])) / 2;
-}
-
 /// Maps centres to cells, cubes that fill the box around all centres along its longest side.
 class Cells {
  public:

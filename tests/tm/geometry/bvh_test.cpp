@@ -150,34 +150,3 @@ TEST_CASE("visited overlaps agree with a search and stop on request") {
   Bvh().visit_overlaps(boxes[0], [&](Index) { return ++calls < 0; });
   CHECK(calls == 3);
 }
-
-TEST_CASE("visiting the nearest misses no box within the bound and skips most others") {
-  const auto boxes = random_boxes(10, 2000, 0.05);
-  const Bvh bvh(boxes);
-  const auto distance = [&](Index i, const Vec3& point) {
-    double sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      const double outside =
-          std::max({boxes[i].minimum[a] - point[axis], point[axis] - boxes[i].maximum[a], 0.0});
-      sum += outside * outside;
-    }
-    return sum;
-  };
-  test::Random random(12);
-  std::size_t visits = 0;
-  for (int query = 0; query < 100; ++query) {
-    const Vec3 point = random.point(-0.5, 1.5);
-    std::pair<double, Index> found{std::numeric_limits<double>::infinity(), no_index};
-    double bound = found.first;
-    bvh.visit_nearest(point, bound, [&](Index i) {
-      ++visits;
-      found = std::min(found, {distance(i, point), i});
-      bound = found.first;
-    });
-    std::pair<double, Index> expected{std::numeric_limits<double>::infinity(), no_index};
-    for (Index i = 0; i < boxes.size(); ++i) expected = std::min(expected, {distance(i, point), i});
-    CHECK(found == expected);
-  }
-  CHECK(visits < 100 * 40);
-}

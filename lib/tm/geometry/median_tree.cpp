@@ -1,0 +1,81 @@
+#include "tm/geometry/median_tree.h"
+
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t boxes_per_task = 8192;
+
+void extend(FloatBox& box, const FloatBox& by) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.minimum[axis] = std::min(box.minimum[axis], by.minimum[axis]);
+    box.maximum[axis] = std::max(box.maximum[axis], by.maximum[axis]);
+  }
+}
+
+std::size_t widest_axis(std::span<const std::array<float, 3>> bounds) {
+  std::size_t widest = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis)
+    if (bounds[1][axis] - bounds[0][axis] > bounds[1][widest] - bounds[0][widest]) widest = axis;
+  return widest;
+}
+
+}  // namespace
+
+MedianTree::MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size)
+    : bucket_size_(bucket_size), order_(boxes.size()) {
+  if (boxes.empty()) return;
+  std::vector<Centre> centres(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      centres[i].position[axis] = static_cast<float>(centre(boxes[i], axis));
+    centres[i].box = static_cast<Index>(i);
+  }
+  std::size_t leaves = 1;
+  for (std::size_t size = boxes.size(); size > bucket_size; size -= size / 2) leaves *= 2;
+  nodes_.resize(2 * leaves - 1);
+  build(boxes, centres, {0, boxes.size(), 0, 0});
+}
+
+void MedianTree::build(std::span<const FloatBox> boxes, std::vector<Centre>& centres,
+                       const Cell& cell) {
+  const std::size_t size = cell.last - cell.first;
+  const std::span<Centre> own(centres.data() + cell.first, size);
+  FloatBox& box = nodes_[cell.node];
+  if (size <= bucket_size_) {
+    box = boxes[own[0].box];
+    for (std::size_t i = 0; i < size; ++i) {
+      order_[cell.first + i] = own[i].box;
+      extend(box, boxes[own[i].box]);
+    }
+    return;
+  }
+
+  // The axis along which the centres spread most.
+  std::array<std::array<float, 3>, 2> bounds{own[0].position, own[0].position};
+  for (const Centre& centre : own)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bounds[0][axis] = std::min(bounds[0][axis], centre.position[axis]);
+      bounds[1][axis] = std::max(bounds[1][axis], centre.position[axis]);
+    }
+  const std::size_t axis = widest_axis(bounds);
+
+  // Cut at the median; the box of the whole follows from the halves.
+  const std::size_t child = 2 * cell.node + 1;
+  std::nth_element(
+      own.begin(), own.begin() + static_cast<std::ptrdiff_t>(size / 2), own.end(),
+      [axis](const Centre& a, const Centre& b) { return a.position[axis] < b.position[axis]; });
+  const auto left = [&] { build(boxes, centres, {cell.first, cell.middle(), child, 0}); };
+  const auto right = [&] { build(boxes, centres, {cell.middle(), cell.last, child + 1, 0}); };
+  if (size > boxes_per_task) {
+    parallel_invoke(left, right);
+  } else {
+    left();
+    right();
+  }
+  box = nodes_[child];
+  extend(box, nodes_[child + 1]);
+}
+
+}  // namespace transformesh
