@@ -1,4 +1,6 @@
 /// tm-render: a picture of meshes without a display.
+#include <tuple>
+
 #include "tm/picture/picture.h"
 #include "tm/picture/png.h"
 #include "tm/picture/spelling.h"
@@ -8,49 +10,58 @@ namespace {
 
 using namespace transformesh;
 
+/// Options as they are written; the rest are in `picture`.
 struct Options {
   std::string size = "800x600";
   std::string orbit = "30,20";
   std::string up = "y";
-  double zoom = 1;
   std::string frame = "each";
   std::string around;
-  long columns = 0;
   std::string color;
-  std::string highlight;
-  std::string background = "default";
-  double crease_angle = 40;
-  bool edges = false;
+  std::string background = "#f7f7f7,#d6d9de";
+  long columns = 0;
+  PictureOptions picture;
 };
 
-PictureOptions resolve(const Options& options) {
-  PictureOptions resolved;
-  std::tie(resolved.width, resolved.height) = parse_size(options.size);
-  std::tie(resolved.orbit.azimuth_deg, resolved.orbit.elevation_deg) = parse_orbit(options.orbit);
-  resolved.orbit.up = options.up == "x" ? Axis::x : options.up == "y" ? Axis::y : Axis::z;
-  resolved.orbit.zoom = options.zoom;
-  resolved.framing = options.frame == "each"    ? Framing::each
-                     : options.frame == "scale" ? Framing::scale
-                                                : Framing::place;
-  resolved.columns = static_cast<int>(options.columns);
-  if (!options.color.empty()) resolved.shade.color.front = parse_color(options.color);
-  resolved.shade.color.highlight = options.highlight;
-  resolved.shade.background = parse_background(options.background);
-  resolved.shade.crease_angle_deg = options.crease_angle;
-  resolved.shade.draw_edges = options.edges;
-  return resolved;
+void declare(tool::Program& program, Options& options) {
+  PictureOptions& picture = options.picture;
+  program.text("size", &options.size, "WxH", "pixels of the picture");
+  program.text("orbit", &options.orbit, "AZIMUTH,ELEVATION",
+               "where the eye is, in degrees: moved to its right and upwards from the front");
+  program.choice("up", &options.up, {"x", "y", "z"}, "the axis that points up");
+  program.number("zoom", &picture.orbit.zoom, 0.001, 1000, "2 shows everything twice as large");
+  program.choice("frame", &options.frame, {"each", "scale", "place"},
+                 "what fills a panel: its mesh, the scale of the largest, the box of all meshes");
+  program.text("around", &options.around, "FILE", "frame FILE's mesh in every panel instead");
+  program.integer("columns", &options.columns, 0, 10000, "panels in a row; 0 is all");
+  program.text("color", &options.color, "COLOR",
+               "of the surface, as #rrggbb; without it the properties red, green and blue");
+  program.text("highlight", &picture.shade.color.highlight, "PROPERTY",
+               "orange where this property of faces or vertices is not zero");
+  program.text("background", &options.background, "COLOR",
+               "#rrggbb, two as TOP,BOTTOM, or transparent");
+  program.number("crease-angle", &picture.shade.crease_angle_deg, 0, 180,
+                 "degrees beyond which a bend is drawn as a sharp edge; 0 draws flat faces");
+  program.flag("edges", &picture.shade.draw_edges, "draw the edges of the faces");
 }
 
 std::string render(const std::vector<Document>& documents, const Options& options, tool::Run& run) {
-  PictureOptions resolved = resolve(options);
-  Mesh around;
-  if (!options.around.empty()) {
-    around = run.read(options.around).mesh;
-    resolved.around = &around;
-  }
+  PictureOptions picture = options.picture;
+  std::tie(picture.width, picture.height) = parse_size(options.size);
+  std::tie(picture.orbit.azimuth_deg, picture.orbit.elevation_deg) = parse_orbit(options.orbit);
+  picture.orbit.up = options.up == "x" ? Axis::x : options.up == "y" ? Axis::y : Axis::z;
+  if (options.frame == "scale") picture.framing = Framing::scale;
+  if (options.frame == "place") picture.framing = Framing::place;
+  picture.columns = static_cast<int>(options.columns);
+  if (!options.color.empty()) picture.shade.color.front = parse_color(options.color);
+  picture.shade.background = parse_background(options.background);
+
+  const Mesh around = options.around.empty() ? Mesh{} : run.read(options.around).mesh;
+  if (!options.around.empty()) picture.around = &around;
   std::vector<const Mesh*> meshes;
   for (const Document& document : documents) meshes.push_back(&document.mesh);
-  return write_png(picture(meshes, resolved, run.progress()));
+  run.report("meshes", meshes.size());
+  return write_png(draw_picture(meshes, picture, run.progress()));
 }
 
 }  // namespace
@@ -58,24 +69,8 @@ std::string render(const std::vector<Document>& documents, const Options& option
 int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-render", "[OPTION]... [INPUT]...", "Draws meshes as a PNG picture");
-  program.text("size", &options.size, "WxH", "pixels of the picture");
-  program.text("orbit", &options.orbit, "AZIMUTH,ELEVATION",
-               "where the eye is, in degrees: moved to its right and upwards from the front");
-  program.choice("up", &options.up, {"x", "y", "z"}, "the axis that points up");
-  program.number("zoom", &options.zoom, 0.001, 1000, "2 shows everything twice as large");
-  program.choice("frame", &options.frame, {"each", "scale", "place"},
-                 "what fills a panel: its mesh, the scale of the largest, the box of all meshes");
-  program.text("around", &options.around, "FILE", "frame FILE's mesh in every panel instead");
-  program.integer("columns", &options.columns, 0, 10000, "panels in a row; 0 is all");
-  program.text("color", &options.color, "COLOR",
-               "of the surface, as #rrggbb; without it the properties red, green and blue");
-  program.text("highlight", &options.highlight, "PROPERTY",
-               "orange where this property of faces or vertices is not zero");
-  program.text("background", &options.background, "COLOR",
-               "#rrggbb, two as TOP,BOTTOM, default or transparent");
-  program.number("crease-angle", &options.crease_angle, 0, 180,
-                 "degrees beyond which a bend is drawn as a sharp edge; 0 draws flat faces");
-  program.flag("edges", &options.edges, "draw the edges of the faces");
+  declare(program, options);
+  program.epilog("Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png");
   return program.picture(argc, argv, [&](std::vector<Document> documents, tool::Run& run) {
     return render(documents, options, run);
   });

@@ -6,9 +6,9 @@
 namespace transformesh {
 
 struct Background {
-  /// From the top row to the bottom row: a quiet light grey.
-  Color top = color_of_srgb(0.97, 0.97, 0.97);
-  Color bottom = color_of_srgb(0.84, 0.85, 0.87);
+  /// From the top row to the bottom row: a quiet light grey, #f7f7f7 to #d6d9de.
+  Color top = color_of_srgb(0xf7 / 255.0, 0xf7 / 255.0, 0xf7 / 255.0);
+  Color bottom = color_of_srgb(0xd6 / 255.0, 0xd9 / 255.0, 0xde / 255.0);
   bool is_transparent = false;
 
   Color at(int y, int height) const {

@@ -107,8 +107,8 @@ void copy(const Image& part, const Panel& panel, Image& whole) {
 
 }  // namespace
 
-Image picture(std::span<const Mesh* const> meshes, const PictureOptions& options,
-              const Progress& progress) {
+Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& options,
+                   const Progress& progress) {
   check_meshes(meshes, options);
   const std::vector<Panel> panels = layout(meshes.size(), options);
   const std::vector<Aim> aims = find_aims(meshes, panels, options);

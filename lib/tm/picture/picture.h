@@ -27,7 +27,7 @@ struct PictureOptions {
 /// for a size out of range, with less than a pixel for a panel, or a highlighted column that no
 /// mesh has; meshes without it are drawn without highlights. Deterministic for any number of
 /// threads.
-Image picture(std::span<const Mesh* const> meshes, const PictureOptions& options = {},
-              const Progress& progress = {});
+Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& options = {},
+                   const Progress& progress = {});
 
 }  // namespace transformesh

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "tm/support/error.h"
@@ -73,14 +74,13 @@ Color parse_color(std::string_view text) {
 
 Background parse_background(std::string_view text) {
   Background background;
-  if (text == "default") return background;
   if (text == "transparent") {
     background.is_transparent = true;
     return background;
   }
   const auto [top, bottom] = halves(text, ',');
   background.top = parse_color(top);
-  background.bottom = bottom.empty() ? background.top : parse_color(bottom);
+  background.bottom = top.size() == text.size() ? background.top : parse_color(bottom);
   return background;
 }
 

@@ -2,7 +2,6 @@
 /// with the text and an example where it cannot be read. Independent of the locale.
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -19,7 +18,7 @@ std::pair<double, double> parse_orbit(std::string_view text);
 /// `#rrggbb` or `#rgb`, or one of white, black, grey.
 Color parse_color(std::string_view text);
 
-/// `default`, `transparent`, a colour, or two from top to bottom: `white,#8899aa`.
+/// `transparent`, a color, or two from top to bottom: `white,#8899aa`.
 Background parse_background(std::string_view text);
 
 }  // namespace transformesh

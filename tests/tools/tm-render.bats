@@ -1,0 +1,92 @@
+# tm-render: pictures from pipes and files.
+
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+}
+
+# Width, height and color type (2: RGB, 6: RGBA) from the header of a PNG file.
+png_header() {
+  [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "$1 is no PNG"
+  od -An -tu1 -j16 -N10 "$1" |
+    awk '{ print $1 * 16777216 + $2 * 65536 + $3 * 256 + $4, $5 * 16777216 + $6 * 65536 + $7 * 256 + $8, $10 }'
+}
+
+@test "a mesh on stdin becomes a picture of the size asked for" {
+  tetrahedron | tm-render >usual.png
+  [ "$(png_header usual.png)" = "800 600 2" ]
+  tetrahedron | tm-render --size 123x45 --background transparent -o small.png
+  [ "$(png_header small.png)" = "123 45 6" ]
+}
+
+@test "several meshes share a picture, stdin among them" {
+  tetrahedron >a.ply
+  tetrahedron | tm-render --size 300x100 a.ply - a.ply >row.png
+  tetrahedron | tm-render --size 300x100 --columns 2 a.ply - a.ply >rows.png
+  [ "$(png_header row.png)" = "300 100 2" ]
+  ! cmp -s row.png rows.png
+}
+
+@test "every option that shows changes the picture" {
+  tetrahedron >a.ply
+  tm-shape sphere --faces 200 --center 5,0,0 -o b.ply
+  tm-render --size 200x100 a.ply b.ply >usual.png
+  for option in "--orbit 60,10" "--up z" "--zoom 0.5" "--frame scale" "--frame place" \
+    "--around b.ply" "--color #208020" "--background white" "--crease-angle 0" --edges; do
+    # shellcheck disable=SC2086
+    tm-render --size 200x100 $option a.ply b.ply >other.png
+    ! cmp -s usual.png other.png || fail "$option changes nothing"
+  done
+}
+
+@test "intersections are highlighted" {
+  tm-shape two-spheres --gap=-0.3 --faces 2000 -o crossing.ply
+  tm-intersect crossing.ply >marked.ply
+  tm-render marked.ply >plain.png
+  tm-render --highlight intersections marked.ply >marked.png
+  ! cmp -s plain.png marked.png
+  run --separate-stderr tm-render --highlight intersections crossing.ply
+  assert_status 2
+  [[ $stderr == *"'intersections'"* ]]
+}
+
+@test "the same bytes from every format and twice" {
+  tetrahedron >a.ply
+  tm-convert -o a.off a.ply
+  tm-render a.ply >ply.png
+  tm-render a.off >off.png
+  tm-render a.ply >again.png
+  cmp ply.png off.png && cmp ply.png again.png
+}
+
+@test "a mesh without faces is exit 3" {
+  printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >points.off
+  run --separate-stderr tm-render -o out.png points.off
+  assert_status 3
+  one_line "$stderr"
+  [ ! -e out.png ]
+}
+
+@test "bad values are exit 2 and say how to write them" {
+  tetrahedron >a.ply
+  for option in --size=800 --size=0x5 --size=99999x99999 --orbit=30 --color=mauve --zoom=0 \
+    --background=white,mauve --frame=all --up=w; do
+    run --separate-stderr tm-render "$option" a.ply
+    assert_status 2
+    one_line "$stderr"
+  done
+}
+
+@test "fifty thousand faces take well under a second" {
+  tm-shape sphere --faces 50000 -o sphere.ply
+  TIMEFORMAT='%U %S'
+  { time tm-render sphere.ply >sphere.png; } 2>time
+  awk '{ exit !($1 + $2 < 1) }' time || fail "CPU seconds: $(cat time)"
+}
+
+@test "a model from elsewhere is drawn" {
+  needs_shared meshes/cgal/elephant.off
+  tm-render --size 400x300 "$shared_file" >elephant.png
+  [ "$(png_header elephant.png)" = "400 300 2" ]
+}
