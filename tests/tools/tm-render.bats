@@ -3,7 +3,7 @@
 load ../helpers/common
 
 setup() {
-  cd "$BATS_TEST_TMPDIR"
+  cd "$BATS_TEST_TMPDIR" || exit
 }
 
 # Width, height and color type (2: RGB, 6: RGBA) from the header of a PNG file.
@@ -11,6 +11,10 @@ png_header() {
   [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "$1 is no PNG"
   od -An -tu1 -j16 -N10 "$1" |
     awk '{ print $1 * 16777216 + $2 * 65536 + $3 * 256 + $4, $5 * 16777216 + $6 * 65536 + $7 * 256 + $8, $10 }'
+}
+
+differ() {
+  if cmp -s "$1" "$2"; then fail "$1 and $2 are the same"; fi
 }
 
 @test "a mesh on stdin becomes a picture of the size asked for" {
@@ -25,7 +29,7 @@ png_header() {
   tetrahedron | tm-render --size 300x100 a.ply - a.ply >row.png
   tetrahedron | tm-render --size 300x100 --columns 2 a.ply - a.ply >rows.png
   [ "$(png_header row.png)" = "300 100 2" ]
-  ! cmp -s row.png rows.png
+  differ row.png rows.png
 }
 
 @test "every option that shows changes the picture" {
@@ -36,7 +40,7 @@ png_header() {
     "--around b.ply" "--color #208020" "--background white" "--crease-angle 0" --edges; do
     # shellcheck disable=SC2086
     tm-render --size 200x100 $option a.ply b.ply >other.png
-    ! cmp -s usual.png other.png || fail "$option changes nothing"
+    differ usual.png other.png
   done
 }
 
@@ -45,7 +49,7 @@ png_header() {
   tm-intersect crossing.ply >marked.ply
   tm-render marked.ply >plain.png
   tm-render --highlight intersections marked.ply >marked.png
-  ! cmp -s plain.png marked.png
+  differ plain.png marked.png
   run --separate-stderr tm-render --highlight intersections crossing.ply
   assert_status 2
   [[ $stderr == *"'intersections'"* ]]
@@ -81,8 +85,8 @@ png_header() {
 @test "fifty thousand faces take well under a second" {
   tm-shape sphere --faces 50000 -o sphere.ply
   TIMEFORMAT='%U %S'
-  { time tm-render sphere.ply >sphere.png; } 2>time
-  awk '{ exit !($1 + $2 < 1) }' time || fail "CPU seconds: $(cat time)"
+  { time tm-render sphere.ply >sphere.png; } 2>seconds
+  awk '{ exit !($1 + $2 < 1) }' seconds || fail "CPU seconds: $(cat seconds)"
 }
 
 @test "a model from elsewhere is drawn" {
