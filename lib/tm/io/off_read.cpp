@@ -111,6 +111,7 @@ class OffReader {
     Mesh& mesh = result_.document.mesh;
     const auto count = static_cast<std::size_t>(vertex_count_);
     mesh.positions.resize(count);
+    add_announced_columns(count);
     for (row_ = 0; row_ < count; ++row_) {
       need_row([&] { return row_name("vertex") + " of " + std::to_string(count); });
       if (row_ == 0) decide_layout(rows_.words_left());
@@ -119,6 +120,15 @@ class OffReader {
     vertex_colors_.add_columns(count, mesh.vertex_columns);
     for (Column& column : texture_.columns)
       mesh.vertex_columns.columns.push_back(std::move(column));
+  }
+
+  void add_announced_columns(std::size_t count) {
+    for (const char* name : {"nx", "ny", "nz"}) {
+      if (variant_.normal) result_.document.mesh.vertex_columns.get(name, Scalar::float64, count);
+    }
+    for (const char* name : {"s", "t"}) {
+      if (variant_.texture) texture_.get(name, Scalar::float64, count);
+    }
   }
 
   /// What the header does not announce but the first vertex has must be a colour.
@@ -132,14 +142,6 @@ class OffReader {
       }
     } else {
       rows_.fail("vertex 0 has " + counted(words, "number") + ", which does not fit the header");
-    }
-    Columns& columns = result_.document.mesh.vertex_columns;
-    const auto count = static_cast<std::size_t>(vertex_count_);
-    if (variant_.normal) {
-      for (const char* name : {"nx", "ny", "nz"}) columns.get(name, Scalar::float64, count);
-    }
-    if (variant_.texture) {
-      for (const char* name : {"s", "t"}) texture_.get(name, Scalar::float64, count);
     }
   }
 

@@ -23,7 +23,7 @@ Facet facet_of(const Mesh& mesh, const Face& face) {
   const Vec3 first = facet.corners[0].cast<double>();
   const Vec3 cross =
       (facet.corners[1].cast<double>() - first).cross(facet.corners[2].cast<double>() - first);
-  facet.normal = cross.stableNormalized().cast<float>().array() + 0.0F;  // no -0
+  facet.normal = cross.stableNormalized().cast<float>();
   return facet;
 }
 

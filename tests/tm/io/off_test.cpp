@@ -61,6 +61,10 @@ TEST_CASE("off: normals, colours and texture coordinates of vertices") {
   }
 }
 
+TEST_CASE("off: an empty mesh keeps its normals") {
+  CHECK(rewritten("NOFF\n0 0 0\n") == "NOFF\n0 0 0\n");
+}
+
 TEST_CASE("off: numbers behind plain vertices are a colour, and that is said") {
   const ReadResult result = read_mesh("OFF\n1 0 0\n0 0 0 255 0 7\n", "input");
   CHECK(column(result.document.mesh.vertex_columns, "blue").values == std::vector<double>{7});

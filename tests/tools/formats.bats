@@ -1,0 +1,184 @@
+#!/usr/bin/env bats
+# The formats through tm-convert: every pair of them, odd PLY files byte for byte, and the real
+# files of ../shared/data/meshes.
+
+load ../helpers/common
+
+# convert INPUT OUTPUT: without the line that would differ.
+convert() {
+  tm-convert -q --no-provenance "$1" -o "$2"
+}
+
+# facets FILE: its triangles as binary STL without the header, whatever the format.
+facets() {
+  convert "$1" "$BATS_TEST_TMPDIR/facets.stl"
+  tail -c +81 "$BATS_TEST_TMPDIR/facets.stl" | cksum
+}
+
+odd_ply() {
+  cat <<'PLY'
+ply
+format ascii 1.0
+comment first
+comment tm:reference-edge 0.5
+obj_info kept too
+element camera 1
+property double focal
+property list uchar short size
+element vertex 4
+property ushort code
+property float x
+property float y
+property float z
+property char side
+property list int double ring
+element edge 2
+property int vertex1
+property int vertex2
+element face 4
+property short label
+property list ushort uint vertex_index
+property list uchar float texcoord
+property double weight
+element note 0
+property uint id
+end_header
+35.5 2 640 -480
+65535 0 0 0 -128 2 0.1 -1e-300
+1 1 0 0.1 127 0
+2 0 1.5 0 0 1 1e+100
+3 0 0 1e-20 1 0
+0 1
+2 3
+-1 3 0 2 1 2 0.25 0.1 0.3333333333333333
+2 3 0 1 3 0 1
+3 3 1 2 3 0 -0
+4 3 0 3 2 1 16777216 2.5
+PLY
+}
+
+@test "every pair of formats: there and back is the same mesh" {
+  cd "$BATS_TEST_TMPDIR"
+  tetrahedron | tm-convert --no-provenance --format ply >original.ply
+  expected=$(facets original.ply)
+  for first in ply off obj stl; do
+    convert original.ply "first.$first"
+    for second in ply off obj stl; do
+      convert "first.$first" "second.$second"
+      convert "second.$second" "third.$first"
+      [ "$(facets "third.$first")" = "$expected" ] || fail "$first to $second and back"
+      # Without a soup in between even the order of the vertices is the same.
+      if [ "$first" != stl ] && [ "$second" != stl ]; then cmp "first.$first" "third.$first"; fi
+    done
+  done
+}
+
+@test "PLY with odd properties and elements, byte for byte in all three encodings" {
+  cd "$BATS_TEST_TMPDIR"
+  odd_ply >ascii.ply
+  tm-convert --no-provenance ascii.ply | cmp - ascii.ply
+  for format in ply ply-be; do
+    tm-convert --no-provenance --format "$format" ascii.ply >binary.ply
+    tm-convert --no-provenance binary.ply | cmp - binary.ply
+    tm-convert --no-provenance --format ply-ascii binary.ply | cmp - ascii.ply
+  done
+}
+
+@test "PLY with sized type names keeps them" {
+  odd_ply | sed -e '/^property/{s/uchar/uint8/;s/ushort/uint16/;s/uint /uint32 /;s/double/float64/
+    s/float /float32 /;s/char /int8 /;s/short/int16/;s/int /int32 /;s/int3232/int32/}' \
+    >"$BATS_TEST_TMPDIR/sized.ply"
+  grep -q 'property list int32 float64 ring' "$BATS_TEST_TMPDIR/sized.ply"
+  tm-convert --no-provenance "$BATS_TEST_TMPDIR/sized.ply" | cmp - "$BATS_TEST_TMPDIR/sized.ply"
+}
+
+@test "what a format cannot hold is named once on stderr" {
+  odd_ply >"$BATS_TEST_TMPDIR/odd.ply"
+  run --separate-stderr tm-convert --format off "$BATS_TEST_TMPDIR/odd.ply"
+  assert_status 0
+  [ "$(grep -c "vertex property 'code' cannot be stored in OFF, dropped" <<<"$stderr")" -eq 1 ]
+  [ "$(grep -c "element 'camera' cannot be stored in OFF, dropped" <<<"$stderr")" -eq 1 ]
+}
+
+@test "comments pass through OFF and OBJ" {
+  cd "$BATS_TEST_TMPDIR"
+  tetrahedron | sed 's/^element vertex/comment tm:reference-edge 0.5\n&/' >a.ply
+  for format in off obj; do
+    convert a.ply "a.$format"
+    convert "a.$format" b.ply
+    grep -q '^comment tm:reference-edge 0.5$' b.ply
+  done
+}
+
+@test "a locale with a decimal comma changes nothing" {
+  needs_command localedef
+  [ -x "$tm_build/bin/unit_tests" ] || skip "unit_tests is not built"
+  localedef -i de_DE -f UTF-8 "$BATS_TEST_TMPDIR/de_DE.UTF-8" || skip "de_DE cannot be made"
+  LOCPATH=$BATS_TEST_TMPDIR run "$tm_build/bin/unit_tests" -tc='mesh io: the decimal comma*'
+  assert_status 0
+  [[ $output != *"no locale"* ]]
+  tetrahedron >"$BATS_TEST_TMPDIR/a.ply"
+  LOCPATH=$BATS_TEST_TMPDIR LC_ALL=de_DE.UTF-8 tm-convert --no-provenance --format off \
+    "$BATS_TEST_TMPDIR/a.ply" | grep -qx '0 1 1'
+}
+
+# Files of no known format, and one with a colour that is no number.
+is_refused() {
+  case $1 in
+    *.P3D | */nancolor.obj) true ;;
+    *) false ;;
+  esac
+}
+
+@test "every real mesh is read and comes back the same, or is refused in one line" {
+  needs_shared meshes
+  cd "$BATS_TEST_TMPDIR"
+  count=0
+  for file in "$shared_file"/*/*; do
+    if is_refused "$file"; then
+      run --separate-stderr tm-convert "$file"
+      assert_status 3
+      one_line "$stderr"
+    else
+      tm-convert -q --no-provenance --format ply "$file" >once.ply || fail "$file"
+      tm-convert -q --no-provenance once.ply | cmp - once.ply
+      tm-convert -q --no-provenance --format off once.ply >once.off
+      tm-convert -q --no-provenance --format ply once.off |
+        tm-convert -q --no-provenance --format off | cmp - once.off || fail "$file through OFF"
+    fi
+    count=$((count + 1))
+  done
+  [ "$count" -ge 100 ]
+}
+
+@test "real files that are written as we write come back byte for byte" {
+  needs_shared meshes/trimesh/fuze.ply
+  for file in trimesh/fuze.ply trimesh/empty.ply geometry-central/bob_small.ply trimesh/ballA.off \
+    cgal/armadillo.off transformesh/knot.off FastAndRobustMeshArrangements/three_cubes.stl; do
+    needs_shared "meshes/$file"
+    case $file in
+      *.stl)
+        convert "$shared_file" "$BATS_TEST_TMPDIR/same.stl"
+        cmp "$BATS_TEST_TMPDIR/same.stl" "$shared_file"
+        ;;
+      *) tm-convert -q --no-provenance "$shared_file" | cmp - "$shared_file" ;;
+    esac
+  done
+}
+
+@test "edge cases among the real files" {
+  needs_shared meshes/trimesh/notenoughindices.obj
+  run tm-convert --format off "$shared_file"
+  assert_status 0
+  [[ $output == *"1 face with fewer than three corners dropped"* ]]
+  needs_shared meshes/trimesh/fuze_ascii.ply
+  run bash -c "tm-convert --format off '$shared_file' 2>&1 >/dev/null"
+  [[ $output == *"more values than the header names, from line 523"* ]]
+  needs_shared meshes/geometry-central/stl_box_ascii.stl
+  run bash -c "tm-convert --format off '$shared_file' 2>&1 >/dev/null"
+  [[ $output == *"12 faces read as a soup of separate triangles; join them with tm-stitch"* ]]
+  needs_shared meshes/trimesh/nancolor.obj
+  run tm-convert "$shared_file"
+  assert_status 3
+  [[ $output == *"the colour of vertex 7 is not a finite number: 'nan'"* ]]
+}
