@@ -1,7 +1,7 @@
 #include "tm/io/losses.h"
-#include "tm/io/number_text.h"
 #include "tm/io/obj.h"
 #include "tm/io/scalar.h"
+#include "tm/io/text_buffer.h"
 
 namespace transformesh {
 namespace {

@@ -118,8 +118,9 @@ class OffReader {
       read_vertex(mesh);
     }
     vertex_colors_.add_columns(count, mesh.vertex_columns);
-    for (Column& column : texture_.columns)
+    for (Column& column : texture_.columns) {
       mesh.vertex_columns.columns.push_back(std::move(column));
+    }
   }
 
   void add_announced_columns(std::size_t count) {

@@ -2,6 +2,7 @@
 
 #include "tm/io/ply_table.h"
 #include "tm/io/scalar.h"
+#include "tm/io/scalar_bytes.h"
 
 namespace transformesh {
 namespace {

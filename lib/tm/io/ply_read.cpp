@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <bit>
 
 #include "tm/io/ply_table.h"
 #include "tm/io/scalar.h"
+#include "tm/io/scalar_bytes.h"
 
 namespace transformesh {
 namespace {
@@ -144,7 +144,6 @@ class PlyReader {
       read_text_rows(rows_, table);
       note_long_rows(table);
     } else {
-      constexpr bool host_is_little = std::endian::native == std::endian::little;
       const bool swapped = (header_.style.format == Format::ply_little) != host_is_little;
       place_ = read_binary_rows(source_, place_, swapped, table);
     }

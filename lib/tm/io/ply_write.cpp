@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <bit>
 
-#include "tm/io/number_text.h"
 #include "tm/io/ply.h"
 #include "tm/io/scalar.h"
+#include "tm/io/scalar_bytes.h"
+#include "tm/io/text_buffer.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -296,7 +296,6 @@ WriteResult write_ply(const Document& document) {
     for (const OutElement& element : elements) add_text_rows(element, text);
     return {text.take(), {}};
   }
-  constexpr bool host_is_little = std::endian::native == std::endian::little;
   const bool swapped = (document.style.format == Format::ply_little) != host_is_little;
   std::string bytes = header;
   for (const OutElement& element : elements) add_binary_rows(element, swapped, bytes);

@@ -1,10 +1,8 @@
 /// The eight PLY scalar types as values, names and bytes.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -62,42 +60,6 @@ T to_scalar(double value) {
     if (!(value > smallest)) return value <= smallest ? std::numeric_limits<T>::min() : T{};
     return value >= largest ? std::numeric_limits<T>::max() : static_cast<T>(std::round(value));
   }
-}
-
-template <class T>
-T byte_swapped(T value) {
-  if constexpr (sizeof(T) == 1) {
-    return value;
-  } else if constexpr (sizeof(T) == 2) {
-    return std::bit_cast<T>(__builtin_bswap16(std::bit_cast<std::uint16_t>(value)));
-  } else if constexpr (sizeof(T) == 4) {
-    return std::bit_cast<T>(__builtin_bswap32(std::bit_cast<std::uint32_t>(value)));
-  } else {
-    return std::bit_cast<T>(__builtin_bswap64(std::bit_cast<std::uint64_t>(value)));
-  }
-}
-
-template <class T>
-T load_scalar(const char* from, bool swapped) {
-  T value;
-  if constexpr (sizeof(T) == 4) {  // swap before the bits become a float: a copy may change NaNs
-    std::uint32_t bits;
-    std::memcpy(&bits, from, sizeof(bits));
-    return std::bit_cast<T>(swapped ? byte_swapped(bits) : bits);
-  } else if constexpr (sizeof(T) == 8) {
-    std::uint64_t bits;
-    std::memcpy(&bits, from, sizeof(bits));
-    return std::bit_cast<T>(swapped ? byte_swapped(bits) : bits);
-  } else {
-    std::memcpy(&value, from, sizeof(value));
-    return swapped ? byte_swapped(value) : value;
-  }
-}
-
-template <class T>
-void store_scalar(char* to, T value, bool swapped) {
-  if (swapped) value = byte_swapped(value);
-  std::memcpy(to, &value, sizeof(value));
 }
 
 }  // namespace transformesh

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "tm/io/off.h"
-#include "tm/io/scalar.h"
+#include "tm/io/scalar_bytes.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -44,7 +44,7 @@ std::string_view first_word(std::string_view text) {
 
 bool is_binary_stl_by_size(std::string_view bytes) {
   if (bytes.size() < stl_header_size) return false;
-  const bool swapped = std::endian::native != std::endian::little;
+  const bool swapped = !host_is_little;
   const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, swapped);
   return bytes.size() == stl_header_size + stl_facet_size * facets;
 }

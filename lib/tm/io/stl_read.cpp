@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <bit>
 
 #include "tm/io/polygons.h"
 #include "tm/io/scalar.h"
+#include "tm/io/scalar_bytes.h"
 #include "tm/io/stl.h"
 #include "tm/io/text_rows.h"
 
@@ -114,7 +114,7 @@ class TextReader {
   ReadResult result_;
 };
 
-constexpr bool swapped = std::endian::native != std::endian::little;
+constexpr bool swapped = !host_is_little;
 
 /// The header up to its padding, where it is text.
 std::string header_text(const Source& source) {

@@ -1,12 +1,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
 
 #include "tm/io/losses.h"
-#include "tm/io/number_text.h"
 #include "tm/io/scalar.h"
+#include "tm/io/scalar_bytes.h"
 #include "tm/io/source.h"
 #include "tm/io/stl.h"
+#include "tm/io/text_buffer.h"
 
 namespace transformesh {
 namespace {
@@ -66,7 +66,7 @@ std::string text_of(const Document& document) {
 }
 
 char* store_point(const Eigen::Vector3f& point, char* to) {
-  constexpr bool swapped = std::endian::native != std::endian::little;
+  constexpr bool swapped = !host_is_little;
   for (const Eigen::Index axis : {0, 1, 2}) {
     store_scalar(to, point[axis], swapped);
     to += sizeof(float);
@@ -75,7 +75,7 @@ char* store_point(const Eigen::Vector3f& point, char* to) {
 }
 
 std::string bytes_of(const Document& document, const Column* attribute) {
-  constexpr bool swapped = std::endian::native != std::endian::little;
+  constexpr bool swapped = !host_is_little;
   constexpr std::size_t header_size = 80;
   constexpr std::size_t facet_size = 50;
   const std::vector<Face>& faces = document.mesh.faces;

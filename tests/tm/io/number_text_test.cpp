@@ -7,6 +7,8 @@
 #include <random>
 #include <string>
 
+#include "tm/io/text_buffer.h"
+
 using namespace transformesh;
 
 namespace {
