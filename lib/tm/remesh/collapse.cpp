@@ -164,11 +164,11 @@ bool Collapser::try_position(const Vec3& wanted, double source_share) {
   return true;
 }
 
-/// Shortest first, until no short edge is left that may go.
-class ShortEdges {
+/// Edges that are to go, the shortest first.
+template <class Wanted>
+class Candidates {
  public:
-  ShortEdges(EditableMesh& mesh, bool keep_border, double min_edge)
-      : mesh_(mesh), limit_(min_edge * min_edge), keep_border_(keep_border) {
+  Candidates(const EditableMesh& mesh, const Wanted& wanted) : mesh_(mesh), wanted_(wanted) {
     for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
       if (mesh.is_edge(h)) push(h);
     }
@@ -183,39 +183,27 @@ class ShortEdges {
   void push_around(Index vertex) {
     mesh_.for_each_neighbour(vertex, [&](Index, Index halfedge) { push(halfedge); });
   }
-  std::size_t count() const {
-    std::size_t result = 0;
-    for (Index h = 0; h < mesh_.halfedge_slots(); ++h) result += mesh_.is_edge(h) && is_short(h);
-    return result;
-  }
 
  private:
-  bool is_short(Index halfedge) const {
-    return mesh_.squared_length(halfedge) < limit_ && !(keep_border_ && mesh_.is_border(halfedge));
-  }
   void push(Index halfedge) {
-    if (is_short(halfedge)) queue_.emplace(mesh_, halfedge);
+    if (wanted_(halfedge)) queue_.emplace(mesh_, halfedge);
   }
 
-  EditableMesh& mesh_;
-  double limit_;
-  bool keep_border_;
+  const EditableMesh& mesh_;
+  const Wanted& wanted_;
   EdgeQueue<ShorterFirst> queue_;
 };
 
-}  // namespace
-
-CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
-                                    const VertexRoles& roles, double min_edge, double max_edge,
-                                    const Progress& progress) {
+template <class Wanted>
+CollapseCounts collapse_wanted(EditableMesh& mesh, Collapser& collapser, const Wanted& wanted,
+                               const Progress& progress) {
   CollapseCounts counts;
-  Collapser collapser(mesh, guard, roles, max_edge);
-  ShortEdges edges(mesh, roles.keeps_border(), min_edge);
+  Candidates<Wanted> edges(mesh, wanted);
   std::size_t tried = 0;
   while (!edges.empty()) {
-    if (++tried % 1024 == 0) progress("collapse", 0.3);
+    if (++tried % 1024 == 0) progress("collapse", 0.5);
     const QueuedEdge edge = edges.pop();
-    if (!edge.is_current(mesh)) continue;
+    if (!edge.is_current(mesh) || !wanted(edge.halfedge)) continue;
     const Index vertex = collapser.collapse(edge.halfedge);
     if (vertex == no_index) {
       ++counts.refused;
@@ -224,8 +212,51 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
       edges.push_around(vertex);
     }
   }
-  if (counts.refused != 0) counts.refused = edges.count();
   return counts;
+}
+
+/// By how much the squared deviations from valence six shrink where an inner edge collapses.
+int valence_gain(const EditableMesh& mesh, Index halfedge) {
+  const auto excess = [&](Index vertex) { return static_cast<int>(mesh.valence(vertex)) - 6; };
+  const int source = excess(mesh.source(halfedge));
+  const int target = excess(mesh.target(halfedge));
+  const int left = excess(mesh.apex(halfedge));
+  const int right = excess(mesh.apex(mesh.opposite(halfedge)));
+  const int merged = source + target + 2;
+  // each apex loses an edge: x^2 - (x - 1)^2 = 2x - 1
+  return source * source + target * target - merged * merged + 2 * left + 2 * right - 2;
+}
+
+}  // namespace
+
+CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
+                                    const VertexRoles& roles, double min_edge, double max_edge,
+                                    const Progress& progress) {
+  Collapser collapser(mesh, guard, roles, max_edge);
+  const auto is_short = [&, limit = min_edge * min_edge](Index halfedge) {
+    return mesh.squared_length(halfedge) < limit &&
+           !(roles.keeps_border() && mesh.is_border(halfedge));
+  };
+  CollapseCounts counts = collapse_wanted(mesh, collapser, is_short, progress);
+  if (counts.refused == 0) return counts;
+
+  // an edge may be refused more than once, or be gone in the end
+  counts.refused = 0;
+  for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+    counts.refused += mesh.is_edge(h) && is_short(h) ? 1 : 0;
+  }
+  return counts;
+}
+
+std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
+                                 const VertexRoles& roles, double longest, double max_edge,
+                                 const Progress& progress) {
+  Collapser collapser(mesh, guard, roles, max_edge);
+  const auto is_wanted = [&, limit = longest * longest](Index halfedge) {
+    return mesh.squared_length(halfedge) < limit && !mesh.is_border(halfedge) &&
+           valence_gain(mesh, halfedge) > 0;
+  };
+  return collapse_wanted(mesh, collapser, is_wanted, progress).done;
 }
 
 bool collapse_edge(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,

@@ -21,6 +21,12 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, double min_edge, double max_edge,
                                     const Progress& progress);
 
+/// Collapses, under the same rules, edges shorter than `longest` where that brings the valences
+/// around closer to six. Returns how many went.
+std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
+                                 const VertexRoles& roles, double longest, double max_edge,
+                                 const Progress& progress);
+
 /// Tries to collapse one edge under the same rules, whatever its length.
 bool collapse_edge(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                    Index halfedge, double max_edge);

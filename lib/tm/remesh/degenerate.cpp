@@ -1,5 +1,6 @@
 #include "tm/remesh/degenerate.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace transformesh {
@@ -9,26 +10,37 @@ constexpr double least_height = 1e-3;  ///< of the longest edge
 constexpr double short_edge = 0.1;     ///< of the longest edge: a needle
 constexpr int most_rounds = 4;
 
-Index longest_halfedge(const EditableMesh& mesh, Index face) {
-  Index longest = 3 * face;
-  for (Index h = 3 * face + 1; h < 3 * face + 3; ++h) {
-    if (mesh.squared_length(h) > mesh.squared_length(longest)) longest = h;
-  }
-  return longest;
-}
+/// The edges of a face, by squared length.
+struct Sides {
+  Index shortest;
+  Index longest;
+  double shortest_squared;
+  double longest_squared;
 
-Index shortest_halfedge(const EditableMesh& mesh, Index face) {
-  Index shortest = 3 * face;
-  for (Index h = 3 * face + 1; h < 3 * face + 3; ++h) {
-    if (mesh.squared_length(h) < mesh.squared_length(shortest)) shortest = h;
+  Sides(const EditableMesh& mesh, Index face) : shortest(3 * face), longest(3 * face) {
+    shortest_squared = longest_squared = mesh.squared_length(3 * face);
+    for (Index h = 3 * face + 1; h < 3 * face + 3; ++h) {
+      const double squared = mesh.squared_length(h);
+      if (squared < shortest_squared) {
+        shortest = h;
+        shortest_squared = squared;
+      }
+      if (squared > longest_squared) {
+        longest = h;
+        longest_squared = squared;
+      }
+    }
   }
-  return shortest;
-}
+  bool is_needle() const { return shortest_squared < short_edge * short_edge * longest_squared; }
+};
 
 bool is_degenerate(const EditableMesh& mesh, Index face) {
+  const Vec3& a = mesh.position(mesh.source(3 * face));
+  const Vec3 ab = mesh.position(mesh.source(3 * face + 1)) - a;
+  const Vec3 ac = mesh.position(mesh.source(3 * face + 2)) - a;
+  const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
   // twice the area is longest edge times height
-  const double longest = mesh.squared_length(longest_halfedge(mesh, face));
-  return mesh.face_normal(face).squaredNorm() <= least_height * least_height * longest * longest;
+  return ab.cross(ac).squaredNorm() <= least_height * least_height * longest * longest;
 }
 
 std::vector<Index> degenerate_faces(const EditableMesh& mesh) {
@@ -47,25 +59,25 @@ std::size_t count_degenerate_faces(const EditableMesh& mesh) {
 
 std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, double max_edge) {
+  const auto mend = [&](Index face) {
+    const Sides sides(mesh, face);
+    const bool may_collapse = !(roles.keeps_border() && mesh.is_border(sides.shortest));
+    if (sides.is_needle() && may_collapse &&
+        collapse_edge(mesh, guard, roles, sides.shortest, max_edge)) {
+      return true;
+    }
+    return flip_edge(mesh, guard, sides.longest);
+  };
   std::vector<Index> faces = degenerate_faces(mesh);
   for (int round = 0; round < most_rounds && !faces.empty(); ++round) {
     bool changed = false;
     for (const Index face : faces) {
-      if (!mesh.has_face(face) || !is_degenerate(mesh, face)) continue;
-      const Index longest = longest_halfedge(mesh, face);
-      const Index shortest = shortest_halfedge(mesh, face);
-      const bool is_needle =
-          mesh.squared_length(shortest) < short_edge * short_edge * mesh.squared_length(longest);
-      const bool may_collapse = !(roles.keeps_border() && mesh.is_border(shortest));
-      changed |= is_needle && may_collapse
-                     ? collapse_edge(mesh, guard, roles, shortest, max_edge) ||
-                           flip_edge(mesh, guard, longest)
-                     : flip_edge(mesh, guard, longest);
+      if (mesh.has_face(face) && is_degenerate(mesh, face)) changed |= mend(face);
     }
     if (!changed) break;
     faces = degenerate_faces(mesh);
   }
-  return count_degenerate_faces(mesh);
+  return faces.size();
 }
 
 }  // namespace transformesh

@@ -16,21 +16,25 @@ constexpr double cell_edges = 2.1;
 constexpr double corner_reach = 0.58;
 constexpr int key_bits = 21;
 
-/// Bit 2k where direction k of thirteen sees the front of a face with that normal, bit 2k + 1 where
+/// Bit k where direction k of thirteen sees the front of a face with that normal, bit 13 + k where
 /// the opposite direction does: the axes, the diagonals of a cube's faces, and its diagonals.
 std::uint32_t seeing_directions(const Vec3& normal) {
   const double x = normal.x();
   const double y = normal.y();
   const double z = normal.z();
+  const double axis = least_cosine * normal.norm();
+  const double diagonal = 1.4142135623730951 * axis;
+  const double corner = 1.7320508075688772 * axis;
   const std::array<double, 13> along{x,         y,         z,         x + y, x - y,
                                      y + z,     y - z,     z + x,     z - x, x + y + z,
                                      x + y - z, x - y + z, -x + y + z};
-  const double least = least_cosine * normal.norm();
+  const std::array<double, 13> least{axis,     axis,     axis,     diagonal, diagonal,
+                                     diagonal, diagonal, diagonal, diagonal, corner,
+                                     corner,   corner,   corner};
   std::uint32_t directions = 0;
   for (std::size_t k = 0; k < 13; ++k) {
-    const double scale = k < 3 ? 1.0 : k < 9 ? 1.4142135623730951 : 1.7320508075688772;
-    directions |= static_cast<std::uint32_t>(along[k] > least * scale) << (2 * k);
-    directions |= static_cast<std::uint32_t>(-along[k] > least * scale) << (2 * k + 1);
+    directions |= static_cast<std::uint32_t>(along[k] > least[k]) << k;
+    directions |= static_cast<std::uint32_t>(along[k] < -least[k]) << (13 + k);
   }
   return directions;
 }

@@ -17,6 +17,8 @@ namespace {
 /// Halves of split edges shorter than 3/4 of the least length would be collapsed again at once.
 constexpr double least_ratio = 1.5;
 constexpr double most_faces = 500e6;
+/// Edges up to this many times the least length may go where that makes valences regular.
+constexpr double longest_irregular = 1.3;
 
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
@@ -70,37 +72,72 @@ void check_size(const Mesh& mesh, double max_edge) {
   }
 }
 
-void smooth(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-            const RemeshOptions& options, RemeshResult& result, const Progress& progress) {
-  SmoothCounts counts;
-  const double second = options.smoothing == Smoothing::bilaplace ? options.smooth_second : 0;
-  switch (options.smoothing) {
-    case Smoothing::none:
-      break;
-    case Smoothing::tangential:
-      counts = relax_tangentially(mesh, guard, roles, progress);
-      break;
-    default:
-      counts = smooth_laplace(mesh, guard, roles, options.smooth_first, second, progress);
+/// The steps of one iteration, on the mesh as split.
+class Iteration {
+ public:
+  Iteration(EditableMesh& mesh, const RemeshOptions& options, RemeshResult& result,
+            const Progress& progress)
+      : mesh_(mesh),
+        options_(options),
+        result_(result),
+        progress_(progress),
+        roles_(mesh, options.keep_border),
+        guard_(mesh, options.max_edge) {}
+
+  void run() {
+    result_.refused = 0;
+    collapse();
+    flip();
+    smooth();
+    if (options_.smoothing == Smoothing::none) return;
+    if (options_.flip == FlipRule::valence) {
+      result_.collapses +=
+          collapse_for_valence(mesh_, guard_, roles_, longest_irregular * options_.min_edge,
+                               options_.max_edge, progress_);
+    }
+    flip();
+    relax();
   }
-  result.refused += counts.refused;
-}
+
+ private:
+  void collapse() {
+    const CollapseCounts counts = collapse_short_edges(mesh_, guard_, roles_, options_.min_edge,
+                                                       options_.max_edge, progress_);
+    result_.collapses += counts.done;
+    result_.refused += counts.refused;
+    remove_degenerate_faces(mesh_, guard_, roles_, options_.max_edge);
+  }
+  void flip() {
+    const FlipCounts counts =
+        flip_edges(mesh_, guard_, options_.flip, options_.max_edge, progress_);
+    result_.flips += counts.done;
+    result_.refused += counts.refused;
+  }
+  void relax() { result_.refused += relax_tangentially(mesh_, guard_, roles_, progress_).refused; }
+  void smooth() {
+    const double second = options_.smoothing == Smoothing::bilaplace ? options_.smooth_second : 0;
+    if (options_.smoothing == Smoothing::tangential) relax();
+    if (options_.smoothing != Smoothing::laplace && options_.smoothing != Smoothing::bilaplace) {
+      return;
+    }
+    const SmoothCounts counts =
+        smooth_laplace(mesh_, guard_, roles_, options_.smooth_first, second, progress_);
+    result_.refused += counts.refused;
+  }
+
+  EditableMesh& mesh_;
+  const RemeshOptions& options_;
+  RemeshResult& result_;
+  const Progress& progress_;
+  VertexRoles roles_;
+  EmbeddingGuard guard_;
+};
 
 void iterate(EditableMesh& mesh, const RemeshOptions& options, RemeshResult& result,
              const Progress& progress) {
   mark_features(mesh, options.feature_angle_deg);
   result.splits += split_long_edges(mesh, options.max_edge, options.keep_border, progress);
-
-  const VertexRoles roles(mesh, options.keep_border);
-  EmbeddingGuard guard(mesh, options.max_edge);
-  const CollapseCounts collapses =
-      collapse_short_edges(mesh, guard, roles, options.min_edge, options.max_edge, progress);
-  remove_degenerate_faces(mesh, guard, roles, options.max_edge);
-  const FlipCounts flips = flip_edges(mesh, guard, options.flip, options.max_edge, progress);
-  result.collapses += collapses.done;
-  result.flips += flips.done;
-  result.refused = collapses.refused + flips.refused;
-  smooth(mesh, guard, roles, options, result, progress);
+  Iteration(mesh, options, result, progress).run();
 }
 
 }  // namespace

@@ -7,31 +7,39 @@
 namespace transformesh {
 namespace {
 
-/// Walks over a component and measures it on the way.
+/// Walks over a component as long as all its edges are short, and measures it on the way.
 class ComponentWalk {
  public:
-  explicit ComponentWalk(const EditableMesh& mesh) : mesh_(mesh), reached_(mesh.face_slots(), 0) {}
+  ComponentWalk(const EditableMesh& mesh, double edge)
+      : mesh_(mesh), limit_(edge * edge), reached_(mesh.face_slots(), 0) {}
 
-  bool is_reached(Index face) const { return reached_[face]; }
   const std::vector<Index>& faces() const { return faces_; }
   bool has_border() const { return has_border_; }
-  double longest_squared() const { return longest_squared_; }
   double volume() const { return six_volumes_ / 6; }
 
-  void walk(Index seed) {
+  /// False where the face was reached before or a long edge turns up: no small component.
+  bool walk(Index seed) {
+    if (reached_[seed] || !has_short_edges(seed)) return false;
     faces_.assign(1, seed);
     reached_[seed] = 1;
     has_border_ = false;
-    longest_squared_ = 0;
     six_volumes_ = 0;
     const Vec3& origin = mesh_.position(mesh_.source(3 * seed));
-    for (std::size_t i = 0; i < faces_.size(); ++i) visit(faces_[i], origin);
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      if (!has_short_edges(faces_[i])) return false;
+      visit(faces_[i], origin);
+    }
+    return true;
   }
 
  private:
+  bool has_short_edges(Index face) const {
+    return mesh_.squared_length(3 * face) < limit_ && mesh_.squared_length(3 * face + 1) < limit_ &&
+           mesh_.squared_length(3 * face + 2) < limit_;
+  }
+
   void visit(Index face, const Vec3& origin) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      longest_squared_ = std::max(longest_squared_, mesh_.squared_length(h));
       const Index opposite = mesh_.opposite(h);
       has_border_ |= opposite == no_index;
       if (opposite == no_index || reached_[opposite / 3]) continue;
@@ -42,10 +50,10 @@ class ComponentWalk {
   }
 
   const EditableMesh& mesh_;
+  double limit_;
   std::vector<char> reached_;
   std::vector<Index> faces_;
   bool has_border_ = false;
-  double longest_squared_ = 0;
   double six_volumes_ = 0;
 };
 
@@ -61,12 +69,10 @@ void remove_faces(EditableMesh& mesh, const std::vector<Index>& faces) {
 std::size_t remove_small_components(EditableMesh& mesh, double edge, bool keep_border) {
   const double volume = std::numbers::pi / 6 * edge * edge * edge;
   std::size_t removed = 0;
-  ComponentWalk component(mesh);
+  ComponentWalk component(mesh, edge);
   for (Index face = 0; face < mesh.face_slots(); ++face) {
-    if (!mesh.has_face(face) || component.is_reached(face)) continue;
-    component.walk(face);
+    if (!mesh.has_face(face) || !component.walk(face)) continue;
     if (keep_border && component.has_border()) continue;
-    if (component.longest_squared() >= edge * edge) continue;
     if (std::abs(component.volume()) >= volume) continue;
     remove_faces(mesh, component.faces());
     ++removed;

@@ -7,7 +7,7 @@ namespace transformesh {
 
 /// Removes every component whose edges are all shorter than `edge` and whose volume is, whatever
 /// its sign, below pi/6 edge^3; with keep_border not those with a border. The volume of a component
-/// with a border is taken against one of its vertices. O(n). Returns how many went.
+/// with a border is taken against one of its vertices. Returns how many went.
 std::size_t remove_small_components(EditableMesh& mesh, double edge, bool keep_border);
 
 }  // namespace transformesh
