@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tm/mesh/mesh.h"
+#include "tm/support/single.h"
 
 namespace transformesh {
 
@@ -83,7 +84,9 @@ class EditableMesh {
   /// of that type holds.
   void set_coordinate(Scalar coordinate) { single_ = coordinate == Scalar::float32; }
   Vec3 rounded(const Vec3& position) const {
-    return single_ ? Vec3(position.cast<float>().cast<double>()) : position;
+    if (!single_) return position;
+    return {round_to_single(position.x()), round_to_single(position.y()),
+            round_to_single(position.z())};
   }
   /// The positions given to these are to be rounded already.
   void move(Index vertex, const Vec3& position) { positions_[vertex] = position; }

@@ -21,13 +21,12 @@ class ComponentWalk {
   bool walk(Index seed) {
     if (reached_[seed] || !has_short_edges(seed)) return false;
     faces_.assign(1, seed);
-    reached_[seed] = 1;
+    reached_[seed] = ++walk_;
     has_border_ = false;
     six_volumes_ = 0;
     const Vec3& origin = mesh_.position(mesh_.source(3 * seed));
     for (std::size_t i = 0; i < faces_.size(); ++i) {
-      if (!has_short_edges(faces_[i])) return false;
-      visit(faces_[i], origin);
+      if (!has_short_edges(faces_[i]) || !visit(faces_[i], origin)) return false;
     }
     return true;
   }
@@ -38,20 +37,25 @@ class ComponentWalk {
            mesh_.squared_length(3 * face + 2) < limit_;
   }
 
-  void visit(Index face, const Vec3& origin) {
+  /// False next to a face that an earlier walk reached, which then met a long edge.
+  bool visit(Index face, const Vec3& origin) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       const Index opposite = mesh_.opposite(h);
       has_border_ |= opposite == no_index;
-      if (opposite == no_index || reached_[opposite / 3]) continue;
-      reached_[opposite / 3] = 1;
-      faces_.push_back(opposite / 3);
+      if (opposite == no_index) continue;
+      Index& reached = reached_[opposite / 3];
+      if (reached != 0 && reached != walk_) return false;
+      if (reached == 0) faces_.push_back(opposite / 3);
+      reached = walk_;
     }
     six_volumes_ += (mesh_.position(mesh_.source(3 * face)) - origin).dot(mesh_.face_normal(face));
+    return true;
   }
 
   const EditableMesh& mesh_;
   double limit_;
-  std::vector<char> reached_;
+  std::vector<Index> reached_;  ///< number of the walk that reached the face, 0 for none
+  Index walk_ = 0;
   std::vector<Index> faces_;
   bool has_border_ = false;
   double six_volumes_ = 0;
