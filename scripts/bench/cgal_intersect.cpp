@@ -1,0 +1,66 @@
+// The pairs of self-intersecting faces of a PLY or OFF mesh as CGAL finds them, for comparison with
+// tm-intersect: reads through the library's reader, prints the number of pairs and the CPU seconds
+// that finding them took.
+//   cgal-intersect INPUT
+// CGAL takes faces that share a vertex index as neighbours, tm-intersect those that share a
+// position; where a mesh has vertices twice the counts differ.
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "tm/io/mesh_io.h"
+#include "tm/support/error.h"
+
+using namespace transformesh;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+namespace {
+
+Mesh read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError("cannot open " + path);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  return read_mesh(bytes, path).document.mesh;
+}
+
+SurfaceMesh surface_mesh(const Mesh& mesh) {
+  SurfaceMesh surface;
+  for (const Vec3& p : mesh.positions) surface.add_vertex({p.x(), p.y(), p.z()});
+  for (const auto& [a, b, c] : mesh.faces) {
+    const auto face = surface.add_face(SurfaceMesh::Vertex_index(a), SurfaceMesh::Vertex_index(b),
+                                       SurfaceMesh::Vertex_index(c));
+    if (face == SurfaceMesh::null_face()) throw InputError("the mesh is not an oriented manifold");
+  }
+  return surface;
+}
+
+void measure(const std::string& path) {
+  const SurfaceMesh surface = surface_mesh(read_file(path));
+  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
+  const std::clock_t start = std::clock();
+  CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(
+      surface, std::back_inserter(pairs));
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  std::cout << "pairs: " << pairs.size() << "\nseconds: " << seconds << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: cgal-intersect INPUT\n";
+    return 2;
+  }
+  try {
+    measure(argv[1]);
+  } catch (const std::exception& error) {
+    std::cerr << "cgal-intersect: " << error.what() << '\n';
+    return 3;
+  }
+}
