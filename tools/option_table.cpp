@@ -51,16 +51,19 @@ po::options_description description(const std::vector<Option>& options) {
                    "'?");
 }
 
+[[noreturn]] void throw_missing(const std::string& name) {
+  throw UsageError((name.size() == 1 ? "-" : "--") + name + " needs a value");
+}
+
 // Boost's own messages name the option in several ways; ours is always `--name`.
 [[noreturn]] void rethrow_in_words(const po::error_with_option_name& error) {
   std::string name = error.get_option_name();
   name.erase(0, name.find_first_not_of('-'));
-  const std::string option = (name.size() == 1 ? "-" : "--") + name;
   const auto* syntax = dynamic_cast<const po::invalid_syntax*>(&error);
   if (syntax != nullptr && syntax->kind() == po::invalid_syntax::extra_parameter) {
-    throw UsageError(option + " takes no value");
+    throw UsageError("--" + name + " takes no value");
   }
-  throw UsageError(option + " needs a value");
+  throw_missing(name);
 }
 
 std::vector<po::option> split(const std::vector<std::string>& arguments,
@@ -110,8 +113,11 @@ std::vector<std::string> OptionTable::parse(const std::vector<std::string>& argu
       continue;
     }
     Option* option = find(parsed.string_key);
+    const std::string value = parsed.value.empty() ? "" : parsed.value[0];
+    // `--output --quiet`: the value was forgotten.
+    if (value.starts_with("--") && find(value) != nullptr) throw_missing(option->name);
     try {
-      option->assign(parsed.value.empty() ? "" : parsed.value[0]);
+      option->assign(value);
     } catch (const UsageError& error) {
       throw UsageError("--" + option->name + ": " + error.what());
     }

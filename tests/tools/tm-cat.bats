@@ -1,0 +1,66 @@
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  tetrahedron >t.ply
+}
+
+# The number of elements of this name that a PLY header announces.
+count() {
+  sed -n "s/^element $1 //p" "$2"
+}
+
+@test "elements follow each other, and faces refer to their own vertices" {
+  tm-cat t.ply t.ply t.ply >all.ply
+  [ "$(count vertex all.ply) $(count face all.ply)" = "12 12" ]
+  [ "$(tail -n 1 all.ply)" = "3 9 11 10" ]
+  sed -n '/^end_header/,$p' all.ply | sed -n 6,9p >second
+  sed -n '/^end_header/,$p' t.ply | sed -n 2,5p | cmp - second
+}
+
+@test "stdin may be one of several inputs" {
+  tm-cat t.ply - t.ply <t.ply >all.ply
+  [ "$(count vertex all.ply)" -eq 12 ]
+}
+
+@test "one mesh stays as it is" {
+  tm-cat --no-provenance t.ply | cmp - t.ply
+  tm-cat --no-provenance <t.ply | cmp - t.ply
+}
+
+@test "columns are united, and missing values are zero" {
+  sed '/^property double z/a property float quality' t.ply |
+    sed '/^end_header/,$ s/^\(. . .\)$/\1 7/' >quality.ply
+  tm-cat t.ply quality.ply >all.ply
+  [ "$(grep -c '^property float quality' all.ply)" -eq 1 ]
+  sed -n '/^end_header/,$p' all.ply | sed -n 2,9p | cut -d' ' -f4 | tr -d '\n' | grep -qx 00007777
+}
+
+@test "coordinates are double as soon as one input has doubles" {
+  tm-convert --float -o float.ply t.ply
+  tm-cat float.ply t.ply | grep -qx "property double x"
+  tm-cat float.ply float.ply | grep -qx "property float x"
+  tm-cat --float float.ply t.ply | grep -qx "property float x"
+}
+
+@test "comments of all inputs are kept once, and the reference edge of the first" {
+  sed '2a comment one\ncomment both\ncomment tm:reference-edge 1' t.ply >one.ply
+  sed '2a comment two\ncomment both\ncomment tm:reference-edge 2' t.ply >two.ply
+  tm-cat --no-provenance one.ply two.ply | grep '^comment' >comments
+  printf 'comment %s\n' one both "tm:reference-edge 1" two | cmp - comments
+}
+
+@test "further elements are kept" {
+  sed '/^end_header/i element label 1\nproperty int number' t.ply | sed '$a 5' >label.ply
+  tm-cat label.ply t.ply label.ply >all.ply
+  [ "$(count label all.ply)" -eq 2 ]
+  tail -n 2 all.ply | tr '\n' ' ' | grep -qx '5 5 '
+}
+
+@test "a broken input among several is named" {
+  head -c 150 t.ply >broken.ply
+  run --separate-stderr tm-cat t.ply broken.ply -o all.ply
+  assert_status 3
+  [[ $stderr == *broken.ply* ]]
+  [ ! -e all.ply ]
+}

@@ -1,0 +1,220 @@
+# What the frame does for every program, shown with tm-convert and tm-cat.
+
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  tetrahedron >t.ply
+}
+
+@test "the format follows the input, --format, or the name given with -o" {
+  tm-convert --no-provenance t.ply | cmp - t.ply
+  [ "$(tm-convert --format off t.ply | head -n 1)" = OFF ]
+  [ "$(tm-convert --format off t.ply | tm-convert | head -n 1)" = OFF ]
+  tm-convert --format ply-be t.ply | tm-convert | sed -n 2p | grep -qx "format binary_big_endian 1.0"
+  tm-convert -o t.off t.ply && [ "$(head -n 1 t.off)" = OFF ]
+  tm-convert -o t.OBJ t.ply && grep -q '^v 1 1 0' t.OBJ
+  tm-convert --format ply -o wrong.off t.ply && [ "$(head -n 1 wrong.off)" = ply ]
+}
+
+@test "OBJ and STL come in by name, and go on as the pipe format" {
+  for extension in obj stl; do
+    tm-convert -o "t.$extension" t.ply
+    tm-convert "t.$extension" | sed -n 2p | grep -qx "format binary_little_endian 1.0"
+  done
+}
+
+@test "--float and --double change the scalar type" {
+  tm-convert --float t.ply | grep -qx "property float x"
+  tm-convert --float t.ply | tm-convert --double | grep -qx "property double x"
+  run --separate-stderr tm-convert --float --double t.ply
+  assert_status 2
+}
+
+@test "a provenance comment names the options that affect the result, and only those" {
+  tm-convert --threads 2 -q --float -o out.ply --report r.json t.ply
+  version=$(tm-convert --version)
+  [ "$(grep '^comment' out.ply)" = "comment $version --float" ]
+  tm-convert --no-provenance t.ply | grep -c '^comment' | grep -qx 0
+}
+
+@test "the last twenty provenance comments stay" {
+  cp t.ply now.ply
+  for _ in $(seq 23); do tm-convert -o now.ply now.ply; done
+  [ "$(grep -c '^comment tm-convert' now.ply)" -eq 20 ]
+}
+
+@test "--reference-edge writes the comment that later programs read" {
+  tm-convert --reference-edge auto t.ply | grep -qx "comment tm:reference-edge 1.4142135623730951"
+  tm-convert --reference-edge 10 t.ply | tm-convert --reference-edge 0.5x |
+    grep -qx "comment tm:reference-edge 5"
+  tm-convert t.ply | grep -c reference-edge | grep -qx 0
+}
+
+@test "a malformed reference edge is told" {
+  sed 's/^element vertex/comment tm:reference-edge 0\n&/' t.ply >bad.ply
+  run --separate-stderr tm-convert --reference-edge 1x bad.ply
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *reference-edge* ]]
+  tm-convert --reference-edge auto bad.ply >/dev/null
+}
+
+@test "-o onto the input itself works, and a failure leaves the file as it was" {
+  cp t.ply same.ply
+  tm-convert --format off -o same.ply same.ply
+  [ "$(head -n 1 same.ply)" = OFF ]
+  head -c 100 t.ply >broken.ply
+  cp broken.ply before
+  run tm-convert -o broken.ply broken.ply
+  assert_status 3
+  cmp broken.ply before
+}
+
+@test "a FIFO as target is written and stays a FIFO" {
+  mkfifo fifo
+  tm-convert --no-provenance -o fifo t.ply 3>&- &
+  cmp fifo t.ply
+  wait $!
+  [ -p fifo ]
+}
+
+@test "devices and descriptors as targets are written directly" {
+  tm-convert -o /dev/null t.ply
+  [ -c /dev/null ]
+  tm-convert --no-provenance -o /dev/stdout t.ply | cmp - t.ply
+  tm-convert --no-provenance -o /dev/stdout t.ply >out.ply
+  cmp out.ply t.ply
+  run --separate-stderr tm-convert -o /dev/full t.ply
+  assert_status 5
+  one_line "$stderr"
+}
+
+@test "a folder that does not exist or may not be written is exit 5" {
+  run --separate-stderr tm-convert -o none/out.ply t.ply
+  assert_status 5
+  one_line "$stderr"
+  mkdir locked && chmod a-w locked
+  [ ! -w locked ] || skip "root may write everywhere"
+  run --separate-stderr tm-convert -o locked/out.ply t.ply
+  assert_status 5
+  one_line "$stderr"
+}
+
+@test "when one output fails no other appears" {
+  run --separate-stderr tm-convert -o out.ply --report /dev/full t.ply
+  assert_status 5
+  [ ! -e out.ply ]
+  run --separate-stderr tm-convert --report report.json t.ply -o /dev/full
+  assert_status 5
+  [ ! -e report.json ]
+  [ -z "$(find . -name '*.tmp')" ]
+}
+
+@test "closed descriptors are told" {
+  for redirection in '>&-' '<&-'; do
+    code=0
+    bash -c "tm-convert <t.ply $redirection" 2>stderr || code=$?
+    [ "$code" -eq 5 ] || [ "$redirection $code" = "<&- 3" ] || fail "$redirection: exit code $code"
+    one_line "$(cat stderr)"
+  done
+  tm-convert -o out.ply t.ply 2>&-
+  [ -s out.ply ]
+}
+
+@test "an input that cannot be read is exit 3 and says why" {
+  for input in none.ply .; do
+    run --separate-stderr tm-convert "$input"
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr == "tm-convert: $input: cannot be read: "* ]]
+  done
+}
+
+@test "more than one input for a filter is exit 2" {
+  run --separate-stderr tm-convert t.ply t.ply
+  assert_status 2
+  one_line "$stderr"
+}
+
+@test "--report holds tool, options, counts, timings and memory" {
+  tm-cat --report r.json t.ply t.ply >/dev/null
+  for entry in '"tool": "tm-cat"' '"vertices": 8' '"faces": 8' '"meshes": 2' '"read": ' \
+    '"write": ' '"total": ' '"peak_memory_bytes": '; do
+    grep -q "$entry" r.json || fail "$(cat r.json)"
+  done
+  tm-cat --report - -o out.ply t.ply | grep -q '"tool": "tm-cat"'
+  run --separate-stderr tm-cat --report - t.ply
+  assert_status 2
+}
+
+@test "-q is silent about notes, -v says what was done" {
+  tm-convert -o t.stl t.ply 2>notes
+  tm-convert -q t.stl 2>quiet >/dev/null
+  [ ! -s quiet ]
+  tm-convert t.stl 2>loud >/dev/null
+  one_line "$(cat loud)"
+  tm-cat -v t.ply 2>verbose >/dev/null
+  grep -qx "tm-cat: meshes: 1" verbose
+}
+
+@test "--threads takes any positive number, and the result stays" {
+  for threads in 0 1 3 64; do
+    tm-convert --no-provenance --threads "$threads" t.ply | cmp - t.ply
+  done
+  run tm-convert --threads many t.ply
+  assert_status 2
+}
+
+# in_terminal 'command': runs it with stdin, stdout and stderr on a terminal.
+in_terminal() {
+  needs_command script
+  run script -qec "$1" /dev/null </dev/null
+}
+
+@test "with a terminal as stdin and no input named: short help, exit 2" {
+  in_terminal 'tm-convert'
+  assert_status 2
+  [[ $output == "Usage: tm-convert "*"--help"* ]]
+}
+
+@test "binary is refused on a terminal, with advice; text is not" {
+  in_terminal 'tm-convert --format ply t.ply'
+  assert_status 2
+  [[ $output == *"--format ply-ascii"* && $output != *end_header* ]]
+  in_terminal 'tm-convert t.ply'
+  assert_status 0
+  [[ $output == *end_header* ]]
+}
+
+@test "colour only on a terminal, and NO_COLOR and TERM=dumb are obeyed" {
+  escape=$'\033'
+  in_terminal 'env TERM=xterm tm-convert none.ply'
+  [[ $output == *"$escape"* ]]
+  in_terminal 'env TERM=xterm NO_COLOR=1 tm-convert none.ply'
+  [[ $output != *"$escape"* ]]
+  in_terminal 'env TERM=dumb tm-convert none.ply'
+  [[ $output != *"$escape"* ]]
+  run env TERM=xterm tm-convert none.ply
+  [[ $output != *"$escape"* ]]
+}
+
+@test "--help also fails on a full disk" {
+  run --separate-stderr bash -c 'tm-convert --help >/dev/full'
+  assert_status 5
+}
+
+# The start of a mesh of ten million vertices.
+large_mesh() {
+  printf 'ply\nformat binary_little_endian 1.0\nelement vertex 10000000\n'
+  printf 'property double x\nproperty double y\nproperty double z\nend_header\n'
+  head -c 240000000 /dev/zero
+}
+
+@test "out of memory is exit 6 and one line" {
+  export -f large_mesh
+  run --separate-stderr bash -c 'large_mesh 2>/dev/null |
+    (ulimit -v 300000 && exec tm-convert --threads 1 >/dev/null)'
+  assert_status 6
+  [ "$stderr" = "tm-convert: out of memory" ]
+}
