@@ -35,9 +35,11 @@ po::options_description description(const std::vector<Option>& options) {
   for (const Option& option : options) {
     std::string names = option.name;
     if (option.short_name != 0) names += std::string(",") + option.short_name;
-    const po::value_semantic* value = po::value<std::string>();
-    if (option.is_flag()) value = new po::untyped_value(true);
-    all.add_options()(names.c_str(), value, "");
+    if (option.is_flag()) {
+      all.add_options()(names.c_str(), "");
+    } else {
+      all.add_options()(names.c_str(), po::value<std::string>(), "");
+    }
   }
   return all;
 }
