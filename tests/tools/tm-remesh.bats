@@ -1,0 +1,91 @@
+load ../helpers/common
+
+# value KEY FILE: a number of a report.
+value() {
+  awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2"
+}
+
+@test "a refined mesh has more faces, and a report says what was done" {
+  tetrahedron >"$BATS_TEST_TMPDIR/in.ply"
+  pipe "tm-remesh --min-edge 0.35x --max-edge 0.75x --report $BATS_TEST_TMPDIR/r.json \
+    < $BATS_TEST_TMPDIR/in.ply > $BATS_TEST_TMPDIR/out.ply"
+  assert_status 0
+  [ "$(value splits "$BATS_TEST_TMPDIR/r.json")" -gt 5 ]
+  [ "$(value degenerate_faces "$BATS_TEST_TMPDIR/r.json")" -eq 0 ]
+  for key in collapses flips refused components_removed; do
+    [ -n "$(value $key "$BATS_TEST_TMPDIR/r.json")" ] || fail "no $key in the report"
+  done
+}
+
+@test "the reference edge of the first program holds in the second" {
+  tetrahedron >"$BATS_TEST_TMPDIR/in.ply"
+  pipe "tm-remesh --min-edge 0.35x --max-edge 0.75x < $BATS_TEST_TMPDIR/in.ply |
+    tm-remesh -v --min-edge 0.35x --max-edge 0.75x 2>&1 >/dev/null | grep 'reference edge'"
+  assert_status 0
+  [[ $output == *"reference edge 1.41421356"* ]]
+}
+
+@test "lengths that fight are refused with numbers" {
+  tetrahedron >"$BATS_TEST_TMPDIR/in.ply"
+  run tm-remesh --min-edge 1 --max-edge 1.2 "$BATS_TEST_TMPDIR/in.ply"
+  assert_status 2
+  one_line "$output"
+  [[ $output == *"1.2 is below 1.5 times the shortest 1"* ]]
+}
+
+@test "nothing left is exit 4, with nothing written" {
+  tetrahedron >"$BATS_TEST_TMPDIR/in.ply"
+  run --separate-stderr tm-remesh --min-edge 5 --max-edge 10 "$BATS_TEST_TMPDIR/in.ply"
+  assert_status 4
+  [ -z "$output" ]
+  [[ $stderr == *"nothing would be left; use a smaller --min-edge"* ]]
+}
+
+@test "a mesh that is no manifold is exit 3 with faces and advice" {
+  cat >"$BATS_TEST_TMPDIR/in.off" <<'MESH'
+OFF
+5 3 0
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+1 1 1
+3 0 1 2
+3 0 1 3
+3 1 0 4
+MESH
+  run tm-remesh "$BATS_TEST_TMPDIR/in.off"
+  assert_status 3
+  [[ $output == *"faces 0 and 1 run the same way"*"mend it with tm-stitch --orient"* ]]
+}
+
+@test "factors of smoothing are read and checked" {
+  tetrahedron >"$BATS_TEST_TMPDIR/in.ply"
+  for good in "--smooth 0.1" "--smooth none" "--smooth tangential" "--smooth2 0.1,0.05"; do
+    # shellcheck disable=SC2086 # two words
+    run tm-remesh $good -o "$BATS_TEST_TMPDIR/out.ply" "$BATS_TEST_TMPDIR/in.ply"
+    assert_status 0
+  done
+  for bad in "--smooth 2" "--smooth strong" "--smooth2 0.1" "--smooth2 0.1,0.3" \
+    "--smooth 0.1 --smooth2 0.1,0"; do
+    # shellcheck disable=SC2086 # words
+    run tm-remesh $bad -o "$BATS_TEST_TMPDIR/bad.ply" "$BATS_TEST_TMPDIR/in.ply"
+    assert_status 2
+    one_line "$output"
+    [ ! -e "$BATS_TEST_TMPDIR/bad.ply" ]
+  done
+}
+
+@test "float input gives floats that hold what was checked" {
+  tetrahedron | tm-convert --float >"$BATS_TEST_TMPDIR/in.ply"
+  pipe "tm-remesh --min-edge 0.2x --max-edge 0.5x < $BATS_TEST_TMPDIR/in.ply |
+    tm-convert --format ply-ascii | grep -c 'property float [xyz]'"
+  assert_status 0
+  [ "$output" -eq 3 ]
+}
+
+@test "real meshes come out manifold, without crossings" {
+  needs_shared meshes/cgal/elephant-with-holes.off
+  pipe "tm-remesh --iterations 3 $shared_file | tm-intersect --check --report $BATS_TEST_TMPDIR/r.json"
+  assert_status 0
+}
