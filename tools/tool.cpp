@@ -28,6 +28,9 @@ struct Program::Implementation {
   /// Parses, answers --help and --version, works, and turns exceptions into exit codes.
   int run(int argc, char** argv, const Kind& kind, const Work& work);
   int run_unguarded(const std::vector<std::string>& arguments, const Kind& kind, const Work& work);
+  /// A filter or a predicate, as `is_predicate` says once the options are parsed.
+  int run_either(int argc, char** argv, const std::function<bool()>& is_predicate,
+                 const std::function<bool(Document&, Run&)>& body);
   int print(std::string_view text);
   int fail(int code, std::string_view message);
   /// The inputs to read: those named, else stdin, which must not be a terminal.
@@ -115,6 +118,24 @@ int Program::Implementation::run(int argc, char** argv, const Kind& kind, const 
   } catch (const std::exception&) {
     return fail(exit_goal, "internal error: please report it together with the input");
   }
+}
+
+int Program::Implementation::run_either(int argc, char** argv,
+                                        const std::function<bool()>& is_predicate,
+                                        const std::function<bool(Document&, Run&)>& body) {
+  const auto work = [&](Session& session, const std::vector<std::string>& named) {
+    if (common.json && !is_predicate()) {
+      throw UsageError("--json needs a report on standard output");
+    }
+    Document document = session.read_input(named[0], !is_predicate());
+    session.begin(&document);
+    const bool answer = body(document, session);
+    if (is_predicate()) session.write_report(common.json, "");
+    if (!is_predicate() && answer) session.write_mesh(document, {});
+    if (is_predicate() || answer) session.finish();
+    return answer ? exit_done : exit_no;
+  };
+  return run(argc, argv, Kind{.is_predicate = true}, work);
 }
 
 Program::Program(std::string name, std::string synopsis, std::string summary)
@@ -241,18 +262,14 @@ int Program::predicate(int argc, char** argv, const std::function<bool(Document&
 
 int Program::filter_or_predicate(int argc, char** argv, const bool* is_predicate,
                                  const std::function<bool(Document&, Run&)>& body) {
-  const auto work = [&](Session& session, const std::vector<std::string>& inputs) {
-    const bool json = implementation_->common.json;
-    if (json && !*is_predicate) throw UsageError("--json needs a report on standard output");
-    Document document = session.read_input(inputs[0], !*is_predicate);
-    session.begin(&document);
-    const bool answer = body(document, session);
-    if (*is_predicate) session.write_report(json, "");
-    if (!*is_predicate && answer) session.write_mesh(document, {});
-    if (*is_predicate || answer) session.finish();
-    return answer ? exit_done : exit_no;
-  };
-  return implementation_->run(argc, argv, Kind{.is_predicate = true}, work);
+  return implementation_->run_either(
+      argc, argv, [=] { return *is_predicate; }, body);
+}
+
+int Program::predicate_or_filter(int argc, char** argv, const bool* is_filter,
+                                 const std::function<bool(Document&, Run&)>& body) {
+  return implementation_->run_either(
+      argc, argv, [=] { return !*is_filter; }, body);
 }
 
 int Program::picture(int argc, char** argv,

@@ -112,6 +112,9 @@ class Program {
   /// writes nothing and exits with 1 where the body returns false.
   int filter_or_predicate(int argc, char** argv, const bool* is_predicate,
                           const std::function<bool(Document&, Run&)>& body);
+  /// The same, a filter while *is_filter holds after parsing.
+  int predicate_or_filter(int argc, char** argv, const bool* is_filter,
+                          const std::function<bool(Document&, Run&)>& body);
   /// Any number of meshes in (stdin where none is named), bytes that are not a mesh out.
   int picture(int argc, char** argv,
               const std::function<std::string(std::vector<Document>, Run&)>& body);

@@ -2,8 +2,8 @@
 
 #include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/edges.h"
+#include "tm/mesh/fans.h"
 #include "tm/mesh/measure.h"
-#include "tm/mesh/umbrellas.h"
 
 namespace transformesh {
 namespace {
@@ -64,7 +64,7 @@ Components connected_components(const Mesh& mesh) {
   const Edges edges(mesh);
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
     ++component(edges.halfedges(edge)[0] / 3).edges;
-  for (const Index halfedge : boundary_loops(mesh, edges, find_umbrellas(mesh, edges)))
+  for (const Index halfedge : boundary_loops(mesh, edges, find_fans(mesh, edges)))
     ++component(halfedge / 3).boundary_loops;
   return result;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tm/mesh/edges.h"
-#include "tm/mesh/umbrellas.h"
+#include "tm/mesh/fans.h"
 #include "tm/support/length.h"
 
 namespace transformesh {
@@ -26,17 +26,17 @@ void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   std::sort(report.misoriented_edges.begin(), report.misoriented_edges.end());
 }
 
-/// A vertex is bad with more than one umbrella, or where an umbrella is none because of a crowded
+/// A vertex is bad with more than one fan, or where a fan is none because of a crowded
 /// edge.
-void check_vertices(const Mesh& mesh, const Umbrellas& umbrellas, ManifoldReport& report) {
+void check_vertices(const Mesh& mesh, const Fans& fans, ManifoldReport& report) {
   std::vector<bool> is_bad(mesh.positions.size(), false);
   for (const Index halfedge : report.nonmanifold_edges) {
     is_bad[halfedge_source(mesh, halfedge)] = true;
     is_bad[halfedge_target(mesh, halfedge)] = true;
   }
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    if (umbrellas.count[v] == 0) report.isolated_vertices.push_back(static_cast<Index>(v));
-    if (umbrellas.count[v] > 1 || is_bad[v])
+    if (fans.count[v] == 0) report.isolated_vertices.push_back(static_cast<Index>(v));
+    if (fans.count[v] > 1 || is_bad[v])
       report.nonmanifold_vertices.push_back(static_cast<Index>(v));
   }
 }
@@ -44,10 +44,7 @@ void check_vertices(const Mesh& mesh, const Umbrellas& umbrellas, ManifoldReport
 void check_faces(const Mesh& mesh, ManifoldReport& report) {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto& [a, b, c] = mesh.faces[f];
-    const auto& p = mesh.positions;
     if (a == b || b == c || c == a) report.collapsed_faces.push_back(static_cast<Index>(f));
-    if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a])
-      report.degenerate_faces.push_back(static_cast<Index>(f));
   }
 }
 
@@ -73,10 +70,10 @@ ManifoldReport check_manifold(const Mesh& mesh) {
   ManifoldReport report;
   const Edges edges(mesh);
   check_edges(mesh, edges, report);
-  Umbrellas umbrellas = find_umbrellas(mesh, edges);
-  check_vertices(mesh, umbrellas, report);
+  Fans fans = find_fans(mesh, edges);
+  check_vertices(mesh, fans, report);
   check_faces(mesh, report);
-  report.boundary_loops = boundary_loops(mesh, edges, std::move(umbrellas)).size();
+  report.boundary_loops = boundary_loops(mesh, edges, std::move(fans)).size();
   return report;
 }
 

@@ -1,5 +1,6 @@
 /// Whether a mesh is an oriented 2-manifold, with or without borders, and where it is not.
-/// Vertices are the same when their indices are. Lists ascend. Cost: O(n); deterministic.
+/// Vertices are the same when their indices are. Lists ascend. Faces without area are no matter of
+/// topology: geometry/degenerate_faces finds them. Cost: O(n); deterministic.
 #pragma once
 
 #include <string>
@@ -17,11 +18,6 @@ struct ManifoldReport {
   std::vector<Index> border_halfedges;      ///< halfedges without a face across
   std::vector<Index> isolated_vertices;     ///< used by no face
   std::size_t boundary_loops = 0;
-
-  /// Faces with two corners of the same index or position. They have no area, yet only the
-  /// collapsed ones among them spoil the manifold. Faces with three corners on a line need exact
-  /// predicates, which live on the floor of geometry.
-  std::vector<Index> degenerate_faces;
 
   bool is_manifold() const {
     return nonmanifold_edges.empty() && nonmanifold_vertices.empty() && collapsed_faces.empty();

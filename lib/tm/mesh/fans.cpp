@@ -1,4 +1,4 @@
-#include "tm/mesh/umbrellas.h"
+#include "tm/mesh/fans.h"
 
 #include <algorithm>
 
@@ -12,31 +12,30 @@ Index corner_at(const Mesh& mesh, Index halfedge, Index vertex) {
 
 }  // namespace
 
-Umbrellas find_umbrellas(const Mesh& mesh, const Edges& edges) {
-  Umbrellas umbrellas{DisjointSets(3 * mesh.faces.size()),
-                      std::vector<Index>(mesh.positions.size(), 0)};
+Fans find_fans(const Mesh& mesh, const Edges& edges) {
+  Fans fans{DisjointSets(3 * mesh.faces.size()), std::vector<Index>(mesh.positions.size(), 0)};
 
-  // Every corner starts an umbrella of its own; every join removes one.
+  // Every corner starts a fan of its own; every join removes one.
   for (const Face& face : mesh.faces)
-    for (const Index vertex : face) ++umbrellas.count[vertex];
+    for (const Index vertex : face) ++fans.count[vertex];
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto halfedges = edges.halfedges(edge);
     if (halfedges.size() != 2) continue;
     for (const Index vertex :
          {halfedge_source(mesh, halfedges[0]), halfedge_target(mesh, halfedges[0])})
-      if (umbrellas.corners.join(corner_at(mesh, halfedges[0], vertex),
-                                 corner_at(mesh, halfedges[1], vertex)))
-        --umbrellas.count[vertex];
+      if (fans.corners.join(corner_at(mesh, halfedges[0], vertex),
+                            corner_at(mesh, halfedges[1], vertex)))
+        --fans.count[vertex];
   }
-  return umbrellas;
+  return fans;
 }
 
-std::vector<Index> boundary_loops(const Mesh& mesh, const Edges& edges, Umbrellas umbrellas) {
-  // Border edges that share an umbrella belong to one loop.
+std::vector<Index> boundary_loops(const Mesh& mesh, const Edges& edges, Fans fans) {
+  // Border edges that share a fan belong to one loop.
   std::vector<Index> border;
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
     if (edges.halfedges(edge).size() == 1) border.push_back(edges.halfedges(edge)[0]);
-  DisjointSets& loops = umbrellas.corners;
+  DisjointSets& loops = fans.corners;
   for (const Index halfedge : border) loops.join(halfedge, next_halfedge(halfedge));
 
   // The first halfedge of each set in ascending order.

@@ -1,0 +1,137 @@
+#include "tm/geometry/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "tm/geometry/closest_point.h"
+#include "tm/geometry/kd_tree.h"
+#include "tm/geometry/surface_samples.h"
+#include "tm/mesh/measure.h"
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double accuracy_share = 0.9;
+constexpr double default_distance_share = 0.01;  ///< of the reference's diagonal
+constexpr std::size_t points_per_task = 256;
+constexpr std::size_t points_per_report = 16384;
+
+/// Distance to the faces of a mesh; to its vertices where there are no faces.
+class Distance {
+ public:
+  explicit Distance(const Mesh& mesh) : mesh_(mesh) {
+    if (mesh.faces.empty()) {
+      vertices_.emplace(mesh.positions);
+    } else {
+      surface_.emplace(mesh);
+    }
+  }
+  double operator()(const Vec3& point) const {
+    if (surface_) return (*surface_)(point).distance;
+    return (mesh_.positions[vertices_->nearest(point)] - point).norm();
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::optional<KdTree> vertices_;
+  std::optional<ClosestPointQuery> surface_;
+};
+
+std::vector<double> distances(const std::vector<Vec3>& points, const Distance& distance,
+                              const Progress& progress, const char* phase) {
+  std::vector<double> result(points.size());
+  for (std::size_t begin = 0; begin < points.size(); begin += points_per_report) {
+    progress(phase, static_cast<double>(begin) / static_cast<double>(points.size()));
+    const std::size_t count = std::min(points_per_report, points.size() - begin);
+    parallel_for(count, points_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = begin + first; i < begin + last; ++i) result[i] = distance(points[i]);
+    });
+  }
+  return result;
+}
+
+/// The vertices that faces use; all of them where there is no face.
+std::vector<Vec3> used_vertices(const Mesh& mesh) {
+  if (mesh.faces.empty()) return mesh.positions;
+  std::vector<bool> is_used(mesh.positions.size(), false);
+  for (const Face& face : mesh.faces)
+    for (const Index vertex : face) is_used[vertex] = true;
+  std::vector<Vec3> points;
+  for (std::size_t v = 0; v < is_used.size(); ++v)
+    if (is_used[v]) points.push_back(mesh.positions[v]);
+  return points;
+}
+
+/// Distances one way: of the points by area (of the vertices, if there are none) and the largest.
+struct OneWay {
+  std::vector<double> by_area;
+  double largest = 0;
+  double mean = 0;
+  double mean_square = 0;
+};
+
+OneWay measure(const Mesh& from, const Mesh& to, const CompareOptions& options,
+               const Progress& progress, const char* phase) {
+  progress(phase);
+  const Distance distance(to);
+  OneWay result;
+  result.by_area =
+      distances(surface_samples(from, options.samples, options.seed), distance, progress, phase);
+  const std::vector<double> at_vertices = distances(used_vertices(from), distance, progress, phase);
+  if (result.by_area.empty()) result.by_area = at_vertices;
+
+  for (const double d : at_vertices) result.largest = std::max(result.largest, d);
+  for (const double d : result.by_area) {
+    result.largest = std::max(result.largest, d);
+    result.mean += d;
+    result.mean_square += d * d;
+  }
+  const auto count = static_cast<double>(result.by_area.size());
+  result.mean /= count;
+  result.mean_square /= count;
+  return result;
+}
+
+/// The smallest value that is not below the given share of the values.
+double quantile(std::vector<double> values, double share) {
+  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  const auto nth = values.begin() + (static_cast<std::ptrdiff_t>(rank) - 1);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+double share_within(const std::vector<double>& values, double distance) {
+  const auto count =
+      std::count_if(values.begin(), values.end(), [&](double value) { return value <= distance; });
+  return static_cast<double>(count) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options,
+                   const Progress& progress) {
+  if (mesh.positions.empty()) throw InputError("the mesh has no vertices: nothing to compare");
+  if (reference.positions.empty())
+    throw InputError("the reference has no vertices: nothing to compare with");
+
+  const OneWay there = measure(mesh, reference, options, progress, "to the reference");
+  const OneWay back = measure(reference, mesh, options, progress, "from the reference");
+  const double distance = options.distance < 0
+                              ? default_distance_share * bounding_box(reference).diagonal()
+                              : options.distance;
+  Comparison result;
+  result.accuracy = quantile(there.by_area, accuracy_share);
+  result.completeness = share_within(back.by_area, distance);
+  result.mean = (there.mean + back.mean) / 2;
+  result.rms = std::sqrt((there.mean_square + back.mean_square) / 2);
+  result.hausdorff_to_reference = there.largest;
+  result.hausdorff_from_reference = back.largest;
+  result.hausdorff = std::max(there.largest, back.largest);
+  result.volume_difference = volume(mesh) - volume(reference);
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,74 @@
+load ../helpers/common
+
+# square Z: two triangles at that height, as OFF.
+square() {
+  printf 'OFF\n4 2 0\n0 0 %s\n3 0 %s\n3 4 %s\n0 4 %s\n3 0 1 2\n3 0 2 3\n' "$1" "$1" "$1" "$1"
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  square 0 >low.off
+  square 0.5 >high.off
+}
+
+@test "tm-compare: parallel squares, every key in its order" {
+  pipe 'tm-compare --reference low.off high.off'
+  assert_status 0
+  [ "$output" = "accuracy: 0.5
+completeness: 0
+mean: 0.5
+rms: 0.5
+hausdorff: 0.5
+hausdorff_to_reference: 0.5
+hausdorff_from_reference: 0.5
+volume_difference: 0" ]
+}
+
+@test "tm-compare: --within answers by exit code, relative to the reference's diagonal" {
+  # The diagonal of the reference is 5: 9 % are 0.45, 11 % are 0.55.
+  run tm-compare --reference low.off --within 11% high.off
+  assert_status 0
+  run tm-compare --reference low.off --within 9% high.off
+  assert_status 1
+  [[ $output == *"hausdorff: 0.5"* ]]
+  run tm-compare --reference low.off --within 0.5 high.off
+  assert_status 0
+}
+
+@test "tm-compare: --distance decides what is complete" {
+  pipe 'tm-compare --reference low.off --distance 11% high.off | grep completeness'
+  [ "$output" = "completeness: 1" ]
+  pipe 'tm-compare --reference low.off --distance 0.49 high.off | grep completeness'
+  [ "$output" = "completeness: 0" ]
+}
+
+@test "tm-compare: the reference is needed" {
+  run --separate-stderr tm-compare high.off
+  assert_status 2
+  one_line "$stderr"
+  [[ $stderr == *"--reference"* ]]
+  run --separate-stderr tm-compare --reference absent.off high.off
+  assert_status 3
+  [[ $stderr == *"absent.off"* ]]
+}
+
+@test "tm-compare: points as reference, and an empty one" {
+  printf 'OFF\n1 0 0\n0 0 2\n' >point.off
+  pipe 'tm-compare --reference point.off low.off | grep hausdorff_from_reference'
+  assert_status 0
+  [ "$output" = "hausdorff_from_reference: 2" ]
+  printf 'OFF\n0 0 0\n' >empty.off
+  run --separate-stderr tm-compare --reference empty.off low.off
+  assert_status 3
+  [[ $stderr == *"no vertices"* ]]
+}
+
+@test "tm-compare: same seed and any threads, same bytes; another seed, other points" {
+  tm-shape torus --faces 3000 >torus.ply
+  tm-shape sphere --faces 1000 >sphere.ply
+  tm-compare --reference sphere.ply --threads 1 --samples 5000 torus.ply >one
+  tm-compare --reference sphere.ply --threads 4 --samples 5000 torus.ply >four
+  tm-compare --reference sphere.ply --seed 2 --samples 5000 torus.ply >other
+  cmp one four
+  ! cmp -s one other
+}

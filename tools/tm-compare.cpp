@@ -1,0 +1,56 @@
+/// tm-compare: how far a mesh is from a reference.
+#include "tm/geometry/compare.h"
+#include "tm/mesh/measure.h"
+#include "tool.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  std::string reference;
+  Length distance{0.01, Length::Unit::diagonal};
+  std::optional<Length> within;
+  long samples = static_cast<long>(CompareOptions().samples);
+  long seed = static_cast<long>(CompareOptions().seed);
+};
+
+bool compare_with_reference(const Document& document, const Options& options, tool::Run& run) {
+  if (options.reference.empty())
+    throw UsageError("--reference FILE is needed: the mesh to compare with");
+  const Mesh reference = run.read(options.reference).mesh;
+  run.set_basis(bounding_box(reference).diagonal());
+  CompareOptions library_options;
+  library_options.samples = static_cast<std::size_t>(options.samples);
+  library_options.seed = static_cast<std::uint64_t>(options.seed);
+  library_options.distance = run.length(options.distance);
+  const Comparison found = compare(document.mesh, reference, library_options, run.progress());
+
+  run.report("accuracy", found.accuracy);
+  run.report("completeness", found.completeness);
+  run.report("mean", found.mean);
+  run.report("rms", found.rms);
+  run.report("hausdorff", found.hausdorff);
+  run.report("hausdorff_to_reference", found.hausdorff_to_reference);
+  run.report("hausdorff_from_reference", found.hausdorff_from_reference);
+  run.report("volume_difference", found.volume_difference);
+  return !options.within || found.hausdorff <= run.length(*options.within);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program("tm-compare", "--reference FILE [OPTION]... [INPUT]",
+                        "Measures the distances between a mesh and a reference");
+  program.text("reference", &options.reference, "FILE", "the mesh or points to compare with");
+  program.length("distance", &options.distance,
+                 "completeness counts the reference up to here; 1% is of the reference's box");
+  program.length("within", &options.within, "exit with 1 where hausdorff is above this");
+  program.integer("samples", &options.samples, 0, 1000000000,
+                  "points by area on each surface; vertices are measured too");
+  program.seed(&options.seed);
+  return program.predicate(argc, argv, [&](Document& document, tool::Run& run) {
+    return compare_with_reference(document, options, run);
+  });
+}

@@ -1,0 +1,63 @@
+/// tm-info: what a mesh is: counts, topology, sizes, and the quality of its triangles.
+#include "tm/mesh/components.h"
+#include "tm/mesh/measure.h"
+#include "tool.h"
+
+namespace {
+
+using namespace transformesh;
+
+std::vector<double> coordinates(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
+
+void report_topology(const Mesh& mesh, std::size_t edges, tool::Run& run) {
+  long genus = 0;
+  std::size_t boundary_loops = 0;
+  const Components found = connected_components(mesh);
+  for (const Component& component : found.components) {
+    genus += component.genus();
+    boundary_loops += component.boundary_loops;
+  }
+  run.report("vertices", mesh.positions.size());
+  run.report("faces", mesh.faces.size());
+  run.report("edges", edges);
+  run.report("components", found.components.size());
+  run.report("genus", genus);
+  run.report("boundary_loops", boundary_loops);
+}
+
+bool describe(const Document& document, tool::Run& run) {
+  const Mesh& mesh = document.mesh;
+  run.progress()("measuring");
+  const EdgeLengths lengths = edge_lengths(mesh);
+  report_topology(mesh, lengths.count, run);
+
+  const Box box = bounding_box(mesh);
+  run.report("area", surface_area(mesh));
+  run.report("volume", volume(mesh));
+  run.report("bbox_min", coordinates(box.minimum));
+  run.report("bbox_max", coordinates(box.maximum));
+
+  const Angles smallest = angles(mesh);
+  run.report("edge_mean", lengths.mean);
+  run.report("edge_min", lengths.minimum);
+  run.report("edge_max", lengths.maximum);
+  run.report("angle_min", smallest.minimum_deg);
+  run.report("angle_min_mean", smallest.minimum_mean_deg);
+  run.report("valence6", valence_six_share(mesh));
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string key;
+  tool::Program program("tm-info", "[OPTION]... [INPUT]",
+                        "Describes a mesh: counts, topology, sizes, triangle quality");
+  program.choice("get", &key,
+                 {"vertices", "faces", "edges", "components", "genus", "boundary_loops", "area",
+                  "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min", "edge_max",
+                  "angle_min", "angle_min_mean", "valence6"},
+                 "print the value of this key only");
+  program.print_only(&key);
+  return program.predicate(argc, argv, describe);
+}
