@@ -11,7 +11,7 @@ namespace transformesh {
 /// `take` hands the text over.
 class TextBuffer {
  public:
-  explicit TextBuffer(std::size_t expected_size = 0) { grow(expected_size); }
+  TextBuffer() { grow(0); }
 
   void add(char c) {
     ensure(1);
