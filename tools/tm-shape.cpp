@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
   program.length("tube", &options.tube, "of a torus or a knot: its radius");
   program.length("gap", &options.gap, "between two spheres or tori; negative: they overlap", true);
   program.length("neck", &options.neck, "of a dumbbell: its radius; negative: inverted", true);
-  program.integer("count", &options.count, 1, 1000000, "of many-spheres (20) or boxes (50)");
+  program.integer("count", &options.count, 1, 1000000, "of many-spheres (40) or boxes (50)");
   program.length("noise", &options.noise, "amplitude of smooth noise along the normals");
   program.seed(&options.seed);
   program.point("center", &options.center, "where to put the shape");

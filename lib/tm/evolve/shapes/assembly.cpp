@@ -22,7 +22,6 @@ void transform(Mesh& mesh, const Eigen::Matrix3d& linear, const Vec3& offset) {
 void append(Mesh& mesh, const Mesh& part) {
   const auto offset = static_cast<Index>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
-  mesh.faces.reserve(mesh.faces.size() + part.faces.size());
   for (const Face& face : part.faces)
     mesh.faces.push_back({face[0] + offset, face[1] + offset, face[2] + offset});
 }

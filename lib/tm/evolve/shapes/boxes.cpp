@@ -71,6 +71,21 @@ class BoxBuilder {
   Mesh mesh_;
 };
 
+/// How many cells of that size, at least one, go along each edge.
+std::array<std::size_t, 3> cells_of(const Vec3& edges, double cell) {
+  constexpr double most = 1e9;
+  std::array<std::size_t, 3> cells;
+  for (int axis = 0; axis < 3; ++axis)
+    cells[axis] = static_cast<std::size_t>(std::clamp(std::round(edges[axis] / cell), 1.0, most));
+  return cells;
+}
+
+double count_faces(const std::array<std::size_t, 3>& cells) {
+  const Vec3 n(static_cast<double>(cells[0]), static_cast<double>(cells[1]),
+               static_cast<double>(cells[2]));
+  return 4 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
+}
+
 void append_lattice_box(Mesh& mesh, const std::array<long, 3>& low,
                         const std::array<long, 3>& size) {
   Mesh part = BoxBuilder(Vec3::Ones(), {1, 1, 1}).build();
@@ -83,12 +98,18 @@ void append_lattice_box(Mesh& mesh, const std::array<long, 3>& low,
 }  // namespace
 
 Mesh box(const Vec3& edges, std::size_t faces) {
-  const double area = 2 * (edges[0] * edges[1] + edges[1] * edges[2] + edges[2] * edges[0]);
-  const double cell = std::sqrt(2 * area / static_cast<double>(faces));
-  std::array<std::size_t, 3> cells;
-  for (int axis = 0; axis < 3; ++axis)
-    cells[axis] = static_cast<std::size_t>(std::max(1.0, std::round(edges[axis] / cell)));
-  return BoxBuilder(edges, cells).build();
+  // The number of faces falls as cells grow, in steps and down to 12: find the step that is passed.
+  const auto wanted = static_cast<double>(faces);
+  double small = 0;
+  double large = edges.maxCoeff();
+  for (int halving = 0; halving < 60; ++halving) {
+    const double cell = (small + large) / 2;
+    (count_faces(cells_of(edges, cell)) > wanted ? small : large) = cell;
+  }
+  const auto more = cells_of(edges, small);
+  const auto less = cells_of(edges, large);
+  const bool is_more_closer = count_faces(more) / wanted < wanted / count_faces(less);
+  return BoxBuilder(edges, is_more_closer ? more : less).build();
 }
 
 Mesh boxes(std::size_t count, std::uint64_t seed) {

@@ -32,37 +32,47 @@ bool has_topology(const Mesh& mesh, long genus) {
   return parts.components.size() == 1 && parts.components[0].genus() == genus;
 }
 
-/// The mesh of right topology whose number of faces is closest to the one wanted. The number goes
-/// with the inverse square of the spacing, apart from how the lattice happens to lie; a different
-/// lattice each time also helps where the shape is hardly resolved.
-std::optional<Mesh> march_for(const ImplicitSolid& solid, std::size_t faces, int attempts,
-                              const Progress& progress) {
-  std::optional<Mesh> best;
-  double spacing = 0.04 * solid.half_width;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    progress("march", static_cast<double>(attempt) / attempts);
-    Mesh mesh = march(solid, spacing, static_cast<unsigned>(attempt));
-    const double error = error_of(mesh, faces);
-    const double excess = static_cast<double>(mesh.faces.size()) / static_cast<double>(faces);
-    spacing *= std::clamp(std::sqrt(excess), 0.25, 4.0);
-    const bool is_better = error < acceptable && (!best || error < error_of(*best, faces));
-    if (!is_better || !has_topology(mesh, solid.genus)) continue;
-    best = std::move(mesh);
-    if (error < good_enough) break;
-  }
-  return best;
-}
+/// Looks for the mesh of right topology whose number of faces is closest to the one wanted. The
+/// number goes with the inverse square of the spacing, apart from how the lattice happens to lie; a
+/// different lattice each time also helps where the shape is hardly resolved.
+class MarchSearch {
+ public:
+  MarchSearch(const ImplicitSolid& solid, const Progress& progress)
+      : solid_(solid), progress_(progress), spacing_(0.04 * solid.half_width) {}
 
-[[noreturn]] void refuse_few(const ImplicitSolid& solid, std::size_t faces,
-                             const Progress& progress) {
-  std::string advice = "many more are needed";
-  for (std::size_t enough = 2 * faces; enough <= 512 * faces && enough < 4000000; enough *= 2) {
-    if (!march_for(solid, enough, march_attempts / 2, progress)) continue;
-    advice = std::to_string(enough) + " are enough";
-    break;
+  std::optional<Mesh> find(std::size_t faces, int attempts) {
+    std::optional<Mesh> best;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      progress_("march", static_cast<double>(attempt) / attempts);
+      Mesh mesh = march(solid_, spacing_, variant_++);
+      const double error = error_of(mesh, faces);
+      const double excess = static_cast<double>(mesh.faces.size()) / static_cast<double>(faces);
+      spacing_ *= std::clamp(std::sqrt(excess), 0.25, 4.0);
+      const bool is_better = error < acceptable && (!best || error < error_of(*best, faces));
+      if (!is_better || !has_topology(mesh, solid_.genus)) continue;
+      best = std::move(mesh);
+      if (error < good_enough) break;
+    }
+    return best;
   }
-  throw UsageError(std::to_string(faces) + " faces are too few for this shape; " + advice);
-}
+
+  [[noreturn]] void refuse(std::size_t faces) {
+    std::string advice = "many more are needed";
+    const std::size_t most = std::clamp<std::size_t>(64 * faces, 20000, 1000000);
+    for (std::size_t enough = 2 * faces; enough <= most; enough *= 2) {
+      if (!find(enough, 3)) continue;
+      advice = std::to_string(enough) + " are enough";
+      break;
+    }
+    throw UsageError(std::to_string(faces) + " faces are too few for this shape; " + advice);
+  }
+
+ private:
+  const ImplicitSolid& solid_;
+  const Progress& progress_;
+  double spacing_;
+  unsigned variant_ = 0;
+};
 
 }  // namespace
 
@@ -85,8 +95,9 @@ Vec3 projected(const ImplicitSolid& solid, const Vec3& point, int iterations) {
 }
 
 Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress& progress) {
-  std::optional<Mesh> mesh = march_for(solid, faces, march_attempts, progress);
-  if (!mesh) refuse_few(solid, faces, progress);
+  MarchSearch search(solid, progress);
+  std::optional<Mesh> mesh = search.find(faces, march_attempts);
+  if (!mesh) search.refuse(faces);
   // While everything moves, nearly on the surface is good enough.
   const auto roughly = [&](const Vec3& point) { return projected(solid, point, 1); };
   relax(*mesh, roughly, relax_iterations, progress);

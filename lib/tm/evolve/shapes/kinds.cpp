@@ -1,5 +1,6 @@
 #include "tm/evolve/shapes/kinds.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -37,8 +38,9 @@ Vec3 three_lengths(const ShapeOptions& options) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::string& text = options.parameters[axis];
     const Length length = parse_length(text);
-    if (length.unit != Length::Unit::absolute || !(length.value > 0))
-      refuse(options, quoted(text) + " is not a positive length in units of the mesh");
+    const bool is_sensible = length.value >= 1e-50 && length.value <= 1e50;
+    if (length.unit != Length::Unit::absolute || !is_sensible)
+      refuse(options, quoted(text) + " is not a length from 1e-50 to 1e50 in units of the mesh");
     lengths[axis] = length.value;
   }
   return lengths;
@@ -50,12 +52,15 @@ Mesh make_sphere_kind(const ShapeOptions& options, std::size_t faces, const Prog
   const Box& box = *options.around;
   const double inner = geodesic_inner_radius(geodesic_frequency(static_cast<double>(faces)));
   const double radius = 1.05 * box.diagonal() / 2 / inner;
-  if (!(radius > 0)) refuse(options, "the box to go around has no size");
+  if (!(radius > 0)) throw InputError("the mesh to go around has no size");
   return make_sphere(box.minimum + (box.maximum - box.minimum) / 2, radius, faces);
 }
 
 Mesh make_ellipsoid(const ShapeOptions& options, std::size_t faces, const Progress& progress) {
-  return ellipsoid(three_lengths(options), faces, progress);
+  const Vec3 axes = three_lengths(options);
+  if (axes.maxCoeff() > 10 * axes.minCoeff())
+    refuse(options, "the longest axis may be ten times the shortest, no more");
+  return ellipsoid(axes, faces, progress);
 }
 
 Mesh make_box(const ShapeOptions& options, std::size_t faces, const Progress&) {
@@ -70,13 +75,13 @@ Mesh make_torus(const ShapeOptions& options, std::size_t faces, const Progress&)
 }
 
 Mesh make_genus(const ShapeOptions& options, std::size_t faces, const Progress& progress) {
-  return genus(integer_parameter(options, 0, 100), faces, progress);
+  return genus(integer_parameter(options, 0, 50), faces, progress);
 }
 
 /// A knot with a tube of that share of the largest that does not touch itself.
 Mesh make_knot(const ShapeOptions& options, std::size_t faces, double share) {
-  const long p = integer_parameter(options, 0, 50);
-  const long q = integer_parameter(options, 1, 50);
+  const long p = integer_parameter(options, 0, 30);
+  const long q = integer_parameter(options, 1, 30);
   if (std::gcd(p, q) != 1) {
     refuse(options, std::to_string(p) + " and " + std::to_string(q) +
                         " have a common factor, so this is no knot but several rings");
@@ -109,8 +114,8 @@ Mesh make_tori(const ShapeOptions& options, std::size_t faces, const Progress&) 
 
 Mesh make_dumbbell(const ShapeOptions& options, std::size_t faces, const Progress& progress) {
   const double neck = options.neck.value_or(0.15);
-  if (neck == 0 || std::abs(neck) > 0.45)
-    refuse(options, "the neck must be from -0.45 to 0.45 and not 0");
+  if (!(std::abs(neck) >= 0.01 && std::abs(neck) <= 0.45))
+    refuse(options, "the neck must be from 0.01 to 0.45, or from -0.01 to -0.45");
   return dumbbell(neck, faces, progress);
 }
 
@@ -131,7 +136,9 @@ Mesh make_folded(const ShapeOptions& options, std::size_t faces, const Progress&
 }
 
 Mesh make_many_spheres(const ShapeOptions& options, std::size_t faces, const Progress&) {
-  return many_spheres(options.count.value_or(20), options.seed, faces);
+  // Fewer where they would have less than 80 faces each.
+  const std::size_t count = std::clamp<std::size_t>(faces / 80, 1, 40);
+  return many_spheres(options.count.value_or(count), options.seed, faces);
 }
 
 Mesh make_boxes(const ShapeOptions& options, std::size_t faces, const Progress&) {

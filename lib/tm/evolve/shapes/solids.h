@@ -13,7 +13,7 @@ Mesh genus(long holes, std::size_t faces, const Progress& progress);
 
 /// Two balls of radius 0.5 along z, joined by a neck. A negative neck is the positive one with its
 /// middle mirrored in x: the two sides have passed through each other, and between the two places
-/// where they cross lies inverted space. -0.45 <= neck <= 0.45, not 0.
+/// where they cross lies inverted space. 0.01 <= |neck| <= 0.45.
 Mesh dumbbell(double neck, std::size_t faces, const Progress& progress);
 
 /// A thick half shell with a rounded rim, open upwards.

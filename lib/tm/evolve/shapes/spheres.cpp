@@ -156,7 +156,7 @@ Mesh two_spheres(double radius, double gap, std::size_t faces) {
 }
 
 Mesh many_spheres(std::size_t count, std::uint64_t seed, std::size_t faces) {
-  // The spheres' volumes sum up to about four times the ball in which they lie.
+  // The spheres' volumes sum up to about twice that of the ball in which they lie.
   constexpr double world = 1.2;
   const double typical = std::min(0.6, world * std::cbrt(4 / static_cast<double>(count)));
   Random random(seed);

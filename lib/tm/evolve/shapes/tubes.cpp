@@ -215,7 +215,7 @@ double torus_knot_thickness(long p, long q, double ring) {
     for (const Vec3& point : points) {
       const Vec3 chord = point - here;
       const double from_tangent = chord.cross(tangent).norm();
-      if (chord.squaredNorm() > 1e-18)
+      if (chord.squaredNorm() > 1e-12 * ring * ring)
         thickness = std::min(thickness, chord.squaredNorm() / (2 * from_tangent));
     }
   }

@@ -1,0 +1,207 @@
+/// Facts about meshes, found without the library: by counting, and by testing all pairs.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "tm/mesh/mesh.h"
+
+namespace transformesh::test {
+
+/// What a closed oriented manifold is, by definition.
+struct Count {
+  bool is_closed_and_oriented = true;  // every halfedge once, and its opposite too
+  bool is_manifold = true;             // the faces around each vertex are one cycle
+  bool has_isolated_vertices = false;
+  std::vector<long> genera;  // per component, sorted
+};
+
+inline Count count(const Mesh& mesh) {
+  Count result;
+  std::map<std::pair<Index, Index>, Index> third;  // of the face left of a halfedge
+  std::vector<Index> parent(mesh.positions.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](Index v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  std::vector<std::size_t> valence(mesh.positions.size(), 0);
+  std::vector<Index> some_neighbour(mesh.positions.size());
+  for (const Face& face : mesh.faces)
+    for (int i = 0; i < 3; ++i) {
+      const Index a = face[i];
+      const Index b = face[(i + 1) % 3];
+      if (!third.try_emplace({a, b}, face[(i + 2) % 3]).second || a == b)
+        result.is_closed_and_oriented = false;
+      parent[root(a)] = root(b);
+      ++valence[a];
+      some_neighbour[a] = b;
+    }
+  for (const auto& [halfedge, apex] : third)
+    if (!third.contains({halfedge.second, halfedge.first})) result.is_closed_and_oriented = false;
+  if (!result.is_closed_and_oriented) return result;
+
+  std::map<Index, long> euler;
+  for (Index v = 0; v < valence.size(); ++v) {
+    if (valence[v] == 0) {
+      result.has_isolated_vertices = true;
+      continue;
+    }
+    std::size_t steps = 0;
+    Index neighbour = some_neighbour[v];
+    do {
+      neighbour = third.at({v, neighbour});
+      ++steps;
+    } while (neighbour != some_neighbour[v] && steps <= valence[v]);
+    if (steps != valence[v]) result.is_manifold = false;
+    euler[root(v)] += 1;
+  }
+  std::map<Index, long> halfedges;
+  for (const auto& [halfedge, apex] : third) ++halfedges[root(halfedge.first)];
+  // 3 F = 2 E = H, so V - E + F = V - H / 6.
+  for (const auto& [component, vertices] : euler)
+    result.genera.push_back((2 - vertices + halfedges[component] / 6) / 2);
+  std::sort(result.genera.begin(), result.genera.end());
+  return result;
+}
+
+inline double signed_volume(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.faces)
+    sum += mesh.positions[a].dot(mesh.positions[b].cross(mesh.positions[c]));
+  return sum / 6;
+}
+
+/// The solid angle of each face as seen from the point, summed up (Van Oosterom & Strackee 1983).
+inline double winding_number(const Mesh& mesh, const Vec3& point) {
+  double sum = 0;
+  for (const Face& face : mesh.faces) {
+    const Vec3 a = mesh.positions[face[0]] - point;
+    const Vec3 b = mesh.positions[face[1]] - point;
+    const Vec3 c = mesh.positions[face[2]] - point;
+    sum += 2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                                 b.dot(c) * a.norm() + c.dot(a) * b.norm());
+  }
+  return sum / (4 * std::numbers::pi);
+}
+
+inline double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return (b - a).cross(c - a).dot(d - a);
+}
+
+/// Self-intersections, in doubles.
+struct Crossings {
+  std::size_t pairs = 0;    // faces of which an edge of one properly crosses the other
+  double flattest = 1e300;  // the least volume of a test between two faces with a common point
+};
+
+class CrossingCounter {
+ public:
+  explicit CrossingCounter(const Mesh& mesh) : mesh_(mesh) {}
+
+  Crossings all() {
+    struct Interval {
+      double low, high;
+      Index face;
+    };
+    std::vector<Interval> intervals;
+    for (Index f = 0; f < mesh_.faces.size(); ++f) {
+      const auto box = box_of(f);
+      intervals.push_back({box.first.x(), box.second.x(), f});
+    }
+    std::sort(intervals.begin(), intervals.end(),
+              [](const Interval& a, const Interval& b) { return a.low < b.low; });
+    for (std::size_t i = 0; i < intervals.size(); ++i)
+      for (std::size_t j = i + 1; j < intervals.size() && intervals[j].low <= intervals[i].high;
+           ++j)
+        if (boxes_overlap(intervals[i].face, intervals[j].face))
+          test(intervals[i].face, intervals[j].face);
+    return result_;
+  }
+
+ private:
+  std::pair<Vec3, Vec3> box_of(Index f) const {
+    const auto& [a, b, c] = mesh_.faces[f];
+    const auto& p = mesh_.positions;
+    return {p[a].cwiseMin(p[b]).cwiseMin(p[c]), p[a].cwiseMax(p[b]).cwiseMax(p[c])};
+  }
+
+  bool boxes_overlap(Index f, Index g) const {
+    const auto first = box_of(f);
+    const auto second = box_of(g);
+    return (first.first.array() <= second.second.array()).all() &&
+           (second.first.array() <= first.second.array()).all();
+  }
+
+  void test(Index f, Index g) {
+    const bool crosses_one = crosses(f, g);
+    const bool crosses_other = crosses(g, f);
+    if (crosses_one || crosses_other) ++result_.pairs;
+  }
+
+  // Whether an edge of f that has no corner of g runs through the inside of g.
+  bool crosses(Index f, Index g) {
+    const Face& other = mesh_.faces[g];
+    const auto is_of_g = [&](Index v) { return v == other[0] || v == other[1] || v == other[2]; };
+    bool found = false;
+    for (int i = 0; i < 3; ++i) {
+      const Index p = mesh_.faces[f][i];
+      const Index q = mesh_.faces[f][(i + 1) % 3];
+      if (is_of_g(p) || is_of_g(q)) continue;
+      found |= segment_crosses(mesh_.positions[p], mesh_.positions[q], mesh_.positions[other[0]],
+                               mesh_.positions[other[1]], mesh_.positions[other[2]]);
+    }
+    return found;
+  }
+
+  bool segment_crosses(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double at_p = orientation(a, b, c, p);
+    const double at_q = orientation(a, b, c, q);
+    if ((at_p > 0) == (at_q > 0)) return false;
+    const std::array<double, 3> around = {orientation(p, q, a, b), orientation(p, q, b, c),
+                                          orientation(p, q, c, a)};
+    const bool is_inside = (around[0] > 0) == (around[1] > 0) && (around[1] > 0) == (around[2] > 0);
+    if (!is_inside) return false;
+    for (const double value : {at_p, at_q, around[0], around[1], around[2]})
+      result_.flattest = std::min(result_.flattest, std::abs(value));
+    return true;
+  }
+
+  const Mesh& mesh_;
+  Crossings result_;
+};
+
+inline Crossings crossings(const Mesh& mesh) { return CrossingCounter(mesh).all(); }
+
+inline double mean_edge(const Mesh& mesh) {
+  double sum = 0;
+  for (const Face& face : mesh.faces)
+    for (int i = 0; i < 3; ++i)
+      sum += (mesh.positions[face[i]] - mesh.positions[face[(i + 1) % 3]]).norm();
+  return sum / (3.0 * static_cast<double>(mesh.faces.size()));
+}
+
+/// The mean over faces of their smallest angle, in degrees.
+inline double mean_smallest_angle(const Mesh& mesh) {
+  double sum = 0;
+  for (const Face& face : mesh.faces) {
+    double cosine = -1;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3& apex = mesh.positions[face[i]];
+      const Vec3 u = (mesh.positions[face[(i + 1) % 3]] - apex).normalized();
+      const Vec3 v = (mesh.positions[face[(i + 2) % 3]] - apex).normalized();
+      cosine = std::max(cosine, u.dot(v));
+    }
+    sum += std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi;
+  }
+  return sum / static_cast<double>(mesh.faces.size());
+}
+
+}  // namespace transformesh::test

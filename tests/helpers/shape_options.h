@@ -1,0 +1,31 @@
+/// Options of generated shapes in one expression.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tm/evolve/shapes.h"
+
+namespace transformesh::test {
+
+inline ShapeOptions shape(const std::string& kind, std::size_t faces = 0,
+                          std::vector<std::string> parameters = {}) {
+  ShapeOptions options;
+  options.kind = kind;
+  options.parameters = std::move(parameters);
+  if (faces > 0) options.faces = faces;
+  return options;
+}
+
+inline ShapeOptions with_gap(ShapeOptions options, double gap) {
+  options.gap = gap;
+  return options;
+}
+
+inline ShapeOptions with_neck(ShapeOptions options, double neck) {
+  options.neck = neck;
+  return options;
+}
+
+}  // namespace transformesh::test
