@@ -21,22 +21,20 @@
 namespace transformesh {
 
 struct ShapeOptions {
-  std::string kind;                     ///< one of shape_kinds()
-  std::vector<std::string> parameters;  ///< genus: N; torus-knot, tangle: P Q; ellipsoid, box:
-                                        ///< A B C (semi-axes; edges); folded: sphere or torus
-  std::optional<std::size_t> faces;     ///< how many, about; default 10000
-  std::optional<double> edge;           ///< or the mean edge length, about; > 0
-  std::optional<double>
-      radius;  ///< of a sphere, of the ring of a torus or knot; > 0, default by kind
-  std::optional<double> tube;  ///< of a torus or knot; > 0, default by kind
-  std::optional<double> gap;   ///< two-spheres, tori: between the two; negative where they overlap
-  std::optional<double> neck;  ///< dumbbell: radius; negative where it is inverted
+  std::string kind;  ///< one of shape_kinds()
+  /// genus: N; torus-knot, tangle: P Q; ellipsoid, box: A B C; folded: sphere or torus.
+  std::vector<std::string> parameters;
+  std::optional<std::size_t> faces;  ///< how many, about; default 10000
+  std::optional<double> edge;        ///< or the mean edge length, about; > 0
+  std::optional<double> radius;      ///< of a sphere, of the ring of a torus or knot; > 0
+  std::optional<double> tube;        ///< of a torus or knot; > 0
+  std::optional<double> gap;         ///< two-spheres, tori; negative where the two overlap
+  std::optional<double> neck;        ///< dumbbell: radius; negative where it is inverted
   std::optional<std::size_t> count;  ///< many-spheres, boxes
-  std::optional<double>
-      noise;               ///< along the normals; >= 0, default 0, of folded 0.38 of its diagonal
-  std::uint64_t seed = 1;  ///< of the noise and of random shapes
-  std::optional<Box> around;   ///< sphere: contains this box with a little room
-  Vec3 center = Vec3::Zero();  ///< where the shape's own origin goes
+  std::optional<double> noise;       ///< amplitude; >= 0; default 0, folded: 38 % of its box
+  std::uint64_t seed = 1;            ///< of the noise and of random shapes
+  std::optional<Box> around;         ///< sphere: contains this box with a little room
+  Vec3 center = Vec3::Zero();        ///< where the shape's own origin goes
 };
 
 /// The names of all kinds, in the order of the manual.
@@ -44,7 +42,8 @@ const std::vector<std::string>& shape_kinds();
 
 /// The mesh asked for. The number of faces is within a few percent of `faces` where the kind allows
 /// (an icosahedron has 20, box and boxes have 12 each). Throws UsageError for options that the kind
-/// does not have, or that make no sense, and for more than 10^9 faces. O(faces).
+/// does not have, or that make no sense, for fewer faces than a genus needs and for more than 10^9.
+/// O(faces).
 Mesh make_shape(const ShapeOptions& options, const Progress& progress = {});
 
 /// The diagonal of the bounding box of that shape, as far as a coarse version tells.
