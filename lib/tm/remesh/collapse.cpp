@@ -1,6 +1,7 @@
 #include "tm/remesh/collapse.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tm/remesh/edge_queue.h"
 #include "tm/remesh/star.h"
@@ -175,6 +176,7 @@ class Candidates {
   }
 
   bool empty() const { return queue_.empty(); }
+  std::size_t size() const { return queue_.size(); }
   QueuedEdge pop() {
     const QueuedEdge edge = queue_.top();
     queue_.pop();
@@ -199,9 +201,9 @@ CollapseCounts collapse_wanted(EditableMesh& mesh, Collapser& collapser, const W
                                const Progress& progress) {
   CollapseCounts counts;
   Candidates<Wanted> edges(mesh, wanted);
-  std::size_t tried = 0;
-  while (!edges.empty()) {
-    if (++tried % 1024 == 0) progress("collapse", 0.5);
+  const double first = static_cast<double>(edges.size());
+  for (double tried = 0; !edges.empty(); ++tried) {
+    if (std::fmod(tried, 1024) == 0) progress("collapse", tried / (tried + first));
     const QueuedEdge edge = edges.pop();
     if (!edge.is_current(mesh) || !wanted(edge.halfedge)) continue;
     const Index vertex = collapser.collapse(edge.halfedge);

@@ -151,9 +151,11 @@ FlipCounts Flipper::run(const Progress& progress) {
 
   // every flip lowers a bounded measure, but in rounded arithmetic a bound is safer than a proof
   FlipCounts counts;
-  const std::size_t most = 20 * queue_.size();
+  const std::size_t edges = queue_.size();
+  const std::size_t most = 20 * edges;
   for (std::size_t next = 0; next < queue_.size() && next < most; ++next) {
-    if (next % 16384 == 0) progress("flip", 0.5);
+    if (next % 16384 == 0)
+      progress("flip", static_cast<double>(next) / static_cast<double>(next + edges));
     const Index h = queue_[next];
     queued_[h] = 0;
     if (mesh_.is_border(h) || !is_wanted(h)) continue;

@@ -145,7 +145,7 @@ void iterate(EditableMesh& mesh, const RemeshOptions& options, RemeshResult& res
 RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress) {
   check_options(options);
   check_size(mesh, options.max_edge);
-  progress("remesh");
+  progress("connect");
   EditableMesh editable(mesh);
   editable.set_coordinate(options.coordinate);
   RemeshResult result;

@@ -22,7 +22,7 @@ class Relaxer {
   SmoothCounts run(const Progress& progress) {
     SmoothCounts counts;
     for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
-      if (v % 8192 == 0) progress("smooth", 0.7);
+      if (v % 8192 == 0) progress("smooth", static_cast<double>(v) / mesh_.vertex_slots());
       if (!mesh_.has_vertex(v)) continue;
       const VertexRole role = roles_[v];
       if (role == VertexRole::fixed) continue;
@@ -168,7 +168,7 @@ SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const
 
 SmoothCounts smooth_laplace(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                             double first, double second, const Progress& progress) {
-  progress("smooth", 0.7);
+  progress("smooth", 0);
   const Laplacian laplacian(mesh, roles);
   std::vector<Vec3> positions(mesh.vertex_slots());
   for (Index v = 0; v < mesh.vertex_slots(); ++v) positions[v] = mesh.position(v);
@@ -180,7 +180,7 @@ SmoothCounts smooth_laplace(EditableMesh& mesh, EmbeddingGuard& guard, const Ver
   VertexMover mover(mesh, guard);
   Star star;
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
-    if (v % 8192 == 0) progress("smooth", 0.8);
+    if (v % 8192 == 0) progress("smooth", static_cast<double>(v) / mesh.vertex_slots());
     if (once[v].isZero(0)) continue;
     Vec3 target = positions[v] - first * once[v];
     if (second != 0) target += second * twice[v];

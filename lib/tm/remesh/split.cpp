@@ -1,5 +1,7 @@
 #include "tm/remesh/split.h"
 
+#include <cmath>
+
 #include "tm/remesh/edge_queue.h"
 
 namespace transformesh {
@@ -14,11 +16,12 @@ class Splitter {
     for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
       if (mesh_.is_edge(h)) push(h);
     }
-    while (!queue_.empty()) {
+    const double first = static_cast<double>(queue_.size());
+    for (double tried = 0; !queue_.empty(); ++tried) {
+      if (std::fmod(tried, 4096) == 0) progress("split", tried / (tried + first));
       const QueuedEdge edge = queue_.top();
       queue_.pop();
       if (edge.is_current(mesh_)) split(edge.halfedge);
-      if (splits_ % 4096 == 0) progress("split", 0.1);
     }
     return splits_;
   }
