@@ -48,6 +48,7 @@ Session::Session(const Description& program, OptionTable& table, const CommonOpt
       terminal_(terminal),
       basis_(options.reference_edge),
       progress_([this](std::string_view phase, double fraction) {
+        show_settings();
         phases_.begin(phase);
         terminal_.progress(phase, fraction);
         return true;
@@ -89,7 +90,6 @@ void Session::begin(const Document* basis) {
   if (!has_mesh_) return;
   if (basis_.is_reference_edge_chosen()) basis_.reference_edge();
   for (const Option& option : table_.options()) resolved(option);
-  show_settings();
 }
 
 std::optional<double> Session::resolved(const Option& option) {
@@ -104,8 +104,8 @@ std::optional<double> Session::resolved(const Option& option) {
 }
 
 void Session::show_settings() {
+  if (settings_are_shown_ || !terminal_.is_verbose()) return;
   settings_are_shown_ = true;
-  if (!terminal_.is_verbose()) return;
   for (const Option& option : table_.options()) {
     const std::string value = option.value_text();
     if (option.is_common || value.empty() || value == "false") continue;
@@ -124,6 +124,8 @@ void Session::show_report() {
 }
 
 void Session::write_mesh(Document& document, const std::vector<std::string>& words) {
+  // What is measured from now on would be another mesh.
+  basis_.set_document(nullptr);
   phases_.begin("write");
   if (!has_mesh_) apply_output_style(document, options_);
   refuse_binary_on_terminal(document.style.format);
@@ -156,7 +158,8 @@ void Session::write_report(bool as_json, const std::string& only_key) {
 }
 
 void Session::finish() {
-  if (!settings_are_shown_) show_settings();
+  basis_.set_document(nullptr);
+  show_settings();
   if (!report_is_written_) show_report();
   for (const auto& [path, bytes] : further_files_) outputs_.stage(path, bytes);
   if (!options_.report.empty()) outputs_.stage(options_.report, json_text(full_report()));

@@ -16,8 +16,6 @@ struct Options {
 };
 
 bool compare_with_reference(const Document& document, const Options& options, tool::Run& run) {
-  if (options.reference.empty())
-    throw UsageError("--reference FILE is needed: the mesh to compare with");
   const Mesh reference = run.read(options.reference).mesh;
   run.set_basis(bounding_box(reference).diagonal());
   CompareOptions library_options;
@@ -44,6 +42,7 @@ int main(int argc, char** argv) {
   tool::Program program("tm-compare", "--reference FILE [OPTION]... [INPUT]",
                         "Measures the distances between a mesh and a reference");
   program.text("reference", &options.reference, "FILE", "the mesh or points to compare with");
+  program.require("reference");
   program.length("distance", &options.distance,
                  "completeness counts the reference up to here; 1% is of the reference's box");
   program.length("within", &options.within, "exit with 1 where hausdorff is above this");

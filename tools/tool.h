@@ -92,6 +92,8 @@ class Program {
 
   /// Options affect the result, and so go into the provenance comment, unless named here.
   void keep_out_of_provenance(const std::string& option);
+  /// The option must be given; otherwise a usage error says what it is for.
+  void require(const std::string& option);
   /// While *key is not empty after parsing, a predicate prints only that entry's value.
   void print_only(const std::string* key);
   /// Paragraphs shown after the options by --help: examples, formulas.
@@ -109,7 +111,7 @@ class Program {
   /// and 1 for false.
   int predicate(int argc, char** argv, const std::function<bool(Document&, Run&)>& body);
   /// A filter that becomes a predicate while *is_predicate holds after parsing. As a filter it
-  /// writes nothing and exits with 1 where the body returns false.
+  /// writes no mesh and exits with 1 where the body returns false.
   int filter_or_predicate(int argc, char** argv, const bool* is_predicate,
                           const std::function<bool(Document&, Run&)>& body);
   /// The same, a filter while *is_filter holds after parsing.
