@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "tm/geometry/hilbert.h"
+#include "tm/geometry/quad_overlap.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <bit>
-#include <iterator>
 
 #include "tm/geometry/bvh.h"
+#include "tm/geometry/quad_overlap.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "tm/geometry/median_tree_visit.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "tm/geometry/median_tree_visit.h"
+
 namespace transformesh {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "tm/geometry/median_tree.h"
 
+#include <algorithm>
+
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -14,10 +16,19 @@ void extend(FloatBox& box, const FloatBox& by) {
   }
 }
 
-std::size_t widest_axis(std::span<const std::array<float, 3>> bounds) {
+/// The axis along which the centres spread most.
+template <class Centre>
+std::size_t widest_axis(std::span<const Centre> centres) {
+  std::array<float, 3> low = centres[0].position;
+  std::array<float, 3> high = low;
+  for (const Centre& centre : centres)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], centre.position[axis]);
+      high[axis] = std::max(high[axis], centre.position[axis]);
+    }
   std::size_t widest = 0;
   for (std::size_t axis = 1; axis < 3; ++axis)
-    if (bounds[1][axis] - bounds[0][axis] > bounds[1][widest] - bounds[0][widest]) widest = axis;
+    if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
   return widest;
 }
 
@@ -52,16 +63,8 @@ void MedianTree::build(std::span<const FloatBox> boxes, std::vector<Centre>& cen
     return;
   }
 
-  // The axis along which the centres spread most.
-  std::array<std::array<float, 3>, 2> bounds{own[0].position, own[0].position};
-  for (const Centre& centre : own)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds[0][axis] = std::min(bounds[0][axis], centre.position[axis]);
-      bounds[1][axis] = std::max(bounds[1][axis], centre.position[axis]);
-    }
-  const std::size_t axis = widest_axis(bounds);
-
-  // Cut at the median; the box of the whole follows from the halves.
+  // Cut at the median of the widest axis; the box of the whole follows from the halves.
+  const std::size_t axis = widest_axis(std::span<const Centre>(own));
   const std::size_t child = 2 * cell.node + 1;
   std::nth_element(
       own.begin(), own.begin() + static_cast<std::ptrdiff_t>(size / 2), own.end(),

@@ -16,56 +16,57 @@ double volume_under_face(const Mesh& mesh, const Face& face, const Vec3& referen
   return a.dot(b.cross(c));
 }
 
-/// Numbers the sets of faces in order of their first face.
-std::vector<Index> component_of_face(const Mesh& mesh, DisjointSets& vertices, std::size_t& count) {
-  std::vector<Index> of_face(mesh.faces.size());
-  std::vector<Index> of_root(mesh.positions.size(), no_index);
-  count = 0;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    Index& component = of_root[vertices.find(mesh.faces[f][0])];
-    if (component == no_index) component = static_cast<Index>(count++);
-    of_face[f] = component;
-  }
-  return of_face;
-}
-
-}  // namespace
-
-Components connected_components(const Mesh& mesh) {
-  // Faces are connected through the vertices they name.
+/// Numbers the components in order of their first face, and makes a place for each.
+Components numbered_components(const Mesh& mesh) {
   DisjointSets vertices(mesh.positions.size());
   for (const Face& face : mesh.faces) {
     vertices.join(face[0], face[1]);
     vertices.join(face[0], face[2]);
   }
   Components result;
-  std::size_t count = 0;
-  result.of_face = component_of_face(mesh, vertices, count);
-  result.components.resize(count);
-  const auto component = [&](Index face) -> Component& {
-    return result.components[result.of_face[face]];
-  };
+  std::vector<Index> of_root(mesh.positions.size(), no_index);
+  for (const Face& face : mesh.faces) {
+    Index& component = of_root[vertices.find(face[0])];
+    if (component == no_index) {
+      component = static_cast<Index>(result.components.size());
+      result.components.emplace_back();
+    }
+    result.of_face.push_back(component);
+  }
+  return result;
+}
 
-  // Faces, their volume, and the vertices each seen for the first time.
+/// Faces, their volume, and the vertices each seen for the first time.
+void count_faces(const Mesh& mesh, Components& result) {
   const Box box = bounding_box(mesh);
   const Vec3 reference = box.minimum + (box.maximum - box.minimum) / 2;
   std::vector<bool> is_seen(mesh.positions.size(), false);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    Component& own = component(static_cast<Index>(f));
-    ++own.faces;
-    own.volume += volume_under_face(mesh, mesh.faces[f], reference) / 6;
+    Component& component = result.components[result.of_face[f]];
+    ++component.faces;
+    component.volume += volume_under_face(mesh, mesh.faces[f], reference) / 6;
     for (const Index vertex : mesh.faces[f]) {
-      if (!is_seen[vertex]) ++own.vertices;
+      if (!is_seen[vertex]) ++component.vertices;
       is_seen[vertex] = true;
     }
   }
+}
 
-  // Edges and boundary loops, found through one of their faces.
+}  // namespace
+
+Components connected_components(const Mesh& mesh) {
+  Components result = numbered_components(mesh);
+  count_faces(mesh, result);
+
+  // Edges and boundary loops belong where one of their faces does.
   const Edges edges(mesh);
+  const auto component_of = [&](Index halfedge) -> Component& {
+    return result.components[result.of_face[halfedge / 3]];
+  };
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
-    ++component(edges.halfedges(edge)[0] / 3).edges;
+    ++component_of(edges.halfedges(edge)[0]).edges;
   for (const Index halfedge : boundary_loops(mesh, edges, find_fans(mesh, edges)))
-    ++component(halfedge / 3).boundary_loops;
+    ++component_of(halfedge).boundary_loops;
   return result;
 }
 
