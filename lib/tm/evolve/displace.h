@@ -1,0 +1,37 @@
+/// One explicit step of an evolution (paper 5.1.1, second step): every vertex p moves by
+/// time_step * velocity(p), but by no more than alpha * e_avg(p), e_avg(p) being the mean length of
+/// the edges at p (paper 5.1.2).
+///
+/// Changes positions only: topology, order and columns stay. The result may intersect itself; that
+/// is what clean() is for. A vertex without edges does not move, because its clamp is 0. Edges on a
+/// border count half in e_avg. A velocity may have any finite size: what overflows is clamped.
+/// Cost: O(n), in parallel; deterministic.
+#pragma once
+
+#include <span>
+
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+struct DisplaceOptions {
+  double time_step = 1;  ///< t; finite, either sign
+  double alpha = 0.2;    ///< clamp as a fraction of e_avg(p); >= 0, the paper has 0.1 to 0.3
+};
+
+/// Lengths in input units.
+struct DisplaceResult {
+  std::size_t moved = 0;        ///< vertices whose position changed
+  std::size_t clamped = 0;      ///< vertices that wanted to go farther
+  double max_displacement = 0;  ///< of any vertex
+  double rms_displacement = 0;  ///< over all vertices
+  double max_clamp_share = 0;   ///< largest movement as a fraction of the vertex's own clamp
+  double mean_edge = 0;         ///< before the step, over all edges
+};
+
+/// Throws UsageError for options out of range and for a number of velocities other than that of the
+/// vertices, InputError for a velocity that is not finite, with the vertex.
+DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
+                        const DisplaceOptions& options = {});
+
+}  // namespace transformesh

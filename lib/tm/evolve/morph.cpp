@@ -1,0 +1,96 @@
+#include "tm/evolve/morph.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tm/evolve/sample_distance.h"
+#include "tm/geometry/closest_point.h"
+#include "tm/geometry/kd_tree.h"
+#include "tm/mesh/adjacency.h"
+#include "tm/mesh/measure.h"
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t queries_per_task = 512;
+
+std::vector<double> surface_distances(const Mesh& mesh, const Target& target, double exact_within) {
+  const ClosestPointQuery closest(target.mesh);
+  return sample_distance(mesh.positions, exact_within, [&](const Vec3& p) {
+    const ClosestPoint q = closest(p);
+    return searched_distance(p, q.point, q.signed_distance < 0 ? -1 : 1);
+  });
+}
+
+// To the tangent plane at the nearest vertex, which jumps from vertex to vertex: never estimated.
+std::vector<double> vertex_distances(const Mesh& mesh, const Target& target) {
+  const KdTree tree(target.mesh.positions);
+  std::vector<double> distances(mesh.positions.size());
+  parallel_for(distances.size(), queries_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      const Vec3& p = mesh.positions[v];
+      const Index q = tree.nearest(p);
+      distances[v] = (p - target.mesh.positions[q]).dot(target.normals[q]);
+    }
+  });
+  return distances;
+}
+
+Vec3 closest_around_vertex(const Vec3& query, const Mesh& mesh, Index vertex,
+                           std::span<const Index> faces) {
+  Vec3 closest = mesh.positions[vertex];
+  for (const Index f : faces) {
+    const Face& face = mesh.faces[f];
+    const Vec3 point = closest_point_of_triangle(query, mesh.positions[face[0]],
+                                                 mesh.positions[face[1]], mesh.positions[face[2]])
+                           .point;
+    if ((point - query).squaredNorm() < (closest - query).squaredNorm()) closest = point;
+  }
+  return closest;
+}
+
+DistanceSummary summary(std::span<const double> distances) {
+  DistanceSummary result;
+  double squares = 0;
+  for (const double distance : distances) {
+    result.maximum = std::max(result.maximum, std::abs(distance));
+    squares += distance * distance;
+  }
+  if (!distances.empty()) result.rms = std::sqrt(squares / static_cast<double>(distances.size()));
+  return result;
+}
+
+}  // namespace
+
+MorphVelocities morph_velocities(const Mesh& mesh, const Target& target,
+                                 const MorphOptions& options, const Progress& progress) {
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces to move");
+  const bool by_surface = options.distance == MorphDistance::surface;
+  if (by_surface && !target.is_mesh()) {
+    throw UsageError("the target has no faces: only the distance to its vertices is known");
+  }
+
+  progress("distance to target");
+  const std::vector<double> phi = by_surface ? surface_distances(mesh, target, options.exact_within)
+                                             : vertex_distances(mesh, target);
+
+  MorphVelocities result{vertex_normals(mesh), summary(phi)};
+  for (std::size_t v = 0; v < phi.size(); ++v) result.velocities[v] *= -phi[v];
+  return result;
+}
+
+DistanceSummary distance_from_target(const Target& target, const Mesh& mesh, double exact_within,
+                                     const Progress& progress) {
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces");
+  progress("distance from target");
+  const KdTree tree(mesh.positions);
+  const VertexFaces faces_at(mesh);
+  return summary(sample_distance(target.mesh.positions, exact_within, [&](const Vec3& p) {
+    const Index nearest = tree.nearest(p);
+    return searched_distance(p, closest_around_vertex(p, mesh, nearest, faces_at[nearest]));
+  }));
+}
+
+}  // namespace transformesh

@@ -1,0 +1,20 @@
+/// Points as plain text without a header, as .P3D, .xyz and .pts files hold them: lines of x y z,
+/// or of x y z nx ny nz. Empty lines and what follows a # are skipped.
+#pragma once
+
+#include <string>
+
+#include "tm/io/source.h"
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+/// Whether the first line holds three or six numbers. An .off file without its keyword also begins
+/// so; its name tells.
+bool is_point_text(const Source& source);
+
+/// A mesh without faces, with vertex columns nx ny nz where lines have six numbers. Throws
+/// InputError with the line for anything else, and for lines of different lengths.
+Mesh read_point_text(const Source& source);
+
+}  // namespace transformesh

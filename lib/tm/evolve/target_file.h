@@ -1,0 +1,18 @@
+/// Targets as files: meshes in any format that is read, points as PLY without faces or as text
+/// (point_text.h).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tm/evolve/target.h"
+
+namespace transformesh {
+
+/// Throws InputError as read_mesh, read_point_text and make_target do.
+Target read_target(std::string_view bytes, const std::string& name);
+
+/// Binary PLY that reads back as the same target: points with their normals.
+std::string write_target(const Target& target);
+
+}  // namespace transformesh

@@ -1,0 +1,75 @@
+load ../helpers/common
+
+setup() { cd "$BATS_TEST_TMPDIR"; }
+
+# value KEY FILE: a number of a report.
+value() {
+  awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2"
+}
+
+# The tetrahedron with the same velocity at every vertex.
+moving_tetrahedron() { # VX VY VZ
+  tetrahedron | awk -v velocity="$*" '
+    { print (body && n-- > 0 ? $0 " " velocity : $0) }
+    /^element vertex/ { n = $3 }
+    /^property double z/ { print "property float vx\nproperty float vy\nproperty double vz" }
+    /^end_header/ { body = 1 }'
+}
+
+@test "vertices move by time step times velocity, and velocities stay" {
+  moving_tetrahedron 0.25 0 -0.125 >in.ply
+  pipe "tm-displace --time-step 2 --alpha 10 --report r.json in.ply | tail -n 8 | head -n 4"
+  assert_status 0
+  [ "${lines[0]}" = "0.5 0 -0.25 0.25 0 -0.125" ]
+  [ "${lines[3]}" = "0.5 1 0.75 0.25 0 -0.125" ]
+  [ "$(value moved r.json)" -eq 4 ]
+  [ "$(value clamped r.json)" -eq 0 ]
+}
+
+@test "movements are clamped to alpha times the mean edge at the vertex" {
+  moving_tetrahedron 0 0 100 >in.ply
+  pipe "tm-displace --alpha 0.5 --report r.json in.ply | tail -n 8 | head -n 1"
+  assert_status 0
+  # Half of the edge, the square root of 2.
+  [[ $output == "0 0 0.7071067811865476 "* || $output == "0 0 0.7071067811865475 "* ]]
+  [ "$(value clamped r.json)" -eq 4 ]
+}
+
+@test "--normal-speed grows and shrinks along the normals, and adds to the columns" {
+  tetrahedron >in.ply
+  before=$(tm-info --get volume in.ply)
+  for sign in '' -; do
+    after=$(tm-displace --normal-speed "${sign}0.01" in.ply | tm-info --get volume)
+    awk -v b="$before" -v a="$after" -v s="${sign}1" 'BEGIN { exit !((a - b) * s > 0) }' ||
+      fail "volume $before became $after"
+  done
+  moving_tetrahedron 0 0 0 | tm-displace --no-provenance --normal-speed 0.01 >sum.ply
+  tm-displace --no-provenance --normal-speed 0.01 in.ply >alone.ply
+  cmp <(tm-convert --no-provenance --format off sum.ply 2>/dev/null) \
+    <(tm-convert --no-provenance --format off alone.ply)
+}
+
+@test "--mask holds vertices fast" {
+  moving_tetrahedron 0.25 0 0 >in.ply
+  pipe "sed 's/property double vz/&\nproperty uchar free/; s/^0 1 1 .*/& 1/; s/ 0.25 0 0$/& 0/' in.ply |
+    tm-displace --mask free --report r.json | tail -n 8 | head -n 4"
+  assert_status 0
+  [[ ${lines[2]} == "1 0 1 "* && ${lines[3]} == "0.25 1 1 "* ]]
+  [ "$(value moved r.json)" -eq 1 ]
+}
+
+@test "missing and impossible velocities are exit 3 and name what is wrong" {
+  tetrahedron >in.ply
+  run --separate-stderr tm-displace in.ply
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"vx vy vz"* && $stderr == *--normal-speed* ]]
+  moving_tetrahedron 0 nan 0 >nan.ply
+  run --separate-stderr tm-displace nan.ply
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"vertex 0 at (0, 0, 0)"* ]]
+  run --separate-stderr tm-displace --normal-speed 1 --mask free in.ply
+  assert_status 3
+  [[ $stderr == *"'free'"* ]]
+}

@@ -1,0 +1,60 @@
+/// tm-displace: one explicit step of an evolution with any velocity.
+#include <optional>
+
+#include "displacement_report.h"
+#include "tm/evolve/displace.h"
+#include "tm/evolve/velocity.h"
+#include "tm/support/error.h"
+#include "tool.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  DisplaceOptions displace;
+  std::optional<Length> normal_speed;
+  std::string mask;
+};
+
+std::vector<Vec3> velocities_of(const Mesh& mesh, const Options& options, tool::Run& run) {
+  if (!options.normal_speed && !has_column_velocities(mesh)) {
+    throw InputError(
+        "the mesh lacks a velocity, the vertex properties vx vy vz; give --normal-speed instead");
+  }
+  if (!options.normal_speed) return column_velocities(mesh);
+  std::vector<Vec3> velocities = normal_velocities(mesh, run.length(*options.normal_speed));
+  if (!has_column_velocities(mesh)) return velocities;
+  const std::vector<Vec3> from_columns = column_velocities(mesh);
+  for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] += from_columns[v];
+  return velocities;
+}
+
+void move(Document& document, const Options& options, tool::Run& run) {
+  Mesh& mesh = document.mesh;
+  std::vector<Vec3> velocities = velocities_of(mesh, options, run);
+  if (!options.mask.empty()) apply_mask(mesh, options.mask, velocities);
+  run.progress()("displace");
+  report_displacement(displace(mesh, velocities, options.displace), run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program("tm-displace", "[OPTION]... [INPUT]",
+                        "Moves vertices by their velocities, one explicit step");
+  program.length("normal-speed", &options.normal_speed,
+                 "speed along the vertex normals, added to vx vy vz where the mesh has them", true);
+  program.number("time-step", &options.displace.time_step, -1e300, 1e300,
+                 "time by which velocities are multiplied");
+  program.number("alpha", &options.displace.alpha, 0, 1e300,
+                 "clamp on the movement, as a fraction of the mean edge at the vertex");
+  program.text("mask", &options.mask, "COLUMN",
+               "multiply velocities by this vertex property; 0 holds a vertex fast");
+  program.epilog(
+      "Velocities are the vertex properties vx vy vz. Any program may compute them:\n"
+      "  my-velocities < a.ply | tm-displace | tm-clean | tm-remesh > b.ply");
+  return program.filter(argc, argv,
+                        [&](Document& document, tool::Run& run) { move(document, options, run); });
+}

@@ -1,0 +1,66 @@
+/// tm-morph-step: one step of a surface towards a target (paper 5.2).
+#include "displacement_report.h"
+#include "tm/evolve/morph_step.h"
+#include "tm/evolve/target_file.h"
+#include "tm/support/error.h"
+#include "tool.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  std::string target;
+  std::string written_target;
+  std::string distance = "auto";
+  MorphStepOptions step;
+};
+
+Target target_of(const Options& options, tool::Run& run) {
+  if (options.target.empty()) throw UsageError("--target FILE is needed: what to move towards");
+  run.progress()("read target");
+  Target target = read_target(run.read_bytes(options.target), options.target);
+  if (target.has_estimated_normals) {
+    run.note("the target's points have no normals: estimated from their neighbours");
+  }
+  if (!options.written_target.empty()) run.write(options.written_target, write_target(target));
+  return target;
+}
+
+void step(Document& document, Options options, tool::Run& run) {
+  const Target target = target_of(options, run);
+  if (options.distance == "surface") options.step.distance = MorphDistance::surface;
+  if (options.distance == "vertex") options.step.distance = MorphDistance::vertex;
+  const MorphStepResult result = morph_step(document.mesh, target, options.step, run.progress());
+  run.report("distance", result.distance == MorphDistance::surface ? "surface" : "vertex");
+  run.report("rms_distance_to_target", result.to_target.rms);
+  run.report("max_distance_to_target", result.to_target.maximum);
+  run.report("rms_distance_from_target", result.from_target.rms);
+  run.report("max_distance_from_target", result.from_target.maximum);
+  report_displacement(result.displaced, run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  DisplaceOptions& displace = options.step.displace;
+  tool::Program program("tm-morph-step", "[OPTION]... --target FILE [INPUT]",
+                        "Moves a mesh one step towards a target");
+  program.text("target", &options.target, "FILE", "mesh or points to move towards");
+  program.choice("distance", &options.distance, {"auto", "surface", "vertex"},
+                 "to the target's faces or to its vertices; auto: faces where it has any");
+  program.number("time-step", &displace.time_step, 0, 1e300,
+                 "share of the distance to go in one step");
+  program.number("alpha", &displace.alpha, 0, 1e300,
+                 "clamp on the movement, as a fraction of the mean edge at the vertex");
+  program.text("mask", &options.step.mask, "COLUMN",
+               "multiply velocities by this vertex property; 0 holds a vertex fast");
+  program.text("write-target", &options.written_target, "FILE",
+               "write the target as it is used: points with their normals");
+  program.epilog(
+      "One iteration of an evolution, which tm-morph repeats:\n"
+      "  tm-morph-step --target b.ply < a.ply | tm-clean | tm-remesh > next.ply");
+  return program.filter(argc, argv,
+                        [&](Document& document, tool::Run& run) { step(document, options, run); });
+}
