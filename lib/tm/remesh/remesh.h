@@ -6,11 +6,12 @@
 /// Guarantees, for an oriented manifold with or without borders:
 /// - the result is one too; genus and number of components change only by small components removed;
 /// - no step makes a self-intersection: collapses, flips and moves that might meet another part of
-///   the surface are refused (embedding_guard.h). Crossings of the input stay where they are;
+///   the surface are refused (embedding_guard.h). Crossings of the input stay where they are.
+///   Splits are not checked: they move the surface by the rounding of a midpoint only;
 /// - surviving vertices and faces keep their order, new ones follow; attributes are interpolated
 ///   for new and for sliding vertices, inherited by faces.
 /// Not guaranteed: that all edges reach the interval, where that would break one of the above.
-/// Floating point; deterministic; O(n log n); about 300 bytes per face.
+/// Floating point; deterministic; O(n log n); about 150 bytes per face.
 #pragma once
 
 #include "tm/mesh/mesh.h"
@@ -26,8 +27,8 @@ struct RemeshOptions {
   double max_edge = 0;  ///< e2: longer edges are split; input units, >= 1.5 min_edge
   int iterations = 1;   ///< >= 0; with 0 only small components and degenerate faces go
   FlipRule flip = FlipRule::valence;  ///< towards valence 6 (4 on borders), or larger least angles
-  Smoothing smoothing = Smoothing::tangential;
-  double smooth_first = 0;         ///< b of v - b dv, or b1; in [0, 1]
+  Smoothing smoothing = Smoothing::tangential;  ///< the Laplacians slide vertices as well
+  double smooth_first = 0;                      ///< b of v - b dv, or b1; in [0, 1]
   double smooth_second = 0;        ///< b2 of v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
   double feature_angle_deg = 180;  ///< edges sharper than this stay; in (0, 180], 180: none are
   bool keep_border = false;        ///< leave border vertices and edges alone
