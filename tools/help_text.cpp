@@ -63,13 +63,22 @@ std::string exit_code_lines(bool is_predicate) {
                  0, 12);
 }
 
+// A program that reads no mesh has no reference edge.
+std::string length_lines(const Kind& kind) {
+  const std::string units = "A LENGTH is 0.02 (input units)";
+  const std::string diagonal = "1% (of the bounding box's diagonal)";
+  const std::string rest = kind.reads_mesh ? ", " + diagonal + " or 0.7x (of the reference edge)."
+                                           : " or " + diagonal + ".";
+  return wrapped(units + rest, 0, 0);
+}
+
 std::string usage_line(const Description& program) {
   return wrapped("Usage: " + program.name + " " + program.synopsis, 0, 8 + program.name.size());
 }
 
 }  // namespace
 
-std::string help_text(const Description& program, const OptionTable& table, bool is_predicate) {
+std::string help_text(const Description& program, const OptionTable& table, const Kind& kind) {
   std::string text = usage_line(program) + '\n' + wrapped(program.summary + '.', 0, 0);
   if (!program.words.empty()) {
     text += "\nArguments:\n" + entry(program.words, program.words_help);
@@ -77,14 +86,9 @@ std::string help_text(const Description& program, const OptionTable& table, bool
   const std::string own = option_entries(table, false);
   if (!own.empty()) text += "\nOptions:\n" + own;
   text += "\nCommon options:\n" + option_entries(table, true);
-  if (table.has_lengths()) {
-    text += '\n' + wrapped(
-                       "A LENGTH is 0.02 (input units), 1% (of the bounding box's diagonal) or "
-                       "0.7x (of the reference edge).",
-                       0, 0);
-  }
+  if (table.has_lengths()) text += '\n' + length_lines(kind);
   for (const std::string& epilog : program.epilogs) text += '\n' + epilog + '\n';
-  return text + '\n' + exit_code_lines(is_predicate);
+  return text + '\n' + exit_code_lines(kind.is_predicate);
 }
 
 std::string short_help_text(const Description& program) {

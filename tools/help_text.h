@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common_options.h"
 #include "option_table.h"
 
 namespace transformesh::tool {
@@ -19,7 +20,7 @@ struct Description {
 };
 
 /// The whole help: usage, summary, own options, common options, epilogs, exit codes.
-std::string help_text(const Description& program, const OptionTable& table, bool is_predicate);
+std::string help_text(const Description& program, const OptionTable& table, const Kind& kind);
 
 /// Usage, summary and where to find more: for a user who typed only the program's name.
 std::string short_help_text(const Description& program);

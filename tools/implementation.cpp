@@ -57,7 +57,7 @@ int Program::Implementation::run_unguarded(const std::vector<std::string>& argum
                                            const Kind& kind, const Work& work) {
   add_common_options(table, kind, common);
   const std::vector<std::string> positional = table.parse(arguments);
-  if (common.help) return print(help_text(description, table, kind.is_predicate));
+  if (common.help) return print(help_text(description, table, kind));
   if (common.version) return print(description.name + " " TM_VERSION "\n");
   check_common_options(common);
   terminal.configure(common.quiet, common.verbose, common.progress, common.no_progress);

@@ -38,6 +38,12 @@ nlohmann::ordered_json value_of(const Option& option) {
   return option.value_text();
 }
 
+std::string described(const Document& document) {
+  return std::string(format_name(document.style.format)) + ", " +
+         std::to_string(document.mesh.positions.size()) + " vertices, " +
+         std::to_string(document.mesh.faces.size()) + " faces";
+}
+
 }  // namespace
 
 Session::Session(const Description& program, OptionTable& table, const CommonOptions& options,
@@ -62,6 +68,7 @@ Document Session::read_document(const std::string& path) {
   const Bytes bytes = read_all(path);
   ReadResult result = read_mesh(bytes.view(), input_name(path));
   for (const std::string& line : result.notes) note(line);
+  detail(input_name(path) + ": " + described(result.document));
   phases_.begin("");
   return std::move(result.document);
 }
@@ -136,12 +143,15 @@ void Session::write_mesh(Document& document, const std::vector<std::string>& wor
   }
   const WriteResult result = transformesh::write_mesh(document);
   for (const std::string& line : result.notes) note(line);
+  detail((options_.output == "-" ? "standard output" : options_.output) + ": " +
+         described(document));
   output_counts_ = Counts{document.mesh.positions.size(), document.mesh.faces.size()};
   write_bytes(result.bytes);
 }
 
 void Session::write_bytes(std::string_view bytes) {
   phases_.begin("write");
+  terminal_.clear_bar();
   outputs_.stage(options_.output, bytes);
   phases_.begin("");
 }

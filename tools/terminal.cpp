@@ -25,7 +25,8 @@ std::string environment(const char* name) {
 
 // A terminal that understands escape sequences.
 bool is_capable_terminal(int descriptor) {
-  return is_terminal(descriptor) && environment("TERM") != "dumb";
+  const std::string name = environment("TERM");
+  return is_terminal(descriptor) && !name.empty() && name != "dumb";
 }
 
 bool has_colour() { return is_capable_terminal(STDERR_FILENO) && environment("NO_COLOR").empty(); }
@@ -68,7 +69,10 @@ void Terminal::print(std::string_view message) {
   const bool colour = has_colour();
   std::string line = (colour ? "\033[1m" : "") + name_ + ":" + (colour ? "\033[0m " : " ");
   // One message is one line, whatever file names or library texts it holds.
-  for (const char character : message) line += character == '\n' ? ' ' : character;
+  for (const char character : message) {
+    const bool is_control = static_cast<unsigned char>(character) < ' ' || character == '\x7f';
+    line += is_control ? ' ' : character;
+  }
   print_raw(line + '\n');
 }
 

@@ -29,6 +29,8 @@ class Terminal {
   using Clock = std::chrono::steady_clock;
   /// Draws the bar or prints a line when the time for it has come.
   void progress(std::string_view phase, double fraction, Clock::time_point now = Clock::now());
+  /// To be called before anything else writes to the terminal.
+  void clear_bar();
 
   /// What progress() shows, for tests.
   void set_progress_style(ProgressStyle style) { progress_style_ = style; }
@@ -36,7 +38,6 @@ class Terminal {
  private:
   void print(std::string_view message);
   void draw_bar(std::string_view phase, double fraction);
-  void clear_bar();
 
   std::string name_;
   bool is_quiet_ = false;

@@ -19,7 +19,7 @@ TEST_CASE("help is made from the table") {
   common.short_name = 'k';
   table.add(common);
   const Description program{"tm-x", "[OPTION]... KIND", "Does it", "KIND", "which", {"Once more."}};
-  CHECK(help_text(program, table, false) == R"(Usage: tm-x [OPTION]... KIND
+  CHECK(help_text(program, table, Kind{}) == R"(Usage: tm-x [OPTION]... KIND
 
 Does it.
 
