@@ -13,7 +13,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_rounds = 40;
+constexpr int most_rounds = 8;
 
 void round_new_positions(Assembly& assembly, Scalar coordinate) {
   if (coordinate != Scalar::float32) return;
@@ -69,6 +69,9 @@ void settle(Assembly& assembly, const CleanOptions& options, CleanResult& result
   for (int round = 0;; ++round) {
     progress("round");
     round_new_positions(assembly, options.coordinate);
+    // Points that rounding all but unites would only make slivers.
+    merge_close_vertices(assembly, find_new_faces(assembly),
+                         merge_distance(assembly.mesh, options.coordinate, 3), false);
     const std::vector<Index> broken = find_broken_faces(assembly);
     if (broken.empty()) return;
     if (round == most_rounds) {
@@ -77,8 +80,11 @@ void settle(Assembly& assembly, const CleanOptions& options, CleanResult& result
                       "; write doubles (--double), or move and scale the mesh to the origin");
     }
     ++result.rounding_repairs;
-    if (round > 0) snap(assembly, broken, options.coordinate, round, round > 4);
-    Pass pass = run_pass(assembly.mesh, options, 1, progress);
+    merge_close_vertices(assembly, broken,
+                         merge_distance(assembly.mesh, options.coordinate, 6 + 4 * round),
+                         round > 1);
+    Pass pass;
+    pass = run_pass(assembly.mesh, options, 1, progress);
     if (pass.unchanged) return;
     assembly = std::move(pass.assembly);
   }

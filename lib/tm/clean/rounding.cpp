@@ -5,6 +5,7 @@
 
 #include "tm/clean/contacts.h"
 #include "tm/clean/soup.h"
+#include "tm/clean/weld.h"
 #include "tm/geometry/bvh.h"
 
 namespace transformesh {
@@ -78,17 +79,36 @@ std::vector<Index> find_broken_faces(const Assembly& assembly) {
   return result;
 }
 
-void snap(Assembly& assembly, const std::vector<Index>& faces, Scalar coordinate, int doublings,
-          bool move_old) {
+std::vector<Index> find_new_faces(const Assembly& assembly) {
+  std::vector<Index> result;
+  for (Index f = 0; f < assembly.face_is_new.size(); ++f) {
+    if (assembly.face_is_new[f]) result.push_back(f);
+  }
+  return result;
+}
+
+double merge_distance(const Mesh& mesh, Scalar coordinate, int doublings) {
   const int digits = coordinate == Scalar::float32 ? 24 : 53;
-  const int exponent = std::ilogb(largest_coordinate(assembly.mesh)) + 1 - digits + doublings;
-  const double grid = std::ldexp(1.0, exponent);
+  return std::ldexp(1.0, std::ilogb(largest_coordinate(mesh)) + 1 - digits + doublings);
+}
+
+void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance,
+                          bool move_old) {
+  // Input vertices come first, so that they stay and new ones move.
+  std::vector<Index> vertices;
   for (const Index face : faces) {
-    for (const Index vertex : assembly.mesh.faces[face]) {
-      if (!assembly.vertex_is_new[vertex] && !move_old) continue;
-      Vec3& position = assembly.mesh.positions[vertex];
-      for (int i = 0; i < 3; ++i) position[i] = std::round(position[i] / grid) * grid;
-    }
+    for (const Index v : assembly.mesh.faces[face]) vertices.push_back(v);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::stable_partition(vertices.begin(), vertices.end(),
+                        [&](Index v) { return !assembly.vertex_is_new[v]; });
+  std::vector<Vec3> positions;
+  for (const Index v : vertices) positions.push_back(assembly.mesh.positions[v]);
+  const std::vector<Index> representative = weld(positions, distance);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (!assembly.vertex_is_new[vertices[i]] && !move_old) continue;
+    assembly.mesh.positions[vertices[i]] = positions[representative[i]];
   }
 }
 

@@ -1,5 +1,6 @@
 /// What rounding of exact points to stored coordinates breaks, and how it is mended: faces that
-/// cross or vanish as rounded are snapped to a grid, coarser in every round, and cleaned again.
+/// cross or vanish as rounded have their close vertices merged, over a distance that grows with
+/// every round, and are cleaned again.
 #pragma once
 
 #include <vector>
@@ -12,9 +13,14 @@ namespace transformesh {
 /// are. Whole input faces do not cross each other.
 std::vector<Index> find_broken_faces(const Assembly& assembly);
 
-/// Rounds the corners of the faces given to multiples of the spacing of floats (or doubles) at the
-/// mesh's largest coordinate times 2^doublings. Input vertices move only where `move_old`.
-void snap(Assembly& assembly, const std::vector<Index>& faces, Scalar coordinate, int doublings,
-          bool move_old);
+/// The spacing of floats (or doubles) at the mesh's largest coordinate times 2^doublings.
+double merge_distance(const Mesh& mesh, Scalar coordinate, int doublings);
+
+std::vector<Index> find_new_faces(const Assembly& assembly);
+
+/// Gives vertices of the faces that are this close to each other one position: that of an input
+/// vertex where there is one. Input vertices move only where `move_old`.
+void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance,
+                          bool move_old);
 
 }  // namespace transformesh

@@ -237,13 +237,12 @@ ExactPoint ExactGeometry::three_planes(Index f, Index g, Index h) const {
   ExactPoint point;
   point.kind = ExactPoint::Kind::three_planes;
   point.definition = {ids[0], ids[1], ids[2], 0};
-  std::array<Triangle, 3> planes;
+  std::array<Triangle, 3> planes{triangle(ids[0]), triangle(ids[1]), triangle(ids[2])};
   Vec3 low = Vec3::Constant(-std::numeric_limits<double>::max());
   Vec3 high = -low;
-  for (std::size_t i = 0; i < 3; ++i) {
-    planes[i] = triangle(ids[i]);
-    low = low.cwiseMax(planes[i][0].cwiseMin(planes[i][1]).cwiseMin(planes[i][2]));
-    high = high.cwiseMin(planes[i][0].cwiseMax(planes[i][1]).cwiseMax(planes[i][2]));
+  for (const Triangle& t : {triangle(g), triangle(h)}) {
+    low = low.cwiseMax(t[0].cwiseMin(t[1]).cwiseMin(t[2]));
+    high = high.cwiseMin(t[0].cwiseMax(t[1]).cwiseMax(t[2]));
   }
   const CGAL::Protect_FPU_rounding<true> upward;
   set_balls(point, three_planes_fraction<Interval>(planes[0], planes[1], planes[2]), low, high);

@@ -40,7 +40,7 @@ class ExactGeometry {
   ExactPoint line_plane(Index u, Index v, Index face) const;
   /// Where two coplanar edges that are not parallel cross.
   ExactPoint line_line(Index u, Index v, Index x, Index y) const;
-  /// Where the planes of three faces meet, which they must do in one point inside all three.
+  /// Where the planes of three faces meet, which they must do in one point inside g and h.
   ExactPoint three_planes(Index f, Index g, Index h) const;
 
   /// As in predicates.h.

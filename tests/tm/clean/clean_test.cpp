@@ -1,0 +1,217 @@
+#include "tm/clean/clean.h"
+
+#include <doctest/doctest.h>
+
+#include "helpers/shapes.h"
+#include "helpers/winding_oracle.h"
+#include "tm/clean/intersect.h"
+#include "tm/evolve/shapes.h"
+#include "tm/mesh/components.h"
+#include "tm/mesh/manifold.h"
+#include "tm/mesh/measure.h"
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+Mesh workload(const std::string& kind, std::uint64_t seed, std::size_t faces) {
+  ShapeOptions options;
+  options.kind = kind;
+  options.faces = faces;
+  options.seed = seed;
+  if (kind == "dumbbell") options.neck = -0.1;
+  return make_shape(options);
+}
+
+void check_promises(const Mesh& input, const Mesh& output) {
+  const ManifoldReport report = check_manifold(output);
+  CHECK(report.is_manifold());
+  CHECK(report.is_oriented());
+  CHECK(report.is_closed());
+  CHECK(report.degenerate_faces.empty());
+  CHECK(report.isolated_vertices.empty());
+  CHECK(find_intersections(output).empty());
+  const auto oracle = test::compare_windings(input, output);
+  INFO(test::describe(oracle));
+  CHECK(oracle.is_right());
+}
+
+/// Unit cubes of a lattice that lie inside an odd or even number of boxes: brute force.
+std::size_t count_voxels(const std::vector<std::array<int, 6>>& boxes, int size) {
+  std::size_t count = 0;
+  for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < size; ++y) {
+      for (int z = 0; z < size; ++z) {
+        const auto holds = [&](const std::array<int, 6>& b) {
+          return b[0] <= x && x < b[3] && b[1] <= y && y < b[4] && b[2] <= z && z < b[5];
+        };
+        count += std::any_of(boxes.begin(), boxes.end(), holds) ? 1U : 0U;
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("the seven workloads come back right, and both methods agree to the byte") {
+  for (const char* kind :
+       {"two-spheres", "folded", "tangle", "dumbbell", "many-spheres", "boxes", "pinch"}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      CAPTURE(kind);
+      CAPTURE(seed);
+      const Mesh input = workload(kind, seed, 6000);
+      const CleanResult grown = clean(input);
+      CHECK(grown.pairs > 0);
+      check_promises(input, grown.mesh);
+      CleanOptions options;
+      options.method = ExteriorMethod::static_test;
+      const CleanResult tested = clean(input, options);
+      CHECK(grown.mesh.positions == tested.mesh.positions);
+      CHECK(grown.mesh.faces == tested.mesh.faces);
+    }
+  }
+}
+
+TEST_CASE("boxes with integer corners have the volume of their voxels") {
+  std::uint64_t state = 42;
+  const auto next = [&](int bound) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<int>((state >> 33) % static_cast<std::uint64_t>(bound));
+  };
+  for (int round = 0; round < 10; ++round) {
+    std::vector<std::array<int, 6>> boxes;
+    Mesh mesh;
+    for (int i = 0; i < 12; ++i) {
+      const int x = next(8), y = next(8), z = next(8);
+      boxes.push_back({x, y, z, x + 1 + next(4), y + 1 + next(4), z + 1 + next(4)});
+      const auto& b = boxes.back();
+      mesh = test::joined(mesh, test::cuboid({double(b[0]), double(b[1]), double(b[2])},
+                                             {double(b[3]), double(b[4]), double(b[5])}));
+    }
+    const CleanResult result = clean(mesh);
+    check_promises(mesh, result.mesh);
+    const auto voxels = static_cast<double>(count_voxels(boxes, 12));
+    CHECK(std::abs(volume(result.mesh) - voxels) < 1e-10 * voxels);
+  }
+}
+
+TEST_CASE("what needs no cleaning comes back as it was") {
+  const Mesh input =
+      test::joined(test::icosphere(3), test::moved(test::torus(1, .3, 40, 16), {4, 0, 0}));
+  const CleanResult result = clean(input);
+  CHECK(!result.changed);
+  CHECK(result.mesh.positions == input.positions);
+  CHECK(result.mesh.faces == input.faces);
+  CleanOptions options;
+  options.refuse = true;
+  CHECK(!clean(input, options).changed);
+}
+
+TEST_CASE("a clean result is clean") {
+  for (const char* kind : {"two-spheres", "tangle", "boxes", "pinch"}) {
+    CAPTURE(kind);
+    const Mesh once = clean(workload(kind, 4, 1500)).mesh;
+    const CleanResult twice = clean(once);
+    CHECK(!twice.changed);
+    CHECK(twice.mesh.faces == once.faces);
+  }
+}
+
+TEST_CASE("level 2 is the intersection, and a flipped operand the difference") {
+  const Mesh a = test::icosphere(3);
+  const Mesh b = test::moved(test::icosphere(3), {0.7, 0.21, 0.13});
+  CleanOptions twice;
+  twice.level = 2;
+  const double sum = volume(clean(test::joined(a, b)).mesh);
+  const CleanResult common = clean(test::joined(a, b), twice);
+  const double difference = volume(clean(test::joined(a, test::reversed(b))).mesh);
+  CHECK(sum + volume(common.mesh) == doctest::Approx(volume(a) + volume(b)).epsilon(1e-12));
+  CHECK(difference + volume(common.mesh) == doctest::Approx(volume(a)).epsilon(1e-12));
+  test::WindingOracleOptions options;
+  options.level = 2;
+  CHECK(test::compare_windings(test::joined(a, b), common.mesh, options).is_right());
+  twice.level = 3;
+  CHECK_THROWS_AS(clean(test::joined(a, b), twice), GoalError);
+}
+
+TEST_CASE("untouched faces keep their place and columns; new ones inherit and interpolate") {
+  Mesh input = workload("two-spheres", 1, 2000);
+  Column& x = input.vertex_columns.get("x_copy", Scalar::float64, input.positions.size());
+  for (std::size_t v = 0; v < input.positions.size(); ++v) x.values[v] = input.positions[v][0];
+  Column& id = input.face_columns.get("id", Scalar::int32, input.faces.size());
+  for (std::size_t f = 0; f < input.faces.size(); ++f) id.values[f] = static_cast<double>(f);
+  const CleanResult result = clean(input);
+  const Mesh& mesh = result.mesh;
+  const Column& mesh_x = *mesh.vertex_columns.find("x_copy");
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    REQUIRE(std::abs(mesh_x.values[v] - mesh.positions[v][0]) < 1e-9);
+  }
+
+  // Every face lies in the plane of the face whose id it inherited; whole ones equal it.
+  const Column& mesh_id = *mesh.face_columns.find("id");
+  std::size_t whole = 0;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const Face& source = input.faces[static_cast<std::size_t>(mesh_id.values[f])];
+    const Vec3 &a = input.positions[source[0]], &b = input.positions[source[1]],
+               &c = input.positions[source[2]];
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    for (const Index v : mesh.faces[f]) {
+      REQUIRE(std::abs(normal.dot(mesh.positions[v] - a)) < 1e-9);
+    }
+    REQUIRE(normal.dot(face_normal(mesh, f)) > 0);
+    whole += mesh.positions[mesh.faces[f][0]] == a && mesh.positions[mesh.faces[f][1]] == b &&
+                     mesh.positions[mesh.faces[f][2]] == c
+                 ? 1U
+                 : 0U;
+  }
+  CHECK(whole == input.faces.size() - result.cut_faces - result.removed_faces);
+}
+
+TEST_CASE("the same bytes for any number of threads") {
+  const Mesh input = workload("many-spheres", 5, 3000);
+  const Mesh first = [&] {
+    const ThreadLimit limit(1);
+    return clean(input).mesh;
+  }();
+  for (const int threads : {2, 4}) {
+    const ThreadLimit limit(threads);
+    const Mesh again = clean(input).mesh;
+    CHECK(again.positions == first.positions);
+    CHECK(again.faces == first.faces);
+  }
+}
+
+TEST_CASE("float coordinates are free of crossings as floats") {
+  Mesh input = workload("many-spheres", 6, 3000);
+  for (Vec3& p : input.positions) {
+    for (double& value : p) value = static_cast<float>(value);
+  }
+  CleanOptions options;
+  options.coordinate = Scalar::float32;
+  const Mesh mesh = clean(input, options).mesh;
+  for (const Vec3& p : mesh.positions) {
+    for (const double value : p) REQUIRE(value == static_cast<float>(value));
+  }
+  CHECK(find_intersections(mesh).empty());
+  test::WindingOracleOptions tolerant;
+  tolerant.tolerance = 1e-6;
+  CHECK(test::compare_windings(input, mesh, tolerant).is_right());
+}
+
+TEST_CASE("what cannot be cleaned is refused with a reason") {
+  Mesh turned = test::icosphere(1);
+  std::swap(turned.faces[5][0], turned.faces[5][1]);
+  CHECK_THROWS_WITH_AS(clean(turned), doctest::Contains("tm-stitch --orient"), InputError);
+  CHECK_THROWS_WITH_AS(clean(test::reversed(test::icosphere(1))), doctest::Contains("--flip"),
+                       GoalError);
+  CHECK_THROWS_AS(clean(Mesh()), InputError);
+  CleanOptions options;
+  options.method = ExteriorMethod::static_test;
+  CHECK_THROWS_AS(clean(test::grid(3), options), UsageError);
+  options = {};
+  options.refuse = true;
+  CHECK_THROWS_AS(clean(workload("two-spheres", 1, 500), options), GoalError);
+}
+
+}  // namespace transformesh
