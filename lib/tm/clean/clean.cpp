@@ -9,6 +9,7 @@
 #include "tm/clean/rounding.h"
 #include "tm/support/error.h"
 #include "tm/support/length.h"
+#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {
@@ -19,7 +20,7 @@ void round_new_positions(Assembly& assembly, Scalar coordinate) {
   if (coordinate != Scalar::float32) return;
   for (std::size_t v = 0; v < assembly.mesh.positions.size(); ++v) {
     if (!assembly.vertex_is_new[v]) continue;
-    for (double& x : assembly.mesh.positions[v]) x = static_cast<float>(x);
+    for (double& x : assembly.mesh.positions[v]) x = round_to_single(x);
   }
 }
 
