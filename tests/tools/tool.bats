@@ -169,6 +169,7 @@ setup() {
 # in_terminal 'command': runs it with stdin, stdout and stderr on a terminal.
 in_terminal() {
   needs_command script
+  script -qec true /dev/null </dev/null >/dev/null 2>&1 || skip "no pseudo-terminal to be had"
   run script -qec "$1" /dev/null </dev/null
 }
 
