@@ -6,6 +6,7 @@
 #include "helpers/winding_oracle.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/intersect.h"
+#include "tm/geometry/winding.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
@@ -110,6 +111,20 @@ Mesh check_clean(const Mesh& input, const Expected& expected) {
   return result.mesh;
 }
 
+/// The volume where w >= 1, by counting points of a grid.
+double volume_by_counting(const Mesh& mesh) {
+  constexpr int cells = 32;
+  const Box box = bounding_box(mesh);
+  const Vec3 cell = (box.maximum - box.minimum) / cells;
+  const WindingQuery winding(mesh);
+  int inside = 0;
+  for (int i = 0; i < cells * cells * cells; ++i) {
+    const Vec3 at(i % cells + 0.5, i / cells % cells + 0.5, i / cells / cells + 0.5);
+    inside += winding(box.minimum + cell.cwiseProduct(at)).number > 0.5 ? 1 : 0;
+  }
+  return inside * cell.prod();
+}
+
 const double ball = volume(test::icosphere(3));
 
 }  // namespace
@@ -186,22 +201,20 @@ TEST_CASE("handle creation: a tube bent onto itself becomes a ring") {
 
 TEST_CASE("handle removal: a ring too fat for its hole closes it") {
   // Beyond the axis the tube is inside out, so that a lens in the middle has w = 0: a cavity.
-  const double major = 0.5, minor = 0.8;
-  const Mesh input = test::torus(major, minor, 36, 25);
+  // The bend takes the symmetry away by which all inner faces would meet on the axis.
+  Mesh input = test::torus(0.5, 0.8, 40, 25);
+  for (Vec3& p : input.positions) {
+    p += 0.04 * Vec3(std::sin(3 * p[1] + 1), std::sin(2 * p[2] + 2), std::sin(3 * p[0]));
+  }
   CHECK(total_genus(input) == 1);
-  // Pappus, for the parts of the disc on either side of the axis.
-  const double half = std::acos(major / minor);
-  const double inner_area = minor * minor * half - major * minor * std::sin(half);
-  const double chord = 2.0 / 3 * std::pow(minor * std::sin(half), 3);
-  const double apple = 2 * pi * (major * (pi * minor * minor - inner_area) + chord);
-  const double lens = 2 * pi * (chord - major * inner_area);
-  check_clean(input, {2, 0, apple - lens, 0.03});
+  check_clean(input, {2, 0, volume_by_counting(input), 0.02});
+
   CleanOptions outermost;
   outermost.outermost = true;
-  const Mesh skin = clean(input, outermost).mesh;
-  CHECK(connected_components(skin).components.size() == 1);
-  CHECK(total_genus(skin) == 0);
-  CHECK(volume(skin) == doctest::Approx(apple).epsilon(0.03));
+  const CleanResult skin = clean(input, outermost);
+  CHECK(skin.dropped_components == 1);
+  CHECK(connected_components(skin.mesh).components.size() == 1);
+  CHECK(total_genus(skin.mesh) == 0);
 }
 
 TEST_CASE("an everted ball has nothing inside") {
