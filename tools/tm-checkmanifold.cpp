@@ -1,4 +1,5 @@
 /// tm-checkmanifold: whether a mesh is an oriented manifold, and where it is not.
+#include "tm/clean/intersect.h"
 #include "tm/geometry/degenerate_faces.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
@@ -10,6 +11,7 @@ using namespace transformesh;
 
 struct Options {
   bool closed = false;
+  bool intersections = false;
   bool pass = false;
 };
 
@@ -32,11 +34,23 @@ void report_counts(const Mesh& mesh, const ManifoldReport& found, tool::Run& run
   run.report("genus", genus);
 }
 
+std::string describe_intersections(const std::vector<FacePair>& pairs) {
+  if (pairs.empty()) return {};
+  return std::to_string(pairs.size()) + " pairs of faces intersect, the first are faces " +
+         std::to_string(pairs[0].first) + " and " + std::to_string(pairs[0].second) +
+         "; remove them with tm-clean";
+}
+
 bool check(const Document& document, const Options& options, tool::Run& run) {
   run.progress()("checking edges and vertices");
   const ManifoldReport found = check_manifold(document.mesh);
   report_counts(document.mesh, found, run);
-  const std::string problem = describe_problem(document.mesh, found, options.closed);
+  std::string problem = describe_problem(document.mesh, found, options.closed);
+  if (options.intersections) {
+    const std::vector<FacePair> pairs = find_intersections(document.mesh, run.progress());
+    run.report("intersections", pairs.size());
+    if (problem.empty()) problem = describe_intersections(pairs);
+  }
   if (!problem.empty()) run.report("problem", problem);
   if (!problem.empty() && options.pass) run.note(problem);
   return problem.empty();
@@ -49,6 +63,7 @@ int main(int argc, char** argv) {
   tool::Program program("tm-checkmanifold", "[OPTION]... [INPUT]",
                         "Checks that a mesh is an oriented manifold, and says where it is not");
   program.flag("closed", &options.closed, "a border is a problem too");
+  program.flag("intersections", &options.intersections, "faces that intersect are a problem too");
   program.flag("pass", &options.pass,
                "pass the mesh on; on a problem write nothing and exit with 1");
   return program.predicate_or_filter(

@@ -1,18 +1,13 @@
 #include "tm/clean/arrange.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "tm/clean/cut_plane.h"
+#include "tm/mesh/disjoint_sets.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
-
-Index find_root(std::vector<Index>& parent, Index i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
 
 // The faces that are cut together: coplanar ones that meet.
 struct Planes {
@@ -33,15 +28,11 @@ std::vector<Meeting> find_meetings(const Soup& soup, const std::vector<FacePair>
 }
 
 Planes group_planes(const Soup& soup, const std::vector<Meeting>& meetings) {
-  std::vector<Index> parent(soup.faces.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets sets(soup.faces.size());
   std::vector<bool> is_cut(soup.faces.size(), false);
   for (const Meeting& meeting : meetings) {
     is_cut[meeting.first] = is_cut[meeting.second] = true;
-    if (!meeting.contacts.coplanar) continue;
-    const Index a = find_root(parent, meeting.first);
-    const Index b = find_root(parent, meeting.second);
-    parent[std::max(a, b)] = std::min(a, b);
+    if (meeting.contacts.coplanar) sets.join(meeting.first, meeting.second);
   }
 
   // Planes in order of their first face, which is their root.
@@ -49,7 +40,7 @@ Planes group_planes(const Soup& soup, const std::vector<Meeting>& meetings) {
   planes.plane_of.assign(soup.faces.size(), no_index);
   for (Index f = 0; f < soup.faces.size(); ++f) {
     if (!is_cut[f]) continue;
-    const Index root = find_root(parent, f);
+    const Index root = sets.find(f);
     if (root == f) {
       planes.plane_of[f] = static_cast<Index>(planes.faces.size());
       planes.faces.emplace_back();

@@ -5,23 +5,9 @@
 #include <numeric>
 
 #include "tm/geometry/predicates.h"
+#include "tm/mesh/disjoint_sets.h"
 
 namespace transformesh {
-namespace {
-
-Index find_root(std::vector<Index>& parent, Index i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
-void join(std::vector<Index>& parent, Index a, Index b) {
-  a = find_root(parent, a);
-  b = find_root(parent, b);
-  parent[std::max(a, b)] = std::min(a, b);
-}
-
-}  // namespace
-
 std::vector<Index> weld(const std::vector<Vec3>& positions, double tolerance) {
   std::vector<Index> order(positions.size());
   std::iota(order.begin(), order.end(), 0);
@@ -31,18 +17,18 @@ std::vector<Index> weld(const std::vector<Vec3>& positions, double tolerance) {
   });
 
   // Sweep along x: candidates lie within the tolerance there.
-  std::vector<Index> parent(positions.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets sets(positions.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (std::size_t k = i + 1; k < order.size(); ++k) {
       const Vec3 step = positions[order[k]] - positions[order[i]];
       if (step[0] > tolerance) break;
       if (tolerance == 0 && step != Vec3::Zero()) break;  // equal positions are adjacent
-      if (step.norm() <= tolerance) join(parent, order[i], order[k]);
+      if (step.norm() <= tolerance) sets.join(order[i], order[k]);
     }
   }
-  for (Index i = 0; i < parent.size(); ++i) parent[i] = find_root(parent, i);
-  return parent;
+  std::vector<Index> representative(positions.size());
+  for (Index i = 0; i < representative.size(); ++i) representative[i] = sets.find(i);
+  return representative;
 }
 
 }  // namespace transformesh
