@@ -75,7 +75,8 @@ void check_common_options(const CommonOptions& values) {
   exclude(values.as_float, values.as_double, "--float or --double");
   exclude(values.quiet, values.verbose, "--quiet or --verbose");
   exclude(values.progress, values.no_progress, "--progress or --no-progress");
-  exclude(values.output == values.report, values.report != "", "--output or --report its own file");
+  exclude(values.output == values.report, !values.report.empty(),
+          "--output or --report its own file");
 }
 
 }  // namespace transformesh::tool

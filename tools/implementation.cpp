@@ -19,20 +19,13 @@ namespace {
 /// Nothing named and a terminal to read from: the user wants to know how to use this.
 struct ShortHelpWanted {};
 
-}  // namespace
-
-int Program::Implementation::print(std::string_view text) {
+int print(std::string_view text) {
   Outputs().stage("-", text);
   return exit_done;
 }
 
-int Program::Implementation::fail(int code, std::string_view message) {
-  terminal.error(message);
-  return code;
-}
-
-std::vector<std::string> Program::Implementation::inputs(const std::vector<std::string>& named,
-                                                         const Kind& kind) const {
+// The inputs to read: those named, else stdin, which must not be a terminal.
+std::vector<std::string> inputs(const std::vector<std::string>& named, const Kind& kind) {
   if (!kind.reads_mesh) return {};
   if (named.empty()) {
     if (is_terminal(STDIN_FILENO)) throw ShortHelpWanted();
@@ -42,6 +35,13 @@ std::vector<std::string> Program::Implementation::inputs(const std::vector<std::
     throw UsageError("one input at most, but '" + named[1] + "' is a second one");
   }
   return named;
+}
+
+}  // namespace
+
+int Program::Implementation::fail(int code, std::string_view message) {
+  terminal.error(message);
+  return code;
 }
 
 void Program::Implementation::check_required() {

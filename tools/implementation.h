@@ -27,10 +27,7 @@ struct Program::Implementation {
   int run_either(int argc, char** argv, const std::function<bool()>& is_predicate,
                  const std::function<bool(Document&, Run&)>& body);
   void check_required();
-  int print(std::string_view text);
   int fail(int code, std::string_view message);
-  /// The inputs to read: those named, else stdin, which must not be a terminal.
-  std::vector<std::string> inputs(const std::vector<std::string>& words, const Kind& kind) const;
 
   Description description;
   OptionTable table;

@@ -47,8 +47,9 @@ po::options_description description(const std::vector<Option>& options) {
 [[noreturn]] void throw_unknown(const std::string& token, const std::vector<Option>& options) {
   std::string word = token.substr(0, token.find('='));
   word.erase(0, word.find_first_not_of('-'));
-  std::vector<std::string> names;
-  for (const Option& option : options) names.push_back(option.name);
+  std::vector<std::string> names(options.size());
+  std::transform(options.begin(), options.end(), names.begin(),
+                 [](const Option& option) { return option.name; });
   throw UsageError("unknown option '" + token + "'; did you mean '--" + nearest_name(word, names) +
                    "'?");
 }

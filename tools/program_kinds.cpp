@@ -34,9 +34,8 @@ int Program::source(int argc, char** argv, const std::function<Document(Run&)>& 
 int Program::combine(int argc, char** argv,
                      const std::function<Document(std::vector<Document>, Run&)>& body) {
   const auto work = [&](Session& session, const std::vector<std::string>& inputs) {
-    std::vector<Document> documents;
-    for (const std::string& input : inputs) documents.push_back(session.read_input(input, true));
-    session.begin(&documents[0]);
+    std::vector<Document> documents = session.read_inputs(inputs, true);
+    session.begin(documents.data());
     Document document = body(std::move(documents), session);
     session.write_mesh(document, {});
     session.finish();
@@ -94,9 +93,8 @@ int Program::picture(int argc, char** argv,
     if (implementation_->common.output == "-" && is_terminal(STDOUT_FILENO)) {
       throw UsageError("not writing a picture to a terminal: redirect it or name a file with -o");
     }
-    std::vector<Document> documents;
-    for (const std::string& input : inputs) documents.push_back(session.read_input(input, false));
-    session.begin(&documents[0]);
+    std::vector<Document> documents = session.read_inputs(inputs, false);
+    session.begin(documents.data());
     session.write_bytes(body(std::move(documents), session));
     session.finish();
     return exit_done;

@@ -84,6 +84,14 @@ Document Session::read_input(const std::string& path, bool writes_mesh) {
   return document;
 }
 
+std::vector<Document> Session::read_inputs(const std::vector<std::string>& paths,
+                                           bool writes_mesh) {
+  std::vector<Document> documents;
+  documents.reserve(paths.size());
+  for (const std::string& path : paths) documents.push_back(read_input(path, writes_mesh));
+  return documents;
+}
+
 void Session::refuse_binary_on_terminal(Format format) const {
   if (options_.output != "-" || is_text(format) || !is_terminal(STDOUT_FILENO)) return;
   throw UsageError(

@@ -24,6 +24,7 @@ class Session : public Run {
 
   /// A mesh in the style of the output, if the program writes one.
   Document read_input(const std::string& path, bool writes_mesh);
+  std::vector<Document> read_inputs(const std::vector<std::string>& paths, bool writes_mesh);
   /// Resolves the lengths among the options and shows the settings; to be called before the body
   /// changes the mesh. Without a mesh the body has to set the basis first.
   void begin(const Document* basis);

@@ -63,6 +63,8 @@ class Program {
   /// `summary` is one line without full stop; `synopsis` the usage without the program's name.
   Program(std::string name, std::string synopsis, std::string summary);
   ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
 
   void flag(const std::string& option, bool* value, const std::string& help);
   void number(const std::string& option, double* value, double minimum, double maximum,
