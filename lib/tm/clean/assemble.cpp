@@ -110,6 +110,7 @@ void Assembler::add_vertex_row(Index umbrella) {
   const bool is_new = point >= soup.points.size();
   vertex_of_[umbrella] = static_cast<Index>(result_.mesh.positions.size());
   result_.vertex_is_new.push_back(is_new);
+  result_.input_vertex.push_back(is_new ? no_index : soup.vertex_of[point]);
   if (old_vertex_[umbrella] != no_index) {
     result_.mesh.positions.push_back(input_.positions[old_vertex_[umbrella]]);
     vertex_rows_.push_back({{old_vertex_[umbrella], 0, 0}, {1, 0, 0}});
@@ -189,6 +190,7 @@ void Assembler::split_singular_edges() {
     const auto middle = static_cast<Index>(mesh.positions.size());
     mesh.positions.push_back(0.5 * (mesh.positions[u] + mesh.positions[v]));
     result_.vertex_is_new.push_back(1);
+    result_.input_vertex.push_back(no_index);
     vertex_rows_.push_back(row_on_face(input_, face_rows_[h / 3], mesh.positions.back()));
     split_at(h, middle);
     if (across != no_index) split_at(across, middle);

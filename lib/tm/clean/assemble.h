@@ -14,6 +14,7 @@ namespace transformesh {
 
 struct Assembly {
   Mesh mesh;
+  std::vector<Index> input_vertex;     ///< per vertex: the input vertex in its place, or no_index
   std::vector<char> vertex_is_new;     ///< not a vertex of the input, nor a copy of one
   std::vector<char> face_is_new;       ///< not a whole face of the input
   std::vector<Index> whole_soup_face;  ///< per face: the soup face that it is, or no_index

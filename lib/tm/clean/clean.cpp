@@ -64,6 +64,14 @@ std::string place_of(const Mesh& mesh, Index face) {
   return "(" + shortest_text(p[0]) + " " + shortest_text(p[1]) + " " + shortest_text(p[2]) + ")";
 }
 
+// What was new before a further pass is still not a vertex of the input.
+void inherit_newness(const Assembly& before, Assembly& after) {
+  for (std::size_t v = 0; v < after.input_vertex.size(); ++v) {
+    const Index source = after.input_vertex[v];
+    if (source != no_index) after.vertex_is_new[v] = before.vertex_is_new[source];
+  }
+}
+
 // Rounds, checks what was rounded, and cleans again what rounding broke, until nothing is.
 void settle(Assembly& assembly, const CleanOptions& options, CleanResult& result,
             const Progress& progress) {
@@ -87,6 +95,7 @@ void settle(Assembly& assembly, const CleanOptions& options, CleanResult& result
     Pass pass;
     pass = run_pass(assembly.mesh, options, 1, progress);
     if (pass.unchanged) return;
+    inherit_newness(assembly, pass.assembly);
     assembly = std::move(pass.assembly);
   }
 }
