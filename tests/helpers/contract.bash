@@ -62,10 +62,6 @@ for_each() {
       echo "# $program: not for a $kind" >&3
       continue
     fi
-    if [ ! -e "$tm_root/tools/$program.cpp" ]; then
-      echo "# $program: not written yet" >&3
-      continue
-    fi
     read -ra row <<<"$rest"
     arguments=("${row[@]/MESH/$mesh}")
     # Not as a condition: bash would then go on after a failing line of the function.

@@ -16,12 +16,9 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-@test "the table names every program, and each is built" {
-  for source in "$tm_root"/tools/tm-*.cpp; do
-    program=$(basename "$source" .cpp)
-    contract_programs | grep -q "^$program|" || fail "tests/helpers/contract.bash lacks $program"
-    [ -x "$tm_build/bin/$program" ] || fail "$program is not built"
-  done
+@test "the table names every program" {
+  diff <(contract_programs | cut -d'|' -f1) \
+    <(cd "$tm_root/tools" && printf '%s\n' tm-*.cpp | sed 's/\.cpp$//')
 }
 
 help_is_golden() {
