@@ -27,12 +27,13 @@ std::vector<double> surface_distances(const Mesh& mesh, const Target& target, do
 // To the tangent plane at the nearest vertex, which jumps from vertex to vertex: never estimated.
 std::vector<double> vertex_distances(const Mesh& mesh, const Target& target) {
   const KdTree tree(target.mesh.positions);
+  const std::vector<Vec3> normals = target.is_mesh() ? vertex_normals(target.mesh) : target.normals;
   std::vector<double> distances(mesh.positions.size());
   parallel_for(distances.size(), queries_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const Vec3& p = mesh.positions[v];
       const Index q = tree.nearest(p);
-      distances[v] = (p - target.mesh.positions[q]).dot(target.normals[q]);
+      distances[v] = (p - target.mesh.positions[q]).dot(normals[q]);
     }
   });
   return distances;

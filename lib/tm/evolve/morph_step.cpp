@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "tm/evolve/velocity.h"
-#include "tm/mesh/measure.h"
 
 namespace transformesh {
 namespace {
@@ -12,11 +12,30 @@ namespace {
 /// Distances beyond so many mean edges may be estimated.
 constexpr double far_in_edges = 4;
 
+struct EdgeSizes {
+  double mean = 0;
+  double largest = 0;
+};
+
+// By halfedges: an inner edge counts twice.
+EdgeSizes edge_sizes(const Mesh& mesh) {
+  EdgeSizes sizes;
+  for (const auto& [a, b, c] : mesh.faces) {
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      const double length = (mesh.positions[to] - mesh.positions[from]).norm();
+      sizes.mean += length;
+      sizes.largest = std::max(sizes.largest, length);
+    }
+  }
+  sizes.mean /= 3 * static_cast<double>(mesh.faces.size());
+  return sizes;
+}
+
 // Vertices that are farther move by their clamp, whatever their distance; unless a mask may shorten
 // the movement.
-double exact_within(const MorphStepOptions& options, const EdgeLengths& edges) {
+double exact_within(const MorphStepOptions& options, const EdgeSizes& edges) {
   if (!options.mask.empty()) return std::numeric_limits<double>::infinity();
-  const double clamped_beyond = options.displace.alpha * edges.maximum / options.displace.time_step;
+  const double clamped_beyond = options.displace.alpha * edges.largest / options.displace.time_step;
   return std::max(clamped_beyond, far_in_edges * edges.mean);
 }
 
@@ -28,7 +47,7 @@ MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOpti
   const auto natural = target.is_mesh() ? MorphDistance::surface : MorphDistance::vertex;
   result.distance = options.distance.value_or(natural);
 
-  const EdgeLengths edges = edge_lengths(mesh);
+  const EdgeSizes edges = edge_sizes(mesh);
   MorphVelocities morph =
       morph_velocities(mesh, target, {result.distance, exact_within(options, edges)}, progress);
   result.to_target = morph.to_target;

@@ -65,7 +65,6 @@ Target make_target(Mesh mesh) {
     target.mesh = select_faces(target.mesh, std::vector<bool>(target.mesh.faces.size(), true));
   }
   refuse_inside_out(target.mesh);
-  target.normals = vertex_normals(target.mesh);
   return target;
 }
 

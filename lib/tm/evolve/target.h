@@ -11,16 +11,16 @@ namespace transformesh {
 /// Points are a mesh without faces.
 struct Target {
   Mesh mesh;
-  std::vector<Vec3> normals;  ///< per vertex, of unit length; zero where undefined
+  /// Of points only: one each, of unit length or zero where undefined. A mesh has its faces.
+  std::vector<Vec3> normals;
   bool has_estimated_normals = false;
   bool is_mesh() const { return !mesh.faces.empty(); }
 };
 
-/// Makes a target of a mesh as read. With faces, normals are weighted by angle. Of points, the
-/// vertex columns nx ny nz are taken where present, else normals are estimated
-/// (estimate_normals.h). Vertices of a mesh that no face uses are dropped.
-/// Throws InputError where there is nothing, where a closed mesh is inside out (all of it would be
-/// outside), and for normals that are not finite.
+/// Makes a target of a mesh as read. Of points, the vertex columns nx ny nz are taken where
+/// present, else normals are estimated (estimate_normals.h). Vertices of a mesh that no face uses
+/// are dropped. Throws InputError where there is nothing, where a closed mesh is inside out (all of
+/// it would be outside), and for normals that are not finite.
 Target make_target(Mesh mesh);
 
 /// Stores normals as the vertex columns nx ny nz, from where make_target takes those of points.

@@ -112,13 +112,14 @@ TEST_CASE("the vertex distance is the one to the tangent plane at the nearest ve
   const Mesh mesh = jittered_sphere(1.1);
   const MorphVelocities result = morph_velocities(mesh, target, {MorphDistance::vertex});
   const std::vector<Vec3> normals = vertex_normals(mesh);
+  const std::vector<Vec3> target_normals = vertex_normals(target.mesh);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const Vec3& p = mesh.positions[v];
     const auto nearest = std::min_element(
         target.mesh.positions.begin(), target.mesh.positions.end(),
         [&](const Vec3& a, const Vec3& b) { return (a - p).norm() < (b - p).norm(); });
     const Vec3& n =
-        target.normals[static_cast<std::size_t>(nearest - target.mesh.positions.begin())];
+        target_normals[static_cast<std::size_t>(nearest - target.mesh.positions.begin())];
     CHECK((result.velocities[v] - (*nearest - p).dot(n) * normals[v]).norm() < 1e-14);
   }
 }
