@@ -2,7 +2,6 @@
 #include "displacement_report.h"
 #include "tm/evolve/morph_step.h"
 #include "tm/evolve/target_file.h"
-#include "tm/support/error.h"
 #include "tool.h"
 
 namespace {
@@ -17,7 +16,6 @@ struct Options {
 };
 
 Target target_of(const Options& options, tool::Run& run) {
-  if (options.target.empty()) throw UsageError("--target FILE is needed: what to move towards");
   run.progress()("read target");
   Target target = read_target(run.read_bytes(options.target), options.target);
   if (target.has_estimated_normals) {
@@ -48,6 +46,7 @@ int main(int argc, char** argv) {
   tool::Program program("tm-morph-step", "[OPTION]... --target FILE [INPUT]",
                         "Moves a mesh one step towards a target");
   program.text("target", &options.target, "FILE", "mesh or points to move towards");
+  program.require("target");
   program.choice("distance", &options.distance, {"auto", "surface", "vertex"},
                  "to the target's faces or to its vertices; auto: faces where it has any");
   program.number("time-step", &displace.time_step, 0, 1e300,
