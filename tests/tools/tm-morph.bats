@@ -1,0 +1,227 @@
+load ../helpers/common
+
+setup_file() {
+  PATH=$tm_build/bin:$PATH
+  cd "$BATS_FILE_TMPDIR"
+  tm-shape torus --faces 1000 -o torus.ply
+  tm-shape sphere --around torus.ply --faces 1000 -o sphere.ply
+  "$tm_root/scripts/tm-morph" sphere.ply --target torus.ply -o whole.ply --csv whole.csv -q
+}
+
+setup() {
+  PATH=$tm_root/scripts:$PATH
+  cd "$BATS_TEST_TMPDIR"
+  sphere=$BATS_FILE_TMPDIR/sphere.ply
+  torus=$BATS_FILE_TMPDIR/torus.ply
+  whole=$BATS_FILE_TMPDIR/whole.ply
+}
+
+# value KEY FILE: a value of a report.
+value() {
+  awk -v key="\"$1\":" '$1 == key { gsub("[\",]", "", $2); print $2; exit }' "$2"
+}
+
+# below A B
+below() {
+  awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }' || fail "$1 is not below $2"
+}
+
+# same_mesh A B: whatever the comments.
+same_mesh() {
+  cmp <(tm-convert --format off "$1" | grep -v '^#') <(tm-convert --format off "$2" | grep -v '^#')
+}
+
+# A folder of filters that are the built ones, but for those that a test puts there.
+own_filters() {
+  mkdir -p filters
+  cp "$tm_root/scripts/tm-morph" filters/
+  for filter in tm-morph-step tm-clean tm-remesh tm-convert; do
+    ln -sf "$tm_build/bin/$filter" "filters/$filter"
+  done
+}
+
+@test "a sphere becomes a torus: right topology, on the target, closed, without a crossing" {
+  run --separate-stderr tm-morph "$sphere" --target "$torus" -o out.ply --report r.json
+  assert_status 0
+  one_line "$stderr"
+  [[ -z $output && $stderr == "tm-morph: converged after "*"genus 1"* ]]
+  cmp out.ply "$whole"
+  [ "$(value converged r.json)" = true ]
+  [ "$(value stop r.json)" = converged ]
+  [ "$(tm-info --get genus out.ply)" -eq 1 ]
+  [ "$(tm-info --get components out.ply)" -eq 1 ]
+  tm-intersect --check out.ply
+  tm-checkmanifold --closed out.ply
+  edge=$(value mean_edge r.json)
+  for key in rms_distance_to_target rms_distance_from_target; do
+    below "$(value "$key" r.json)" "$(awk -v e="$edge" 'BEGIN { print e / 4 }')"
+  done
+  # What the loop says about its result is what another program measures.
+  hausdorff=$(tm-compare --reference "$torus" out.ply | awk '/^hausdorff:/ { print $2 }')
+  below "$hausdorff" "$edge"
+  [ ! -e out.ply.tm-morph ]
+}
+
+@test "the csv has a line per iteration, and its numbers are plausible" {
+  csv=$BATS_FILE_TMPDIR/whole.csv
+  awk -F, 'NR == 1 { if ($1 != "iteration" || NF != 16) exit 1; next }
+    $1 != NR - 1 || NF != 16 || $2 < 20 || $6 > 1 || $7 > 1.0001 { exit 1 }
+    { pairs += $3; genus = $5; far = $8 }
+    END { exit !(NR > 20 && pairs > 0 && genus == 1 && far < 0.1) }' "$csv" || fail "$(cat "$csv")"
+}
+
+@test "the result does not depend on the number of threads" {
+  tm-morph "$sphere" --target "$torus" -o one.ply --threads 1 -q
+  cmp one.ply "$whole"
+}
+
+@test "the limit of iterations is exit 0, not converged, and can be continued" {
+  tm-morph "$sphere" --target "$torus" -o out.ply --iterations 7 --csv log.csv --report r.json -q
+  [ "$(value converged r.json)" = false ]
+  [ "$(value stop r.json)" = iteration_limit ]
+  [ "$(value iterations r.json)" -eq 7 ]
+  [ "$(wc -l <log.csv)" -eq 8 ]
+  tm-morph "$sphere" --target "$torus" -o out.ply --resume --csv log.csv --report r.json -q
+  cmp out.ply "$whole"
+  cmp <(cut -d, -f1-12 log.csv) <(cut -d, -f1-12 "$BATS_FILE_TMPDIR/whole.csv")
+  [ "$(value stop r.json)" = converged ]
+}
+
+@test "a run that was killed continues to the same result" {
+  tm-morph "$sphere" --target "$torus" -o out.ply --csv log.csv -q 3>&- &
+  while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt 6 ]; do sleep 0.01; done
+  kill -KILL $!
+  wait $! || true
+  [ ! -e out.ply ]
+  # As if it had been killed between writing a line and keeping its mesh.
+  echo 9999,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1 >>log.csv
+  sleep 0.5 # the filters of the killed loop end by themselves
+  tm-morph "$sphere" --target "$torus" -o out.ply --csv log.csv --resume -q
+  cmp out.ply "$whole"
+  cmp <(cut -d, -f1-12 log.csv) <(cut -d, -f1-12 "$BATS_FILE_TMPDIR/whole.csv")
+}
+
+@test "--resume begins where there is nothing to continue, and refuses other settings" {
+  tm-morph "$sphere" --target "$torus" -o out.ply --resume --iterations 2 -q
+  run --separate-stderr tm-morph "$sphere" --target "$torus" -o out.ply --resume --alpha 0.1
+  assert_status 2
+  one_line "$stderr"
+  [[ $stderr == *"other settings"* ]]
+}
+
+@test "SIGINT ends it within a second, with 130 and no output, ready to be continued" {
+  env --default-signal=INT "$tm_root/scripts/tm-morph" "$sphere" --target "$torus" -o out.ply \
+    --csv log.csv 2>messages 3>&- &
+  while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt 4 ]; do sleep 0.01; done
+  kill -INT $!
+  began=$EPOCHSECONDS
+  wait $! || code=$?
+  [ "$code" -eq 130 ]
+  [ $((EPOCHSECONDS - began)) -le 1 ]
+  [ ! -e out.ply ]
+  grep -q -- '--resume' messages
+  tm-morph "$sphere" --target "$torus" -o out.ply --resume -q
+  cmp out.ply "$whole"
+}
+
+@test "a filter that fails ends the loop with its message and code, and the last good mesh" {
+  own_filters
+  rm filters/tm-clean
+  cat >filters/tm-clean <<STUB
+#!/usr/bin/env bash
+echo >>$PWD/calls
+if [ "\$(wc -l <$PWD/calls)" -eq 5 ]; then
+  cat >/dev/null
+  echo 'tm-clean: no luck today' >&2
+  exit 4
+fi
+exec $tm_build/bin/tm-clean "\$@"
+STUB
+  chmod +x filters/tm-clean
+  # The first call is for the source, so the fifth is iteration 4.
+  run --separate-stderr filters/tm-morph "$sphere" --target "$torus" -o out.ply
+  assert_status 4
+  [ "${stderr_lines[0]}" = "tm-clean: no luck today" ]
+  [[ ${stderr_lines[1]} == "tm-morph: stopped in iteration 4; 'out.ply' holds the mesh of iteration 3"* ]]
+  [ "${#stderr_lines[@]}" -eq 2 ]
+  tm-morph "$sphere" --target "$torus" -o three.ply --iterations 3 -q
+  same_mesh out.ply three.ply
+  tm-morph "$sphere" --target "$torus" -o out.ply --resume -q
+  cmp out.ply "$whole"
+}
+
+@test "without progress on a component that is out of reach it stops by itself" {
+  tm-shape sphere --radius 0.5 --faces 500 -o near.ply
+  tm-shape sphere --radius 0.5 --center 3,0,0 --faces 500 | tm-cat near.ply - -o two.ply
+  tm-shape sphere --radius 0.7 --faces 500 -o start.ply
+  tm-morph start.ply --target two.ply -o out.ply --report r.json --iterations 200 -q
+  [ "$(value stop r.json)" = stalled ]
+  [ "$(value converged r.json)" = false ]
+  below 1 "$(value max_distance_from_target r.json)"
+  [ "$(tm-info --get components out.ply)" -eq 1 ]
+}
+
+@test "frames are kept every N iterations, from the source on" {
+  tm-morph "$sphere" --target "$torus" -o out.ply --iterations 7 --frames pictures --every 3 -q
+  [ "$(echo pictures/*)" = "pictures/frame-00000.ply pictures/frame-00003.ply pictures/frame-00006.ply" ]
+  same_mesh pictures/frame-00000.ply "$sphere"
+}
+
+@test "it is a filter too: stdin to stdout, and other formats" {
+  tm-convert --format off -o sphere.off "$sphere"
+  pipe "tm-morph --target '$torus' --iterations 3 -q <sphere.off >out.ply"
+  assert_status 0
+  tm-morph "$sphere" --target "$torus" --iterations 3 -o out.off -q
+  [ "$(head -c 3 out.off)" = OFF ]
+  same_mesh out.ply out.off
+}
+
+@test "points are a target" {
+  tm-convert --format off --no-provenance "$torus" |
+    awk 'NR > 2 && NF == 3 && (NR > 3 || $3 != 0)' >points.xyz
+  run --separate-stderr tm-morph "$sphere" --target points.xyz -o out.ply --iterations 100
+  assert_status 0
+  [[ ${stderr_lines[0]} == *"estimated"* && ${#stderr_lines[@]} -eq 2 ]]
+  [ "$(tm-info --get genus out.ply)" -eq 1 ]
+}
+
+@test "progress is a line per iteration where asked for, and nothing else otherwise" {
+  run --separate-stderr tm-morph "$sphere" --target "$torus" -o out.ply --iterations 3 --progress
+  assert_status 0
+  [ "${#stderr_lines[@]}" -eq 4 ]
+  [[ ${stderr_lines[1]} == "tm-morph: iteration 2: "*" faces, 1 part, genus 0, moved 100%"* ]]
+  run --separate-stderr tm-morph "$sphere" --target "$torus" -o out.ply --iterations 3 -q
+  [ -z "$stderr" ]
+}
+
+@test "mistakes are exit 2 or 3 and one line, and leave nothing behind" {
+  mkdir empty && cd empty
+  while read -r code words; do
+    eval "run --separate-stderr tm-morph $words"
+    assert_status "$code"
+    one_line "$stderr"
+    [ -z "$output" ]
+  done <<LINES
+2 '$sphere' -o out.ply
+2 '$sphere' --target '$torus' --iterashuns 3
+2 '$sphere' --target '$torus' -o out.ply --iterations three
+2 '$sphere' --target '$torus' -o out.ply --alpha
+2 '$sphere' '$sphere' --target '$torus' -o out.ply
+2 '$sphere' --target '$torus' --resume
+2 '$sphere' --target '$torus' -o out.ply --smooth much
+3 '$sphere' --target absent.ply -o out.ply
+3 absent.ply --target '$torus' -o out.ply
+LINES
+  run tm-morph "$sphere" --targt "$torus"
+  [[ $output == *"'--targt'"*"'--target'"* ]]
+  [ -z "$(ls)" ] || fail "left behind: $(ls)"
+}
+
+@test "the man page lists exactly the options of --help" {
+  tm-morph --help >help
+  diff "$tm_root/tests/tools/golden/tm-morph.help" help
+  diff <(sed -nE 's/^  (-[a-zA-Z], )?--([a-z0-9-]+).*/\2/p' help | sort) \
+    <(grep -B1 '^:   ' "$tm_root/man/tm-morph.1.md" | grep '^\*\*\\*-' |
+      grep -oE '\*\*\\?--[a-z0-9-]+' | sed -E 's/^\*\*\\?--//' | sort)
+  [[ $(tm-morph --version) =~ ^tm-morph\ [0-9]+\.[0-9]+\.[0-9]+$ ]]
+}
