@@ -161,6 +161,27 @@ STUB
   [ "$(tm-info --get components out.ply)" -eq 1 ]
 }
 
+@test "tiny bodies are as good as large ones" {
+  tm-shape sphere --radius 1e-5 --faces 800 -o tiny.ply
+  tm-shape sphere --radius 1.05e-5 --faces 800 -o around.ply
+  tm-morph around.ply --target tiny.ply -o out.ply --iterations 20 --report r.json -q
+  [ "$(value stop r.json)" = converged ]
+}
+
+@test "a reader that goes away and a full disk end it, and nothing is left" {
+  export TMPDIR=$PWD/temporary
+  mkdir temporary
+  run bash -c "tm-morph '$sphere' --target '$torus' --iterations 2 -q | :
+    exit \${PIPESTATUS[0]}"
+  assert_status 141
+  run bash -c "tm-morph '$sphere' --target '$torus' --iterations 2 -q >/dev/full"
+  assert_status 5
+  [ -z "$(ls temporary)" ]
+  run --separate-stderr tm-morph "$sphere" --target "$torus" --iterations 2 -q -o out.ply \
+    --csv /dev/full
+  assert_status 5
+}
+
 @test "frames are kept every N iterations, from the source on" {
   tm-morph "$sphere" --target "$torus" -o out.ply --iterations 7 --frames pictures --every 3 -q
   [ "$(echo pictures/*)" = "pictures/frame-00000.ply pictures/frame-00003.ply pictures/frame-00006.ply" ]

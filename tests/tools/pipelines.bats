@@ -1,0 +1,100 @@
+# The pipelines of the README, its lines exactly as printed, and what comes out of them.
+
+load ../helpers/common
+
+# The shell lines of the README, without those that set up the project itself.
+readme_lines() {
+  awk '/^```sh$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$tm_root/README.md"
+}
+
+setup_file() {
+  export folder=$BATS_FILE_TMPDIR/readme
+  mkdir "$folder"
+  cd "$tm_root"
+  readme_lines >"$BATS_FILE_TMPDIR/all.sh"
+  # Its first line puts this folder's programs on PATH; the others run in an empty folder.
+  [ "$(head -n 1 "$BATS_FILE_TMPDIR/all.sh")" = 'export PATH=$PWD/build/bin:$PWD/scripts:$PATH' ]
+  {
+    echo "export PATH=$tm_build/bin:$tm_root/scripts:\$PATH"
+    tail -n +2 "$BATS_FILE_TMPDIR/all.sh"
+  } >"$BATS_FILE_TMPDIR/readme.sh"
+  cd "$folder"
+  bash "$BATS_FILE_TMPDIR/readme.sh" >"$BATS_FILE_TMPDIR/stdout" 2>"$BATS_FILE_TMPDIR/stderr" || {
+    cat "$BATS_FILE_TMPDIR/stderr"
+    return 1
+  }
+}
+
+setup() {
+  cd "$folder"
+}
+
+volume() { tm-info --get volume "$1"; }
+
+# expect EXPRESSION of awk, with $1 and so on as numbers
+expect() { # EXPRESSION NUMBER...
+  local expression=$1
+  shift
+  echo "$*" | awk "{ exit !($expression) }" || fail "not so: $expression, with $*"
+}
+
+@test "set-up is two commands" {
+  setup_lines=$(awk '/^```bash$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$tm_root/README.md")
+  [ "$setup_lines" = $'scripts/quickstart\nscripts/check' ]
+  [ -x "$tm_root/scripts/quickstart" ] && [ -x "$tm_root/scripts/check" ]
+}
+
+@test "the README names every program and no other" {
+  diff <(grep -oE '^\| `tm-[a-z-]+`' "$tm_root/README.md" | grep -oE 'tm-[a-z-]+' | sort) \
+    <(cd "$tm_root" && ls tools/tm-*.cpp scripts/tm-* | sed 's|.*/||; s/\.cpp$//' | sort)
+}
+
+@test "every result is a closed manifold without a crossing" {
+  for mesh in union intersection difference body result now twisted repaired; do
+    tm-checkmanifold --closed "$mesh.ply" >/dev/null || fail "$mesh.ply is not closed and manifold"
+    tm-intersect --check "$mesh.ply" >/dev/null || fail "$mesh.ply crosses itself"
+  done
+}
+
+@test "volumes of union, intersection and difference add up" {
+  expect '($1 + $2 - $3 - $4) ^ 2 < 1e-24' "$(volume a.ply)" "$(volume b.ply)" \
+    "$(volume union.ply)" "$(volume intersection.ply)"
+  expect '($1 - $2 - $3) ^ 2 < 1e-24' "$(volume a.ply)" "$(volume intersection.ply)" \
+    "$(volume difference.ply)"
+  # The box sticks out of the sphere at both ends, and drills a hole through it.
+  [ "$(tm-info --get genus difference.ply)" -eq 1 ]
+}
+
+@test "the neck pinches off, and both ends stay" {
+  [ "$(tm-info --get components body.ply)" -eq 2 ]
+  expect '$1 > 0.2' "$(volume body.ply)"
+}
+
+@test "the morph finds three holes and the target" {
+  [ "$(tm-info --get genus result.ply)" -eq 3 ]
+  grep -q '"converged": true' report.json
+  expect '$1 < $2' "$(tm-compare --reference target.ply result.ply | awk '/^hausdorff:/ { print $2 }')" \
+    "$(tm-info --get edge_mean result.ply)"
+  expect '$1 < $2' "$(volume now.ply)" "$(volume source.ply)"
+}
+
+@test "the box is twisted: its corners turn with their height, the volume stays" {
+  expect '$1 > 0.97 * $2 && $1 < 1.03 * $2' "$(volume twisted.ply)" "$(volume twist.ply)"
+  # Velocity is across the radius, so corners go outwards a little.
+  expect '$1 > $4 && $2 > $5' "$(tm-info --get bbox_max twisted.ply)" \
+    "$(tm-info --get bbox_max twist.ply)"
+}
+
+@test "the scan is repaired, and pictures are pictures" {
+  [ "$(tm-info --get components repaired.ply)" -eq 1 ]
+  for picture in crossings evolution; do
+    [ "$(head -c 4 "$picture.png" | tail -c 3)" = PNG ]
+  done
+}
+
+@test "the Makefile made what it should" {
+  for shape in torus torus-knot bowl; do
+    tm-checkmanifold --closed "$shape.clean.ply" >/dev/null
+  done
+  [ "$(tm-info --get genus torus.clean.ply)" -eq 1 ]
+}
