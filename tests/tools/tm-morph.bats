@@ -128,7 +128,7 @@ own_filters() {
   own_filters
   rm filters/tm-clean
   cat >filters/tm-clean <<STUB
-#!/usr/bin/env bash
+#!/bin/bash
 echo >>$PWD/calls
 if [ "\$(wc -l <$PWD/calls)" -eq 5 ]; then
   cat >/dev/null
