@@ -45,7 +45,8 @@ Pass run_pass(const Mesh& mesh, const CleanOptions& options, int level, const Pr
   }
   const std::vector<FacePair> pairs = find_soup_intersections(*soup, progress);
   const Arrangement arrangement = arrange(soup, pairs, progress);
-  pass.exterior = find_exterior(arrangement, level, options.method, loops, progress);
+  pass.exterior =
+      find_exterior(arrangement, level, options.method, close_borders(*soup, loops), progress);
 
   const auto& kept = pass.exterior.kept;
   const auto whole_end = kept.begin() + static_cast<std::ptrdiff_t>(arrangement.whole_pieces);

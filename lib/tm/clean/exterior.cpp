@@ -2,151 +2,144 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
-#include "tm/clean/angular_order.h"
+#include "tm/clean/patches.h"
 #include "tm/clean/winding_ray.h"
 #include "tm/support/error.h"
-#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
 
 constexpr int unknown = std::numeric_limits<int>::min();
+constexpr std::size_t tries_per_patch = 8;
+constexpr std::size_t tries_per_seed = 64;
 
 bool is_kept(int front, const Piece& piece, int level) {
   return front < level && front + piece.winding >= level;
 }
 
-// Across a curve, w behind or before one patch equals w before or behind the next.
-struct Relation {
-  Index patch;
-  int offset;  ///< w in front of that patch, less w in front of this one
-};
-
-/// The patches of an arrangement and how their winding numbers depend on each other.
-class Patches {
+/// Winding numbers in front of patches, from seeds outwards.
+class Growth {
  public:
-  explicit Patches(const Arrangement& arrangement);
-
-  std::vector<Index> patch_of;  ///< per piece; no_index for pieces that cancel out
-  std::vector<Index> seeds;     ///< per patch: its first piece
-  std::vector<std::vector<Relation>> relations;
+  Growth(const Arrangement& arrangement, int level, const BorderClosure& closure);
+  Exterior grow(const Progress& progress);
 
  private:
-  bool is_inner_edge(std::span<const Index> halfedges) const;
-  void number_patches(const Edges& edges);
-  void relate_around(std::span<const Index> halfedges);
+  bool keeps(Index patch) const;
+  void cast_ray(Index patch, std::size_t member);
+  std::vector<Index> connected_patches(Index first) const;
+  Index find_open_seed(Index first);
+  void spread(Index seed);
 
   const Arrangement& arrangement_;
+  int level_;
+  bool is_open_;
+  Patches patches_;
+  WindingRay ray_;
+  std::vector<int> front_;  ///< per patch
+  std::size_t rays_ = 0;
 };
 
-Patches::Patches(const Arrangement& arrangement) : arrangement_(arrangement) {
-  std::vector<char> counts(arrangement.pieces.size());
-  for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = arrangement.pieces[p].winding != 0;
-  const Edges edges = piece_edges(arrangement, counts);
-  number_patches(edges);
-  relations.resize(seeds.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (!is_inner_edge(edges.halfedges(e))) relate_around(edges.halfedges(e));
-  }
+Growth::Growth(const Arrangement& arrangement, int level, const BorderClosure& closure)
+    : arrangement_(arrangement),
+      level_(level),
+      is_open_(!closure.empty()),
+      patches_(arrangement),
+      ray_(arrangement, closure),
+      front_(patches_.size(), unknown) {}
+
+bool Growth::keeps(Index patch) const {
+  return is_kept(front_[patch], arrangement_.pieces[patches_.pieces[patch].front()], level_);
 }
 
-// An edge that a surface simply passes.
-bool Patches::is_inner_edge(std::span<const Index> halfedges) const {
-  const auto& pieces = arrangement_.pieces;
-  return halfedges.size() == 2 &&
-         is_forward(pieces, halfedges[0]) != is_forward(pieces, halfedges[1]) &&
-         pieces[halfedges[0] / 3].winding == pieces[halfedges[1] / 3].winding;
+void Growth::cast_ray(Index patch, std::size_t member) {
+  front_[patch] = ray_.in_front_of(arrangement_.pieces[patches_.pieces[patch][member]]);
+  ++rays_;
 }
 
-void Patches::number_patches(const Edges& edges) {
-  const auto& pieces = arrangement_.pieces;
-  std::vector<Index> neighbor(3 * pieces.size(), no_index);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto halfedges = edges.halfedges(e);
-    if (!is_inner_edge(halfedges)) continue;
-    neighbor[halfedges[0]] = halfedges[1] / 3;
-    neighbor[halfedges[1]] = halfedges[0] / 3;
+// Largest first, which are the likeliest to be exterior.
+std::vector<Index> Growth::connected_patches(Index first) const {
+  std::vector<Index> connected{first};
+  std::vector<char> seen(patches_.size(), 0);
+  seen[first] = 1;
+  for (std::size_t i = 0; i < connected.size(); ++i) {
+    for (const Patches::Relation& relation : patches_.relations[connected[i]]) {
+      if (seen[relation.patch]) continue;
+      seen[relation.patch] = 1;
+      connected.push_back(relation.patch);
+    }
   }
-  patch_of.assign(pieces.size(), no_index);
-  std::vector<Index> stack;
-  for (Index first = 0; first < pieces.size(); ++first) {
-    if (patch_of[first] != no_index || pieces[first].winding == 0) continue;
-    const auto patch = static_cast<Index>(seeds.size());
-    seeds.push_back(first);
-    patch_of[first] = patch;
-    stack.push_back(first);
-    while (!stack.empty()) {
-      const Index piece = stack.back();
-      stack.pop_back();
-      for (Index i = 0; i < 3; ++i) {
-        const Index next = neighbor[3 * piece + i];
-        if (next == no_index || patch_of[next] != no_index) continue;
-        patch_of[next] = patch;
-        stack.push_back(next);
-      }
+  std::stable_sort(connected.begin(), connected.end(), [&](Index a, Index b) {
+    return patches_.pieces[a].size() > patches_.pieces[b].size();
+  });
+  return connected;
+}
+
+// Closing borders makes w vary over a patch: a seed is a patch with a piece that is exterior.
+Index Growth::find_open_seed(Index first) {
+  const std::vector<Index> connected = connected_patches(first);
+  std::size_t tries = 0;
+  for (const Index patch : connected) {
+    const std::size_t size = patches_.pieces[patch].size();
+    const std::size_t count = std::min(size, tries_per_patch);
+    for (std::size_t i = 0; i < count; ++i) {
+      cast_ray(patch, i * size / count);
+      if (keeps(patch)) return patch;
+    }
+    front_[patch] = unknown;
+    tries += count;
+    if (tries >= tries_per_seed) break;
+  }
+  cast_ray(connected.front(), 0);
+  return connected.front();
+}
+
+// In an open mesh patches that are kept are surer than others: they go first.
+void Growth::spread(Index seed) {
+  std::vector<Index> kept;
+  std::vector<Index> others;
+  const auto put = [&](Index patch) { (keeps(patch) ? kept : others).push_back(patch); };
+  put(seed);
+  while (!kept.empty() || !others.empty()) {
+    std::vector<Index>& stack = kept.empty() ? others : kept;
+    const Index patch = stack.back();
+    stack.pop_back();
+    for (const Patches::Relation& relation : patches_.relations[patch]) {
+      if (front_[relation.patch] != unknown) continue;
+      front_[relation.patch] = front_[patch] + relation.offset;
+      put(relation.patch);
     }
   }
 }
 
-// Between neighbours in angular order lies one region: its w seen from both must agree.
-void Patches::relate_around(std::span<const Index> halfedges) {
-  if (halfedges.size() < 2) return;
-  const std::vector<Index> sorted = sort_around_edge(arrangement_, halfedges);
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const Index a = sorted[i];
-    const Index b = sorted[(i + 1) % sorted.size()];
-    const int winding_a = arrangement_.pieces[a / 3].winding;
-    const int winding_b = arrangement_.pieces[b / 3].winding;
-    const int beyond_a = is_forward(arrangement_.pieces, a) ? 0 : winding_a;
-    const int before_b = is_forward(arrangement_.pieces, b) ? winding_b : 0;
-    const Index patch_a = patch_of[a / 3];
-    const Index patch_b = patch_of[b / 3];
-    if (patch_a == patch_b) continue;
-    relations[patch_a].push_back({patch_b, beyond_a - before_b});
-    relations[patch_b].push_back({patch_a, before_b - beyond_a});
-  }
-}
-
-Exterior grow(const Arrangement& arrangement, int level,
-              const std::vector<std::vector<Index>>& border_loops, const Progress& progress) {
-  const Patches patches(arrangement);
+Exterior Growth::grow(const Progress& progress) {
   progress("exterior", 0.5);
-  const WindingRay ray(arrangement, border_loops);
-  const bool is_open = !border_loops.empty();
+  for (Index first = 0; first < patches_.size(); ++first) {
+    if (front_[first] != unknown) continue;
+    Index seed = first;
+    if (is_open_) {
+      seed = find_open_seed(first);
+    } else {
+      cast_ray(seed, 0);
+    }
+    spread(seed);
+  }
 
   Exterior result;
-  result.patches = patches.seeds.size();
-  std::vector<int> front(patches.seeds.size(), unknown);
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < front.size(); ++seed) {
-    if (front[seed] != unknown) continue;
-    front[seed] = ray.in_front_of(arrangement.pieces[patches.seeds[seed]]);
-    ++result.rays;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const Index patch = stack.back();
-      stack.pop_back();
-      const Piece& piece = arrangement.pieces[patches.seeds[patch]];
-      if (is_open && !is_kept(front[patch], piece, level)) continue;
-      for (const Relation& relation : patches.relations[patch]) {
-        if (front[relation.patch] != unknown) continue;
-        front[relation.patch] = front[patch] + relation.offset;
-        stack.push_back(relation.patch);
-      }
-    }
-  }
-
-  result.kept.assign(arrangement.pieces.size(), 0);
+  result.patches = patches_.size();
+  result.rays = rays_;
+  result.kept.assign(arrangement_.pieces.size(), 0);
   for (std::size_t p = 0; p < result.kept.size(); ++p) {
-    const Index patch = patches.patch_of[p];
-    if (patch != no_index) result.kept[p] = is_kept(front[patch], arrangement.pieces[p], level);
+    const Index patch = patches_.patch_of[p];
+    if (patch == no_index) continue;
+    result.kept[p] = is_kept(front_[patch], arrangement_.pieces[p], level_);
   }
   return result;
 }
 
 Exterior test_all(const Arrangement& arrangement, int level, const Progress& progress) {
-  const WindingRay ray(arrangement, {});
+  const WindingRay ray(arrangement, BorderClosure());
   progress("exterior", 0.1);
   Exterior result;
   result.kept.assign(arrangement.pieces.size(), 0);
@@ -158,20 +151,28 @@ Exterior test_all(const Arrangement& arrangement, int level, const Progress& pro
   return result;
 }
 
+std::string nothing_kept(int level, bool is_open) {
+  if (level != 1) {
+    return "no winding number reaches " + std::to_string(level) +
+           ": nothing lies inside that many sheets";
+  }
+  if (is_open) {
+    return "every face of this open mesh lies inside once its borders are closed: it is inside "
+           "out; reverse it with tm-stitch --flip";
+  }
+  return "every winding number is <= 0: the mesh is inside out; reverse it with tm-stitch --flip";
+}
+
 }  // namespace
 
 Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod method,
-                       const std::vector<std::vector<Index>>& border_loops,
-                       const Progress& progress) {
+                       const BorderClosure& closure, const Progress& progress) {
   progress("exterior");
   Exterior result = method == ExteriorMethod::grow
-                        ? grow(arrangement, level, border_loops, progress)
+                        ? Growth(arrangement, level, closure).grow(progress)
                         : test_all(arrangement, level, progress);
   if (std::find(result.kept.begin(), result.kept.end(), 1) == result.kept.end()) {
-    throw GoalError(level == 1 ? "every winding number is <= 0: the mesh is inside out; reverse "
-                                 "it with tm-stitch --flip"
-                               : "no winding number reaches " + std::to_string(level) +
-                                     ": nothing lies inside that many sheets");
+    throw GoalError(nothing_kept(level, !closure.empty()));
   }
   return result;
 }

@@ -5,14 +5,15 @@
 /// `grow`: pieces between intersection curves form patches; a ray fixes w at one seed of each
 /// connected set of patches, and w follows from patch to patch around the curves by the angular
 /// order of the pieces there. `static_test`: every piece gets a ray of its own; the slow reference.
-/// On an open mesh w is not constant on patches: then growth goes through kept patches only, and
-/// borders are closed by fans for the seeds' rays (paper 4.6).
+/// On an open mesh w is not constant on patches. There every connected set of patches grows from a
+/// piece that is exterior once borders are closed (paper 4.6), through kept patches first.
 /// Exact; deterministic. Throws GoalError where no piece is kept.
 #pragma once
 
 #include <vector>
 
 #include "tm/clean/arrange.h"
+#include "tm/clean/close_borders.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
@@ -25,9 +26,8 @@ struct Exterior {
   std::size_t rays = 0;
 };
 
-/// `border_loops` are the borders of an open mesh as loops of soup points; empty for a closed one.
+/// The closure of a closed mesh is empty.
 Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod method,
-                       const std::vector<std::vector<Index>>& border_loops,
-                       const Progress& progress);
+                       const BorderClosure& closure, const Progress& progress);
 
 }  // namespace transformesh

@@ -1,5 +1,6 @@
 #include "tm/clean/orientation_check.h"
 
+#include <algorithm>
 #include <map>
 #include <span>
 #include <string>
@@ -46,8 +47,10 @@ std::vector<std::vector<Index>> find_border_loops(const Soup& soup, const Mesh& 
     };
     for (const Index h : halfedges) forward += runs_up(h) ? 1 : -1;
     if (forward == 0) continue;
-    if (halfedges.size() > 1) refuse(mesh, halfedges);
-    const Index h = halfedges[0];
+    if (forward < -1 || forward > 1) refuse(mesh, halfedges);
+    // Where faces pair up around the edge but for one, that one ends there.
+    const Index h = *std::find_if(halfedges.begin(), halfedges.end(),
+                                  [&](Index k) { return runs_up(k) == (forward > 0); });
     border.emplace(faces[h / 3][h % 3], faces[h / 3][(h % 3 + 1) % 3]);
   }
 

@@ -9,8 +9,8 @@
 namespace transformesh {
 
 /// The borders of an open mesh as loops of points, each running along its faces; none if the mesh
-/// is closed. Throws InputError, naming the place, where two faces run the same way along an edge
-/// or faces are left over at an edge of more than two.
+/// is closed. Along an edge of many faces, one that does not pair up ends there. Throws InputError,
+/// naming the place, where two or more faces are left over that run the same way.
 std::vector<std::vector<Index>> find_border_loops(const Soup& soup, const Mesh& mesh);
 
 }  // namespace transformesh

@@ -2,24 +2,17 @@
 
 #include <limits>
 
+#include "tm/mesh/disjoint_sets.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
 namespace {
 
-std::vector<Triangle> collect_triangles(const Soup& soup,
-                                        const std::vector<std::vector<Index>>& loops) {
+std::vector<Triangle> collect_triangles(const Soup& soup, const BorderClosure& closure) {
   std::vector<Triangle> triangles;
-  triangles.reserve(soup.faces.size());
+  triangles.reserve(soup.faces.size() + closure.triangles.size());
   for (Index f = 0; f < soup.faces.size(); ++f) triangles.push_back(soup.triangle(f));
-  for (const std::vector<Index>& loop : loops) {
-    Vec3 center = Vec3::Zero();
-    for (const Index p : loop) center += soup.points[p] / static_cast<double>(loop.size());
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      // A border runs along its faces: the fan runs against it.
-      triangles.push_back({soup.points[loop[(i + 1) % loop.size()]], soup.points[loop[i]], center});
-    }
-  }
+  triangles.insert(triangles.end(), closure.triangles.begin(), closure.triangles.end());
   return triangles;
 }
 
@@ -40,11 +33,30 @@ std::array<int, 3> weights(int attempt) {
 
 }  // namespace
 
-WindingRay::WindingRay(const Arrangement& arrangement,
-                       const std::vector<std::vector<Index>>& border_loops)
+WindingRay::WindingRay(const Arrangement& arrangement, const BorderClosure& closure)
     : arrangement_(arrangement),
-      triangles_(collect_triangles(*arrangement.soup, border_loops)),
-      bvh_(build_bvh(triangles_)) {}
+      triangles_(collect_triangles(*arrangement.soup, closure)),
+      bvh_(build_bvh(triangles_)) {
+  if (!closure.empty()) limit_sheets(closure);
+}
+
+// Sheets count only for what they meet, directly or through others.
+void WindingRay::limit_sheets(const BorderClosure& closure) {
+  DisjointSets sets(arrangement_.point_count());
+  for (const Piece& piece : arrangement_.pieces) {
+    sets.join(piece.corners[0], piece.corners[1]);
+    sets.join(piece.corners[0], piece.corners[2]);
+  }
+  cluster_of_.resize(arrangement_.point_count());
+  for (Index p = 0; p < cluster_of_.size(); ++p) cluster_of_[p] = sets.find(p);
+
+  const auto limit = [&](Index face) {
+    const Index point = arrangement_.soup->faces[face][0];
+    only_for_.push_back(closure.in_sheet[face] ? cluster_of_[point] : no_index);
+  };
+  for (Index f = 0; f < arrangement_.soup->faces.size(); ++f) limit(f);
+  for (const Index face : closure.face_of) limit(face);
+}
 
 int WindingRay::in_front_of(const Piece& piece) const {
   // Along the axis nearest to the normal, to the front.
@@ -59,13 +71,15 @@ int WindingRay::in_front_of(const Piece& piece) const {
   const ExactPoint b = arrangement_.point(piece.corners[1]);
   const ExactPoint c = arrangement_.point(piece.corners[2]);
   for (int attempt = 0;; ++attempt) {
-    const Count count = cast(geometry.mean(a, b, c, weights(attempt)), axis, direction);
+    const Index cluster = cluster_of_.empty() ? no_index : cluster_of_[piece.corners[0]];
+    const Count count = cast(geometry.mean(a, b, c, weights(attempt)), axis, direction, cluster);
     if (!count.grazes) return count.winding;
     if (attempt > 1000) throw GoalError("internal: every ray from a face grazes an edge");
   }
 }
 
-WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direction) const {
+WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direction,
+                                   Index cluster) const {
   const Projection projection{(axis + 1) % 3, (axis + 2) % 3};
   const ExactGeometry geometry = arrangement_.geometry();
   Vec3 low = origin.center - origin.radius;
@@ -74,6 +88,7 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
 
   Count count;
   const auto cross = [&](Index i) {
+    if (!only_for_.empty() && only_for_[i] != no_index && only_for_[i] != cluster) return true;
     const Triangle& t = triangles_[i];
     bool left = false, right = false, on = false;
     for (std::size_t k = 0; k < 3; ++k) {

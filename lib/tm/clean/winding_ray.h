@@ -4,14 +4,15 @@
 #include <vector>
 
 #include "tm/clean/arrange.h"
+#include "tm/clean/close_borders.h"
 #include "tm/geometry/bvh.h"
 
 namespace transformesh {
 
 class WindingRay {
  public:
-  /// The faces of the soup, and fans that close the loops given.
-  WindingRay(const Arrangement& arrangement, const std::vector<std::vector<Index>>& border_loops);
+  /// The faces of the soup, and what closes its borders.
+  WindingRay(const Arrangement& arrangement, const BorderClosure& closure);
 
   /// w just in front of a piece. A ray that would graze an edge or a corner is replaced by one from
   /// another point of the piece, until one crosses faces in their interiors only.
@@ -22,10 +23,13 @@ class WindingRay {
     bool grazes = false;
     int winding = 0;
   };
-  Count cast(const ExactPoint& origin, int axis, int direction) const;
+  Count cast(const ExactPoint& origin, int axis, int direction, Index cluster) const;
+  void limit_sheets(const BorderClosure& closure);
 
   const Arrangement& arrangement_;
   std::vector<Triangle> triangles_;
+  std::vector<Index> cluster_of_;  ///< per point: what hangs together with it; only for sheets
+  std::vector<Index> only_for_;    ///< per triangle: the one cluster that it counts for, if any
   Bvh bvh_;
 };
 
