@@ -1,5 +1,7 @@
 #include "tm/clean/clean.h"
+#include "tm/clean/separate.h"
 #include "tm/mesh/components.h"
+#include "tm/support/error.h"
 #include "tool.h"
 
 using namespace transformesh;
@@ -11,11 +13,22 @@ struct Options {
   std::string method = "grow";
   long level = 1;
   bool source_faces = false;
+  Length separate;
 };
 
 void number_faces(Mesh& mesh) {
   Column& column = mesh.face_columns.get("source_face", Scalar::int32, mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
+}
+
+SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, tool::Run& run) {
+  if (distance == 0) return {};
+  const SeparateResult result = separate(mesh, {distance, coordinate}, run.progress());
+  if (result.refused_vertices > 0) {
+    run.note(std::to_string(result.refused_vertices) +
+             " vertices stay in the place of another: moved apart they would cross a face");
+  }
+  return result;
 }
 
 void report_topology(const Mesh& mesh, tool::Run& run) {
@@ -34,8 +47,13 @@ void clean_document(Document& document, Options options, tool::Run& run) {
   if (options.source_faces) number_faces(document.mesh);
   CleanResult result = clean(document.mesh, options.clean, run.progress());
   document.mesh = std::move(result.mesh);
+  const SeparateResult separated =
+      separate_copies(document.mesh, run.length(options.separate), options.clean.coordinate, run);
+  if (options.clean.refuse && separated.separated_vertices > 0) {
+    throw GoalError("vertices lie in one place, and --refuse forbids to move them apart");
+  }
 
-  run.report("changed", result.changed);
+  run.report("changed", result.changed || separated.separated_vertices > 0);
   run.report("pairs", result.pairs);
   run.report("cut_faces", result.cut_faces);
   run.report("removed_faces", result.removed_faces);
@@ -45,6 +63,8 @@ void clean_document(Document& document, Options options, tool::Run& run) {
   run.report("rays", result.rays);
   run.report("dropped_components", result.dropped_components);
   run.report("rounding_repairs", result.rounding_repairs);
+  run.report("separated_vertices", separated.separated_vertices);
+  run.report("separation_refused", separated.refused_vertices);
   report_topology(document.mesh, run);
 }
 
@@ -60,6 +80,8 @@ int main(int argc, char** argv) {
                   "keep the boundary of winding number >= LEVEL; 2 intersects two operands");
   program.flag("outermost", &options.clean.outermost,
                "drop components that bound cavities and what floats in them");
+  program.length("separate", &options.separate,
+                 "move vertices that lie in one place this far apart; 0 leaves them");
   program.flag("refuse", &options.clean.refuse, "exit 4 rather than change anything");
   program.flag("source-face", &options.source_faces,
                "write the input face of each face as the face property source_face");

@@ -68,6 +68,30 @@ load ../helpers/common
   [ "$(tm-clean --outermost hollow.ply | tm-info --get components)" = 1 ]
 }
 
+@test "--separate leaves no two vertices in one place" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 1 1 1 --faces 12 -o a.ply
+  tm-shape box 1 1 1 --faces 12 --center 1,1,0 | tm-cat a.ply - > boxes.ply
+  tm-shape pinch --faces 3000 --float > pinch.ply
+  for kind in boxes pinch; do
+    tm-clean $kind.ply -o touching.ply --report touching.json
+    tm-clean --separate 1% $kind.ply -o apart.ply --report apart.json
+    grep -q '"separated_vertices": 0' touching.json
+    run ! grep -q '"separated_vertices": 0' apart.json
+    grep -q '"separation_refused": 0' apart.json
+    tm-stitch touching.ply -o /dev/null --report touching.json
+    tm-stitch apart.ply -o /dev/null --report apart.json
+    run ! grep -q '"joined_vertices": 0' touching.json
+    grep -q '"joined_vertices": 0' apart.json
+    run tm-checkmanifold --closed --intersections apart.ply
+    assert_status 0
+    [ "$(tm-info --get vertices touching.ply)" = "$(tm-info --get vertices apart.ply)" ]
+  done
+  run tm-clean --refuse --separate 1% touching.ply -o refused.ply
+  assert_status 4
+  [ ! -e refused.ply ]
+}
+
 # shared_mesh NAME: cleans it and asks the oracle.
 shared_mesh() {
   needs_shared "$1"

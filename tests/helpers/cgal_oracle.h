@@ -1,0 +1,13 @@
+/// What CGAL says about closed oriented meshes: it shares no code with what is tested.
+#pragma once
+
+#include <cstddef>
+
+#include "tm/mesh/mesh.h"
+
+namespace transformesh::test {
+
+/// Pairs of faces that meet beyond what they share by index, exactly. The mesh must be a manifold.
+std::size_t count_self_intersections(const Mesh& mesh);
+
+}  // namespace transformesh::test
