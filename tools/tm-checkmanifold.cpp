@@ -1,8 +1,10 @@
 /// tm-checkmanifold: whether a mesh is an oriented manifold, and where it is not.
+#include "tm/clean/certify.h"
 #include "tm/clean/intersect.h"
 #include "tm/geometry/degenerate_faces.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
+#include "tm/support/error.h"
 #include "tool.h"
 
 namespace {
@@ -12,6 +14,8 @@ using namespace transformesh;
 struct Options {
   bool closed = false;
   bool intersections = false;
+  std::string certify;
+  std::optional<long> level;
   bool pass = false;
 };
 
@@ -41,19 +45,50 @@ std::string describe_intersections(const std::vector<FacePair>& pairs) {
          "; remove them with tm-clean";
 }
 
+std::string describe_degenerate(const std::vector<Index>& faces) {
+  if (faces.empty()) return {};
+  return std::to_string(faces.size()) + " faces have no area, the first is face " +
+         std::to_string(faces[0]);
+}
+
+Certificate certify_document(const Document& document, const Mesh& input, const Options& options,
+                             tool::Run& run) {
+  CertifyOptions library_options;
+  library_options.level = static_cast<int>(options.level.value_or(1));
+  library_options.coordinate = document.style.coordinate;
+  const Certificate certificate = certify(input, document.mesh, library_options, run.progress());
+  run.report("winding", certificate.input_is_closed ? "tested" : "not tested, the input is open");
+  run.report("certified_samples", certificate.samples);
+  run.report("undecided_samples", certificate.undecided);
+  run.report("undecided_share", certificate.undecided_share());
+  run.report("wrong_samples", certificate.wrong);
+  return certificate;
+}
+
 bool check(const Document& document, const Options& options, tool::Run& run) {
+  const Mesh& mesh = document.mesh;
+  const bool certifies = !options.certify.empty();
+  if (options.level && !certifies) throw UsageError("--level needs --certify INPUT");
   run.progress()("checking edges and vertices");
-  const ManifoldReport found = check_manifold(document.mesh);
-  report_counts(document.mesh, found, run);
-  std::string problem = describe_problem(document.mesh, found, options.closed);
-  if (options.intersections) {
-    const std::vector<FacePair> pairs = find_intersections(document.mesh, run.progress());
+  const ManifoldReport found = check_manifold(mesh);
+  report_counts(mesh, found, run);
+  std::vector<std::string> problems = {describe_problem(mesh, found, options.closed)};
+  if (options.intersections || certifies) {
+    const std::vector<FacePair> pairs = find_intersections(mesh, run.progress());
     run.report("intersections", pairs.size());
-    if (problem.empty()) problem = describe_intersections(pairs);
+    problems.push_back(describe_intersections(pairs));
   }
-  if (!problem.empty()) run.report("problem", problem);
-  if (!problem.empty() && options.pass) run.note(problem);
-  return problem.empty();
+  if (certifies) {
+    const Certificate certificate =
+        certify_document(document, run.read(options.certify).mesh, options, run);
+    problems.push_back(describe_problem(mesh, found, certificate.input_is_closed));
+    problems.push_back(describe_degenerate(degenerate_faces(mesh)));
+    problems.push_back(certificate.problem);
+  }
+  std::erase(problems, "");
+  if (!problems.empty()) run.report("problem", problems.front());
+  if (!problems.empty() && options.pass) run.note(problems.front());
+  return problems.empty();
 }
 
 }  // namespace
@@ -64,6 +99,9 @@ int main(int argc, char** argv) {
                         "Checks that a mesh is an oriented manifold, and says where it is not");
   program.flag("closed", &options.closed, "a border is a problem too");
   program.flag("intersections", &options.intersections, "faces that intersect are a problem too");
+  program.text("certify", &options.certify, "FILE",
+               "the mesh is the boundary of winding number >= LEVEL of FILE, by samples");
+  program.integer("level", &options.level, 1, 1000000, "the level of --certify (default: 1)");
   program.flag("pass", &options.pass,
                "pass the mesh on; on a problem write nothing and exit with 1");
   return program.predicate_or_filter(

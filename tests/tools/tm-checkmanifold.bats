@@ -83,3 +83,130 @@ genus: 0" ]]
   assert_status 1
   [[ $output == *"manifold: true"*"oriented: false"*"boundary_loops: 1"* ]]
 }
+
+# certified INPUT OUTPUT [OPTION...]: the certificate of OUTPUT, which must hold.
+certified() {
+  run tm-checkmanifold --certify "$@"
+  assert_status 0
+  [[ $output == *"winding: tested"*"wrong_samples: 0"* ]] || fail "$output"
+  [[ $output != *"problem:"* ]]
+}
+
+# refused TEXT INPUT OUTPUT [OPTION...]: the certificate of OUTPUT fails, and the problem has TEXT.
+refused() {
+  local text=$1
+  shift
+  run tm-checkmanifold --certify "$@"
+  assert_status 1
+  [[ $output == *"problem: "*"$text"* ]] || fail "$output"
+}
+
+# Two crossing balls and their union; a small ball.
+balls() {
+  tm-shape two-spheres --faces 2000 -o crossing.ply
+  tm-clean crossing.ply -o union.ply
+  tm-shape sphere --radius 0.2 --faces 100 -o small.ply
+}
+
+# edit AWK-PROGRAM < MESH: changes lines of ASCII OFF.
+edit() {
+  tm-convert --format off | awk "$1"
+}
+
+@test "tm-checkmanifold: --certify holds for tm-clean on every workload, in floats and doubles" {
+  local kind scalar
+  for kind in two-spheres folded tangle "dumbbell --neck -0.1" many-spheres boxes pinch; do
+    for scalar in --float --double; do
+      # shellcheck disable=SC2086
+      tm-shape $kind --faces 2000 $scalar -o in.ply
+      tm-clean in.ply -o out.ply
+      certified in.ply out.ply
+    done
+  done
+}
+
+@test "tm-checkmanifold: --certify reads the mesh from a pipe and passes it on" {
+  balls
+  pipe 'tm-clean crossing.ply | tm-checkmanifold --closed --intersections --certify crossing.ply'
+  assert_status 0
+  pipe 'tm-clean crossing.ply | tm-checkmanifold --certify crossing.ply --pass | cmp - <(
+    tm-checkmanifold --certify crossing.ply --pass union.ply)'
+  assert_status 0
+  run --separate-stderr tm-checkmanifold --certify crossing.ply --pass crossing.ply
+  assert_status 1
+  [ -z "$output" ]
+  one_line "$stderr"
+}
+
+@test "tm-checkmanifold: --certify finds a flipped face and a flipped component" {
+  balls
+  edit '$1 == 3 && !done { t = $2; $2 = $3; $3 = t; done = 1 } { print }' <union.ply >wrong.off
+  refused "the same way" crossing.ply wrong.off
+  [[ $output != *"wrong_samples: 0"* ]]
+  tm-cat union.ply <(tm-shape sphere --center 9,0,0 --faces 100) -o right.ply
+  tm-cat union.ply <(tm-shape sphere --center 9,0,0 --faces 100 | tm-stitch --flip) -o wrong.ply
+  refused "the winding number is -1 and should be 1: that of the input is 1" right.ply wrong.ply
+}
+
+@test "tm-checkmanifold: --certify finds a dropped component and one too many" {
+  balls
+  tm-cat crossing.ply <(tm-shape sphere --center 9,0,0 --faces 100) -o more.ply
+  refused "the winding number is 0 and should be 1" more.ply union.ply
+  [[ $output == *"of the input, at (8."* || $output == *"of the input, at (9."* ]]
+  tm-clean more.ply -o more-clean.ply
+  refused "the winding number is 1 and should be 0" crossing.ply more-clean.ply
+}
+
+@test "tm-checkmanifold: --certify finds a crossing pair" {
+  balls
+  refused "pairs of faces intersect" crossing.ply crossing.ply
+  [[ $output != *"wrong_samples: 0"* ]]
+}
+
+@test "tm-checkmanifold: --certify finds a wrong sheet, and knows levels" {
+  balls
+  tm-clean --level 2 crossing.ply -o inner.ply
+  refused "should be 1" crossing.ply inner.ply
+  certified crossing.ply inner.ply --level 2
+  refused "the winding number is 1 and should be 0: that of the input is 1" \
+    crossing.ply union.ply --level 2
+  tm-cat <(tm-shape sphere --faces 500) small.ply -o nested.ply
+  refused "the winding number is 2 and should be 1: that of the input is 2" nested.ply nested.ply
+}
+
+@test "tm-checkmanifold: --certify finds a cavity inverted or filled" {
+  balls
+  tm-shape sphere --faces 500 -o ball.ply
+  tm-stitch --flip small.ply | tm-cat ball.ply - -o hollow.ply
+  certified hollow.ply hollow.ply
+  tm-cat ball.ply small.ply -o inverted.ply
+  refused "the winding number is 2 and should be 0" hollow.ply inverted.ply
+  refused "the winding number is 1 and should be 0" hollow.ply ball.ply
+}
+
+@test "tm-checkmanifold: --certify finds a moved vertex" {
+  balls
+  edit 'NF == 3 && ++n == 6 { $1 += 1e-6 } { print }' <union.ply >moved.off
+  refused "winding number" crossing.ply moved.off
+  [[ $output != *"wrong_samples: 0"* ]]
+}
+
+@test "tm-checkmanifold: --certify tests pieces where the input is open" {
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >open.off
+  printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n.5 .5 0\n3 0 1 3\n3 0 3 2\n' >pieces.off
+  run tm-checkmanifold --certify open.off pieces.off
+  assert_status 0
+  [[ $output == *"winding: not tested, the input is open"*"certified_samples: 2"* ]]
+  sed 's/^.5 .5 0/.5 .5 .1/' pieces.off >bent.off
+  run tm-checkmanifold --certify open.off bent.off
+  assert_status 1
+  [[ $output == *"problem: face 0, at (0, 0, 0), is no piece of a face of the input"* ]]
+}
+
+@test "tm-checkmanifold: --certify needs its input, and --level needs --certify" {
+  run tm-checkmanifold --certify absent.ply closed.ply
+  assert_status 3
+  run tm-checkmanifold --level 2 closed.ply
+  assert_status 2
+  [[ $output == *"--level needs --certify"* ]]
+}

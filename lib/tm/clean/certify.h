@@ -1,0 +1,54 @@
+/// Whether one mesh is the boundary of { p : w(p) >= level } of another, told by sample points, and
+/// sharing nothing with what computes such boundaries: at every sample the winding number of the
+/// output must be 1 where that of the input is >= level, and 0 elsewhere. It is counted along rays,
+/// exactly, and compared with the sum of solid angles where that is affordable.
+///
+/// Samples lie in front of and behind a face, closer to it than any other face of either mesh.
+/// Sampled are all new faces of the output (those that are not faces of the input, corner by
+/// corner), four faces of every patch of the input (a region of faces that meet no other face but
+/// their neighbours), the faces of the input that were cut, and 4000 others of both meshes. Of each
+/// kind at most `most_faces`, evenly spread. A sample is undecided where no point beside the face
+/// is farther from all new faces than rounding may have moved them: 4 times as far as they are seen
+/// to be from the input, but at least 2 and at most 1024 times the spacing of `coordinate` at the
+/// largest coordinate. So a vertex moved by more than that is noticed.
+///
+/// The winding number of an input with a border is no integer. Then each new face is tested to be a
+/// piece of a face of the input, with its orientation, to the same distance, and no more.
+///
+/// The input's intersections are searched for; those of the output, and whether it is a manifold,
+/// are for the caller to check. Deterministic for any number of threads. Cost: O(n log n), and
+/// O(log n) a sample on usual meshes.
+#pragma once
+
+#include <string>
+
+#include "tm/geometry/ray_winding.h"
+#include "tm/mesh/mesh.h"
+#include "tm/support/progress.h"
+
+namespace transformesh {
+
+struct CertifyOptions {
+  int level = 1;
+  Scalar coordinate = Scalar::float64;  ///< the type in which the output's positions were stored
+  std::size_t most_faces = 50000;       ///< of each kind; every face is sampled on both sides
+};
+
+struct Certificate {
+  bool input_is_closed = false;  ///< at equal positions: then winding numbers are integers
+  std::size_t samples = 0;       ///< judged, wrong ones included
+  std::size_t undecided = 0;
+  std::size_t wrong = 0;
+  std::string problem;  ///< the first wrong sample, or too many undecided ones; empty if none
+
+  double undecided_share() const;
+  bool holds() const { return problem.empty(); }
+};
+
+/// More than this share of undecided samples is a problem.
+inline constexpr double most_undecided = 0.05;
+
+Certificate certify(const Mesh& input, const Mesh& output, const CertifyOptions& options = {},
+                    const Progress& progress = Progress());
+
+}  // namespace transformesh
