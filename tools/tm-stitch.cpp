@@ -10,11 +10,13 @@ void stitch_document(Document& document, StitchOptions options, const Length& to
   options.tolerance = run.length(tolerance);
   const StitchResult result = stitch(document.mesh, options);
   if (result.misoriented_edges > 0) {
-    run.note(std::to_string(result.misoriented_edges) +
-             " edges lie between faces that run the same way; --orient turns faces to agree");
+    run.note(result.misorientation +
+             (options.orient ? ", however sheets are turned: they stay apart; remove faces there"
+                             : ": they stay apart; --orient turns faces to agree"));
   }
   run.report("joined_vertices", result.joined_vertices);
   run.report("copied_vertices", result.copied_vertices);
+  run.report("split_edges", result.split_edges);
   run.report("dropped_faces", result.dropped_faces);
   run.report("turned_faces", result.turned_faces);
   run.report("misoriented_edges", result.misoriented_edges);

@@ -97,6 +97,26 @@ inline Mesh grid(int n) {
   return mesh;
 }
 
+/// A strip of n quadrilaterals around the z axis with half a twist: open, with one side.
+inline Mesh moebius_strip(Index n) {
+  Mesh mesh;
+  for (Index i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    for (const double s : {-0.2, 0.2}) {
+      const double radius = 1 + s * std::cos(angle / 2);
+      mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                  s * std::sin(angle / 2));
+    }
+  }
+  for (Index i = 0; i < n; ++i) {
+    const bool is_last = i + 1 == n;
+    const Index a = 2 * i, b = a + 1, c = is_last ? 1 : a + 2, d = is_last ? 0 : a + 3;
+    mesh.faces.push_back({a, c, b});
+    mesh.faces.push_back({b, c, d});
+  }
+  return mesh;
+}
+
 /// All faces of both; positions and faces only.
 inline Mesh joined(const Mesh& first, const Mesh& second) {
   Mesh mesh = first;

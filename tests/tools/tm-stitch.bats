@@ -30,14 +30,131 @@ load ../helpers/common
   [[ $output == -* ]]
 }
 
-@test "--orient mends shuffled faces and says when it cannot" {
+# shuffle: turns every other face or so of an ASCII PLY on stdin, by a fixed throw of the dice.
+shuffle() {
+  awk 'BEGIN { srand(3) }
+    body && NF == 4 && $1 == 3 && rand() < 0.5 { print 3, $3, $2, $4; next }
+    /end_header/ { body = 1 } { print }'
+}
+
+# cubes X,Y,Z...: unit cubes with a corner at those places, as an ASCII PLY.
+cubes() {
+  printf '%s\n' "$@" | awk -F, '
+    { n = NR - 1
+      for (i = 0; i < 8; ++i) points = points ($1 + i % 2) " " ($2 + int(i / 2) % 2) " " ($3 + int(i / 4)) "\n"
+      count = split("021 123 456 576 014 154 263 367 042 246 135 375", corners, " ")
+      for (f = 1; f <= count; ++f) {
+        faces = faces "3"
+        for (i = 1; i <= 3; ++i) faces = faces " " (8 * n + substr(corners[f], i, 1))
+        faces = faces "\n"
+      } }
+    END {
+      printf "ply\nformat ascii 1.0\nelement vertex %d\n", 8 * NR
+      printf "property double x\nproperty double y\nproperty double z\n"
+      printf "element face %d\nproperty list uchar int vertex_indices\nend_header\n", 12 * NR
+      printf "%s%s", points, faces
+    }'
+}
+
+# is_solid VOLUME < mesh: a closed oriented manifold of that volume, and as clean as can be.
+is_solid() {
+  cat > "$BATS_TEST_TMPDIR/solid.ply"
+  tm-checkmanifold --closed "$BATS_TEST_TMPDIR/solid.ply" >&2 || return
+  tm-info --get volume "$BATS_TEST_TMPDIR/solid.ply" |
+    awk -v expected="$1" '{ d = $1 - expected; exit !(d < 1e-9 && d > -1e-9) }' ||
+    fail "the volume is $(tm-info --get volume "$BATS_TEST_TMPDIR/solid.ply") instead of $1"
+}
+
+@test "--orient mends shuffled faces: tm-clean refuses before and accepts after" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape torus --faces 600 -o torus.ply
+  tm-convert --format ply-ascii torus.ply | shuffle > shuffled.ply
+  run --separate-stderr tm-clean shuffled.ply -o out.ply
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"the mesh is not oriented; mend it with tm-stitch --orient" ]]
+  run --separate-stderr tm-stitch shuffled.ply -o out.ply
+  assert_status 0
+  [[ $stderr == *"such edges): they stay apart; --orient turns faces to agree" ]]
+  tm-stitch --orient shuffled.ply | tm-clean | is_solid "$(tm-info --get volume torus.ply)"
+}
+
+@test "--orient gives solids that share an edge or a corner their insides back" {
+  for place in 1,1,0 1,1,1; do
+    cubes 0,0,0 "$place" | shuffle | tm-stitch --orient -o "$BATS_TEST_TMPDIR/out.ply"
+    is_solid 2 < "$BATS_TEST_TMPDIR/out.ply"
+    [ "$(tm-info --get components "$BATS_TEST_TMPDIR/out.ply")" = 2 ]
+    tm-clean "$BATS_TEST_TMPDIR/out.ply" | is_solid 2
+  done
+}
+
+@test "three faces on an edge become two sheets" {
+  cd "$BATS_TEST_TMPDIR"
+  printf 'OFF\n5 3 0\n0 0 -3\n0 -2 1\n3 0 0\n0 2 1\n-3 0 0\n3 0 2 4\n3 3 2 4\n3 2 4 1\n' > fan.off
+  run --separate-stderr tm-clean fan.off -o out.off
+  assert_status 3
+  [[ $stderr == *"faces 0, 1 and 2 run the same way along the edge from vertex 2 at (3, 0, 0) to "* ]]
+  tm-stitch -q --orient fan.off -o out.off
+  [ "$(tm-info --get components out.off)" = 2 ]
+  tm-checkmanifold out.off
+  tm-clean out.off -o clean.off
+}
+
+@test "a Moebius strip is refused with the place and what to do" {
+  cd "$BATS_TEST_TMPDIR"
+  # Five vertices, five faces, half a twist.
+  printf 'OFF\n5 5 0\n0 0 0\n4 0 0\n6 3 1\n2 5 3\n-2 3 1\n3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n' > strip.off
+  for program in tm-clean "tm-stitch --orient"; do
+    # shellcheck disable=SC2086 # the option is a word of its own
+    run --separate-stderr $program strip.off -o out.off
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr =~ faces\ [0-4]\ and\ [0-4]\ cannot\ agree\ at\ the\ edge\ from\ vertex ]]
+    [[ $stderr == *"one side only, like a Moebius strip; cut it open or remove that part" ]]
+    [ ! -e out.off ]
+  done
+}
+
+# mended FILE [closed]: tm-stitch --orient makes of it what tm-checkmanifold and tm-clean take.
+mended() {
+  needs_shared "meshes/$1"
+  tm-stitch -q --orient "$shared_file" -o "$BATS_TEST_TMPDIR/out.ply"
+  tm-checkmanifold ${2:+--closed} "$BATS_TEST_TMPDIR/out.ply"
+  tm-clean -q "$BATS_TEST_TMPDIR/out.ply" -o "$BATS_TEST_TMPDIR/clean.ply"
+}
+
+@test "real shuffled meshes become closed and look outwards" {
   for mesh in blobby oblong tet; do
-    needs_shared "meshes/cgal/$mesh-shuffled.off"
-    tm-stitch -q --orient "$shared_file" -o "$BATS_TEST_TMPDIR/out.ply"
-    run tm-checkmanifold --closed "$BATS_TEST_TMPDIR/out.ply"
-    assert_status 0
+    mended "cgal/$mesh-shuffled.off" closed
     [[ $(tm-info --get volume "$BATS_TEST_TMPDIR/out.ply") != -* ]]
   done
+  mended trimesh/multibody.stl closed
+}
+
+@test "real meshes with singular edges and vertices come apart" {
+  for mesh in cgal/cubes.off geometry-central/hourglass_ico.obj transformesh/knot-1000.off \
+    cgal/cow.off cgal/diplodocus.off trimesh/two_objects.obj; do
+    mended "$mesh" closed
+  done
+  for mesh in cgal/non_manifold_face_graph.off cgal/cubes_one_patch_id_per_cc.off \
+    cgal/quads_to_stitch.off cgal/degenerated-sd.off cgal/degtri_sliding.off \
+    geometry-central/fan3.obj geometry-central/triple_vierbein.obj \
+    cgal/tetra_intersected_by_triangle.off; do
+    mended "$mesh"
+  done
+}
+
+@test "real soups become meshes" {
+  for mesh in cgal/sphere.stl geometry-central/stl_box_ascii.stl trimesh/torus.STL \
+    trimesh/two_objects_mixed_case_names.stl; do
+    mended "$mesh" closed
+  done
+  for mesh in cgal/pig.stl trimesh/soup.stl trimesh/featuretype.STL; do
+    mended "$mesh"
+  done
+}
+
+@test "a real Moebius strip is refused" {
   needs_shared meshes/geometry-central/moebius.obj
   run tm-stitch -q --orient "$shared_file" -o "$BATS_TEST_TMPDIR/out.ply"
   assert_status 3

@@ -1,10 +1,10 @@
 #include "tm/clean/assemble.h"
 
 #include <algorithm>
-#include <map>
 
 #include "tm/clean/angular_order.h"
 #include "tm/clean/face_row.h"
+#include "tm/clean/split_singular_edges.h"
 #include "tm/clean/umbrellas.h"
 
 namespace transformesh {
@@ -21,8 +21,7 @@ class Assembler {
   void add_vertex_row(Index umbrella);
   Index piece_face(const Piece& piece) const;
   void add_faces();
-  void split_singular_edges();
-  void split_at(Index halfedge, Index vertex);
+  void split_edges();
   void set_columns();
 
   const Mesh& input_;
@@ -37,7 +36,6 @@ class Assembler {
   std::vector<RowBlend> vertex_rows_;
   std::vector<Index> face_rows_;
   std::vector<Index> output_opposite_;
-  std::map<Index, Index> moved_;  ///< halfedges that splitting moved to a new face
   Assembly result_;
 };
 
@@ -146,63 +144,24 @@ void Assembler::add_faces() {
   }
 }
 
-// Puts the vertex on the edge: the face keeps the first half, a new face gets the second.
-void Assembler::split_at(Index h, Index vertex) {
-  Mesh& mesh = result_.mesh;
-  const Index f = h / 3, i = h % 3, next = (i + 1) % 3;
-  const auto added = static_cast<Index>(mesh.faces.size());
-  Face second = mesh.faces[f];
-  second[i] = vertex;
-  mesh.faces[f][next] = vertex;
-  mesh.faces.push_back(second);
-  result_.face_is_new[f] = 1;
-  result_.face_is_new.push_back(1);
-  result_.whole_soup_face[f] = no_index;
-  result_.whole_soup_face.push_back(no_index);
-  face_rows_.push_back(face_rows_[f]);
-
-  // The edge behind the split one moves to the new face.
-  const Index moved = output_opposite_[3 * f + next];
-  output_opposite_.resize(3 * mesh.faces.size(), no_index);
-  output_opposite_[3 * added + next] = moved;
-  if (moved != no_index) output_opposite_[moved] = 3 * added + next;
-  moved_[3 * f + next] = 3 * added + next;
-  output_opposite_[3 * f + next] = 3 * added + (i + 2) % 3;
-  output_opposite_[3 * added + (i + 2) % 3] = 3 * f + next;
-}
-
 // Where copies of the ends still leave more than two faces on an edge, every sheet gets a midpoint.
-void Assembler::split_singular_edges() {
-  Mesh& mesh = result_.mesh;
-  const Edges edges(mesh);
-  std::vector<Index> singular;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (edges.halfedges(e).size() <= 2) continue;
-    ++result_.split_edges;
-    for (const Index h : edges.halfedges(e)) {
-      if (halfedge_source(mesh, h) < halfedge_target(mesh, h)) singular.push_back(h);
-    }
-  }
-  for (Index h : singular) {
-    for (auto it = moved_.find(h); it != moved_.end(); it = moved_.find(h)) h = it->second;
-    const Index u = halfedge_source(mesh, h), v = halfedge_target(mesh, h);
-    const Index across = output_opposite_[h];
-    const auto middle = static_cast<Index>(mesh.positions.size());
-    mesh.positions.push_back(0.5 * (mesh.positions[u] + mesh.positions[v]));
+void Assembler::split_edges() {
+  const EdgeSplits splits = split_singular_edges(result_.mesh, output_opposite_);
+  result_.split_edges = splits.edges;
+  for (const EdgeSplits::Middle& middle : splits.vertices) {
     result_.vertex_is_new.push_back(1);
     result_.input_vertex.push_back(no_index);
-    vertex_rows_.push_back(row_on_face(input_, face_rows_[h / 3], mesh.positions.back()));
-    split_at(h, middle);
-    if (across != no_index) split_at(across, middle);
-    const auto second = static_cast<Index>(mesh.faces.size());
-    if (across != no_index) {
-      // First half of h faces the second half of its partner, and the other way round.
-      const Index new_h = 3 * (second - 2) + h % 3, new_across = 3 * (second - 1) + across % 3;
-      output_opposite_[h] = new_across;
-      output_opposite_[new_across] = h;
-      output_opposite_[across] = new_h;
-      output_opposite_[new_h] = across;
-    }
+    vertex_rows_.push_back(
+        row_on_face(input_, face_rows_[middle.face], result_.mesh.positions[vertex_rows_.size()]));
+  }
+  for (const Index face : splits.cut_faces) {
+    result_.face_is_new[face] = 1;
+    result_.whole_soup_face[face] = no_index;
+  }
+  for (const Index face : splits.face_source) {
+    result_.face_is_new.push_back(1);
+    result_.whole_soup_face.push_back(no_index);
+    face_rows_.push_back(face_rows_[face]);
   }
 }
 
@@ -214,7 +173,7 @@ void Assembler::set_columns() {
 Assembly Assembler::assemble() {
   number_vertices();
   add_faces();
-  split_singular_edges();
+  split_edges();
   set_columns();
   return std::move(result_);
 }

@@ -34,17 +34,21 @@ struct Pass {
   Assembly assembly;  ///< empty where unchanged
 };
 
-Pass run_pass(const Mesh& mesh, const CleanOptions& options, int level, const Progress& progress) {
+Pass run_pass(const Mesh& mesh, const CleanOptions& options, bool is_input,
+              const Progress& progress) {
   Pass pass;
   progress("intersect");
   const auto soup = std::make_shared<const Soup>(make_soup(mesh));
-  const auto loops = find_border_loops(*soup, mesh);
+  const auto [loops, is_oriented] = find_borders(*soup, mesh);
+  if (is_input && !is_oriented) refuse_orientation(*soup, mesh);
   if (!loops.empty() && options.method == ExteriorMethod::static_test) {
     throw UsageError("--method static needs a closed mesh; this one has " +
-                     std::to_string(loops.size()) + " borders: use --method grow");
+                     std::to_string(loops.size()) + (loops.size() == 1 ? " border" : " borders") +
+                     ": use --method grow");
   }
   const std::vector<FacePair> pairs = find_soup_intersections(*soup, progress);
   const Arrangement arrangement = arrange(soup, pairs, progress);
+  const int level = is_input ? options.level : 1;
   pass.exterior =
       find_exterior(arrangement, level, options.method, close_borders(*soup, loops), progress);
 
@@ -94,7 +98,7 @@ void settle(Assembly& assembly, const CleanOptions& options, CleanResult& result
                          merge_distance(assembly.mesh, options.coordinate, 6 + 4 * round),
                          round > 1);
     Pass pass;
-    pass = run_pass(assembly.mesh, options, 1, progress);
+    pass = run_pass(assembly.mesh, options, false, progress);
     if (pass.unchanged) return;
     inherit_newness(assembly, pass.assembly);
     assembly = std::move(pass.assembly);
@@ -105,7 +109,7 @@ void settle(Assembly& assembly, const CleanOptions& options, CleanResult& result
 
 CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
-  Pass pass = run_pass(mesh, options, options.level, progress);
+  Pass pass = run_pass(mesh, options, true, progress);
   CleanResult result;
   result.pairs = pass.pairs;
   result.cut_faces = pass.cut_faces;

@@ -1,102 +1,295 @@
 #include "tm/clean/orient.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <queue>
 #include <string>
 
 #include "tm/mesh/edges.h"
+#include "tm/mesh/place.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
 namespace {
 
-bool runs_up(const std::vector<Face>& faces, Index h) {
-  return faces[h / 3][h % 3] < faces[h / 3][(h % 3 + 1) % 3];
-}
-
-struct Neighbors {
-  std::vector<Index> across;  ///< per halfedge: the only other one of its edge, or no_index
-  bool has_border = false;
+struct Sheet {
+  std::vector<Index> faces;
+  bool agreed = true;              ///< with itself, and at its ends with others
+  bool has_border = false;         ///< an edge of one face
+  double volume = 0;               ///< six times that of the cone from the middle of the group
+  std::map<Index, int> agreement;  ///< with sheets that end at the same edges: by how many pairs of
+                                   ///< faces more it would like both to turn, or none, than one
 };
 
-Neighbors find_neighbors(const std::vector<Face>& faces, std::size_t points) {
-  const Edges edges(faces, points);
-  Neighbors result{std::vector<Index>(3 * faces.size(), no_index), false};
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto halfedges = edges.halfedges(e);
-    if (halfedges.size() != 2) continue;
-    result.across[halfedges[0]] = halfedges[1];
-    result.across[halfedges[1]] = halfedges[0];
+/// Relative to how the faces of a sheet agree with its first.
+struct Step {
+  int strength;
+  Index sheet;
+  char turn;
+  bool operator<(const Step& other) const {
+    if (strength != other.strength) return strength < other.strength;
+    return sheet != other.sheet ? sheet > other.sheet : turn > other.turn;
   }
-  return result;
+};
+
+class Orienter {
+ public:
+  explicit Orienter(const Mesh& mesh);
+  std::vector<char> find_turns();
+
+ private:
+  void find_neighbors();
+  void collect_sheet(Index first);
+  [[noreturn]] void refuse(Index halfedge, Index across) const;
+  bool runs_up(Index halfedge) const;
+  void link_sheets();
+  std::vector<Index> align_group(Index first);
+  void orient_group(const std::vector<Index>& group);
+  void measure_volumes(const std::vector<Index>& group);
+  double volume(Index sheet) const;
+  int agreement(Index sheet) const;
+  void improve(std::vector<Index> group, bool has_border);
+  void try_outwards(const std::vector<Index>& group);
+  void face_outwards(const std::vector<Index>& group);
+  void face_as_most(const std::vector<Index>& group);
+  void turn_group(const std::vector<Index>& group);
+
+  const Mesh& mesh_;
+  const Edges edges_;
+  std::vector<Index> across_;    ///< per halfedge of an edge of two: the other one
+  std::vector<Index> sheet_of_;  ///< per face
+  std::vector<char> turned_;     ///< per face: to agree with the first of its sheet
+  std::vector<Sheet> sheets_;
+  std::vector<char> sheet_turned_;
+  std::vector<char> is_aligned_;
+};
+
+Orienter::Orienter(const Mesh& mesh)
+    : mesh_(mesh),
+      edges_(without_collapsed(mesh.faces), mesh.positions.size()),
+      sheet_of_(mesh.faces.size(), no_index),
+      turned_(mesh.faces.size(), 0) {
+  find_neighbors();
+  for (Index first = 0; first < mesh.faces.size(); ++first) {
+    if (sheet_of_[first] == no_index) collect_sheet(first);
+  }
+  sheet_turned_.assign(sheets_.size(), 0);
+  is_aligned_.assign(sheets_.size(), 0);
+  link_sheets();
 }
 
-double signed_volume(const std::vector<Face>& faces, const std::vector<Index>& component,
-                     const std::vector<Vec3>& points, const std::vector<char>& turned) {
-  const Vec3& origin = points[faces[component.front()][0]];
-  double sum = 0;
-  for (const Index f : component) {
-    const Vec3 a = points[faces[f][0]] - origin, b = points[faces[f][1]] - origin;
-    const double part = a.cross(b).dot(points[faces[f][2]] - origin);
-    sum += turned[f] ? -part : part;
+void Orienter::find_neighbors() {
+  across_.assign(3 * mesh_.faces.size(), no_index);
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const auto halfedges = edges_.halfedges(e);
+    if (halfedges.size() != 2) continue;
+    across_[halfedges[0]] = halfedges[1];
+    across_[halfedges[1]] = halfedges[0];
+  }
+}
+
+// As the face is to be turned.
+bool Orienter::runs_up(Index h) const {
+  return (halfedge_source(mesh_, h) < halfedge_target(mesh_, h)) != (turned_[h / 3] != 0);
+}
+
+void Orienter::collect_sheet(Index first) {
+  const auto number = static_cast<Index>(sheets_.size());
+  Sheet& sheet = sheets_.emplace_back();
+  sheet.faces.push_back(first);
+  sheet_of_[first] = number;
+  for (std::size_t i = 0; i < sheet.faces.size(); ++i) {
+    for (Index k = 0; k < 3; ++k) {
+      const Index h = 3 * sheet.faces[i] + k, across = across_[h];
+      if (across == no_index) continue;
+      if (sheet_of_[across / 3] == no_index) {
+        sheet_of_[across / 3] = number;
+        turned_[across / 3] = runs_up(h) == runs_up(across);
+        if (turned_[across / 3]) sheet.agreed = false;
+        sheet.faces.push_back(across / 3);
+      } else if (runs_up(h) == runs_up(across)) {
+        refuse(h, across);
+      }
+    }
+  }
+}
+
+void Orienter::refuse(Index halfedge, Index across) const {
+  throw InputError("faces " + std::to_string(std::min(halfedge, across) / 3) + " and " +
+                   std::to_string(std::max(halfedge, across) / 3) + " cannot agree at the " +
+                   edge_text(mesh_, halfedge) +
+                   ", however faces are turned: the surface has one side only, like a Moebius "
+                   "strip; cut it open or remove that part");
+}
+
+// Sheets that end at the same edge are to run opposite ways there.
+void Orienter::link_sheets() {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const auto halfedges = edges_.halfedges(e);
+    if (halfedges.size() == 1) sheets_[sheet_of_[halfedges[0] / 3]].has_border = true;
+    if (halfedges.size() <= 2) continue;
+    std::map<Index, int> sums;
+    int sum_before = 0;
+    for (const Index h : halfedges) {
+      sums[sheet_of_[h / 3]] += runs_up(h) ? 1 : -1;
+      sum_before += runs_up(h) != (turned_[h / 3] != 0) ? 1 : -1;
+    }
+    for (const auto& [sheet, sum] : sums) {
+      if (sum != 0 && std::abs(sum_before) > 1) sheets_[sheet].agreed = false;
+      for (const auto& [other, other_sum] : sums) {
+        if (sheet != other && sum * other_sum != 0) {
+          sheets_[sheet].agreement[other] -= sum * other_sum;
+        }
+      }
+    }
+  }
+}
+
+// Visits the sheets that are linked with the first, along the strongest links first.
+std::vector<Index> Orienter::align_group(Index first) {
+  std::vector<Index> group;
+  std::priority_queue<Step> steps;
+  steps.push({0, first, 0});
+  while (!steps.empty()) {
+    const Step step = steps.top();
+    steps.pop();
+    if (is_aligned_[step.sheet]) continue;
+    is_aligned_[step.sheet] = 1;
+    sheet_turned_[step.sheet] = step.turn;
+    group.push_back(step.sheet);
+    for (const auto& [next, agreement] : sheets_[step.sheet].agreement) {
+      const char turn = agreement < 0 ? !step.turn : step.turn;
+      steps.push({std::abs(agreement), next, turn});
+    }
+  }
+  return group;
+}
+
+void Orienter::measure_volumes(const std::vector<Index>& group) {
+  Vec3 middle = Vec3::Zero();
+  std::size_t count = 0;
+  for (const Index sheet : group) {
+    for (const Index f : sheets_[sheet].faces) {
+      for (const Index v : mesh_.faces[f]) middle += mesh_.positions[v];
+    }
+    count += 3 * sheets_[sheet].faces.size();
+  }
+  middle /= static_cast<double>(count);
+  for (const Index sheet : group) {
+    for (const Index f : sheets_[sheet].faces) {
+      const auto& [i, j, k] = mesh_.faces[f];
+      const Vec3 a = mesh_.positions[i] - middle, b = mesh_.positions[j] - middle;
+      const double part = a.cross(b).dot(mesh_.positions[k] - middle);
+      sheets_[sheet].volume += turned_[f] ? -part : part;
+    }
+  }
+}
+
+double Orienter::volume(Index sheet) const {
+  return sheet_turned_[sheet] ? -sheets_[sheet].volume : sheets_[sheet].volume;
+}
+
+int Orienter::agreement(Index sheet) const {
+  int sum = 0;
+  for (const auto& [other, agreement] : sheets_[sheet].agreement) {
+    sum += sheet_turned_[sheet] == sheet_turned_[other] ? agreement : -agreement;
   }
   return sum;
 }
 
-// Visits the faces connected with the first; decides for each whether it must turn relative to it.
-std::vector<Index> spread(const std::vector<Face>& faces, const Neighbors& neighbors, Index first,
-                          std::vector<char>& visited, std::vector<char>& turned) {
-  std::vector<Index> component{first};
-  visited[first] = 1;
-  for (std::size_t i = 0; i < component.size(); ++i) {
-    const Index face = component[i];
-    for (Index k = 0; k < 3; ++k) {
-      const Index h = 3 * face + k;
-      const Index across = neighbors.across[h];
-      if (across == no_index) continue;
-      const bool agree = runs_up(faces, h) != runs_up(faces, across);
-      const char turn = agree ? turned[face] : !turned[face];
-      if (!visited[across / 3]) {
-        visited[across / 3] = 1;
-        turned[across / 3] = turn;
-        component.push_back(across / 3);
-      } else if (turned[across / 3] != turn) {
-        throw InputError("face " + std::to_string(across / 3) +
-                         " can be oriented neither way: the surface has one side only, like a "
-                         "Moebius strip; cut it open or remove that part");
-      }
+// Turns sheets, small ones first, while that makes more of them agree, or as many and the volume
+// larger: so it ends.
+void Orienter::improve(std::vector<Index> group, bool has_border) {
+  std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
+    return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);
+  });
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Index sheet : group) {
+      const int agree = agreement(sheet);
+      if (agree > 0 || (agree == 0 && (has_border || volume(sheet) >= 0))) continue;
+      sheet_turned_[sheet] = !sheet_turned_[sheet];
+      changed = true;
     }
   }
-  return component;
 }
 
-bool is_closed(const Neighbors& neighbors, const std::vector<Index>& component) {
-  return std::all_of(component.begin(), component.end(), [&](Index f) {
-    return neighbors.across[3 * f] != no_index && neighbors.across[3 * f + 1] != no_index &&
-           neighbors.across[3 * f + 2] != no_index;
-  });
+// From where all look outwards one by one, if that leads further than from where they are.
+void Orienter::try_outwards(const std::vector<Index>& group) {
+  const auto score = [&] {
+    long agree = 0;
+    double sum = 0;
+    for (const Index sheet : group) {
+      agree += agreement(sheet);
+      sum += volume(sheet);
+    }
+    return std::pair(agree, std::abs(sum));
+  };
+  const std::vector<char> before = sheet_turned_;
+  const auto score_before = score();
+  for (const Index sheet : group) sheet_turned_[sheet] = sheets_[sheet].volume < 0;
+  improve(group, false);
+  if (score() < score_before) sheet_turned_ = before;
+}
+
+void Orienter::turn_group(const std::vector<Index>& group) {
+  for (const Index sheet : group) sheet_turned_[sheet] = !sheet_turned_[sheet];
+}
+
+void Orienter::face_outwards(const std::vector<Index>& group) {
+  double sum = 0;
+  for (const Index sheet : group) sum += volume(sheet);
+  if (sum < 0) turn_group(group);
+}
+
+void Orienter::face_as_most(const std::vector<Index>& group) {
+  std::size_t turns = 0, count = 0;
+  for (const Index sheet : group) {
+    for (const Index f : sheets_[sheet].faces) turns += turned_[f] != sheet_turned_[sheet] ? 1 : 0;
+    count += sheets_[sheet].faces.size();
+  }
+  if (2 * turns > count) turn_group(group);
+}
+
+void Orienter::orient_group(const std::vector<Index>& group) {
+  const auto has_border = [&](Index sheet) { return sheets_[sheet].has_border; };
+  const auto agreed = [&](Index sheet) { return sheets_[sheet].agreed; };
+  if (std::all_of(group.begin(), group.end(), agreed)) {
+    for (const Index sheet : group) sheet_turned_[sheet] = 0;
+    return;
+  }
+  measure_volumes(group);
+  const bool is_open = std::any_of(group.begin(), group.end(), has_border);
+  if (group.size() > 1) improve(group, is_open);
+  if (is_open) {
+    face_as_most(group);
+  } else {
+    if (group.size() > 1) try_outwards(group);
+    face_outwards(group);
+  }
+}
+
+std::vector<char> Orienter::find_turns() {
+  for (Index first = 0; first < sheets_.size(); ++first) {
+    if (!is_aligned_[first]) orient_group(align_group(first));
+  }
+  std::vector<char> turns(mesh_.faces.size());
+  for (std::size_t f = 0; f < turns.size(); ++f) {
+    turns[f] = turned_[f] != sheet_turned_[sheet_of_[f]];
+  }
+  return turns;
 }
 
 }  // namespace
 
-std::size_t orient_faces(std::vector<Face>& faces, const std::vector<Vec3>& points) {
-  const Neighbors neighbors = find_neighbors(faces, points.size());
-  std::vector<char> visited(faces.size(), 0);
-  std::vector<char> turned(faces.size(), 0);
-  for (Index first = 0; first < faces.size(); ++first) {
-    if (visited[first]) continue;
-    const std::vector<Index> component = spread(faces, neighbors, first, visited, turned);
-    const auto turns = static_cast<std::size_t>(
-        std::count_if(component.begin(), component.end(), [&](Index f) { return turned[f] != 0; }));
-    if (turns == 0) continue;
-    const bool reverse = is_closed(neighbors, component)
-                             ? signed_volume(faces, component, points, turned) < 0
-                             : 2 * turns > component.size();
-    for (const Index f : component) turned[f] = turned[f] != static_cast<char>(reverse);
+std::size_t orient_faces(Mesh& mesh) {
+  const std::vector<char> turns = Orienter(mesh).find_turns();
+  for (std::size_t f = 0; f < turns.size(); ++f) {
+    if (turns[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
   }
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (turned[f]) std::swap(faces[f][1], faces[f][2]);
-  }
-  return static_cast<std::size_t>(std::count(turned.begin(), turned.end(), 1));
+  return static_cast<std::size_t>(std::count(turns.begin(), turns.end(), 1));
 }
 
 }  // namespace transformesh

@@ -1,72 +1,131 @@
 #include "tm/clean/orientation_check.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <span>
-#include <string>
 
+#include "tm/clean/orient.h"
 #include "tm/mesh/edges.h"
+#include "tm/mesh/place.h"
 #include "tm/support/error.h"
-#include "tm/support/length.h"
 
 namespace transformesh {
 namespace {
 
-// Faces without area are missing from the soup, and so do not make a border.
+constexpr std::size_t most_named = 5;
+
+// With the faces without area, which the soup lacks: so they make no border.
 std::vector<Face> all_faces(const Soup& soup, const Mesh& mesh) {
   std::vector<Face> faces;
   faces.reserve(mesh.faces.size());
   for (const Face& f : mesh.faces) {
     faces.push_back({soup.point_of[f[0]], soup.point_of[f[1]], soup.point_of[f[2]]});
   }
-  return faces;
+  return without_collapsed(faces);
 }
 
-[[noreturn]] void refuse(const Mesh& mesh, std::span<const Index> halfedges) {
-  const Index a = halfedge_source(mesh, halfedges[0]);
-  const Vec3& p = mesh.positions[a];
-  throw InputError(
-      "faces " + std::to_string(halfedges[0] / 3) + " and " + std::to_string(halfedges[1] / 3) +
-      " run the same way along their common edge at vertex " + std::to_string(a) + " (" +
-      shortest_text(p[0]) + " " + shortest_text(p[1]) + " " + shortest_text(p[2]) +
-      "): the mesh is not oriented; mend it with tm-stitch "
-      "--orient");
+bool runs_up(std::span<const Face> faces, Index h) {
+  return faces[h / 3][h % 3] < faces[h / 3][(h % 3 + 1) % 3];
 }
 
-}  // namespace
+// How many faces more run up than down.
+int sum_along(std::span<const Face> faces, std::span<const Index> halfedges) {
+  int sum = 0;
+  for (const Index h : halfedges) sum += runs_up(faces, h) ? 1 : -1;
+  return sum;
+}
 
-std::vector<std::vector<Index>> find_border_loops(const Soup& soup, const Mesh& mesh) {
-  const std::vector<Face> faces = all_faces(soup, mesh);
-  const Edges edges(faces, soup.points.size());
-  std::multimap<Index, Index> border;  // from point to point, along the faces
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto halfedges = edges.halfedges(e);
-    int forward = 0;
-    const auto runs_up = [&](Index h) {
-      return faces[h / 3][h % 3] < faces[h / 3][(h % 3 + 1) % 3];
-    };
-    for (const Index h : halfedges) forward += runs_up(h) ? 1 : -1;
-    if (forward == 0) continue;
-    if (forward < -1 || forward > 1) refuse(mesh, halfedges);
-    // Where faces pair up around the edge but for one, that one ends there.
-    const Index h = *std::find_if(halfedges.begin(), halfedges.end(),
-                                  [&](Index k) { return runs_up(k) == (forward > 0); });
-    border.emplace(faces[h / 3][h % 3], faces[h / 3][(h % 3 + 1) % 3]);
-  }
+using BorderEdges = std::multimap<Index, Index>;  // from point to point, along the faces
 
-  // As many border edges leave every point as arrive, so every walk closes.
+// As many border edges leave every point as arrive, so every walk closes.
+std::vector<std::vector<Index>> walk(BorderEdges border) {
   std::vector<std::vector<Index>> loops;
   while (!border.empty()) {
-    std::vector<Index> loop;
+    std::vector<Index>& loop = loops.emplace_back();
     Index at = border.begin()->first;
     for (auto step = border.find(at); step != border.end(); step = border.find(at)) {
       loop.push_back(at);
       at = step->second;
       border.erase(step);
     }
-    loops.push_back(std::move(loop));
   }
   return loops;
+}
+
+std::string list_text(const std::vector<Index>& faces) {
+  std::string text = "faces " + std::to_string(faces[0]);
+  const std::size_t named = std::min(faces.size(), most_named);
+  for (std::size_t i = 1; i < named; ++i) {
+    const bool is_last = i + 1 == faces.size();
+    text += (is_last ? " and " : ", ") + std::to_string(faces[i]);
+  }
+  if (named < faces.size()) text += " and " + std::to_string(faces.size() - named) + " more";
+  return text;
+}
+
+std::string edge_problem(const Mesh& mesh, std::span<const Index> halfedges, bool up) {
+  std::vector<Index> alike;
+  for (const Index h : halfedges) {
+    if (runs_up(mesh.faces, h) == up) alike.push_back(h / 3);
+  }
+  const auto first = std::find_if(halfedges.begin(), halfedges.end(),
+                                  [&](Index h) { return runs_up(mesh.faces, h) == up; });
+  const std::size_t against = halfedges.size() - alike.size();
+  return list_text(alike) + " run the same way along the " + edge_text(mesh, *first) +
+         (against == 0 ? "" : ", and only " + std::to_string(against) + " the other way");
+}
+
+}  // namespace
+
+Borders find_borders(const Soup& soup, const Mesh& mesh) {
+  const std::vector<Face> faces = all_faces(soup, mesh);
+  const Edges edges(faces, soup.points.size());
+  Borders borders;
+  BorderEdges border;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    const int sum = sum_along(faces, halfedges);
+    if (sum == 0) continue;
+    if (std::abs(sum) > 1) borders.is_oriented = false;
+    const Face& f = faces[halfedges[0] / 3];
+    const auto [low, high] = std::minmax(f[halfedges[0] % 3], f[(halfedges[0] % 3 + 1) % 3]);
+    for (int i = 0; i < std::abs(sum); ++i) {
+      border.emplace(sum > 0 ? low : high, sum > 0 ? high : low);
+    }
+  }
+  borders.loops = walk(std::move(border));
+  return borders;
+}
+
+std::string describe_misorientation(const Mesh& mesh) {
+  const Edges edges(without_collapsed(mesh.faces), mesh.positions.size());
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const int sum = sum_along(mesh.faces, edges.halfedges(e));
+    if (std::abs(sum) <= 1) continue;
+    if (count == 0) text = edge_problem(mesh, edges.halfedges(e), sum > 0);
+    ++count;
+  }
+  if (count > 1) text += " (the first of " + std::to_string(count) + " such edges)";
+  return text;
+}
+
+void refuse_orientation(const Soup& soup, const Mesh& mesh) {
+  Mesh welded{mesh.positions, mesh.faces, {}, {}};
+  for (Face& face : welded.faces) {
+    for (Index& v : face) v = soup.vertex_of[soup.point_of[v]];
+  }
+  const std::string problem = describe_misorientation(welded);
+  orient_faces(welded);
+  const std::string rest = describe_misorientation(welded);
+  if (rest.empty()) {
+    throw InputError(problem + ": the mesh is not oriented; mend it with tm-stitch --orient");
+  }
+  throw InputError(rest +
+                   ", and turning sheets (tm-stitch --orient) cannot change that: remove "
+                   "faces there");
 }
 
 }  // namespace transformesh

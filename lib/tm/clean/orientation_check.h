@@ -1,16 +1,31 @@
-/// Whether a soup is the boundary of something: along every edge as many faces run one way as the
-/// other. If not, whether what is missing is a border of an oriented open mesh.
+/// Whether faces agree which side is outside, and where their surface ends. What counts is the sum
+/// of the faces along an edge, those that run one way less those that run the other: 0 where the
+/// surface goes on, however many sheets meet there; 1 at the border of an open surface, be it free
+/// or where a sheet ends on another surface; more where faces are misoriented.
+/// Cost: O(n log n). Deterministic.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tm/clean/soup.h"
 
 namespace transformesh {
 
-/// The borders of an open mesh as loops of points, each running along its faces; none if the mesh
-/// is closed. Along an edge of many faces, one that does not pair up ends there. Throws InputError,
-/// naming the place, where two or more faces are left over that run the same way.
-std::vector<std::vector<Index>> find_border_loops(const Soup& soup, const Mesh& mesh);
+struct Borders {
+  std::vector<std::vector<Index>> loops;  ///< of soup points, each running along its faces
+  bool is_oriented = true;
+};
+
+/// A closed mesh has no loops. Where n faces are left over at an edge, it is in n loops.
+Borders find_borders(const Soup& soup, const Mesh& mesh);
+
+/// In words the first misoriented edge, with faces and place; empty if there is none. Equal
+/// vertices are one index.
+std::string describe_misorientation(const Mesh& mesh);
+
+/// Throws InputError for a mesh that is not oriented, saying where and what mends it: tm-stitch
+/// --orient only where it does.
+[[noreturn]] void refuse_orientation(const Soup& soup, const Mesh& mesh);
 
 }  // namespace transformesh

@@ -36,8 +36,8 @@ void weld_positions(const Mesh& mesh, Soup& soup) {
 }
 
 bool is_degenerate(const Soup& soup, const Face& face) {
-  if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) return true;
-  return collinear(soup.points[face[0]], soup.points[face[1]], soup.points[face[2]]);
+  return is_collapsed(face) ||
+         collinear(soup.points[face[0]], soup.points[face[1]], soup.points[face[2]]);
 }
 
 }  // namespace

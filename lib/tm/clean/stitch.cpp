@@ -4,23 +4,31 @@
 
 #include "tm/clean/angular_order.h"
 #include "tm/clean/orient.h"
+#include "tm/clean/orientation_check.h"
+#include "tm/clean/split_singular_edges.h"
 #include "tm/clean/umbrellas.h"
 #include "tm/clean/weld.h"
 
 namespace transformesh {
 namespace {
 
-bool names_a_point_twice(const Face& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; }
+// Replaces vertices by those that they are joined with.
+std::size_t join_vertices(Mesh& mesh, double tolerance) {
+  const std::vector<Index> representative = weld(mesh.positions, tolerance);
+  for (Face& face : mesh.faces) {
+    for (Index& v : face) v = representative[v];
+  }
+  std::size_t joined = 0;
+  for (Index v = 0; v < representative.size(); ++v) joined += representative[v] != v ? 1 : 0;
+  return joined;
+}
 
-// Replaces vertices by their welded representatives; drops faces that collapse.
-std::size_t weld_faces(Mesh& mesh, const std::vector<Index>& representative) {
+std::size_t drop_collapsed_faces(Mesh& mesh) {
   std::vector<Face> faces;
   std::vector<Index> rows;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    Face face;
-    for (std::size_t i = 0; i < 3; ++i) face[i] = representative[mesh.faces[f][i]];
-    if (names_a_point_twice(face)) continue;
-    faces.push_back(face);
+    if (is_collapsed(mesh.faces[f])) continue;
+    faces.push_back(mesh.faces[f]);
     rows.push_back(f);
   }
   const std::size_t dropped = mesh.faces.size() - faces.size();
@@ -29,16 +37,15 @@ std::size_t weld_faces(Mesh& mesh, const std::vector<Index>& representative) {
   return dropped;
 }
 
+// Those that stay open along one edge all run the same way.
 void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
                       StitchResult& result) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    std::size_t open = 0;
-    for (const Index h : edges.halfedges(e)) open += opposite[h] == no_index ? 1 : 0;
-    if (open == edges.halfedges(e).size() && open == 2) {
-      ++result.misoriented_edges;
-    } else {
-      result.border_edges += open;
-    }
+    const auto halfedges = edges.halfedges(e);
+    const auto open = std::count_if(halfedges.begin(), halfedges.end(),
+                                    [&](Index h) { return opposite[h] == no_index; });
+    if (open == 1) ++result.border_edges;
+    if (open > 1) ++result.misoriented_edges;
   }
 }
 
@@ -82,25 +89,37 @@ std::size_t number_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
   return copies.size();
 }
 
+std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
+  const EdgeSplits splits = split_singular_edges(mesh, opposite);
+  for (const auto& [face, ends] : splits.vertices) {
+    mesh.vertex_columns.append({{ends[0], ends[1], ends[1]}, {0.5, 0.5, 0}});
+  }
+  for (const Index face : splits.face_source) {
+    mesh.face_columns.append({{face, face, face}, {1, 0, 0}});
+  }
+  return splits.edges;
+}
+
 }  // namespace
 
 StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   StitchResult result;
-  const std::vector<Index> representative = weld(mesh.positions, options.tolerance);
-  for (Index v = 0; v < representative.size(); ++v) {
-    result.joined_vertices += representative[v] != v ? 1 : 0;
-  }
-  result.dropped_faces = weld_faces(mesh, representative);
-  if (options.orient) result.turned_faces = orient_faces(mesh.faces, mesh.positions);
+  result.joined_vertices = join_vertices(mesh, options.tolerance);
+  if (options.orient) result.turned_faces = orient_faces(mesh);
+  const std::vector<Face> all_faces = mesh.faces;
+  result.dropped_faces = drop_collapsed_faces(mesh);
 
   const Edges edges(mesh);
-  const auto sort = [&](std::span<const Index> halfedges) {
-    return sort_around_edge(mesh, halfedges);
-  };
-  const std::vector<Index> opposite = pair_across_inside(mesh.faces, edges, sort);
+  std::vector<Index> opposite = pair_across_inside(
+      mesh.faces, edges,
+      [&](std::span<const Index> halfedges) { return sort_around_edge(mesh, halfedges); });
   count_open_edges(edges, opposite, result);
+  if (result.misoriented_edges > 0) {
+    result.misorientation = describe_misorientation({mesh.positions, all_faces, {}, {}});
+  }
   const std::vector<char> all(mesh.faces.size(), 1);
   result.copied_vertices = number_umbrellas(mesh, find_umbrellas(mesh.faces, all, opposite));
+  result.split_edges = split_edges(mesh, opposite);
   if (options.flip) {
     for (Face& face : mesh.faces) std::swap(face[1], face[2]);
   }

@@ -8,15 +8,21 @@ bool runs_forward(std::span<const Face> faces, Index h) {
   return face[h % 3] < face[(h % 3 + 1) % 3];
 }
 
-// A forward piece has its back towards its predecessor, which must have its back there too.
+// The inside lies behind both pieces, between a backward one and a forward one that follows: so
+// they match like brackets, cyclically.
 void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& sorted,
                         std::vector<Index>& opposite) {
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const Index h = sorted[i];
-    const Index before = sorted[(i + sorted.size() - 1) % sorted.size()];
-    if (!runs_forward(faces, h) || runs_forward(faces, before)) continue;
-    opposite[h] = before;
-    opposite[before] = h;
+  std::vector<Index> open;
+  for (std::size_t i = 0; i < 2 * sorted.size(); ++i) {
+    const Index h = sorted[i % sorted.size()];
+    if (opposite[h] != no_index) continue;
+    if (!runs_forward(faces, h)) {
+      if (i < sorted.size()) open.push_back(h);
+    } else if (!open.empty()) {
+      opposite[h] = open.back();
+      opposite[open.back()] = h;
+      open.pop_back();
+    }
   }
 }
 

@@ -17,7 +17,8 @@ namespace transformesh {
 using AngularSort = std::function<std::vector<Index>(std::span<const Index> halfedges)>;
 
 /// The halfedge of the piece across each halfedge; no_index on a border. At a singular edge pieces
-/// pair across the inside, behind both, so that sheets never cross.
+/// pair across the inside, behind both, so that sheets never cross; as many stay without a partner
+/// as more run one way than the other.
 std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& edges,
                                       const AngularSort& sort);
 

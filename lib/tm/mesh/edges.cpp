@@ -68,4 +68,12 @@ Edges::Edges(std::span<const Face> faces, std::size_t vertices) {
   offsets_.push_back(first);
 }
 
+std::vector<Face> without_collapsed(std::span<const Face> faces) {
+  std::vector<Face> result(faces.begin(), faces.end());
+  for (Face& face : result) {
+    if (is_collapsed(face)) face.fill(face[0]);
+  }
+  return result;
+}
+
 }  // namespace transformesh

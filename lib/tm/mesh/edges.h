@@ -27,4 +27,7 @@ class Edges {
   std::vector<Index> offsets_;
 };
 
+/// The faces, of which those that name a vertex twice lose the edges that they have.
+std::vector<Face> without_collapsed(std::span<const Face> faces);
+
 }  // namespace transformesh

@@ -4,7 +4,7 @@
 
 #include "tm/mesh/edges.h"
 #include "tm/mesh/fans.h"
-#include "tm/support/length.h"
+#include "tm/mesh/place.h"
 
 namespace transformesh {
 namespace {
@@ -43,21 +43,12 @@ void check_vertices(const Mesh& mesh, const Fans& fans, ManifoldReport& report) 
 
 void check_faces(const Mesh& mesh, ManifoldReport& report) {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const auto& [a, b, c] = mesh.faces[f];
-    if (a == b || b == c || c == a) report.collapsed_faces.push_back(static_cast<Index>(f));
+    if (is_collapsed(mesh.faces[f])) report.collapsed_faces.push_back(static_cast<Index>(f));
   }
 }
 
-std::string vertex_text(const Mesh& mesh, Index vertex) {
-  const Vec3& point = mesh.positions[vertex];
-  return "vertex " + std::to_string(vertex) + " at (" + shortest_text(point.x()) + ", " +
-         shortest_text(point.y()) + ", " + shortest_text(point.z()) + ")";
-}
-
-std::string edge_text(const Mesh& mesh, Index halfedge) {
-  return "edge from " + vertex_text(mesh, halfedge_source(mesh, halfedge)) + " to " +
-         vertex_text(mesh, halfedge_target(mesh, halfedge)) + " of face " +
-         std::to_string(halfedge / 3);
+std::string face_edge_text(const Mesh& mesh, Index halfedge) {
+  return edge_text(mesh, halfedge) + " of face " + std::to_string(halfedge / 3);
 }
 
 std::string and_more(std::size_t count, const std::string& what) {
@@ -82,16 +73,16 @@ std::string describe_problem(const Mesh& mesh, const ManifoldReport& report, boo
     return "face " + std::to_string(report.collapsed_faces[0]) + " names a vertex twice" +
            and_more(report.collapsed_faces.size(), "faces");
   if (!report.nonmanifold_edges.empty())
-    return "the " + edge_text(mesh, report.nonmanifold_edges[0]) + " has more than two faces" +
+    return "the " + face_edge_text(mesh, report.nonmanifold_edges[0]) + " has more than two faces" +
            and_more(report.nonmanifold_edges.size(), "edges");
   if (!report.nonmanifold_vertices.empty())
     return "the faces around " + vertex_text(mesh, report.nonmanifold_vertices[0]) +
            " are not one fan" + and_more(report.nonmanifold_vertices.size(), "vertices");
   if (!report.misoriented_edges.empty())
-    return "both faces of the " + edge_text(mesh, report.misoriented_edges[0]) +
+    return "both faces of the " + face_edge_text(mesh, report.misoriented_edges[0]) +
            " run along it the same way" + and_more(report.misoriented_edges.size(), "edges");
   if (closed && !report.border_halfedges.empty())
-    return "the " + edge_text(mesh, report.border_halfedges[0]) + " has no face across" +
+    return "the " + face_edge_text(mesh, report.border_halfedges[0]) + " has no face across" +
            and_more(report.border_halfedges.size(), "edges");
   return "";
 }

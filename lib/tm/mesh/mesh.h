@@ -26,6 +26,11 @@ struct Mesh {
   Columns face_columns;    ///< each column has faces.size() rows
 };
 
+/// Whether a face names a vertex twice, and so is no triangle.
+inline bool is_collapsed(const Face& face) {
+  return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+}
+
 /// The vertex at which a halfedge starts, and the halfedges around the same face.
 inline Index halfedge_source(const Mesh& mesh, Index halfedge) {
   return mesh.faces[halfedge / 3][halfedge % 3];
