@@ -1,0 +1,64 @@
+#!/usr/bin/env bats
+# Files that nobody here made: every program reads each, or refuses it in one good line.
+load ../helpers/common
+
+# takes_or_refuses PROGRAM ARGUMENT...: a code of the contract within a minute; where it fails, the
+# last line of stderr says why, and nothing before it but notes on what reading left out.
+takes_or_refuses() {
+  local code=0 why
+  timeout 60 "$@" > "$BATS_TEST_TMPDIR/stdout" 2> "$BATS_TEST_TMPDIR/stderr" < /dev/null || code=$?
+  [ "$code" -le 4 ] && [ "$code" -ne 2 ] || fail "exit code $code: $* $(cat "$BATS_TEST_TMPDIR/stderr")"
+  ! grep -Eiq 'internal|assert|exception|cgal|std::' "$BATS_TEST_TMPDIR/stderr" ||
+    fail "$* $(cat "$BATS_TEST_TMPDIR/stderr")"
+  [ "$code" -ge 3 ] || return 0
+  why=$(grep -Ev "^$1: (ply|off|obj|stl): " "$BATS_TEST_TMPDIR/stderr")
+  one_line "$why" && [ "${#why}" -gt 30 ] || fail "$* $(cat "$BATS_TEST_TMPDIR/stderr")"
+}
+
+# by_every_program FILE
+by_every_program() {
+  local program
+  for program in cat clean convert info remesh stitch intersect checkmanifold; do
+    takes_or_refuses "tm-$program" "$1"
+  done
+  takes_or_refuses tm-clean --float --outermost --source-face "$1"
+  takes_or_refuses tm-checkmanifold --intersections "$1"
+  takes_or_refuses tm-compare "$1" --reference "$1"
+  takes_or_refuses tm-displace --normal-speed 0.001 "$1"
+  takes_or_refuses tm-intersect --refine "$1"
+  takes_or_refuses tm-morph-step --target "$1" "$1"
+  takes_or_refuses tm-render "$1" -o "$BATS_TEST_TMPDIR/picture.png"
+  takes_or_refuses tm-shape sphere --around "$1"
+  takes_or_refuses tm-stitch --orient "$1"
+}
+
+@test "every small real file is taken or refused by every program" {
+  needs_shared meshes
+  find "$shared_file" -type f -size -12k | sort > "$BATS_TEST_TMPDIR/files"
+  [ "$(wc -l < "$BATS_TEST_TMPDIR/files")" -gt 30 ]
+  while read -r file; do by_every_program "$file"; done < "$BATS_TEST_TMPDIR/files"
+}
+
+@test "odd files that are none the less right are read in full" {
+  needs_shared meshes/trimesh/whitespace.off
+  cd "${shared_file%/*}"
+  for file in whitespace.off comments.off negative_indices.obj cube_compressed.obj; do
+    run tm-info --get faces -q "$file"
+    assert_status 0
+    [ "$output" = 12 ] || fail "$file has $output faces"
+    tm-checkmanifold -q --closed "$file"
+  done
+  [ "$(tm-info -q --get faces fuze_ascii.ply)" = 1000 ]
+  [ "$(tm-info -q --get faces empty.ply)" = 0 ]
+  pipe_apart 'tm-info --get faces notenoughindices.obj'
+  [ "$output" = 1 ]
+  [[ $stderr == *"1 face with fewer than three corners dropped"* ]]
+}
+
+@test "a file with a number that is none is refused with the line" {
+  needs_shared meshes/trimesh/nancolor.obj
+  run --separate-stderr tm-info "$shared_file"
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"vertex 7"*"'nan'"*"nancolor.obj line 7"* ]]
+}
