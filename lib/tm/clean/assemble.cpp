@@ -4,8 +4,9 @@
 
 #include "tm/clean/angular_order.h"
 #include "tm/clean/face_row.h"
+#include "tm/clean/pair_across_inside.h"
 #include "tm/clean/split_singular_edges.h"
-#include "tm/clean/umbrellas.h"
+#include "tm/mesh/fans.h"
 
 namespace transformesh {
 namespace {
@@ -18,7 +19,7 @@ class Assembler {
  private:
   void choose_old_vertices();
   void number_vertices();
-  void add_vertex_row(Index umbrella);
+  void add_vertex_row(Index fan);
   Index piece_face(const Piece& piece) const;
   void add_faces();
   void split_edges();
@@ -29,10 +30,10 @@ class Assembler {
   const std::vector<char>& kept_;
   std::vector<Face> faces_;  ///< corners of kept pieces as points
   std::vector<Index> opposite_;
-  Umbrellas umbrellas_;
-  std::vector<Index> old_vertex_;  ///< per umbrella: the input vertex that it keeps
-  std::vector<Index> example_;     ///< per umbrella: a halfedge that starts there
-  std::vector<Index> vertex_of_;   ///< per umbrella: the output vertex
+  Fans fans_;
+  std::vector<Index> old_vertex_;  ///< per fan: the input vertex that it keeps
+  std::vector<Index> example_;     ///< per fan: a halfedge that starts there
+  std::vector<Index> vertex_of_;   ///< per fan: the output vertex
   std::vector<RowBlend> vertex_rows_;
   std::vector<Index> face_rows_;
   std::vector<Index> output_opposite_;
@@ -50,7 +51,7 @@ Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
   opposite_ = pair_across_inside(faces_, edges, [&](std::span<const Index> halfedges) {
     return sort_around_edge(arrangement, halfedges);
   });
-  umbrellas_ = find_umbrellas(faces_, kept, opposite_);
+  fans_ = find_fans(faces_, opposite_, kept);
 }
 
 // The mesh face that a piece is cut from and looks the same way as.
@@ -61,20 +62,20 @@ Index Assembler::piece_face(const Piece& piece) const {
   return arrangement_.soup->face_of[arrangement_.sources_of(piece).front().face];
 }
 
-// An umbrella keeps the smallest input vertex among its corners, unless another one did before.
+// A fan keeps the smallest input vertex among its corners, unless another one did before.
 void Assembler::choose_old_vertices() {
   const Soup& soup = *arrangement_.soup;
-  old_vertex_.assign(umbrellas_.point_of.size(), no_index);
-  example_.assign(umbrellas_.point_of.size(), no_index);
-  for (Index h = 0; h < umbrellas_.of_corner.size(); ++h) {
-    const Index umbrella = umbrellas_.of_corner[h];
-    if (umbrella == no_index) continue;
-    if (example_[umbrella] == no_index) example_[umbrella] = h;
-    const Index point = umbrellas_.point_of[umbrella];
+  old_vertex_.assign(fans_.vertex_of.size(), no_index);
+  example_.assign(fans_.vertex_of.size(), no_index);
+  for (Index h = 0; h < fans_.of_corner.size(); ++h) {
+    const Index fan = fans_.of_corner[h];
+    if (fan == no_index) continue;
+    if (example_[fan] == no_index) example_[fan] = h;
+    const Index point = fans_.vertex_of[fan];
     if (point >= soup.points.size()) continue;
     for (const Index vertex : input_.faces[piece_face(arrangement_.pieces[h / 3])]) {
       if (soup.point_of[vertex] == point) {
-        old_vertex_[umbrella] = std::min(old_vertex_[umbrella], vertex);
+        old_vertex_[fan] = std::min(old_vertex_[fan], vertex);
       }
     }
   }
@@ -86,15 +87,15 @@ void Assembler::choose_old_vertices() {
   }
 }
 
-// Input vertices first, in their order; then the others in order of their umbrellas.
+// Input vertices first, in their order; then the others in order of their fans.
 void Assembler::number_vertices() {
   choose_old_vertices();
-  std::vector<Index> umbrella_of(input_.positions.size(), no_index);
+  std::vector<Index> fan_of(input_.positions.size(), no_index);
   for (Index u = 0; u < old_vertex_.size(); ++u) {
-    if (old_vertex_[u] != no_index) umbrella_of[old_vertex_[u]] = u;
+    if (old_vertex_[u] != no_index) fan_of[old_vertex_[u]] = u;
   }
   vertex_of_.assign(old_vertex_.size(), no_index);
-  for (const Index u : umbrella_of) {
+  for (const Index u : fan_of) {
     if (u != no_index) add_vertex_row(u);
   }
   for (Index u = 0; u < old_vertex_.size(); ++u) {
@@ -102,21 +103,21 @@ void Assembler::number_vertices() {
   }
 }
 
-void Assembler::add_vertex_row(Index umbrella) {
+void Assembler::add_vertex_row(Index fan) {
   const Soup& soup = *arrangement_.soup;
-  const Index point = umbrellas_.point_of[umbrella];
+  const Index point = fans_.vertex_of[fan];
   const bool is_new = point >= soup.points.size();
-  vertex_of_[umbrella] = static_cast<Index>(result_.mesh.positions.size());
+  vertex_of_[fan] = static_cast<Index>(result_.mesh.positions.size());
   result_.vertex_is_new.push_back(is_new);
   result_.input_vertex.push_back(is_new ? no_index : soup.vertex_of[point]);
-  if (old_vertex_[umbrella] != no_index) {
-    result_.mesh.positions.push_back(input_.positions[old_vertex_[umbrella]]);
-    vertex_rows_.push_back({{old_vertex_[umbrella], 0, 0}, {1, 0, 0}});
+  if (old_vertex_[fan] != no_index) {
+    result_.mesh.positions.push_back(input_.positions[old_vertex_[fan]]);
+    vertex_rows_.push_back({{old_vertex_[fan], 0, 0}, {1, 0, 0}});
     return;
   }
   const Vec3 position = arrangement_.position(point);
   result_.mesh.positions.push_back(position);
-  const Index face = piece_face(arrangement_.pieces[example_[umbrella] / 3]);
+  const Index face = piece_face(arrangement_.pieces[example_[fan] / 3]);
   vertex_rows_.push_back(row_on_face(input_, face, position));
   if (!is_new) ++result_.copies;
 }
@@ -129,7 +130,7 @@ void Assembler::add_faces() {
     const bool is_whole = p < arrangement_.whole_pieces;
     output_face[p] = static_cast<Index>(result_.mesh.faces.size());
     Face face;
-    for (Index i = 0; i < 3; ++i) face[i] = vertex_of_[umbrellas_.of_corner[3 * p + i]];
+    for (Index i = 0; i < 3; ++i) face[i] = vertex_of_[fans_.of_corner[3 * p + i]];
     result_.mesh.faces.push_back(face);
     result_.face_is_new.push_back(!is_whole);
     result_.whole_soup_face.push_back(is_whole ? arrangement_.sources_of(piece).front().face

@@ -40,7 +40,6 @@ class Orienter {
   std::vector<char> find_turns();
 
  private:
-  void find_neighbors();
   void collect_sheet(Index first);
   [[noreturn]] void refuse(Index halfedge, Index across) const;
   bool runs_up(Index halfedge) const;
@@ -69,25 +68,15 @@ class Orienter {
 Orienter::Orienter(const Mesh& mesh)
     : mesh_(mesh),
       edges_(without_collapsed(mesh.faces), mesh.positions.size()),
+      across_(neighbors_across(edges_, mesh.faces.size())),
       sheet_of_(mesh.faces.size(), no_index),
       turned_(mesh.faces.size(), 0) {
-  find_neighbors();
   for (Index first = 0; first < mesh.faces.size(); ++first) {
     if (sheet_of_[first] == no_index) collect_sheet(first);
   }
   sheet_turned_.assign(sheets_.size(), 0);
   is_aligned_.assign(sheets_.size(), 0);
   link_sheets();
-}
-
-void Orienter::find_neighbors() {
-  across_.assign(3 * mesh_.faces.size(), no_index);
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const auto halfedges = edges_.halfedges(e);
-    if (halfedges.size() != 2) continue;
-    across_[halfedges[0]] = halfedges[1];
-    across_[halfedges[1]] = halfedges[0];
-  }
 }
 
 // As the face is to be turned.

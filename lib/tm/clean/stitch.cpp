@@ -5,9 +5,10 @@
 #include "tm/clean/angular_order.h"
 #include "tm/clean/orient.h"
 #include "tm/clean/orientation_check.h"
+#include "tm/clean/pair_across_inside.h"
 #include "tm/clean/split_singular_edges.h"
-#include "tm/clean/umbrellas.h"
 #include "tm/clean/weld.h"
+#include "tm/mesh/fans.h"
 
 namespace transformesh {
 namespace {
@@ -49,46 +50,48 @@ void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
   }
 }
 
-// One vertex for each umbrella: the first at a position keeps the vertex, others get copies.
-std::size_t number_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
-  std::vector<char> is_used(mesh.positions.size(), 0);
-  std::vector<Index> vertex_of(umbrellas.point_of.size());
-  std::vector<Index> copies;
-  for (std::size_t u = 0; u < vertex_of.size(); ++u) {
-    const Index point = umbrellas.point_of[u];
-    vertex_of[u] = point;
-    if (is_used[point]) {
-      vertex_of[u] = static_cast<Index>(mesh.positions.size() + copies.size());
-      copies.push_back(point);
-    }
-    is_used[point] = 1;
-  }
-  for (Index h = 0; h < umbrellas.of_corner.size(); ++h) {
-    mesh.faces[h / 3][h % 3] = vertex_of[umbrellas.of_corner[h]];
-  }
-
-  // Vertices in use, in order, then the copies.
-  std::vector<Index> rows;
+// Keeps what faces use of the vertices and of the copies behind them, in order.
+void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
   std::vector<Index> renumbered(mesh.positions.size() + copies.size(), no_index);
-  for (Index v = 0; v < is_used.size(); ++v) {
-    if (!is_used[v]) continue;
-    renumbered[v] = static_cast<Index>(rows.size());
-    rows.push_back(v);
+  for (const Face& face : mesh.faces) {
+    for (const Index v : face) renumbered[v] = 0;
   }
-  for (std::size_t i = 0; i < copies.size(); ++i) {
-    renumbered[mesh.positions.size() + i] = static_cast<Index>(rows.size());
-    rows.push_back(copies[i]);
-  }
+  std::vector<Index> rows;
   std::vector<Vec3> positions;
-  for (const Index v : rows) positions.push_back(mesh.positions[v]);
+  for (Index v = 0; v < renumbered.size(); ++v) {
+    if (renumbered[v] == no_index) continue;
+    renumbered[v] = static_cast<Index>(rows.size());
+    rows.push_back(v < mesh.positions.size() ? v : copies[v - mesh.positions.size()]);
+    positions.push_back(mesh.positions[rows.back()]);
+  }
   mesh.positions = std::move(positions);
   mesh.vertex_columns = mesh.vertex_columns.select(rows);
   for (Face& face : mesh.faces) {
     for (Index& v : face) v = renumbered[v];
   }
+}
+
+// One vertex for each fan: the first at a position keeps the vertex, others get copies behind all.
+std::size_t part_fans(Mesh& mesh, const Fans& fans) {
+  std::vector<char> is_taken(mesh.positions.size(), 0);
+  std::vector<Index> vertex_of = fans.vertex_of;
+  std::vector<Index> copies;
+  for (Index& v : vertex_of) {
+    if (!is_taken[v]) {
+      is_taken[v] = 1;
+      continue;
+    }
+    copies.push_back(v);
+    v = static_cast<Index>(mesh.positions.size() + copies.size() - 1);
+  }
+  for (Index h = 0; h < fans.of_corner.size(); ++h) {
+    mesh.faces[h / 3][h % 3] = vertex_of[fans.of_corner[h]];
+  }
+  drop_unused_vertices(mesh, copies);
   return copies.size();
 }
 
+// Midpoints and pieces inherit from what they are made of.
 std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
   const EdgeSplits splits = split_singular_edges(mesh, opposite);
   for (const auto& [face, ends] : splits.vertices) {
@@ -117,8 +120,7 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   if (result.misoriented_edges > 0) {
     result.misorientation = describe_misorientation({mesh.positions, all_faces, {}, {}});
   }
-  const std::vector<char> all(mesh.faces.size(), 1);
-  result.copied_vertices = number_umbrellas(mesh, find_umbrellas(mesh.faces, all, opposite));
+  result.copied_vertices = part_fans(mesh, find_fans(mesh.faces, opposite));
   result.split_edges = split_edges(mesh, opposite);
   if (options.flip) {
     for (Face& face : mesh.faces) std::swap(face[1], face[2]);

@@ -65,7 +65,7 @@ Components connected_components(const Mesh& mesh) {
   };
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
     ++component_of(edges.halfedges(edge)[0]).edges;
-  for (const Index halfedge : boundary_loops(mesh, edges, find_fans(mesh, edges)))
+  for (const Index halfedge : boundary_loops(edges, find_fans(mesh, edges)))
     ++component_of(halfedge).boundary_loops;
   return result;
 }

@@ -68,6 +68,17 @@ Edges::Edges(std::span<const Face> faces, std::size_t vertices) {
   offsets_.push_back(first);
 }
 
+std::vector<Index> neighbors_across(const Edges& edges, std::size_t faces) {
+  std::vector<Index> across(3 * faces, no_index);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    if (halfedges.size() != 2) continue;
+    across[halfedges[0]] = halfedges[1];
+    across[halfedges[1]] = halfedges[0];
+  }
+  return across;
+}
+
 std::vector<Face> without_collapsed(std::span<const Face> faces) {
   std::vector<Face> result(faces.begin(), faces.end());
   for (Face& face : result) {

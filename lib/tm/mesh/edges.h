@@ -27,6 +27,10 @@ class Edges {
   std::vector<Index> offsets_;
 };
 
+/// For every halfedge the other one of its edge where that has exactly two, whichever way they run;
+/// else no_index.
+std::vector<Index> neighbors_across(const Edges& edges, std::size_t faces);
+
 /// The faces, of which those that name a vertex twice lose the edges that they have.
 std::vector<Face> without_collapsed(std::span<const Face> faces);
 

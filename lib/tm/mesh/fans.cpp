@@ -2,48 +2,59 @@
 
 #include <algorithm>
 
+#include "tm/mesh/disjoint_sets.h"
+
 namespace transformesh {
-namespace {
 
-/// The corner at which the halfedge's face touches the end of the halfedge that is `vertex`.
-Index corner_at(const Mesh& mesh, Index halfedge, Index vertex) {
-  return halfedge_source(mesh, halfedge) == vertex ? halfedge : next_halfedge(halfedge);
-}
+Fans find_fans(std::span<const Face> faces, std::span<const Index> across,
+               std::span<const char> included) {
+  // Halfedges that start at the same vertex have their corners there, others at opposite ends.
+  DisjointSets corners(3 * faces.size());
+  for (Index h = 0; h < across.size(); ++h) {
+    const Index other = across[h];
+    if (other == no_index || other < h) continue;
+    const bool run_alike = faces[h / 3][h % 3] == faces[other / 3][other % 3];
+    corners.join(h, run_alike ? other : next_halfedge(other));
+    corners.join(next_halfedge(h), run_alike ? next_halfedge(other) : other);
+  }
 
-}  // namespace
-
-Fans find_fans(const Mesh& mesh, const Edges& edges) {
-  Fans fans{DisjointSets(3 * mesh.faces.size()), std::vector<Index>(mesh.positions.size(), 0)};
-
-  // Every corner starts a fan of its own; every join removes one.
-  for (const Face& face : mesh.faces)
-    for (const Index vertex : face) ++fans.count[vertex];
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    const auto halfedges = edges.halfedges(edge);
-    if (halfedges.size() != 2) continue;
-    for (const Index vertex :
-         {halfedge_source(mesh, halfedges[0]), halfedge_target(mesh, halfedges[0])})
-      if (fans.corners.join(corner_at(mesh, halfedges[0], vertex),
-                            corner_at(mesh, halfedges[1], vertex)))
-        --fans.count[vertex];
+  // The first corner of each fan numbers it.
+  Fans fans;
+  fans.of_corner.assign(3 * faces.size(), no_index);
+  for (Index corner = 0; corner < fans.of_corner.size(); ++corner) {
+    if (!included.empty() && !included[corner / 3]) continue;
+    const Index first = corners.find(corner);
+    if (first == corner) {
+      fans.of_corner[corner] = static_cast<Index>(fans.vertex_of.size());
+      fans.vertex_of.push_back(faces[corner / 3][corner % 3]);
+    } else {
+      fans.of_corner[corner] = fans.of_corner[first];
+    }
   }
   return fans;
 }
 
-std::vector<Index> boundary_loops(const Mesh& mesh, const Edges& edges, Fans fans) {
+Fans find_fans(const Mesh& mesh, const Edges& edges) {
+  return find_fans(mesh.faces, neighbors_across(edges, mesh.faces.size()));
+}
+
+std::vector<Index> boundary_loops(const Edges& edges, const Fans& fans) {
   // Border edges that share a fan belong to one loop.
   std::vector<Index> border;
-  for (std::size_t edge = 0; edge < edges.size(); ++edge)
-    if (edges.halfedges(edge).size() == 1) border.push_back(edges.halfedges(edge)[0]);
-  DisjointSets& loops = fans.corners;
-  for (const Index halfedge : border) loops.join(halfedge, next_halfedge(halfedge));
+  DisjointSets loops(fans.vertex_of.size());
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    if (edges.halfedges(edge).size() != 1) continue;
+    const Index h = edges.halfedges(edge)[0];
+    border.push_back(h);
+    loops.join(fans.of_corner[h], fans.of_corner[next_halfedge(h)]);
+  }
 
   // The first halfedge of each set in ascending order.
   std::sort(border.begin(), border.end());
   std::vector<Index> firsts;
-  std::vector<bool> is_counted(3 * mesh.faces.size(), false);
+  std::vector<bool> is_counted(fans.vertex_of.size(), false);
   for (const Index halfedge : border) {
-    const Index loop = loops.find(halfedge);
+    const Index loop = loops.find(fans.of_corner[halfedge]);
     if (!is_counted[loop]) firsts.push_back(halfedge);
     is_counted[loop] = true;
   }

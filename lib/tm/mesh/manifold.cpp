@@ -34,10 +34,11 @@ void check_vertices(const Mesh& mesh, const Fans& fans, ManifoldReport& report) 
     is_bad[halfedge_source(mesh, halfedge)] = true;
     is_bad[halfedge_target(mesh, halfedge)] = true;
   }
+  std::vector<Index> count(mesh.positions.size(), 0);
+  for (const Index vertex : fans.vertex_of) ++count[vertex];
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    if (fans.count[v] == 0) report.isolated_vertices.push_back(static_cast<Index>(v));
-    if (fans.count[v] > 1 || is_bad[v])
-      report.nonmanifold_vertices.push_back(static_cast<Index>(v));
+    if (count[v] == 0) report.isolated_vertices.push_back(static_cast<Index>(v));
+    if (count[v] > 1 || is_bad[v]) report.nonmanifold_vertices.push_back(static_cast<Index>(v));
   }
 }
 
@@ -61,10 +62,10 @@ ManifoldReport check_manifold(const Mesh& mesh) {
   ManifoldReport report;
   const Edges edges(mesh);
   check_edges(mesh, edges, report);
-  Fans fans = find_fans(mesh, edges);
+  const Fans fans = find_fans(mesh, edges);
   check_vertices(mesh, fans, report);
   check_faces(mesh, report);
-  report.boundary_loops = boundary_loops(mesh, edges, std::move(fans)).size();
+  report.boundary_loops = boundary_loops(edges, fans).size();
   return report;
 }
 

@@ -1,4 +1,4 @@
-#include "tm/clean/umbrellas.h"
+#include "tm/clean/pair_across_inside.h"
 
 namespace transformesh {
 namespace {
@@ -42,31 +42,6 @@ std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& 
     }
   }
   return opposite;
-}
-
-Umbrellas find_umbrellas(std::span<const Face> faces, const std::vector<char>& included,
-                         const std::vector<Index>& opposite) {
-  Umbrellas result;
-  result.of_corner.assign(3 * faces.size(), no_index);
-  for (Index start = 0; start < 3 * faces.size(); ++start) {
-    if (!included[start / 3] || result.of_corner[start] != no_index) continue;
-    const auto umbrella = static_cast<Index>(result.point_of.size());
-    result.point_of.push_back(faces[start / 3][start % 3]);
-
-    // Turn one way until the fan closes, else also the other way to its border.
-    Index h = start;
-    while (h != no_index && result.of_corner[h] == no_index) {
-      result.of_corner[h] = umbrella;
-      h = opposite[previous_halfedge(h)];
-    }
-    for (h = opposite[start]; h != no_index;) {
-      h = next_halfedge(h);
-      if (result.of_corner[h] != no_index) break;
-      result.of_corner[h] = umbrella;
-      h = opposite[h];
-    }
-  }
-  return result;
 }
 
 }  // namespace transformesh

@@ -1,6 +1,5 @@
 /// Stitching pieces that know their corners only as points (paper 3.3): which pieces continue each
-/// other across an edge, and which corners at a point belong to one umbrella and so to one vertex.
-/// A point with more than one umbrella is a singular vertex of the paper.
+/// other across an edge. The fans that they then form are the vertices.
 #pragma once
 
 #include <functional>
@@ -21,14 +20,5 @@ using AngularSort = std::function<std::vector<Index>(std::span<const Index> half
 /// as more run one way than the other.
 std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& edges,
                                       const AngularSort& sort);
-
-struct Umbrellas {
-  std::vector<Index> of_corner;  ///< per halfedge: the umbrella of the corner where it starts
-  std::vector<Index> point_of;   ///< per umbrella, in order of their first corners
-};
-
-/// Faces without included[face] have no umbrella.
-Umbrellas find_umbrellas(std::span<const Face> faces, const std::vector<char>& included,
-                         const std::vector<Index>& opposite);
 
 }  // namespace transformesh
