@@ -29,6 +29,24 @@ load ../helpers/common
   cmp "$BATS_TEST_TMPDIR/in.ply" "$BATS_TEST_TMPDIR/out.ply"
 }
 
+@test "a clean mesh stays as it is, byte for byte, whatever the shape and the format" {
+  cd "$BATS_TEST_TMPDIR"
+  local kinds=(sphere ellipsoid box torus "genus 3" torus-knot two-spheres "two-spheres --gap=0.1"
+    tori "tori --gap=-0.1" dumbbell "dumbbell --neck=-0.1" bowl "folded sphere" "folded torus"
+    tangle "tangle 3 5" many-spheres boxes pinch)
+  local kind format
+  for kind in "${kinds[@]}"; do
+    for format in "--format ply --float" "--format ply --double" "--format off" \
+      "--format ply-ascii --float"; do
+      # shellcheck disable=SC2086 # several words each
+      tm-shape $kind --faces 2000 $format -o in.mesh
+      tm-clean --no-provenance in.mesh -o once.mesh
+      tm-clean --no-provenance once.mesh -o twice.mesh
+      cmp once.mesh twice.mesh || fail "$kind, $format"
+    done
+  done
+}
+
 @test "union, intersection and difference add up" {
   cd "$BATS_TEST_TMPDIR"
   tm-shape sphere --faces 2000 -o a.ply

@@ -38,22 +38,6 @@ void check_promises(const Mesh& input, const Mesh& output) {
   CHECK(oracle.is_right());
 }
 
-/// Unit cubes of a lattice that lie inside an odd or even number of boxes: brute force.
-std::size_t count_voxels(const std::vector<std::array<int, 6>>& boxes, int size) {
-  std::size_t count = 0;
-  for (int x = 0; x < size; ++x) {
-    for (int y = 0; y < size; ++y) {
-      for (int z = 0; z < size; ++z) {
-        const auto holds = [&](const std::array<int, 6>& b) {
-          return b[0] <= x && x < b[3] && b[1] <= y && y < b[4] && b[2] <= z && z < b[5];
-        };
-        count += std::any_of(boxes.begin(), boxes.end(), holds) ? 1U : 0U;
-      }
-    }
-  }
-  return count;
-}
-
 }  // namespace
 
 TEST_CASE("the seven workloads come back right, and both methods agree to the byte") {
@@ -72,29 +56,6 @@ TEST_CASE("the seven workloads come back right, and both methods agree to the by
       CHECK(grown.mesh.positions == tested.mesh.positions);
       CHECK(grown.mesh.faces == tested.mesh.faces);
     }
-  }
-}
-
-TEST_CASE("boxes with integer corners have the volume of their voxels") {
-  std::uint64_t state = 42;
-  const auto next = [&](int bound) {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<int>((state >> 33) % static_cast<std::uint64_t>(bound));
-  };
-  for (int round = 0; round < 10; ++round) {
-    std::vector<std::array<int, 6>> boxes;
-    Mesh mesh;
-    for (int i = 0; i < 12; ++i) {
-      const int x = next(8), y = next(8), z = next(8);
-      boxes.push_back({x, y, z, x + 1 + next(4), y + 1 + next(4), z + 1 + next(4)});
-      const auto& b = boxes.back();
-      mesh = test::joined(mesh, test::cuboid({double(b[0]), double(b[1]), double(b[2])},
-                                             {double(b[3]), double(b[4]), double(b[5])}));
-    }
-    const CleanResult result = clean(mesh);
-    check_promises(mesh, result.mesh);
-    const auto voxels = static_cast<double>(count_voxels(boxes, 12));
-    CHECK(std::abs(volume(result.mesh) - voxels) < 1e-10 * voxels);
   }
 }
 
