@@ -63,6 +63,7 @@ void clean_document(Document& document, Options options, tool::Run& run) {
   run.report("rays", result.rays);
   run.report("dropped_components", result.dropped_components);
   run.report("rounding_repairs", result.rounding_repairs);
+  run.report("grid_steps", result.grid_steps);
   run.report("separated_vertices", separated.separated_vertices);
   run.report("separation_refused", separated.refused_vertices);
   report_topology(document.mesh, run);

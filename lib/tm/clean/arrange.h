@@ -40,9 +40,10 @@ struct Arrangement {
   ExactPoint point(Index i) const {
     return i < soup->points.size() ? geometry().given(i) : cut_points[i - soup->points.size()];
   }
-  /// The nearest double position.
+  /// In doubles, within one unit in the last place.
   Vec3 position(Index i) const {
-    return i < soup->points.size() ? soup->points[i] : cut_points[i - soup->points.size()].center;
+    return i < soup->points.size() ? soup->points[i]
+                                   : geometry().position(cut_points[i - soup->points.size()]);
   }
   std::size_t point_count() const { return soup->points.size() + cut_points.size(); }
   std::span<const Source> sources_of(const Piece& piece) const {

@@ -133,8 +133,6 @@ void Assembler::add_faces() {
     for (Index i = 0; i < 3; ++i) face[i] = vertex_of_[fans_.of_corner[3 * p + i]];
     result_.mesh.faces.push_back(face);
     result_.face_is_new.push_back(!is_whole);
-    result_.whole_soup_face.push_back(is_whole ? arrangement_.sources_of(piece).front().face
-                                               : no_index);
     face_rows_.push_back(piece_face(piece));
   }
   for (Index h = 0; h < opposite_.size(); ++h) {
@@ -157,11 +155,9 @@ void Assembler::split_edges() {
   }
   for (const Index face : splits.cut_faces) {
     result_.face_is_new[face] = 1;
-    result_.whole_soup_face[face] = no_index;
   }
   for (const Index face : splits.face_source) {
     result_.face_is_new.push_back(1);
-    result_.whole_soup_face.push_back(no_index);
     face_rows_.push_back(face_rows_[face]);
   }
 }
@@ -169,6 +165,7 @@ void Assembler::split_edges() {
 void Assembler::set_columns() {
   result_.mesh.vertex_columns = input_.vertex_columns.blend(vertex_rows_);
   result_.mesh.face_columns = input_.face_columns.select(face_rows_);
+  result_.source_face = std::move(face_rows_);
 }
 
 Assembly Assembler::assemble() {

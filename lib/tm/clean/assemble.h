@@ -14,12 +14,12 @@ namespace transformesh {
 
 struct Assembly {
   Mesh mesh;
-  std::vector<Index> input_vertex;     ///< per vertex: the input vertex in its place, or no_index
-  std::vector<char> vertex_is_new;     ///< not a vertex of the input, nor a copy of one
-  std::vector<char> face_is_new;       ///< not a whole face of the input
-  std::vector<Index> whole_soup_face;  ///< per face: the soup face that it is, or no_index
-  std::size_t copies = 0;              ///< vertices duplicated at singular vertices and edges
-  std::size_t split_edges = 0;         ///< singular edges split in the middle
+  std::vector<Index> input_vertex;  ///< per vertex: the input vertex in its place, or no_index
+  std::vector<char> vertex_is_new;  ///< not a vertex of the input, nor a copy of one
+  std::vector<char> face_is_new;    ///< not a whole face of the input
+  std::vector<Index> source_face;   ///< per face: the input face that it is, or is cut from
+  std::size_t copies = 0;           ///< vertices duplicated at singular vertices and edges
+  std::size_t split_edges = 0;      ///< singular edges split in the middle
 };
 
 Assembly assemble(const Mesh& input, const Arrangement& arrangement, const std::vector<char>& kept);

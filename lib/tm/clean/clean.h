@@ -42,6 +42,7 @@ struct CleanResult {
   std::size_t rays = 0;
   std::size_t dropped_components = 0;  ///< by `outermost`
   std::size_t rounding_repairs = 0;    ///< rounds in which rounding made crossings
+  std::size_t grid_steps = 0;  ///< how often input vertices had to go to a coarser grid (settle.h)
 };
 
 CleanResult clean(const Mesh& mesh, const CleanOptions& options = {},

@@ -151,7 +151,7 @@ Exterior test_all(const Arrangement& arrangement, int level, const Progress& pro
   return result;
 }
 
-std::string nothing_kept(int level, bool is_open) {
+std::string nothing_kept(const Arrangement& arrangement, int level, bool is_open) {
   if (level != 1) {
     return "no winding number reaches " + std::to_string(level) +
            ": nothing lies inside that many sheets";
@@ -159,6 +159,11 @@ std::string nothing_kept(int level, bool is_open) {
   if (is_open) {
     return "every face of this open mesh lies inside once its borders are closed: it is inside "
            "out; reverse it with tm-stitch --flip";
+  }
+  const auto counts = [](const Piece& piece) { return piece.winding != 0; };
+  if (std::none_of(arrangement.pieces.begin(), arrangement.pieces.end(), counts)) {
+    return "the faces enclose nothing: they have no area, or lie upon each other and cancel out; "
+           "a shape that is small or far from the origin needs --double, or to be moved there";
   }
   return "every winding number is <= 0: the mesh is inside out; reverse it with tm-stitch --flip";
 }
@@ -172,7 +177,7 @@ Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod
                         ? Growth(arrangement, level, closure).grow(progress)
                         : test_all(arrangement, level, progress);
   if (std::find(result.kept.begin(), result.kept.end(), 1) == result.kept.end()) {
-    throw GoalError(nothing_kept(level, !closure.empty()));
+    throw GoalError(nothing_kept(arrangement, level, !closure.empty()));
   }
   return result;
 }

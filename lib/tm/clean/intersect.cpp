@@ -10,17 +10,6 @@
 namespace transformesh {
 namespace {
 
-std::vector<FloatBox> face_boxes(const Soup& soup) {
-  std::vector<FloatBox> boxes;
-  boxes.reserve(soup.faces.size());
-  for (Index f = 0; f < soup.faces.size(); ++f) {
-    const Triangle t = soup.triangle(f);
-    boxes.push_back(
-        float_box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])));
-  }
-  return boxes;
-}
-
 // The soup face of each mesh face; no_index where it has no area.
 std::vector<Index> soup_faces(const Soup& soup, std::size_t mesh_faces) {
   std::vector<Index> result(mesh_faces, no_index);
@@ -32,7 +21,10 @@ std::vector<Index> soup_faces(const Soup& soup, std::size_t mesh_faces) {
 
 std::vector<FacePair> find_soup_intersections(const Soup& soup, const Progress& progress) {
   progress("intersect");
-  const Bvh bvh(face_boxes(soup));
+  std::vector<FloatBox> boxes;
+  boxes.reserve(soup.faces.size());
+  for (Index f = 0; f < soup.faces.size(); ++f) boxes.push_back(soup.box(f));
+  const Bvh bvh(boxes);
   return bvh.overlapping_pairs([&](Index f, Index g) { return find_contacts(soup, f, g).meet; });
 }
 

@@ -138,6 +138,8 @@ Index PlanarTriangulation::insert(const ExactPoint& point, std::initializer_list
       if (location.turn[i] == 0) split_edge(3 * location.facet + i, index);
     }
     legalize(index);
+  } else if (point.kind == ExactPoint::Kind::given) {
+    points_[index] = point;  // a vertex is known as such in every plane, whatever else meets there
   }
   for (const Index line : lines) add_line(index, line);
   return index;

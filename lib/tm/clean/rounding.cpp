@@ -7,14 +7,10 @@
 #include "tm/clean/soup.h"
 #include "tm/clean/weld.h"
 #include "tm/geometry/bvh.h"
+#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {
-
-FloatBox face_box(const Soup& soup, Index face) {
-  const Triangle t = soup.triangle(face);
-  return float_box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
-}
 
 // The new faces of the soup, and a hierarchy over them.
 struct NewFaces {
@@ -28,7 +24,7 @@ NewFaces collect_new_faces(const Assembly& assembly, const Soup& soup) {
   for (Index f = 0; f < soup.faces.size(); ++f) {
     if (!assembly.face_is_new[soup.face_of[f]]) continue;
     result.faces.push_back(f);
-    boxes.push_back(face_box(soup, f));
+    boxes.push_back(soup.box(f));
   }
   result.bvh = Bvh(boxes);
   return result;
@@ -51,7 +47,7 @@ void mark_crossings(const Assembly& assembly, const Soup& soup, const NewFaces& 
   for (const auto& [i, k] : news.bvh.overlapping_pairs(meet)) mark(news.faces[i], news.faces[k]);
   for (Index f = 0; f < soup.faces.size(); ++f) {
     if (assembly.face_is_new[soup.face_of[f]]) continue;
-    news.bvh.visit_overlaps(face_box(soup, f), [&](Index i) {
+    news.bvh.visit_overlaps(soup.box(f), [&](Index i) {
       if (find_contacts(soup, f, news.faces[i]).meet) mark(f, news.faces[i]);
       return true;
     });
@@ -110,6 +106,36 @@ void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, d
     if (!assembly.vertex_is_new[vertices[i]] && !move_old) continue;
     assembly.mesh.positions[vertices[i]] = positions[representative[i]];
   }
+}
+
+Mesh snap_to_grid(const Mesh& mesh, const std::vector<char>& marked_faces, double spacing,
+                  Scalar coordinate) {
+  const Soup soup = make_soup(mesh);
+  std::vector<char> is_marked(soup.points.size(), 0);
+  for (std::size_t f = 0; f < marked_faces.size(); ++f) {
+    if (!marked_faces[f]) continue;
+    for (const Index v : mesh.faces[f]) is_marked[soup.point_of[v]] = 1;
+  }
+  std::vector<Vec3> points;
+  for (std::size_t p = 0; p < is_marked.size(); ++p) {
+    if (is_marked[p]) points.push_back(soup.points[p]);
+  }
+  const std::vector<Index> representative = weld(points, spacing / 8);
+
+  Mesh snapped = mesh;
+  std::vector<Vec3> moved = soup.points;
+  for (std::size_t p = 0, i = 0; p < is_marked.size(); ++p) {
+    if (!is_marked[p]) continue;
+    moved[p] = points[representative[i++]];
+    for (double& x : moved[p]) x = std::round(x / spacing) * spacing;
+  }
+  for (std::size_t v = 0; v < soup.point_of.size(); ++v) {
+    if (!is_marked[soup.point_of[v]]) continue;
+    snapped.positions[v] = moved[soup.point_of[v]];
+    if (coordinate != Scalar::float32) continue;
+    for (double& x : snapped.positions[v]) x = round_to_single(x);
+  }
+  return snapped;
 }
 
 }  // namespace transformesh

@@ -23,4 +23,9 @@ std::vector<Index> find_new_faces(const Assembly& assembly);
 void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance,
                           bool move_old);
 
+/// The mesh with the vertices of marked faces on a grid, and what is at their positions too. Those
+/// that are within a small part of the spacing of each other go to the same place.
+Mesh snap_to_grid(const Mesh& mesh, const std::vector<char>& marked_faces, double spacing,
+                  Scalar coordinate);
+
 }  // namespace transformesh

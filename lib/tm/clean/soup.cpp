@@ -45,6 +45,7 @@ bool is_degenerate(const Soup& soup, const Face& face) {
 Soup make_soup(const Mesh& mesh) {
   Soup soup;
   weld_positions(mesh, soup);
+  soup.frame = BoxFrame(soup.points);
   soup.faces.reserve(mesh.faces.size());
   soup.face_of.reserve(mesh.faces.size());
   for (Index f = 0; f < mesh.faces.size(); ++f) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tm/geometry/float_box.h"
 #include "tm/geometry/predicates.h"
 #include "tm/mesh/mesh.h"
 
@@ -15,10 +16,15 @@ struct Soup {
   std::vector<Index> point_of;   ///< the point of each mesh vertex
   std::vector<Face> faces;       ///< corners as points; none is degenerate
   std::vector<Index> face_of;    ///< the mesh face of each
+  BoxFrame frame;                ///< of the points
 
   Triangle triangle(Index face) const {
     const Face& f = faces[face];
     return {points[f[0]], points[f[1]], points[f[2]]};
+  }
+  FloatBox box(Index face) const { return box(triangle(face)); }
+  FloatBox box(const Triangle& t) const {
+    return frame.box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
   }
 };
 

@@ -16,13 +16,10 @@ std::vector<Triangle> collect_triangles(const Soup& soup, const BorderClosure& c
   return triangles;
 }
 
-Bvh build_bvh(const std::vector<Triangle>& triangles) {
+Bvh build_bvh(const Soup& soup, const std::vector<Triangle>& triangles) {
   std::vector<FloatBox> boxes;
   boxes.reserve(triangles.size());
-  for (const Triangle& t : triangles) {
-    boxes.push_back(
-        float_box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])));
-  }
+  for (const Triangle& t : triangles) boxes.push_back(soup.box(t));
   return Bvh(boxes);
 }
 
@@ -36,7 +33,7 @@ std::array<int, 3> weights(int attempt) {
 WindingRay::WindingRay(const Arrangement& arrangement, const BorderClosure& closure)
     : arrangement_(arrangement),
       triangles_(collect_triangles(*arrangement.soup, closure)),
-      bvh_(build_bvh(triangles_)) {
+      bvh_(build_bvh(*arrangement.soup, triangles_)) {
   if (!closure.empty()) limit_sheets(closure);
 }
 
@@ -108,7 +105,7 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
     if (side * up * direction < 0) count.winding += up * direction;
     return true;
   };
-  bvh_.visit_overlaps(float_box(low, high), cross);
+  bvh_.visit_overlaps(arrangement_.soup->frame.box(low, high), cross);
   return count;
 }
 

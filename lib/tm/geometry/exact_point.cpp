@@ -1,5 +1,6 @@
 #include "tm/geometry/exact_point.h"
 
+#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
 
@@ -339,6 +340,17 @@ int ExactGeometry::compare(const ExactPoint& a, const ExactPoint& b) const {
     if (sign != 0) return sign;
   }
   return 0;
+}
+
+Vec3 ExactGeometry::position(const ExactPoint& point) const {
+  if ((point.radius.array() <= epsilon / 2 * point.center.array().abs()).all()) return point.center;
+  const ExactCoordinates& e = exact(point);
+  const CGAL::Gmpq weight(e.w);
+  Vec3 position;
+  for (int i = 0; i < 3; ++i) {
+    position[i] = CGAL::to_double(CGAL::Gmpq(e.x[static_cast<std::size_t>(i)]) / weight);
+  }
+  return position;
 }
 
 ExactPoint ExactGeometry::mean(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,

@@ -50,6 +50,8 @@ class ExactGeometry {
   /// An order by x, then y, then z: -1, 0 or +1. Zero exactly where the points are equal.
   int compare(const ExactPoint& a, const ExactPoint& b) const;
   int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int coordinate) const;
+  /// In doubles, within one unit in the last place.
+  Vec3 position(const ExactPoint& point) const;
   /// The weighted mean of three points; weights are positive integers.
   ExactPoint mean(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                   const std::array<int, 3>& weights) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "tm/support/parallel.h"
@@ -39,6 +40,19 @@ float float_below(double value) { return -float_above(-value); }
 FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
   return {{float_below(minimum.x()), float_below(minimum.y()), float_below(minimum.z())},
           {float_above(maximum.x()), float_above(maximum.y()), float_above(maximum.z())}};
+}
+
+// Rounding keeps the order of numbers, and so overlaps.
+BoxFrame::BoxFrame(std::span<const Vec3> points) {
+  if (points.empty()) return;
+  Vec3 low = points.front(), high = low;
+  for (const Vec3& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  origin_ = low / 2 + high / 2;
+  const double size = (high / 2 - low / 2).maxCoeff();
+  if (size > 0) scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(size)));
 }
 
 double centre(const FloatBox& box, std::size_t axis) {

@@ -22,6 +22,21 @@ float float_above(double value);
 /// The smallest box in floats around a box in doubles.
 FloatBox float_box(const Vec3& minimum, const Vec3& maximum);
 
+/// Moves and scales boxes so that floats resolve them best, however small the shape is or however
+/// far from the origin: its middle becomes the origin and its size about 1. Overlaps stay overlaps.
+class BoxFrame {
+ public:
+  BoxFrame() = default;
+  explicit BoxFrame(std::span<const Vec3> points);
+  FloatBox box(const Vec3& minimum, const Vec3& maximum) const {
+    return float_box((minimum - origin_) * scale_, (maximum - origin_) * scale_);
+  }
+
+ private:
+  Vec3 origin_ = Vec3::Zero();
+  double scale_ = 1;
+};
+
 /// The middle of a box along an axis, infinite bounds counted as the largest float.
 double centre(const FloatBox& box, std::size_t axis);
 

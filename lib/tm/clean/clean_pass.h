@@ -1,0 +1,29 @@
+/// One pass of TransforMesh (paper 3): intersect, arrange, find the exterior, stitch. Exact but for
+/// the positions of new vertices, which are in doubles. Throws as clean.h says.
+#pragma once
+
+#include "tm/clean/assemble.h"
+#include "tm/clean/exterior.h"
+#include "tm/mesh/mesh.h"
+#include "tm/support/progress.h"
+
+namespace transformesh {
+
+struct CleanPass {
+  std::size_t pairs = 0;          ///< intersecting face pairs
+  std::size_t cut_faces = 0;      ///< faces that were cut
+  std::size_t removed_faces = 0;  ///< whole faces that were dropped
+  Exterior exterior;
+  bool unchanged = false;
+  Assembly assembly;  ///< empty where unchanged
+};
+
+struct PassOptions {
+  int level = 1;
+  ExteriorMethod method = ExteriorMethod::grow;
+  bool check_orientation = true;  ///< refuse a mesh that is not oriented
+};
+
+CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Progress& progress);
+
+}  // namespace transformesh

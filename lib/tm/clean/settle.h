@@ -1,0 +1,33 @@
+/// The mesh as it will be written: rounds the new vertices of a pass and repairs what rounding
+/// broke, until no face crosses another or has no area in the coordinates as stored.
+///
+/// First a few rounds merge vertices that are all but one and clean again, which is local. Where
+/// the input is so close to degenerate that this does not settle (nearly coplanar faces make ever
+/// new slivers), the vertices of the input there go to a grid that is coarser with every step: what
+/// the grid leaves apart is far apart by the measure of rounding. Old vertices move in no other
+/// case. Deterministic. Throws GoalError, with the place, when the coarsest grid does not help.
+#pragma once
+
+#include "tm/clean/clean_pass.h"
+
+namespace transformesh {
+
+struct SettleOptions {
+  int level = 1;
+  ExteriorMethod method = ExteriorMethod::grow;
+  Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
+};
+
+struct Settled {
+  Mesh mesh;
+  std::size_t new_vertices = 0;
+  std::size_t copied_vertices = 0;
+  std::size_t repairs = 0;     ///< rounds of cleaning after rounding
+  std::size_t grid_steps = 0;  ///< how often input vertices went to a coarser grid
+};
+
+/// `pass` is that of the mesh, and is not unchanged.
+Settled settle(const Mesh& mesh, CleanPass pass, const SettleOptions& options,
+               const Progress& progress);
+
+}  // namespace transformesh
