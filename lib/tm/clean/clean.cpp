@@ -38,7 +38,8 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
   if (options.refuse && result.changed) {
     throw GoalError("the mesh needs cleaning (" + std::to_string(result.pairs) +
                     " intersecting face pairs, " + std::to_string(result.removed_faces) +
-                    " faces to remove) and --refuse forbids it");
+                    " faces to remove, " + std::to_string(result.copied_vertices) +
+                    " vertices to duplicate) and --refuse forbids it");
   }
   return result;
 }

@@ -177,4 +177,30 @@ TEST_CASE("what cannot be cleaned is refused with a reason") {
   CHECK_THROWS_AS(clean(workload("two-spheres", 1, 500), options), GoalError);
 }
 
+TEST_CASE("what only indices get wrong is stitched: soups and singular vertices") {
+  Mesh soup;
+  const Mesh cube = test::cube();
+  for (const Face& f : cube.faces) {
+    const auto first = static_cast<Index>(soup.positions.size());
+    for (const Index v : f) soup.positions.push_back(cube.positions[v]);
+    soup.faces.push_back({first, first + 1, first + 2});
+  }
+  const Mesh joined = clean(soup).mesh;
+  CHECK(joined.positions.size() == 8);
+  CHECK(test::count(joined).is_closed_and_oriented);
+
+  // Two tetrahedra upon one vertex, by one index.
+  Mesh hourglass = test::tetrahedron();
+  const Mesh other = test::reversed(test::scaled(test::tetrahedron(), -1));
+  for (std::size_t v = 1; v < 4; ++v) hourglass.positions.push_back(other.positions[v]);
+  for (Face f : other.faces) {
+    for (Index& v : f) v = v == 0 ? 0 : v + 3;
+    hourglass.faces.push_back(f);
+  }
+  const CleanResult parted = clean(hourglass);
+  CHECK(parted.mesh.positions.size() == 8);
+  CHECK(parted.copied_vertices == 1);
+  CHECK(test::count(parted.mesh).is_manifold);
+}
+
 }  // namespace transformesh
