@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
 #include "tm/clean/intersect.h"
