@@ -88,8 +88,7 @@ double merge_distance(const Mesh& mesh, Scalar coordinate, int doublings) {
   return std::ldexp(1.0, std::ilogb(largest_coordinate(mesh)) + 1 - digits + doublings);
 }
 
-void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance,
-                          bool move_old) {
+void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance) {
   // Input vertices come first, so that they stay and new ones move.
   std::vector<Index> vertices;
   for (const Index face : faces) {
@@ -103,7 +102,7 @@ void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, d
   for (const Index v : vertices) positions.push_back(assembly.mesh.positions[v]);
   const std::vector<Index> representative = weld(positions, distance);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (!assembly.vertex_is_new[vertices[i]] && !move_old) continue;
+    if (!assembly.vertex_is_new[vertices[i]]) continue;
     assembly.mesh.positions[vertices[i]] = positions[representative[i]];
   }
 }

@@ -1,6 +1,5 @@
-/// What rounding of exact points to stored coordinates breaks, and how it is mended: faces that
-/// cross or vanish as rounded have their close vertices merged, over a distance that grows with
-/// every round, and are cleaned again.
+/// What rounding of exact points to stored coordinates breaks, and the means to mend it: close
+/// vertices merge, or go to a grid (settle.h).
 #pragma once
 
 #include <vector>
@@ -18,10 +17,9 @@ double merge_distance(const Mesh& mesh, Scalar coordinate, int doublings);
 
 std::vector<Index> find_new_faces(const Assembly& assembly);
 
-/// Gives vertices of the faces that are this close to each other one position: that of an input
-/// vertex where there is one. Input vertices move only where `move_old`.
-void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance,
-                          bool move_old);
+/// Gives new vertices of the faces that are this close to others the position of those: that of an
+/// input vertex where there is one. Input vertices stay.
+void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance);
 
 /// The mesh with the vertices of marked faces on a grid, and what is at their positions too. Those
 /// that are within a small part of the spacing of each other go to the same place.

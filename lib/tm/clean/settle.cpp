@@ -11,7 +11,11 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_rounds = 4;
+constexpr int most_rounds = 8;
+// Vertices this close become one, in doublings of the spacing of floats or doubles. More merges
+// what lies apart and breaks as much as it mends.
+constexpr int doublings_of_new = 3;
+constexpr int doublings_of_broken = 5;
 constexpr int most_grid_steps = 3;
 
 // The spacing of the grid at each step, in doublings of the spacing of floats and of doubles.
@@ -33,6 +37,9 @@ class Settler {
 
  private:
   bool repair(Assembly& assembly);
+  double distance(int doublings) const {
+    return merge_distance(mesh_, options_.coordinate, doublings);
+  }
   void round_new_positions(Assembly& assembly) const;
   void note_trouble(const Assembly& assembly, const std::vector<Index>& broken);
   CleanPass run_pass(const Mesh& mesh, int level) const;
@@ -82,22 +89,21 @@ void inherit(const Assembly& before, Assembly& after) {
   for (Index& source : after.source_face) source = before.source_face[source];
 }
 
-// Rounds, checks what was rounded and cleans that again, for a few rounds.
+// Rounds, checks what was rounded and cleans that again, until nothing is broken or ever more is.
 bool Settler::repair(Assembly& assembly) {
+  std::size_t fewest = assembly.mesh.faces.size();
   for (int round = 0;; ++round) {
     progress_("round");
     round_new_positions(assembly);
     // Points that rounding all but unites would only make slivers.
-    merge_close_vertices(assembly, find_new_faces(assembly),
-                         merge_distance(assembly.mesh, options_.coordinate, 3), false);
+    merge_close_vertices(assembly, find_new_faces(assembly), distance(doublings_of_new));
     const std::vector<Index> broken = find_broken_faces(assembly);
     if (broken.empty()) return true;
     note_trouble(assembly, broken);
-    if (round == most_rounds) return false;
+    if (round == most_rounds || broken.size() > 3 * fewest) return false;
+    fewest = std::min(fewest, broken.size());
     ++result_.repairs;
-    merge_close_vertices(assembly, broken,
-                         merge_distance(assembly.mesh, options_.coordinate, 6 + 4 * round),
-                         round > 1);
+    merge_close_vertices(assembly, broken, distance(doublings_of_broken));
     CleanPass pass = run_pass(assembly.mesh, 1);
     if (pass.unchanged) return true;
     inherit(assembly, pass.assembly);
@@ -109,8 +115,7 @@ Settled Settler::settle(CleanPass pass) {
   while (!repair(pass.assembly)) {
     if (result_.grid_steps == most_grid_steps) give_up();
     const int step = static_cast<int>(++result_.grid_steps);
-    const double spacing =
-        merge_distance(mesh_, options_.coordinate, grid_doublings(options_.coordinate, step));
+    const double spacing = distance(grid_doublings(options_.coordinate, step));
     const Mesh snapped = snap_to_grid(mesh_, troubled_, spacing, options_.coordinate);
     pass = run_pass(snapped, options_.level);
     if (!pass.unchanged) continue;
