@@ -36,10 +36,14 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
     result.changed |= result.dropped_components > 0;
   }
   if (options.refuse && result.changed) {
+    const bool only_joins =
+        result.pairs == 0 && result.removed_faces == 0 && result.copied_vertices == 0;
     throw GoalError("the mesh needs cleaning (" + std::to_string(result.pairs) +
                     " intersecting face pairs, " + std::to_string(result.removed_faces) +
                     " faces to remove, " + std::to_string(result.copied_vertices) +
-                    " vertices to duplicate) and --refuse forbids it");
+                    " vertices to duplicate" +
+                    (only_joins ? ", but vertices to join, as tm-stitch does" : "") +
+                    ") and --refuse forbids it");
   }
   return result;
 }

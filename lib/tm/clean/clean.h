@@ -4,13 +4,13 @@
 /// close.
 ///
 /// Guarantees: every output face is an input face or a piece of one. What takes part in no
-/// intersection keeps its coordinates, columns and order; a mesh with nothing to clean comes back
-/// unchanged. The output has no self-intersection in its coordinates as rounded to `coordinate`
-/// (coincident duplicates of vertices and edges may touch), no face without area. Exact throughout;
-/// nothing is perturbed. Deterministic for any number of threads.
-/// Open meshes keep their borders (paper 4.6).
+/// intersection keeps its coordinates, columns and order; a manifold with nothing to clean comes
+/// back unchanged. Equal positions are one point, whatever their indices. The output has no
+/// self-intersection in its coordinates as rounded to `coordinate` (coincident duplicates of
+/// vertices and edges may touch), no face without area. Exact throughout; nothing is perturbed.
+/// Deterministic for any number of threads. Open meshes keep their borders (paper 4.6).
 ///
-/// Throws InputError (not oriented; more than two faces that do not pair up on an edge), UsageError
+/// Throws InputError (not oriented: two or more faces left over along an edge), UsageError
 /// (static_test on an open mesh), GoalError (nothing has w >= level; rounding could not be
 /// repaired, with the place; `refuse` and there is something to change). Cost: O(n log n + k log k)
 /// for k intersecting pairs on usual meshes; about 250 bytes a face.

@@ -19,7 +19,8 @@ bool is_stitched(const Mesh& mesh, const Borders& borders) {
   const ManifoldReport report = check_manifold(mesh);
   std::size_t border_edges = 0;
   for (const auto& loop : borders.loops) border_edges += loop.size();
-  return report.is_manifold() && report.border_halfedges.size() == border_edges;
+  return report.is_manifold() && report.is_oriented() &&
+         report.border_halfedges.size() == border_edges;
 }
 
 }  // namespace
@@ -32,7 +33,8 @@ CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Pro
   if (options.check_orientation && !borders.is_oriented) refuse_orientation(*soup, mesh);
   if (!borders.loops.empty() && options.method == ExteriorMethod::static_test) {
     throw UsageError("--method static needs a closed mesh; this one has " +
-                     std::to_string(borders.loops.size()) + " borders: use --method grow");
+                     std::to_string(borders.loops.size()) +
+                     (borders.loops.size() == 1 ? " border" : " borders") + ": use --method grow");
   }
   const std::vector<FacePair> pairs = find_soup_intersections(*soup, progress);
   const Arrangement arrangement = arrange(soup, pairs, progress);

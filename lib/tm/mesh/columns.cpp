@@ -31,6 +31,7 @@ void append_list(Column& to, const Column& from, std::uint32_t row) {
 }
 
 double blended_value(const Column& column, const RowBlend& row) {
+  if (row.weight[0] == 1) return column.values[row.source[0]];  // to the bit: a sum loses -0
   const bool rounded = !is_floating(column) && is_color(column);
   if (!is_floating(column) && !rounded) return column.values[heaviest_source(row)];
   double sum = 0;
