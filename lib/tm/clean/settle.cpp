@@ -4,8 +4,8 @@
 #include <string>
 
 #include "tm/clean/rounding.h"
+#include "tm/mesh/place.h"
 #include "tm/support/error.h"
-#include "tm/support/length.h"
 #include "tm/support/single.h"
 
 namespace transformesh {
@@ -24,8 +24,7 @@ int grid_doublings(Scalar coordinate, int step) {
 }
 
 std::string place_of(const Mesh& mesh, Index face) {
-  const Vec3& p = mesh.positions[mesh.faces[face][0]];
-  return "(" + shortest_text(p[0]) + " " + shortest_text(p[1]) + " " + shortest_text(p[2]) + ")";
+  return point_text(mesh.positions[mesh.faces[face][0]]);
 }
 
 class Settler {

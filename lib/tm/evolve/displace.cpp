@@ -4,20 +4,14 @@
 #include <cmath>
 #include <string>
 
+#include "tm/mesh/place.h"
 #include "tm/support/error.h"
-#include "tm/support/length.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
 
 constexpr std::size_t vertices_per_task = 4096;
-
-std::string place(const Mesh& mesh, std::size_t vertex) {
-  const Vec3& p = mesh.positions[vertex];
-  return "vertex " + std::to_string(vertex) + " at (" + shortest_text(p.x()) + ", " +
-         shortest_text(p.y()) + ", " + shortest_text(p.z()) + ")";
-}
 
 void check(const Mesh& mesh, std::span<const Vec3> velocities, const DisplaceOptions& options) {
   if (!std::isfinite(options.time_step)) throw UsageError("the time step is not a finite number");
@@ -27,7 +21,8 @@ void check(const Mesh& mesh, std::span<const Vec3> velocities, const DisplaceOpt
   }
   for (std::size_t v = 0; v < velocities.size(); ++v) {
     if (velocities[v].allFinite()) continue;
-    throw InputError("the velocity of " + place(mesh, v) + " is not a finite number");
+    throw InputError("the velocity of " + vertex_text(mesh, static_cast<Index>(v)) +
+                     " is not a finite number");
   }
 }
 

@@ -4,10 +4,15 @@
 
 namespace transformesh {
 
+std::string point_text(const Vec3& point) {
+  std::string text = "(";
+  text += shortest_text(point.x()) + ", ";
+  text += shortest_text(point.y()) + ", ";
+  return text + shortest_text(point.z()) + ")";
+}
+
 std::string vertex_text(const Mesh& mesh, Index vertex) {
-  const Vec3& point = mesh.positions[vertex];
-  return "vertex " + std::to_string(vertex) + " at (" + shortest_text(point.x()) + ", " +
-         shortest_text(point.y()) + ", " + shortest_text(point.z()) + ")";
+  return "vertex " + std::to_string(vertex) + " at " + point_text(mesh.positions[vertex]);
 }
 
 std::string edge_text(const Mesh& mesh, Index halfedge) {

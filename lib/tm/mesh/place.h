@@ -7,6 +7,9 @@
 
 namespace transformesh {
 
+/// "(1, 0, 0.5)"
+std::string point_text(const Vec3& point);
+
 /// "vertex 3 at (1, 0, 0.5)"
 std::string vertex_text(const Mesh& mesh, Index vertex);
 
