@@ -15,14 +15,15 @@ namespace {
 
 constexpr std::size_t most_named = 5;
 
-// With the faces without area, which the soup lacks: so they make no border.
+// With the faces without area, which the soup lacks: so they make no border. Those that name a
+// point twice run both ways along their edge.
 std::vector<Face> all_faces(const Soup& soup, const Mesh& mesh) {
   std::vector<Face> faces;
   faces.reserve(mesh.faces.size());
   for (const Face& f : mesh.faces) {
     faces.push_back({soup.point_of[f[0]], soup.point_of[f[1]], soup.point_of[f[2]]});
   }
-  return without_collapsed(faces);
+  return faces;
 }
 
 bool runs_up(std::span<const Face> faces, Index h) {

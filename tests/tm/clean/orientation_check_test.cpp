@@ -133,6 +133,8 @@ TEST_CASE("refused: faces on one edge of which more than one is left over") {
   Mesh mesh = fan_of_three();
   CHECK(refusal(mesh).empty());
   std::swap(mesh.faces[2][0], mesh.faces[2][1]);
+  mesh.positions.push_back(mesh.positions[1]);
+  mesh.faces.push_back({0, 1, 5});  // has no area, and is not to blame
   CHECK(refusal(mesh) ==
         "faces 0, 1 and 2 run the same way along the edge from vertex 0 at (0, 0, 0) to vertex 1 "
         "at (0, 0, 1): the mesh is not oriented; mend it with tm-stitch --orient");

@@ -292,6 +292,25 @@ TEST_CASE("three faces on an edge: two become a sheet, one another") {
   CHECK(mesh.positions.size() == 7);
 }
 
+TEST_CASE("the pages of a book pair up, but for one of an odd number") {
+  for (Index pages = 3; pages < 12; ++pages) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      Mesh mesh;
+      mesh.positions = {{0, 0, 0}, {0, 0, 1}};
+      for (Index i = 0; i < pages; ++i) {
+        const double angle = 2 * std::numbers::pi * i / pages;
+        mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0.1 * i);
+        mesh.faces.push_back({0, 1, i + 2});
+      }
+      mesh = shuffled(mesh, seed);
+      const StitchResult result = orient(mesh);
+      CHECK(result.misoriented_edges == 0);
+      CHECK(result.border_edges == 2 * pages + pages % 2);
+      CHECK(2 * result.turned_faces <= pages);
+    }
+  }
+}
+
 TEST_CASE("an edge that copies of its ends cannot take apart is split in the middle") {
   // Around both ends of the edge from (1,1,1) to (1,1,2) all faces hang together.
   Mesh mesh;
