@@ -42,6 +42,7 @@ std::vector<Index> sort_spokes(std::vector<Spoke> spokes, Axis axis) {
     return a.is_forward != b.is_forward ? a.is_forward : a.halfedge < b.halfedge;
   });
   std::vector<Index> sorted;
+  sorted.reserve(spokes.size());
   for (const Spoke& spoke : spokes) sorted.push_back(spoke.halfedge);
   return sorted;
 }

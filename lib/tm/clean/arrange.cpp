@@ -88,7 +88,7 @@ class PointUnifier {
     Index order;
   };
   std::vector<Candidate> collect(const std::vector<PlaneCut>& cuts);
-  void sort(const Soup& soup, std::vector<Candidate>& candidates) const;
+  static void sort(const Soup& soup, std::vector<Candidate>& candidates);
 };
 
 std::vector<PointUnifier::Candidate> PointUnifier::collect(const std::vector<PlaneCut>& cuts) {
@@ -110,7 +110,7 @@ std::vector<PointUnifier::Candidate> PointUnifier::collect(const std::vector<Pla
 
 // By position; equal positions in order of appearance. Points of one definition are brought
 // together first, so that exact comparisons are left to points that nearly coincide.
-void PointUnifier::sort(const Soup& soup, std::vector<Candidate>& candidates) const {
+void PointUnifier::sort(const Soup& soup, std::vector<Candidate>& candidates) {
   const ExactGeometry geometry(soup.points, soup.faces);
   std::stable_sort(candidates.begin(), candidates.end(),
                    [&](const Candidate& a, const Candidate& b) {
@@ -183,7 +183,7 @@ void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, Arrangem
 
 }  // namespace
 
-Arrangement arrange(std::shared_ptr<const Soup> soup, const std::vector<FacePair>& pairs,
+Arrangement arrange(const std::shared_ptr<const Soup>& soup, const std::vector<FacePair>& pairs,
                     const Progress& progress) {
   progress("arrange");
   const std::vector<Meeting> meetings = find_meetings(*soup, pairs);

@@ -52,7 +52,7 @@ struct Arrangement {
 };
 
 /// `pairs` are the intersecting pairs of soup faces, sorted.
-Arrangement arrange(std::shared_ptr<const Soup> soup, const std::vector<FacePair>& pairs,
+Arrangement arrange(const std::shared_ptr<const Soup>& soup, const std::vector<FacePair>& pairs,
                     const Progress& progress);
 
 /// The intersecting pairs of soup faces.

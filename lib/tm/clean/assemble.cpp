@@ -108,7 +108,7 @@ void Assembler::add_vertex_row(Index fan) {
   const Index point = fans_.vertex_of[fan];
   const bool is_new = point >= soup.points.size();
   vertex_of_[fan] = static_cast<Index>(result_.mesh.positions.size());
-  result_.vertex_is_new.push_back(is_new);
+  result_.vertex_is_new.push_back(is_new ? 1 : 0);
   result_.input_vertex.push_back(is_new ? no_index : soup.vertex_of[point]);
   if (old_vertex_[fan] != no_index) {
     result_.mesh.positions.push_back(input_.positions[old_vertex_[fan]]);
@@ -132,7 +132,7 @@ void Assembler::add_faces() {
     Face face;
     for (Index i = 0; i < 3; ++i) face[i] = vertex_of_[fans_.of_corner[3 * p + i]];
     result_.mesh.faces.push_back(face);
-    result_.face_is_new.push_back(!is_whole);
+    result_.face_is_new.push_back(is_whole ? 0 : 1);
     face_rows_.push_back(piece_face(piece));
   }
   for (Index h = 0; h < opposite_.size(); ++h) {

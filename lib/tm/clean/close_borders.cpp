@@ -145,7 +145,9 @@ BorderClosure BorderCloser::close() const {
       closure.face_of.push_back(face);
     }
   }
-  for (const Index root : root_) closure.in_sheet.push_back(is_sheet(components_[root]));
+  for (const Index root : root_) {
+    closure.in_sheet.push_back(is_sheet(components_[root]) ? 1 : 0);
+  }
   return closure;
 }
 

@@ -133,7 +133,7 @@ Exterior Growth::grow(const Progress& progress) {
   for (std::size_t p = 0; p < result.kept.size(); ++p) {
     const Index patch = patches_.patch_of[p];
     if (patch == no_index) continue;
-    result.kept[p] = is_kept(front_[patch], arrangement_.pieces[p], level_);
+    result.kept[p] = is_kept(front_[patch], arrangement_.pieces[p], level_) ? 1 : 0;
   }
   return result;
 }
@@ -146,7 +146,8 @@ Exterior test_all(const Arrangement& arrangement, int level, const Progress& pro
   result.rays = arrangement.pieces.size();
   for (std::size_t p = 0; p < result.kept.size(); ++p) {
     const Piece& piece = arrangement.pieces[p];
-    result.kept[p] = piece.winding != 0 && is_kept(ray.in_front_of(piece), piece, level);
+    const bool kept = piece.winding != 0 && is_kept(ray.in_front_of(piece), piece, level);
+    result.kept[p] = kept ? 1 : 0;
   }
   return result;
 }

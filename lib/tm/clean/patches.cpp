@@ -9,7 +9,9 @@ namespace transformesh {
 
 Patches::Patches(const Arrangement& arrangement) : arrangement_(arrangement) {
   std::vector<char> counts(arrangement.pieces.size());
-  for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = arrangement.pieces[p].winding != 0;
+  for (std::size_t p = 0; p < counts.size(); ++p) {
+    counts[p] = arrangement.pieces[p].winding != 0 ? 1 : 0;
+  }
   const Edges edges = piece_edges(arrangement, counts);
   number_patches(edges);
   relations.resize(pieces.size());
