@@ -26,7 +26,7 @@ SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, t
   const SeparateResult result = separate(mesh, {distance, coordinate}, run.progress());
   if (result.refused_vertices > 0) {
     run.note(std::to_string(result.refused_vertices) +
-             " vertices stay in the place of another: moved apart they would cross a face");
+             " vertices stay in the place of another: on a border, or faces would cross");
   }
   return result;
 }

@@ -22,6 +22,7 @@ struct Cone {
   };
   std::vector<Side> sides;
   Vec3 normal = Vec3::Zero();  // unit, weighted by angle
+  Vec3 axis = Vec3::Zero();    // unit, the mean of the sides, weighted by angle
 };
 
 Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
@@ -34,9 +35,12 @@ Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
     const Vec3 second = (mesh.positions[face[(i + 2) % 3]] - apex).stableNormalized();
     const Vec3 normal = first.cross(second).stableNormalized();
     cone.sides.push_back({first, second, normal});
-    cone.normal += std::atan2(first.cross(second).norm(), first.dot(second)) * normal;
+    const double angle = std::atan2(first.cross(second).norm(), first.dot(second));
+    cone.normal += angle * normal;
+    cone.axis += angle * (first + second).stableNormalized();
   }
   cone.normal = cone.normal.stableNormalized();
+  cone.axis = cone.axis.stableNormalized();
   return cone;
 }
 
@@ -100,14 +104,16 @@ class Separator {
     if (groups.empty()) return {};
     bvh_ = Bvh(mesh_);
     was_moved_.assign(mesh_.positions.size(), 0);
-    for (bool is_done = false; !is_done;) {
-      is_done = true;
+    while (!groups.empty()) {
       reach_ += options_.distance;
+      bool any = false;
       for (std::size_t g = 0; g < groups.size(); ++g) {
         progress("separate", static_cast<double>(g) / static_cast<double>(groups.size()));
-        if (move_apart(groups[g])) is_done = false;
+        any |= move_apart(groups[g]);
       }
       groups = find_groups();
+      if (!any && tries_all_) break;
+      tries_all_ = !any;
     }
     SeparateResult result;
     for (const auto& group : groups) result.refused_vertices += group.size();
@@ -139,21 +145,24 @@ class Separator {
 
   // Tells where to before any of the copies moves.
   bool move_apart(const std::vector<Index>& copies) {
-    std::vector<Vec3> directions;
-    for (const Index copy : copies) directions.push_back(way_out(copy, copies));
+    std::vector<std::vector<Vec3>> directions;
+    for (const Index copy : copies) directions.push_back(ways_out(copy, copies));
     bool any = false;
     for (std::size_t i = 0; i < copies.size(); ++i) {
-      if (directions[i].isZero(0) || !move(copies[i], directions[i])) continue;
+      const auto leads_out = [&](const Vec3& direction) { return move(copies[i], direction); };
+      if (std::none_of(directions[i].begin(), directions[i].end(), leads_out)) continue;
       was_moved_[copies[i]] = 1;
       any = true;
     }
     return any;
   }
 
-  // The unit vector away from the other copies; zero where they lie on both sides.
-  Vec3 way_out(Index vertex, const std::vector<Index>& copies) const {
-    if (is_border_[vertex]) return Vec3::Zero();
+  // The unit vector away from the other copies; none where they lie on both sides.
+  std::vector<Vec3> ways_out(Index vertex, const std::vector<Index>& copies) const {
+    if (is_border_[vertex]) return {};
     const Cone cone = cone_at(mesh_, vertex, faces_at_[vertex]);
+    // The normals of a blade cancel out: only its axis leads into it.
+    if (tries_all_) return {-cone.normal, cone.normal, cone.axis, -cone.axis};
     bool in_front = false;
     bool behind = false;
     for (const Index copy : copies) {
@@ -163,8 +172,8 @@ class Separator {
         (side_of(cone, direction.stableNormalized()) > 0 ? in_front : behind) = true;
       }
     }
-    if (in_front && behind) return Vec3::Zero();
-    return behind ? cone.normal : Vec3(-cone.normal);
+    if (in_front && behind) return {};
+    return {behind ? cone.normal : Vec3(-cone.normal)};
   }
 
   bool move(Index vertex, const Vec3& direction) {
@@ -270,8 +279,9 @@ class Separator {
   VertexFaces faces_at_;
   std::vector<char> is_border_;
   std::vector<char> was_moved_;
-  Bvh bvh_;           // over the faces as they were
-  double reach_ = 0;  // at least how far any vertex is from there, the next step included
+  Bvh bvh_;                 // over the faces as they were
+  bool tries_all_ = false;  // when sides no longer tell
+  double reach_ = 0;        // at least how far any vertex is from there, the next step included
 };
 
 }  // namespace

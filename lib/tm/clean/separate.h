@@ -2,14 +2,15 @@
 /// touch (paper 3.3). Each copy moves by half the distance along the mean of its faces' normals,
 /// weighted by angle, towards the side that holds none of the others: into its own body where
 /// bodies touch, out of it where a cavity touches its wall. A copy between two others stays until
-/// they have gone.
+/// they have gone. Where no side can be told, as at a blade thinner than rounding, both ways along
+/// that normal and along the mean of the faces' own directions are tried.
 ///
 /// Guarantees: given a mesh without self-intersections, the result has none, exactly and in the
 /// coordinates as written; no face flips, loses its area or passes through another. Where the whole
 /// step would do any of this it is halved, at most ten times; then the vertex stays. Moved vertices
 /// lie in no other vertex's place. Vertices on borders stay. Nothing changes but positions; the
 /// volume changes by at most a third of each step times the area around its vertex.
-/// Cost: O(n) where there are no duplicates; otherwise O(n log n), and about 50 us a vertex.
+/// Cost: O(n log n), and about 0.1 ms for each vertex on usual meshes.
 /// Deterministic; one thread.
 #pragma once
 
