@@ -8,6 +8,7 @@
 #include "tm/geometry/degenerate_faces.h"
 #include "tm/geometry/predicates.h"
 #include "tm/geometry/winding.h"
+#include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 #include "tm/support/length.h"
 #include "tm/support/parallel.h"
@@ -25,6 +26,12 @@ struct Place {
   bool is_of_input = false;
   Index face = no_index;
   int side = 1;
+};
+
+/// The meshes, scaled so that no product of coordinates over- or underflows.
+struct Meshes {
+  Mesh input, output;
+  double unit = 1;  ///< of their coordinates, a power of two
 };
 
 struct Judgement {
@@ -76,14 +83,15 @@ std::string point_text(const Vec3& p) {
   return '(' + shortest_text(p[0]) + ", " + shortest_text(p[1]) + ", " + shortest_text(p[2]) + ')';
 }
 
-std::string describe(const Judgement& judgement, int level) {
+std::string describe(const Judgement& judgement, int level, double unit) {
   const WindingSample& sample = *judgement.sample;
   const bool is_inside = sample.input_winding >= level;
   return std::string(judgement.place.side > 0 ? "in front of" : "behind") + " face " +
          std::to_string(judgement.place.face) +
-         (judgement.place.is_of_input ? " of the input" : "") + ", at " + point_text(sample.point) +
-         ", the winding number is " + std::to_string(sample.output_winding) + " and should be " +
-         (is_inside ? "1" : "0") + ": that of the input is " + std::to_string(sample.input_winding);
+         (judgement.place.is_of_input ? " of the input" : "") + ", at " +
+         point_text(unit * sample.point) + ", the winding number is " +
+         std::to_string(sample.output_winding) + " and should be " + (is_inside ? "1" : "0") +
+         ": that of the input is " + std::to_string(sample.input_winding);
 }
 
 std::string percent(double share) { return shortest_text(std::round(1000 * share) / 10) + " %"; }
@@ -98,11 +106,12 @@ void finish(Certificate& certificate) {
                         ": the faces are too small or too close for their coordinates";
 }
 
-std::vector<Judgement> judge(const Mesh& input, const Mesh& output, const FaceMatch& match,
+std::vector<Judgement> judge(const Meshes& meshes, const FaceMatch& match,
                              const CertifyOptions& options, const Progress& progress) {
+  const auto& [input, output, unit] = meshes;
   const std::vector<Place> places = choose_places(input, match, options, progress);
   progress("sample");
-  const SampleFinder finder(input, output, match, coordinate_spacing(output, options.coordinate));
+  const SampleFinder finder(input, output, match, options.coordinate);
   std::vector<Judgement> judgements(places.size());
   parallel_for(places.size(), 16, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -140,16 +149,16 @@ void compare_with_solid_angles(const Mesh& mesh, int WindingSample::*number,
   }
 }
 
-void certify_winding(const Mesh& input, const Mesh& output, const FaceMatch& match,
-                     const CertifyOptions& options, const Progress& progress,
-                     Certificate& certificate) {
-  std::vector<Judgement> judgements = judge(input, output, match, options, progress);
-  compare_with_solid_angles(input, &WindingSample::input_winding, judgements);
-  compare_with_solid_angles(output, &WindingSample::output_winding, judgements);
+void certify_winding(const Meshes& meshes, const FaceMatch& match, const CertifyOptions& options,
+                     const Progress& progress, Certificate& certificate) {
+  std::vector<Judgement> judgements = judge(meshes, match, options, progress);
+  compare_with_solid_angles(meshes.input, &WindingSample::input_winding, judgements);
+  compare_with_solid_angles(meshes.output, &WindingSample::output_winding, judgements);
   for (const Judgement& judgement : judgements) {
     ++(judgement.sample ? certificate.samples : certificate.undecided);
     if (!judgement.is_wrong) continue;
-    if (certificate.wrong++ == 0) certificate.problem = describe(judgement, options.level);
+    if (certificate.wrong++ == 0)
+      certificate.problem = describe(judgement, options.level, meshes.unit);
   }
 }
 
@@ -158,40 +167,49 @@ Triangle triangle(const Mesh& mesh, Index face) {
   return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
-/// Whether all corners are this close to one face of the input that looks to the same side.
-bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, double tolerance) {
-  const Vec3 margin = Vec3::Constant(tolerance);
+/// Whether all corners lie on one face of the input, but for rounding, that looks to the same side.
+bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, const Vec3& margins) {
   bool is_found = false;
-  bvh.visit_overlaps(float_box(piece[0] - margin, piece[0] + margin), [&](Index face) {
+  bvh.visit_overlaps(float_box(piece[0] - margins, piece[0] + margins), [&](Index face) {
     const Triangle t = triangle(input, face);
-    const auto is_close = [&](const Vec3& corner) {
-      const Vec3 closest = closest_point_of_triangle(corner, t[0], t[1], t[2]).point;
-      return (closest - corner).stableNorm() <= tolerance;
-    };
-    is_found = std::all_of(piece.begin(), piece.end(), is_close) && normals_dot(piece, t) > 0;
+    const auto is_on = [&](const Vec3& corner) { return is_within(margins, corner, t); };
+    is_found = std::all_of(piece.begin(), piece.end(), is_on) && normals_dot(piece, t) > 0;
     return !is_found;
   });
   return is_found;
 }
 
-void certify_pieces(const Mesh& input, const Mesh& output, const FaceMatch& match,
-                    const CertifyOptions& options, Certificate& certificate) {
+void certify_pieces(const Meshes& meshes, const FaceMatch& match, const CertifyOptions& options,
+                    Certificate& certificate) {
+  const auto& [input, output, unit] = meshes;
   const std::vector<Index> faces = spread(marked_faces(match.output_is_new, 1), options.most_faces);
-  const std::vector<double> tolerances =
-      rounding_tolerances(input, output, faces, coordinate_spacing(output, options.coordinate));
+  const std::vector<Vec3> margins = rounding_margins(input, output, faces, options.coordinate);
   const Bvh bvh(input);
   std::vector<char> is_right(faces.size());
   parallel_for(faces.size(), 64, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      is_right[i] = is_piece(triangle(output, faces[i]), input, bvh, tolerances[i]);
+      is_right[i] = is_piece(triangle(output, faces[i]), input, bvh, margins[i]);
   });
   certificate.samples = faces.size();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (is_right[i] || certificate.wrong++ > 0) continue;
     certificate.problem = "face " + std::to_string(faces[i]) + ", at " +
-                          point_text(triangle(output, faces[i])[0]) +
+                          point_text(unit * triangle(output, faces[i])[0]) +
                           ", is no piece of a face of the input with its orientation";
   }
+}
+
+Mesh scaled(Mesh mesh, double scale) {
+  for (Vec3& position : mesh.positions) position *= scale;
+  return mesh;
+}
+
+Meshes scale_near_1(const Mesh& input, const Mesh& output) {
+  const Box box = bounding_box(input);
+  const double largest = box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).maxCoeff();
+  const int exponent = largest > 0 ? std::clamp(std::ilogb(largest), -1000, 1000) : 0;
+  const double scale = std::ldexp(1.0, -exponent);
+  return {scaled(input, scale), scaled(output, scale), std::ldexp(1.0, exponent)};
 }
 
 }  // namespace
@@ -205,13 +223,14 @@ Certificate certify(const Mesh& input, const Mesh& output, const CertifyOptions&
                     const Progress& progress) {
   if (input.faces.empty()) throw InputError("the input to certify against has no faces");
   progress("match");
-  const FaceMatch match = match_faces(input, output);
+  const Meshes meshes = scale_near_1(input, output);
+  const FaceMatch match = match_faces(meshes.input, meshes.output);
   Certificate certificate;
   certificate.input_is_closed = match.input_is_closed;
   if (match.input_is_closed) {
-    certify_winding(input, output, match, options, progress, certificate);
+    certify_winding(meshes, match, options, progress, certificate);
   } else {
-    certify_pieces(input, output, match, options, certificate);
+    certify_pieces(meshes, match, options, certificate);
   }
   finish(certificate);
   return certificate;

@@ -9,8 +9,9 @@
 /// their neighbours), the faces of the input that were cut, and 4000 others of both meshes. Of each
 /// kind at most `most_faces`, evenly spread. A sample is undecided where no point beside the face
 /// is farther from all new faces than rounding may have moved them: 4 times as far as they are seen
-/// to be from the input, but at least 2 and at most 1024 times the spacing of `coordinate` at the
-/// largest coordinate. So a vertex moved by more than that is noticed.
+/// to be from the input, but at least twice the spacing of `coordinate` at the face, and at most
+/// 1024 times that at the largest coordinate; along each axis. So a vertex moved by more than that
+/// is noticed.
 ///
 /// The winding number of an input with a border is no integer. Then each new face is tested to be a
 /// piece of a face of the input, with its orientation, to the same distance, and no more.

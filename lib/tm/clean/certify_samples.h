@@ -18,15 +18,14 @@ struct WindingSample {
 
 class SampleFinder {
  public:
-  /// Keeps references. The input must be closed. `spacing` is that of the type in which the output
-  /// was stored, at its largest coordinate.
-  SampleFinder(const Mesh& input, const Mesh& output, const FaceMatch& match, double spacing);
+  /// Keeps references. The input must be closed. The output was stored in numbers of that type.
+  SampleFinder(const Mesh& input, const Mesh& output, const FaceMatch& match, Scalar coordinate);
 
   /// In front of the face (side 1) or behind it (-1); nothing where no point will do.
   std::optional<WindingSample> find(const Mesh& mesh, Index face, int side) const;
 
  private:
-  double tolerance_at(const Vec3& point) const;
+  Vec3 margins_at(const Vec3& point) const;
   bool may_be_misplaced(const Vec3& point) const;
   std::optional<WindingSample> find_above(const Vec3& base, const Vec3& direction,
                                           double height) const;
@@ -35,16 +34,18 @@ class SampleFinder {
   RayWinding output_winding_;
   const Mesh* output_;
   std::vector<Index> new_faces_;
-  std::vector<double> tolerances_;  ///< of the new faces
-  Bvh new_bvh_;                     ///< the new faces, each box wider by its tolerance
+  std::vector<Vec3> margins_;  ///< of the new faces
+  Bvh new_bvh_;                ///< the new faces, each box wider by its margins
 };
 
-/// How far rounding may have moved each of the faces: four times as far as its corners, the middles
-/// of its edges and its centroid are from the input, but at least 2 and at most 1024 spacings.
-std::vector<double> rounding_tolerances(const Mesh& input, const Mesh& output,
-                                        const std::vector<Index>& faces, double spacing);
+/// How far rounding may have moved each of the faces along each axis: four times as far as its
+/// corners, the middles of its edges and its centroid are from the input, but at least twice the
+/// spacing of numbers of that type at its coordinates, and at most 1024 times that at the largest
+/// coordinate of the mesh.
+std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
+                                   const std::vector<Index>& faces, Scalar coordinate);
 
-/// The spacing of floats or doubles at the largest coordinate of the mesh.
-double coordinate_spacing(const Mesh& mesh, Scalar coordinate);
+/// Whether the point is so near to the triangle that one may lie on the other but for rounding.
+bool is_within(const Vec3& margins, const Vec3& point, const Triangle& triangle);
 
 }  // namespace transformesh

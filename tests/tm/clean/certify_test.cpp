@@ -135,6 +135,23 @@ TEST_CASE("what only rounding moved is not wrong") {
   CHECK(certificate.samples > output.faces.size());
 }
 
+TEST_CASE("tiny and huge coordinates are judged alike") {
+  const Mesh input = two_balls();
+  Mesh wrong = clean(input).mesh;
+  const Index moved_vertex = wrong.faces[new_face(input, wrong)][0];
+  const Mesh output = wrong;
+  wrong.positions[moved_vertex] *= 1 + 1e-9;
+  const std::size_t samples = certify(input, output).samples;
+  for (const int exponent : {-1000, -500, -100, 100, 500, 1000}) {
+    CAPTURE(exponent);
+    const double scale = std::ldexp(1.0, exponent);
+    const Certificate certificate = certify(scaled(input, scale), scaled(output, scale));
+    CHECK(certificate.problem == "");
+    CHECK(certificate.samples == samples);
+    check_wrong(scaled(input, scale), scaled(wrong, scale));
+  }
+}
+
 TEST_CASE("too many undecided samples are a problem of their own") {
   // A plate so thin that no double lies well inside.
   const Mesh plate = cuboid({1, 1, 1}, {2, 2, std::nextafter(1.0, 2.0)});
