@@ -9,6 +9,7 @@
 #include "tm/io/sniff.h"
 #include "tm/io/stl.h"
 #include "tm/support/error.h"
+#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {
@@ -106,7 +107,9 @@ bool format_of_name(std::string_view name, Format encoding_like, Format& format)
 void round_positions(Mesh& mesh, Scalar coordinate) {
   if (coordinate != Scalar::float32) return;
   check_float_range(mesh);
-  for (Vec3& position : mesh.positions) position = position.cast<float>().cast<double>();
+  for (Vec3& position : mesh.positions) {
+    for (double& x : position) x = round_to_single(x);
+  }
 }
 
 }  // namespace transformesh

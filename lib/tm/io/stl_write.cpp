@@ -7,6 +7,7 @@
 #include "tm/io/source.h"
 #include "tm/io/stl.h"
 #include "tm/io/text_buffer.h"
+#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {
@@ -109,9 +110,11 @@ void add_geometry_losses(const Mesh& mesh, std::vector<std::string>& notes) {
     notes.push_back("stl: " + counted(isolated, "point") +
                     " without a face cannot be stored in STL, dropped");
   }
-  const bool is_rounded = std::any_of(
-      mesh.positions.begin(), mesh.positions.end(),
-      [](const Vec3& position) { return position.cast<float>().cast<double>() != position; });
+  const bool is_rounded =
+      std::any_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& position) {
+        return std::any_of(position.begin(), position.end(),
+                           [](double x) { return round_to_single(x) != x; });
+      });
   if (is_rounded) notes.emplace_back("stl: coordinates are rounded to float");
 }
 

@@ -1,5 +1,8 @@
+#include <bit>
 #include <clocale>
+#include <cstdint>
 
+#include "helpers/random.h"
 #include "tm/io/bytes.h"
 
 using namespace transformesh;
@@ -119,6 +122,22 @@ TEST_CASE("mesh io: rounding to float") {
   CHECK(mesh.positions[0] == Vec3(static_cast<double>(0.1F), 0, static_cast<double>(-1.0F / 3)));
   mesh.positions[3][1] = -1e39;
   CHECK_THROWS_AS(round_positions(mesh, Scalar::float32), GoalError);
+}
+
+TEST_CASE("mesh io: rounding to floats leaves nothing that is no float") {
+  test::Random random(4);
+  Mesh mesh;
+  for (int i = 0; i < 1000; ++i) {
+    mesh.positions.emplace_back(random.uniform(-1, 1), random.uniform(-1, 1),
+                                random.uniform(-9, 9));
+  }
+  round_positions(mesh, Scalar::float32);
+  for (const Vec3& p : mesh.positions) {
+    for (const double x : p) {
+      // A float has 24 digits, so 29 of a double's 53 are zero.
+      CHECK((std::bit_cast<std::uint64_t>(x) & ((1ULL << 29) - 1)) == 0);
+    }
+  }
 }
 
 TEST_CASE("mesh io: what is no mesh is refused with its first bytes") {
