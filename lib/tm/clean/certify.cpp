@@ -108,7 +108,8 @@ void finish(Certificate& certificate) {
 
 std::vector<Judgement> judge(const Meshes& meshes, const FaceMatch& match,
                              const CertifyOptions& options, const Progress& progress) {
-  const auto& [input, output, unit] = meshes;
+  const Mesh& input = meshes.input;
+  const Mesh& output = meshes.output;
   const std::vector<Place> places = choose_places(input, match, options, progress);
   progress("sample");
   const SampleFinder finder(input, output, match, options.coordinate);
@@ -181,20 +182,21 @@ bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, const Ve
 
 void certify_pieces(const Meshes& meshes, const FaceMatch& match, const CertifyOptions& options,
                     Certificate& certificate) {
-  const auto& [input, output, unit] = meshes;
+  const Mesh& input = meshes.input;
+  const Mesh& output = meshes.output;
   const std::vector<Index> faces = spread(marked_faces(match.output_is_new, 1), options.most_faces);
   const std::vector<Vec3> margins = rounding_margins(input, output, faces, options.coordinate);
   const Bvh bvh(input);
   std::vector<char> is_right(faces.size());
   parallel_for(faces.size(), 64, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      is_right[i] = is_piece(triangle(output, faces[i]), input, bvh, margins[i]);
+      is_right[i] = is_piece(triangle(output, faces[i]), input, bvh, margins[i]) ? 1 : 0;
   });
   certificate.samples = faces.size();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (is_right[i] || certificate.wrong++ > 0) continue;
     certificate.problem = "face " + std::to_string(faces[i]) + ", at " +
-                          point_text(unit * triangle(output, faces[i])[0]) +
+                          point_text(meshes.unit * triangle(output, faces[i])[0]) +
                           ", is no piece of a face of the input with its orientation";
   }
 }

@@ -50,7 +50,7 @@ std::vector<char> missing(const std::vector<Face>& faces, std::vector<Face> othe
   std::sort(others.begin(), others.end());
   std::vector<char> result(faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f)
-    result[f] = !std::binary_search(others.begin(), others.end(), faces[f]);
+    result[f] = std::binary_search(others.begin(), others.end(), faces[f]) ? 0 : 1;
   return result;
 }
 

@@ -161,7 +161,7 @@ std::optional<WindingSample> SampleFinder::find(const Mesh& mesh, Index face, in
   if (!(height > 0)) return std::nullopt;
   for (const auto& weights : tried_weights) {
     const Vec3 base = weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
-    const std::optional<WindingSample> sample = find_above(base, side * normal, height);
+    std::optional<WindingSample> sample = find_above(base, side * normal, height);
     if (sample) return sample;
   }
   return std::nullopt;

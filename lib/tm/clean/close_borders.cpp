@@ -72,7 +72,8 @@ void BorderCloser::connect_faces() {
 }
 
 void BorderCloser::measure_faces() {
-  Vec3 low = soup_.points.front(), high = low;
+  Vec3 low = soup_.points.front();
+  Vec3 high = low;
   for (const Vec3& p : soup_.points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);

@@ -16,11 +16,11 @@ constexpr int most_rounds = 8;
 // what lies apart and breaks as much as it mends.
 constexpr int doublings_of_new = 3;
 constexpr int doublings_of_broken = 5;
-constexpr int most_grid_steps = 3;
+constexpr int most_grid_steps = 5;
 
 // The spacing of the grid at each step, in doublings of the spacing of floats and of doubles.
 int grid_doublings(Scalar coordinate, int step) {
-  return (coordinate == Scalar::float32 ? 3 : 9) * step;
+  return (coordinate == Scalar::float32 ? 2 : 5) * step;
 }
 
 std::string place_of(const Mesh& mesh, Index face) {

@@ -2,6 +2,7 @@
 /// boxes are NaN, which no comparison accepts.
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "tm/geometry/float_box.h"
@@ -9,8 +10,8 @@
 namespace transformesh {
 
 struct alignas(16) BoxQuad {
-  float minimum[3][4];
-  float maximum[3][4];
+  std::array<std::array<float, 4>, 3> minimum;
+  std::array<std::array<float, 4>, 3> maximum;
 
   FloatBox box(unsigned lane) const {
     return {{minimum[0][lane], minimum[1][lane], minimum[2][lane]},
@@ -18,7 +19,7 @@ struct alignas(16) BoxQuad {
   }
 
   void set(unsigned lane, const FloatBox& box) {
-    for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       minimum[axis][lane] = box.minimum[axis];
       maximum[axis][lane] = box.maximum[axis];
     }

@@ -45,7 +45,8 @@ FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
 // Rounding keeps the order of numbers, and so overlaps.
 BoxFrame::BoxFrame(std::span<const Vec3> points) {
   if (points.empty()) return;
-  Vec3 low = points.front(), high = low;
+  Vec3 low = points.front();
+  Vec3 high = low;
   for (const Vec3& point : points) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);

@@ -13,11 +13,11 @@ namespace transformesh {
 inline unsigned overlap_mask(const BoxQuad& quad, const FloatBox& box) {
 #ifdef __SSE2__
   __m128 overlap = _mm_castsi128_ps(_mm_set1_epi32(-1));
-  for (int axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     const __m128 is_below =
-        _mm_cmple_ps(_mm_load_ps(quad.minimum[axis]), _mm_set1_ps(box.maximum[axis]));
+        _mm_cmple_ps(_mm_load_ps(quad.minimum[axis].data()), _mm_set1_ps(box.maximum[axis]));
     const __m128 is_above =
-        _mm_cmple_ps(_mm_set1_ps(box.minimum[axis]), _mm_load_ps(quad.maximum[axis]));
+        _mm_cmple_ps(_mm_set1_ps(box.minimum[axis]), _mm_load_ps(quad.maximum[axis].data()));
     overlap = _mm_and_ps(overlap, _mm_and_ps(is_below, is_above));
   }
   return static_cast<unsigned>(_mm_movemask_ps(overlap));
