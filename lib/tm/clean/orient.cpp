@@ -44,6 +44,7 @@ class Orienter {
   [[noreturn]] void refuse(Index halfedge, Index across) const;
   bool runs_up(Index halfedge) const;
   void link_sheets();
+  void link_sheets_at_edge(const std::map<Index, int>& sums, bool agreed);
   std::vector<Index> align_group(Index first);
   void orient_group(const std::vector<Index>& group);
   void measure_volumes(const std::vector<Index>& group);
@@ -125,13 +126,16 @@ void Orienter::link_sheets() {
       sums[sheet_of_[h / 3]] += runs_up(h) ? 1 : -1;
       sum_before += runs_up(h) != (turned_[h / 3] != 0) ? 1 : -1;
     }
-    for (const auto& [sheet, sum] : sums) {
-      if (sum != 0 && std::abs(sum_before) > 1) sheets_[sheet].agreed = false;
-      for (const auto& [other, other_sum] : sums) {
-        if (sheet != other && sum * other_sum != 0) {
-          sheets_[sheet].agreement[other] -= sum * other_sum;
-        }
-      }
+    link_sheets_at_edge(sums, std::abs(sum_before) <= 1);
+  }
+}
+
+void Orienter::link_sheets_at_edge(const std::map<Index, int>& sums, bool agreed) {
+  for (const auto& [sheet, sum] : sums) {
+    if (sum == 0) continue;
+    if (!agreed) sheets_[sheet].agreed = false;
+    for (const auto& [other, other_sum] : sums) {
+      if (sheet != other && other_sum != 0) sheets_[sheet].agreement[other] -= sum * other_sum;
     }
   }
 }

@@ -23,7 +23,7 @@ std::vector<Index> weld(const std::vector<Vec3>& positions, double tolerance) {
       const Vec3 step = positions[order[k]] - positions[order[i]];
       if (step[0] > tolerance) break;
       if (tolerance == 0 && step != Vec3::Zero()) break;  // equal positions are adjacent
-      if (step.norm() <= tolerance) sets.join(order[i], order[k]);
+      if (std::hypot(step[0], step[1], step[2]) <= tolerance) sets.join(order[i], order[k]);
     }
   }
   std::vector<Index> representative(positions.size());
