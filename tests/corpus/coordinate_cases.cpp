@@ -84,15 +84,21 @@ void add_needles(Cases& cases) {
     for (const auto& [shape, mesh] : bodies()) {
       const std::string name =
           shape + "/" + "thinness-1e" + std::to_string(std::lround(std::log10(thin)));
-      cases.push_back({"needles", name, [=, mesh = mesh] {
+      cases.push_back({"needles", name,
+                       [=, mesh = mesh] {
                          return stretched(mesh, {1, thin, thin});
-                       }});
-      cases.push_back({"needles", name + "/plate", [=, mesh = mesh] {
+                       },
+                       Outcome::clean, 1, true, thin / 10});
+      cases.push_back({"needles", name + "/plate",
+                       [=, mesh = mesh] {
                          return stretched(mesh, {1, 1, thin});
-                       }});
-      cases.push_back({"needles", name + "/turned", [=, mesh = mesh] {
+                       },
+                       Outcome::clean, 1, true, thin / 10});
+      cases.push_back({"needles", name + "/turned",
+                       [=, mesh = mesh] {
                          return turned(stretched(mesh, {1, thin, thin}));
-                       }});
+                       },
+                       Outcome::clean, 1, true, thin / 10});
     }
   for (const int sides : {10, 100, 500})
     cases.push_back({"needles", named("cone", sides), [=] { return needle_cone(sides); }});

@@ -8,10 +8,10 @@
 /// corner), four faces of every patch of the input (a region of faces that meet no other face but
 /// their neighbours), the faces of the input that were cut, and 4000 others of both meshes. Of each
 /// kind at most `most_faces`, evenly spread. A sample is undecided where no point beside the face
-/// is farther from all new faces than rounding may have moved them: 4 times as far as they are seen
-/// to be from the input, but at least twice the spacing of `coordinate` at the face, and at most
-/// 1024 times that at the largest coordinate; along each axis. So a vertex moved by more than that
-/// is noticed.
+/// is farther from all new faces, and from the faces that are gone, than rounding may have moved
+/// them: along each axis twice the spacing of `coordinate` at the face; for a new face 4 times as
+/// far as it is seen to be from the input, if that is more, up to 1024 times the spacing at the
+/// largest coordinate. So a vertex moved by more than that is noticed.
 ///
 /// The winding number of an input with a border is no integer. Then each new face is tested to be a
 /// piece of a face of the input, with its orientation, to the same distance, and no more.
