@@ -23,7 +23,6 @@
 
 #include <string>
 
-#include "tm/geometry/ray_winding.h"
 #include "tm/mesh/mesh.h"
 #include "tm/support/progress.h"
 
