@@ -46,29 +46,39 @@ Vec3 least_margins(const Triangle& t, int digits, double spacing) {
   return (2 * spacings_at(size, digits)).cwiseMax(smallest_margin * spacing);
 }
 
-/// Along each axis the most that one of seven points of the triangle is off the surface.
-Vec3 shift_from(const ClosestPointQuery& surface, const Triangle& t) {
-  Vec3 shift = Vec3::Zero();
-  for (const Vec3& point : {t[0], t[1], t[2], Vec3((t[0] + t[1]) / 2), Vec3((t[1] + t[2]) / 2),
-                            Vec3((t[2] + t[0]) / 2), Vec3((t[0] + t[1] + t[2]) / 3)})
-    shift = shift.cwiseMax((surface(point).point - point).cwiseAbs());
-  return shift;
+Vec3 shift_from(const ClosestPointQuery& surface, const Vec3& point) {
+  return (surface(point).point - point).cwiseAbs();
+}
+
+/// How far each vertex of the faces is off the surface, along each axis; zero for the others.
+std::vector<Vec3> vertex_shifts(const ClosestPointQuery& surface, const Mesh& mesh,
+                                const std::vector<Index>& faces) {
+  std::vector<char> is_used(mesh.positions.size(), 0);
+  for (const Index face : faces)
+    for (const Index v : mesh.faces[face]) is_used[v] = 1;
+  std::vector<Vec3> shifts(mesh.positions.size(), Vec3::Zero());
+  parallel_for(shifts.size(), 64, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v)
+      if (is_used[v]) shifts[v] = shift_from(surface, mesh.positions[v]);
+  });
+  return shifts;
 }
 
 }  // namespace
 
 std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
                                    const std::vector<Index>& faces, Scalar coordinate) {
-  const ClosestPointQuery closest(input);
+  const ClosestPointQuery surface(input);
+  const std::vector<Vec3> shifts = vertex_shifts(surface, output, faces);
   const int digits = digits_of(coordinate);
   const double spacing = spacing_at(largest_coordinate(output), digits);
   std::vector<Vec3> margins(faces.size());
   parallel_for(faces.size(), 64, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const Triangle t = corners(output, faces[i]);
-      margins[i] = (4 * shift_from(closest, t))
-                       .cwiseMin(1024 * spacing)
-                       .cwiseMax(least_margins(t, digits, spacing));
+      Vec3 shift = shift_from(surface, (t[0] + t[1] + t[2]) / 3);
+      for (const Index v : output.faces[faces[i]]) shift = shift.cwiseMax(shifts[v]);
+      margins[i] = (4 * shift).cwiseMin(1024 * spacing).cwiseMax(least_margins(t, digits, spacing));
     }
   });
   return margins;
