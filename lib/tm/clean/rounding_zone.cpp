@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "tm/geometry/closest_point.h"
 #include "tm/mesh/measure.h"
@@ -11,8 +13,13 @@ namespace transformesh {
 namespace {
 
 constexpr int double_digits = 53;
-/// The spacing of numbers near zero is none: margins are at least this share of the largest.
-constexpr double smallest_margin = 0x1p-30;
+
+/// The spacing of numbers near zero is none: no margin is below this share of the largest. In
+/// doubles margins are alike, because doubles cannot measure a triangle in units that differ.
+constexpr double smallest_share(int digits) { return digits == double_digits ? 1 : 0x1p-20; }
+
+/// By how much a distance from a triangle may be off, as a share of the triangle's size.
+constexpr double measuring_error = 8 * std::numeric_limits<double>::epsilon();
 
 Triangle corners(const Mesh& mesh, Index face) {
   const auto& [a, b, c] = mesh.faces[face];
@@ -35,15 +42,20 @@ double largest_coordinate(const Mesh& mesh) {
   return box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).maxCoeff();
 }
 
+/// A box of all points for which `is_within` may hold.
 FloatBox box_around(const Triangle& t, const Vec3& margins) {
-  return float_box(t[0].cwiseMin(t[1]).cwiseMin(t[2]) - margins,
-                   t[0].cwiseMax(t[1]).cwiseMax(t[2]) + margins);
+  const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
+  const Vec3 high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+  const double size = (high - low).cwiseQuotient(margins).maxCoeff();
+  const Vec3 reach = (2 + measuring_error * (size + 4)) * margins;
+  return float_box(low - reach, high + reach);
 }
 
 /// Twice the spacing of numbers at the triangle.
-Vec3 least_margins(const Triangle& t, int digits, double spacing) {
+Vec3 least_margins(const Triangle& t, int digits) {
   const Vec3 size = t[0].cwiseAbs().cwiseMax(t[1].cwiseAbs()).cwiseMax(t[2].cwiseAbs());
-  return (2 * spacings_at(size, digits)).cwiseMax(smallest_margin * spacing);
+  const Vec3 spacings = spacings_at(size, digits);
+  return 2 * spacings.cwiseMax(smallest_share(digits) * spacings.maxCoeff());
 }
 
 Vec3 shift_from(const ClosestPointQuery& surface, const Vec3& point) {
@@ -77,8 +89,10 @@ std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
     for (std::size_t i = first; i < last; ++i) {
       const Triangle t = corners(output, faces[i]);
       Vec3 shift = shift_from(surface, (t[0] + t[1] + t[2]) / 3);
-      for (const Index v : output.faces[faces[i]]) shift = shift.cwiseMax(shifts[v]);
-      margins[i] = (4 * shift).cwiseMin(1024 * spacing).cwiseMax(least_margins(t, digits, spacing));
+      for (std::size_t k = 0; k < 3; ++k)
+        shift = shift.cwiseMax(shifts[output.faces[faces[i]][k]])
+                    .cwiseMax(shift_from(surface, (t[k] + t[(k + 1) % 3]) / 2));
+      margins[i] = (4 * shift).cwiseMin(1024 * spacing).cwiseMax(least_margins(t, digits));
     }
   });
   return margins;
@@ -86,10 +100,15 @@ std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
 
 bool is_within(const Vec3& margins, const Vec3& point, const Triangle& triangle) {
   // With the margins as units their box fits into a ball.
-  const auto measured = [&](const Vec3& p) { return Vec3((p - point).cwiseQuotient(margins)); };
-  return closest_point_of_triangle(Vec3::Zero(), measured(triangle[0]), measured(triangle[1]),
-                                   measured(triangle[2]))
-             .point.squaredNorm() <= 3;
+  Triangle measured;
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    measured[i] = (triangle[i] - point).cwiseQuotient(margins);
+    size = std::max(size, measured[i].cwiseAbs().maxCoeff());
+  }
+  const Vec3 closest =
+      closest_point_of_triangle(Vec3::Zero(), measured[0], measured[1], measured[2]).point;
+  return closest.norm() <= std::numbers::sqrt3 + measuring_error * size;
 }
 
 RoundingZone::RoundingZone(const Mesh& input, const Mesh& output, const FaceMatch& match,
@@ -99,15 +118,14 @@ RoundingZone::RoundingZone(const Mesh& input, const Mesh& output, const FaceMatc
   for (const Index face : new_faces) triangles_.push_back(corners(output, face));
 
   const int digits = digits_of(coordinate);
-  const double spacing = spacing_at(largest_coordinate(output), digits);
   for (const Index face : marked_faces(match.input_vanished, 1)) {
     triangles_.push_back(corners(input, face));
-    margins_.push_back(least_margins(triangles_.back(), digits, spacing));
+    margins_.push_back(least_margins(triangles_.back(), digits));
   }
 
   std::vector<FloatBox> boxes;
   for (std::size_t i = 0; i < triangles_.size(); ++i)
-    boxes.push_back(box_around(triangles_[i], 2 * margins_[i]));
+    boxes.push_back(box_around(triangles_[i], margins_[i]));
   bvh_ = Bvh(boxes);
 }
 

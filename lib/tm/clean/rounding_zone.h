@@ -12,8 +12,9 @@
 namespace transformesh {
 
 /// How far rounding may have moved each of the faces along each axis: four times as far as its
-/// corners and its centroid are from the input, but at least twice the spacing of numbers of that
-/// type at its coordinates, and at most 1024 times that at the largest coordinate of the mesh.
+/// corners, the middles of its edges and its centroid are from the input, but at least twice the
+/// spacing of numbers of that type at its coordinates, and at most 1024 times that at the largest
+/// coordinate of the mesh.
 std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
                                    const std::vector<Index>& faces, Scalar coordinate);
 
