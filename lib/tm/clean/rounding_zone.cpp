@@ -113,14 +113,17 @@ bool is_within(const Vec3& margins, const Vec3& point, const Triangle& triangle)
 
 RoundingZone::RoundingZone(const Mesh& input, const Mesh& output, const FaceMatch& match,
                            Scalar coordinate) {
+  const auto add = [&](const Triangle& triangle, const Vec3& margins) {
+    if (margins.isZero(0)) return;  // a face that is a point at the origin
+    triangles_.push_back(triangle);
+    margins_.push_back(margins);
+  };
   const std::vector<Index> new_faces = marked_faces(match.output_is_new, 1);
-  margins_ = rounding_margins(input, output, new_faces, coordinate);
-  for (const Index face : new_faces) triangles_.push_back(corners(output, face));
-
-  const int digits = digits_of(coordinate);
+  const std::vector<Vec3> margins = rounding_margins(input, output, new_faces, coordinate);
+  for (std::size_t i = 0; i < new_faces.size(); ++i) add(corners(output, new_faces[i]), margins[i]);
   for (const Index face : marked_faces(match.input_vanished, 1)) {
-    triangles_.push_back(corners(input, face));
-    margins_.push_back(least_margins(triangles_.back(), digits));
+    const Triangle triangle = corners(input, face);
+    add(triangle, least_margins(triangle, digits_of(coordinate)));
   }
 
   std::vector<FloatBox> boxes;

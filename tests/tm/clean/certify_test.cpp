@@ -136,6 +136,19 @@ TEST_CASE("what only rounding moved is not wrong") {
   CHECK(certificate.samples > output.faces.size());
 }
 
+TEST_CASE("faces of the input that collapse to a point disturb nothing") {
+  Mesh input = two_balls();
+  const Mesh output = clean(input).mesh;
+  input.positions.emplace_back(0, 0, 0);
+  const Index origin = static_cast<Index>(input.positions.size() - 1);
+  input.faces.insert(input.faces.begin(), 40, {origin, origin, origin});
+  Mesh rounded = output;
+  for (Vec3& position : rounded.positions) position = position.unaryExpr(&round_to_single);
+  CertifyOptions options;
+  options.coordinate = Scalar::float32;
+  CHECK(certify(input, rounded, options).problem == "");
+}
+
 TEST_CASE("tiny and huge coordinates are judged alike") {
   const Mesh input = two_balls();
   Mesh wrong = clean(input).mesh;
