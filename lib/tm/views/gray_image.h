@@ -1,6 +1,6 @@
 /// A grey image in memory: rows from the top, one float a pixel, pixel centres at integers.
 /// Photographs hold the grey levels of their file, 0 to 255, without gamma; silhouettes hold 0
-/// outside and 255 inside.
+/// outside and 255 inside, and levels between along soft edges (silhouette.h).
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,41 @@
+/// Silhouettes: where an image shows the object, and how far a place is from its contour.
+///
+/// In memory a silhouette is above 127.5 inside and below outside; its contour is where the levels,
+/// interpolated between pixel centres, cross 127.5. Masks of two levels thus have it half-way
+/// between pixels, masks with soft edges know it better. Beyond the outermost pixels nothing is
+/// known: there is no contour along the border of an image, even where the object leaves it.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "tm/views/gray_image.h"
+
+namespace transformesh {
+
+struct ThresholdOptions {
+  double level = 25;  ///< (0, 255): an object is brighter than that
+  double blur = 1.5;  ///< >= 0: deviation in pixels of the Gaussian that is applied before
+};
+
+/// The silhouette of a bright object before a dark background. Its contour is where the blurred
+/// image crosses the level. Throws UsageError for options out of range. O(pixels).
+GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options = {});
+
+/// Share of the pixels that are inside.
+double inside_share(const GrayImage& silhouette);
+
+/// The signed distance of every pixel to the contour, in pixels, positive outside. Infinite, with
+/// that sign, where there is no contour. May be too large by a few hundredths of a pixel.
+/// O(pixels), two sweeps; deterministic. Reference: Danielsson, "Euclidean distance mapping", CGIP
+/// 14 (1980).
+GrayImage signed_distance(const GrayImage& silhouette);
+
+/// What `distance_at` says of places outside the image.
+inline constexpr float unknown_distance = std::numeric_limits<float>::quiet_NaN();
+
+/// The distance at a place between pixels, bilinear; unknown_distance more than half a pixel beyond
+/// the outermost pixel centres.
+float distance_at(const GrayImage& distances, double x, double y);
+
+}  // namespace transformesh
