@@ -1,0 +1,68 @@
+/// Camera files: Middlebury parameters, COLMAP text, Bundler, and 3x4 matrices, told apart by their
+/// content.
+///
+/// Middlebury: the number of cameras, then a line `name k11 .. k33 r11 .. r33 t1 t2 t3` for each.
+/// COLMAP: cameras.txt and images.txt, in two files of a folder or joined in one text; its pixel
+/// centres are at 0.5. Bundler: bundle.out v0.3; the principal point is the image's centre.
+/// Matrices: twelve numbers in rows, K [R | t] up to scale; several may follow each other, each
+/// perhaps after a comment `# name`.
+///
+/// All of them throw InputError naming file and line for cameras that a pinhole without distortion
+/// is not, for numbers that are missing, not finite or no numbers, and for counts that disagree.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tm/views/pinhole_camera.h"
+
+namespace transformesh {
+
+enum class CameraFormat { middlebury, colmap, bundler, matrices };
+
+/// A camera and what its file says of the photograph.
+struct CameraRecord {
+  std::string name;   ///< the image's as written there; of matrices the comment or the file's stem
+  std::string place;  ///< `dino_par.txt line 3`, for messages
+  PinholeCamera camera;
+  int width = 0;  ///< of the image; 0: the file does not say
+  int height = 0;
+  bool is_centered = false;  ///< the principal point is the centre of an image of unknown size
+
+  /// Checks the image's size, and centres the principal point if that is still to be done. Throws
+  /// InputError where the file says another size; `image` names it there.
+  void set_size(int columns, int rows, const std::string& image);
+};
+
+struct CameraList {
+  std::vector<CameraRecord> cameras;
+  bool names_images = false;  ///< names are those of the images, so that pairing goes by them
+};
+
+/// None where the beginning looks like no camera file.
+std::optional<CameraFormat> camera_format(std::string_view bytes);
+
+/// The cameras of a text, which is complete in itself.
+CameraList parse_cameras(std::string_view bytes, const std::string& name);
+
+/// The cameras of a file, a folder or a pattern, in order: several matrix files in natural order.
+/// Of a folder the files are taken that look like camera files, which must be of one format.
+CameraList cameras_from(const std::string& where);
+
+/// A file with its name, where a format has several.
+struct CameraText {
+  std::string name;
+  std::string text;
+};
+
+/// One text that reads back as the same cameras. Throws InputError for what the format cannot hold:
+/// Bundler is only read, COLMAP needs the images' sizes and no skew.
+std::string write_cameras(const CameraList& list, CameraFormat format);
+
+/// As the programs of the format expect it in a folder: COLMAP's three files, a matrix for each
+/// camera as `NAME.txt`, Middlebury's `cameras_par.txt`.
+std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat format);
+
+}  // namespace transformesh

@@ -1,0 +1,100 @@
+#include "tm/io/number_text.h"
+#include "tm/views/samples.h"
+
+namespace transformesh {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// Goes through the header, and through samples written as text.
+class Numbers {
+ public:
+  explicit Numbers(const Source& source) : source_(source), place_(source.begin() + 2) {}
+
+  std::uint64_t next(const char* what) {
+    skip_blanks();
+    std::uint64_t number = 0;
+    if (place_ == source_.end()) source_.fail(std::string("the image ends before its ") + what);
+    if (*place_ == '+' || parse_number(place_, source_.end(), number) != Parsed::ok) {
+      source_.fail_at_byte(place_, std::string("the image's ") + what + " is not a whole number");
+    }
+    return number;
+  }
+  const char* place() const { return place_; }
+
+ private:
+  void skip_blanks() {
+    while (place_ != source_.end() && (is_blank(*place_) || *place_ == '#')) {
+      if (*place_ != '#') {
+        ++place_;
+        continue;
+      }
+      while (place_ != source_.end() && *place_ != '\n') ++place_;
+    }
+  }
+
+  const Source& source_;
+  const char* place_;
+};
+
+void check_sample(const Source& source, const char* place, std::uint64_t sample, double maximum) {
+  if (static_cast<double>(sample) <= maximum) return;
+  source.fail_at_byte(place, "the sample " + std::to_string(sample) + " is above the maximum of " +
+                                 std::to_string(static_cast<int>(maximum)) + " in the header");
+}
+
+void read_text(const Source& source, Numbers& numbers, Samples& samples) {
+  for (std::uint16_t& value : samples.values) {
+    const std::uint64_t sample = numbers.next("last sample");
+    check_sample(source, numbers.place(), sample, samples.maximum);
+    value = static_cast<std::uint16_t>(sample);
+  }
+}
+
+void read_binary(const Source& source, const char* place, Samples& samples) {
+  const std::size_t sample_size = samples.maximum > 255 ? 2 : 1;
+  const auto available = static_cast<std::size_t>(source.end() - place);
+  if (available < samples.values.size() * sample_size) {
+    source.fail(
+        "the image ends too early: " + counted(samples.values.size() * sample_size, "byte") +
+        " of samples expected, " + std::to_string(available) + " found");
+  }
+  for (std::uint16_t& value : samples.values) {
+    unsigned sample = static_cast<unsigned char>(*place++);
+    if (sample_size == 2) sample = 256 * sample + static_cast<unsigned char>(*place++);
+    check_sample(source, place, sample, samples.maximum);
+    value = static_cast<std::uint16_t>(sample);
+  }
+}
+
+}  // namespace
+
+Samples decode_pnm(const Source& source) {
+  const char kind = source.bytes[1];
+  Numbers numbers(source);
+  const std::uint64_t width = numbers.next("width");
+  const std::uint64_t height = numbers.next("height");
+  const std::uint64_t maximum = numbers.next("maximum");
+  check_size(source, width, height, 1);
+  if (maximum < 1 || maximum > 65535) {
+    source.fail("the image's maximum must be between 1 and 65535, not " + std::to_string(maximum));
+  }
+
+  Samples samples{static_cast<int>(width),
+                  static_cast<int>(height),
+                  kind == '3' || kind == '6' ? 3 : 1,
+                  static_cast<double>(maximum),
+                  {}};
+  samples.values.resize(width * height * static_cast<std::size_t>(samples.channels));
+  if (kind == '2' || kind == '3') {
+    read_text(source, numbers, samples);
+  } else {
+    // One blank ends the header; what follows may look like blanks.
+    const bool has_blank = numbers.place() != source.end() && is_blank(*numbers.place());
+    if (!has_blank) source.fail_at_byte(numbers.place(), "a blank must follow the maximum");
+    read_binary(source, numbers.place() + 1, samples);
+  }
+  return samples;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,14 @@
+/// What the module that decodes images by OpenCV offers to whom loads it.
+#pragma once
+
+#include <string_view>
+
+#include "tm/views/samples.h"
+
+namespace transformesh {
+
+/// False where the bytes are no complete image. Throws nothing.
+using DecodeImage = bool(std::string_view bytes, Samples& samples) noexcept;
+inline constexpr const char* decode_image_name = "tm_decode_image";
+
+}  // namespace transformesh

@@ -1,0 +1,27 @@
+/// Which files belong together, by their names.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace transformesh {
+
+/// Names with what messages call them.
+struct NamedFiles {
+  std::string kind;                ///< `image`, `silhouette`: with an s for several
+  std::string where;               ///< as the user wrote it
+  std::vector<std::string> paths;  ///< compared by their stems
+};
+
+/// For each of `first` the index of its partner among `second`: that of the same stem. A suffix
+/// that all names of a side share, such as -mask or _P, counts only where names without it find
+/// no partner. Where no name has a partner, both are taken as they are, in order, unless names must
+/// agree.
+///
+/// Throws InputError where the numbers of files differ, where only some names have a partner (they
+/// might be numbered from another start, which would silently shift every camera), and where two
+/// names of a side are the same.
+std::vector<std::size_t> pair_by_name(const NamedFiles& first, const NamedFiles& second,
+                                      bool names_must_agree);
+
+}  // namespace transformesh

@@ -1,0 +1,118 @@
+#include "tm/views/view_files.h"
+
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+#include "tm/views/camera_file.h"
+#include "tm/views/file_list.h"
+#include "tm/views/image_file.h"
+#include "tm/views/name_pairs.h"
+
+namespace transformesh {
+namespace {
+
+NamedFiles image_files(const std::string& kind, const std::string& where) {
+  NamedFiles files{kind, where, files_at(where)};
+  if (!is_folder(where)) return files;
+  std::erase_if(files.paths,
+                [](const std::string& path) { return !is_image(file_bytes(path, 16)); });
+  if (files.paths.empty()) throw InputError(where + ": there is no image in this folder");
+  return files;
+}
+
+NamedFiles names_of(const CameraList& cameras, const std::string& where) {
+  NamedFiles files{"camera", where, {}};
+  for (const CameraRecord& record : cameras.cameras) files.paths.push_back(record.name);
+  return files;
+}
+
+/// The paths in the order of `names`.
+std::vector<std::string> ordered(const NamedFiles& names, const NamedFiles& files,
+                                 bool names_must_agree) {
+  std::vector<std::string> paths;
+  for (const std::size_t i : pair_by_name(names, files, names_must_agree)) {
+    paths.push_back(files.paths[i]);
+  }
+  return paths;
+}
+
+using Decode = GrayImage (*)(std::string_view bytes, const std::string& name);
+
+void decode_all(const std::vector<std::string>& paths, Decode decode, GrayImage View::*member,
+                std::vector<View>& views) {
+  parallel_for(paths.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      views[i].*member = decode(file_bytes(paths[i]), paths[i]);
+    }
+  });
+}
+
+std::string size_text(const GrayImage& image) {
+  return std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels";
+}
+
+bool is_size_equal(const GrayImage& first, const GrayImage& second) {
+  return first.width == second.width && first.height == second.height;
+}
+
+void check_silhouette(const View& view, const std::string& path) {
+  if (!view.image.empty() && !is_size_equal(view.image, view.silhouette)) {
+    throw InputError(path + ": the silhouette has " + size_text(view.silhouette) +
+                     ", but its image has " + size_text(view.image));
+  }
+  for (const float level : view.silhouette.pixels) {
+    if (level != 0) return;
+  }
+  throw InputError(path + ": the silhouette is empty: no pixel is inside");
+}
+
+const GrayImage& sized_image(const View& view) {
+  return view.image.empty() ? view.silhouette : view.image;
+}
+
+/// One camera's pixels cannot be two images' of different sizes.
+void check_sizes(const std::vector<View>& views, const std::vector<std::string>& paths) {
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    const bool is_same_lens = views[i].camera.intrinsics == views[0].camera.intrinsics;
+    if (!is_same_lens || is_size_equal(sized_image(views[i]), sized_image(views[0]))) continue;
+    throw InputError(paths[i] + ": the image has " + size_text(sized_image(views[i])) + ", but " +
+                     paths[0] + ", of the same intrinsics, has " +
+                     size_text(sized_image(views[0])));
+  }
+}
+
+}  // namespace
+
+std::vector<View> views_from(const ViewSources& sources) {
+  CameraList list = cameras_from(sources.cameras);
+  const NamedFiles names = names_of(list, sources.cameras);
+  std::vector<std::string> images;
+  std::vector<std::string> silhouettes;
+  std::vector<View> views(list.cameras.size());
+
+  // Silhouettes follow the images, whose names may say more than the cameras'.
+  NamedFiles leaders = names;
+  if (!sources.images.empty()) {
+    images = ordered(names, image_files("image", sources.images), list.names_images);
+    decode_all(images, decode_photograph, &View::image, views);
+    leaders = {"image", sources.images, images};
+  }
+  if (!sources.silhouettes.empty()) {
+    const bool names_must_agree = images.empty() && list.names_images;
+    silhouettes =
+        ordered(leaders, image_files("silhouette", sources.silhouettes), names_must_agree);
+    decode_all(silhouettes, decode_silhouette, &View::silhouette, views);
+    if (images.empty()) leaders.paths = silhouettes;
+  }
+
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const GrayImage& image = sized_image(views[i]);
+    if (!image.empty()) list.cameras[i].set_size(image.width, image.height, leaders.paths[i]);
+    views[i].camera = list.cameras[i].camera;
+    views[i].name = stem_of(leaders.paths[i]);
+    if (!silhouettes.empty()) check_silhouette(views[i], silhouettes[i]);
+  }
+  check_sizes(views, leaders.paths);
+  return views;
+}
+
+}  // namespace transformesh
