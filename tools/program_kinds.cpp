@@ -102,4 +102,15 @@ int Program::picture(int argc, char** argv,
   return implementation_->run(argc, argv, Kind{.many_inputs = true, .writes_mesh = false}, work);
 }
 
+int Program::converter(int argc, char** argv,
+                       const std::function<std::string(const std::string&, Run&)>& body) {
+  const auto work = [&](Session& session, const std::vector<std::string>& inputs) {
+    session.begin(nullptr);
+    session.write_bytes(body(inputs[0], session));
+    session.finish();
+    return exit_done;
+  };
+  return implementation_->run(argc, argv, Kind{.writes_mesh = false}, work);
+}
+
 }  // namespace transformesh::tool

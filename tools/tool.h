@@ -122,6 +122,9 @@ class Program {
   /// Any number of meshes in (stdin where none is named), bytes that are not a mesh out.
   int picture(int argc, char** argv,
               const std::function<std::string(std::vector<Document>, Run&)>& body);
+  /// A file that is no mesh in: what the user named, or `-` for stdin; bytes out.
+  int converter(int argc, char** argv,
+                const std::function<std::string(const std::string& input, Run&)>& body);
 
  private:
   struct Implementation;

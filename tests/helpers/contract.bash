@@ -1,8 +1,10 @@
 # What the contract's checks need to know about every program, and the meshes that they feed.
 
-# name|kind|arguments beside the input; MESH stands for a file with the mesh itself.
+# name|kind|arguments beside the input; MESH stands for a file with the mesh itself. The input of a
+# converter is in the file $NAME_input, for example $tm_cameras_input.
 contract_programs() {
   cat <<'TABLE'
+tm-cameras|converter|
 tm-cat|filter|
 tm-checkmanifold|predicate|
 tm-clean|filter|
@@ -48,11 +50,18 @@ torus() {
   }'
 }
 
+# Two cameras as Middlebury parameters.
+two_cameras() {
+  printf '%s\n' 2 "a.png 300 0 79.5 0 300 59.5 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5" \
+    "b.png 300 0 79.5 0 300 59.5 0 0 1 0.8 0 -0.6 0 1 0 0.6 0 0.8 0 0 5"
+}
+
 # for_each KIND... -- FUNCTION: calls FUNCTION for every program of these kinds with $program,
 # $kind and the array $arguments set, and fails, naming the program, where FUNCTION does. Programs
 # of other kinds are named: the check makes no sense for them.
 for_each() {
-  local kinds=" " failed=0 rest row
+  local kinds=" " failed=0 rest row input mesh_input=$mesh binary_input=$binary
+  local crossing_input=$crossing mesh binary crossing
   while [ "$1" != -- ]; do
     kinds+="$1 "
     shift
@@ -61,6 +70,15 @@ for_each() {
     if [[ $kinds != *" $kind "* ]]; then
       echo "# $program: not for a $kind" >&3
       continue
+    fi
+    if is_left_out "$program"; then
+      echo "# $program: not built" >&3
+      continue
+    fi
+    mesh=$mesh_input binary=$binary_input crossing=$crossing_input
+    if [ "$kind" = converter ]; then
+      input=${program//-/_}_input
+      mesh=${!input} binary=${!input} crossing=${!input}
     fi
     read -ra row <<<"$rest"
     arguments=("${row[@]/MESH/$mesh}")

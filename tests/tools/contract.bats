@@ -7,6 +7,8 @@ setup_file() {
   export mesh=$BATS_FILE_TMPDIR/torus.ply
   export crossing=$BATS_FILE_TMPDIR/crossing.ply
   export binary=$BATS_FILE_TMPDIR/binary.ply
+  export tm_cameras_input=$BATS_FILE_TMPDIR/cameras_par.txt
+  two_cameras >"$tm_cameras_input"
   torus 24 12 >"$mesh"
   tm-convert --no-provenance --format ply -o "$binary" "$mesh"
   torus 24 12 1.1 | tm-cat --no-provenance --format ply -o "$crossing" "$mesh" -
@@ -28,7 +30,7 @@ help_is_golden() {
   [ ! -s stderr ]
 }
 @test "1: --help prints the golden text" {
-  for_each filter predicate picture source -- help_is_golden
+  for_each filter predicate picture source converter -- help_is_golden
 }
 
 version_is_printed() {
@@ -38,7 +40,7 @@ version_is_printed() {
   [[ $output =~ ^"$program "[0-9]+\.[0-9]+\.[0-9]+$ ]]
 }
 @test "2: --version prints name and version" {
-  for_each filter predicate picture source -- version_is_printed
+  for_each filter predicate picture source converter -- version_is_printed
 }
 
 unknown_option_is_refused() {
@@ -49,7 +51,7 @@ unknown_option_is_refused() {
   [[ $stderr == "$program: "*"'--versoin'"*"'--version'"* ]]
 }
 @test "3: an unknown option is exit 2 and one line that names the nearest" {
-  for_each filter predicate picture source -- unknown_option_is_refused
+  for_each filter predicate picture source converter -- unknown_option_is_refused
 }
 
 stdin_equals_file() {
@@ -61,7 +63,7 @@ stdin_equals_file() {
   cmp named dash
 }
 @test "4: stdin equals the named file, byte for byte" {
-  for_each filter predicate picture -- stdin_equals_file
+  for_each filter predicate picture converter -- stdin_equals_file
 }
 
 output_option_equals_stdout() {
@@ -72,7 +74,7 @@ output_option_equals_stdout() {
   cmp expected target
 }
 @test "5: -o FILE equals stdout" {
-  for_each filter predicate picture source -- output_option_equals_stdout
+  for_each filter predicate picture source converter -- output_option_equals_stdout
 }
 
 empty_input_is_refused() {
@@ -84,7 +86,7 @@ empty_input_is_refused() {
   [[ $stderr == "$program: "*empty* ]]
 }
 @test "6: empty input is exit 3 and says so" {
-  for_each filter predicate picture -- empty_input_is_refused
+  for_each filter predicate picture converter -- empty_input_is_refused
 }
 
 truncated_input_is_refused() {
@@ -97,7 +99,7 @@ truncated_input_is_refused() {
   [[ $stderr == "$program: "* ]]
 }
 @test "7: truncated binary PLY is exit 3, and nothing is written" {
-  for_each filter predicate picture -- truncated_input_is_refused
+  for_each filter predicate picture converter -- truncated_input_is_refused
 }
 
 closed_pipe_is_silent() {
@@ -109,7 +111,7 @@ closed_pipe_is_silent() {
   [ "$code $(cat stderr)" = "141 " ] || fail "exit code $code, $(cat stderr)"
 }
 @test "8: a closed output pipe ends the program silently" {
-  for_each filter predicate picture source -- closed_pipe_is_silent
+  for_each filter predicate picture source converter -- closed_pipe_is_silent
 }
 
 failed_output_is_told() {
@@ -122,8 +124,8 @@ failed_output_is_told() {
 full_disk_is_told() { failed_output_is_told >/dev/full; }
 closed_stdout_is_told() { failed_output_is_told >&-; }
 @test "9: a full disk and a closed stdout are exit 5 and told" {
-  for_each filter predicate picture source -- full_disk_is_told
-  for_each filter predicate picture source -- closed_stdout_is_told
+  for_each filter predicate picture source converter -- full_disk_is_told
+  for_each filter predicate picture source converter -- closed_stdout_is_told
 }
 
 header_survives() {
@@ -148,7 +150,7 @@ threads_make_no_difference() {
   cmp 1 4
 }
 @test "11: 1, 2 and 4 threads give the same bytes" {
-  for_each filter predicate picture source -- threads_make_no_difference
+  for_each filter predicate picture source converter -- threads_make_no_difference
 }
 
 # The program waits for the rest of its input, or for a reader of its output, when the signal comes.
@@ -176,6 +178,6 @@ signal_ends_it() {
 interrupt_ends_it() { signal_ends_it INT 130; }
 termination_ends_it() { signal_ends_it TERM 143; }
 @test "12: SIGINT and SIGTERM end it at once, and leave no partial file" {
-  for_each filter predicate picture source -- interrupt_ends_it
-  for_each filter predicate picture source -- termination_ends_it
+  for_each filter predicate picture source converter -- interrupt_ends_it
+  for_each filter predicate picture source converter -- termination_ends_it
 }

@@ -55,6 +55,15 @@ void check_names(const CameraList& list) {
   }
 }
 
+void check_complete(const CameraList& list) {
+  for (const CameraRecord& record : list.cameras) {
+    if (!record.is_centered) continue;
+    throw InputError("the principal point of '" + record.name +
+                     "' is the center of an image of unknown size (" + record.place +
+                     "): name the images");
+  }
+}
+
 CameraList parse(const Source& source, CameraFormat format) {
   switch (format) {
     case CameraFormat::middlebury:
@@ -160,6 +169,33 @@ CameraList cameras_from(const std::string& where) {
   }
   check_names(list);
   return list;
+}
+
+std::string write_cameras(const CameraList& list, CameraFormat format) {
+  check_complete(list);
+  if (format == CameraFormat::bundler) throw InputError("Bundler's files are read, not written");
+  if (format == CameraFormat::middlebury) return write_middlebury(list);
+  if (format == CameraFormat::colmap) return write_colmap_cameras(list) + write_colmap_images(list);
+  std::string text;
+  for (const CameraRecord& record : list.cameras) {
+    text += "# " + record.name + '\n' + write_matrix(record.camera);
+  }
+  return text;
+}
+
+std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat format) {
+  check_complete(list);
+  if (format == CameraFormat::colmap) {
+    return {{"cameras.txt", write_colmap_cameras(list)},
+            {"images.txt", write_colmap_images(list)},
+            {"points3D.txt", "# No points\n"}};
+  }
+  if (format != CameraFormat::matrices) return {{"cameras_par.txt", write_cameras(list, format)}};
+  std::vector<CameraText> files;
+  for (const CameraRecord& record : list.cameras) {
+    files.push_back({stem_of(record.name) + ".txt", write_matrix(record.camera)});
+  }
+  return files;
 }
 
 }  // namespace transformesh

@@ -3,9 +3,9 @@
 ///
 /// Middlebury: the number of cameras, then a line `name k11 .. k33 r11 .. r33 t1 t2 t3` for each.
 /// COLMAP: cameras.txt and images.txt, in two files of a folder or joined in one text; its pixel
-/// centres are at 0.5. Bundler: bundle.out v0.3; the principal point is the image's centre.
-/// Matrices: twelve numbers in rows, K [R | t] up to scale; several may follow each other, each
-/// perhaps after a comment `# name`.
+/// centers are at 0.5. Bundler: bundle.out v0.3; the principal point is the image's center.
+/// Matrices: twelve numbers in rows, K [R | t] up to scale; several may follow each other in a
+/// file, each perhaps after a comment `# name`.
 ///
 /// All of them throw InputError naming file and line for cameras that a pinhole without distortion
 /// is not, for numbers that are missing, not finite or no numbers, and for counts that disagree.
@@ -24,14 +24,14 @@ enum class CameraFormat { middlebury, colmap, bundler, matrices };
 
 /// A camera and what its file says of the photograph.
 struct CameraRecord {
-  std::string name;   ///< the image's as written there; of matrices the comment or the file's stem
+  std::string name;   ///< the image's as written there; else the file's stem
   std::string place;  ///< `dino_par.txt line 3`, for messages
   PinholeCamera camera;
   int width = 0;  ///< of the image; 0: the file does not say
   int height = 0;
-  bool is_centered = false;  ///< the principal point is the centre of an image of unknown size
+  bool is_centered = false;  ///< the principal point is the center of an image of unknown size
 
-  /// Checks the image's size, and centres the principal point if that is still to be done. Throws
+  /// Checks the image's size, and centers the principal point if that is still to be done. Throws
   /// InputError where the file says another size; `image` names it there.
   void set_size(int columns, int rows, const std::string& image);
 };
@@ -58,7 +58,8 @@ struct CameraText {
 };
 
 /// One text that reads back as the same cameras. Throws InputError for what the format cannot hold:
-/// Bundler is only read, COLMAP needs the images' sizes and no skew.
+/// Bundler is only read, COLMAP needs the images' sizes and no skew, Middlebury names without
+/// blanks; and for cameras that are still to be centerd.
 std::string write_cameras(const CameraList& list, CameraFormat format);
 
 /// As the programs of the format expect it in a folder: COLMAP's three files, a matrix for each

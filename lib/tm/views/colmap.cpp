@@ -49,7 +49,7 @@ int read_side(TextRows& rows, const char* name, const std::string& who) {
   return side;
 }
 
-// The centre of the first pixel is 0.5, 0.5 for COLMAP, and 0, 0 here.
+// The center of the first pixel is 0.5, 0.5 for COLMAP, and 0, 0 here.
 void read_lens(TextRows& rows, Lenses& lenses) {
   const std::string id(rows.word());
   const std::string who = "camera " + id;

@@ -16,6 +16,36 @@ DecodeImage* load(std::string& problem) {
   return reinterpret_cast<DecodeImage*>(function);
 }
 
+std::uint8_t byte_at(std::string_view bytes, std::size_t place) {
+  return static_cast<std::uint8_t>(bytes[place]);
+}
+
+/// Goes from segment to segment to the end of the image, which decoders do without: they fill what
+/// is missing with grey.
+bool is_complete_jpeg(std::string_view bytes) {
+  constexpr std::uint8_t end_of_image = 0xd9;
+  constexpr std::uint8_t start_of_scan = 0xda;
+  std::size_t place = 2;
+  while (place + 4 <= bytes.size()) {
+    const std::uint8_t marker = byte_at(bytes, place + 1);
+    if (byte_at(bytes, place) != 0xff) return false;
+    if (marker == 0xff) {
+      ++place;  // fill
+      continue;
+    }
+    place += 2 + 256 * std::size_t{byte_at(bytes, place + 2)} + byte_at(bytes, place + 3);
+    if (marker != start_of_scan) continue;
+    // In a scan's data, 0xff stands before 0 and before the marks of restarts.
+    const auto is_data = [&] {
+      const std::uint8_t next = byte_at(bytes, place + 1);
+      return byte_at(bytes, place) != 0xff || next == 0 || (next >= 0xd0 && next <= 0xd7);
+    };
+    while (place + 2 <= bytes.size() && is_data()) ++place;
+    if (place + 2 <= bytes.size() && byte_at(bytes, place + 1) == end_of_image) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Samples decode_other(const Source& source) {
@@ -24,6 +54,9 @@ Samples decode_other(const Source& source) {
   if (decode_image == nullptr) {
     source.fail("only PNG and PNM images can be read, because a part of tm does not load: " +
                 problem);
+  }
+  if (source.bytes.starts_with("\xff\xd8") && !is_complete_jpeg(source.bytes)) {
+    source.fail("not a complete JPEG image: the file ends too early");
   }
   Samples samples;
   if (!decode_image(source.bytes, samples)) {

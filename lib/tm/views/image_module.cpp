@@ -1,5 +1,7 @@
 #include "tm/views/image_module.h"
 
+#include <limits>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 namespace {
@@ -17,6 +19,8 @@ void append_row(const Sample* pixel, const cv::Mat& image, std::vector<std::uint
 }
 
 bool decode(std::string_view bytes, Samples& samples) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return false;
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   const cv::Mat encoded(1, static_cast<int>(bytes.size()), CV_8UC1,
                         const_cast<char*>(bytes.data()));
   const cv::Mat image =

@@ -1,3 +1,4 @@
+#include "tm/support/error.h"
 #include "tm/views/camera_formats.h"
 
 namespace transformesh {
@@ -86,6 +87,10 @@ std::string write_middlebury(const CameraList& list) {
   text.add_number(list.cameras.size());
   text.add('\n');
   for (const CameraRecord& record : list.cameras) {
+    if (record.name.find_first_of(" \t#") != std::string::npos) {
+      throw InputError("a name in a Middlebury camera file has no blank and no #: '" + record.name +
+                       "' (" + record.place + ")");
+    }
     text.add(record.name);
     add_matrix(text, record.camera.intrinsics);
     add_matrix(text, record.camera.rotation);

@@ -65,15 +65,19 @@ CameraList read_matrices(const Source& source) {
     }
     CameraRecord record;
     record.place = place_of(rows, source);
-    record.name = rows.comments.empty() ? stem_of(source.name) : rows.comments.back();
+    const std::string number = std::to_string(list.cameras.size() + 1);
+    record.name =
+        rows.comments.empty() ? stem_of(source.name) + '-' + number : rows.comments.back();
     rows.comments.clear();
-    const std::string who = "matrix " + std::to_string(list.cameras.size() + 1);
+    const std::string who = "matrix " + number;
     const Projection projection = read_projection(rows, who);
     if (is_singular(projection)) rows.fail(who + " is singular: no camera has it");
     record.camera = decomposed(projection);
     list.cameras.push_back(std::move(record));
   }
   if (list.cameras.empty()) rows.fail("there is no camera in the file");
+  // A comment in each of many files is a title, not a name.
+  if (list.cameras.size() == 1) list.cameras[0].name = stem_of(source.name);
   return list;
 }
 

@@ -1,8 +1,9 @@
 #include "tm/views/view_files.h"
 
+#include <filesystem>
+
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
-#include "tm/views/camera_file.h"
 #include "tm/views/file_list.h"
 #include "tm/views/image_file.h"
 #include "tm/views/name_pairs.h"
@@ -113,6 +114,19 @@ std::vector<View> views_from(const ViewSources& sources) {
   }
   check_sizes(views, leaders.paths);
   return views;
+}
+
+CameraList cameras_of_images(CameraList cameras, const std::string& where,
+                             const std::string& images) {
+  const auto paths =
+      ordered(names_of(cameras, where), image_files("image", images), cameras.names_images);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const GrayImage image = decode_photograph(file_bytes(paths[i]), paths[i]);
+    cameras.cameras[i].set_size(image.width, image.height, paths[i]);
+    cameras.cameras[i].name = std::filesystem::path(paths[i]).filename().string();
+  }
+  cameras.names_images = true;
+  return cameras;
 }
 
 }  // namespace transformesh

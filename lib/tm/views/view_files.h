@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tm/views/camera_file.h"
 #include "tm/views/view.h"
 
 namespace transformesh {
@@ -25,5 +26,10 @@ struct ViewSources {
 /// the one that the camera file says, for images of different sizes with the same intrinsics, and
 /// for a silhouette without a pixel inside.
 std::vector<View> views_from(const ViewSources& sources);
+
+/// The same cameras with the sizes and file names of their images, for conversion. `where` names
+/// the camera file in messages. Throws as views_from does.
+CameraList cameras_of_images(CameraList cameras, const std::string& where,
+                             const std::string& images);
 
 }  // namespace transformesh
