@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -50,7 +51,7 @@ Length parse_checked_length(const std::string& text, bool may_be_negative) {
   return length;
 }
 
-std::vector<double> parse_point(const std::string& text) {
+std::vector<double> parse_numbers(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
   std::size_t begin = 0;
   while (begin <= text.size()) {
@@ -58,8 +59,8 @@ std::vector<double> parse_point(const std::string& text) {
     numbers.push_back(parse_number(text.substr(begin, end - begin)));
     begin = end + 1;
   }
-  if (numbers.size() == 3) return numbers;
-  throw UsageError(quoted(text) + " is not a point: write three numbers as 1,2,3");
+  if (numbers.size() == count) return numbers;
+  throw UsageError(quoted(text) + " is not " + std::to_string(count) + " numbers with commas");
 }
 
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
@@ -146,9 +147,12 @@ Option choice_option(const std::string& name, std::string* value, std::vector<st
       }};
 }
 
-Option point_option(const std::string& name, std::vector<double>* value, const std::string& help) {
-  return {name, 0,     "X,Y,Z",
-          help, value, [value](const std::string& text) { *value = parse_point(text); }};
+Option numbers_option(const std::string& name, std::vector<double>* value,
+                      const std::string& placeholder, const std::string& help) {
+  const auto commas = std::count(placeholder.begin(), placeholder.end(), ',');
+  const auto count = static_cast<std::size_t>(commas) + 1;
+  return {name, 0,     placeholder,
+          help, value, [=](const std::string& text) { *value = parse_numbers(text, count); }};
 }
 
 }  // namespace transformesh::tool

@@ -18,7 +18,8 @@ struct TemporaryFile {
   std::atomic<bool> exists{false};
   std::array<char, 4096> path{};
 };
-std::array<TemporaryFile, 16> temporary_files;
+// Enough for every image of a large data set; pages that are not used cost nothing.
+std::array<TemporaryFile, 2048> temporary_files;
 std::atomic<bool> bar_is_visible{false};
 
 void write_text(int descriptor, std::string_view text) {

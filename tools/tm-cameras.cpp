@@ -75,8 +75,8 @@ int main(int argc, char** argv) {
   program.flag("list", &options.list, "print a table of the cameras and their pairs instead");
   program.flag("json", &options.json, "print that table as JSON");
   program.integer("pairs", &options.neighbors, 0, 1000, "neighbors of each view in the table");
-  program.point("center", &options.center,
-                "the scene's center for the table (default: nearest to all viewing axes)");
+  program.numbers("center", &options.center, "X,Y,Z",
+                  "the scene's center for the table (default: nearest to all viewing axes)");
   program.epilog("WHERE is a file, a folder or a quoted pattern; stdin is one file.");
   return program.converter(argc, argv, [&](const std::string& where, tool::Run& run) {
     CameraList list = read(where, options, run);

@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
   program.integer("count", &options.count, 1, 1000000, "of many-spheres (40) or boxes (50)");
   program.length("noise", &options.noise, "amplitude of smooth noise along the normals");
   program.seed(&options.seed);
-  program.point("center", &options.center, "where to put the shape");
+  program.numbers("center", &options.center, "X,Y,Z", "where to put the shape");
   program.text("around", &options.around, "FILE", "a sphere around the bounding box of that mesh");
   program.epilog(
       "Kinds: sphere, ellipsoid A B C, box A B C, torus, genus N, torus-knot P Q,\n"

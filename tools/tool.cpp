@@ -51,9 +51,9 @@ void Program::choice(const std::string& option, std::string* value, std::vector<
   implementation_->table.add(choice_option(option, value, std::move(names), help));
 }
 
-void Program::point(const std::string& option, std::vector<double>* value,
-                    const std::string& help) {
-  implementation_->table.add(point_option(option, value, help));
+void Program::numbers(const std::string& option, std::vector<double>* value,
+                      const std::string& placeholder, const std::string& help) {
+  implementation_->table.add(numbers_option(option, value, placeholder, help));
 }
 
 void Program::words(std::vector<std::string>* values, const std::string& placeholder,

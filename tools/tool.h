@@ -84,8 +84,9 @@ class Program {
   /// One of the names given; anything else is a usage error that names the nearest.
   void choice(const std::string& option, std::string* value, std::vector<std::string> names,
               const std::string& help);
-  /// Exactly three numbers, comma separated.
-  void point(const std::string& option, std::vector<double>* value, const std::string& help);
+  /// As many numbers as the placeholder has, comma separated: `X,Y,Z`. No default where empty.
+  void numbers(const std::string& option, std::vector<double>* value,
+               const std::string& placeholder, const std::string& help);
   /// Positional words before the input (tm-shape KIND PARAMETERS...): all words are these.
   void words(std::vector<std::string>* values, const std::string& placeholder,
              const std::string& help);

@@ -1,7 +1,8 @@
 # What the contract's checks need to know about every program, and the meshes that they feed.
 
-# name|kind|arguments beside the input; MESH stands for a file with the mesh itself. The input of a
-# converter is in the file $NAME_input, for example $tm_cameras_input.
+# name|kind|arguments beside the input; MESH stands for a file with the mesh itself, SCENE
+# for a folder with par.txt and masks. The input of a converter is in the file
+# $NAME_input, for example $tm_cameras_input.
 contract_programs() {
   cat <<'TABLE'
 tm-cameras|converter|
@@ -11,6 +12,7 @@ tm-clean|filter|
 tm-compare|predicate|--reference MESH
 tm-convert|filter|
 tm-displace|filter|--normal-speed 0.01
+tm-hull|source|--cameras SCENE/par.txt --silhouettes SCENE/masks --resolution 20
 tm-info|predicate|
 tm-intersect|filter|
 tm-morph-step|filter|--target MESH
@@ -82,6 +84,7 @@ for_each() {
     fi
     read -ra row <<<"$rest"
     arguments=("${row[@]/MESH/$mesh}")
+    arguments=("${arguments[@]/SCENE/$scene}")
     # Not as a condition: bash would then go on after a failing line of the function.
     set +e
     (

@@ -2,11 +2,14 @@
 
 load ../helpers/common
 load ../helpers/contract
+load ../helpers/scene
 
 setup_file() {
   export mesh=$BATS_FILE_TMPDIR/torus.ply
   export crossing=$BATS_FILE_TMPDIR/crossing.ply
   export binary=$BATS_FILE_TMPDIR/binary.ply
+  export scene=$BATS_FILE_TMPDIR/scene
+  make_scene "$scene"
   export tm_cameras_input=$BATS_FILE_TMPDIR/cameras_par.txt
   two_cameras >"$tm_cameras_input"
   torus 24 12 >"$mesh"

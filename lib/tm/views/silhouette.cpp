@@ -129,11 +129,37 @@ class ContourDistance {
   std::vector<Segment> segments_;
 };
 
+double dividing_level(const cv::Mat& pixels) {
+  cv::Mat bytes, unused;
+  pixels.convertTo(bytes, CV_8U);
+  const double level = cv::threshold(bytes, unused, 0, 255, cv::THRESH_OTSU);
+  return std::clamp(level + 0.5, 0.5, 254.5);  // bytes of the level itself are dark
+}
+
+/// The silhouette whose contour is `offset` pixels outside of the one with these distances.
+GrayImage offset_silhouette(GrayImage distances, float offset) {
+  for (float& pixel : distances.pixels)
+    pixel = std::clamp(contour_level * (1 + offset - pixel), 0.0F, 255.0F);
+  return distances;
+}
+
+/// As the border of the image is no contour, nothing is eroded from there.
+GrayImage closed(const GrayImage& silhouette, float radius) {
+  const GrayImage wide = offset_silhouette(signed_distance(silhouette), radius);
+  GrayImage narrow = offset_silhouette(signed_distance(wide), -radius);
+  // Where nothing was closed the contour stays exactly where it was.
+  for (std::size_t i = 0; i < narrow.pixels.size(); ++i)
+    narrow.pixels[i] = std::max(narrow.pixels[i], silhouette.pixels[i]);
+  return narrow;
+}
+
 }  // namespace
 
 GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options) {
-  if (!(options.level > 0 && options.level < 255))
+  if (options.level && !(*options.level > 0 && *options.level < 255))
     throw UsageError("the level of a silhouette must be between 0 and 255");
+  if (!(options.close >= 0 && options.close <= 1))
+    throw UsageError("what is closed in a silhouette must be between 0 and 1 of the image");
   if (!(options.blur >= 0)) throw UsageError("the blur of a silhouette must not be negative");
   GrayImage silhouette = image;
   if (image.empty()) return silhouette;
@@ -141,11 +167,18 @@ GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& o
   cv::Mat pixels(image.height, image.width, CV_32F, silhouette.pixels.data());
   if (options.blur > 0) cv::GaussianBlur(pixels, pixels, {}, options.blur);
   // Steep, but not so steep that the place of the contour between two pixels is lost.
-  const auto level = static_cast<float>(options.level);
+  const auto level = static_cast<float>(options.level ? *options.level : dividing_level(pixels));
   const float slope = contour_level / std::min(level, 255 - level);
   for (float& pixel : silhouette.pixels)
     pixel = std::clamp(contour_level + slope * (pixel - level), 0.0F, 255.0F);
-  return silhouette;
+  const auto radius = static_cast<float>(options.close * std::max(image.width, image.height));
+  return radius > 0 ? closed(silhouette, radius) : silhouette;
+}
+
+GrayImage two_levels(const GrayImage& silhouette) {
+  GrayImage mask = silhouette;
+  for (float& pixel : mask.pixels) pixel = is_inside(pixel) ? 255.0F : 0.0F;
+  return mask;
 }
 
 double inside_share(const GrayImage& silhouette) {

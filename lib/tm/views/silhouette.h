@@ -14,13 +14,22 @@
 namespace transformesh {
 
 struct ThresholdOptions {
-  double level = 25;  ///< (0, 255): an object is brighter than that
-  double blur = 1.5;  ///< >= 0: deviation in pixels of the Gaussian that is applied before
+  /// (0, 255): the object is brighter than that. Default: the level that best divides the pixels
+  /// into dark and bright ones (Otsu, "A threshold selection method from gray-level histograms",
+  /// IEEE Trans. SMC 9, 1979).
+  std::optional<double> level = std::nullopt;
+  double blur = 1.5;    ///< >= 0: deviation in pixels of the Gaussian that is applied before
+  double close = 0.01;  ///< [0, 1]: per larger side of the image; dark marks on the object, and
+                        ///< gaps in it, that are less than twice as wide become part of it
 };
 
 /// The silhouette of a bright object before a dark background. Its contour is where the blurred
-/// image crosses the level. Throws UsageError for options out of range. O(pixels).
+/// image crosses the level, but for what is closed (dilated and eroded, with discs). Throws
+/// UsageError for options out of range. O(pixels).
 GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options = {});
+
+/// 255 inside and 0 outside: as masks in files are.
+GrayImage two_levels(const GrayImage& silhouette);
 
 /// Share of the pixels that are inside.
 double inside_share(const GrayImage& silhouette);

@@ -30,7 +30,7 @@ OptionTable make_table(Values& values) {
   table.add(length_option("gap", &values.gap, "a signed length", true));
   table.add(choice_option("kind", &values.kind, {"valence", "angle"}, "a kind"));
   table.add(text_option("file", &values.file, "FILE", "a file"));
-  table.add(point_option("point", &values.point, "a point"));
+  table.add(numbers_option("point", &values.point, "X,Y,Z", "a point"));
   return table;
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("a bad value names the option, the value and what is allowed") {
   CHECK(refusal({"--length", "2m"}).starts_with("--length: '2m' is not a length"));
   CHECK(refusal({"--kind", "angel"}) ==
         "--kind: 'angel' is not known; did you mean 'angle'? (valence, angle)");
-  CHECK(refusal({"--point", "1,2"}).starts_with("--point: '1,2' is not a point"));
+  CHECK(refusal({"--point", "1,2"}).starts_with("--point: '1,2' is not 3 numbers with commas"));
   CHECK(refusal({"--point", "1,2,"}) == "--point: '' is not a number");
 }
 

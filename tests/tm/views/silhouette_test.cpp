@@ -37,11 +37,6 @@ double worst_error(const GrayImage& distances, const Function& exact) {
   return worst;
 }
 
-GrayImage two_levels(GrayImage mask) {
-  for (float& pixel : mask.pixels) pixel = pixel > 127.5F ? 255.0F : 0.0F;
-  return mask;
-}
-
 }  // namespace
 
 TEST_CASE("a soft disc: the distance is that to the circle") {
@@ -127,25 +122,58 @@ TEST_CASE("a threshold finds the contour between pixels") {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       photograph.at(x, y) = static_cast<float>(std::clamp(60 - 30 * disc(x, y), 0.0, 200.0));
-  const GrayImage distances = signed_distance(threshold_silhouette(photograph, {60, 0}));
+  const GrayImage distances = signed_distance(threshold_silhouette(photograph, {60, 0, 0}));
   CHECK(worst_error(distances, disc) < 0.1);
-  const GrayImage lower = signed_distance(threshold_silhouette(photograph, {30, 0}));
+  const GrayImage lower = signed_distance(threshold_silhouette(photograph, {30, 0, 0}));
   CHECK(worst_error(lower, [](double x, double y) { return disc(x, y) - 1; }) < 0.1);
 }
 
 TEST_CASE("blur forgets single bright pixels") {
   GrayImage photograph = soft_mask(disc);
   photograph.at(60, 5) = 255;
-  CHECK(threshold_silhouette(photograph, {100, 0}).at(60, 5) > 127.5F);
-  CHECK(threshold_silhouette(photograph, {100, 1.5}).at(60, 5) < 127.5F);
+  CHECK(threshold_silhouette(photograph, {100, 0, 0}).at(60, 5) > 127.5F);
+  CHECK(threshold_silhouette(photograph, {100, 1.5, 0}).at(60, 5) < 127.5F);
   CHECK(inside_share(photograph) ==
         doctest::Approx(3.14159 * 11.7 * 11.7 / (width * height)).epsilon(0.02));
 }
 
+TEST_CASE("without a level, that between dark and bright pixels is found") {
+  // Levels around 40 and around 180, both with some spread.
+  GrayImage photograph(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      photograph.at(x, y) = static_cast<float>((disc(x, y) < 0 ? 180 : 40) + (7 * x + 3 * y) % 31);
+  const GrayImage mask = two_levels(threshold_silhouette(photograph, {std::nullopt, 0, 0}));
+  CHECK(mask.pixels == two_levels(soft_mask(disc)).pixels);
+}
+
+TEST_CASE("dark marks on the object become part of it, wide gaps do not") {
+  // A wide bar that leaves the image, with a dark line, a notch and a wide hole in it.
+  GrayImage photograph(width, height);
+  const auto fill = [&](int left, int top, int right, int bottom, float level) {
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x) photograph.at(x, y) = level;
+  };
+  fill(0, 5, 50, 43, 200);
+  const GrayImage unmarked = photograph;
+  fill(10, 12, 40, 14, 0);
+  fill(5, 20, 20, 35, 0);
+  const GrayImage closed = two_levels(threshold_silhouette(photograph, {100, 0, 0.05}));  // 3.2
+  CHECK(closed.at(20, 12) == 255);
+  CHECK(closed.at(12, 27) == 0);
+  // What is outside stays outside, also where the bar leaves the image.
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (unmarked.at(x, y) == 0) CHECK(closed.at(x, y) == 0);
+  for (int y = 5; y < 11; ++y) CHECK(closed.at(0, y) == 255);
+}
+
 TEST_CASE("options that make no sense are refused") {
   const GrayImage image(4, 4);
-  CHECK_THROWS_AS(threshold_silhouette(image, {0, 1}), UsageError);
-  CHECK_THROWS_AS(threshold_silhouette(image, {255, 1}), UsageError);
-  CHECK_THROWS_AS(threshold_silhouette(image, {25, -1}), UsageError);
+  CHECK_THROWS_AS(threshold_silhouette(image, {0, 1, 0}), UsageError);
+  CHECK_THROWS_AS(threshold_silhouette(image, {255, 1, 0}), UsageError);
+  CHECK_THROWS_AS(threshold_silhouette(image, {25, -1, 0}), UsageError);
+  CHECK_THROWS_AS(threshold_silhouette(image, {25, 1, -0.1}), UsageError);
   CHECK(signed_distance(GrayImage()).empty());
+  CHECK(threshold_silhouette(GrayImage()).empty());
 }

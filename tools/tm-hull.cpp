@@ -1,0 +1,68 @@
+/// tm-hull: the visual hull of calibrated silhouettes.
+#include "tm/support/error.h"
+#include "tm/views/hull.h"
+#include "tm/views/silhouette_box.h"
+#include "tool.h"
+#include "view_options.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  tool::SilhouetteOptions silhouettes;
+  std::vector<double> box;
+  long resolution = 100;
+  std::optional<Length> edge;
+  std::string keep = "largest";
+};
+
+void declare(tool::Program& program, Options& options) {
+  tool::declare_silhouettes(program, options.silhouettes);
+  program.numbers("box", &options.box, "X,Y,Z,X,Y,Z",
+                  "where to look: two corners; without it as far as the silhouettes reach");
+  program.integer("resolution", &options.resolution, 4, 4096,
+                  "cells along the longest side of the box");
+  program.length("edge", &options.edge, "or the size of a cell");
+  program.text("keep", &options.keep, "largest|all|SHARE",
+               "which components: of at least this share of the largest one's volume");
+}
+
+double share_to_keep(const std::string& keep) {
+  if (keep == "largest") return 1;
+  if (keep == "all") return 0;
+  const Length share = parse_length(keep);
+  if (share.unit != Length::Unit::absolute || share.value < 0 || share.value > 1)
+    throw UsageError("--keep: '" + keep + "' is neither largest, all nor a number from 0 to 1");
+  return share.value;
+}
+
+Document make(const Options& options, tool::Run& run) {
+  HullOptions hull;
+  hull.resolution = static_cast<int>(options.resolution);
+  hull.keep = share_to_keep(options.keep);
+  const std::vector<View> views = tool::views_with_silhouettes(options.silhouettes, run);
+  const std::vector<double>& box = options.box;
+  hull.box =
+      box.empty() ? silhouette_box(views) : Box{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+  run.set_basis(hull.box->diagonal());
+  if (options.edge) hull.edge = run.length(*options.edge);
+
+  HullResult result = visual_hull(views, hull, run.progress());
+  run.report("views", views.size());
+  run.report("cell", result.cell);
+  run.report("dropped_components", result.dropped_components);
+  Document document;
+  document.mesh = std::move(result.mesh);
+  return document;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program("tm-hull", "[OPTION]... --cameras WHERE --silhouettes WHERE",
+                        "Makes the visual hull of calibrated silhouettes");
+  declare(program, options);
+  return program.source(argc, argv, [&](tool::Run& run) { return make(options, run); });
+}

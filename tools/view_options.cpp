@@ -1,0 +1,58 @@
+#include "view_options.h"
+
+#include "tm/picture/png.h"
+#include "tm/support/error.h"
+#include "tm/views/gray_picture.h"
+
+namespace transformesh::tool {
+namespace {
+
+ThresholdOptions threshold_of(const SilhouetteOptions& options) {
+  ThresholdOptions threshold;
+  threshold.blur = options.blur;
+  threshold.close = options.close;
+  if (options.threshold == "auto") return threshold;
+  const Length level = parse_length(options.threshold);
+  if (level.unit != Length::Unit::absolute || level.value < 1 || level.value > 254) {
+    throw UsageError("--threshold: '" + options.threshold +
+                     "' is neither auto nor a number from 1 to 254");
+  }
+  threshold.level = level.value;
+  return threshold;
+}
+
+}  // namespace
+
+void declare_silhouettes(Program& program, SilhouetteOptions& options) {
+  program.text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras");
+  program.require("cameras");
+  program.text("silhouettes", &options.sources.silhouettes, "WHERE",
+               "masks: not black where the object is");
+  program.text("images", &options.sources.images, "WHERE",
+               "or photographs of a bright object before a dark background");
+  program.text("threshold", &options.threshold, "auto|LEVEL",
+               "grey level, 1 to 254, above which photographs show the object");
+  program.number("blur", &options.blur, 0, 100, "pixels by which photographs are blurred before");
+  program.number("close", &options.close, 0, 1,
+                 "share of the image's larger side: narrower marks belong to the object");
+  program.text("write-silhouettes", &options.masks, "FOLDER",
+               "also write the silhouettes there, as NAME.png");
+  for (const char* place : {"cameras", "silhouettes", "images", "write-silhouettes"})
+    program.keep_out_of_provenance(place);
+}
+
+std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run) {
+  if (options.sources.silhouettes.empty() == options.sources.images.empty())
+    throw UsageError("either --silhouettes or --images is needed");
+  const ThresholdOptions threshold = threshold_of(options);
+  std::vector<View> views = views_from(options.sources);
+  for (View& view : views) {
+    if (!view.image.empty()) view.silhouette = threshold_silhouette(view.image, threshold);
+    if (options.masks.empty()) continue;
+    const GrayImage mask = two_levels(view.silhouette);
+    run.write(options.masks + "/" + view.name + ".png", write_png(picture_of(mask)));
+  }
+  return views;
+}
+
+}  // namespace transformesh::tool

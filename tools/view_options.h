@@ -1,0 +1,28 @@
+/// The options by which programs name silhouettes, and how silhouettes come out of photographs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tm/views/silhouette.h"
+#include "tm/views/view_files.h"
+#include "tool.h"
+
+namespace transformesh::tool {
+
+struct SilhouetteOptions {
+  ViewSources sources;
+  std::string threshold = "auto";
+  double blur = ThresholdOptions().blur;
+  double close = ThresholdOptions().close;
+  std::string masks;  ///< folder to write to
+};
+
+/// --cameras, --silhouettes, --images, --threshold, --blur, --close and --write-silhouettes.
+void declare_silhouettes(Program& program, SilhouetteOptions& options);
+
+/// The views with silhouettes: those of the masks, else those of the photographs. Writes them where
+/// that was asked for. Throws UsageError unless there is either, and what views_from throws.
+std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run);
+
+}  // namespace transformesh::tool
