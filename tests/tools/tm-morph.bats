@@ -35,7 +35,7 @@ same_mesh() {
 own_filters() {
   mkdir -p filters
   cp "$tm_root/scripts/tm-morph" filters/
-  for filter in tm-morph-step tm-clean tm-remesh tm-convert; do
+  for filter in tm-morph-step tm-clean tm-remesh tm-convert tm-compare tm-info tm-checkmanifold; do
     ln -sf "$tm_build/bin/$filter" "filters/$filter"
   done
 }
@@ -48,6 +48,7 @@ own_filters() {
   cmp out.ply "$whole"
   [ "$(value converged r.json)" = true ]
   [ "$(value stop r.json)" = converged ]
+  [ "$(value target_genus r.json)" -eq 1 ]
   [ "$(tm-info --get genus out.ply)" -eq 1 ]
   [ "$(tm-info --get components out.ply)" -eq 1 ]
   tm-intersect --check out.ply
@@ -64,8 +65,8 @@ own_filters() {
 
 @test "the csv has a line per iteration, and its numbers are plausible" {
   csv=$BATS_FILE_TMPDIR/whole.csv
-  awk -F, 'NR == 1 { if ($1 != "iteration" || NF != 16) exit 1; next }
-    $1 != NR - 1 || NF != 16 || $2 < 20 || $6 > 1 || $7 > 1.0001 { exit 1 }
+  awk -F, 'NR == 1 { if ($1 != "iteration" || NF != 17) exit 1; next }
+    $1 != NR - 1 || NF != 17 || $2 < 20 || $6 > 1 || $7 > 1.0001 { exit 1 }
     { pairs += $3; genus = $5; far = $8 }
     END { exit !(NR > 20 && pairs > 0 && genus == 1 && far < 0.1) }' "$csv" || fail "$(cat "$csv")"
 }
@@ -94,7 +95,8 @@ own_filters() {
   wait $! || true
   [ ! -e out.ply ]
   # As if it had been killed between writing a line and keeping its mesh.
-  echo 9999,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1 >>log.csv
+  echo 9999,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,0 >>log.csv
+  printf 'iteration 9999 scale 0 idle 0 che' >>out.ply.tm-morph/state
   sleep 0.5 # the filters of the killed loop end by themselves
   tm-morph "$sphere" --target "$torus" -o out.ply --csv log.csv --resume -q
   cmp out.ply "$whole"
@@ -130,7 +132,7 @@ own_filters() {
   cat >filters/tm-clean <<STUB
 #!/bin/bash
 echo >>$PWD/calls
-if [ "\$(wc -l <$PWD/calls)" -eq 5 ]; then
+if [ "\$(wc -l <$PWD/calls)" -eq 6 ]; then
   cat >/dev/null
   echo 'tm-clean: no luck today' >&2
   exit 4
@@ -138,7 +140,7 @@ fi
 exec $tm_build/bin/tm-clean "\$@"
 STUB
   chmod +x filters/tm-clean
-  # The first call is for the source, so the fifth is iteration 4.
+  # The first calls are for the source and the target, so the sixth is iteration 4.
   run --separate-stderr filters/tm-morph "$sphere" --target "$torus" -o out.ply
   assert_status 4
   [ "${stderr_lines[0]}" = "tm-clean: no luck today" ]
@@ -159,6 +161,62 @@ STUB
   [ "$(value converged r.json)" = false ]
   below 1 "$(value max_distance_from_target r.json)"
   [ "$(tm-info --get components out.ply)" -eq 1 ]
+}
+
+@test "a bridge whose vertices all lie on the target is no convergence" {
+  tm-shape two-spheres --gap 0.2 --faces 3000 -o two.ply
+  tm-shape sphere --around two.ply --faces 1500 -o start.ply
+  tm-morph start.ply --target two.ply -o out.ply --report r.json 2>messages
+  # One body with all its vertices near the target: what a rule for vertices would accept.
+  [ "$(tm-info --get components out.ply)" -eq 1 ]
+  edge=$(value mean_edge r.json)
+  below "$(value max_distance_to_target r.json)" "$(awk -v e="$edge" 'BEGIN { print e / 2 }')"
+  below "$(value max_distance_from_target r.json)" "$(awk -v e="$edge" 'BEGIN { print 2 * e }')"
+  [ "$(value converged r.json)" = false ]
+  [ "$(value stop r.json)" = stalled ]
+  [ "$(value target_components r.json)" -eq 2 ]
+  grep -q 'components 1 and genus 0, but those of the target are 2 and 0.*shorter than half' messages
+  # Edges of a third resolve the gap.
+  tm-morph start.ply --target two.ply -o out.ply --min-edge 0.2x --max-edge 0.5x --report r.json -q
+  [ "$(value converged r.json)" = true ]
+  [ "$(tm-info --get components out.ply)" -eq 2 ]
+}
+
+@test "a notch of the target that is left filled is no convergence" {
+  # The notch is as wide as an edge and four deep; the body has no other topology than a ball.
+  tm-shape box 2 2 2 --faces 6000 -o block.ply
+  tm-shape box 0.15 3 1 --center 0,0,1 --faces 6000 | tm-stitch --flip -q | tm-cat block.ply - -q |
+    tm-clean -q -o notched.ply
+  [ "$(tm-info --get genus notched.ply)" -eq 0 ]
+  tm-shape sphere --around notched.ply --faces 2500 -o start.ply
+  tm-morph start.ply --target notched.ply -o out.ply --report r.json -q
+  [ "$(value converged r.json)" = false ]
+  [[ $(value fault r.json) == up ]]
+  below 0.2 "$(value hausdorff_from_target r.json)"
+}
+
+@test "coarse to fine: --scales gets to the same in less time" {
+  tm-morph "$sphere" --target "$torus" -o out.ply --csv log.csv --scales 2 --report r.json -q
+  [ "$(value converged r.json)" = true ]
+  [ "$(tm-info --get genus out.ply)" -eq 1 ]
+  # Every scale is visited in turn, the last as fine as without scales.
+  [ "$(cut -d, -f17 log.csv | uniq | tr '\n' ' ')" = "scale 1 0 " ]
+  awk -v a="$(tm-info --get edge_mean out.ply)" -v b="$(tm-info --get edge_mean "$whole")" \
+    'BEGIN { exit !(a < 1.5 * b) }'
+  # The work: faces times iterations.
+  work='NR > 1 { sum += $2 } END { print sum }'
+  below "$(awk -F, "$work" log.csv)" "$(awk -F, "$work" "$BATS_FILE_TMPDIR/whole.csv" | awk '{ print $1 / 2 }')"
+  # A run with scales can be continued as well.
+  tm-morph "$sphere" --target "$torus" -o again.ply --scales 2 --iterations 9 -q
+  tm-morph "$sphere" --target "$torus" -o again.ply --scales 2 --resume -q
+  cmp out.ply again.ply
+}
+
+@test "a scale too coarse for what is left gives way to the next" {
+  tm-shape sphere --radius 0.3 --faces 500 -o small.ply
+  tm-shape sphere --around small.ply --faces 500 -o start.ply
+  tm-morph start.ply --target small.ply -o out.ply --scales 6 --report r.json -q
+  [ "$(value converged r.json)" = true ]
 }
 
 @test "tiny bodies are as good as large ones" {
@@ -227,6 +285,8 @@ STUB
 2 '$sphere' --target '$torus' --iterashuns 3
 2 '$sphere' --target '$torus' -o out.ply --iterations three
 2 '$sphere' --target '$torus' -o out.ply --alpha
+2 '$sphere' --target '$torus' -o out.ply --scales 0
+2 '$sphere' --target '$torus' -o out.ply --scales 11
 2 '$sphere' '$sphere' --target '$torus' -o out.ply
 2 '$sphere' --target '$torus' --resume
 2 '$sphere' --target '$torus' -o out.ply --smooth much
