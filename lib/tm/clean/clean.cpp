@@ -23,7 +23,7 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
   if (pass.unchanged) {
     result.mesh = mesh;
   } else {
-    const SettleOptions how{options.level, options.method, options.coordinate};
+    const SettleOptions how{options.level, options.method, pass.is_open, options.coordinate};
     Settled settled = settle(mesh, std::move(pass), how, progress);
     result.new_vertices = settled.new_vertices;
     result.copied_vertices = settled.copied_vertices;

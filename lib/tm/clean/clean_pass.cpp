@@ -6,6 +6,7 @@
 
 #include "tm/clean/arrange.h"
 #include "tm/clean/close_borders.h"
+#include "tm/clean/enclosed_sheets.h"
 #include "tm/clean/intersect.h"
 #include "tm/clean/orientation_check.h"
 #include "tm/mesh/manifold.h"
@@ -23,31 +24,69 @@ bool is_stitched(const Mesh& mesh, const Borders& borders) {
          report.border_halfedges.size() == border_edges;
 }
 
+// What all steps of a pass know of the mesh.
+struct Scene {
+  std::shared_ptr<const Soup> soup;
+  Borders borders;
+  std::vector<FacePair> pairs;
+  Arrangement arrangement;
+};
+
+Scene read_scene(const Mesh& mesh, const PassOptions& options, const Progress& progress) {
+  Scene scene;
+  scene.soup = std::make_shared<const Soup>(make_soup(mesh));
+  scene.borders = find_borders(*scene.soup, mesh);
+  if (options.check_orientation && !scene.borders.is_oriented) {
+    refuse_orientation(*scene.soup, mesh);
+  }
+  scene.pairs = find_soup_intersections(*scene.soup, progress);
+  scene.arrangement = arrange(scene.soup, scene.pairs, progress);
+  return scene;
+}
+
+// Without them the mesh may be closed. Returns how many faces these are.
+std::size_t leave_out_enclosed_sheets(const Mesh& mesh, int level, Scene& scene,
+                                      const Progress& progress) {
+  const std::vector<char> marks = find_enclosed_sheets(scene.arrangement, level, progress);
+  std::vector<char> left_out(mesh.faces.size(), 0);
+  for (std::size_t f = 0; f < marks.size(); ++f) left_out[scene.soup->face_of[f]] = marks[f];
+  const auto count = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
+  if (count == 0) return 0;
+  scene.soup = std::make_shared<const Soup>(without_faces(*scene.soup, marks));
+  scene.borders = find_borders(*scene.soup, mesh, left_out);
+  scene.arrangement = arrange(scene.soup, find_soup_intersections(*scene.soup, progress), progress);
+  return count;
+}
+
+void refuse_borders(std::size_t count) {
+  throw UsageError("--method static needs a closed mesh; this one has " + std::to_string(count) +
+                   (count == 1 ? " border" : " borders") + ": use --method grow");
+}
+
 }  // namespace
 
 CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Progress& progress) {
-  CleanPass pass;
   progress("intersect");
-  const auto soup = std::make_shared<const Soup>(make_soup(mesh));
-  const Borders borders = find_borders(*soup, mesh);
-  if (options.check_orientation && !borders.is_oriented) refuse_orientation(*soup, mesh);
-  if (!borders.loops.empty() && options.method == ExteriorMethod::static_test) {
-    throw UsageError("--method static needs a closed mesh; this one has " +
-                     std::to_string(borders.loops.size()) +
-                     (borders.loops.size() == 1 ? " border" : " borders") + ": use --method grow");
+  Scene scene = read_scene(mesh, options, progress);
+  CleanPass pass;
+  pass.pairs = scene.pairs.size();
+  pass.is_open = !scene.borders.loops.empty();
+  if (pass.is_open) {
+    pass.removed_faces = leave_out_enclosed_sheets(mesh, options.level, scene, progress);
+    const std::size_t borders = scene.borders.loops.size();
+    if (borders > 0 && options.method == ExteriorMethod::static_test) refuse_borders(borders);
   }
-  const std::vector<FacePair> pairs = find_soup_intersections(*soup, progress);
-  const Arrangement arrangement = arrange(soup, pairs, progress);
+  const Arrangement& arrangement = scene.arrangement;
   pass.exterior = find_exterior(arrangement, options.level, options.method,
-                                close_borders(*soup, borders.loops), progress);
+                                close_borders(*scene.soup, scene.borders.loops), progress);
 
   const auto& kept = pass.exterior.kept;
   const auto whole_end = kept.begin() + static_cast<std::ptrdiff_t>(arrangement.whole_pieces);
-  pass.pairs = pairs.size();
-  pass.cut_faces = soup->faces.size() - arrangement.whole_pieces;
-  pass.removed_faces = static_cast<std::size_t>(std::count(kept.begin(), whole_end, 0));
+  pass.cut_faces = scene.soup->faces.size() - arrangement.whole_pieces;
+  pass.removed_faces += static_cast<std::size_t>(std::count(kept.begin(), whole_end, 0));
   pass.unchanged = pass.cut_faces == 0 && pass.removed_faces == 0 &&
-                   soup->faces.size() == mesh.faces.size() && is_stitched(mesh, borders);
+                   scene.soup->faces.size() == mesh.faces.size() &&
+                   is_stitched(mesh, scene.borders);
   progress("stitch");
   if (!pass.unchanged) pass.assembly = assemble(mesh, arrangement, kept);
   return pass;

@@ -17,10 +17,12 @@ constexpr std::size_t most_named = 5;
 
 // With the faces without area, which the soup lacks: so they make no border. Those that name a
 // point twice run both ways along their edge.
-std::vector<Face> all_faces(const Soup& soup, const Mesh& mesh) {
+std::vector<Face> all_faces(const Soup& soup, const Mesh& mesh, const std::vector<char>& left_out) {
   std::vector<Face> faces;
   faces.reserve(mesh.faces.size());
-  for (const Face& f : mesh.faces) {
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    if (!left_out.empty() && left_out[i]) continue;
+    const Face& f = mesh.faces[i];
     faces.push_back({soup.point_of[f[0]], soup.point_of[f[1]], soup.point_of[f[2]]});
   }
   return faces;
@@ -79,8 +81,8 @@ std::string edge_problem(const Mesh& mesh, std::span<const Index> halfedges, boo
 
 }  // namespace
 
-Borders find_borders(const Soup& soup, const Mesh& mesh) {
-  const std::vector<Face> faces = all_faces(soup, mesh);
+Borders find_borders(const Soup& soup, const Mesh& mesh, const std::vector<char>& left_out) {
+  const std::vector<Face> faces = all_faces(soup, mesh, left_out);
   const Edges edges(faces, soup.points.size());
   Borders borders;
   BorderEdges border;

@@ -17,8 +17,9 @@ struct Borders {
   bool is_oriented = true;
 };
 
-/// A closed mesh has no loops. Where n faces are left over at an edge, it is in n loops.
-Borders find_borders(const Soup& soup, const Mesh& mesh);
+/// A closed mesh has no loops. Where n faces are left over at an edge, it is in n loops. The mesh
+/// faces marked in `left_out`, if any are, do not count.
+Borders find_borders(const Soup& soup, const Mesh& mesh, const std::vector<char>& left_out = {});
 
 /// In words the first misoriented edge, with faces and place; empty if there is none. Equal
 /// vertices are one index.

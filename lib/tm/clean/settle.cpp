@@ -89,6 +89,7 @@ void inherit(const Assembly& before, Assembly& after) {
 }
 
 // Rounds, checks what was rounded and cleans that again, until nothing is broken or ever more is.
+// What remains of an open mesh is cleaned again in any case, because other borders need other fans.
 bool Settler::repair(Assembly& assembly) {
   std::size_t fewest = assembly.mesh.faces.size();
   for (int round = 0;; ++round) {
@@ -97,12 +98,14 @@ bool Settler::repair(Assembly& assembly) {
     // Points that rounding all but unites would only make slivers.
     merge_close_vertices(assembly, find_new_faces(assembly), distance(doublings_of_new));
     const std::vector<Index> broken = find_broken_faces(assembly);
-    if (broken.empty()) return true;
-    note_trouble(assembly, broken);
-    if (round == most_rounds || broken.size() > 3 * fewest) return false;
-    fewest = std::min(fewest, broken.size());
-    ++result_.repairs;
-    merge_close_vertices(assembly, broken, distance(doublings_of_broken));
+    if (broken.empty() && !options_.is_open) return true;
+    if (!broken.empty()) {
+      note_trouble(assembly, broken);
+      if (round >= most_rounds || broken.size() > 3 * fewest) return false;
+      fewest = std::min(fewest, broken.size());
+      ++result_.repairs;
+      merge_close_vertices(assembly, broken, distance(doublings_of_broken));
+    }
     CleanPass pass = run_pass(assembly.mesh, 1);
     if (pass.unchanged) return true;
     inherit(assembly, pass.assembly);

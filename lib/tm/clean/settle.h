@@ -15,6 +15,7 @@ namespace transformesh {
 struct SettleOptions {
   int level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
+  bool is_open = false;  ///< the mesh has borders: a result is one only if it cleans to itself
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
 };
 
