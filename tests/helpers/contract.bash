@@ -16,6 +16,7 @@ tm-hull|source|--cameras SCENE/par.txt --silhouettes SCENE/masks --resolution 20
 tm-info|predicate|
 tm-intersect|filter|
 tm-morph-step|filter|--target MESH
+tm-photograph|converter|--size 40x30 --ring 3
 tm-remesh|filter|
 tm-render|picture|
 tm-shape|source|sphere --faces 500

@@ -12,6 +12,7 @@ setup_file() {
   make_scene "$scene"
   export tm_cameras_input=$BATS_FILE_TMPDIR/cameras_par.txt
   two_cameras >"$tm_cameras_input"
+  export tm_photograph_input=$mesh
   torus 24 12 >"$mesh"
   tm-convert --no-provenance --format ply -o "$binary" "$mesh"
   torus 24 12 1.1 | tm-cat --no-provenance --format ply -o "$crossing" "$mesh" -

@@ -41,7 +41,7 @@ end_header" ] || fail "$output"
 }
 
 @test "every kind of the manual works with its default, into a pipe too" {
-  for kind in sphere ellipsoid box torus genus torus-knot two-spheres tori dumbbell bowl folded \
+  for kind in sphere dented ellipsoid box torus genus torus-knot two-spheres tori dumbbell bowl folded \
     tangle many-spheres boxes pinch; do
     grep -qE "^\*\*$kind\*\*" "$tm_root/man/tm-shape.1.md" || fail "$kind is not in the manual"
     pipe "tm-shape $kind --faces 1200 | tm-convert --format off | head -n 1"

@@ -2,8 +2,8 @@
 /// one is closed, consistently oriented, without isolated vertices or columns, and its signed
 /// volume is positive. Lengths are in the units of the mesh. Most shapes are about 2.4 wide.
 ///
-/// sphere ellipsoid box torus genus torus-knot bowl are free of crossings; so are dumbbell for
-/// neck > 0, two-spheres and tori for gap > 0. The others cross themselves: two-spheres folded
+/// sphere dented ellipsoid box torus genus torus-knot bowl are free of crossings; so are dumbbell
+/// for neck > 0, two-spheres and tori for gap > 0. The others cross themselves: two-spheres folded
 /// tangle many-spheres, tori and dumbbell (gap, neck < 0) in general position, boxes and pinch as
 /// degenerately as they can.
 /// Deterministic: the same options give the same bytes for any number of threads.
@@ -26,7 +26,7 @@ struct ShapeOptions {
   std::vector<std::string> parameters;
   std::optional<std::size_t> faces;  ///< how many, about; default 10000
   std::optional<double> edge;        ///< or the mean edge length, about; > 0
-  std::optional<double> radius;      ///< of a sphere, of the ring of a torus or knot; > 0
+  std::optional<double> radius;      ///< of a sphere (dented too), of the ring of a torus or knot; > 0
   std::optional<double> tube;        ///< of a torus or knot; > 0
   std::optional<double> gap;         ///< two-spheres, tori; negative where the two overlap
   std::optional<double> neck;        ///< dumbbell: radius; negative where it is inverted

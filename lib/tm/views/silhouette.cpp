@@ -188,6 +188,20 @@ double inside_share(const GrayImage& silhouette) {
              : static_cast<double>(inside) / static_cast<double>(silhouette.pixels.size());
 }
 
+double silhouette_agreement(const GrayImage& first, const GrayImage& second) {
+  if (first.width != second.width || first.height != second.height)
+    throw UsageError("silhouettes of different sizes cannot be compared");
+  std::size_t both = 0;
+  std::size_t any = 0;
+  for (std::size_t i = 0; i < first.pixels.size(); ++i) {
+    const bool is_in_first = is_inside(first.pixels[i]);
+    const bool is_in_second = is_inside(second.pixels[i]);
+    both += is_in_first && is_in_second ? 1 : 0;
+    any += is_in_first || is_in_second ? 1 : 0;
+  }
+  return any == 0 ? 1.0 : static_cast<double>(both) / static_cast<double>(any);
+}
+
 GrayImage signed_distance(const GrayImage& silhouette) {
   return ContourDistance(silhouette).compute();
 }

@@ -34,6 +34,10 @@ GrayImage two_levels(const GrayImage& silhouette);
 /// Share of the pixels that are inside.
 double inside_share(const GrayImage& silhouette);
 
+/// Intersection over union of the insides of two silhouettes of one size; 1 where both are empty.
+/// Throws UsageError for other sizes.
+double silhouette_agreement(const GrayImage& first, const GrayImage& second);
+
 /// The signed distance of every pixel to the contour, in pixels, positive outside. Infinite, with
 /// that sign, where there is no contour. May be too large by a few hundredths of a pixel.
 /// O(pixels), two sweeps; deterministic. Reference: Danielsson, "Euclidean distance mapping", CGIP

@@ -16,8 +16,8 @@ using namespace transformesh::test;
 TEST_CASE("plain kinds do not cross themselves") {
   std::vector<ShapeOptions> plain;
   for (const std::size_t faces : {500, 6000}) {
-    for (const char* kind :
-         {"sphere", "ellipsoid", "box", "torus", "genus", "torus-knot", "tori", "dumbbell", "bowl"})
+    for (const char* kind : {"sphere", "dented", "ellipsoid", "box", "torus", "genus", "torus-knot",
+                             "tori", "dumbbell", "bowl"})
       plain.push_back(shape(kind, faces));
     plain.push_back(with_gap(shape("two-spheres", faces), 0.05));
   }

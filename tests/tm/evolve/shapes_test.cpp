@@ -53,6 +53,7 @@ TEST_CASE("genus and components are those of the kind") {
   using Genera = std::vector<long>;
   const auto genera = [](const ShapeOptions& options) { return count(make_shape(options)).genera; };
   CHECK(genera(shape("sphere")) == Genera{0});
+  CHECK(genera(shape("dented")) == Genera{0});
   CHECK(genera(shape("ellipsoid")) == Genera{0});
   CHECK(genera(shape("box")) == Genera{0});
   CHECK(genera(shape("torus")) == Genera{1});
@@ -133,8 +134,8 @@ TEST_CASE("a box has its exact volume, and its corners where they belong") {
 }
 
 TEST_CASE("triangles are well shaped") {
-  for (const char* kind : {"sphere", "ellipsoid", "torus", "genus", "torus-knot", "two-spheres",
-                           "tori", "dumbbell", "bowl"}) {
+  for (const char* kind : {"sphere", "dented", "ellipsoid", "torus", "genus", "torus-knot",
+                           "two-spheres", "tori", "dumbbell", "bowl"}) {
     CAPTURE(kind);
     CHECK(mean_smallest_angle(make_shape(shape(kind))) > 49);
   }
@@ -248,4 +249,21 @@ TEST_CASE("senseless options are refused") {
 TEST_CASE("making a shape can be cancelled") {
   const Progress stop([](std::string_view, double) { return false; });
   CHECK_THROWS_AS(make_shape(shape("genus"), stop), CancelledError);
+}
+
+TEST_CASE("a dented sphere has its dents where they belong, and is a sphere elsewhere") {
+  const Mesh mesh = make_shape(shape("dented", 20000));
+  double least = 10;
+  double most = 0;
+  Vec3 deepest = Vec3::Zero();
+  for (const Vec3& position : mesh.positions) {
+    most = std::max(most, position.norm());
+    if (position.norm() >= least) continue;
+    least = position.norm();
+    deepest = position.normalized();
+  }
+  CHECK(most < 1.1);
+  CHECK(least > 0.6);
+  CHECK(least < 0.8);
+  CHECK((deepest - Vec3(0.8, 0.5, 0.33).normalized()).norm() < 0.1);
 }

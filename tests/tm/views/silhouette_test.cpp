@@ -177,3 +177,16 @@ TEST_CASE("options that make no sense are refused") {
   CHECK(signed_distance(GrayImage()).empty());
   CHECK(threshold_silhouette(GrayImage()).empty());
 }
+
+TEST_CASE("agreement is intersection over union") {
+  GrayImage left(10, 10);
+  GrayImage right(10, 10);
+  for (int y = 0; y < 10; ++y) {
+    for (int x = 0; x < 6; ++x) left.at(x, y) = 255;
+    for (int x = 4; x < 10; ++x) right.at(x, y) = 255;
+  }
+  CHECK(silhouette_agreement(left, right) == doctest::Approx(0.2));
+  CHECK(silhouette_agreement(left, left) == 1);
+  CHECK(silhouette_agreement(GrayImage(3, 3), GrayImage(3, 3)) == 1);
+  CHECK_THROWS_AS(silhouette_agreement(left, GrayImage(10, 9)), UsageError);
+}

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "tm/evolve/shapes/random.h"
+#include "tm/support/random.h"
 
 namespace transformesh::shapes {
 

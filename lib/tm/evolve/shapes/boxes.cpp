@@ -6,7 +6,7 @@
 #include <map>
 
 #include "tm/evolve/shapes/assembly.h"
-#include "tm/evolve/shapes/random.h"
+#include "tm/support/random.h"
 
 namespace transformesh::shapes {
 namespace {

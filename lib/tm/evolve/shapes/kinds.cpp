@@ -56,6 +56,10 @@ Mesh make_sphere_kind(const ShapeOptions& options, std::size_t faces, const Prog
   return make_sphere(box.minimum + (box.maximum - box.minimum) / 2, radius, faces);
 }
 
+Mesh make_dented(const ShapeOptions& options, std::size_t faces, const Progress&) {
+  return dented_sphere(options.radius.value_or(1), faces);
+}
+
 Mesh make_ellipsoid(const ShapeOptions& options, std::size_t faces, const Progress& progress) {
   const Vec3 axes = three_lengths(options);
   if (axes.maxCoeff() > 10 * axes.minCoeff())
@@ -153,6 +157,7 @@ Mesh make_pinch(const ShapeOptions&, std::size_t faces, const Progress&) { retur
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
       {"sphere", {"radius"}, {}, 0, make_sphere_kind},
+      {"dented", {"radius"}, {}, 0, make_dented},
       {"ellipsoid", {}, {"1.2", "0.9", "0.6"}, 0, make_ellipsoid},
       {"box", {}, {"1.6", "1.2", "0.8"}, 0, make_box},
       {"torus", {"radius", "tube"}, {}, 0, make_torus},

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "tm/evolve/shapes/random.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/parallel.h"
+#include "tm/support/random.h"
 
 namespace transformesh::shapes {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "tm/evolve/shapes/assembly.h"
-#include "tm/evolve/shapes/random.h"
+#include "tm/support/random.h"
 
 namespace transformesh::shapes {
 namespace {
@@ -153,6 +153,23 @@ double geodesic_inner_radius(std::size_t frequency) {
 Mesh two_spheres(double radius, double gap, std::size_t faces) {
   const Vec3 offset(radius + gap / 2, 0, 0);
   return spheres_of({-offset, offset}, {radius, radius}, faces);
+}
+
+Mesh dented_sphere(double radius, std::size_t faces) {
+  const auto dent = [](const Vec3& direction, const Vec3& axis, double depth, double width) {
+    const double distance = (direction - axis.normalized()).squaredNorm();
+    return depth * std::exp(-distance / (2 * width * width));
+  };
+  Mesh mesh = geodesic_sphere(geodesic_frequency(static_cast<double>(faces)));
+  for (Vec3& position : mesh.positions) {
+    const Vec3 n = position;
+    const double relief =
+        0.05 * std::sin(4 * n.x() + 1) * std::cos(5 * n.y()) + 0.04 * std::sin(6 * n.z());
+    const double dents =
+        dent(n, {0.8, 0.5, 0.33}, 0.30, 0.25) + dent(n, {-0.6, 0.7, -0.2}, 0.18, 0.2);
+    position = radius * (1 + relief - dents) * n;
+  }
+  return mesh;
 }
 
 Mesh many_spheres(std::size_t count, std::uint64_t seed, std::size_t faces) {

@@ -21,6 +21,10 @@ double geodesic_inner_radius(std::size_t frequency);
 /// Two spheres of that radius, `gap` apart (negative: overlapping) along x.
 Mesh two_spheres(double radius, double gap, std::size_t faces);
 
+/// A sphere with relief of a few percent and two round dents, 30 % and 18 % deep: no silhouette
+/// shows the bottom of those.
+Mesh dented_sphere(double radius, std::size_t faces);
+
 /// `count` spheres in a ball of radius 1.2, of which a typical point inside lies in several.
 Mesh many_spheres(std::size_t count, std::uint64_t seed, std::size_t faces);
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace transformesh::shapes {
+namespace transformesh {
 
 /// A bijection of 64-bit words that spreads every bit over all of them.
 constexpr std::uint64_t mixed(std::uint64_t word) {
@@ -31,4 +31,4 @@ class Random {
   std::uint64_t state_;
 };
 
-}  // namespace transformesh::shapes
+}  // namespace transformesh

@@ -1,0 +1,69 @@
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  mkdir images masks
+  tm-shape torus --faces 3000 -o truth.ply
+  size=(--size 80x60 --ring 6)
+}
+
+@test "photographs, masks and cameras of a ring belong together" {
+  run --separate-stderr tm-photograph "${size[@]}" --write-images images \
+    --write-silhouettes masks -o par.txt truth.ply
+  assert_status 0
+  [ -z "$output$stderr" ]
+  [ "$(ls images | wc -l)" -eq 6 ]
+  [ "$(ls images)" = "$(ls masks)" ]
+  tm-cameras --list par.txt --images images >table
+  grep -q '80x60' table
+  # The hull of the masks holds the torus, hole and all, and is not much larger.
+  tm-hull --cameras par.txt --silhouettes masks --resolution 60 -o hull.ply
+  tm-checkmanifold --closed hull.ply
+  awk -v hull="$(tm-info --get volume hull.ply)" -v truth="$(tm-info --get volume truth.ply)" \
+    'BEGIN { exit !(hull > 0.99 * truth && hull < 2 * truth) }'
+}
+
+@test "given cameras see the same as the ring that they came from" {
+  tm-photograph "${size[@]}" --write-images images -o par.txt truth.ply
+  mkdir again
+  tm-photograph --cameras par.txt --size 80x60 --write-images again -o again.txt <truth.ply
+  cmp par.txt again.txt
+  diff -r images again
+}
+
+@test "agreement is full for the mesh itself and less for another" {
+  tm-photograph "${size[@]}" --write-silhouettes masks -o par.txt truth.ply
+  agreement=(tm-photograph --cameras par.txt --compare-silhouettes masks -o /dev/null)
+  "${agreement[@]}" --report same.json truth.ply
+  tm-shape sphere --radius 1 | "${agreement[@]}" --report other.json
+  awk '/"silhouette_agreement"/ { if (FILENAME == "same.json") same = $2 + 0; else other = $2 + 0 }
+    END { exit !(same > 0.97 && other < 0.9 && other > 0.2) }' same.json other.json
+}
+
+@test "seeds, threads, gain and looks" {
+  tm-photograph "${size[@]}" --write-images images --threads 1 -o par.txt truth.ply
+  for arguments in "" "--seed 2" "--gain 0.2" "--look shade" "--noise 0"; do
+    rm -rf other && mkdir other
+    # shellcheck disable=SC2086
+    tm-photograph "${size[@]}" --write-images other --threads 2 $arguments -o other.txt truth.ply
+    if [ -z "$arguments" ]; then
+      diff -r images other
+    else
+      cmp -s images/view0000.png other/view0000.png && fail "$arguments changes nothing"
+    fi
+    cmp par.txt other.txt
+  done
+}
+
+@test "senseless input is refused" {
+  run --separate-stderr tm-photograph --compare-silhouettes masks -o /dev/null truth.ply
+  assert_status 2
+  run --separate-stderr tm-photograph --write-images nowhere -o par.txt truth.ply
+  assert_status 5
+  [ ! -e par.txt ]
+  run --separate-stderr tm-photograph --elevations 90,0 -o par.txt truth.ply
+  assert_status 2
+  one_line "$stderr"
+  run --separate-stderr tm-photograph --finest 2 --coarsest 1 -o par.txt truth.ply
+  assert_status 2
+}

@@ -1,0 +1,81 @@
+#include "photograph_files.h"
+
+#include <algorithm>
+
+#include "tm/picture/png.h"
+#include "tm/picture/shade.h"
+#include "tm/support/error.h"
+#include "tm/views/file_list.h"
+#include "tm/views/gray_picture.h"
+#include "tm/views/silhouette.h"
+#include "tm/views/view_files.h"
+
+namespace transformesh::tool {
+namespace {
+
+CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
+  if (files.cameras.empty()) return camera_ring(ring);
+  CameraList list = cameras_from(files.cameras);
+  if (!files.masks.empty()) list = cameras_of_images(std::move(list), files.cameras, files.masks);
+  for (CameraRecord& record : list.cameras)
+    if (record.width == 0) record.set_size(ring.width, ring.height, "--size");
+  return list;
+}
+
+/// What the centre of each pixel sees.
+GrayImage seen_silhouette(const Mesh& mesh, const Camera& camera) {
+  const FaceBuffer faces = rasterize(mesh, camera);
+  GrayImage silhouette(camera.width, camera.height);
+  for (std::size_t i = 0; i < faces.pixels.size(); ++i)
+    silhouette.pixels[i] = faces.pixels[i].face == no_index ? 0.0F : 255.0F;
+  return silhouette;
+}
+
+void compare_silhouettes(const Mesh& mesh, const PhotographFiles& files, Run& run) {
+  if (files.cameras.empty()) throw UsageError("--compare-silhouettes needs --cameras");
+  double sum = 0;
+  double least = 1;
+  const std::vector<View> views = views_from({files.cameras, "", files.masks});
+  for (const View& view : views) {
+    const Camera camera{view.camera.projection(), view.silhouette.width, view.silhouette.height};
+    const double agreement = silhouette_agreement(seen_silhouette(mesh, camera), view.silhouette);
+    run.detail(view.name + ": silhouettes agree by " + shortest_text(agreement));
+    sum += agreement;
+    least = std::min(least, agreement);
+  }
+  run.report("silhouette_agreement", sum / static_cast<double>(views.size()));
+  run.report("least_silhouette_agreement", least);
+}
+
+}  // namespace
+
+std::string write_photographs(const Mesh& mesh, const CameraRing& ring,
+                              const PhotographFiles& files, Run& run) {
+  CameraList list = cameras_of(ring, files);
+  const SolidTexture texture(files.texture);
+  std::uint64_t number = 0;
+  for (CameraRecord& record : list.cameras) {
+    run.progress()("photograph",
+                   static_cast<double>(number) / static_cast<double>(list.cameras.size()));
+    const Camera camera{record.camera.projection(), record.width, record.height};
+    const std::string name = stem_of(record.name) + ".png";
+    Photograph photograph;
+    if (!files.images.empty() || !files.silhouettes.empty())
+      photograph = take_photograph(mesh, camera, texture, number, files.sensor);
+    if (!files.images.empty()) {
+      const bool is_shaded = files.look == "shade";
+      run.write(files.images + "/" + name,
+                write_png(is_shaded ? shade(mesh, camera) : picture_of(photograph.image)));
+    }
+    if (!files.silhouettes.empty())
+      run.write(files.silhouettes + "/" + name, write_png(picture_of(photograph.silhouette)));
+    record.name = name;
+    ++number;
+  }
+  list.names_images = true;
+  run.report("views", list.cameras.size());
+  if (!files.masks.empty()) compare_silhouettes(mesh, files, run);
+  return write_cameras(list, CameraFormat::middlebury);
+}
+
+}  // namespace transformesh::tool
