@@ -22,13 +22,6 @@ bool first_row(TextRows& rows) {
   return false;
 }
 
-bool is_number(std::string_view word) {
-  const char* first = word.data();
-  double value = 0;
-  return parse_number(first, word.data() + word.size(), value) == Parsed::ok &&
-         first == word.data() + word.size();
-}
-
 bool are_numbers(TextRows rows) {
   while (rows.has_more()) {
     if (!is_number(rows.word())) return false;

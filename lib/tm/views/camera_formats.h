@@ -25,6 +25,8 @@ std::string write_matrix(const PinholeCamera& camera);
 std::string write_colmap_cameras(const CameraList& list);
 std::string write_colmap_images(const CameraList& list);
 
+bool is_number(std::string_view word);
+
 /// `dino_par.txt line 3`: where rows are now.
 std::string place_of(const TextRows& rows, const Source& source);
 

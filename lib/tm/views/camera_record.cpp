@@ -26,6 +26,13 @@ void CameraRecord::set_size(int columns, int rows, const std::string& image) {
   is_centered = false;
 }
 
+bool is_number(std::string_view word) {
+  const char* first = word.data();
+  const char* last = first + word.size();
+  double value = 0;
+  return parse_number(first, last, value) == Parsed::ok && first == last;
+}
+
 std::string place_of(const TextRows& rows, const Source& source) {
   return source.name + " line " + std::to_string(source.line_of(rows.place()));
 }

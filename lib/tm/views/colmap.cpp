@@ -19,13 +19,6 @@ struct Lens {
 };
 using Lenses = std::map<std::string, Lens, std::less<>>;
 
-bool is_number(std::string_view word) {
-  const char* first = word.data();
-  const char* last = first + word.size();
-  double value = 0;
-  return parse_number(first, last, value) == Parsed::ok && first == last;
-}
-
 bool is_model(std::string_view word) {
   return !word.empty() && word[0] >= 'A' && word[0] <= 'Z' &&
          word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == std::string_view::npos;
@@ -149,7 +142,11 @@ Lenses read_lenses(const Source& source) {
 
 ColmapPart colmap_part(TextRows rows) {
   rows.word();
-  if (is_model(rows.peek())) return ColmapPart::cameras;
+  if (is_model(rows.peek())) {
+    rows.word();
+    const bool has_size = is_number(rows.word()) && is_number(rows.word());
+    return has_size ? ColmapPart::cameras : ColmapPart::none;
+  }
   for (int i = 1; i < 9; ++i) {
     if (!is_number(rows.word())) return ColmapPart::none;
   }

@@ -59,8 +59,9 @@ Samples decode_other(const Source& source) {
     source.fail("not a complete JPEG image: the file ends too early");
   }
   Samples samples;
-  if (!decode_image(source.bytes, samples)) {
-    source.fail("not a complete image, or of a kind that OpenCV cannot read");
+  if (!decode_image(source.bytes, samples, problem)) {
+    source.fail("not a complete image: " +
+                (problem.empty() ? "OpenCV finds none of 8 or 16 bits" : problem));
   }
   return samples;
 }

@@ -117,6 +117,11 @@ std::string file_bytes(const std::string& path, std::size_t limit) {
   return bytes;
 }
 
-std::string stem_of(std::string_view path) { return fs::path(path).stem().string(); }
+std::string stem_of(std::string_view path) {
+  const fs::path name = fs::path(path).filename();
+  const std::string extension = name.extension().string();
+  const bool is_number = extension.size() > 1 && is_digit(extension[1]);
+  return (is_number ? name : name.stem()).string();
+}
 
 }  // namespace transformesh

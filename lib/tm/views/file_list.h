@@ -18,7 +18,7 @@ bool is_file(const std::string& path);
 /// All bytes, or the first `limit`. Throws InputError.
 std::string file_bytes(const std::string& path, std::size_t limit = std::string::npos);
 
-/// `dinoR0000` of `data/dinoR0000.png`.
+/// `dinoR0000` of `data/dinoR0000.png`. What begins with a digit is no extension: view.001.
 std::string stem_of(std::string_view path);
 
 /// Compares with runs of digits as numbers: view9 comes before view10.

@@ -1,12 +1,59 @@
 #include "tm/views/image_module.h"
 
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
 #include <limits>
+#include <mutex>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 namespace {
 
 using transformesh::Samples;
+
+/// What libraries write to stderr while this lives, which is for no user's eyes: OpenCV reports
+/// there what it cannot decode, and libjpeg what it decodes nevertheless. One at a time.
+class CapturedErrors {
+ public:
+  CapturedErrors() : lock_(mutex()), file_(std::tmpfile()), stderr_(dup(STDERR_FILENO)) {
+    if (file_ != nullptr) dup2(fileno(file_), STDERR_FILENO);
+  }
+  ~CapturedErrors() {
+    std::fflush(stderr);
+    if (stderr_ >= 0) dup2(stderr_, STDERR_FILENO);
+    if (stderr_ >= 0) close(stderr_);
+    if (file_ != nullptr) std::fclose(file_);
+  }
+  CapturedErrors(const CapturedErrors&) = delete;
+  CapturedErrors& operator=(const CapturedErrors&) = delete;
+
+  /// libjpeg's report of damage, empty where there is none.
+  std::string damage() {
+    if (file_ == nullptr) return {};
+    std::fflush(stderr);
+    std::rewind(file_);
+    std::array<char, 256> line{};
+    while (std::fgets(line.data(), static_cast<int>(line.size()), file_) != nullptr) {
+      std::string text(line.data());
+      if (text.starts_with("Corrupt JPEG") || text.starts_with("Premature end")) {
+        return text.substr(0, text.find('\n'));
+      }
+    }
+    return {};
+  }
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex only;
+    return only;
+  }
+
+  std::lock_guard<std::mutex> lock_;
+  std::FILE* file_;
+  int stderr_;
+};
 
 // OpenCV has colours in the order blue, green, red.
 template <class Sample>
@@ -42,9 +89,13 @@ bool decode(std::string_view bytes, Samples& samples) {
 
 }  // namespace
 
-extern "C" bool tm_decode_image(std::string_view bytes, Samples& samples) noexcept {
+extern "C" bool tm_decode_image(std::string_view bytes, Samples& samples,
+                                std::string& problem) noexcept {
   try {
-    return decode(bytes, samples);
+    CapturedErrors errors;
+    const bool is_decoded = decode(bytes, samples);
+    problem = errors.damage();
+    return is_decoded && problem.empty();
   } catch (...) {
     return false;
   }

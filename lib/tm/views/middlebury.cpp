@@ -49,7 +49,9 @@ std::size_t read_count(TextRows& rows) {
   if (rows.words_left() != 1) {
     rows.fail("the first line of a Middlebury camera file is the number of cameras, nothing else");
   }
-  return rows.number<std::size_t>([] { return std::string("the number of cameras"); });
+  const auto count = rows.number<std::size_t>([] { return std::string("the number of cameras"); });
+  if (count == 0) rows.fail("there is no camera in the file");
+  return count;
 }
 
 template <class Matrix>

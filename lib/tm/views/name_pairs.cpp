@@ -12,8 +12,10 @@
 namespace transformesh {
 namespace {
 
-std::vector<std::string> stems_of(const NamedFiles& files) {
-  std::vector<std::string> stems;
+using Stems = std::vector<std::string>;
+
+Stems stems_of(const NamedFiles& files) {
+  Stems stems;
   for (const std::string& path : files.paths) stems.push_back(stem_of(path));
   return stems;
 }
@@ -26,7 +28,7 @@ std::string_view suffix_of(std::string_view stem) {
   return suffix.find_first_of("0123456789") == std::string_view::npos ? suffix : std::string_view();
 }
 
-std::vector<std::string> without_shared_suffix(std::vector<std::string> stems) {
+Stems without_shared_suffix(Stems stems) {
   const std::string suffix(suffix_of(stems.front()));
   const bool is_shared = std::all_of(stems.begin(), stems.end(), [&](const std::string& stem) {
     return suffix_of(stem) == suffix;
@@ -36,39 +38,52 @@ std::vector<std::string> without_shared_suffix(std::vector<std::string> stems) {
   return stems;
 }
 
-std::map<std::string, std::size_t> indices_of(const std::vector<std::string>& stems,
-                                              const NamedFiles& files) {
+std::string label(const NamedFiles& files, std::size_t i) {
+  return files.paths[i] + (files.places.empty() ? "" : " (" + files.places[i] + ")");
+}
+
+std::map<std::string, std::size_t> indices_of(const Stems& stems, const NamedFiles& files) {
   std::map<std::string, std::size_t> indices;
   for (std::size_t i = 0; i < stems.size(); ++i) {
     const auto [found, is_new] = indices.emplace(stems[i], i);
     if (is_new) continue;
     throw InputError(files.where + ": two " + files.kind + "s have the same name: " +
-                     files.paths[found->second] + " and " + files.paths[i]);
+                     label(files, found->second) + " and " + label(files, i));
   }
   return indices;
 }
 
-[[noreturn]] void fail_without_partner(const std::string& path, const NamedFiles& files) {
-  throw InputError(path + ": there is no " + files.kind + " of this name in " + files.where +
-                   ": names have to agree, or to have nothing in common");
+std::string counts_text(const NamedFiles& first, const NamedFiles& second) {
+  return counted(first.paths.size(), first.kind) + ", but " +
+         counted(second.paths.size(), second.kind);
 }
 
-/// Pairs of equal names; none where no name has a partner.
-std::optional<std::vector<std::size_t>> pair_equal(const std::vector<std::string>& stems,
-                                                   const std::vector<std::string>& second_stems,
+[[noreturn]] void fail_lonely(const NamedFiles& files, std::size_t i, const NamedFiles& others) {
+  const bool is_count_equal = files.paths.size() == others.paths.size();
+  throw InputError(label(files, i) + ": there is no " + others.kind + " of this name in " +
+                   others.where + ": " +
+                   (is_count_equal ? "names have to agree, or to have nothing in common"
+                                   : counts_text(files, others)));
+}
+
+/// The partners of `first`; none where no name has one. Some that have one are an error.
+std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Stems& second_stems,
                                                    const NamedFiles& first,
                                                    const NamedFiles& second) {
-  indices_of(stems, first);
-  const auto indices = indices_of(second_stems, second);
+  const auto first_indices = indices_of(stems, first);
+  const auto second_indices = indices_of(second_stems, second);
   std::vector<std::size_t> partners;
   std::optional<std::size_t> lonely;
   for (std::size_t i = 0; i < stems.size(); ++i) {
-    const auto found = indices.find(stems[i]);
-    if (found != indices.end()) partners.push_back(found->second);
-    if (found == indices.end() && !lonely) lonely = i;
+    const auto found = second_indices.find(stems[i]);
+    if (found != second_indices.end()) partners.push_back(found->second);
+    if (found == second_indices.end() && !lonely) lonely = i;
   }
   if (partners.empty()) return {};
-  if (lonely) fail_without_partner(first.paths[*lonely], second);
+  if (lonely) fail_lonely(first, *lonely, second);
+  for (std::size_t i = 0; i < second_stems.size(); ++i) {
+    if (!first_indices.contains(second_stems[i])) fail_lonely(second, i, first);
+  }
   return partners;
 }
 
@@ -76,20 +91,20 @@ std::optional<std::vector<std::size_t>> pair_equal(const std::vector<std::string
 
 std::vector<std::size_t> pair_by_name(const NamedFiles& first, const NamedFiles& second,
                                       bool names_must_agree) {
-  if (first.paths.size() != second.paths.size()) {
-    throw InputError("the counts differ: " + counted(first.paths.size(), first.kind) + " in " +
-                     first.where + ", but " + counted(second.paths.size(), second.kind) + " in " +
-                     second.where);
-  }
-  if (first.paths.empty()) return {};
-  const auto stems = stems_of(first);
-  const auto second_stems = stems_of(second);
+  const Stems stems = stems_of(first);
+  const Stems second_stems = stems_of(second);
+  if (stems.empty() || second_stems.empty()) throw InputError(counts_text(first, second));
   if (const auto pairs = pair_equal(stems, second_stems, first, second)) return *pairs;
   const auto short_pairs =
       pair_equal(without_shared_suffix(stems), without_shared_suffix(second_stems), first, second);
   if (short_pairs) return *short_pairs;
-  if (names_must_agree) fail_without_partner(first.paths.front(), second);
-  std::vector<std::size_t> in_order(first.paths.size());
+  if (names_must_agree) fail_lonely(first, 0, second);
+
+  if (stems.size() != second_stems.size()) {
+    throw InputError("there are " + counts_text(first, second) + " (" + first.where + ", " +
+                     second.where + ")");
+  }
+  std::vector<std::size_t> in_order(stems.size());
   std::iota(in_order.begin(), in_order.end(), std::size_t{0});
   return in_order;
 }

@@ -8,15 +8,16 @@ namespace transformesh {
 
 /// Names with what messages call them.
 struct NamedFiles {
-  std::string kind;                ///< `image`, `silhouette`: with an s for several
-  std::string where;               ///< as the user wrote it
-  std::vector<std::string> paths;  ///< compared by their stems
+  std::string kind;                 ///< `image`, `silhouette`: with an s for several
+  std::string where;                ///< as the user wrote it
+  std::vector<std::string> paths;   ///< compared by their stems
+  std::vector<std::string> places;  ///< of each, where names are read from a file; or empty
 };
 
 /// For each of `first` the index of its partner among `second`: that of the same stem. A suffix
-/// that all names of a side share, such as -mask or _P, counts only where names without it find
-/// no partner. Where no name has a partner, both are taken as they are, in order, unless names must
-/// agree.
+/// that all names of a side share, such as -mask or _P, counts only where no name has a partner
+/// with it. Where none has a partner at all, both are taken as they are, in order, unless names
+/// must agree.
 ///
 /// Throws InputError where the numbers of files differ, where only some names have a partner (they
 /// might be numbered from another start, which would silently shift every camera), and where two

@@ -12,7 +12,7 @@ namespace transformesh {
 namespace {
 
 NamedFiles image_files(const std::string& kind, const std::string& where) {
-  NamedFiles files{kind, where, files_at(where)};
+  NamedFiles files{kind, where, files_at(where), {}};
   if (!is_folder(where)) return files;
   std::erase_if(files.paths,
                 [](const std::string& path) { return !is_image(file_bytes(path, 16)); });
@@ -21,8 +21,11 @@ NamedFiles image_files(const std::string& kind, const std::string& where) {
 }
 
 NamedFiles names_of(const CameraList& cameras, const std::string& where) {
-  NamedFiles files{"camera", where, {}};
-  for (const CameraRecord& record : cameras.cameras) files.paths.push_back(record.name);
+  NamedFiles files{"camera", where, {}, {}};
+  for (const CameraRecord& record : cameras.cameras) {
+    files.paths.push_back(record.name);
+    files.places.push_back(record.place);
+  }
   return files;
 }
 
@@ -95,7 +98,7 @@ std::vector<View> views_from(const ViewSources& sources) {
   if (!sources.images.empty()) {
     images = ordered(names, image_files("image", sources.images), list.names_images);
     decode_all(images, decode_photograph, &View::image, views);
-    leaders = {"image", sources.images, images};
+    leaders = {"image", sources.images, images, {}};
   }
   if (!sources.silhouettes.empty()) {
     const bool names_must_agree = images.empty() && list.names_images;

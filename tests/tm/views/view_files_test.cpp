@@ -88,3 +88,157 @@ TEST_CASE("cameras of their own files pair with images of the same stem") {
   CHECK(views[1].camera.intrinsics(0, 0) == doctest::Approx(200));
   CHECK(views[1].image.at(0, 0) == 20);
 }
+
+TEST_CASE("cameras that name their images find them in any order and with any extension") {
+  const Folder folder;
+  folder.write("par.txt", middlebury({"b.png", "a.png"}));
+  folder.write("images/a.pgm", image(5, 3, 10));
+  folder.write("images/b.ppm", "P3 1 1 255 20 20 20");
+  folder.write("images/.hidden.pgm", image(5, 3, 10));
+  const auto views = views_from({folder.at("par.txt"), folder.at("images"), ""});
+  REQUIRE(views.size() == 2);
+  CHECK(views[0].name == "b");
+  CHECK(views[0].image.at(0, 0) == doctest::Approx(20));
+  CHECK(views[0].camera.intrinsics(0, 0) == 100);
+  CHECK(views[1].name == "a");
+}
+
+TEST_CASE("without common names the natural order decides, with numbers as numbers") {
+  const Folder folder;
+  for (const int i : {0, 2, 9, 10}) {
+    folder.write("cameras/c" + std::to_string(i) + ".txt", matrix(100 + i));
+    folder.write("images/view_" + std::to_string(i + 1) + ".pgm", image(4, 4, i));
+  }
+  const auto views = views_from({folder.at("cameras/*.txt"), folder.at("images/*.pgm"), ""});
+  REQUIRE(views.size() == 4);
+  for (const View& view : views) {
+    CHECK(view.camera.intrinsics(0, 0) - 100 ==
+          doctest::Approx(static_cast<double>(view.image.at(0, 0))));
+  }
+  CHECK(views[3].name == "view_11");
+}
+
+TEST_CASE("silhouettes may have a suffix of their own") {
+  const Folder folder;
+  folder.write("par.txt", middlebury({"v1.png", "v2.png"}));
+  for (const std::string name : {"v1", "v2"}) {
+    folder.write("all/" + name + ".pgm", image(2, 1, 50));
+    folder.write("all/" + name + "-mask.pgm", std::string("P5 2 1 255\n\0\1", 13));
+  }
+  const ViewSources sources{folder.at("par.txt"), folder.at("all/v?.pgm"),
+                            folder.at("all/*-mask.pgm")};
+  const auto views = views_from(sources);
+  REQUIRE(views.size() == 2);
+  CHECK(views[1].name == "v2");
+  CHECK(views[1].silhouette.at(0, 0) == 0);
+  CHECK(views[1].silhouette.at(1, 0) == 255);
+  const auto without_images = views_from({sources.cameras, "", sources.silhouettes});
+  CHECK(without_images[1].image.empty());
+  CHECK(without_images[1].silhouette.at(1, 0) == 255);
+  CHECK(without_images[1].camera.intrinsics(0, 0) == 101);
+}
+
+TEST_CASE("names of which only some agree are refused") {
+  const Folder folder;
+  folder.write("par.txt", middlebury({"v1.png", "v2.png", "v3.png"}));
+  for (const int i : {0, 1, 2, 3}) {
+    folder.write("images/v" + std::to_string(i) + ".pgm", image(4, 4, 9));
+    folder.write("masks/v" + std::to_string(i) + "_mask.pgm", image(4, 4, 9));
+    folder.write("cameras/v" + std::to_string(i) + ".txt", matrix(100));
+  }
+  const std::string shifted = folder.at("images/v[012].pgm");
+  const std::string message = refusal({folder.at("par.txt"), shifted, ""});
+  CHECK(says(message, "v3.png (" + folder.at("par.txt") + " line 4)"));
+  CHECK(says(refusal({folder.at("cameras/v[123].txt"), shifted, ""}), "v3"));
+  CHECK(says(refusal({folder.at("par.txt"), "", folder.at("masks/v[012]*")}), "v3.png"));
+  CHECK(says(
+      refusal({folder.at("par.txt"), folder.at("images/v[123].pgm"), folder.at("masks/v[012]*")}),
+      "v3.pgm"));
+  // The names of images that a camera file has are not just a hint.
+  folder.write("other/a.pgm", image(4, 4, 9));
+  folder.write("other/b.pgm", image(4, 4, 9));
+  folder.write("other/c.pgm", image(4, 4, 9));
+  CHECK(says(refusal({folder.at("par.txt"), folder.at("other"), ""}), "v1.png"));
+}
+
+TEST_CASE("counts that differ are refused, and what is missing is named") {
+  const Folder folder;
+  folder.write("par.txt", middlebury({"v1.png", "v2.png"}));
+  folder.write("cameras/c1.txt", matrix(100));
+  folder.write("cameras/c2.txt", matrix(100));
+  folder.write("images/v1.pgm", image(4, 4, 9));
+  const std::string one = folder.at("images/v1.pgm");
+  CHECK(says(refusal({folder.at("par.txt"), one, ""}), "v2.png"));
+  CHECK(says(refusal({folder.at("par.txt"), one, ""}), "2 cameras, but 1 image"));
+  CHECK(says(refusal({folder.at("cameras"), one, ""}), "2 cameras, but 1 image"));
+  folder.write("images/v2.pgm", image(4, 4, 9));
+  folder.write("images/v3.pgm", image(4, 4, 9));
+  CHECK(says(refusal({folder.at("par.txt"), folder.at("images"), ""}), "v3.pgm"));
+}
+
+TEST_CASE("sizes that cannot be are refused") {
+  const Folder folder;
+  folder.write("a.txt", matrix(100));
+  folder.write("a.pgm", image(5, 3, 10));
+  folder.write("small.pgm", image(4, 3, 10));
+  CHECK(says(refusal({folder.at("a.txt"), folder.at("a.pgm"), folder.at("small.pgm")}),
+             folder.at("small.pgm") + ": the silhouette has 4 x 3 pixels"));
+  folder.write("colmap/cameras.txt", "1 SIMPLE_PINHOLE 5 4 9 2 2\n");
+  folder.write("colmap/images.txt", "1 1 0 0 0 0 0 5 1 a.png\n\n");
+  CHECK(says(refusal({folder.at("colmap"), folder.at("a.pgm"), ""}), "5 x 4"));
+  CHECK(says(refusal({folder.at("colmap"), folder.at("a.pgm"), ""}), "images.txt line 1"));
+  folder.write("cameras/a.txt", matrix(100));
+  folder.write("cameras/b.txt", matrix(100));
+  folder.write("images/a.pgm", image(5, 3, 10));
+  folder.write("images/b.pgm", image(5, 4, 10));
+  CHECK(says(refusal({folder.at("cameras"), folder.at("images"), ""}), "b.pgm"));
+}
+
+TEST_CASE("a silhouette without a pixel inside is refused by its name") {
+  const Folder folder;
+  folder.write("a.txt", matrix(100));
+  folder.write("a.pgm", image(5, 3, 0));
+  CHECK(says(refusal({folder.at("a.txt"), "", folder.at("a.pgm")}),
+             folder.at("a.pgm") + ": the silhouette is empty"));
+}
+
+TEST_CASE("files that are not there or not what they should be are named") {
+  const Folder folder;
+  folder.write("a.txt", matrix(100));
+  folder.write("a.pgm", image(5, 3, 10).substr(0, 15));
+  folder.write("text/readme.txt", "no camera");
+  CHECK(says(refusal({folder.at("none.txt"), "", ""}), "none.txt"));
+  CHECK(says(refusal({folder.at("n*.txt"), "", ""}), "no file matches"));
+  CHECK(says(refusal({folder.at("text"), "", ""}), "no camera file"));
+  CHECK(says(refusal({folder.at("a.txt"), folder.at("text"), ""}), "no image in this folder"));
+  CHECK(says(refusal({folder.at("a.txt"), folder.at("a.pgm"), ""}), "a.pgm"));
+  CHECK(says(refusal({folder.at("text/readme.txt"), "", ""}), "not a camera file"));
+  folder.write("mixed/a.txt", matrix(100));
+  folder.write("mixed/par.txt", middlebury({"a.png"}));
+  CHECK(says(refusal({folder.at("mixed"), "", ""}), "different formats"));
+  folder.write("twice/a.txt", middlebury({"a.png"}));
+  folder.write("twice/b.txt", middlebury({"a.png"}));
+  CHECK(says(refusal({folder.at("twice"), "", ""}), "b.txt line 2"));
+}
+
+TEST_CASE("COLMAP's two files are found from either, and by their folder") {
+  const Folder folder;
+  folder.write("cameras.txt", "1 SIMPLE_PINHOLE 5 3 9 2 2\n");
+  folder.write("images.txt", "# a comment\n1 1 0 0 0 0 0 5 1 a.png\n\n");
+  folder.write("points3D.txt", "1 0.1 0.2 0.3 9 9 9 0.5 1 2 1 3\n");
+  for (const char* where : {"", "cameras.txt", "images.txt"}) {
+    const auto views = views_from({folder.at(where), "", ""});
+    REQUIRE(views.size() == 1);
+    CHECK(views[0].name == "a");
+    CHECK(views[0].camera.intrinsics(0, 2) == 1.5);
+  }
+}
+
+TEST_CASE("Bundler's principal point is the center of the image") {
+  const Folder folder;
+  folder.write("bundle.out", "# Bundle file v0.3\n1 0\n9 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -5\n");
+  folder.write("a.pgm", image(5, 4, 10));
+  const auto views = views_from({folder.at("bundle.out"), folder.at("a.pgm"), ""});
+  CHECK(views[0].camera.intrinsics(0, 2) == 2);
+  CHECK(views[0].camera.intrinsics(1, 2) == 1.5);
+}
