@@ -14,9 +14,10 @@ namespace {
 
 using Row = std::vector<std::string>;
 
+// Adding zero takes the sign of a zero away.
 std::string rounded(double value, int digits) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value + 0.0,
                                  std::chars_format::general, digits);
   return {text.data(), end.ptr};
 }
@@ -72,7 +73,9 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-nlohmann::ordered_json json_of(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
+nlohmann::ordered_json json_of(const Vec3& point) {
+  return {point.x() + 0.0, point.y() + 0.0, point.z() + 0.0};
+}
 
 nlohmann::ordered_json json_of(const CameraTable& table, std::size_t camera) {
   const CameraRecord& record = table.list.cameras[camera];

@@ -34,7 +34,7 @@ needs_command() {
 # Programs of multi-view reconstruction, which are built only where OpenCV is.
 is_left_out() {
   case $1 in
-    tm-cameras | tm-hull | tm-photo-step | tm-wrap) [ ! -x "$tm_build/bin/$1" ] ;;
+    tm-cameras | tm-hull | tm-photo-step | tm-photograph | tm-wrap) [ ! -x "$tm_build/bin/$1" ] ;;
     *) return 1 ;;
   esac
 }
