@@ -106,7 +106,7 @@ std::vector<std::string> files_at(const std::string& where) {
 std::string file_bytes(const std::string& path, std::size_t limit) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes;
-  constexpr std::size_t block = std::size_t{1} << 18;
+  constexpr std::size_t block = std::size_t{1} << 16;
   while (file && bytes.size() < limit) {
     const std::size_t size = bytes.size();
     bytes.resize(size + std::min(block, limit - size));
