@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "tm/io/number_text.h"
 #include "tm/views/samples.h"
 
@@ -63,11 +65,16 @@ void read_binary(const Source& source, const char* place, double maximum,
     source.fail("the image ends too early: " + counted(size, "byte") + " of samples expected, " +
                 std::to_string(available) + " found");
   }
+  const char* next = place;
   for (Sample& value : samples) {
-    unsigned sample = static_cast<unsigned char>(*place++);
-    if (sizeof(Sample) == 2) sample = 256 * sample + static_cast<unsigned char>(*place++);
-    check_sample(source, place, sample, maximum);
+    unsigned sample = static_cast<unsigned char>(*next++);
+    if (sizeof(Sample) == 2) sample = 256 * sample + static_cast<unsigned char>(*next++);
     value = static_cast<Sample>(sample);
+  }
+  if (maximum == std::numeric_limits<Sample>::max()) return;
+  for (const Sample value : samples) {
+    check_sample(source, place, value, maximum);
+    place += sizeof(Sample);
   }
 }
 
