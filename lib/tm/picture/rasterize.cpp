@@ -10,6 +10,7 @@ namespace transformesh {
 namespace {
 
 constexpr int rows_per_band = 16;
+constexpr int columns_worth_narrowing = 8;
 constexpr std::size_t items_per_task = 4096;
 
 /// Pixels from first to last, both included.
@@ -50,10 +51,26 @@ void find_bounds(const std::array<Vec3, 3>& corners, int width, int height, Setu
   setup.rows = pixels_between(low.y(), high.y(), height);
 }
 
-Setup set_up(const Face& face, const std::vector<Vec3>& projected, int width, int height) {
+/// Which faces are drawn: where not both sides, those whose corners, projected, have a determinant
+/// of the given sign.
+struct Drawn {
+  bool is_both = true;
+  double sign = 0;
+
+  Drawn(const Camera& camera, Sides sides)
+      : is_both(sides == Sides::both),
+        sign(camera.projection.leftCols<3>().determinant() > 0 ? -1 : 1) {}
+  bool operator()(const std::array<Vec3, 3>& corners) const {
+    return is_both || sign * corners[0].dot(corners[1].cross(corners[2])) > 0;
+  }
+};
+
+Setup set_up(const Face& face, const std::vector<Vec3>& projected, const Drawn& is_drawn, int width,
+             int height) {
   Setup setup;
   const std::array<Vec3, 3> corners{projected[face[0]], projected[face[1]], projected[face[2]]};
   if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return setup;
+  if (!is_drawn(corners)) return setup;
   setup.functions = edge_functions(corners[0], corners[1], corners[2]);
   if (setup.functions.depth_numerator > 0) find_bounds(corners, width, height, setup);
   return setup;
@@ -94,7 +111,8 @@ void draw_row(const Setup& setup, Index face, int y, FacePixel* row) {
     slope[i] = edge.x();
     start[i] = edge.y() * y + edge.z();
   }
-  const Range columns = narrowed(setup.columns, slope, start);
+  const bool is_narrow = setup.columns.last - setup.columns.first < columns_worth_narrowing;
+  const Range columns = is_narrow ? setup.columns : narrowed(setup.columns, slope, start);
   for (int x = columns.first; x <= columns.last; ++x) {
     const double e0 = slope[0] * x + start[0];
     const double e1 = slope[1] * x + start[1];
@@ -134,16 +152,17 @@ EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
   return functions;
 }
 
-FaceBuffer rasterize(const Mesh& mesh, const Camera& camera) {
+FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides) {
   // Corners and edge functions.
   std::vector<Vec3> projected(mesh.positions.size());
   parallel_for(projected.size(), items_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) projected[v] = camera.project(mesh.positions[v]);
   });
   std::vector<Setup> setups(mesh.faces.size());
+  const Drawn is_drawn(camera, sides);
   parallel_for(setups.size(), items_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f)
-      setups[f] = set_up(mesh.faces[f], projected, camera.width, camera.height);
+      setups[f] = set_up(mesh.faces[f], projected, is_drawn, camera.width, camera.height);
   });
 
   // Rows in bands: each band is drawn by one thread, in face order.

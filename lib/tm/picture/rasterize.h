@@ -3,8 +3,9 @@
 /// Hardware 1997: faces that reach behind the eye need no clipping.
 ///
 /// A pixel sees what its centre sees. Faces that share an edge leave no gap between them; of faces
-/// at the same depth the lowest index is seen. Both sides of a face are seen; faces on edge to the
-/// eye, collapsed or behind it are not. Depths are floats, weights are perspective-correct.
+/// at the same depth the lowest index is seen. Faces on edge to the eye, collapsed or behind it are
+/// not seen, and of a closed surface the backs need not be drawn. Depths are floats, weights are
+/// perspective-correct.
 /// Cost: O(faces + pixels covered), parallel over rows; deterministic for any number of threads.
 #pragma once
 
@@ -32,7 +33,9 @@ struct FaceBuffer {
   }
 };
 
-FaceBuffer rasterize(const Mesh& mesh, const Camera& camera);
+enum class Sides { both, outside };
+
+FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both);
 
 /// The linear functions of pixel (x, y, 1) that vanish on the image of the edge across from each
 /// corner and are positive on the face's side of it. Their sum is `depth_numerator` / depth, each
