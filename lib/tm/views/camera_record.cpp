@@ -1,5 +1,3 @@
-#include "tm/views/camera_record.h"
-
 #include <Eigen/LU>
 
 #include "tm/support/error.h"

@@ -1,0 +1,51 @@
+/// Windowed normalized cross-correlation of two images under a mask, and its exact derivative by
+/// the second image, one row after the other.
+/// Reference: Pons, Keriven & Faugeras, "Multi-view stereo reconstruction and scene flow estimation
+/// with a global image-based matching score", IJCV 72(2), 2007.
+///
+/// With sums over the seen pixels of a square window: cc = v12 / sqrt(v1 v2), the variances grown
+/// by that of the noise; rho = min(v1, v2) / (min(v1, v2) + contrast); the energy is the sum of
+/// rho (1 - cc) over all seen pixels whose window is more than half seen. Its derivative by a level
+/// of the second image takes rho as constant, and sums over all windows with that pixel.
+/// Levels are floats, less a middle level. O(radius) operations a pixel, all on whole rows.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace transformesh {
+
+struct CorrelationOptions {
+  int radius = 3;              ///< of the window, in pixels; 1 to 5
+  double noise_variance = 25;  ///< added to the variances, in squared grey levels; > 0
+  double contrast = 25;        ///< variance at which rho is 1/2; 0: rho is 1
+};
+
+/// What a row of both images holds; 0 where nothing is seen.
+struct ComparedRow {
+  float* is_seen = nullptr;
+  float* first = nullptr;
+  float* second = nullptr;
+  float* slope = nullptr;  ///< handed on
+};
+
+/// The derivative of the energy by a point's own coordinate along which `second` has that slope.
+struct CorrelationRow {
+  const float* is_seen = nullptr;
+  const float* gradient = nullptr;   ///< first derivative
+  const float* curvature = nullptr;  ///< second derivative after Gauss and Newton, halved: >= 0
+};
+
+struct CorrelationSums {
+  double energy = 0;
+  double weight = 0;       ///< sum of rho
+  std::size_t pixels = 0;  ///< windows compared
+};
+
+/// Asks `fill` for rows first_row to end_row - 1 in this order, and hands the derivatives of each
+/// to `take`, later, in the same order.
+CorrelationSums correlate(int width, int first_row, int end_row, const CorrelationOptions& options,
+                          const std::function<void(int y, const ComparedRow&)>& fill,
+                          const std::function<void(int y, const CorrelationRow&)>& take);
+
+}  // namespace transformesh

@@ -1,0 +1,176 @@
+#include "tm/views/photo_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tm/mesh/measure.h"
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+#include "tm/views/contour_gaps.h"
+#include "tm/views/pyramid.h"
+#include "tm/views/scene_scale.h"
+#include "tm/views/silhouette.h"
+#include "tm/views/thin_plate.h"
+
+namespace transformesh {
+namespace {
+
+void check(const PhotoStepOptions& options) {
+  const auto check_least = [](double value, const char* name) {
+    if (!(value >= 0 && std::isfinite(value)))
+      throw UsageError(std::string(name) + " is to be at least 0");
+  };
+  check_least(options.stiffness, "the stiffness");
+  check_least(options.damping, "the damping");
+  check_least(options.time_step, "the time step");
+  check_least(options.silhouettes, "the pull of silhouettes");
+  check_least(options.least_cosine, "the least cosine");
+  if (!(options.smoothing >= 0 && options.smoothing <= 1))
+    throw UsageError("the smoothing is to be from 0 to 1");
+}
+
+/// The median over the vertices that are seen; 0 where none is.
+double median_curvature(const Photoconsistency& measured) {
+  std::vector<double> seen;
+  for (std::size_t v = 0; v < measured.curvature.size(); ++v) {
+    if (measured.coverage[v] > 0) seen.push_back(measured.curvature[v]);
+  }
+  if (seen.empty()) return 0;
+  const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
+  std::nth_element(seen.begin(), middle, seen.end());
+  return *middle;
+}
+
+std::vector<double> newton_movements(const Mesh& mesh, const Umbrella& umbrella,
+                                     std::vector<Vec3> normals, const Photoconsistency& measured,
+                                     const ContourGaps& gaps, double pixel,
+                                     const PhotoStepOptions& options) {
+  const std::size_t count = mesh.positions.size();
+  const double usual = median_curvature(measured);
+  ThinPlateProblem problem{std::move(normals), std::vector<double>(count),
+                           std::vector<double>(count), options.stiffness * usual};
+  const double damping = options.damping / (pixel * pixel);
+  const double pull = options.silhouettes * usual;
+  for (std::size_t v = 0; v < count; ++v) {
+    const bool is_outside = gaps.outside[v] > 0;
+    problem.gradient[v] =
+        measured.gradient[v].dot(problem.normals[v]) + pull * (gaps.outside[v] - gaps.inside[v]);
+    problem.curvature[v] = measured.curvature[v] + damping * measured.coverage[v] +
+                           pull * ((is_outside ? 1 : 0) + gaps.rims[v]);
+  }
+  return thin_plate_step(mesh, umbrella, problem);
+}
+
+/// A third of the faces around each vertex.
+std::vector<double> vertex_areas(const Mesh& mesh) {
+  std::vector<double> areas(mesh.positions.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    for (const Index vertex : mesh.faces[f]) areas[vertex] += face_area(mesh, f) / 3;
+  }
+  return areas;
+}
+
+std::vector<double> gradient_movements(const Mesh& mesh, std::span<const Vec3> normals,
+                                       const Photoconsistency& measured, const ContourGaps& gaps,
+                                       const PhotoStepOptions& options) {
+  const std::vector<double> areas = vertex_areas(mesh);
+  std::vector<double> movements(areas.size(), 0);
+  for (std::size_t v = 0; v < movements.size(); ++v) {
+    if (areas[v] > 0)
+      movements[v] = -options.time_step * measured.gradient[v].dot(normals[v]) / areas[v];
+    movements[v] -= options.silhouettes * (gaps.outside[v] - gaps.inside[v]);
+  }
+  return movements;
+}
+
+double mean_edge(const Mesh& mesh, const Umbrella& umbrella, Index vertex) {
+  const std::span<const Index> around = umbrella.neighbors(vertex);
+  double sum = 0;
+  for (const Index neighbor : around)
+    sum += (mesh.positions[neighbor] - mesh.positions[vertex]).norm();
+  return around.empty() ? 0 : sum / static_cast<double>(around.size());
+}
+
+/// The mean movement as a fraction of the local mean edge, before the step.
+double mean_share(const Mesh& before, const Mesh& after, const Umbrella& umbrella) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (Index v = 0; v < before.positions.size(); ++v) {
+    const double edge = mean_edge(before, umbrella, v);
+    if (!(edge > 0)) continue;
+    sum += (after.positions[v] - before.positions[v]).norm() / edge;
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+void smooth(Mesh& mesh, const Umbrella& umbrella, double factor) {
+  std::vector<Vec3> ways;
+  umbrella.apply(mesh.positions, ways);
+  for (std::size_t v = 0; v < ways.size(); ++v) mesh.positions[v] += factor * ways[v];
+}
+
+}  // namespace
+
+PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs) {
+  PhotoScene scene;
+  std::vector<PinholeCamera> cameras;
+  for (const View& view : views) cameras.push_back(view.camera);
+  const Vec3 center = viewed_point(cameras);
+  scene.pairs = choose_pairs(cameras, center, pairs);
+  if (scene.pairs.empty()) {
+    throw InputError("no two of the " + std::to_string(views.size()) +
+                     " views are as far apart as views that are compared must be");
+  }
+  scene.pixel = scale * pixel_size(cameras, center);
+  scene.views.resize(views.size());
+  scene.distances.resize(views.size());
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      scene.views[i] = at_scale(views[i], scale);
+      if (!scene.views[i].silhouette.empty())
+        scene.distances[i] = signed_distance(scene.views[i].silhouette);
+    }
+  });
+  return scene;
+}
+
+PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepOptions& options,
+                           const Progress& progress) {
+  check(options);
+  progress("see");
+  const std::vector<SeenSurface> seen =
+      see_surface(mesh, face_unit_normals(mesh), scene.views, options.least_cosine);
+  const Photoconsistency measured =
+      photoconsistency(mesh, scene.views, seen, scene.pairs, options.photographs, progress);
+  if (measured.pixels == 0) throw InputError("no two views see the same part of the mesh");
+  progress("move");
+  const ContourGaps gaps = contour_gaps(mesh, scene.views, seen, scene.distances);
+
+  // Movements along the normals, then clamped.
+  const Umbrella umbrella(mesh);
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  const bool is_gradient = options.rule == PhotoStepRule::gradient;
+  const std::vector<double> movements =
+      is_gradient ? gradient_movements(mesh, normals, measured, gaps, options)
+                  : newton_movements(mesh, umbrella, normals, measured, gaps, scene.pixel, options);
+  std::vector<Vec3> ways(normals.size());
+  for (std::size_t v = 0; v < ways.size(); ++v) ways[v] = movements[v] * normals[v];
+  const Mesh before{mesh.positions, {}, {}, {}};
+  PhotoStepResult result;
+  result.displaced = displace(mesh, ways, {1, options.alpha});
+  result.mean_share = mean_share(before, mesh, umbrella);
+  if (is_gradient) smooth(mesh, umbrella, options.smoothing);
+
+  result.energy = measured.energy;
+  result.dissimilarity = measured.weight > 0 ? measured.energy / measured.weight : 0;
+  result.pixels = measured.pixels;
+  result.unseen =
+      static_cast<std::size_t>(std::count(measured.coverage.begin(), measured.coverage.end(), 0.0));
+  result.outside = static_cast<std::size_t>(
+      std::count_if(gaps.outside.begin(), gaps.outside.end(),
+                    [&](double outside) { return outside > scene.pixel; }));
+  return result;
+}
+
+}  // namespace transformesh
