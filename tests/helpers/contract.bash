@@ -1,7 +1,7 @@
 # What the contract's checks need to know about every program, and the meshes that they feed.
 
 # name|kind|arguments beside the input; MESH stands for a file with the mesh itself, SCENE
-# for a folder with par.txt and masks. The input of a converter is in the file
+# for a folder with par.txt and masks, and with photos.txt and photos of the mesh. The input of a converter is in the file
 # $NAME_input, for example $tm_cameras_input.
 contract_programs() {
   cat <<'TABLE'
@@ -16,6 +16,7 @@ tm-hull|source|--cameras SCENE/par.txt --silhouettes SCENE/masks --resolution 20
 tm-info|predicate|
 tm-intersect|filter|
 tm-morph-step|filter|--target MESH
+tm-photo-step|filter|--cameras SCENE/photos.txt --images SCENE/photos --max-angle 60
 tm-photograph|converter|--size 40x30 --ring 3
 tm-remesh|filter|
 tm-render|picture|

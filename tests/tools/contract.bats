@@ -14,6 +14,8 @@ setup_file() {
   two_cameras >"$tm_cameras_input"
   export tm_photograph_input=$mesh
   torus 24 12 >"$mesh"
+  mkdir "$scene/photos"
+  tm-photograph --ring 8 --size 80x60 --write-images "$scene/photos" -o "$scene/photos.txt" "$mesh"
   tm-convert --no-provenance --format ply -o "$binary" "$mesh"
   torus 24 12 1.1 | tm-cat --no-provenance --format ply -o "$crossing" "$mesh" -
 }

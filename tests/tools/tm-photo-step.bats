@@ -1,0 +1,96 @@
+load ../helpers/common
+
+setup() { cd "$BATS_TEST_TMPDIR"; }
+
+# value KEY FILE: a number of a report.
+value() {
+  awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2"
+}
+
+# A textured sphere with a dent that no silhouette shows, as seen by a ring of cameras.
+photograph_truth() {
+  tm-shape dented --faces 5000 -o truth.ply
+  mkdir photos masks
+  tm-photograph --size 160x120 --ring 16 --write-images photos --write-silhouettes masks \
+    -o par.txt truth.ply
+}
+
+# accuracy FILE: 90 % of it are no farther from the truth.
+accuracy() { tm-compare --reference truth.ply "$1" | awk '$1 == "accuracy:" { print $2 }'; }
+
+# less A B: whether A < B.
+less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
+
+@test "from the hull to the truth: finer and finer" {
+  photograph_truth
+  tm-hull --cameras par.txt --silhouettes masks --resolution 40 -o hull.ply
+  tm-cameras --list --images photos --report cameras.json -o /dev/null par.txt
+  pixel=$(value pixel_size cameras.json)
+  cp hull.ply a.ply
+  for scale in 4 2.83 2 1.41 1; do
+    low=$(awk "BEGIN { print 2 * $pixel * $scale }")
+    tm-remesh --iterations 2 --min-edge "$low" --max-edge "$(awk "BEGIN { print 2 * $low }")" a.ply |
+      tm-photo-step --cameras par.txt --images photos --silhouettes masks --scale "$scale" \
+        --iterations 6 --alternate --report "$scale.json" | tm-clean -o b.ply
+    mv b.ply a.ply
+    [ "$(value lost_coverage "$scale.json")" = false ]
+  done
+  less "$(value last_dissimilarity 4.json)" "$(value dissimilarity 4.json)"
+  less "$(accuracy a.ply)" "$(awk "BEGIN { print 0.5 * $(accuracy hull.ply) }")" ||
+    fail "from $(accuracy hull.ply) to $(accuracy a.ply)"
+  tm-checkmanifold --closed a.ply
+  tm-intersect --check a.ply
+}
+
+@test "the truth nearly stays, and gains and offsets of the photographs do not matter" {
+  photograph_truth
+  mkdir lit
+  tm-photograph --cameras par.txt --size 160x120 --gain 0.2 --offset 10 --write-images lit \
+    -o /dev/null truth.ply
+  for photos in photos lit; do
+    tm-photo-step --cameras par.txt --images "$photos" --report $photos.json -o $photos.ply truth.ply
+    less "$(value max_displacement $photos.json)" "$(value pixel_size $photos.json)"
+  done
+  awk -v a="$(value dissimilarity photos.json)" -v b="$(value dissimilarity lit.json)" \
+    'BEGIN { exit !(a < 1.1 * b && b < 1.1 * a) }'
+}
+
+@test "--alpha 0 measures and moves nothing; silhouettes pull back what is outside" {
+  photograph_truth
+  tm-photo-step --cameras par.txt --images photos --alpha 0 --no-provenance truth.ply |
+    cmp - truth.ply
+  tm-displace --normal-speed 3% --alpha 10 truth.ply >fat.ply
+  for pull in 0 1; do
+    tm-photo-step --cameras par.txt --images photos --silhouettes masks --pull $pull --stiffness 0 \
+      --iterations 8 --report $pull.json fat.ply >$pull.ply
+  done
+  less "$(value outside 1.json)" "$(awk "BEGIN { print 0.5 * $(value outside 0.json) }")" ||
+    fail "outside: $(value outside 1.json), not pulled $(value outside 0.json)"
+}
+
+@test "--step paper goes t times the derivative per area" {
+  photograph_truth
+  step=(tm-photo-step --cameras par.txt --images photos --step paper --smooth 0 --alpha 10)
+  "${step[@]}" --time-step 1e-9 --report once.json truth.ply >once.ply
+  "${step[@]}" --time-step 2e-9 --report twice.json truth.ply >twice.ply
+  awk -v a="$(value rms_displacement once.json)" -v b="$(value rms_displacement twice.json)" \
+    'BEGIN { exit !(a > 0 && b / a > 1.99 && b / a < 2.01) }'
+}
+
+@test "what cannot be compared is exit 3 and says so" {
+  photograph_truth
+  run --separate-stderr tm-photo-step --cameras par.txt --images photos --max-angle 5 truth.ply
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"16 views"* ]]
+  run --separate-stderr tm-photo-step --cameras par.txt --images photos <(tm-shape sphere --center 99,0,0)
+  assert_status 3
+  one_line "$stderr"
+  rm photos/"$(ls photos | head -n 1)"
+  run --separate-stderr tm-photo-step --cameras par.txt --images photos truth.ply
+  assert_status 3
+  one_line "$stderr"
+  [ -z "$output" ]
+  run tm-photo-step --images photos truth.ply
+  assert_status 2
+}

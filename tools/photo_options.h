@@ -1,0 +1,32 @@
+/// The options of steps towards photographs.
+#pragma once
+
+#include <string>
+
+#include "tm/views/photo_steps.h"
+#include "tm/views/view_files.h"
+#include "tool.h"
+
+namespace transformesh::tool {
+
+/// Options as they are written; the rest are in `steps` and `pairs`.
+struct PhotoOptions {
+  ViewSources sources;
+  double scale = 1;
+  long neighbors = static_cast<long>(PairOptions().neighbors);
+  long window = CorrelationOptions().radius;
+  long iterations = PhotoStepsOptions().iterations;
+  std::string rule = "gauss-newton";
+  std::string interpolation = "catmull-rom";
+  PairOptions pairs;
+  PhotoStepsOptions steps;
+};
+
+void declare_photo_step(Program& program, PhotoOptions& options);
+
+/// Reads the views and makes them as small as wanted.
+PhotoScene read_scene(const PhotoOptions& options);
+
+PhotoStepsOptions steps_of(const PhotoOptions& options);
+
+}  // namespace transformesh::tool

@@ -1,0 +1,45 @@
+/// tm-photo-step: steps of a surface towards calibrated photographs (paper 5.3).
+#include "displacement_report.h"
+#include "photo_options.h"
+
+namespace {
+
+using namespace transformesh;
+
+void report(const PhotoScene& scene, const PhotoStepsResult& result, tool::Run& run) {
+  run.report("views", scene.views.size());
+  run.report("pairs", scene.pairs.size());
+  run.report("pixel_size", scene.pixel);
+  run.report("energy", result.first.energy);
+  run.report("dissimilarity", result.first.dissimilarity);
+  run.report("last_dissimilarity", result.last.dissimilarity);
+  run.report("pixels", result.first.pixels);
+  run.report("last_pixels", result.last.pixels);
+  run.report("lost_coverage", result.lost_coverage);
+  run.report("unseen", result.last.unseen);
+  run.report("outside", result.last.outside);
+  run.report("mean_share", result.last.mean_share);
+  tool::report_displacement(result.last.displaced, run);
+  if (result.lost_coverage) run.note("photographs cover less of the surface than before");
+}
+
+void step(Document& document, const tool::PhotoOptions& options, tool::Run& run) {
+  run.progress()("read views");
+  const PhotoScene scene = tool::read_scene(options);
+  report(scene, photo_steps(document.mesh, scene, tool::steps_of(options), run.progress()), run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tool::PhotoOptions options;
+  tool::Program program("tm-photo-step", "[OPTION]... --cameras WHERE --images WHERE [INPUT]",
+                        "Moves a mesh towards agreement with calibrated photographs");
+  tool::declare_photo_step(program, options);
+  program.epilog(
+      "One iteration of a reconstruction, which goes on from coarse to fine:\n"
+      "  tm-photo-step --cameras par.txt --images photos --scale 4 < a.ply |\n"
+      "    tm-clean | tm-remesh > next.ply");
+  return program.filter(argc, argv,
+                        [&](Document& document, tool::Run& run) { step(document, options, run); });
+}
