@@ -110,6 +110,11 @@ std::vector<std::string> camera_files_in(const std::string& folder) {
     format = found;
     files.push_back(path);
   }
+  if (files.empty() && is_file(folder + "/cameras.bin")) {
+    throw InputError(folder +
+                     ": COLMAP's binary model is not read; write it as text with colmap "
+                     "model_converter --output_type TXT");
+  }
   if (files.empty()) {
     throw InputError(folder +
                      ": there is no camera file in this folder: " + std::string(known_formats));
