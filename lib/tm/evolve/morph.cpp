@@ -15,9 +15,10 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t queries_per_task = 512;
+constexpr std::size_t most_vertices_of_target = 2048;
 
 std::vector<double> surface_distances(const Mesh& mesh, const Target& target, double exact_within) {
-  const ClosestPointQuery closest(target.mesh);
+  const ClosestPointQuery closest(target.mesh, target.face_order);
   return sample_distance(mesh.positions, exact_within, [&](const Vec3& p) {
     const ClosestPoint q = closest(p);
     return searched_distance(p, q.point, q.signed_distance < 0 ? -1 : 1);
@@ -50,6 +51,14 @@ Vec3 closest_around_vertex(const Vec3& query, const Mesh& mesh, Index vertex,
     if ((point - query).squaredNorm() < (closest - query).squaredNorm()) closest = point;
   }
   return closest;
+}
+
+/// Every so many'th, so that no more than `most` are left.
+std::vector<Vec3> thinned(std::span<const Vec3> points, std::size_t most) {
+  const std::size_t stride = (points.size() + most - 1) / most;
+  std::vector<Vec3> result;
+  for (std::size_t i = 0; i < points.size(); i += stride) result.push_back(points[i]);
+  return result;
 }
 
 DistanceSummary summary(std::span<const double> distances) {
@@ -88,7 +97,8 @@ DistanceSummary distance_from_target(const Target& target, const Mesh& mesh, dou
   progress("distance from target");
   const KdTree tree(mesh.positions);
   const VertexFaces faces_at(mesh);
-  return summary(sample_distance(target.mesh.positions, exact_within, [&](const Vec3& p) {
+  const std::vector<Vec3> points = thinned(target.mesh.positions, most_vertices_of_target);
+  return summary(sample_distance(points, exact_within, [&](const Vec3& p) {
     const Index nearest = tree.nearest(p);
     return searched_distance(p, closest_around_vertex(p, mesh, nearest, faces_at[nearest]));
   }));

@@ -11,7 +11,7 @@ namespace {
 
 /// Runs of fixed length along the curve, so that estimates do not depend on how threads share.
 constexpr std::size_t run_length = 512;
-constexpr double reach = 0.25;
+constexpr double reach = 0.5;
 
 std::vector<Index> order_along_curve(std::span<const Vec3> points) {
   std::vector<FloatBox> boxes(points.size());

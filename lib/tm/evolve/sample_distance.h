@@ -2,9 +2,9 @@
 /// far surface moves by its clamp whatever the distance, so most searches can be saved.
 ///
 /// A distance changes by no more than the way gone. Points are visited along a Hilbert curve; one
-/// whose distance is certainly beyond `exact_within`, and that lies within a quarter of the last
+/// whose distance is certainly beyond `exact_within`, and that lies within half of the last
 /// searched distance from that search, gets the linear estimate. Its sign is certain where the
-/// function is continuous, and it is typically right to a few percent.
+/// function is continuous, and it is typically right to a few percent, in the mean too.
 /// Deterministic for any number of threads. Cost: O(n log n) and the searches.
 #pragma once
 

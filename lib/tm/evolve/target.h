@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tm/geometry/closest_point.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
@@ -14,6 +15,7 @@ struct Target {
   /// Of points only: one each, of unit length or zero where undefined. A mesh has its faces.
   std::vector<Vec3> normals;
   bool has_estimated_normals = false;
+  FaceOrder face_order = FaceOrder::any;
   bool is_mesh() const { return !mesh.faces.empty(); }
 };
 

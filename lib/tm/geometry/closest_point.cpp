@@ -4,16 +4,13 @@
 #include <limits>
 
 #include "tm/geometry/median_tree_visit.h"
-#include "tm/mesh/adjacency.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
-#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
 
 constexpr std::size_t bucket_size = 2;
-constexpr std::size_t faces_per_task = 4096;
 
 TrianglePart corner_part(int corner) { return static_cast<TrianglePart>(corner % 3); }
 TrianglePart edge_part(int edge) { return static_cast<TrianglePart>(3 + edge); }
@@ -30,15 +27,6 @@ TrianglePoint closest_point_of_edge(const Vec3& query, const Vec3& from, const V
 
 double squared_distance(const Vec3& a, const Vec3& b) {
   return MedianTree::squared_length(a.x() - b.x(), a.y() - b.y(), a.z() - b.z());
-}
-
-std::vector<Vec3> unit_face_normals(const Mesh& mesh) {
-  std::vector<Vec3> normals(mesh.faces.size());
-  parallel_for(normals.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f)
-      normals[f] = face_normal(mesh, static_cast<Index>(f)).stableNormalized();
-  });
-  return normals;
 }
 
 const Mesh& checked(const Mesh& mesh) {
@@ -75,12 +63,15 @@ TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const 
   return best;
 }
 
-ClosestPointQuery::ClosestPointQuery(const Mesh& mesh)
+std::vector<Index> spatial_face_order(const Mesh& mesh) {
+  return MedianTree(face_boxes(mesh), bucket_size).order();
+}
+
+ClosestPointQuery::ClosestPointQuery(const Mesh& mesh, FaceOrder order)
     : mesh_(&checked(mesh)),
-      tree_(face_boxes(mesh), bucket_size),
-      face_normals_(unit_face_normals(mesh)),
-      vertex_normals_(vertex_normals(mesh)),
-      opposite_(opposite_halfedges(mesh)) {}
+      tree_(face_boxes(mesh), bucket_size,
+            order == FaceOrder::spatial ? BoxOrder::of_tree : BoxOrder::any),
+      faces_at_(mesh) {}
 
 ClosestPoint ClosestPointQuery::operator()(const Vec3& query) const {
   double best_squared = std::numeric_limits<double>::infinity();
@@ -112,12 +103,31 @@ ClosestPoint ClosestPointQuery::operator()(const Vec3& query) const {
 }
 
 Vec3 ClosestPointQuery::pseudonormal(Index face, TrianglePart part) const {
-  if (part == TrianglePart::inside) return face_normals_[face];
-  const auto number = static_cast<Index>(part);
-  if (number < 3) return vertex_normals_[mesh_->faces[face][number]];
-  const Index across = opposite_[3 * face + number - 3];
-  if (across == no_index) return face_normals_[face];
-  return (face_normals_[face] + face_normals_[across / 3]).stableNormalized();
+  const Vec3 normal = face_normal(*mesh_, face).stableNormalized();
+  if (part == TrianglePart::inside) return normal;
+  const auto number = static_cast<int>(part);
+  const Face& corners = mesh_->faces[face];
+  if (number < 3) return vertex_normal(*mesh_, corners[number], faces_at_[corners[number]]);
+  const Index across = face_across(face, corners[number - 3], corners[(number - 2) % 3]);
+  if (across == no_index) return normal;
+  return (normal + face_normal(*mesh_, across).stableNormalized()).stableNormalized();
+}
+
+Index ClosestPointQuery::face_across(Index face, Index from, Index to) const {
+  Index across = no_index;
+  for (const Index other : faces_at_[from]) {
+    if (other == face) continue;
+    const Face& corners = mesh_->faces[other];
+    for (int i = 0; i < 3; ++i) {
+      const Index next = corners[(i + 1) % 3];
+      const bool runs_alike = corners[i] == from && next == to;
+      if (runs_alike || (corners[i] == to && next == from)) {
+        if (runs_alike || across != no_index) return no_index;
+        across = other;
+      }
+    }
+  }
+  return across;
 }
 
 }  // namespace transformesh

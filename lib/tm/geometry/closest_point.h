@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tm/geometry/median_tree.h"
+#include "tm/mesh/adjacency.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
@@ -36,20 +37,25 @@ struct ClosestPoint {
   double signed_distance = 0;
 };
 
+/// How the faces of a mesh are ordered: `spatial`, as spatial_face_order() does, saves the sorting.
+/// With other orders it is only slower.
+enum class FaceOrder { any, spatial };
+std::vector<Index> spatial_face_order(const Mesh& mesh);
+
 class ClosestPointQuery {
  public:
   /// Keeps a reference to the mesh. Throws InputError for a mesh without faces.
-  explicit ClosestPointQuery(const Mesh& mesh);
+  explicit ClosestPointQuery(const Mesh& mesh, FaceOrder order = FaceOrder::any);
   ClosestPoint operator()(const Vec3& query) const;
 
  private:
   Vec3 pseudonormal(Index face, TrianglePart part) const;
+  /// no_index on a border, where more than two faces meet and where both run the same way.
+  Index face_across(Index face, Index from, Index to) const;
 
   const Mesh* mesh_;
   MedianTree tree_;
-  std::vector<Vec3> face_normals_;
-  std::vector<Vec3> vertex_normals_;
-  std::vector<Index> opposite_;
+  VertexFaces faces_at_;
 };
 
 }  // namespace transformesh

@@ -1,6 +1,7 @@
 #include "tm/geometry/median_tree.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "tm/support/parallel.h"
 
@@ -34,18 +35,23 @@ std::size_t widest_axis(std::span<const Centre> centres) {
 
 }  // namespace
 
-MedianTree::MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size)
+MedianTree::MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size, BoxOrder order)
     : bucket_size_(bucket_size), order_(boxes.size()) {
   if (boxes.empty()) return;
+  std::size_t leaves = 1;
+  for (std::size_t size = boxes.size(); size > bucket_size; size -= size / 2) leaves *= 2;
+  nodes_.resize(2 * leaves - 1);
+  if (order == BoxOrder::of_tree) {
+    std::iota(order_.begin(), order_.end(), Index{0});
+    enclose(boxes, {0, boxes.size(), 0, 0});
+    return;
+  }
   std::vector<Centre> centres(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       centres[i].position[axis] = static_cast<float>(centre(boxes[i], axis));
     centres[i].box = static_cast<Index>(i);
   }
-  std::size_t leaves = 1;
-  for (std::size_t size = boxes.size(); size > bucket_size; size -= size / 2) leaves *= 2;
-  nodes_.resize(2 * leaves - 1);
   build(boxes, centres, {0, boxes.size(), 0, 0});
 }
 
@@ -77,6 +83,20 @@ void MedianTree::build(std::span<const FloatBox> boxes, std::vector<Centre>& cen
     left();
     right();
   }
+  box = nodes_[child];
+  extend(box, nodes_[child + 1]);
+}
+
+void MedianTree::enclose(std::span<const FloatBox> boxes, const Cell& cell) {
+  FloatBox& box = nodes_[cell.node];
+  if (cell.last - cell.first <= bucket_size_) {
+    box = boxes[cell.first];
+    for (std::size_t i = cell.first + 1; i < cell.last; ++i) extend(box, boxes[i]);
+    return;
+  }
+  const std::size_t child = 2 * cell.node + 1;
+  enclose(boxes, {cell.first, cell.middle(), child, 0});
+  enclose(boxes, {cell.middle(), cell.last, child + 1, 0});
   box = nodes_[child];
   extend(box, nodes_[child + 1]);
 }

@@ -14,10 +14,15 @@
 
 namespace transformesh {
 
+/// `of_tree`: the boxes come in the order() of a tree over them, so nothing is sorted: O(n). A tree
+/// over boxes in another order answers the same, but slowly.
+enum class BoxOrder { any, of_tree };
+
 class MedianTree {
  public:
   /// Cells of at most `bucket_size` boxes are not cut.
-  MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size);
+  MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size,
+             BoxOrder order = BoxOrder::any);
 
   /// The boxes by their place in the tree.
   const std::vector<Index>& order() const { return order_; }
@@ -45,6 +50,7 @@ class MedianTree {
     std::size_t middle() const { return first + (last - first) / 2; }
   };
   void build(std::span<const FloatBox> boxes, std::vector<Centre>& centres, const Cell& cell);
+  void enclose(std::span<const FloatBox> boxes, const Cell& cell);
 
   double squared_distance(std::size_t node, const Vec3& query) const;
 

@@ -135,6 +135,16 @@ std::vector<Vec3> vertex_normals(const Mesh& mesh) {
   return normals;
 }
 
+Vec3 vertex_normal(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
+  Vec3 normal = Vec3::Zero();
+  for (const Index face : faces) {
+    const Vec3 unit = face_normal(mesh, face).stableNormalized();
+    for (int i = 0; i < 3; ++i)
+      if (mesh.faces[face][i] == vertex) normal += corner_angle(mesh, mesh.faces[face], i) * unit;
+  }
+  return normal.stableNormalized();
+}
+
 double valence_six_share(const Mesh& mesh) {
   // Edges at each vertex, and the vertices on a border.
   const Edges edges(mesh);

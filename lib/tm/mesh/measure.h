@@ -2,6 +2,8 @@
 /// and angle 0. Sums run in face order: the same result for any number of threads.
 #pragma once
 
+#include <span>
+
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
@@ -38,6 +40,8 @@ Angles angles(const Mesh& mesh);
 
 /// Unit normals per vertex, weighted by angle (Baerentzen & Aanaes 2005); zero where undefined.
 std::vector<Vec3> vertex_normals(const Mesh& mesh);
+/// The same of one vertex, given its faces in ascending order.
+Vec3 vertex_normal(const Mesh& mesh, Index vertex, std::span<const Index> faces);
 
 /// Share of interior vertices with six edges.
 double valence_six_share(const Mesh& mesh);

@@ -10,9 +10,9 @@ namespace {
 constexpr std::uint32_t all_directions = (1U << 26) - 1;
 /// A direction counts as seeing a front when cosine to the normal is above this.
 constexpr double least_cosine = 0.03;
-/// Cells are this many longest edges wide: a patch around a vertex reaches one longest edge and
-/// half of one more, and each face that meets the ball has a corner within 0.58 of one.
-constexpr double cell_edges = 2.1;
+/// Cells are this many longest edges wide: most patches reach nine tenths of one from their centre,
+/// and each face that meets that ball has a corner within 0.58 of one.
+constexpr double cell_edges = 1.5;
 constexpr double corner_reach = 0.58;
 constexpr int key_bits = 21;
 
@@ -51,6 +51,13 @@ bool boxes_touch(const Triangle& first, const Triangle& second) {
          (lowest(second).array() <= highest(first).array()).all();
 }
 
+/// Whether the direction clearly sees the front of the triangle.
+bool sees(const Vec3& direction, const Triangle& triangle) {
+  const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  const double along = direction.dot(normal);
+  return along > 0 && along * along > least_cosine * least_cosine * normal.squaredNorm();
+}
+
 double longest_edge_of(const EditableMesh& mesh) {
   double longest = 0;
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
@@ -75,6 +82,7 @@ EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge)
       cell_of_(mesh.vertex_slots(), no_index),
       next_in_cell_(mesh.vertex_slots(), no_index),
       previous_in_cell_(mesh.vertex_slots(), no_index),
+      seeing_(mesh.vertex_slots(), all_directions),
       stamp_(mesh.face_slots(), 0) {
   Vec3 low = Vec3::Constant(HUGE_VAL);
   Vec3 high = -low;
@@ -191,6 +199,7 @@ void EmbeddingGuard::fill_cells() {
     const std::uint32_t directions = seeing_directions(mesh_.face_normal(face));
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       cells_[cell_of_[mesh_.source(h)]].directions &= directions;
+      seeing_[mesh_.source(h)] &= directions;
     }
   }
   for (Cell& cell : cells_) dilate(cell);
@@ -236,7 +245,10 @@ void EmbeddingGuard::forget(Index vertex) { remove(vertex); }
 void EmbeddingGuard::commit(const Patch& patch) {
   const Key key = key_of(mesh_.position(patch.centre));
   if (key != cells_[cell_of_[patch.centre]].key) change_cell(patch.centre, key);
-  for (const Index vertex : patch.vertices) restrict_cell(cell_of_[vertex], directions_);
+  for (const Index vertex : patch.vertices) {
+    restrict_cell(cell_of_[vertex], directions_);
+    seeing_[vertex] &= directions_;
+  }
 }
 
 void EmbeddingGuard::change_cell(Index vertex, Key key) {
@@ -255,7 +267,14 @@ void EmbeddingGuard::change_cell(Index vertex, Key key) {
   insert(vertex, cell);
 }
 
-bool EmbeddingGuard::allows(const Patch& patch) { return is_certified(patch) || is_free(patch); }
+bool EmbeddingGuard::allows(const Patch& patch) {
+  if (is_certified(patch)) return true;
+  if (!is_short_enough(patch)) return false;
+  enclose(patch);
+  if (is_seen_around(patch)) return true;
+  find_faces_near(patch);
+  return is_height_field(patch) || (!meets_itself(patch) && !meets_others(patch));
+}
 
 bool EmbeddingGuard::is_certified(const Patch& patch) {
   directions_ = all_directions;
@@ -281,14 +300,35 @@ bool EmbeddingGuard::is_certified(const Patch& patch) {
   return (patch.centre_position - centre).squaredNorm() <= radius * radius;
 }
 
-bool EmbeddingGuard::is_free(const Patch& patch) {
+bool EmbeddingGuard::is_short_enough(const Patch& patch) const {
   const double longest = longest_edge_ * longest_edge_;
-  for (const Triangle& triangle : patch.made) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if ((triangle[(i + 1) % 3] - triangle[i]).squaredNorm() > longest) return false;
-    }
-  }
-  return !meets_itself(patch) && !meets_others(patch);
+  return std::all_of(patch.made.begin(), patch.made.end(), [&](const Triangle& triangle) {
+    return (triangle[1] - triangle[0]).squaredNorm() <= longest &&
+           (triangle[2] - triangle[1]).squaredNorm() <= longest &&
+           (triangle[0] - triangle[2]).squaredNorm() <= longest;
+  });
+}
+
+Triangle EmbeddingGuard::triangle_of(Index face) const {
+  return {mesh_.position(mesh_.source(3 * face)), mesh_.position(mesh_.source(3 * face + 1)),
+          mesh_.position(mesh_.source(3 * face + 2))};
+}
+
+/// The box around both patches is convex, so lines in it may be followed (as in a ball).
+bool EmbeddingGuard::is_height_field(const Patch& patch) const {
+  Vec3 direction = Vec3::Zero();
+  for (const Triangle& triangle : patch.made)
+    direction += (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  direction.normalize();
+  const Index component = component_[patch.centre];
+  if (component == no_index) return false;
+  const auto is_seen = [&](Index face) {
+    return component_[mesh_.source(3 * face)] == component && sees(direction, triangle_of(face));
+  };
+  return std::all_of(patch.made.begin(), patch.made.end(),
+                     [&](const Triangle& triangle) { return sees(direction, triangle); }) &&
+         std::all_of(patch.replaced.begin(), patch.replaced.end(), is_seen) &&
+         std::all_of(near_.begin(), near_.end(), is_seen);
 }
 
 bool EmbeddingGuard::meets_itself(const Patch& patch) const {
@@ -302,30 +342,68 @@ bool EmbeddingGuard::meets_itself(const Patch& patch) const {
   return false;
 }
 
-bool EmbeddingGuard::meets_face(const Patch& patch, Index face) const {
-  const Triangle other{mesh_.position(mesh_.source(3 * face)),
-                       mesh_.position(mesh_.source(3 * face + 1)),
-                       mesh_.position(mesh_.source(3 * face + 2))};
-  return std::any_of(patch.made.begin(), patch.made.end(), [&](const Triangle& triangle) {
-    return boxes_touch(triangle, other) && may_touch(triangle, other);
+bool EmbeddingGuard::meets_others(const Patch& patch) const {
+  return std::any_of(near_.begin(), near_.end(), [&](Index face) {
+    const Triangle other = triangle_of(face);
+    return std::any_of(patch.made.begin(), patch.made.end(), [&](const Triangle& triangle) {
+      return boxes_touch(triangle, other) && may_touch(triangle, other);
+    });
   });
 }
 
-bool EmbeddingGuard::meets_others(const Patch& patch) {
-  // the cells that hold a corner of every face that meets the patch
-  Vec3 low = patch.centre_position;
-  Vec3 high = low;
-  for (const Triangle& triangle : patch.made) {
-    low = low.cwiseMin(lowest(triangle));
-    high = high.cwiseMax(highest(triangle));
-  }
-  const Vec3 reach = Vec3::Constant(corner_reach * longest_edge_);
-  const Key first = key_of(low - reach);
-  const Key last = key_of(high + reach);
+/// The box around both patches.
+void EmbeddingGuard::enclose(const Patch& patch) {
+  low_ = high_ = patch.centre_position;
+  const auto extend = [&](const Triangle& triangle) {
+    low_ = low_.cwiseMin(lowest(triangle));
+    high_ = high_.cwiseMax(highest(triangle));
+  };
+  for (const Triangle& triangle : patch.made) extend(triangle);
+  for (const Index face : patch.replaced) extend(triangle_of(face));
+}
 
-  // every face there once, but for those that give way
+/// The certificate of is_height_field() for all faces at the vertices around, which is more than it
+/// needs.
+bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
+  const Index component = component_[patch.centre];
+  std::uint32_t directions = component == no_index ? 0 : directions_;
+  for (const Index face : patch.replaced)
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) directions &= seeing_[mesh_.source(h)];
+  if (directions == 0) return false;
+  return for_each_vertex_around([&](Index vertex) {
+    directions &= component_[vertex] == component ? seeing_[vertex] : 0;
+    return directions != 0;
+  });
+}
+
+/// Fills near_ with the faces, other than those that give way, whose boxes touch the patches'.
+void EmbeddingGuard::find_faces_near(const Patch& patch) {
+  near_.clear();
   ++stamp_now_;
   for (const Index face : patch.replaced) stamp_[face] = stamp_now_;
+  for_each_vertex_around([&](Index vertex) {
+    mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
+      const Index face = halfedge / 3;
+      if (stamp_[face] == stamp_now_) return;
+      stamp_[face] = stamp_now_;
+      const Triangle triangle = triangle_of(face);
+      if ((lowest(triangle).array() <= high_.array()).all() &&
+          (highest(triangle).array() >= low_.array()).all())
+        near_.push_back(face);
+    });
+    return true;
+  });
+}
+
+/// Calls visit(vertex) until it returns false; at least one corner of every face that meets the
+/// box is visited.
+template <class Visit>
+bool EmbeddingGuard::for_each_vertex_around(const Visit& visit) const {
+  const Vec3 reach = Vec3::Constant(corner_reach * longest_edge_);
+  const Vec3 low = low_ - reach;
+  const Vec3 high = high_ + reach;
+  const Key first = key_of(low);
+  const Key last = key_of(high);
   constexpr Key axis_mask = (Key{1} << key_bits) - 1;
   for (Key x = first >> (2 * key_bits); x <= last >> (2 * key_bits); ++x) {
     for (Key y = (first >> key_bits) & axis_mask; y <= ((last >> key_bits) & axis_mask); ++y) {
@@ -333,19 +411,15 @@ bool EmbeddingGuard::meets_others(const Patch& patch) {
         const Index cell = find_cell((x << (2 * key_bits)) | (y << key_bits) | z);
         Index vertex = cell == no_index ? no_index : cells_[cell].first_vertex;
         for (; vertex != no_index; vertex = next_in_cell_[vertex]) {
-          bool meets = false;
-          mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
-            const Index face = halfedge / 3;
-            if (meets || stamp_[face] == stamp_now_) return;
-            stamp_[face] = stamp_now_;
-            meets = meets_face(patch, face);
-          });
-          if (meets) return true;
+          const Vec3& position = mesh_.position(vertex);
+          const bool is_around =
+              (position.array() >= low.array()).all() && (position.array() <= high.array()).all();
+          if (is_around && !visit(vertex)) return false;
         }
       }
     }
   }
-  return false;
+  return true;
 }
 
 }  // namespace transformesh

@@ -7,8 +7,10 @@
 /// the rest. Normals are kept per cell of a grid as a set of 26 directions, so that the test of a
 /// whole neighbourhood is one bitwise and (the idea of the normal cone: Volino &
 /// Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized surface
-/// animations", Eurographics 1994). Elsewhere, and near borders or a second component, every new
-/// triangle is tested against all triangles nearby and those of its own patch (triangle_contact).
+/// animations", Eurographics 1994). Where that fails, as between the sheets of a thin plate, the
+/// faces around the patch's own box are asked one by one. Elsewhere, and near borders or a second
+/// component, every new triangle is tested against all triangles nearby and those of its own patch
+/// (triangle_contact).
 #pragma once
 
 #include <cstdint>
@@ -69,10 +71,16 @@ class EmbeddingGuard {
   void insert(Index vertex, Index cell);
   void remove(Index vertex);
   bool is_certified(const Patch& patch);
-  bool is_free(const Patch& patch);
+  bool is_short_enough(const Patch& patch) const;
+  void find_faces_near(const Patch& patch);
+  void enclose(const Patch& patch);
+  bool is_seen_around(const Patch& patch) const;
+  template <class Visit>
+  bool for_each_vertex_around(const Visit& visit) const;
+  bool is_height_field(const Patch& patch) const;
   bool meets_itself(const Patch& patch) const;
-  bool meets_others(const Patch& patch);
-  bool meets_face(const Patch& patch, Index face) const;
+  bool meets_others(const Patch& patch) const;
+  Triangle triangle_of(Index face) const;
 
   const EditableMesh& mesh_;
   double longest_edge_;
@@ -84,9 +92,13 @@ class EmbeddingGuard {
   std::vector<Index> cell_of_;       ///< per vertex
   std::vector<Index> next_in_cell_;  ///< per vertex
   std::vector<Index> previous_in_cell_;
-  std::vector<std::uint32_t> stamp_;  ///< per face, against visiting twice
+  std::vector<std::uint32_t> seeing_;  ///< per vertex: directions that see all of its faces
+  std::vector<std::uint32_t> stamp_;   ///< per face, against visiting twice
   std::uint32_t stamp_now_ = 0;
   std::uint32_t directions_ = 0;  ///< of the patch allowed last
+  Vec3 low_ = Vec3::Zero();       ///< the box around the patch in question, before and after
+  Vec3 high_ = Vec3::Zero();
+  std::vector<Index> near_;  ///< faces whose boxes touch it
 };
 
 }  // namespace transformesh

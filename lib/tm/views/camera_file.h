@@ -16,30 +16,11 @@
 #include <string_view>
 #include <vector>
 
-#include "tm/views/pinhole_camera.h"
+#include "tm/views/camera_record.h"
 
 namespace transformesh {
 
 enum class CameraFormat { middlebury, colmap, bundler, matrices };
-
-/// A camera and what its file says of the photograph.
-struct CameraRecord {
-  std::string name;   ///< the image's as written there; else the file's stem
-  std::string place;  ///< `dino_par.txt line 3`, for messages
-  PinholeCamera camera;
-  int width = 0;  ///< of the image; 0: the file does not say
-  int height = 0;
-  bool is_centered = false;  ///< the principal point is the center of an image of unknown size
-
-  /// Checks the image's size, and centers the principal point if that is still to be done. Throws
-  /// InputError where the file says another size; `image` names it there.
-  void set_size(int columns, int rows, const std::string& image);
-};
-
-struct CameraList {
-  std::vector<CameraRecord> cameras;
-  bool names_images = false;  ///< names are those of the images, so that pairing goes by them
-};
 
 /// None where the beginning looks like no camera file.
 std::optional<CameraFormat> camera_format(std::string_view bytes);
@@ -59,7 +40,7 @@ struct CameraText {
 
 /// One text that reads back as the same cameras. Throws InputError for what the format cannot hold:
 /// Bundler is only read, COLMAP needs the images' sizes and no skew, Middlebury names without
-/// blanks; and for cameras that are still to be centerd.
+/// blanks; and for cameras that are still to be centered.
 std::string write_cameras(const CameraList& list, CameraFormat format);
 
 /// As the programs of the format expect it in a folder: COLMAP's three files, a matrix for each

@@ -1,3 +1,5 @@
+#include "tm/views/camera_record.h"
+
 #include <Eigen/LU>
 
 #include "tm/support/error.h"

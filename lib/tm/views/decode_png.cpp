@@ -1,6 +1,6 @@
 #include <png.h>
 
-#include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "tm/views/samples.h"
@@ -42,6 +42,7 @@ bool read_layout(png_structp png, png_infop info, Layout& layout) {
   png_set_expand_gray_1_2_4_to_8(png);
   png_set_palette_to_rgb(png);
   png_set_strip_alpha(png);
+  if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
   layout.width = png_get_image_width(png, info);
@@ -83,13 +84,18 @@ class Reader {
   png_infop info_ = nullptr;
 };
 
-std::vector<std::uint16_t> joined(const std::vector<png_byte>& bytes, int depth) {
-  if (depth == 8) return {bytes.begin(), bytes.end()};
-  std::vector<std::uint16_t> values(bytes.size() / 2);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = static_cast<std::uint16_t>(bytes[2 * i] * 256 + bytes[2 * i + 1]);
+/// Where each row of the samples starts.
+std::vector<png_bytep> rows_of(Samples& samples) {
+  auto* row =
+      samples.is_deep() ? reinterpret_cast<png_bytep>(samples.deep.data()) : samples.shallow.data();
+  const auto size = static_cast<std::size_t>(samples.width) *
+                    static_cast<std::size_t>(samples.channels) * (samples.is_deep() ? 2U : 1U);
+  std::vector<png_bytep> rows(static_cast<std::size_t>(samples.height));
+  for (png_bytep& start : rows) {
+    start = row;
+    row += size;
   }
-  return values;
+  return rows;
 }
 
 }  // namespace
@@ -102,14 +108,15 @@ Samples decode_png(const Source& source) {
   // Deflate makes a byte of at most 1032; a sample has one bit at least.
   check_size(source, layout.width, layout.height, 8 * 1032);
 
-  const auto channels = static_cast<std::size_t>(layout.channels);
-  const std::size_t row_size = layout.width * channels * static_cast<std::size_t>(layout.depth / 8);
-  std::vector<png_byte> bytes(layout.height * row_size);
-  std::vector<png_bytep> rows(layout.height);
-  for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = bytes.data() + row * row_size;
+  Samples samples;
+  samples.width = static_cast<int>(layout.width);
+  samples.height = static_cast<int>(layout.height);
+  samples.channels = layout.channels;
+  samples.maximum = layout.depth == 16 ? 65535 : 255;
+  samples.allocate();
+  std::vector<png_bytep> rows = rows_of(samples);
   if (!reader.decode(rows)) refuse();
-  return {static_cast<int>(layout.width), static_cast<int>(layout.height), layout.channels,
-          layout.depth == 16 ? 65535.0 : 255.0, joined(bytes, layout.depth)};
+  return samples;
 }
 
 }  // namespace transformesh

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "tm/io/number_text.h"
 #include "tm/views/samples.h"
 
@@ -43,28 +45,48 @@ void check_sample(const Source& source, const char* place, std::uint64_t sample,
                                  std::to_string(static_cast<int>(maximum)) + " in the header");
 }
 
-void read_text(const Source& source, Numbers& numbers, Samples& samples) {
-  for (std::uint16_t& value : samples.values) {
+template <class Sample>
+void read_text(const Source& source, Numbers& numbers, double maximum,
+               std::vector<Sample>& samples) {
+  for (Sample& value : samples) {
     const std::uint64_t sample = numbers.next("last sample");
-    check_sample(source, numbers.place(), sample, samples.maximum);
-    value = static_cast<std::uint16_t>(sample);
+    check_sample(source, numbers.place(), sample, maximum);
+    value = static_cast<Sample>(sample);
   }
 }
 
-void read_binary(const Source& source, const char* place, Samples& samples) {
-  const std::size_t sample_size = samples.maximum > 255 ? 2 : 1;
+// The more significant byte comes first.
+template <class Sample>
+void read_binary(const Source& source, const char* place, double maximum,
+                 std::vector<Sample>& samples) {
+  const std::size_t size = samples.size() * sizeof(Sample);
   const auto available = static_cast<std::size_t>(source.end() - place);
-  if (available < samples.values.size() * sample_size) {
-    source.fail(
-        "the image ends too early: " + counted(samples.values.size() * sample_size, "byte") +
-        " of samples expected, " + std::to_string(available) + " found");
+  if (available < size) {
+    source.fail("the image ends too early: " + counted(size, "byte") + " of samples expected, " +
+                std::to_string(available) + " found");
   }
-  for (std::uint16_t& value : samples.values) {
-    unsigned sample = static_cast<unsigned char>(*place++);
-    if (sample_size == 2) sample = 256 * sample + static_cast<unsigned char>(*place++);
-    check_sample(source, place, sample, samples.maximum);
-    value = static_cast<std::uint16_t>(sample);
+  const char* next = place;
+  for (Sample& value : samples) {
+    unsigned sample = static_cast<unsigned char>(*next++);
+    if (sizeof(Sample) == 2) sample = 256 * sample + static_cast<unsigned char>(*next++);
+    value = static_cast<Sample>(sample);
   }
+  if (maximum == std::numeric_limits<Sample>::max()) return;
+  for (const Sample value : samples) {
+    check_sample(source, place, value, maximum);
+    place += sizeof(Sample);
+  }
+}
+
+template <class Sample>
+void read_samples(const Source& source, Numbers& numbers, double maximum,
+                  std::vector<Sample>& samples) {
+  const char kind = source.bytes[1];
+  if (kind == '2' || kind == '3') return read_text(source, numbers, maximum, samples);
+  // One blank ends the header; what follows may look like blanks.
+  const bool has_blank = numbers.place() != source.end() && is_blank(*numbers.place());
+  if (!has_blank) source.fail_at_byte(numbers.place(), "a blank must follow the maximum");
+  read_binary(source, numbers.place() + 1, maximum, samples);
 }
 
 }  // namespace
@@ -80,20 +102,14 @@ Samples decode_pnm(const Source& source) {
     source.fail("the image's maximum must be between 1 and 65535, not " + std::to_string(maximum));
   }
 
-  Samples samples{static_cast<int>(width),
-                  static_cast<int>(height),
-                  kind == '3' || kind == '6' ? 3 : 1,
-                  static_cast<double>(maximum),
-                  {}};
-  samples.values.resize(width * height * static_cast<std::size_t>(samples.channels));
-  if (kind == '2' || kind == '3') {
-    read_text(source, numbers, samples);
-  } else {
-    // One blank ends the header; what follows may look like blanks.
-    const bool has_blank = numbers.place() != source.end() && is_blank(*numbers.place());
-    if (!has_blank) source.fail_at_byte(numbers.place(), "a blank must follow the maximum");
-    read_binary(source, numbers.place() + 1, samples);
-  }
+  Samples samples;
+  samples.width = static_cast<int>(width);
+  samples.height = static_cast<int>(height);
+  samples.channels = kind == '3' || kind == '6' ? 3 : 1;
+  samples.maximum = static_cast<double>(maximum);
+  samples.allocate();
+  samples.is_deep() ? read_samples(source, numbers, samples.maximum, samples.deep)
+                    : read_samples(source, numbers, samples.maximum, samples.shallow);
   return samples;
 }
 

@@ -33,7 +33,9 @@ std::vector<std::string> files_in(const std::string& folder) {
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const bool is_hidden = entry->path().filename().string().starts_with('.');
-    if (!is_hidden && is_file(entry->path().string())) files.push_back(entry->path().string());
+    std::error_code type_error;
+    const bool is_regular = entry->is_regular_file(type_error);
+    if (!is_hidden && is_regular) files.push_back(entry->path().string());
   }
   if (error) throw InputError(folder + ": cannot be read: " + error.message());
   if (files.empty()) throw InputError(folder + ": there is no file in this folder");
@@ -104,7 +106,7 @@ std::vector<std::string> files_at(const std::string& where) {
 std::string file_bytes(const std::string& path, std::size_t limit) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes;
-  constexpr std::size_t block = std::size_t{1} << 18;
+  constexpr std::size_t block = std::size_t{1} << 16;
   while (file && bytes.size() < limit) {
     const std::size_t size = bytes.size();
     bytes.resize(size + std::min(block, limit - size));

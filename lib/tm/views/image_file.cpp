@@ -29,15 +29,20 @@ Samples decode(std::string_view bytes, const std::string& name) {
 }
 
 // The image of value(pixel's samples).
-template <class Value>
-GrayImage image_of(const Samples& samples, const Value& value) {
+template <class Sample, class Value>
+GrayImage image_of(const Samples& samples, const Sample* pixel, const Value& value) {
   GrayImage image(samples.width, samples.height);
-  const std::uint16_t* pixel = samples.values.data();
   for (float& level : image.pixels) {
     level = value(pixel);
     pixel += samples.channels;
   }
   return image;
+}
+
+template <class Value>
+GrayImage image_of(const Samples& samples, const Value& value) {
+  return samples.is_deep() ? image_of(samples, samples.deep.data(), value)
+                           : image_of(samples, samples.shallow.data(), value);
 }
 
 }  // namespace
@@ -62,19 +67,19 @@ GrayImage decode_photograph(std::string_view bytes, const std::string& name) {
   const Samples samples = decode(bytes, name);
   const double scale = 255 / samples.maximum;
   if (samples.channels == 1) {
-    return image_of(
-        samples, [&](const std::uint16_t* pixel) { return static_cast<float>(scale * pixel[0]); });
+    return image_of(samples,
+                    [&](const auto* pixel) { return static_cast<float>(scale * pixel[0]); });
   }
-  return image_of(samples, [&](const std::uint16_t* pixel) {
+  return image_of(samples, [&](const auto* pixel) {
     return static_cast<float>(scale * (0.299 * pixel[0] + 0.587 * pixel[1] + 0.114 * pixel[2]));
   });
 }
 
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name) {
   const Samples samples = decode(bytes, name);
-  return image_of(samples, [&](const std::uint16_t* pixel) {
-    const bool is_inside = std::any_of(pixel, pixel + samples.channels,
-                                       [](std::uint16_t value) { return value != 0; });
+  return image_of(samples, [&](const auto* pixel) {
+    const bool is_inside =
+        std::any_of(pixel, pixel + samples.channels, [](auto value) { return value != 0; });
     return is_inside ? 255.0F : 0.0F;
   });
 }

@@ -57,7 +57,7 @@ class CapturedErrors {
 
 // OpenCV has colours in the order blue, green, red.
 template <class Sample>
-void append_row(const Sample* pixel, const cv::Mat& image, std::vector<std::uint16_t>& values) {
+void append_row(const Sample* pixel, const cv::Mat& image, std::vector<Sample>& values) {
   const int channels = image.channels();
   for (int x = 0; x < image.cols; ++x, pixel += channels) {
     if (channels == 1) values.push_back(pixel[0]);
@@ -79,10 +79,11 @@ bool decode(std::string_view bytes, Samples& samples) {
   samples.height = image.rows;
   samples.channels = image.channels();
   samples.maximum = image.depth() == CV_16U ? 65535 : 255;
-  samples.values.clear();
+  samples.shallow.clear();
+  samples.deep.clear();
   for (int y = 0; y < image.rows; ++y) {
-    if (image.depth() == CV_16U) append_row(image.ptr<std::uint16_t>(y), image, samples.values);
-    if (image.depth() == CV_8U) append_row(image.ptr<std::uint8_t>(y), image, samples.values);
+    if (image.depth() == CV_16U) append_row(image.ptr<std::uint16_t>(y), image, samples.deep);
+    if (image.depth() == CV_8U) append_row(image.ptr<std::uint8_t>(y), image, samples.shallow);
   }
   return true;
 }

@@ -13,8 +13,17 @@ struct Samples {
   int width = 0;
   int height = 0;
   int channels = 1;      ///< 1: grey; 3: red, green, blue
-  double maximum = 255;  ///< the sample that is full intensity
-  std::vector<std::uint16_t> values;
+  double maximum = 255;  ///< the sample that is full intensity; the depth is 8 bits up to 255
+  std::vector<std::uint8_t> shallow;  ///< samples of 8 bits
+  std::vector<std::uint16_t> deep;    ///< samples of 16 bits
+
+  bool is_deep() const { return maximum > 255; }
+  /// Makes room for the samples.
+  void allocate() {
+    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                              static_cast<std::size_t>(channels);
+    is_deep() ? deep.resize(count) : shallow.resize(count);
+  }
 };
 
 /// By libpng: any colour type and depth; transparency is left out. Throws InputError.

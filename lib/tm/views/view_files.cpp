@@ -1,5 +1,7 @@
 #include "tm/views/view_files.h"
 
+#include <algorithm>
+#include <exception>
 #include <filesystem>
 
 #include "tm/support/error.h"
@@ -41,13 +43,22 @@ std::vector<std::string> ordered(const NamedFiles& names, const NamedFiles& file
 
 using Decode = GrayImage (*)(std::string_view bytes, const std::string& name);
 
+/// Where several files are bad, the first of them is the one to be told of.
 void decode_all(const std::vector<std::string>& paths, Decode decode, GrayImage View::*member,
                 std::vector<View>& views) {
+  std::vector<std::exception_ptr> failures(paths.size());
   parallel_for(paths.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      views[i].*member = decode(file_bytes(paths[i]), paths[i]);
+      try {
+        views[i].*member = decode(file_bytes(paths[i]), paths[i]);
+      } catch (const InputError&) {
+        failures[i] = std::current_exception();
+      }
     }
   });
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
 }
 
 std::string size_text(const GrayImage& image) {
@@ -75,12 +86,14 @@ const GrayImage& sized_image(const View& view) {
 
 /// One camera's pixels cannot be two images' of different sizes.
 void check_sizes(const std::vector<View>& views, const std::vector<std::string>& paths) {
-  for (std::size_t i = 1; i < views.size(); ++i) {
-    const bool is_same_lens = views[i].camera.intrinsics == views[0].camera.intrinsics;
-    if (!is_same_lens || is_size_equal(sized_image(views[i]), sized_image(views[0]))) continue;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto same_lens = std::find_if(views.begin(), views.end(), [&](const View& view) {
+      return view.camera.intrinsics == views[i].camera.intrinsics;
+    });
+    if (is_size_equal(sized_image(views[i]), sized_image(*same_lens))) continue;
     throw InputError(paths[i] + ": the image has " + size_text(sized_image(views[i])) + ", but " +
-                     paths[0] + ", of the same intrinsics, has " +
-                     size_text(sized_image(views[0])));
+                     paths[static_cast<std::size_t>(same_lens - views.begin())] +
+                     ", of the same intrinsics, has " + size_text(sized_image(*same_lens)));
   }
 }
 

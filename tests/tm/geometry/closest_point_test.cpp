@@ -174,6 +174,22 @@ TEST_CASE("scale does not matter, down to 1e-30 and up to 1e30") {
   }
 }
 
+TEST_CASE("any order of faces gives the closest point, whatever is said about it") {
+  Mesh mesh = spiky_sphere();
+  const ClosestPointQuery usual(mesh);
+  const ClosestPointQuery misled(mesh, FaceOrder::spatial);
+  Mesh sorted = mesh;
+  const std::vector<Index> order = spatial_face_order(mesh);
+  for (std::size_t f = 0; f < order.size(); ++f) sorted.faces[f] = mesh.faces[order[f]];
+  const ClosestPointQuery quick(sorted, FaceOrder::spatial);
+  test::Random random(8);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 query = random.point(-1.5, 1.5);
+    CHECK(misled(query).signed_distance == usual(query).signed_distance);
+    CHECK(quick(query).distance == usual(query).distance);
+  }
+}
+
 TEST_CASE("a mesh without faces has no closest point") {
   Mesh mesh;
   mesh.positions.emplace_back(1, 2, 3);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "helpers/shapes.h"
+#include "tm/mesh/adjacency.h"
 
 using namespace transformesh;
 using doctest::Approx;
@@ -96,6 +97,9 @@ TEST_CASE("vertex normals weigh by angle, not by how a side is cut") {
   }
   const Mesh sphere = test::icosphere(4);
   const auto sphere_normals = vertex_normals(sphere);
+  const VertexFaces faces_at(sphere);
+  for (Index v = 0; v < sphere_normals.size(); ++v)
+    CHECK(vertex_normal(sphere, v, faces_at[v]) == sphere_normals[v]);
   for (std::size_t v = 0; v < sphere.positions.size(); ++v)
     CHECK((sphere_normals[v] - sphere.positions[v]).norm() < 5e-3);
   Mesh lonely;

@@ -269,6 +269,34 @@ TEST_CASE("formats are told apart by their content") {
   CHECK(refusal("OFF\n3 1 0\n").find("'OFF") != std::string::npos);
 }
 
+TEST_CASE("damaged files are refused with their name, or read as cameras that are some") {
+  const CameraList list = random_cameras(2, 8);
+  const std::string pose = "1 0 0\n0 1 0\n0 0 1\n0 0 -5\n";
+  const std::vector<std::string> texts{
+      write_cameras(list, CameraFormat::middlebury), write_cameras(list, CameraFormat::colmap),
+      write_cameras(list, CameraFormat::matrices), bundle + "500 0 0\n" + pose};
+  const std::string_view replacements = " \n#-.0e9nx\t\r\xff";
+  test::Random random(4);
+  for (const std::string& text : texts) {
+    for (int round = 0; round < 2000; ++round) {
+      std::string damaged =
+          text.substr(0, round % 3 == 0 ? random.below(text.size()) : text.size());
+      for (int i = 0; i < 3 && !damaged.empty(); ++i) {
+        damaged[random.below(damaged.size())] = replacements[random.below(replacements.size())];
+      }
+      try {
+        for (const CameraRecord& record : parse_cameras(damaged, "some.txt").cameras) {
+          CHECK(record.camera.projection().allFinite());
+          CHECK(record.camera.rotation.determinant() == doctest::Approx(1).epsilon(1e-2));
+          CHECK(record.camera.intrinsics.diagonal().minCoeff() > 0);
+        }
+      } catch (const InputError& error) {
+        CHECK(std::string(error.what()).find("some.txt") != std::string::npos);
+      }
+    }
+  }
+}
+
 TEST_CASE("what is written reads back") {
   const CameraList list = random_cameras(9, 5);
   const auto check_back = [&](CameraFormat format, double tolerance) {

@@ -210,6 +210,7 @@ TEST_CASE("what is no image is refused with its first bytes") {
   CHECK(refusal("P5 100000 100000 255 ").find("too large") != std::string::npos);
   CHECK(refusal("P5 3000 3000 255 abc").find("cannot have") != std::string::npos);
   CHECK(refusal("P2 1 1 9 10").find("above the maximum") != std::string::npos);
+  CHECK(refusal("P5 3 1 9 \x01\x09\x0a").find("byte 11") != std::string::npos);
   CHECK(refusal("P2 1 1 70000 10").find("65535") != std::string::npos);
   CHECK(refusal("P2 1 1 9 -1").find("byte 9") != std::string::npos);
   CHECK(refusal("P2 1 x 9 1").find("height") != std::string::npos);

@@ -33,6 +33,10 @@ class Folder {
   std::filesystem::path path_;
 };
 
+std::string numbered(const std::string& start, int number, const std::string& end) {
+  return start + std::to_string(number) + end;
+}
+
 // A grey image whose pixels all have one level.
 std::string image(int width, int height, int level) {
   return "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n" +
@@ -106,8 +110,8 @@ TEST_CASE("cameras that name their images find them in any order and with any ex
 TEST_CASE("without common names the natural order decides, with numbers as numbers") {
   const Folder folder;
   for (const int i : {0, 2, 9, 10}) {
-    folder.write("cameras/c" + std::to_string(i) + ".txt", matrix(100 + i));
-    folder.write("images/view_" + std::to_string(i + 1) + ".pgm", image(4, 4, i));
+    folder.write(numbered("cameras/c", i, ".txt"), matrix(100 + i));
+    folder.write(numbered("images/view_", i + 1, ".pgm"), image(4, 4, i));
   }
   const auto views = views_from({folder.at("cameras/*.txt"), folder.at("images/*.pgm"), ""});
   REQUIRE(views.size() == 4);
@@ -138,13 +142,36 @@ TEST_CASE("silhouettes may have a suffix of their own") {
   CHECK(without_images[1].camera.intrinsics(0, 0) == 101);
 }
 
+TEST_CASE("masks named as COLMAP names them, by the whole name of the image") {
+  const Folder folder;
+  folder.write("par.txt", middlebury({"v2.jpg", "v1.jpg"}));
+  folder.write("masks/v1.jpg.pgm", image(2, 1, 1));
+  folder.write("masks/v2.jpg.pgm", image(2, 2, 1));
+  const auto views = views_from({folder.at("par.txt"), "", folder.at("masks")});
+  REQUIRE(views.size() == 2);
+  CHECK(views[0].silhouette.height == 2);
+}
+
+TEST_CASE("of several bad images the first is named, whatever the threads") {
+  const Folder folder;
+  std::vector<std::string> names;
+  for (int i = 100; i < 140; ++i) {
+    names.push_back(numbered("v", i, ".pgm"));
+    folder.write("images/" + names.back(), i < 107 ? image(2, 1, 1) : "P5 2 2 255\n");
+  }
+  folder.write("par.txt", middlebury(names));
+  for (int round = 0; round < 20; ++round) {
+    CHECK(says(refusal({folder.at("par.txt"), folder.at("images"), ""}), "v107.pgm"));
+  }
+}
+
 TEST_CASE("names of which only some agree are refused") {
   const Folder folder;
   folder.write("par.txt", middlebury({"v1.png", "v2.png", "v3.png"}));
   for (const int i : {0, 1, 2, 3}) {
-    folder.write("images/v" + std::to_string(i) + ".pgm", image(4, 4, 9));
-    folder.write("masks/v" + std::to_string(i) + "_mask.pgm", image(4, 4, 9));
-    folder.write("cameras/v" + std::to_string(i) + ".txt", matrix(100));
+    folder.write(numbered("images/v", i, ".pgm"), image(4, 4, 9));
+    folder.write(numbered("masks/v", i, "_mask.pgm"), image(4, 4, 9));
+    folder.write(numbered("cameras/v", i, ".txt"), matrix(100));
   }
   const std::string shifted = folder.at("images/v[012].pgm");
   const std::string message = refusal({folder.at("par.txt"), shifted, ""});
@@ -187,11 +214,15 @@ TEST_CASE("sizes that cannot be are refused") {
   folder.write("colmap/images.txt", "1 1 0 0 0 0 0 5 1 a.png\n\n");
   CHECK(says(refusal({folder.at("colmap"), folder.at("a.pgm"), ""}), "5 x 4"));
   CHECK(says(refusal({folder.at("colmap"), folder.at("a.pgm"), ""}), "images.txt line 1"));
-  folder.write("cameras/a.txt", matrix(100));
-  folder.write("cameras/b.txt", matrix(100));
-  folder.write("images/a.pgm", image(5, 3, 10));
-  folder.write("images/b.pgm", image(5, 4, 10));
-  CHECK(says(refusal({folder.at("cameras"), folder.at("images"), ""}), "b.pgm"));
+  // The first camera has another lens.
+  for (const std::string name : {"a", "b", "c"}) {
+    folder.write("cameras/" + name + ".txt", matrix(name == "a" ? 90 : 100));
+    folder.write("images/" + name + ".pgm", image(5, name == "b" ? 3 : 4, 10));
+  }
+  CHECK(
+      says(refusal({folder.at("cameras"), folder.at("images"), ""}), "c.pgm: the image has 5 x 4"));
+  folder.write("cameras/c.txt", matrix(110));
+  CHECK(refusal({folder.at("cameras"), folder.at("images"), ""}).empty());
 }
 
 TEST_CASE("a silhouette without a pixel inside is refused by its name") {
