@@ -102,6 +102,18 @@ int Program::picture(int argc, char** argv,
   return implementation_->run(argc, argv, Kind{.many_inputs = true, .writes_mesh = false}, work);
 }
 
+int Program::maker(int argc, char** argv,
+                   const std::function<Document(const std::string&, Run&)>& body) {
+  const auto work = [&](Session& session, const std::vector<std::string>& inputs) {
+    session.begin(nullptr);
+    Document document = body(inputs[0], session);
+    session.write_mesh(document, {});
+    session.finish();
+    return exit_done;
+  };
+  return implementation_->run(argc, argv, Kind{}, work);
+}
+
 int Program::converter(int argc, char** argv,
                        const std::function<std::string(const std::string&, Run&)>& body) {
   const auto work = [&](Session& session, const std::vector<std::string>& inputs) {

@@ -127,6 +127,10 @@ class Program {
   int converter(int argc, char** argv,
                 const std::function<std::string(const std::string& input, Run&)>& body);
 
+  /// The same with a mesh out.
+  int maker(int argc, char** argv,
+            const std::function<Document(const std::string& input, Run&)>& body);
+
  private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;

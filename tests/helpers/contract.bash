@@ -22,6 +22,7 @@ tm-remesh|filter|
 tm-render|picture|
 tm-shape|source|sphere --faces 500
 tm-stitch|filter|
+tm-wrap|converter|
 TABLE
 }
 

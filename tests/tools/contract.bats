@@ -13,6 +13,7 @@ setup_file() {
   export tm_cameras_input=$BATS_FILE_TMPDIR/cameras_par.txt
   two_cameras >"$tm_cameras_input"
   export tm_photograph_input=$mesh
+  export tm_wrap_input=$mesh
   torus 24 12 >"$mesh"
   mkdir "$scene/photos"
   tm-photograph --ring 8 --size 80x60 --write-images "$scene/photos" -o "$scene/photos.txt" "$mesh"

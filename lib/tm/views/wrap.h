@@ -1,0 +1,33 @@
+/// A rough closed mesh around points, such as a sparse reconstruction: a start for an evolution
+/// that need not have the right topology.
+///
+/// Points with normals: Poisson surface reconstruction (Kazhdan, Bolitho & Hoppe, SGP 2006; as a
+/// Delaunay refinement by CGAL). The surface goes between the points, and closes gaps smoothly.
+/// Points alone: alpha wrapping (Portaneri, Rouxel-Labbe, Hemmer, Cohen-Steiner & Alliez, TOG
+/// 41(4), 2022; by CGAL). The surface contains all points at a distance, and goes where a ball of
+/// radius alpha can go.
+#pragma once
+
+#include <span>
+
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+struct AlphaWrapOptions {
+  double alpha = 0;   ///< > 0: smallest ball that is kept out; 0: a 20th of the box's diagonal
+  double offset = 0;  ///< > 0: of the surface from the points; 0: a 300th of the box's diagonal
+};
+
+/// Closed, oriented 2-manifold that contains all points; one component where the points are dense
+/// against alpha. Throws InputError for no points, UsageError for options out of range.
+/// Deterministic, one thread. Cost grows with the area by alpha^2: seconds for a diagonal / 300.
+Mesh alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options = {});
+
+/// Closed, oriented 2-manifold with edges somewhat longer than the points are apart. Normals point
+/// outwards; those that are zero are left out with their points. Throws InputError for fewer than
+/// four points with normals or points in a plane, GoalError where no closed surface comes out, as
+/// happens when normals do not agree. Deterministic, one thread; a second for 10 000 points.
+Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals);
+
+}  // namespace transformesh

@@ -1,0 +1,135 @@
+#include "tm/views/wrap.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "helpers/mesh_facts.h"
+#include "helpers/random.h"
+#include "tm/clean/intersect.h"
+#include "tm/geometry/winding.h"
+#include "tm/mesh/components.h"
+#include "tm/mesh/measure.h"
+#include "tm/support/error.h"
+
+using namespace transformesh;
+
+namespace {
+
+struct Cloud {
+  std::vector<Vec3> points, normals;
+};
+
+/// Evenly spread on a sphere (a golden spiral), a bit off it.
+Cloud sphere_cloud(int count, double noise = 0) {
+  test::Random random(3);
+  Cloud cloud;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2 * i + 1.0) / count;
+    const double angle = 2.399963229728653 * i;
+    const double radius = std::sqrt(1 - z * z);
+    const Vec3 normal(radius * std::cos(angle), radius * std::sin(angle), z);
+    cloud.points.push_back((1 + random.uniform(-noise, noise)) * normal);
+    cloud.normals.push_back(normal);
+  }
+  return cloud;
+}
+
+void check_surface(const Mesh& mesh) {
+  const test::Count count = test::count(mesh);
+  CHECK(count.is_closed_and_oriented);
+  CHECK(count.is_manifold);
+  CHECK(find_intersections(mesh).empty());
+  CHECK(volume(mesh) > 0);
+}
+
+}  // namespace
+
+TEST_CASE("an alpha wrap contains all points, at its offset") {
+  const Cloud cloud = sphere_cloud(800);
+  const Mesh mesh = alpha_wrap(cloud.points, {.alpha = 0.2, .offset = 0.02});
+  check_surface(mesh);
+  CHECK(connected_components(mesh).components.size() == 1);
+  const WindingQuery winding(mesh);
+  for (const Vec3& point : cloud.points) CHECK(winding.at(point).rounded() == 1);
+  for (const Vec3& position : mesh.positions) {
+    CHECK(position.norm() > 0.95);
+    CHECK(position.norm() < 1.03);
+  }
+}
+
+TEST_CASE("alpha decides what is a hole") {
+  // A ring of points: a small ball passes through it, a large one does not.
+  test::Random random(1);
+  std::vector<Vec3> ring;
+  for (int i = 0; i < 3000; ++i) {
+    const double u = random.uniform(0, 6.2831853);
+    const double v = random.uniform(0, 6.2831853);
+    const double radius = 1 + 0.3 * std::cos(v);
+    ring.emplace_back(radius * std::cos(u), radius * std::sin(u), 0.3 * std::sin(v));
+  }
+  const Mesh fine = alpha_wrap(ring, {.alpha = 0.25, .offset = 0.02});
+  check_surface(fine);
+  CHECK(connected_components(fine).components[0].genus() == 1);
+  const Mesh coarse = alpha_wrap(ring, {.alpha = 1.5, .offset = 0.02});
+  check_surface(coarse);
+  CHECK(connected_components(coarse).components[0].genus() == 0);
+}
+
+TEST_CASE("a Poisson surface goes between noisy points, and closes what they leave open") {
+  Cloud cloud = sphere_cloud(2000, 0.01);
+  const Mesh whole = poisson_wrap(cloud.points, cloud.normals);
+  check_surface(whole);
+  for (const Vec3& position : whole.positions) CHECK(std::abs(position.norm() - 1) < 0.03);
+  CHECK(volume(whole) == doctest::Approx(4.18879).epsilon(0.03));
+
+  // The top is missing.
+  Cloud open;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (cloud.points[i].z() > 0.8) continue;
+    open.points.push_back(cloud.points[i]);
+    open.normals.push_back(cloud.normals[i]);
+  }
+  const Mesh closed = poisson_wrap(open.points, open.normals);
+  check_surface(closed);
+  CHECK(volume(closed) == doctest::Approx(4.18879).epsilon(0.1));
+}
+
+TEST_CASE("normals that point inwards give a surface that looks outwards, or none") {
+  Cloud cloud = sphere_cloud(500);
+  for (Vec3& normal : cloud.normals) normal = -normal;
+  try {
+    check_surface(poisson_wrap(cloud.points, cloud.normals));
+  } catch (const GoalError& error) {
+    CHECK(std::string(error.what()).find("normals") != std::string::npos);
+  }
+}
+
+TEST_CASE("the same bytes each time") {
+  const Cloud cloud = sphere_cloud(300, 0.02);
+  const Mesh first = poisson_wrap(cloud.points, cloud.normals);
+  const Mesh second = poisson_wrap(cloud.points, cloud.normals);
+  CHECK(first.positions == second.positions);
+  CHECK(first.faces == second.faces);
+  CHECK(alpha_wrap(cloud.points).positions == alpha_wrap(cloud.points).positions);
+}
+
+TEST_CASE("too few points, points in a plane and senseless options are refused") {
+  const std::vector<Vec3> none;
+  CHECK_THROWS_AS(alpha_wrap(none), InputError);
+  const std::vector<Vec3> one = {{1, 2, 3}};
+  CHECK_THROWS_AS(alpha_wrap(one), InputError);
+  check_surface(alpha_wrap(one, {.alpha = 0.2, .offset = 0.1}));
+  CHECK_THROWS_AS(alpha_wrap(one, {.alpha = -1}), UsageError);
+
+  const std::vector<Vec3> three(3, Vec3::UnitX());
+  CHECK_THROWS_AS(poisson_wrap(three, three), InputError);
+  std::vector<Vec3> plane, up;
+  for (int i = 0; i < 25; ++i) {
+    plane.emplace_back(i % 5, i / 5, 1);
+    up.push_back(Vec3::UnitZ());
+  }
+  CHECK_THROWS_AS(poisson_wrap(plane, up), InputError);
+  CHECK_THROWS_AS(poisson_wrap(plane, std::vector<Vec3>(25, Vec3::Zero())), InputError);
+  check_surface(alpha_wrap(plane, {.alpha = 2, .offset = 0.1}));
+}

@@ -1,0 +1,60 @@
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape torus --faces 4000 --format off |
+    awk 'NR > 2 && NF == 3 { print $1, $2, $3 }' >points.xyz
+}
+
+@test "points alone are wrapped: closed, outside of all points" {
+  run --separate-stderr tm-wrap points.xyz --alpha 0.2 --offset 0.02 -o wrap.ply --report r.json
+  assert_status 0
+  [ -z "$output$stderr" ]
+  grep -q '"method": "alpha"' r.json
+  tm-checkmanifold --closed wrap.ply
+  tm-intersect --check wrap.ply
+  [ "$(tm-info --get genus wrap.ply)" -eq 1 ]
+  tm-wrap --alpha 0.2 --offset 0.02 <points.xyz | cmp - wrap.ply
+}
+
+@test "points with normals get a Poisson surface" {
+  awk '{ ring = sqrt($1 * $1 + $2 * $2); x = $1 - 0.85 * $1 / ring; y = $2 - 0.85 * $2 / ring
+    print $1, $2, $3, x, y, $3 }' points.xyz >oriented.xyz
+  tm-wrap oriented.xyz -o wrap.ply --report r.json
+  grep -q '"method": "poisson"' r.json
+  tm-checkmanifold --closed wrap.ply
+  tm-shape torus --faces 4000 -o torus.ply
+  tm-compare --reference torus.ply --within 0.1 wrap.ply
+  tm-wrap oriented.xyz --method alpha -o other.ply
+  run cmp -s wrap.ply other.ply
+  [ "$status" -eq 1 ]
+}
+
+@test "of a mesh the vertices are wrapped" {
+  tm-shape sphere --faces 2000 | tm-wrap --alpha 20% -o wrap.ply
+  tm-checkmanifold --closed wrap.ply
+  [ "$(tm-info --get genus wrap.ply)" -eq 0 ]
+}
+
+@test "a wrong start evolves to the right surface" {
+  # The holes of a wrap that is too coarse open again.
+  tm-shape genus 2 --faces 6000 -o target.ply
+  tm-wrap target.ply --alpha 30% --offset 2% -o start.ply
+  [ "$(tm-info --get genus start.ply)" -eq 0 ]
+  "$tm_root/scripts/tm-morph" start.ply --target target.ply --iterations 200 -q -o end.ply
+  [ "$(tm-info --get genus end.ply)" -eq 2 ]
+}
+
+@test "bad input is exit 3" {
+  run --separate-stderr tm-wrap points.xyz --method poisson
+  assert_status 3
+  [[ $stderr == *"no normals"* ]]
+  echo "1 2" >bad.xyz
+  run --separate-stderr tm-wrap bad.xyz
+  assert_status 3
+  one_line "$stderr"
+  printf '1 1 1\n1 1 1\n1 1 1\n1 1 1\n1 1 1\n' >same.xyz
+  run --separate-stderr tm-wrap same.xyz
+  assert_status 3
+  one_line "$stderr"
+}

@@ -1,0 +1,51 @@
+/// tm-wrap: a rough closed mesh around points.
+#include "tm/evolve/target_file.h"
+#include "tm/mesh/measure.h"
+#include "tm/support/error.h"
+#include "tm/views/wrap.h"
+#include "tool.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  std::string method = "auto";
+  Length alpha = parse_length("5%");
+  Length offset = parse_length("0.33%");
+};
+
+Document wrap(const std::string& input, const Options& options, tool::Run& run) {
+  run.progress()("read");
+  const std::string name = input == "-" ? "standard input" : input;
+  const Target cloud = read_target(run.read_bytes(input), name);
+  const bool has_normals = !cloud.is_mesh() && !cloud.has_estimated_normals;
+  if (options.method == "poisson" && !has_normals)
+    throw InputError(name + ": the points have no normals, which --method poisson needs");
+  run.set_basis(bounding_box(cloud.mesh).diagonal());
+  const bool is_poisson = options.method == "poisson" || (options.method == "auto" && has_normals);
+  run.report("points", cloud.mesh.positions.size());
+  run.report("method", is_poisson ? "poisson" : "alpha");
+
+  run.progress()("wrap");
+  Document document;
+  document.mesh = is_poisson ? poisson_wrap(cloud.mesh.positions, cloud.normals)
+                             : alpha_wrap(cloud.mesh.positions,
+                                          {run.length(options.alpha), run.length(options.offset)});
+  return document;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program("tm-wrap", "[OPTION]... [POINTS]", "Wraps points in a rough closed mesh");
+  program.choice("method", &options.method, {"auto", "poisson", "alpha"},
+                 "poisson needs normals; auto: poisson where there are normals, else alpha");
+  program.length("alpha", &options.alpha, "of alpha: radius of the smallest ball that is kept out");
+  program.length("offset", &options.offset, "of alpha: how far from the points");
+  program.epilog("POINTS are PLY, OFF or lines of x y z [nx ny nz]; of a mesh, its vertices.");
+  return program.maker(argc, argv, [&](const std::string& input, tool::Run& run) {
+    return wrap(input, options, run);
+  });
+}
