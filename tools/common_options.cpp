@@ -51,7 +51,7 @@ void add_common_options(OptionTable& table, const Kind& kind, CommonOptions& val
   Option output = text_option("output", &values.output, "FILE", "where to write; - is stdout");
   section.add(output, false, 'o');
   if (kind.writes_mesh) add_mesh_output(section, values);
-  if (kind.reads_mesh && kind.writes_mesh) add_reference_edge(section, values);
+  if (kind.reads_mesh && kind.writes_mesh && !kind.makes_mesh) add_reference_edge(section, values);
   if (kind.is_predicate) {
     section.add(flag_option("json", &values.json, "print the report as JSON"));
   }

@@ -12,6 +12,7 @@ struct Kind {
   bool reads_mesh = true;
   bool many_inputs = false;
   bool writes_mesh = true;
+  bool makes_mesh = false;    ///< what it reads is no mesh whose edges could be a reference
   bool is_predicate = false;  ///< prints its report on stdout
 };
 

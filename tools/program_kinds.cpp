@@ -111,7 +111,7 @@ int Program::maker(int argc, char** argv,
     session.finish();
     return exit_done;
   };
-  return implementation_->run(argc, argv, Kind{}, work);
+  return implementation_->run(argc, argv, Kind{.makes_mesh = true}, work);
 }
 
 int Program::converter(int argc, char** argv,

@@ -127,7 +127,7 @@ class Program {
   int converter(int argc, char** argv,
                 const std::function<std::string(const std::string& input, Run&)>& body);
 
-  /// The same with a mesh out.
+  /// The same with a mesh out, which is written as a program without input writes it.
   int maker(int argc, char** argv,
             const std::function<Document(const std::string& input, Run&)>& body);
 

@@ -5,10 +5,12 @@
 #include <CGAL/poisson_surface_reconstruction.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 #include "tm/views/wrap.h"
 #include "tm/views/wrap_result.h"
@@ -22,6 +24,8 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using PointMap = CGAL::First_of_pair_property_map<Oriented>;
 using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
 
+/// Across all points: the surface would have as many faces as the square of that.
+constexpr double most_spacings = 2000;
 constexpr unsigned neighbors = 6;  // that the spacing is measured to
 
 std::vector<Oriented> oriented_points(std::span<const Vec3> points, std::span<const Vec3> normals) {
@@ -48,6 +52,12 @@ bool is_in_plane(const std::vector<Oriented>& cloud) {
   return std::all_of(third, cloud.end(), [&](const Oriented& oriented) {
     return CGAL::coplanar(first, second->first, third->first, oriented.first);
   });
+}
+
+double diagonal_of(std::span<const Vec3> points) {
+  Mesh cloud;
+  cloud.positions.assign(points.begin(), points.end());
+  return bounding_box(cloud).diagonal();
 }
 
 Mesh mesh_of(const Polyhedron& surface) {
@@ -77,10 +87,17 @@ Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals) {
   CGAL::get_default_random() = CGAL::Random(0);
   const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(
       cloud, neighbors, CGAL::parameters::point_map(PointMap()));
-  Polyhedron surface;
-  const bool is_done = CGAL::poisson_surface_reconstruction_delaunay(
-      cloud.begin(), cloud.end(), PointMap(), NormalMap(), surface, spacing);
-  Mesh mesh = is_done ? mesh_of(surface) : Mesh();
+  if (diagonal_of(points) > most_spacings * spacing)
+    throw GoalError("the points are too uneven for a surface: some may be far off, by mistake");
+  Mesh mesh;
+  try {
+    Polyhedron surface;
+    const bool is_done = CGAL::poisson_surface_reconstruction_delaunay(
+        cloud.begin(), cloud.end(), PointMap(), NormalMap(), surface, spacing);
+    if (is_done) mesh = mesh_of(surface);
+  } catch (const CGAL::Failure_exception&) {
+    // What it meets in hopeless input is told as an assertion; without a mesh, check_wrap refuses.
+  }
   check_wrap(mesh);
   return mesh;
 }

@@ -51,7 +51,7 @@ TEST_CASE("an alpha wrap contains all points, at its offset") {
   check_surface(mesh);
   CHECK(connected_components(mesh).components.size() == 1);
   const WindingQuery winding(mesh);
-  for (const Vec3& point : cloud.points) CHECK(winding.at(point).rounded() == 1);
+  for (const Vec3& point : cloud.points) CHECK(winding(point).rounded() == 1);
   for (const Vec3& position : mesh.positions) {
     CHECK(position.norm() > 0.95);
     CHECK(position.norm() < 1.03);
