@@ -25,6 +25,7 @@ setup() {
   tm-checkmanifold --closed wrap.ply
   tm-shape torus --faces 4000 -o torus.ply
   tm-compare --reference torus.ply --within 0.1 wrap.ply
+  for threads in 1 2 4; do tm-wrap oriented.xyz --threads "$threads" | cmp - wrap.ply; done
   tm-wrap oriented.xyz --method alpha -o other.ply
   run cmp -s wrap.ply other.ply
   [ "$status" -eq 1 ]

