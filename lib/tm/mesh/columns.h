@@ -36,7 +36,7 @@ class Columns {
 
   Column* find(std::string_view name);
   const Column* find(std::string_view name) const;
-  /// The column of that name, made with `rows` zeros where missing.
+  /// The column of that name, made with `rows` zeros where missing, which moves the others.
   Column& get(std::string_view name, Scalar type, std::size_t rows);
   void erase(std::string_view name);
 

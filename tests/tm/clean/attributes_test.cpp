@@ -59,12 +59,11 @@ double largest_coordinate(const Mesh& mesh) {
 /// With a linear function of position and a number of its own at each vertex, and the number of
 /// each face.
 Mesh with_columns(Mesh mesh) {
-  Column& height = mesh.vertex_columns.get("height", Scalar::float64, mesh.positions.size());
-  Column& vertex = mesh.vertex_columns.get("vertex", Scalar::int32, mesh.positions.size());
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    height.values[v] = linear(mesh.positions[v]);
-    vertex.values[v] = static_cast<double>(v);
-  }
+  const std::size_t vertices = mesh.positions.size();
+  Column& height = mesh.vertex_columns.get("height", Scalar::float64, vertices);
+  for (std::size_t v = 0; v < vertices; ++v) height.values[v] = linear(mesh.positions[v]);
+  Column& vertex = mesh.vertex_columns.get("vertex", Scalar::int32, vertices);
+  for (std::size_t v = 0; v < vertices; ++v) vertex.values[v] = static_cast<double>(v);
   Column& face = mesh.face_columns.get("face", Scalar::int32, mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) face.values[f] = static_cast<double>(f);
   return mesh;
