@@ -37,16 +37,6 @@ setup() {
   [ "$(tm-info --get genus wrap.ply)" -eq 0 ]
 }
 
-@test "where no surface can be found the reason is named" {
-  # One point far away, by mistake.
-  awk '{ print $0, $1, $2, $3 } END { print "2016 4032 0 1 0 0" }' points.xyz >outlier.xyz
-  run --separate-stderr tm-wrap outlier.xyz -o wrap.ply
-  assert_status 4
-  one_line "$stderr"
-  [[ $stderr == *"far off"* ]]
-  [ ! -e wrap.ply ]
-}
-
 @test "bad input is exit 3" {
   run --separate-stderr tm-wrap points.xyz --method poisson
   assert_status 3

@@ -1,17 +1,17 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polyhedron_3.h>
-#include <CGAL/Random.h>
+#include <CGAL/Poisson_reconstruction_function.h>
 #include <CGAL/compute_average_spacing.h>
-#include <CGAL/poisson_surface_reconstruction.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
-#include <unordered_map>
+#include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
+#include "tm/views/marching_tetrahedra.h"
 #include "tm/views/wrap.h"
 #include "tm/views/wrap_result.h"
 
@@ -20,13 +20,16 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
-using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Function = CGAL::Poisson_reconstruction_function<Kernel>;
 using PointMap = CGAL::First_of_pair_property_map<Oriented>;
 using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
 
-/// Across all points: the surface would have as many faces as the square of that.
-constexpr double most_spacings = 2000;
 constexpr unsigned neighbors = 6;  // that the spacing is measured to
+/// Cells along the diagonal of the points' box: one for the spacing of the points, but within this.
+constexpr double least_cells = 16;
+constexpr double most_cells = 160;
+constexpr double margin_by_diagonal = 0.1;
+constexpr float outside = 1;
 
 std::vector<Oriented> oriented_points(std::span<const Vec3> points, std::span<const Vec3> normals) {
   std::vector<Oriented> cloud;
@@ -54,27 +57,39 @@ bool is_in_plane(const std::vector<Oriented>& cloud) {
   });
 }
 
-double diagonal_of(std::span<const Vec3> points) {
-  Mesh cloud;
-  cloud.positions.assign(points.begin(), points.end());
-  return bounding_box(cloud).diagonal();
+Box box_of(const std::vector<Oriented>& cloud) {
+  Mesh points;
+  for (const auto& [point, normal] : cloud)
+    points.positions.emplace_back(point.x(), point.y(), point.z());
+  return bounding_box(points);
 }
 
-Mesh mesh_of(const Polyhedron& surface) {
-  Mesh mesh;
-  std::unordered_map<const void*, Index> index;  // looked up only
-  for (auto vertex = surface.vertices_begin(); vertex != surface.vertices_end(); ++vertex) {
-    index.emplace(&*vertex, static_cast<Index>(mesh.positions.size()));
-    const auto& point = vertex->point();
-    mesh.positions.emplace_back(point.x(), point.y(), point.z());
-  }
-  for (auto facet = surface.facets_begin(); facet != surface.facets_end(); ++facet) {
-    Face corners;
-    auto halfedge = facet->facet_begin();
-    for (Index& corner : corners) corner = index.at(&*(halfedge++)->vertex());
-    mesh.faces.push_back(corners);
-  }
-  return mesh;
+float value_at(const Function& function, const ValueGrid& grid,
+               const std::array<std::size_t, 3>& site) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (site[axis] == 0 || site[axis] + 1 == grid.nodes[axis]) return outside;
+  const Vec3 place =
+      grid.origin + grid.spacing * Vec3(static_cast<double>(site[0]), static_cast<double>(site[1]),
+                                        static_cast<double>(site[2]));
+  const double value = function(Kernel::Point_3(place.x(), place.y(), place.z()));
+  return std::isfinite(value) ? static_cast<float>(value) : outside;
+}
+
+/// The function at the nodes of a grid around the points, with a margin for what bulges.
+ValueGrid sampled(const Function& function, const Box& box, double cell) {
+  ValueGrid grid;
+  grid.spacing = cell;
+  const Vec3 margin = Vec3::Constant(margin_by_diagonal * box.diagonal() + 2 * cell);
+  grid.origin = box.minimum - margin;
+  const Vec3 size = box.maximum + margin - grid.origin;
+  for (int axis = 0; axis < 3; ++axis)
+    grid.nodes[axis] = static_cast<std::size_t>(std::ceil(size[axis] / cell)) + 1;
+  // One by one: the function remembers where it was, and begins to search there.
+  for (std::size_t z = 0; z < grid.nodes[2]; ++z)
+    for (std::size_t y = 0; y < grid.nodes[1]; ++y)
+      for (std::size_t x = 0; x < grid.nodes[0]; ++x)
+        grid.values.push_back(value_at(function, grid, {x, y, z}));
+  return grid;
 }
 
 }  // namespace
@@ -83,21 +98,15 @@ Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals) {
   std::vector<Oriented> cloud = oriented_points(points, normals);
   if (cloud.size() < 4) throw InputError("fewer than four points have normals");
   if (is_in_plane(cloud)) throw InputError("all points lie in one plane");
-  // CGAL's own generator starts from the time of day.
-  CGAL::get_default_random() = CGAL::Random(0);
+  const Box box = box_of(cloud);
   const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(
       cloud, neighbors, CGAL::parameters::point_map(PointMap()));
-  if (diagonal_of(points) > most_spacings * spacing)
-    throw GoalError("the points are too uneven for a surface: some may be far off, by mistake");
+  const double cell =
+      std::clamp(spacing, box.diagonal() / most_cells, box.diagonal() / least_cells);
+
+  Function function(cloud.begin(), cloud.end(), PointMap(), NormalMap());
   Mesh mesh;
-  try {
-    Polyhedron surface;
-    const bool is_done = CGAL::poisson_surface_reconstruction_delaunay(
-        cloud.begin(), cloud.end(), PointMap(), NormalMap(), surface, spacing);
-    if (is_done) mesh = mesh_of(surface);
-  } catch (const CGAL::Failure_exception&) {
-    // What it meets in hopeless input is told as an assertion; without a mesh, check_wrap refuses.
-  }
+  if (function.compute_implicit_function()) mesh = march_tetrahedra(sampled(function, box, cell));
   check_wrap(mesh);
   return mesh;
 }

@@ -1,11 +1,11 @@
 /// A rough closed mesh around points, such as a sparse reconstruction: a start for an evolution
 /// that need not have the right topology.
 ///
-/// Points with normals: Poisson surface reconstruction (Kazhdan, Bolitho & Hoppe, SGP 2006; as a
-/// Delaunay refinement by CGAL). The surface goes between the points, and closes gaps smoothly.
-/// Points alone: alpha wrapping (Portaneri, Rouxel-Labbe, Hemmer, Cohen-Steiner & Alliez, TOG
-/// 41(4), 2022; by CGAL). The surface contains all points at a distance, and goes where a ball of
-/// radius alpha can go.
+/// Points with normals: Poisson surface reconstruction (Kazhdan, Bolitho & Hoppe, SGP 2006; its
+/// function by CGAL, its zero by marching tetrahedra). The surface goes between the points, and
+/// closes gaps smoothly. Points alone: alpha wrapping (Portaneri, Rouxel-Labbe, Hemmer,
+/// Cohen-Steiner & Alliez, TOG 41(4), 2022; by CGAL). The surface contains all points at a
+/// distance, and goes where a ball of radius alpha can go.
 #pragma once
 
 #include <span>
@@ -24,12 +24,12 @@ struct AlphaWrapOptions {
 /// Deterministic, one thread. Cost grows with the area by alpha^2: seconds for a diagonal / 300.
 Mesh alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options = {});
 
-/// Closed, oriented 2-manifold with edges somewhat longer than the points are apart. Normals point
-/// outwards; those that are zero are left out with their points. Throws InputError for fewer than
+/// Closed, oriented 2-manifold without self-intersection, its edges about as long as the points are
+/// apart. Normals point
+/// outwards, or all inwards; those that are zero are left out with their points. Throws InputError for fewer than
 /// four points with normals or points in a plane, GoalError where no closed surface comes out, as
-/// happens when normals do not agree or points are far off. One thread; a second for 10 000 points.
-/// The same in every run of a program; a further call in one process may differ, because CGAL breaks
-/// ties by the addresses of its cells.
+/// happens when normals do not agree or points are far off. Deterministic; mostly one thread; a
+/// second for 10 000 points.
 Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals);
 
 }  // namespace transformesh
