@@ -75,6 +75,17 @@ float value_at(const Function& function, const ValueGrid& grid,
   return std::isfinite(value) ? static_cast<float>(value) : outside;
 }
 
+/// The function rises along the normals, or most of them are turned the wrong way.
+void check_normals(const Function& function, const std::vector<Oriented>& cloud, double step) {
+  const auto rises = [&](const Oriented& oriented) {
+    const auto& [point, normal] = oriented;
+    return function(point + step * normal) > function(point - step * normal);
+  };
+  const auto rising = std::count_if(cloud.begin(), cloud.end(), rises);
+  if (2 * static_cast<std::size_t>(rising) < cloud.size())
+    throw GoalError("no surface has these normals: most point inwards, or they do not agree");
+}
+
 /// The function at the nodes of a grid around the points, with a margin for what bulges.
 ValueGrid sampled(const Function& function, const Box& box, double cell) {
   ValueGrid grid;
@@ -106,7 +117,10 @@ Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals) {
 
   Function function(cloud.begin(), cloud.end(), PointMap(), NormalMap());
   Mesh mesh;
-  if (function.compute_implicit_function()) mesh = march_tetrahedra(sampled(function, box, cell));
+  if (function.compute_implicit_function()) {
+    check_normals(function, cloud, spacing / 2);
+    mesh = march_tetrahedra(sampled(function, box, cell));
+  }
   check_wrap(mesh);
   return mesh;
 }

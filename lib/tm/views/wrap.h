@@ -25,11 +25,10 @@ struct AlphaWrapOptions {
 Mesh alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options = {});
 
 /// Closed, oriented 2-manifold without self-intersection, its edges about as long as the points are
-/// apart. Normals point
-/// outwards, or all inwards; those that are zero are left out with their points. Throws InputError for fewer than
-/// four points with normals or points in a plane, GoalError where no closed surface comes out, as
-/// happens when normals do not agree or points are far off. Deterministic; mostly one thread; a
-/// second for 10 000 points.
+/// apart. Normals point outwards; those that are zero are left out with their points. Throws
+/// InputError for fewer than four points with normals and for points in a plane, GoalError where
+/// most normals point inwards or do not agree. Deterministic; mostly one thread; a second for
+/// 10 000 points.
 Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals);
 
 }  // namespace transformesh
