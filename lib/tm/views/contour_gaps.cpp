@@ -9,6 +9,8 @@
 namespace transformesh {
 namespace {
 
+constexpr double pixels_of_curvature = 20;
+
 /// Faces around a vertex that look towards the eye and away from it.
 enum Facing : char { unseen = 0, front = 1, back = 2, both = 3 };
 
@@ -24,19 +26,22 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
   return result;
 }
 
-/// Whether background can be seen from within a pixel or two, not behind a nearer face.
-bool borders_on_background(const FaceBuffer& faces, double x, double y, double depth) {
+/// Whether background can be seen from within a pixel or two, and not behind a nearer part of the
+/// surface: next to the background a surface curves away from the eye, but only by so many pixels.
+bool borders_on_background(const FaceBuffer& faces, double x, double y, double depth,
+                           double pixel) {
   const int column = static_cast<int>(std::lround(x));
   const int row = static_cast<int>(std::lround(y));
   bool has_background = false;
+  double farthest = 0;
   for (int i = std::max(row - 1, 0); i <= std::min(row + 1, faces.height - 1); ++i) {
     for (int j = std::max(column - 1, 0); j <= std::min(column + 1, faces.width - 1); ++j) {
-      const FacePixel& pixel = faces.at(j, i);
-      if (pixel.face == no_index) has_background = true;
-      if (pixel.face != no_index && pixel.depth < 0.98 * depth) return false;
+      const FacePixel& seen = faces.at(j, i);
+      has_background = has_background || seen.face == no_index;
+      if (seen.face != no_index) farthest = std::max(farthest, static_cast<double>(seen.depth));
     }
   }
-  return has_background;
+  return has_background && farthest > depth - pixels_of_curvature * pixel;
 }
 
 void add_view(const Mesh& mesh, const View& view, const FaceBuffer& faces,
@@ -53,7 +58,7 @@ void add_view(const Mesh& mesh, const View& view, const FaceBuffer& faces,
     if (!std::isfinite(gap)) continue;
     if (gap >= 0) {
       gaps.outside[v] = std::max(gaps.outside[v], gap);
-    } else if (facing[v] == both && borders_on_background(faces, x, y, q.z())) {
+    } else if (facing[v] == both && borders_on_background(faces, x, y, q.z(), q.z() / focal)) {
       gaps.inside[v] -= gap;
       ++gaps.rims[v];
     }

@@ -62,7 +62,7 @@ class Correlation {
         column_(Row::Zero(width + 2 * radius)) {
     for (Row& row : sums_) row = Row::Zero(width);
     for (Row& row : factor_sums_) row = Row::Zero(width);
-    gradient_ = curvature_ = Row::Zero(width);
+    weight_ = Row::Zero(width);
   }
 
   CorrelationSums run(int first_row, int end_row,
@@ -88,99 +88,82 @@ class Correlation {
  private:
   static constexpr int rows = 2 * radius + 1;
 
-  /// The moments of all windows of row y.
-  void sum_windows(int y) {
-    std::array<const float*, rows> seen, one, two;
-    for (int k = 0; k < rows; ++k) {
-      seen[k] = compared_.row(is_seen, y + k - radius);
-      one[k] = compared_.row(first, y + k - radius);
-      two[k] = compared_.row(second, y + k - radius);
-    }
-    sum_columns(seen, count);
-    sum_columns(one, sum1);
-    sum_columns(two, sum2);
-    sum_columns(one, one, sum11);
-    sum_columns(two, two, sum22);
-    sum_columns(one, two, sum12);
+  using Rows = std::array<const float*, rows>;
+
+  /// The rows of an image that windows around row y reach.
+  Rows reach(const RowRing& ring, int plane, int y) const {
+    Rows result;
+    for (int k = 0; k < rows; ++k)
+      result[static_cast<std::size_t>(k)] = ring.row(plane, y + k - radius);
+    return result;
   }
 
-  void sum_columns(const std::array<const float*, rows>& in, Moment moment) {
-    float* __restrict out = column_.data() + radius;
+  /// out = sums over windows of a term of their pixels.
+  template <typename Term>
+  void sum_windows(const Term& term, Row& out) {
+    float* __restrict column = column_.data() + radius;
     for (int x = 0; x < width_; ++x) {
       float sum = 0;
-      for (int k = 0; k < rows; ++k) sum += in[k][x];
-      out[x] = sum;
+      for (std::size_t k = 0; k < rows; ++k) sum += term(k, x);
+      column[x] = sum;
     }
-    sum_across<radius>(out, sums_[moment].data(), width_);
+    sum_across<radius>(column, out.data(), width_);
   }
 
-  void sum_columns(const std::array<const float*, rows>& a, const std::array<const float*, rows>& b,
-                   Moment moment) {
-    float* __restrict out = column_.data() + radius;
-    for (int x = 0; x < width_; ++x) {
-      float sum = 0;
-      for (int k = 0; k < rows; ++k) sum += a[k][x] * b[k][x];
-      out[x] = sum;
-    }
-    sum_across<radius>(out, sums_[moment].data(), width_);
+  void find_moments(int y) {
+    const Rows n = reach(compared_, is_seen, y);
+    const Rows a = reach(compared_, first, y);
+    const Rows b = reach(compared_, second, y);
+    sum_windows([&](std::size_t k, int x) { return n[k][x]; }, sums_[count]);
+    sum_windows([&](std::size_t k, int x) { return a[k][x]; }, sums_[sum1]);
+    sum_windows([&](std::size_t k, int x) { return b[k][x]; }, sums_[sum2]);
+    sum_windows([&](std::size_t k, int x) { return a[k][x] * a[k][x]; }, sums_[sum11]);
+    sum_windows([&](std::size_t k, int x) { return b[k][x] * b[k][x]; }, sums_[sum22]);
+    sum_windows([&](std::size_t k, int x) { return a[k][x] * b[k][x]; }, sums_[sum12]);
+  }
+
+  /// weight = rho, 0 where less than half of the window is seen.
+  void find_weights(int y) {
+    constexpr float half = 0.5F * rows * rows;
+    const float* __restrict seen = compared_.row(is_seen, y);
+    const float* __restrict n = sums_[count].data();
+    float* __restrict weight = weight_.data();
+    for (int x = 0; x < width_; ++x) weight[x] = n[x] > half ? seen[x] : 0.0F;
+    least_ = variance1_.min(variance2_);
+    weight_ *= least_ / (least_ + static_cast<float>(options_.contrast));
   }
 
   /// The energy of row y, and what its windows contribute to the derivative at their pixels.
   void compare(int y) {
-    sum_windows(y);
-    const float noise = static_cast<float>(options_.noise_variance);
-    const float contrast = static_cast<float>(options_.contrast);
-    constexpr float half = 0.5F * rows * rows;
-    const float* __restrict seen = compared_.row(is_seen, y);
-    const float* __restrict n = sums_[count].data();
-    const float* __restrict s1 = sums_[sum1].data();
-    const float* __restrict s2 = sums_[sum2].data();
-    const float* __restrict s11 = sums_[sum11].data();
-    const float* __restrict s22 = sums_[sum22].data();
-    const float* __restrict s12 = sums_[sum12].data();
-    float* __restrict to_first = factors_.row(of_first, y);
-    float* __restrict to_second = factors_.row(of_second, y);
-    float* __restrict to_constant = factors_.row(constant, y);
-    float* __restrict to_square = factors_.row(of_square, y);
-    float* __restrict energy = gradient_.data();
-    float* __restrict weight = curvature_.data();
-    for (int x = 0; x < width_; ++x) {
-      const float inverse = 1 / std::max(n[x], 1.0F);
-      const float mean1 = s1[x] * inverse;
-      const float mean2 = s2[x] * inverse;
-      const float v1 = s11[x] * inverse - mean1 * mean1 + noise;
-      const float v2 = s22[x] * inverse - mean2 * mean2 + noise;
-      const float v12 = s12[x] * inverse - mean1 * mean2;
-      const float inverse_v2 = 1 / v2;
-      const float inverse_deviations = 1 / std::sqrt(v1 * v2);
-      const float correlation = v12 * inverse_deviations;
-      const float least = std::min(v1, v2);
-      const float counted = n[x] > half ? seen[x] : 0.0F;
-      const float rho = counted * least / (least + contrast);
-      const float share = rho * inverse;
-      energy[x] = rho * (1 - correlation);
-      weight[x] = rho;
-      to_first[x] = -share * inverse_deviations;
-      to_second[x] = share * correlation * inverse_v2;
-      to_constant[x] = share * (mean1 * inverse_deviations - mean2 * correlation * inverse_v2);
-      to_square[x] = share * inverse_v2;
-    }
-    totals_.energy += gradient_.cast<double>().sum();
-    totals_.weight += curvature_.cast<double>().sum();
-    for (int x = 0; x < width_; ++x) totals_.pixels += weight[x] > 0;
+    find_moments(y);
+    const auto noise = static_cast<float>(options_.noise_variance);
+    inverse_ = sums_[count].max(1.0F).inverse();
+    mean1_ = sums_[sum1] * inverse_;
+    mean2_ = sums_[sum2] * inverse_;
+    variance1_ = sums_[sum11] * inverse_ - mean1_.square() + noise;
+    variance2_ = sums_[sum22] * inverse_ - mean2_.square() + noise;
+    find_weights(y);
+
+    deviations_ = (variance1_ * variance2_).sqrt();
+    correlation_ = (sums_[sum12] * inverse_ - mean1_ * mean2_) / deviations_;
+    by_deviations_ = weight_ * inverse_ / deviations_;
+    by_variance_ = weight_ * inverse_ / variance2_;
+    factor(of_first, y) = -by_deviations_;
+    factor(of_second, y) = by_variance_ * correlation_;
+    factor(constant, y) = mean1_ * by_deviations_ - mean2_ * correlation_ * by_variance_;
+    factor(of_square, y) = by_variance_;
+    energy_ = weight_ * (1 - correlation_);
+    totals_.energy += energy_.template cast<double>().sum();
+    totals_.weight += weight_.template cast<double>().sum();
+    totals_.pixels += static_cast<std::size_t>((weight_ > 0).count());
   }
 
+  Eigen::Map<Row> factor(Factor plane, int y) { return {factors_.row(plane, y), width_}; }
+
   void differentiate(int y) {
-    for (int plane = 0; plane < factor_planes; ++plane) {
-      std::array<const float*, rows> in;
-      for (int k = 0; k < rows; ++k) in[k] = factors_.row(plane, y + k - radius);
-      float* __restrict out = column_.data() + radius;
-      for (int x = 0; x < width_; ++x) {
-        float sum = 0;
-        for (int k = 0; k < rows; ++k) sum += in[k][x];
-        out[x] = sum;
-      }
-      sum_across<radius>(out, factor_sums_[plane].data(), width_);
+    for (std::size_t plane = 0; plane < factor_planes; ++plane) {
+      const Rows in = reach(factors_, static_cast<int>(plane), y);
+      sum_windows([&](std::size_t k, int x) { return in[k][x]; }, factor_sums_[plane]);
     }
     const auto row = [&](Compared plane) {
       return Eigen::Map<const Row>(compared_.row(plane, y), width_);
@@ -197,6 +180,8 @@ class Correlation {
   Row column_;  ///< sums over columns of a window, with zeros to either side
   std::array<Row, moments> sums_;
   std::array<Row, factor_planes> factor_sums_;
+  Row inverse_, mean1_, mean2_, variance1_, variance2_, deviations_, correlation_;
+  Row least_, weight_, energy_, by_deviations_, by_variance_;
   Row gradient_, curvature_;
   CorrelationSums totals_;
 };

@@ -29,13 +29,19 @@ void check(const PhotoStepOptions& options) {
     throw UsageError("the smoothing is to be from 0 to 1");
 }
 
-/// The median over the vertices that are seen; 0 where none is.
-double median_curvature(const Photoconsistency& measured) {
+/// Curvatures with what damps them, so that none is 0 where anything is compared.
+std::vector<double> damped_curvature(const Photoconsistency& measured, double damping) {
+  std::vector<double> result(measured.curvature);
+  for (std::size_t v = 0; v < result.size(); ++v) result[v] += damping * measured.coverage[v];
+  return result;
+}
+
+/// The median over the vertices that are seen, of which there are some.
+double usual_curvature(const Photoconsistency& measured, std::span<const double> curvature) {
   std::vector<double> seen;
-  for (std::size_t v = 0; v < measured.curvature.size(); ++v) {
-    if (measured.coverage[v] > 0) seen.push_back(measured.curvature[v]);
+  for (std::size_t v = 0; v < curvature.size(); ++v) {
+    if (measured.coverage[v] > 0) seen.push_back(curvature[v]);
   }
-  if (seen.empty()) return 0;
   const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
   std::nth_element(seen.begin(), middle, seen.end());
   return *middle;
@@ -45,18 +51,18 @@ std::vector<double> newton_movements(const Mesh& mesh, const Umbrella& umbrella,
                                      std::vector<Vec3> normals, const Photoconsistency& measured,
                                      const ContourGaps& gaps, double pixel,
                                      const PhotoStepOptions& options) {
-  const std::size_t count = mesh.positions.size();
-  const double usual = median_curvature(measured);
-  ThinPlateProblem problem{std::move(normals), std::vector<double>(count),
-                           std::vector<double>(count), options.stiffness * usual};
-  const double damping = options.damping / (pixel * pixel);
+  ThinPlateProblem problem;
+  problem.normals = std::move(normals);
+  problem.gradient.resize(mesh.positions.size());
+  problem.curvature = damped_curvature(measured, options.damping / (pixel * pixel));
+  const double usual = usual_curvature(measured, problem.curvature);
   const double pull = options.silhouettes * usual;
-  for (std::size_t v = 0; v < count; ++v) {
+  problem.stiffness = options.stiffness * usual;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const bool is_outside = gaps.outside[v] > 0;
     problem.gradient[v] =
         measured.gradient[v].dot(problem.normals[v]) + pull * (gaps.outside[v] - gaps.inside[v]);
-    problem.curvature[v] = measured.curvature[v] + damping * measured.coverage[v] +
-                           pull * ((is_outside ? 1 : 0) + gaps.rims[v]);
+    problem.curvature[v] += pull * ((is_outside ? 1 : 0) + gaps.rims[v]);
   }
   return thin_plate_step(mesh, umbrella, problem);
 }

@@ -26,7 +26,7 @@ struct PhotoStepOptions {
   double damping = 0.006;  ///< >= 0
   double time_step = 0.001;   ///< t of `gradient`; >= 0
   double smoothing = 0.1;     ///< of `gradient`; in [0, 1]
-  double silhouettes = 0.2;   ///< pull of silhouettes; 1 is that of photographs; >= 0
+  double silhouettes = 1;     ///< pull of silhouettes; 1 is that of photographs; >= 0
   double least_cosine = 0.1;  ///< of ray and normal: faces seen more flatly are not compared; >= 0
   PhotoconsistencyOptions photographs;
 };
@@ -38,8 +38,8 @@ struct PhotoScene {
   std::vector<ViewPair> pairs;
   double pixel = 0;  ///< length of a pixel's side where the cameras look
 };
-/// Views at a smaller scale (pyramid.h), and which of them to compare. Throws InputError where there
-/// is no such pair.
+/// Views at a smaller scale (pyramid.h), and which of them to compare. Throws InputError where
+/// there is no such pair.
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});
 
 /// All but `displaced` is before the movement.

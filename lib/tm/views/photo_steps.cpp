@@ -5,7 +5,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_coverage_kept = 0.9;
+constexpr double least_coverage_kept = 0.8;
 
 std::vector<ViewPair> one_order(const std::vector<ViewPair>& pairs, bool lower_first) {
   std::vector<ViewPair> result;

@@ -16,7 +16,7 @@ struct PhotoStepsOptions {
 struct PhotoStepsResult {
   PhotoStepResult first;
   PhotoStepResult last;
-  /// The last step compares more than a tenth fewer pixels than the first one of the same order of
+  /// The last step compares more than a fifth fewer pixels than the first one of the same order of
   /// pairs did: a surface may also look consistent because little of it is seen.
   bool lost_coverage = false;
 };
