@@ -1,0 +1,54 @@
+load ../helpers/common
+
+setup() {
+  command -v make >/dev/null || skip "make is not installed"
+  cd "$BATS_TEST_TMPDIR"
+}
+
+# batch TARGET...: with the shipped Makefile, results in the current folder.
+batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD" "$@"; }
+
+@test "a case is run, checked after every iteration, drawn and judged by its row" {
+  batch "$PWD/case-c/row.csv"
+  IFS=, read -r name _ _ _ iterations _ _ converged components genus crossed hausdorff _ least _ met \
+    <case-c/row.csv
+  [ "$name $converged $components $genus $crossed $met" = "case-c true 1 3 0 yes" ]
+  awk -v a="$least" 'BEGIN { exit !(a > 15) }'
+  # The numbers are those of the result.
+  [ "$(tm-info --get genus case-c/result.ply)" -eq 3 ]
+  tm-compare --reference case-c/target.ply --within "$(awk -v h="$hausdorff" 'BEGIN { print 1.01 * h }')" \
+    case-c/result.ply >comparison
+  [ "$(wc -l <case-c/log.csv)" -eq $((iterations + 1)) ]
+  [ "$(head -c 4 case-c/sheet.png | tail -c 3)" = PNG ]
+}
+
+@test "the page shows every row, and says no where one is not met" {
+  mkdir good bad
+  echo good,1,1,1,1,1,1,true,1,1,0,1,1,1,1,yes >good/row.csv
+  echo bad,1,1,1,1,1,1,false,1,1,0,1,1,1,1,no >bad/row.csv
+  "$tm_root/scripts/experiments/page" table "$PWD" good
+  [ "$(wc -l <table/table.csv)" -eq 2 ]
+  run --separate-stderr "$tm_root/scripts/experiments/page" table "$PWD" good bad
+  assert_status 1
+  [[ $stderr == *"not met: bad"* ]]
+  [ "$(wc -l <table/table.csv)" -eq 3 ]
+  grep -q '../bad/sheet.png' table/index.html
+}
+
+@test "every experiment of the tables has its shapes" {
+  for name in $(sed -nE 's/^(TABLE1|CASES) := //p' "$tm_root/scripts/experiments/Makefile"); do
+    mkdir "$name"
+    PATH=$tm_build/bin:$PATH env -C "$name" "$tm_root/scripts/experiments/shapes" "$name" >"$name/line"
+    read -r components _ <"$name/line"
+    [ "$(tm-info --get components "$name/target.ply")" -eq "$components" ]
+    tm-checkmanifold --closed --intersections "$name/source.ply"
+  done
+}
+
+@test "a surface breathes through merges and splits, and stays bounded" {
+  run --separate-stderr batch breathing ITERATIONS=90
+  assert_status 0
+  [[ $output =~ "90 iterations, "([0-9]+)" merges, "([0-9]+)" splits" ]]
+  [ "${BASH_REMATCH[1]}" -ge 2 ] && [ "${BASH_REMATCH[2]}" -ge 1 ]
+  awk -F, 'NR > 1 && $2 > 8000 { exit 1 }' breathing/log.csv
+}
