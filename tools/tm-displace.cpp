@@ -14,19 +14,27 @@ using namespace transformesh;
 struct Options {
   DisplaceOptions displace;
   std::optional<Length> normal_speed;
+  double curvature_speed = 0;
   std::string mask;
 };
 
+void add(std::vector<Vec3>& velocities, const std::vector<Vec3>& more) {
+  for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] += more[v];
+}
+
 std::vector<Vec3> velocities_of(const Mesh& mesh, const Options& options, tool::Run& run) {
-  if (!options.normal_speed && !has_column_velocities(mesh)) {
+  const bool has_speed = options.normal_speed || options.curvature_speed != 0;
+  if (!has_speed && !has_column_velocities(mesh)) {
     throw InputError(
-        "the mesh lacks a velocity, the vertex properties vx vy vz; give --normal-speed instead");
+        "the mesh lacks a velocity, the vertex properties vx vy vz; give --normal-speed or "
+        "--curvature-speed instead");
   }
-  if (!options.normal_speed) return column_velocities(mesh);
-  std::vector<Vec3> velocities = normal_velocities(mesh, run.length(*options.normal_speed));
-  if (!has_column_velocities(mesh)) return velocities;
-  const std::vector<Vec3> from_columns = column_velocities(mesh);
-  for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] += from_columns[v];
+  std::vector<Vec3> velocities(mesh.positions.size(), Vec3::Zero());
+  if (!has_speed || has_column_velocities(mesh)) add(velocities, column_velocities(mesh));
+  if (options.normal_speed)
+    add(velocities, normal_velocities(mesh, run.length(*options.normal_speed)));
+  if (options.curvature_speed != 0)
+    add(velocities, curvature_velocities(mesh, options.curvature_speed));
   return velocities;
 }
 
@@ -46,6 +54,9 @@ int main(int argc, char** argv) {
                         "Moves vertices by their velocities, one explicit step");
   program.length("normal-speed", &options.normal_speed,
                  "speed along the vertex normals, added to vx vy vz where the mesh has them", true);
+  program.number("curvature-speed", &options.curvature_speed, -1e300, 1e300,
+                 "mean-curvature flow: speed times the mean curvature, added likewise; a sphere of "
+                 "radius R shrinks by SPEED / R");
   program.number("time-step", &options.displace.time_step, -1e300, 1e300,
                  "time by which velocities are multiplied");
   program.number("alpha", &options.displace.alpha, 0, 1e300,

@@ -46,9 +46,9 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
 }
 
 @test "a surface breathes through merges and splits, and stays bounded" {
-  run --separate-stderr batch breathing ITERATIONS=90
+  run --separate-stderr batch breathing ITERATIONS=130
   assert_status 0
-  [[ $output =~ "90 iterations, "([0-9]+)" merges, "([0-9]+)" splits" ]]
+  [[ $output =~ "130 iterations, "([0-9]+)" merges, "([0-9]+)" splits" ]]
   [ "${BASH_REMATCH[1]}" -ge 2 ] && [ "${BASH_REMATCH[2]}" -ge 1 ]
   awk -F, 'NR > 1 && $2 > 8000 { exit 1 }' breathing/log.csv
 }

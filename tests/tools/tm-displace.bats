@@ -73,3 +73,17 @@ moving_tetrahedron() { # VX VY VZ
   assert_status 3
   [[ $stderr == *"'free'"* ]]
 }
+
+@test "under mean-curvature flow a dumbbell pinches off and its balls part" {
+  tm-shape dumbbell --neck 0.1 --faces 1500 -o a.ply
+  for _ in $(seq 60); do
+    tm-displace -q --curvature-speed 0.0008 a.ply | tm-clean -q | tm-remesh -q -o b.ply
+    mv b.ply a.ply
+    components=$(tm-info --get components a.ply)
+    [ "$components" -eq 1 ] || break
+  done
+  [ "$components" -eq 2 ]
+  tm-intersect --check a.ply
+  # Either ball is still there: the neck went, not they.
+  awk -v v="$(tm-info --get volume a.ply)" 'BEGIN { exit !(v > 0.3) }'
+}

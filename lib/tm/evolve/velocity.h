@@ -1,5 +1,5 @@
 /// Where the velocities of an evolution come from when no program of ours computes them.
-/// Cost: O(n); deterministic.
+/// Cost: O(n log n); deterministic.
 #pragma once
 
 #include <string_view>
@@ -15,6 +15,13 @@ bool has_column_velocities(const Mesh& mesh);
 
 /// speed * N(p), N(p) the angle-weighted vertex normal: a positive speed grows a closed mesh.
 std::vector<Vec3> normal_velocities(const Mesh& mesh, double speed);
+
+/// Mean-curvature flow: speed * H(p) along the mean-curvature normal, H the mean curvature, so that
+/// a sphere of radius r shrinks by speed / r. Reference: Meyer, Desbrun, Schroeder & Barr,
+/// "Discrete differential-geometry operators for triangulated 2-manifolds", 2003 (cotangents over
+/// mixed areas). Angles count as at least 5 degrees, the weight of an edge as at least 0. Zero on
+/// borders and where there is no area.
+std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed);
 
 /// Multiplies each velocity by the vertex column of that name: 0 holds a vertex fast. Throws
 /// InputError where there is none.
