@@ -1,6 +1,6 @@
+#include "cleaning_report.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/separate.h"
-#include "tm/mesh/components.h"
 #include "tm/support/error.h"
 #include "tool.h"
 
@@ -31,14 +31,6 @@ SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, t
   return result;
 }
 
-void report_topology(const Mesh& mesh, tool::Run& run) {
-  const Components components = connected_components(mesh);
-  long genus = 0;
-  for (const Component& component : components.components) genus += component.genus();
-  run.report("components", components.components.size());
-  run.report("genus", genus);
-}
-
 void clean_document(Document& document, Options options, tool::Run& run) {
   options.clean.method =
       options.method == "grow" ? ExteriorMethod::grow : ExteriorMethod::static_test;
@@ -53,20 +45,8 @@ void clean_document(Document& document, Options options, tool::Run& run) {
     throw GoalError("vertices lie in one place, and --refuse forbids to move them apart");
   }
 
-  run.report("changed", result.changed || separated.separated_vertices > 0);
-  run.report("pairs", result.pairs);
-  run.report("cut_faces", result.cut_faces);
-  run.report("removed_faces", result.removed_faces);
-  run.report("new_vertices", result.new_vertices);
-  run.report("copied_vertices", result.copied_vertices);
-  run.report("patches", result.patches);
-  run.report("rays", result.rays);
-  run.report("dropped_components", result.dropped_components);
-  run.report("rounding_repairs", result.rounding_repairs);
-  run.report("grid_steps", result.grid_steps);
-  run.report("separated_vertices", separated.separated_vertices);
-  run.report("separation_refused", separated.refused_vertices);
-  report_topology(document.mesh, run);
+  tool::report_cleaning(result, separated, run);
+  tool::report_topology(document.mesh, run);
 }
 
 }  // namespace

@@ -4,10 +4,15 @@
 
 #include "tm/clean/cut_plane.h"
 #include "tm/mesh/disjoint_sets.h"
+#include "tm/mesh/place.h"
+#include "tm/support/error.h"
+#include "tm/support/length.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
+
+constexpr double largest_coordinate = 1e306;
 
 // The faces that are cut together: coplanar ones that meet.
 struct Planes {
@@ -181,11 +186,22 @@ void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, Arrangem
   }
 }
 
+// Coplanar faces are cut within a triangle twelve times their size.
+void refuse_overflow(const Soup& soup) {
+  for (const Vec3& point : soup.points) {
+    if (point.cwiseAbs().maxCoeff() <= largest_coordinate) continue;
+    throw InputError("the coordinates of " + point_text(point) +
+                     " are too large to cut faces there: scale the mesh to below " +
+                     shortest_text(largest_coordinate));
+  }
+}
+
 }  // namespace
 
 Arrangement arrange(const std::shared_ptr<const Soup>& soup, const std::vector<FacePair>& pairs,
                     const Progress& progress) {
   progress("arrange");
+  if (!pairs.empty()) refuse_overflow(*soup);
   const std::vector<Meeting> meetings = find_meetings(*soup, pairs);
   const Planes planes = group_planes(*soup, meetings);
   std::vector<PlaneCut> cuts = cut_planes(*soup, planes);

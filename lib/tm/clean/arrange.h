@@ -51,7 +51,8 @@ struct Arrangement {
   }
 };
 
-/// `pairs` are the intersecting pairs of soup faces, sorted.
+/// `pairs` are the intersecting pairs of soup faces, sorted. Throws InputError where there are some
+/// and coordinates beyond 1e306.
 Arrangement arrange(const std::shared_ptr<const Soup>& soup, const std::vector<FacePair>& pairs,
                     const Progress& progress);
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-
-#include "tm/support/error.h"
+#include <stdexcept>
 
 namespace transformesh {
 namespace {
@@ -120,7 +119,7 @@ PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& poin
   for (location.facet = 0; location.facet < facets_.size(); ++location.facet) {
     if (leave_by(0) == no_index) return location;
   }
-  throw GoalError("internal: a point lies outside its plane's scaffold");
+  throw std::logic_error("a point lies outside its plane's scaffold");
 }
 
 Index PlanarTriangulation::insert(const ExactPoint& point, std::initializer_list<Index> lines) {
@@ -353,7 +352,7 @@ Index PlanarTriangulation::step_along(Index from, Index to, Index line) {
     }
     facet = facets_[facet].next[previous_corner(i)];
   } while (facet != start);
-  throw GoalError("internal: a constraint leaves its plane's scaffold");
+  throw std::logic_error("a constraint leaves its plane's scaffold");
 }
 
 // From `from` across the edge and on, up to the first point on the segment. A constrained edge on
@@ -416,7 +415,7 @@ std::vector<Index> PlanarTriangulation::chain(Index from, Index to) const {
       if (x == to || (turn(from, x, to) == 0 && is_ahead(from, x, to))) found = 3 * facet + i;
       facet = facets_[facet].next[previous_corner(i)];
     } while (facet != start && found == no_index);
-    if (found == no_index) throw GoalError("internal: a constraint is missing from its plane");
+    if (found == no_index) throw std::logic_error("a constraint is missing from its plane");
     edges.push_back(found);
     from = facets_[found / 3].v[next_corner(found % 3)];
   }

@@ -18,6 +18,14 @@ constexpr int doublings_of_new = 3;
 constexpr int doublings_of_broken = 5;
 constexpr int most_grid_steps = 5;
 
+// Films of a few spacings survive where new vertices first merge over half a spacing only, and over
+// twice as much in every round. Where that does not settle, they merge over all of it at once.
+enum class Merging { growing, full };
+
+int doublings_in(int round, Merging merging) {
+  return merging == Merging::full ? doublings_of_new : std::min(round - 1, doublings_of_new);
+}
+
 // The spacing of the grid at each step, in doublings of the spacing of floats and of doubles.
 int grid_doublings(Scalar coordinate, int step) {
   return (coordinate == Scalar::float32 ? 2 : 5) * step;
@@ -35,7 +43,7 @@ class Settler {
   Settled settle(CleanPass pass);
 
  private:
-  bool repair(Assembly& assembly);
+  bool repair(Assembly& assembly, Merging merging);
   double distance(int doublings) const {
     return merge_distance(mesh_, options_.coordinate, doublings);
   }
@@ -90,13 +98,14 @@ void inherit(const Assembly& before, Assembly& after) {
 
 // Rounds, checks what was rounded and cleans that again, until nothing is broken or ever more is.
 // What remains of an open mesh is cleaned again in any case, because other borders need other fans.
-bool Settler::repair(Assembly& assembly) {
+bool Settler::repair(Assembly& assembly, Merging merging) {
   std::size_t fewest = assembly.mesh.faces.size();
   for (int round = 0;; ++round) {
     progress_("round");
     round_new_positions(assembly);
     // Points that rounding all but unites would only make slivers.
-    merge_close_vertices(assembly, find_new_faces(assembly), distance(doublings_of_new));
+    merge_close_vertices(assembly, find_new_faces(assembly),
+                         distance(doublings_in(round, merging)));
     const std::vector<Index> broken = find_broken_faces(assembly);
     if (broken.empty() && !options_.is_open) return true;
     if (!broken.empty()) {
@@ -114,15 +123,22 @@ bool Settler::repair(Assembly& assembly) {
 }
 
 Settled Settler::settle(CleanPass pass) {
-  while (!repair(pass.assembly)) {
+  bool is_settled = repair(pass.assembly, Merging::growing);
+  if (!is_settled) {
+    pass = run_pass(mesh_, options_.level);
+    is_settled = repair(pass.assembly, Merging::full);
+  }
+  while (!is_settled) {
     if (result_.grid_steps == most_grid_steps) give_up();
     const int step = static_cast<int>(++result_.grid_steps);
     const double spacing = distance(grid_doublings(options_.coordinate, step));
     const Mesh snapped = snap_to_grid(mesh_, troubled_, spacing, options_.coordinate);
     pass = run_pass(snapped, options_.level);
-    if (!pass.unchanged) continue;
-    result_.mesh = snapped;
-    return std::move(result_);
+    if (pass.unchanged) {
+      result_.mesh = snapped;
+      return std::move(result_);
+    }
+    is_settled = repair(pass.assembly, Merging::full);
   }
   const auto& is_new = pass.assembly.vertex_is_new;
   result_.new_vertices = static_cast<std::size_t>(std::count(is_new.begin(), is_new.end(), 1));

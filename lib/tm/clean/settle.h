@@ -1,11 +1,12 @@
 /// The mesh as it will be written: rounds the new vertices of a pass and repairs what rounding
 /// broke, until no face crosses another or has no area in the coordinates as stored.
 ///
-/// First a few rounds merge vertices that are all but one and clean again, which is local. Where
-/// the input is so close to degenerate that this does not settle (nearly coplanar faces make ever
-/// new slivers), the vertices of the input there go to a grid that is coarser with every step: what
-/// the grid leaves apart is far apart by the measure of rounding. Old vertices move in no other
-/// case. Deterministic. Throws GoalError, with the place, when the coarsest grid does not help.
+/// First a few rounds merge vertices that are all but one and clean again, which is local; in a
+/// second try they merge over a larger distance from the first round on. Where the input is so
+/// close to degenerate that neither settles (nearly coplanar faces make ever new slivers), the
+/// vertices of the input there go to a grid that is coarser with every step: what the grid leaves
+/// apart is far apart by the measure of rounding. Old vertices move in no other case.
+/// Deterministic. Throws GoalError, with the place, when the coarsest grid does not help.
 #pragma once
 
 #include "tm/clean/clean_pass.h"

@@ -1,12 +1,16 @@
 #include "tm/clean/winding_ray.h"
 
 #include <limits>
+#include <string>
 
 #include "tm/mesh/disjoint_sets.h"
+#include "tm/mesh/place.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
 namespace {
+
+constexpr int most_attempts = 20000;  // the squares fit into integers
 
 std::vector<Triangle> collect_triangles(const Soup& soup, const BorderClosure& closure) {
   std::vector<Triangle> triangles;
@@ -23,10 +27,8 @@ Bvh build_bvh(const Soup& soup, const std::vector<Triangle>& triangles) {
   return Bvh(boxes);
 }
 
-// Weights of ever new points inside a triangle.
-std::array<int, 3> weights(int attempt) {
-  return {1 + attempt % 7 * attempt, 1 + attempt % 5 * 3, 1 + attempt % 11 * 2 + attempt / 7};
-}
+// Weights of ever new points inside a triangle, the first in the middle. They lie on a conic.
+std::array<int, 3> weights(int attempt) { return {1, attempt, attempt * attempt}; }
 
 }  // namespace
 
@@ -67,12 +69,16 @@ int WindingRay::in_front_of(const Piece& piece) const {
   const ExactPoint a = arrangement_.point(piece.corners[0]);
   const ExactPoint b = arrangement_.point(piece.corners[1]);
   const ExactPoint c = arrangement_.point(piece.corners[2]);
-  for (int attempt = 0;; ++attempt) {
-    const Index cluster = cluster_of_.empty() ? no_index : cluster_of_[piece.corners[0]];
+  // A ray grazes where its origin lies on the shadow of an edge: a segment, which has at most two
+  // points on the conic.
+  const Index cluster = cluster_of_.empty() ? no_index : cluster_of_[piece.corners[0]];
+  for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     const Count count = cast(geometry.mean(a, b, c, weights(attempt)), axis, direction, cluster);
     if (!count.grazes) return count.winding;
-    if (attempt > 1000) throw GoalError("internal: every ray from a face grazes an edge");
   }
+  throw GoalError("more than " + std::to_string(most_attempts / 2) + " edges line up along the " +
+                  "xyz"[axis] + " axis at " + point_text(geometry.position(a)) +
+                  ": turn the mesh a little");
 }
 
 WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direction,

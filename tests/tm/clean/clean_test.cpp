@@ -204,4 +204,13 @@ TEST_CASE("what only indices get wrong is stitched: soups and singular vertices"
   CHECK(test::count(parted.mesh).is_manifold);
 }
 
+TEST_CASE("faces too large to be cut are refused with their place, and those within are cut") {
+  const Mesh boxes = test::joined(test::cuboid({-1, -1, -1}, {0.5, 0.5, 0.5}),
+                                  test::cuboid({-0.25, -0.25, -0.25}, {1, 1, 1}));
+  CHECK_THROWS_WITH_AS(clean(test::scaled(boxes, 1.7e308)),
+                       doctest::Contains("too large to cut faces there: scale the mesh"),
+                       InputError);
+  CHECK(clean(test::scaled(boxes, 0x1p1016)).mesh.faces.size() == clean(boxes).mesh.faces.size());
+}
+
 }  // namespace transformesh

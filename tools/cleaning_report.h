@@ -1,0 +1,35 @@
+/// The entries of tm-clean's report.
+#pragma once
+
+#include "tm/clean/clean.h"
+#include "tm/clean/separate.h"
+#include "tm/mesh/components.h"
+#include "tool.h"
+
+namespace transformesh::tool {
+
+inline void report_cleaning(const CleanResult& result, const SeparateResult& separated, Run& run) {
+  run.report("changed", result.changed || separated.separated_vertices > 0);
+  run.report("pairs", result.pairs);
+  run.report("cut_faces", result.cut_faces);
+  run.report("removed_faces", result.removed_faces);
+  run.report("new_vertices", result.new_vertices);
+  run.report("copied_vertices", result.copied_vertices);
+  run.report("patches", result.patches);
+  run.report("rays", result.rays);
+  run.report("dropped_components", result.dropped_components);
+  run.report("rounding_repairs", result.rounding_repairs);
+  run.report("grid_steps", result.grid_steps);
+  run.report("separated_vertices", separated.separated_vertices);
+  run.report("separation_refused", separated.refused_vertices);
+}
+
+inline void report_topology(const Mesh& mesh, Run& run) {
+  const Components components = connected_components(mesh);
+  long genus = 0;
+  for (const Component& component : components.components) genus += component.genus();
+  run.report("components", components.components.size());
+  run.report("genus", genus);
+}
+
+}  // namespace transformesh::tool
