@@ -34,7 +34,7 @@ same_mesh() {
 # A folder of filters that are the built ones, but for those that a test puts there.
 own_filters() {
   mkdir -p filters
-  cp "$tm_root/scripts/tm-morph" filters/
+  cp "$tm_root"/scripts/{tm-morph,loop.bash} filters/
   for filter in tm-morph-step tm-clean tm-remesh tm-convert tm-compare tm-info tm-checkmanifold; do
     ln -sf "$tm_build/bin/$filter" "filters/$filter"
   done

@@ -1,0 +1,124 @@
+load ../helpers/common
+
+# 16 photographs of 160x120 pixels of a sphere with dents, which the visual hull does not show.
+setup_file() {
+  PATH=$tm_build/bin:$PATH
+  cd "$BATS_FILE_TMPDIR"
+  mkdir images masks
+  tm-shape dented --radius 50 --faces 20000 -o truth.ply
+  tm-photograph --size 160x120 --finest 6 --coarsest 30 --write-images images \
+    --write-silhouettes masks -o par.txt truth.ply
+  "$tm_root/scripts/tm-reconstruct" --cameras par.txt --images images --silhouettes masks \
+    -o whole.ply --csv whole.csv --report whole.json -q
+}
+
+setup() {
+  PATH=$tm_root/scripts:$PATH
+  scene=$BATS_FILE_TMPDIR
+  cd "$BATS_TEST_TMPDIR"
+  reconstruct=(tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images"
+    --silhouettes "$scene/masks")
+}
+
+value() { # KEY FILE
+  awk -v key="\"$1\":" '$1 == key { gsub("[\",]", "", $2); print $2; exit }' "$2"
+}
+
+below() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }' || fail "$1 is not below $2"; }
+
+compared() { # KEY MESH
+  tm-compare --reference "$scene/truth.ply" --distance 1 "$2" | awk -v key="$1:" '$1 == key { print $2 }'
+}
+
+@test "dents that the hull does not show are found; the surface is closed and clean" {
+  tm-hull --cameras "$scene/par.txt" --silhouettes "$scene/masks" -o hull.ply
+  below 5 "$(compared hausdorff hull.ply)"
+  whole=$scene/whole.ply
+  tm-checkmanifold --closed "$whole"
+  tm-intersect --check "$whole"
+  [ "$(tm-info --get components "$whole")" -eq 1 ]
+  [ "$(tm-info --get genus "$whole")" -eq 0 ]
+  # A pixel is 1.1 wide.
+  below "$(compared accuracy "$whole")" 0.55
+  below "$(compared hausdorff "$whole")" 2.5
+  below 0.98 "$(compared completeness "$whole")"
+  below "$(value dissimilarity "$scene/whole.json")" "$(value first_dissimilarity "$scene/whole.json")"
+}
+
+@test "the csv has a line per pass, from coarse to fine" {
+  awk -F, 'NR == 1 { if ($1 != "pass" || NF != 15) exit 1; next }
+    $1 != NR - 1 || NF != 15 || (before && $2 > before) { exit 1 }
+    { before = $2 }
+    END { exit !(NR > 3 && before == 1) }' "$scene/whole.csv" || fail "$(cat "$scene/whole.csv")"
+  [ "$(value passes "$scene/whole.json")" -eq $(($(wc -l <"$scene/whole.csv") - 1)) ]
+}
+
+@test "the result does not depend on the number of threads, and goes to stdout too" {
+  "${reconstruct[@]}" --threads 1 -q >one.ply
+  cmp one.ply "$scene/whole.ply"
+}
+
+@test "a run that was interrupted continues to the same result" {
+  env --default-signal=INT "${reconstruct[@]}" -o out.ply --csv log.csv 2>messages 3>&- &
+  while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt 3 ]; do sleep 0.01; done
+  kill -INT $!
+  wait $! || code=$?
+  [ "$code" -eq 130 ]
+  [ ! -e out.ply ]
+  grep -q -- '--resume' messages
+  run --separate-stderr "${reconstruct[@]}" -o out.ply --resume --edge 4
+  assert_status 2
+  "${reconstruct[@]}" -o out.ply --csv log.csv --resume -q
+  cmp out.ply "$scene/whole.ply"
+  cmp <(cut -d, -f1-10 log.csv) <(cut -d, -f1-10 "$scene/whole.csv")
+  [ ! -e out.ply.tm-reconstruct ]
+}
+
+@test "a filter that fails ends the loop with its message and code" {
+  mkdir filters
+  cp "$tm_root"/scripts/{tm-reconstruct,loop.bash} filters/
+  for filter in tm-hull tm-cameras tm-clean tm-remesh tm-convert tm-info; do
+    ln -s "$tm_build/bin/$filter" "filters/$filter"
+  done
+  cat >filters/tm-photo-step <<STUB
+#!/bin/bash
+echo >>$PWD/calls
+if [ "\$(wc -l <$PWD/calls)" -eq 2 ]; then
+  echo 'tm-photo-step: no luck today' >&2
+  exit 4
+fi
+exec $tm_build/bin/tm-photo-step "\$@"
+STUB
+  chmod +x filters/tm-photo-step
+  reconstruct[0]=filters/tm-reconstruct
+  run --separate-stderr "${reconstruct[@]}" -o out.ply --coarsest 2
+  assert_status 4
+  [ "${stderr_lines[0]}" = "tm-photo-step: no luck today" ]
+  [[ ${stderr_lines[1]} == *"stopped in pass 2; 'out.ply' holds the mesh of pass 1"* ]]
+}
+
+@test "two balls in one wrapping come apart" {
+  mkdir images masks
+  tm-shape two-spheres --radius 20 --gap 6 --faces 10000 -o truth.ply
+  tm-photograph --ring 16 --size 160x120 --finest 4 --coarsest 20 --write-images images \
+    --write-silhouettes masks -o par.txt truth.ply
+  tm-shape ellipsoid 48 23 23 --faces 3000 -o start.ply
+  tm-reconstruct --cameras par.txt --images images --silhouettes masks --start start.ply -q -o out.ply
+  [ "$(tm-info --get components out.ply)" -eq 2 ]
+  [ "$(tm-info --get genus out.ply)" -eq 0 ]
+  tm-intersect --check out.ply
+}
+
+@test "bad input is refused before anything is left behind" {
+  run --separate-stderr tm-reconstruct --images "$scene/images" -o out.ply
+  assert_status 2
+  run --separate-stderr tm-reconstruct --cameras "$scene/par.txt" --images nowhere -o out.ply
+  assert_status 3
+  one_line "$stderr"
+  run --separate-stderr "${reconstruct[@]}" --edge 0.5 -o out.ply
+  assert_status 2
+  run --separate-stderr "${reconstruct[@]}" --egde 3 -o out.ply
+  assert_status 2
+  [[ $stderr == *"--edge"* ]]
+  [ ! -e out.ply ] && [ ! -e out.ply.tm-reconstruct ]
+}
