@@ -52,3 +52,14 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
   [ "${BASH_REMATCH[1]}" -ge 2 ] && [ "${BASH_REMATCH[2]}" -ge 1 ]
   awk -F, 'NR > 1 && $2 > 8000 { exit 1 }' breathing/log.csv
 }
+
+@test "a generated scene is photographed, reconstructed and judged by its truth" {
+  [ -x "$tm_build/bin/tm-photo-step" ] || skip "built without OpenCV"
+  SIZE=160x120 TM_BUILD=$tm_build "$tm_root/scripts/experiments/synthetic-mvs" out gain >table
+  IFS=, read -r scene _ start topology accuracy _ _ pixel _ crossings _ met <out/gain/row.csv
+  [ "$scene $topology $crossings $met" = "gain 1/0 no yes" ]
+  awk -v a="$accuracy" -v s="$start" -v p="$pixel" 'BEGIN { exit !(a < s && a < p / 2) }'
+  [ "$(head -c 4 out/gain/sheet.png | tail -c 3)" = PNG ]
+  run "$tm_root/scripts/experiments/synthetic-mvs" out nothing
+  [ "$status" -ne 0 ]
+}
