@@ -59,8 +59,8 @@ void measure(double edge, unsigned iterations, const std::string& input,
   namespace parameters = CGAL::Polygon_mesh_processing::parameters;
   SurfaceMesh surface = surface_mesh(read_file(input));
   const std::clock_t start = std::clock();
-  CGAL::Polygon_mesh_processing::isotropic_remeshing(
-      surface.faces(), edge, surface, parameters::number_of_iterations(iterations));
+  CGAL::Polygon_mesh_processing::isotropic_remeshing(surface.faces(), edge, surface,
+                                                     parameters::number_of_iterations(iterations));
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   Document document;
   document.mesh = plain_mesh(surface);

@@ -96,7 +96,7 @@ agree() {
 
 @test "tm-cameras: an off-by-one numbering is refused, and the file's line named" {
   needs_shared mvs/dinoSparse_transformesh/dinoSR0000.png
-  images=${shared_file%/*}/dinoSR*.png
+  images="${shared_file%/*}/dinoSR*.png"
   needs_shared mvs/dinoSparseRing_params/dinoSR_par.txt
   run --separate-stderr tm-cameras --images "$images" "$shared_file"
   assert_status 3

@@ -14,7 +14,7 @@ struct CleanPass {
   std::size_t cut_faces = 0;      ///< faces that were cut
   std::size_t removed_faces = 0;  ///< whole faces that were dropped
   Exterior exterior;
-  bool is_open = false;           ///< the mesh has borders
+  bool is_open = false;  ///< the mesh has borders
   bool unchanged = false;
   Assembly assembly;  ///< empty where unchanged
 };

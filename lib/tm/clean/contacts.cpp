@@ -76,7 +76,7 @@ Place place_of_edge(const Side& a, std::size_t i, const Side& b) {
 }
 
 // Where a point in the plane of b lies on b.
-Place place_of_point(const Vec3& point, const Side& b, Projection projection) {
+Place place_of_point(const Vec3& point, const Side& b, PlaneProjection projection) {
   std::array<int, 3> turn{};
   for (std::size_t k = 0; k < 3; ++k) {
     turn[k] = orient2d(*b.p[k], *b.p[(k + 1) % 3], point, projection);
@@ -105,7 +105,7 @@ void add_contacts(const Side& a, const Side& b, bool swapped, Contacts& result) 
   };
   for (std::size_t i = 0; i < 3; ++i) {
     if (a.sign[i] == 0 && a.shared[i] < 0) {
-      const Projection projection = projection_of({*b.p[0], *b.p[1], *b.p[2]});
+      const PlaneProjection projection = projection_of({*b.p[0], *b.p[1], *b.p[2]});
       record(static_cast<Place>(i), place_of_point(*a.p[i], b, projection));
     }
     if (a.sign[i] * a.sign[(i + 1) % 3] < 0) {
@@ -114,12 +114,12 @@ void add_contacts(const Side& a, const Side& b, bool swapped, Contacts& result) 
   }
 }
 
-bool edges_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, Projection p) {
+bool edges_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, PlaneProjection p) {
   return orient2d(a, b, c, p) * orient2d(a, b, d, p) < 0 &&
          orient2d(c, d, a, p) * orient2d(c, d, b, p) < 0;
 }
 
-bool has_corner_in(const Side& a, const Side& b, Projection projection) {
+bool has_corner_in(const Side& a, const Side& b, PlaneProjection projection) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (a.shared[i] < 0 && place_of_point(*a.p[i], b, projection) != outside) return true;
   }
@@ -128,7 +128,7 @@ bool has_corner_in(const Side& a, const Side& b, Projection projection) {
 
 bool coplanar_faces_meet(const Side& a, const Side& b, int shared) {
   if (shared == 3) return true;
-  const Projection projection = projection_of({*b.p[0], *b.p[1], *b.p[2]});
+  const PlaneProjection projection = projection_of({*b.p[0], *b.p[1], *b.p[2]});
   if (has_corner_in(a, b, projection) || has_corner_in(b, a, projection)) return true;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -40,7 +40,7 @@ class PlaneCutter {
   const std::vector<Index>& faces_;
   const std::vector<const Meeting*>& meetings_;
   ExactGeometry geometry_;
-  Projection projection_;
+  PlaneProjection projection_;
   std::vector<Line> lines_;  ///< three edges of each face, then one for each meeting
   std::vector<Segment> segments_;
   std::vector<std::array<Index, 3>> corners_;  ///< of each face

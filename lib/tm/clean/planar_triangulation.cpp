@@ -14,7 +14,7 @@ constexpr Index next_edge(Index edge) { return edge / 3 * 3 + next_corner(edge %
 constexpr Index previous_edge(Index edge) { return edge / 3 * 3 + previous_corner(edge % 3); }
 
 // Corners of a triangle far around the box, in the plane as well as doubles allow.
-std::array<Vec3, 3> scaffold(const Triangle& plane, Projection p, const Vec3& low,
+std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec3& low,
                              const Vec3& high) {
   const Vec3 middle = low + (high - low) / 2;
   const int w = 3 - p.u - p.v;

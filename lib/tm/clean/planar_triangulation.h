@@ -70,7 +70,7 @@ class PlanarTriangulation {
   Index opposite(Index edge) const;
 
   const ExactGeometry& geometry_;
-  Projection projection_;
+  PlaneProjection projection_;
   Crossing crossing_;
   std::vector<ExactPoint> points_;
   std::vector<std::vector<Index>> lines_;  ///< of each point, sorted

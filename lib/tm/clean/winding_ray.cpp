@@ -60,7 +60,7 @@ void WindingRay::limit_sheets(const BorderClosure& closure) {
 int WindingRay::in_front_of(const Piece& piece) const {
   // Along the axis nearest to the normal, to the front.
   const Source source = arrangement_.sources_of(piece).front();
-  const Projection projection = projection_of(arrangement_.soup->triangle(source.face));
+  const PlaneProjection projection = projection_of(arrangement_.soup->triangle(source.face));
   const bool even = projection.v == (projection.u + 1) % 3;
   const int axis = 3 - projection.u - projection.v;
   const int direction = even != source.reversed ? 1 : -1;
@@ -83,7 +83,7 @@ int WindingRay::in_front_of(const Piece& piece) const {
 
 WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direction,
                                    Index cluster) const {
-  const Projection projection{(axis + 1) % 3, (axis + 2) % 3};
+  const PlaneProjection projection{(axis + 1) % 3, (axis + 2) % 3};
   const ExactGeometry geometry = arrangement_.geometry();
   Vec3 low = origin.center - origin.radius;
   Vec3 high = origin.center + origin.radius;

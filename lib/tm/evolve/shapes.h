@@ -26,10 +26,10 @@ struct ShapeOptions {
   std::vector<std::string> parameters;
   std::optional<std::size_t> faces;  ///< how many, about; default 10000
   std::optional<double> edge;        ///< or the mean edge length, about; > 0
-  std::optional<double> radius;      ///< of a sphere (dented too), of the ring of a torus or knot; > 0
-  std::optional<double> tube;        ///< of a torus or knot; > 0
-  std::optional<double> gap;         ///< two-spheres, tori; negative where the two overlap
-  std::optional<double> neck;        ///< dumbbell: radius; negative where it is inverted
+  std::optional<double> radius;  ///< of a sphere (dented too), of the ring of a torus or knot; > 0
+  std::optional<double> tube;    ///< of a torus or knot; > 0
+  std::optional<double> gap;     ///< two-spheres, tori; negative where the two overlap
+  std::optional<double> neck;    ///< dumbbell: radius; negative where it is inverted
   std::optional<std::size_t> count;  ///< many-spheres, boxes
   std::optional<double> noise;       ///< amplitude; >= 0; default 0, folded: 38 % of its box
   std::uint64_t seed = 1;            ///< of the noise and of random shapes

@@ -75,7 +75,7 @@ Fraction<Number> line_plane_fraction(const Vec3& u, const Vec3& v, const Triangl
 // In the projection: (x - u) x (y - x) over (v - u) x (y - x).
 template <class Number>
 Fraction<Number> line_line_fraction(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y,
-                                    Projection p) {
+                                    PlaneProjection p) {
   const auto turn = [&](const Vector<Number>& a, const Vector<Number>& b) {
     const auto i = static_cast<std::size_t>(p.u);
     const auto j = static_cast<std::size_t>(p.v);
@@ -206,8 +206,8 @@ namespace {
 
 // Two edges that cross in one point span a plane: any projection that keeps them from being
 // parallel will do.
-Projection projection_of_edges(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y) {
-  Projection projection = projection_of({u, v, x});
+PlaneProjection projection_of_edges(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y) {
+  PlaneProjection projection = projection_of({u, v, x});
   if (orient2d(u, v, x, projection) == 0) projection = projection_of({u, v, y});
   return projection;
 }
@@ -225,7 +225,7 @@ ExactPoint ExactGeometry::line_line(Index u, Index v, Index x, Index y) const {
   point.kind = ExactPoint::Kind::line_line;
   point.definition = {u, v, x, y};
   const Vec3 &a = positions_[u], &b = positions_[v], &c = positions_[x], &d = positions_[y];
-  const Projection projection = projection_of_edges(a, b, c, d);
+  const PlaneProjection projection = projection_of_edges(a, b, c, d);
   const CGAL::Protect_FPU_rounding<true> upward;
   set_balls(point, line_line_fraction<Interval>(a, b, c, d, projection),
             a.cwiseMin(b).cwiseMax(c.cwiseMin(d)), a.cwiseMax(b).cwiseMin(c.cwiseMax(d)));
@@ -280,7 +280,7 @@ const ExactCoordinates& ExactGeometry::exact(const ExactPoint& point) const {
 }
 
 int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                            Projection p) const {
+                            PlaneProjection p) const {
   if (is_exact(a) && is_exact(b) && is_exact(c)) {
     return transformesh::orient2d(a.center, b.center, c.center, p);
   }

@@ -45,7 +45,7 @@ class ExactGeometry {
 
   /// As in predicates.h.
   int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-               Projection projection) const;
+               PlaneProjection projection) const;
   int orient3d(const Triangle& triangle, const ExactPoint& point) const;
   /// An order by x, then y, then z: -1, 0 or +1. Zero exactly where the points are equal.
   int compare(const ExactPoint& a, const ExactPoint& b) const;

@@ -47,13 +47,13 @@ int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return exact_sign(exact_dot(exact_normal({a, b, c}), exact_difference(d, a)));
 }
 
-int exact_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, Projection p) {
+int exact_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
   const Exact left = (Exact(b[p.u]) - Exact(a[p.u])) * (Exact(c[p.v]) - Exact(a[p.v]));
   const Exact right = (Exact(b[p.v]) - Exact(a[p.v])) * (Exact(c[p.u]) - Exact(a[p.u]));
   return exact_sign(left - right);
 }
 
-constexpr Projection along(int axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
+constexpr PlaneProjection along(int axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
 
 }  // namespace
 
@@ -72,7 +72,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return sign != 0 ? sign : exact_orient3d(a, b, c, d);
 }
 
-int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, Projection p) {
+int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
   const double left = (b[p.u] - a[p.u]) * (c[p.v] - a[p.v]);
   const double right = (b[p.v] - a[p.v]) * (c[p.u] - a[p.u]);
   const double bound = bound_2d * (std::abs(left) + std::abs(right)) + underflow_guard;
@@ -85,7 +85,7 @@ bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
          orient2d(a, b, c, along(2)) == 0;
 }
 
-Projection projection_of(const Triangle& t) {
+PlaneProjection projection_of(const Triangle& t) {
   const Vec3 b = t[1] - t[0];
   const Vec3 c = t[2] - t[0];
   const Vec3 normal(std::abs(b[1] * c[2] - b[2] * c[1]), std::abs(b[2] * c[0] - b[0] * c[2]),
@@ -96,7 +96,7 @@ Projection projection_of(const Triangle& t) {
   }
   // The estimate may name a vanishing coordinate of a sliver: the exact sign has the last word.
   for (int i = 0; i < 3; ++i) {
-    const Projection projection = along((axis + i) % 3);
+    const PlaneProjection projection = along((axis + i) % 3);
     const int turn = orient2d(t[0], t[1], t[2], projection);
     if (turn > 0) return projection;
     if (turn < 0) return {projection.v, projection.u};

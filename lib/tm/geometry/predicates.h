@@ -16,7 +16,7 @@ namespace transformesh {
 using Triangle = std::array<Vec3, 3>;
 
 /// The two coordinates kept when a plane is looked at along an axis.
-struct Projection {
+struct PlaneProjection {
   int u = 0;
   int v = 1;
 };
@@ -26,14 +26,14 @@ struct Projection {
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// +1 where abc turns counter-clockwise in the projection, 0 where its image is collinear.
-int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, Projection projection);
+int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection projection);
 
 /// Whether the three points lie on one line, two equal ones included.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// A projection in which the triangle is not degenerate and turns counter-clockwise. The triangle
 /// must not be collinear.
-Projection projection_of(const Triangle& triangle);
+PlaneProjection projection_of(const Triangle& triangle);
 
 /// Sign of the dot product of the normals of two triangles.
 int normals_dot(const Triangle& first, const Triangle& second);

@@ -33,7 +33,7 @@ std::optional<int> RayWinding::cast(const Vec3& point, int axis, bool towards_in
   (towards_infinity ? ray.maximum[along] : ray.minimum[along]) =
       towards_infinity ? infinity : -infinity;
 
-  const Projection view{(axis + 1) % 3, (axis + 2) % 3};
+  const PlaneProjection view{(axis + 1) % 3, (axis + 2) % 3};
   const int forward = towards_infinity ? 1 : -1;
   bool is_certain = true;
   int winding = 0;
