@@ -6,15 +6,14 @@
 // position; where a mesh has vertices twice the counts differ.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <ctime>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 
-#include "tm/io/mesh_io.h"
-#include "tm/support/error.h"
+#include "helpers/cgal_mesh.h"
+#include "mesh_file.h"
 
 using namespace transformesh;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -22,26 +21,8 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 namespace {
 
-Mesh read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError("cannot open " + path);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return read_mesh(bytes, path).document.mesh;
-}
-
-SurfaceMesh surface_mesh(const Mesh& mesh) {
-  SurfaceMesh surface;
-  for (const Vec3& p : mesh.positions) surface.add_vertex({p.x(), p.y(), p.z()});
-  for (const auto& [a, b, c] : mesh.faces) {
-    const auto face = surface.add_face(SurfaceMesh::Vertex_index(a), SurfaceMesh::Vertex_index(b),
-                                       SurfaceMesh::Vertex_index(c));
-    if (face == SurfaceMesh::null_face()) throw InputError("the mesh is not an oriented manifold");
-  }
-  return surface;
-}
-
 void measure(const std::string& path) {
-  const SurfaceMesh surface = surface_mesh(read_file(path));
+  const SurfaceMesh surface = test::surface_mesh<Kernel>(read_file(path));
   std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
   const std::clock_t start = std::clock();
   CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(

@@ -3,39 +3,19 @@
 //   cgal-remesh EDGE ITERATIONS INPUT OUTPUT
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <ctime>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 
-#include "tm/io/mesh_io.h"
-#include "tm/support/error.h"
+#include "helpers/cgal_mesh.h"
+#include "mesh_file.h"
 
 using namespace transformesh;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 namespace {
-
-Mesh read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError("cannot open " + path);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return read_mesh(bytes, path).document.mesh;
-}
-
-SurfaceMesh surface_mesh(const Mesh& mesh) {
-  SurfaceMesh surface;
-  for (const Vec3& p : mesh.positions) surface.add_vertex({p.x(), p.y(), p.z()});
-  for (const auto& [a, b, c] : mesh.faces) {
-    const auto face = surface.add_face(SurfaceMesh::Vertex_index(a), SurfaceMesh::Vertex_index(b),
-                                       SurfaceMesh::Vertex_index(c));
-    if (face == SurfaceMesh::null_face()) throw InputError("the mesh is not an oriented manifold");
-  }
-  return surface;
-}
 
 Mesh plain_mesh(SurfaceMesh& surface) {
   surface.collect_garbage();
@@ -57,7 +37,7 @@ Mesh plain_mesh(SurfaceMesh& surface) {
 void measure(double edge, unsigned iterations, const std::string& input,
              const std::string& output) {
   namespace parameters = CGAL::Polygon_mesh_processing::parameters;
-  SurfaceMesh surface = surface_mesh(read_file(input));
+  SurfaceMesh surface = test::surface_mesh<Kernel>(read_file(input));
   const std::clock_t start = std::clock();
   CGAL::Polygon_mesh_processing::isotropic_remeshing(surface.faces(), edge, surface,
                                                      parameters::number_of_iterations(iterations));

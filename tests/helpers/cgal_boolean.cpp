@@ -3,10 +3,11 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <map>
 #include <stdexcept>
+
+#include "helpers/cgal_mesh.h"
 
 namespace transformesh::test {
 namespace {
@@ -14,17 +15,6 @@ namespace {
 namespace processing = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-SurfaceMesh to_cgal(const Mesh& mesh) {
-  SurfaceMesh surface;
-  for (const Vec3& p : mesh.positions) surface.add_vertex({p.x(), p.y(), p.z()});
-  for (const auto& [a, b, c] : mesh.faces) {
-    const auto face = surface.add_face(SurfaceMesh::Vertex_index(a), SurfaceMesh::Vertex_index(b),
-                                       SurfaceMesh::Vertex_index(c));
-    if (face == SurfaceMesh::null_face()) throw std::runtime_error("not an oriented manifold");
-  }
-  return surface;
-}
 
 Mesh from_cgal(SurfaceMesh& surface) {
   processing::triangulate_faces(surface);
@@ -50,8 +40,8 @@ Mesh from_cgal(SurfaceMesh& surface) {
 }  // namespace
 
 Booleans cgal_booleans(const Mesh& first, const Mesh& second) {
-  SurfaceMesh a = to_cgal(first);
-  SurfaceMesh b = to_cgal(second);
+  SurfaceMesh a = surface_mesh<Kernel>(first);
+  SurfaceMesh b = surface_mesh<Kernel>(second);
   std::array<SurfaceMesh, 3> out;
   std::array<boost::optional<SurfaceMesh*>, 4> wanted;
   wanted[processing::Corefinement::UNION] = out.data();

@@ -1,0 +1,20 @@
+/// Reads the mesh files of benchmarks through the library.
+#pragma once
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tm/io/mesh_io.h"
+#include "tm/support/error.h"
+
+namespace transformesh {
+
+inline Mesh read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError("cannot open " + path);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  return read_mesh(bytes, path).document.mesh;
+}
+
+}  // namespace transformesh
