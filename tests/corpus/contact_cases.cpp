@@ -121,7 +121,9 @@ void add_touching(Cases& cases) {
                                                             {"part-of-face", {1, 0.5, 0.25}},
                                                             {"half-face", {1, 0.5, 0}},
                                                             {"edge-on-face", {1, 0.5, 1}}};
-  for (const auto& [name, shift] : shifts) {
+  for (const auto& each : shifts) {
+    const auto& name = each.first;
+    const Vec3 shift = each.second;
     cases.push_back({"touching", name + "/two", [=] { return joined(unit, moved(unit, shift)); }});
     cases.push_back({"touching", name + "/chain", [=] {
                        Mesh mesh = unit;

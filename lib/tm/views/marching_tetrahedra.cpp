@@ -36,7 +36,7 @@ constexpr std::array<std::array<unsigned, 4>, 6> two_first = {{{{0, 1, 2, 3}},
 
 class Cube {
  public:
-  Cube(const ValueGrid& grid, std::size_t base) : base_(base) {
+  Cube(const ValueGrid& grid, std::size_t base) {
     for (unsigned corner = 0; corner < 8; ++corner) {
       node_[corner] = base + grid.index(corner & 1, corner >> 1 & 1, corner >> 2);
       is_inside_[corner] = grid.values[node_[corner]] < 0;
@@ -84,7 +84,6 @@ class Cube {
   // Of two corners of a Kuhn tetrahedron, the bits of one are among those of the other.
   EdgeKey key(unsigned a, unsigned b) const { return node_[a & b] * 8 + (a ^ b); }
 
-  std::size_t base_;
   std::array<std::size_t, 8> node_{};
   std::array<bool, 8> is_inside_{};
   int inside_count_ = 0;

@@ -1,6 +1,7 @@
 /// Columns, provenance and locality of cleaning, judged by closed forms and exact rationals.
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
