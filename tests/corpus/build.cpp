@@ -68,16 +68,6 @@ Mesh on_lattice(Mesh mesh) {
   return mesh;
 }
 
-Mesh without_shared_vertices(const Mesh& mesh) {
-  Mesh soup;
-  for (const Face& face : mesh.faces) {
-    const Index first = static_cast<Index>(soup.positions.size());
-    for (const Index v : face) soup.positions.push_back(mesh.positions[v]);
-    soup.faces.push_back({first, first + 1, first + 2});
-  }
-  return soup;
-}
-
 Mesh jittered(Mesh mesh, double amplitude, Random& random) {
   for (Vec3& position : mesh.positions) position += random.point(-amplitude, amplitude);
   return mesh;

@@ -9,7 +9,17 @@
 
 namespace transformesh::corpus {
 
+using test::cube;
+using test::cuboid;
+using test::grid;
+using test::icosphere;
+using test::joined;
+using test::moved;
 using test::Random;
+using test::reversed;
+using test::scaled;
+using test::soup_of;
+using test::torus;
 
 /// `name-value`, with values in order: the names of cases.
 std::string named(const std::string& name, long value);
@@ -34,8 +44,6 @@ Mesh turned(Mesh mesh, double angle = 0.7);
 Mesh stretched(Mesh mesh, const Vec3& by);
 /// Coordinates rounded to integers.
 Mesh on_lattice(Mesh mesh);
-/// The faces as a soup: no two share a vertex.
-Mesh without_shared_vertices(const Mesh& mesh);
 /// Every vertex moved at random by at most `amplitude` per coordinate.
 Mesh jittered(Mesh mesh, double amplitude, Random& random);
 

@@ -6,12 +6,6 @@
 namespace transformesh::corpus {
 namespace {
 
-using test::cube;
-using test::cuboid;
-using test::joined;
-using test::moved;
-using test::reversed;
-
 /// Small lattice tetrahedra: edges run through vertices and edges of others all the time.
 Mesh lattice_tetrahedra(int count, long size, std::uint64_t seed) {
   Random random(seed);

@@ -6,14 +6,6 @@
 namespace transformesh::corpus {
 namespace {
 
-using test::cuboid;
-using test::icosphere;
-using test::joined;
-using test::moved;
-using test::reversed;
-using test::scaled;
-using test::torus;
-
 /// Crossing bodies of several kinds, in the unit box or little more.
 std::vector<std::pair<std::string, Mesh>> bodies() {
   Random random(11);

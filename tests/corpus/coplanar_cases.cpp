@@ -6,13 +6,6 @@
 namespace transformesh::corpus {
 namespace {
 
-using test::cube;
-using test::cuboid;
-using test::grid;
-using test::joined;
-using test::moved;
-using test::reversed;
-
 /// Boxes that stand on one plane and end in another.
 Mesh slabs(int count, std::uint64_t seed) {
   Random random(seed);

@@ -41,16 +41,10 @@ std::vector<Input> all_inputs(const Cases& cases) {
   return inputs;
 }
 
-/// How many numbers fit into the smallest feature.
-double resolution(const Input& input) {
-  const bool is_float = input.form.find("float") != std::string::npos;
-  return input.shape->feature / (is_float ? 0x1p-23 : 0x1p-52);
-}
-
-std::string outcome_text(Outcome outcome, double resolution) {
+std::string outcome_text(Outcome outcome, bool is_at_limit) {
   switch (outcome) {
     case Outcome::clean:
-      return resolution < 1 ? "clean-below-limit" : resolution < 256 ? "clean-at-limit" : "clean";
+      return is_at_limit ? "clean-at-limit" : "clean";
     case Outcome::by_winding:
       return "by-winding";
     case Outcome::inside_out:
@@ -59,6 +53,12 @@ std::string outcome_text(Outcome outcome, double resolution) {
       return "not-oriented";
   }
   return {};
+}
+
+/// Fewer than 256 numbers fit into the smallest feature.
+bool is_at_limit(const Input& input) {
+  const bool is_float = input.form.find("float") != std::string::npos;
+  return input.shape->feature < 256 * (is_float ? 0x1p-23 : 0x1p-52);
 }
 
 std::string options_text(const Input& input) {
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
   for (const Input& input : all_inputs(cases)) {
     if (argc == 1) {
       std::cout << input.name << ' ' << input.shape->kind << ' '
-                << outcome_text(input.shape->outcome, resolution(input)) << options_text(input)
+                << outcome_text(input.shape->outcome, is_at_limit(input)) << options_text(input)
                 << '\n';
     } else if (input.name == argv[1]) {
       write(input);

@@ -7,11 +7,6 @@
 namespace transformesh::corpus {
 namespace {
 
-using test::cube;
-using test::icosphere;
-using test::joined;
-using test::moved;
-
 /// Cuts a face along its edge from corner i, at `share` of the way, and fills the gap to the
 /// neighbour with a face without area. At share 0 and 1 the new edge has no length.
 void insert_flat_face(Mesh& mesh, Index face, int i, double share) {
@@ -110,8 +105,8 @@ void add_degenerate_cases(Cases& cases) {
                                                      count, seed);
                        }});
     }
-    cases.push_back({"duplicate-vertices", "soup/" + shape,
-                     [mesh = mesh] { return without_shared_vertices(mesh); }});
+    cases.push_back(
+        {"duplicate-vertices", "soup/" + shape, [mesh = mesh] { return soup_of(mesh); }});
     cases.push_back({"duplicate-vertices", "partly/" + shape,
                      [mesh = mesh] { return partly_unshared(mesh, 9); }});
     cases.push_back(

@@ -6,13 +6,6 @@
 namespace transformesh::corpus {
 namespace {
 
-using test::cuboid;
-using test::icosphere;
-using test::joined;
-using test::moved;
-using test::reversed;
-using test::scaled;
-
 /// Shells one inside the other; a minus in `signs` turns its shell inside out.
 Mesh shells(const std::string& signs, bool boxes) {
   Mesh mesh;

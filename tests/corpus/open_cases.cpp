@@ -5,11 +5,6 @@
 namespace transformesh::corpus {
 namespace {
 
-using test::grid;
-using test::icosphere;
-using test::joined;
-using test::moved;
-
 Mesh wavy(int cells, double height) {
   Mesh mesh = grid(cells);
   for (Vec3& p : mesh.positions) p.z() = height * std::sin(9 * p.x()) * std::cos(7 * p.y());

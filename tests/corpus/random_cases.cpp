@@ -6,10 +6,6 @@
 namespace transformesh::corpus {
 namespace {
 
-using test::icosphere;
-using test::joined;
-using test::torus;
-
 /// The faces of the mesh with its vertices thrown onto a lattice: many faces coincide, fold, lose
 /// their area and run through each other's corners.
 Mesh thrown(Mesh mesh, long size, std::uint64_t seed) {

@@ -1,21 +1,9 @@
 // The workloads of tm-shape, in several sizes.
 #include "corpus/build.h"
 #include "corpus/cases.h"
-#include "tm/evolve/shapes.h"
+#include "helpers/shape_options.h"
 
 namespace transformesh::corpus {
-namespace {
-
-Mesh workload(const std::string& kind, std::size_t faces, std::uint64_t seed) {
-  ShapeOptions options;
-  options.kind = kind;
-  options.faces = faces;
-  options.seed = seed;
-  if (kind == "dumbbell") options.neck = -0.1;
-  return make_shape(options);
-}
-
-}  // namespace
 
 void add_workload_cases(Cases& cases) {
   for (const std::string kind :
@@ -26,7 +14,7 @@ void add_workload_cases(Cases& cases) {
         cases.push_back(
             {"workload",
              kind + "/" + named("faces", faces) + "/" + named("seed", static_cast<long>(seed)),
-             [=] { return workload(kind, static_cast<std::size_t>(faces), seed); }});
+             [=] { return test::workload(kind, static_cast<std::size_t>(faces), seed); }});
       }
 }
 

@@ -28,4 +28,12 @@ inline ShapeOptions with_neck(ShapeOptions options, double neck) {
   return options;
 }
 
+/// A workload that crosses itself, the dumbbell with a neck turned inside out.
+inline Mesh workload(const std::string& kind, std::size_t faces, std::uint64_t seed = 1) {
+  ShapeOptions options = shape(kind, faces);
+  options.seed = seed;
+  if (kind == "dumbbell") options.neck = -0.1;
+  return make_shape(options);
+}
+
 }  // namespace transformesh::test

@@ -117,6 +117,17 @@ inline Mesh moebius_strip(Index n) {
   return mesh;
 }
 
+/// The faces as a soup: no two share a vertex. Positions and faces only.
+inline Mesh soup_of(const Mesh& mesh) {
+  Mesh soup;
+  for (const Face& face : mesh.faces) {
+    const auto first = static_cast<Index>(soup.positions.size());
+    for (const Index v : face) soup.positions.push_back(mesh.positions[v]);
+    soup.faces.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
 /// All faces of both; positions and faces only.
 inline Mesh joined(const Mesh& first, const Mesh& second) {
   Mesh mesh = first;

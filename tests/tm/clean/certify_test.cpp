@@ -2,10 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "tm/clean/certify_faces.h"
 #include "tm/clean/clean.h"
-#include "tm/evolve/shapes.h"
 #include "tm/support/parallel.h"
 #include "tm/support/single.h"
 
@@ -13,14 +13,6 @@ using namespace transformesh;
 using namespace transformesh::test;
 
 namespace {
-
-Mesh workload(const std::string& kind, std::size_t faces) {
-  ShapeOptions options;
-  options.kind = kind;
-  options.faces = faces;
-  if (kind == "dumbbell") options.neck = -0.1;
-  return make_shape(options);
-}
 
 Mesh two_balls() { return joined(icosphere(2), moved(icosphere(2), {0.9, 0.33, 0.21})); }
 

@@ -3,10 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "helpers/mesh_facts.h"
+#include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
 #include "tm/clean/intersect.h"
-#include "tm/evolve/shapes.h"
 #include "tm/geometry/degenerate_faces.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
@@ -16,15 +16,6 @@
 
 namespace transformesh {
 namespace {
-
-Mesh workload(const std::string& kind, std::uint64_t seed, std::size_t faces) {
-  ShapeOptions options;
-  options.kind = kind;
-  options.faces = faces;
-  options.seed = seed;
-  if (kind == "dumbbell") options.neck = -0.1;
-  return make_shape(options);
-}
 
 void check_promises(const Mesh& input, const Mesh& output) {
   const ManifoldReport report = check_manifold(output);
@@ -47,7 +38,7 @@ TEST_CASE("the seven workloads come back right, and both methods agree to the by
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
       CAPTURE(kind);
       CAPTURE(seed);
-      const Mesh input = workload(kind, seed, 6000);
+      const Mesh input = test::workload(kind, 6000, seed);
       const CleanResult grown = clean(input);
       CHECK(grown.pairs > 0);
       check_promises(input, grown.mesh);
@@ -75,7 +66,7 @@ TEST_CASE("what needs no cleaning comes back as it was") {
 TEST_CASE("a clean result is clean") {
   for (const char* kind : {"two-spheres", "tangle", "boxes", "pinch"}) {
     CAPTURE(kind);
-    const Mesh once = clean(workload(kind, 4, 1500)).mesh;
+    const Mesh once = clean(test::workload(kind, 1500, 4)).mesh;
     const CleanResult twice = clean(once);
     CHECK(!twice.changed);
     CHECK(twice.mesh.faces == once.faces);
@@ -100,7 +91,7 @@ TEST_CASE("level 2 is the intersection, and a flipped operand the difference") {
 }
 
 TEST_CASE("untouched faces keep their place and columns; new ones inherit and interpolate") {
-  Mesh input = workload("two-spheres", 1, 2000);
+  Mesh input = test::workload("two-spheres", 2000);
   Column& x = input.vertex_columns.get("x_copy", Scalar::float64, input.positions.size());
   for (std::size_t v = 0; v < input.positions.size(); ++v) x.values[v] = input.positions[v][0];
   Column& id = input.face_columns.get("id", Scalar::int32, input.faces.size());
@@ -133,7 +124,7 @@ TEST_CASE("untouched faces keep their place and columns; new ones inherit and in
 }
 
 TEST_CASE("the same bytes for any number of threads") {
-  const Mesh input = workload("many-spheres", 5, 3000);
+  const Mesh input = test::workload("many-spheres", 3000, 5);
   const Mesh first = [&] {
     const ThreadLimit limit(1);
     return clean(input).mesh;
@@ -147,7 +138,7 @@ TEST_CASE("the same bytes for any number of threads") {
 }
 
 TEST_CASE("float coordinates are free of crossings as floats") {
-  Mesh input = workload("many-spheres", 6, 3000);
+  Mesh input = test::workload("many-spheres", 3000, 6);
   for (Vec3& p : input.positions) {
     for (double& value : p) value = round_to_single(value);
   }
@@ -175,18 +166,11 @@ TEST_CASE("what cannot be cleaned is refused with a reason") {
   CHECK_THROWS_AS(clean(test::grid(3), options), UsageError);
   options = {};
   options.refuse = true;
-  CHECK_THROWS_AS(clean(workload("two-spheres", 1, 500), options), GoalError);
+  CHECK_THROWS_AS(clean(test::workload("two-spheres", 500), options), GoalError);
 }
 
 TEST_CASE("what only indices get wrong is stitched: soups and singular vertices") {
-  Mesh soup;
-  const Mesh cube = test::cube();
-  for (const Face& f : cube.faces) {
-    const auto first = static_cast<Index>(soup.positions.size());
-    for (const Index v : f) soup.positions.push_back(cube.positions[v]);
-    soup.faces.push_back({first, first + 1, first + 2});
-  }
-  const Mesh joined = clean(soup).mesh;
+  const Mesh joined = clean(test::soup_of(test::cube())).mesh;
   CHECK(joined.positions.size() == 8);
   CHECK(test::count(joined).is_closed_and_oriented);
 

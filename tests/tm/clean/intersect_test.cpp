@@ -2,29 +2,18 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "tm/clean/contacts.h"
 #include "tm/clean/refine.h"
-#include "tm/evolve/shapes.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
-namespace {
-
-Mesh workload(const std::string& kind, std::size_t faces) {
-  ShapeOptions options;
-  options.kind = kind;
-  options.faces = faces;
-  return make_shape(options);
-}
-
-}  // namespace
-
 TEST_CASE("the search finds the pairs that testing all pairs finds") {
   for (const char* kind : {"two-spheres", "folded", "tangle", "boxes", "pinch", "torus"}) {
     CAPTURE(kind);
-    const Mesh mesh = workload(kind, 800);
+    const Mesh mesh = test::workload(kind, 800);
     const Soup soup = make_soup(mesh);
     std::vector<FacePair> expected;
     for (Index f = 0; f < soup.faces.size(); ++f) {
@@ -55,7 +44,7 @@ TEST_CASE("segments of two balls lie on both") {
 TEST_CASE("refining splits what crosses and keeps volume, area and columns") {
   for (const char* kind : {"two-spheres", "folded", "tangle", "pinch"}) {
     CAPTURE(kind);
-    const Mesh mesh = workload(kind, 1500);
+    const Mesh mesh = test::workload(kind, 1500);
     const Mesh refined = refine(mesh);
     // Rounding may make slivers cross where hundreds of faces meet in one point.
     if (kind != std::string("pinch")) CHECK(find_intersections(refined).empty());

@@ -16,17 +16,6 @@
 namespace transformesh {
 namespace {
 
-/// Every face with vertices of its own.
-Mesh soup_of(const Mesh& mesh) {
-  Mesh soup;
-  for (const Face& face : mesh.faces) {
-    const auto base = static_cast<Index>(soup.positions.size());
-    for (const Index v : face) soup.positions.push_back(mesh.positions[v]);
-    soup.faces.push_back({base, base + 1, base + 2});
-  }
-  return soup;
-}
-
 std::vector<double> volumes(const Mesh& mesh) {
   std::vector<double> result;
   for (const Component& c : connected_components(mesh).components) result.push_back(c.volume);
@@ -157,7 +146,7 @@ bool Cells::has_cavity() const {
 
 TEST_CASE("a soup becomes the mesh it was cut from") {
   const Mesh torus = test::torus(1, 0.3, 20, 10);
-  Mesh mesh = soup_of(torus);
+  Mesh mesh = test::soup_of(torus);
   const StitchResult result = stitch(mesh);
   CHECK(mesh.positions.size() == torus.positions.size());
   CHECK(mesh.faces.size() == torus.faces.size());
@@ -167,7 +156,7 @@ TEST_CASE("a soup becomes the mesh it was cut from") {
 }
 
 TEST_CASE("singular vertex: cubes that touch in a corner come apart there") {
-  Mesh mesh = soup_of(test::joined(test::cube(), test::moved(test::cube(), {1, 1, 1})));
+  Mesh mesh = test::soup_of(test::joined(test::cube(), test::moved(test::cube(), {1, 1, 1})));
   CHECK(stitch(mesh).copied_vertices == 1);
   CHECK(is_closed_manifold(mesh));
   CHECK(connected_components(mesh).components.size() == 2);
@@ -175,7 +164,7 @@ TEST_CASE("singular vertex: cubes that touch in a corner come apart there") {
 }
 
 TEST_CASE("singular edge: cubes that touch along an edge pair across their insides") {
-  Mesh mesh = soup_of(test::joined(test::cube(), test::moved(test::cube(), {1, 1, 0})));
+  Mesh mesh = test::soup_of(test::joined(test::cube(), test::moved(test::cube(), {1, 1, 0})));
   CHECK(stitch(mesh).copied_vertices == 2);
   CHECK(is_closed_manifold(mesh));
   CHECK(connected_components(mesh).components.size() == 2);
@@ -187,7 +176,7 @@ TEST_CASE("singular triangle: solids on both sides of a face keep one each") {
   Mesh left = right;
   for (Vec3& p : left.positions) p[0] = -p[0];
   left = test::reversed(left);
-  Mesh mesh = soup_of(test::joined(right, left));
+  Mesh mesh = test::soup_of(test::joined(right, left));
   CHECK(stitch(mesh).copied_vertices == 3);
   CHECK(is_closed_manifold(mesh));
   CHECK(connected_components(mesh).components.size() == 2);
@@ -251,7 +240,7 @@ TEST_CASE("solids that share an edge, a vertex or a face come out whole from a s
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
     for (const Mesh& both : {test::joined(tetrahedron, mirrored), vertex, edge}) {
-      Mesh mesh = shuffled(soup_of(both), seed);
+      Mesh mesh = shuffled(test::soup_of(both), seed);
       orient(mesh);
       CHECK(is_closed_manifold(mesh));
       REQUIRE(volumes(mesh).size() == 2);
@@ -359,8 +348,8 @@ TEST_CASE("an edge that copies of its ends cannot take apart is split in the mid
 }
 
 TEST_CASE("solids that overlap at a common edge pair up without remainder") {
-  Mesh mesh =
-      soup_of(test::joined(test::cuboid({0, 0, 0}, {2, 1, 1}), test::cuboid({0, 0, 0}, {1, 2, 1})));
+  Mesh mesh = test::soup_of(
+      test::joined(test::cuboid({0, 0, 0}, {2, 1, 1}), test::cuboid({0, 0, 0}, {1, 2, 1})));
   const StitchResult result = stitch(mesh);
   CHECK(result.border_edges == 0);
   CHECK(result.misoriented_edges == 0);
@@ -412,7 +401,7 @@ TEST_CASE("any soup becomes a manifold, misoriented edges aside") {
 }
 
 TEST_CASE("a tolerance joins what is close and nothing else") {
-  Mesh mesh = soup_of(test::icosphere(2));
+  Mesh mesh = test::soup_of(test::icosphere(2));
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     mesh.positions[v][v % 3] += 1e-7 * static_cast<double>(v % 5);
   }
@@ -426,7 +415,7 @@ TEST_CASE("a tolerance joins what is close and nothing else") {
 }
 
 TEST_CASE("columns follow their vertices and faces") {
-  Mesh mesh = soup_of(test::cube());
+  Mesh mesh = test::soup_of(test::cube());
   Column& x = mesh.vertex_columns.get("x_copy", Scalar::float64, mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) x.values[v] = mesh.positions[v][0];
   mesh.face_columns.get("id", Scalar::int32, mesh.faces.size()).values[3] = 7;
