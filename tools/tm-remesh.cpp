@@ -10,8 +10,10 @@ namespace {
 using namespace transformesh;
 
 struct Options {
-  Length min_edge{0.7, Length::Unit::reference_edge};
-  Length max_edge{1.5, Length::Unit::reference_edge};
+  std::optional<Length> min_edge;
+  std::optional<Length> max_edge;
+  std::string size_column;
+  std::optional<Length> adaptive;
   long iterations = 1;
   std::string flip = "valence";
   std::string smooth = "tangential";
@@ -50,10 +52,32 @@ void read_smoothing(const Options& options, RemeshOptions& result) {
   }
 }
 
+Length in_reference_edges(double value) { return {value, Length::Unit::reference_edge}; }
+
+/// A factor of the local size.
+double size_factor(const std::string& option, const Length& length) {
+  if (length.unit == Length::Unit::reference_edge) return length.value;
+  throw UsageError("with --size-field, --" + option +
+                   " is a factor of the local size: write it as 0.7x, not as " + length.text());
+}
+
+void read_lengths(const Options& options, tool::Run& run, RemeshOptions& result) {
+  const bool adapts = options.adaptive.has_value();
+  const Length shortest = options.min_edge.value_or(in_reference_edges(adapts ? 0.1 : 0.7));
+  const Length longest = options.max_edge.value_or(in_reference_edges(adapts ? 5 : 1.5));
+  result.size_column = options.size_column;
+  if (adapts) {
+    result.adaptive_error = run.length(*options.adaptive);
+    if (result.adaptive_error == 0) throw UsageError("--adaptive: the error must be above 0");
+  }
+  const bool has_sizes = !options.size_column.empty();
+  result.min_edge = has_sizes ? size_factor("min-edge", shortest) : run.length(shortest);
+  result.max_edge = has_sizes ? size_factor("max-edge", longest) : run.length(longest);
+}
+
 RemeshOptions resolve(const Options& options, const Document& document, tool::Run& run) {
   RemeshOptions result;
-  result.min_edge = run.length(options.min_edge);
-  result.max_edge = run.length(options.max_edge);
+  read_lengths(options, run, result);
   result.iterations = static_cast<int>(options.iterations);
   result.flip = options.flip == "angle"  ? FlipRule::angle
                 : options.flip == "none" ? FlipRule::none
@@ -82,9 +106,16 @@ int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-remesh", "[OPTION]... [INPUT]",
                         "Keeps edges between two lengths and triangles round");
-  program.length("min-edge", &options.min_edge, "collapse shorter edges");
+  program.length("min-edge", &options.min_edge,
+                 "collapse shorter edges (default 0.7x; with --adaptive 0.1x)");
   program.length("max-edge", &options.max_edge,
-                 "split longer edges; at least 1.5 times the shortest");
+                 "split longer edges; at least 1.5 times the shortest (default 1.5x; with "
+                 "--adaptive 5x)");
+  program.text("size-field", &options.size_column, "COLUMN",
+               "vertex property with the wanted edge length; x of --min-edge and --max-edge is of "
+               "that");
+  program.length("adaptive", &options.adaptive,
+                 "edges as short as the curvature takes to stay this close to the surface");
   program.integer("iterations", &options.iterations, 0, 1000,
                   "rounds of split, collapse, flip and smooth");
   program.choice("flip", &options.flip, {"valence", "angle", "none"},

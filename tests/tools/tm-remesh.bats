@@ -89,3 +89,46 @@ MESH
   pipe "tm-remesh --iterations 3 $shared_file | tm-intersect --check --report $BATS_TEST_TMPDIR/r.json"
   assert_status 0
 }
+
+# sized NEAR FAR: a sphere whose property `size` is NEAR where x < 0, else FAR.
+sized() {
+  tm-shape sphere --faces 2000 --format ply-ascii --no-provenance |
+    awk -v near="$1" -v far="$2" '
+      /^element face/ { print "property double size" }
+      /^element vertex/ { vertices = $3 }
+      heading_over && n < vertices { $4 = $1 < 0 ? near : far; ++n }
+      { print }
+      /^end_header/ { heading_over = 1 }'
+}
+
+@test "a size field makes edges long here and short there, and stays in the mesh" {
+  sized 0.04 0.2 >"$BATS_TEST_TMPDIR/in.ply"
+  pipe "tm-remesh --size-field size --iterations 4 $BATS_TEST_TMPDIR/in.ply |
+    tm-convert --format ply-ascii | awk '
+      /^property double/ { ++columns }
+      /^element vertex/ { vertices = \$3 }
+      over && n < vertices { ++n; if (\$1 < -0.5) ++near; if (\$1 > 0.5) ++far }
+      /^end_header/ { over = 1 }
+      END { print columns, near / far }'"
+  assert_status 0
+  read -r columns ratio <<<"$output"
+  [ "$columns" -eq 4 ]
+  # twenty-five times as many where edges are five times as short, but for the grading
+  awk -v r="$ratio" 'BEGIN { exit !(r > 12 && r < 27) }' || fail "ratio $ratio"
+}
+
+@test "with a size field lengths are factors, and the property must be there" {
+  sized 0.1 0.1 >"$BATS_TEST_TMPDIR/in.ply"
+  run tm-remesh --size-field size --min-edge 0.05 "$BATS_TEST_TMPDIR/in.ply"
+  assert_status 2
+  [[ $output == *"--min-edge is a factor of the local size: write it as 0.7x, not as 0.05"* ]]
+  run tm-remesh --size-field sise "$BATS_TEST_TMPDIR/in.ply"
+  assert_status 3
+  [[ $output == *"no vertex property 'sise'"* ]]
+  sized 0.1 0 >"$BATS_TEST_TMPDIR/zero.ply"
+  run tm-remesh --size-field size "$BATS_TEST_TMPDIR/zero.ply"
+  assert_status 3
+  [[ $output == *"has the size 0"* ]]
+  run tm-remesh --size-field size --adaptive 0.1x "$BATS_TEST_TMPDIR/in.ply"
+  assert_status 2
+}

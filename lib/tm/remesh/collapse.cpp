@@ -30,11 +30,13 @@ class Collapser {
     Vec3 second;
     Vec3 normal;
     double roundness;
-    double longest;  ///< squared, of the two edges at the corner that moves
+    double first_limit;  ///< squared: no new edge to `first` may be longer
+    double second_limit;
   };
 
   void gather();
   void gather_star(Index vertex);
+  double longest_to(Index neighbour) const;
   bool try_position(const Vec3& wanted, double source_share);
   bool try_free_positions();
   Vec3 volume_keeping_shift(const Vec3& position) const;
@@ -102,12 +104,19 @@ void Collapser::gather_star(Index vertex) {
     if (first == other_end || second == other_end) return;
     const Vec3 normal = normal_of(corner, a, b);
     const double longest = std::max((a - corner).squaredNorm(), (b - corner).squaredNorm());
-    spokes_.push_back({a, b, normal, round, longest});
+    spokes_.push_back({a, b, normal, round, std::max(longest, longest_to(first)),
+                       std::max(longest, longest_to(second))});
     mean_normal_ += normal;
     volume_ += (corner - origin).dot((a - origin).cross(b - origin));
     patch_.vertices.push_back(first);
     patch_.vertices.push_back(second);
   });
+}
+
+/// Squared; the merged vertex counts with the mean size of both ends.
+double Collapser::longest_to(Index neighbour) const {
+  const double size = 0.5 * (mesh_.mean_size(goes_, stays_) + mesh_.size(neighbour));
+  return longest_ * size * size;
 }
 
 bool Collapser::try_free_positions() {
@@ -138,9 +147,8 @@ Vec3 Collapser::volume_keeping_shift(const Vec3& position) const {
 bool Collapser::is_sound(const Vec3& position) const {
   const double least_round = std::min(round_enough, least_roundness_);
   return std::all_of(spokes_.begin(), spokes_.end(), [&](const Spoke& spoke) {
-    const double longest = std::max(longest_, spoke.longest);
-    if ((spoke.first - position).squaredNorm() > longest) return false;
-    if ((spoke.second - position).squaredNorm() > longest) return false;
+    if ((spoke.first - position).squaredNorm() > spoke.first_limit) return false;
+    if ((spoke.second - position).squaredNorm() > spoke.second_limit) return false;
     if (roundness(position, spoke.first, spoke.second) < least_round) return false;
     const Vec3& before = spoke.roundness > has_normal ? spoke.normal : mean_normal_;
     return !turns(before, normal_of(position, spoke.first, spoke.second), least_turn_cosine);
@@ -236,7 +244,7 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const Progress& progress) {
   Collapser collapser(mesh, guard, roles, max_edge);
   const auto is_short = [&, limit = min_edge * min_edge](Index halfedge) {
-    return mesh.squared_length(halfedge) < limit &&
+    return mesh.scaled_squared_length(halfedge) < limit &&
            !(roles.keeps_border() && mesh.is_border(halfedge));
   };
   CollapseCounts counts = collapse_wanted(mesh, collapser, is_short, progress);
@@ -255,7 +263,7 @@ std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
                                  const Progress& progress) {
   Collapser collapser(mesh, guard, roles, max_edge);
   const auto is_wanted = [&, limit = longest * longest](Index halfedge) {
-    return mesh.squared_length(halfedge) < limit && !mesh.is_border(halfedge) &&
+    return mesh.scaled_squared_length(halfedge) < limit && !mesh.is_border(halfedge) &&
            valence_gain(mesh, halfedge) > 0;
   };
   return collapse_wanted(mesh, collapser, is_wanted, progress).done;

@@ -1,5 +1,6 @@
-/// Edges waiting for an operation, in order of length. Entries are not updated when the mesh
-/// changes; is_current tells whether an entry still describes an edge.
+/// Edges waiting for an operation, in order of their lengths in units of the local size. Entries
+/// are not updated when the mesh changes; is_current tells whether an entry still describes an
+/// edge.
 #pragma once
 
 #include <queue>
@@ -16,13 +17,13 @@ struct QueuedEdge {
   Index target;
 
   QueuedEdge(const EditableMesh& mesh, Index h)
-      : squared_length(mesh.squared_length(h)),
+      : squared_length(mesh.scaled_squared_length(h)),
         halfedge(h),
         source(mesh.source(h)),
         target(mesh.target(h)) {}
   bool is_current(const EditableMesh& mesh) const {
     return mesh.source(halfedge) == source && mesh.target(halfedge) == target &&
-           mesh.squared_length(halfedge) == squared_length;
+           mesh.scaled_squared_length(halfedge) == squared_length;
   }
 };
 

@@ -202,6 +202,11 @@ Index EditableMesh::append_row(const RowBlend& blend) {
 
 void EditableMesh::blend_attributes(Index vertex, const std::array<Index, 3>& sources,
                                     const std::array<double, 3>& weights) {
+  if (!sizes_.empty()) {
+    double size = 0;
+    for (std::size_t i = 0; i < 3; ++i) size += weights[i] * sizes_[sources[i]];
+    sizes_[vertex] = size;
+  }
   if (vertex_columns_.columns.empty()) return;
   vertex_rows_[vertex] = append_row(RowBlend{
       {vertex_rows_[sources[0]], vertex_rows_[sources[1]], vertex_rows_[sources[2]]}, weights});
@@ -216,6 +221,7 @@ Index EditableMesh::split(Index halfedge, const Vec3& position) {
   positions_.push_back(position);
   vertex_rows_.push_back(
       append_row(RowBlend{{vertex_rows_[from], vertex_rows_[to], 0}, {0.5, 0.5, 0}}));
+  if (!sizes_.empty()) sizes_.push_back(mean_size(from, to));
 
   // the face of h keeps its half at `from`, a new face takes the half at `to`
   const Index n = next_halfedge(h);

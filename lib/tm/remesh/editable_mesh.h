@@ -46,6 +46,11 @@ class EditableMesh {
   double squared_length(Index halfedge) const {
     return (positions_[target(halfedge)] - positions_[source(halfedge)]).squaredNorm();
   }
+  /// The same in units of the local size, the mean of both ends'; plain while there are no sizes.
+  double scaled_squared_length(Index halfedge) const {
+    const double size = mean_size(source(halfedge), target(halfedge));
+    return squared_length(halfedge) / (size * size);
+  }
   /// Twice the area times the unit normal.
   Vec3 face_normal(Index face) const;
 
@@ -80,6 +85,13 @@ class EditableMesh {
   bool has_features() const { return !features_.empty(); }
   bool is_feature(Index halfedge) const { return !features_.empty() && features_[halfedge]; }
 
+  /// A wanted edge length per vertex, which the operations interpolate as they do attributes.
+  void set_sizes(std::vector<double> sizes) { sizes_ = std::move(sizes); }
+  double mean_size(Index first, Index second) const {
+    return sizes_.empty() ? 1 : 0.5 * (sizes_[first] + sizes_[second]);
+  }
+  double size(Index vertex) const { return sizes_.empty() ? 1 : sizes_[vertex]; }
+
   /// Positions are rounded to this type as they are made, so that what is checked is what a file
   /// of that type holds.
   void set_coordinate(Scalar coordinate) { single_ = coordinate == Scalar::float32; }
@@ -106,8 +118,8 @@ class EditableMesh {
   void remove_face(Index face);
   void remove_vertex(Index vertex) { outgoing_[vertex] = no_index; }
 
-  bool has_vertex_columns() const { return !vertex_columns_.columns.empty(); }
-  /// Gives the vertex the blend of the rows of three vertices.
+  bool has_vertex_attributes() const { return !vertex_columns_.columns.empty() || !sizes_.empty(); }
+  /// Gives the vertex the blend of the rows, and of the sizes, of three vertices.
   void blend_attributes(Index vertex, const std::array<Index, 3>& sources,
                         const std::array<double, 3>& weights);
 
@@ -130,6 +142,7 @@ class EditableMesh {
   std::vector<Index> outgoing_;   ///< per vertex; no_index for dead and isolated ones
   std::vector<bool> isolated_;    ///< vertices without a face in the input, which are kept
   std::vector<char> features_;    ///< per halfedge, empty while there are none
+  std::vector<double> sizes_;     ///< per vertex, empty while there are none
   std::vector<Index> vertex_rows_;
   std::vector<Index> face_rows_;
   Columns vertex_columns_;

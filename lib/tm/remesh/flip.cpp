@@ -90,7 +90,8 @@ bool Flipper::is_sound(Index halfedge, const Corners& at) const {
   const Vec3& c = mesh_.position(at.left);
   const Vec3& d = mesh_.position(at.right);
   const double squared = (d - c).squaredNorm();
-  if (squared > longest_ && squared > mesh_.squared_length(halfedge)) return false;
+  const double size = mesh_.mean_size(at.left, at.right);
+  if (squared > longest_ * size * size && squared > mesh_.squared_length(halfedge)) return false;
 
   // all four triangles look the same way
   const Vec3 left = normal_of(a, b, c);

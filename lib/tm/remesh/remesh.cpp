@@ -1,11 +1,13 @@
 #include "tm/remesh/remesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "tm/remesh/collapse.h"
 #include "tm/remesh/degenerate.h"
 #include "tm/remesh/flip.h"
+#include "tm/remesh/sizing.h"
 #include "tm/remesh/small_components.h"
 #include "tm/remesh/smooth.h"
 #include "tm/remesh/split.h"
@@ -19,6 +21,8 @@ constexpr double least_ratio = 1.5;
 constexpr double most_faces = 500e6;
 /// Edges up to this many times the least length may go where that makes valences regular.
 constexpr double longest_irregular = 1.3;
+/// Of the longest edge that curvature allows: shorter ones are collapsed.
+constexpr double adaptive_shortest = 0.6;
 
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
@@ -36,6 +40,12 @@ void check_lengths(double min_edge, double max_edge) {
 
 void check_options(const RemeshOptions& options) {
   check_lengths(options.min_edge, options.max_edge);
+  if (!(std::isfinite(options.adaptive_error) && options.adaptive_error >= 0)) {
+    throw UsageError("the error bound must be a positive length");
+  }
+  if (options.adaptive_error > 0 && !options.size_column.empty()) {
+    throw UsageError("sizes come from a column or from curvature, not from both");
+  }
   const double first = options.smooth_first;
   const double second = options.smooth_second;
   if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
@@ -55,17 +65,46 @@ void check_options(const RemeshOptions& options) {
   }
 }
 
-void check_size(const Mesh& mesh, double max_edge) {
-  if (mesh.faces.empty()) throw InputError("the mesh has no faces, so there is nothing to remesh");
-  double area = 0;
-  for (const Face& face : mesh.faces) {
-    for (const Index v : face) {
-      if (v >= mesh.positions.size()) return;  // EditableMesh says what is wrong
-    }
-    const Vec3& a = mesh.positions[face[0]];
-    area += (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a).norm() / 2;
+/// What edges are held to: lengths, or factors where the mesh has sizes.
+struct EdgeLimits {
+  double shortest;
+  double longest;
+};
+
+EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions& options) {
+  EdgeLimits limits{options.min_edge, options.max_edge};
+  std::vector<double> sizes;
+  if (!options.size_column.empty()) {
+    sizes = sizes_of_column(input, options.size_column);
+  } else if (options.adaptive_error > 0) {
+    limits = {adaptive_shortest, 1};
+    const double least = std::min(options.min_edge / adaptive_shortest, options.max_edge);
+    mark_features(mesh, options.feature_angle_deg);
+    sizes = sizes_of_curvature(mesh, {options.adaptive_error, least, options.max_edge});
   }
-  const double faces = area / (max_edge * max_edge * std::sqrt(3.0) / 4);
+  if (sizes.empty()) return limits;
+  grade_sizes(mesh, sizes);
+  mesh.set_sizes(std::move(sizes));
+  return limits;
+}
+
+double largest_size(const EditableMesh& mesh) {
+  double largest = 0;
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    if (mesh.has_vertex(v)) largest = std::max(largest, mesh.size(v));
+  }
+  return largest;
+}
+
+void check_number_of_faces(const EditableMesh& mesh, double max_edge) {
+  double faces = 0;
+  for (Index face = 0; face < mesh.face_slots(); ++face) {
+    const double size = (mesh.size(mesh.source(3 * face)) + mesh.size(mesh.source(3 * face + 1)) +
+                         mesh.size(mesh.source(3 * face + 2))) /
+                        3;
+    const double edge = max_edge * size;
+    faces += mesh.face_normal(face).norm() / (edge * edge * std::sqrt(3.0) / 2);
+  }
   if (faces > most_faces) {
     throw UsageError("a longest edge of " + shortest_text(max_edge) + " would take more than " +
                      shortest_text(std::ceil(faces / 1e6)) + " million faces");
@@ -75,14 +114,15 @@ void check_size(const Mesh& mesh, double max_edge) {
 /// The steps of one iteration, on the mesh as split.
 class Iteration {
  public:
-  Iteration(EditableMesh& mesh, const RemeshOptions& options, RemeshResult& result,
-            const Progress& progress)
+  Iteration(EditableMesh& mesh, const RemeshOptions& options, const EdgeLimits& limits,
+            RemeshResult& result, const Progress& progress)
       : mesh_(mesh),
         options_(options),
+        limits_(limits),
         result_(result),
         progress_(progress),
         roles_(mesh, options.keep_border),
-        guard_(mesh, options.max_edge) {}
+        guard_(mesh, limits.longest * largest_size(mesh)) {}
 
   void run() {
     result_.refused = 0;
@@ -91,9 +131,8 @@ class Iteration {
     smooth();
     if (options_.smoothing == Smoothing::none) return;
     if (options_.flip == FlipRule::valence) {
-      result_.collapses +=
-          collapse_for_valence(mesh_, guard_, roles_, longest_irregular * options_.min_edge,
-                               options_.max_edge, progress_);
+      result_.collapses += collapse_for_valence(
+          mesh_, guard_, roles_, longest_irregular * limits_.shortest, limits_.longest, progress_);
     }
     flip();
     relax();
@@ -101,15 +140,14 @@ class Iteration {
 
  private:
   void collapse() {
-    const CollapseCounts counts = collapse_short_edges(mesh_, guard_, roles_, options_.min_edge,
-                                                       options_.max_edge, progress_);
+    const CollapseCounts counts =
+        collapse_short_edges(mesh_, guard_, roles_, limits_.shortest, limits_.longest, progress_);
     result_.collapses += counts.done;
     result_.refused += counts.refused;
-    remove_degenerate_faces(mesh_, guard_, roles_, options_.max_edge);
+    remove_degenerate_faces(mesh_, guard_, roles_, limits_.longest);
   }
   void flip() {
-    const FlipCounts counts =
-        flip_edges(mesh_, guard_, options_.flip, options_.max_edge, progress_);
+    const FlipCounts counts = flip_edges(mesh_, guard_, options_.flip, limits_.longest, progress_);
     result_.flips += counts.done;
     result_.refused += counts.refused;
   }
@@ -127,34 +165,37 @@ class Iteration {
 
   EditableMesh& mesh_;
   const RemeshOptions& options_;
+  const EdgeLimits& limits_;
   RemeshResult& result_;
   const Progress& progress_;
   VertexRoles roles_;
   EmbeddingGuard guard_;
 };
 
-void iterate(EditableMesh& mesh, const RemeshOptions& options, RemeshResult& result,
-             const Progress& progress) {
+void iterate(EditableMesh& mesh, const RemeshOptions& options, const EdgeLimits& limits,
+             RemeshResult& result, const Progress& progress) {
   mark_features(mesh, options.feature_angle_deg);
-  result.splits += split_long_edges(mesh, options.max_edge, options.keep_border, progress);
-  Iteration(mesh, options, result, progress).run();
+  result.splits += split_long_edges(mesh, limits.longest, options.keep_border, progress);
+  Iteration(mesh, options, limits, result, progress).run();
 }
 
 }  // namespace
 
 RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress) {
   check_options(options);
-  check_size(mesh, options.max_edge);
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces, so there is nothing to remesh");
   progress("connect");
   EditableMesh editable(mesh);
   editable.set_coordinate(options.coordinate);
+  const EdgeLimits limits = set_sizes(editable, mesh, options);
+  check_number_of_faces(editable, limits.longest);
   RemeshResult result;
   result.components_removed =
-      remove_small_components(editable, options.min_edge, options.keep_border);
+      remove_small_components(editable, limits.shortest, options.keep_border);
   for (int i = 0; i < options.iterations; ++i) {
-    iterate(editable, options, result, progress);
+    iterate(editable, options, limits, result, progress);
     result.components_removed +=
-        remove_small_components(editable, options.min_edge, options.keep_border);
+        remove_small_components(editable, limits.shortest, options.keep_border);
   }
   result.degenerate_faces = count_degenerate_faces(editable);
   Mesh remeshed = editable.to_mesh();

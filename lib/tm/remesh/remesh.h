@@ -14,6 +14,8 @@
 /// Floating point; deterministic; O(n log n); about 150 bytes per face.
 #pragma once
 
+#include <string>
+
 #include "tm/mesh/mesh.h"
 #include "tm/support/progress.h"
 
@@ -25,7 +27,11 @@ enum class Smoothing { none, tangential, laplace, bilaplace };
 struct RemeshOptions {
   double min_edge = 0;  ///< e1: shorter edges are collapsed; input units, > 0
   double max_edge = 0;  ///< e2: longer edges are split; input units, >= 1.5 min_edge
-  int iterations = 1;   ///< >= 0; with 0 only small components and degenerate faces go
+  /// Where not empty: e1 and e2 are factors of this vertex column, as both ends' mean (sizing.h).
+  std::string size_column;
+  /// > 0: between e1 and e2, edges of 0.6 to 1 of what curvature takes to keep this near (sizing.h)
+  double adaptive_error = 0;
+  int iterations = 1;  ///< >= 0; with 0 only small components and degenerate faces go
   FlipRule flip = FlipRule::valence;  ///< towards valence 6 (4 on borders), or larger least angles
   Smoothing smoothing = Smoothing::tangential;  ///< the Laplacians slide vertices as well
   double smooth_first = 0;                      ///< b of v - b dv, or b1; in [0, 1]
@@ -45,7 +51,8 @@ struct RemeshResult {
 };
 
 /// Throws UsageError for options out of range, InputError where the mesh is not an oriented
-/// manifold (with face ids) or has no faces, GoalError where nothing would be left.
+/// manifold (with face ids), has no faces or no sizes in the column, GoalError where nothing would
+/// be left.
 RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress = {});
 
 }  // namespace transformesh

@@ -16,6 +16,7 @@ class ComponentWalk {
   const std::vector<Index>& faces() const { return faces_; }
   bool has_border() const { return has_border_; }
   double volume() const { return six_volumes_ / 6; }
+  double mean_size() const { return sizes_ / (3.0 * static_cast<double>(faces_.size())); }
 
   /// False where the face was reached before or a long edge turns up: no small component.
   bool walk(Index seed) {
@@ -24,6 +25,7 @@ class ComponentWalk {
     reached_[seed] = ++walk_;
     has_border_ = false;
     six_volumes_ = 0;
+    sizes_ = 0;
     const Vec3& origin = mesh_.position(mesh_.source(3 * seed));
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       if (!has_short_edges(faces_[i]) || !visit(faces_[i], origin)) return false;
@@ -33,14 +35,16 @@ class ComponentWalk {
 
  private:
   bool has_short_edges(Index face) const {
-    return mesh_.squared_length(3 * face) < limit_ && mesh_.squared_length(3 * face + 1) < limit_ &&
-           mesh_.squared_length(3 * face + 2) < limit_;
+    return mesh_.scaled_squared_length(3 * face) < limit_ &&
+           mesh_.scaled_squared_length(3 * face + 1) < limit_ &&
+           mesh_.scaled_squared_length(3 * face + 2) < limit_;
   }
 
   /// False next to a face that an earlier walk reached, which then met a long edge.
   bool visit(Index face, const Vec3& origin) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       const Index opposite = mesh_.opposite(h);
+      sizes_ += mesh_.size(mesh_.source(h));
       has_border_ |= opposite == no_index;
       if (opposite == no_index) continue;
       Index& reached = reached_[opposite / 3];
@@ -59,6 +63,7 @@ class ComponentWalk {
   std::vector<Index> faces_;
   bool has_border_ = false;
   double six_volumes_ = 0;
+  double sizes_ = 0;  ///< sum over the corners of the faces
 };
 
 void remove_faces(EditableMesh& mesh, const std::vector<Index>& faces) {
@@ -71,13 +76,13 @@ void remove_faces(EditableMesh& mesh, const std::vector<Index>& faces) {
 }  // namespace
 
 std::size_t remove_small_components(EditableMesh& mesh, double edge, bool keep_border) {
-  const double volume = std::numbers::pi / 6 * edge * edge * edge;
   std::size_t removed = 0;
   ComponentWalk component(mesh, edge);
   for (Index face = 0; face < mesh.face_slots(); ++face) {
     if (!mesh.has_face(face) || !component.walk(face)) continue;
     if (keep_border && component.has_border()) continue;
-    if (std::abs(component.volume()) >= volume) continue;
+    const double diameter = edge * component.mean_size();
+    if (std::abs(component.volume()) >= std::numbers::pi / 6 * std::pow(diameter, 3)) continue;
     remove_faces(mesh, component.faces());
     ++removed;
   }

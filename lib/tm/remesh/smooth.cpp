@@ -77,7 +77,7 @@ Vec3 Relaxer::line_target(Index vertex) const {
 }
 
 void Relaxer::carry_attributes(Index vertex) {
-  if (!mesh_.has_vertex_columns()) return;
+  if (!mesh_.has_vertex_attributes()) return;
   // the triangle of the old star that holds the new place, by barycentric coordinates
   const Vec3 shift = mesh_.position(vertex) - star_.centre;
   double best = -HUGE_VAL;

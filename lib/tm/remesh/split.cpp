@@ -28,7 +28,7 @@ class Splitter {
 
  private:
   void push(Index halfedge) {
-    if (mesh_.squared_length(halfedge) <= limit_) return;
+    if (mesh_.scaled_squared_length(halfedge) <= limit_) return;
     if (keep_border_ && mesh_.is_border(halfedge)) return;
     queue_.emplace(mesh_, halfedge);
   }

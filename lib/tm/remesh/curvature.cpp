@@ -1,0 +1,70 @@
+#include "tm/remesh/curvature.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace transformesh {
+namespace {
+
+/// Curvature summed over a part of the surface, and its area.
+struct Bending {
+  Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+  double area = 0;
+
+  void add(const Bending& other) {
+    tensor += other.tensor;
+    area += other.area;
+  }
+  double largest() const {
+    if (!(area > 0)) return 0;
+    const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
+                                       .computeDirect(tensor, Eigen::EigenvaluesOnly)
+                                       .eigenvalues();
+    return values.cwiseAbs().maxCoeff() / area;
+  }
+};
+
+/// The angle between the normals of the faces at an edge, positive where it is convex.
+double bend_angle(const EditableMesh& mesh, Index halfedge, const Vec3& unit_edge) {
+  const Vec3 here = mesh.face_normal(halfedge / 3);
+  const Vec3 there = mesh.face_normal(mesh.opposite(halfedge) / 3);
+  return std::atan2(here.cross(there).dot(unit_edge), here.dot(there));
+}
+
+/// The area of a face, and half of what its edges bend.
+Bending bending_of(const EditableMesh& mesh, Index face) {
+  Bending bending;
+  bending.area = 0.5 * mesh.face_normal(face).norm();
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    if (mesh.is_border(h) || mesh.is_feature(h)) continue;
+    const Vec3 edge = mesh.position(mesh.target(h)) - mesh.position(mesh.source(h));
+    const double length = edge.norm();
+    if (length == 0) continue;
+    const double angle = bend_angle(mesh, h, edge / length);
+    bending.tensor += 0.5 * angle / length * edge * edge.transpose();
+  }
+  return bending;
+}
+
+}  // namespace
+
+std::vector<double> largest_curvatures(const EditableMesh& mesh) {
+  std::vector<Bending> rings(mesh.vertex_slots());
+  for (Index face = 0; face < mesh.face_slots(); ++face) {
+    if (!mesh.has_face(face)) continue;
+    const Bending bending = bending_of(mesh, face);
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) rings[mesh.source(h)].add(bending);
+  }
+
+  // a ring alone depends much on how it is triangulated
+  std::vector<double> curvatures(mesh.vertex_slots(), 0);
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    if (!mesh.has_vertex(v)) continue;
+    Bending around = rings[v];
+    mesh.for_each_neighbour(v, [&](Index neighbour, Index) { around.add(rings[neighbour]); });
+    curvatures[v] = around.largest();
+  }
+  return curvatures;
+}
+
+}  // namespace transformesh
