@@ -15,12 +15,14 @@ void report(const PhotoScene& scene, const PhotoStepsResult& result, tool::Run& 
   run.report("last_dissimilarity", result.last.dissimilarity);
   run.report("pixels", result.first.pixels);
   run.report("last_pixels", result.last.pixels);
+  run.report("coverage", result.first.coverage);
+  run.report("last_coverage", result.last.coverage);
   run.report("lost_coverage", result.lost_coverage);
   run.report("unseen", result.last.unseen);
   run.report("outside", result.last.outside);
   run.report("mean_share", result.last.mean_share);
   tool::report_displacement(result.last.displaced, run);
-  if (result.lost_coverage) run.note("photographs cover less of the surface than before");
+  if (result.lost_coverage) run.note("photographs compare less of the surface than before");
 }
 
 void step(Document& document, const tool::PhotoOptions& options, tool::Run& run) {

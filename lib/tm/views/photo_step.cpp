@@ -5,11 +5,7 @@
 
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
-#include "tm/support/parallel.h"
 #include "tm/views/contour_gaps.h"
-#include "tm/views/pyramid.h"
-#include "tm/views/scene_scale.h"
-#include "tm/views/silhouette.h"
 #include "tm/views/thin_plate.h"
 
 namespace transformesh {
@@ -118,29 +114,6 @@ void smooth(Mesh& mesh, const Umbrella& umbrella, double factor) {
 
 }  // namespace
 
-PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs) {
-  PhotoScene scene;
-  std::vector<PinholeCamera> cameras;
-  for (const View& view : views) cameras.push_back(view.camera);
-  const Vec3 center = viewed_point(cameras);
-  scene.pairs = choose_pairs(cameras, center, pairs);
-  if (scene.pairs.empty()) {
-    throw InputError("no two of the " + std::to_string(views.size()) +
-                     " views are as far apart as views that are compared must be");
-  }
-  scene.pixel = scale * pixel_size(cameras, center);
-  scene.views.resize(views.size());
-  scene.distances.resize(views.size());
-  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      scene.views[i] = at_scale(views[i], scale);
-      if (!scene.views[i].silhouette.empty())
-        scene.distances[i] = signed_distance(scene.views[i].silhouette);
-    }
-  });
-  return scene;
-}
-
 PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepOptions& options,
                            const Progress& progress) {
   check(options);
@@ -171,6 +144,7 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
   result.energy = measured.energy;
   result.dissimilarity = measured.weight > 0 ? measured.energy / measured.weight : 0;
   result.pixels = measured.pixels;
+  result.coverage = static_cast<double>(measured.pixels) / static_cast<double>(measured.visible);
   result.unseen =
       static_cast<std::size_t>(std::count(measured.coverage.begin(), measured.coverage.end(), 0.0));
   result.outside = static_cast<std::size_t>(

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "tm/evolve/displace.h"
+#include "tm/views/photo_scene.h"
 #include "tm/views/photoconsistency.h"
 
 namespace transformesh {
@@ -31,22 +32,12 @@ struct PhotoStepOptions {
   PhotoconsistencyOptions photographs;
 };
 
-/// Photographs as a step needs them.
-struct PhotoScene {
-  std::vector<View> views;
-  std::vector<GrayImage> distances;  ///< to the silhouettes; empty where there is none
-  std::vector<ViewPair> pairs;
-  double pixel = 0;  ///< length of a pixel's side where the cameras look
-};
-/// Views at a smaller scale (pyramid.h), and which of them to compare. Throws InputError where
-/// there is no such pair.
-PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});
-
 /// All but `displaced` is before the movement.
 struct PhotoStepResult {
   double energy = 0;
   double dissimilarity = 0;  ///< energy by weight: mean of 1 - cc
   std::size_t pixels = 0;    ///< compared, over all pairs
+  double coverage = 0;       ///< share of these in the pixels that see the surface
   std::size_t unseen = 0;    ///< vertices that no pair sees
   std::size_t outside = 0;   ///< vertices more than a pixel outside a silhouette
   double mean_share = 0;     ///< mean movement as a fraction of the local mean edge

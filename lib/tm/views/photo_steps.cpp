@@ -1,11 +1,19 @@
 #include "tm/views/photo_steps.h"
 
+#include <array>
+
 #include "tm/support/error.h"
 
 namespace transformesh {
 namespace {
 
-constexpr double least_coverage_kept = 0.8;
+constexpr double least_share_kept = 0.9;
+constexpr double least_pixels_kept = 0.5;
+
+bool is_lost(const PhotoStepResult& before, const PhotoStepResult& after) {
+  return after.coverage < least_share_kept * before.coverage ||
+         static_cast<double>(after.pixels) < least_pixels_kept * static_cast<double>(before.pixels);
+}
 
 std::vector<ViewPair> one_order(const std::vector<ViewPair>& pairs, bool lower_first) {
   std::vector<ViewPair> result;
@@ -22,15 +30,15 @@ PhotoStepsResult photo_steps(Mesh& mesh, const PhotoScene& scene, const PhotoSte
   if (options.iterations < 1) throw UsageError("at least one iteration is needed");
   PhotoScene compared = scene;
   PhotoStepsResult result;
-  std::array<std::size_t, 2> first_pixels{};
+  std::array<PhotoStepResult, 2> first_of_order;
   for (int i = 0; i < options.iterations; ++i) {
     const int order = options.alternate ? i % 2 : 0;
     if (options.alternate) compared.pairs = one_order(scene.pairs, order == 0);
     result.last = photo_step(mesh, compared, options.step, progress);
     if (i == 0) result.first = result.last;
-    if (i == order) first_pixels[static_cast<std::size_t>(order)] = result.last.pixels;
-    const auto before = static_cast<double>(first_pixels[static_cast<std::size_t>(order)]);
-    result.lost_coverage = static_cast<double>(result.last.pixels) < least_coverage_kept * before;
+    PhotoStepResult& before = first_of_order[static_cast<std::size_t>(order)];
+    if (i == order) before = result.last;
+    result.lost_coverage = is_lost(before, result.last);
   }
   return result;
 }

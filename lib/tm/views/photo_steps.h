@@ -16,8 +16,10 @@ struct PhotoStepsOptions {
 struct PhotoStepsResult {
   PhotoStepResult first;
   PhotoStepResult last;
-  /// The last step compares more than a fifth fewer pixels than the first one of the same order of
-  /// pairs did: a surface may also look consistent because little of it is seen.
+  /// A surface may also look consistent because little of it is compared. Set where, from the first
+  /// to the last step of the same order of pairs, the share of the visible pixels that are compared
+  /// fell by a tenth or more, or the number of those compared by half. The share does not mind that
+  /// a surface becomes smaller.
   bool lost_coverage = false;
 };
 

@@ -1,6 +1,7 @@
 #include "tm/views/photoconsistency.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <string>
 
 #include "tm/mesh/measure.h"
@@ -17,6 +18,7 @@ struct ReferenceSums {
   GrayImage curvature;
   GrayImage count;  ///< pairs that see the pixel
   CorrelationSums sums;
+  std::size_t visible = 0;
 };
 
 /// The same per face: by its movement along its normal, for each corner its barycentric share.
@@ -46,6 +48,11 @@ void add_row(const CorrelationRow& row, int y, ReferenceSums& sums) {
   for (int x = 0; x < width; ++x) count[x] += row.is_seen[x];
 }
 
+std::size_t count_visible(const SeenSurface& seen) {
+  return static_cast<std::size_t>(std::count_if(seen.depth.pixels.begin(), seen.depth.pixels.end(),
+                                                [](float depth) { return depth > 0; }));
+}
+
 void add_pair(const Warp& warp, const SeenSurface& seen, const PhotoconsistencyOptions& options,
               ReferenceSums& sums) {
   const CorrelationSums pair = correlate(
@@ -72,8 +79,10 @@ ReferenceSums compare_with_others(std::size_t reference, std::span<const View> v
   if (from.first_row >= from.end_row) return sums;
   sums.gradient = sums.curvature = sums.count =
       GrayImage(from.end_column - from.first_column, from.end_row - from.first_row);
+  const std::size_t visible = count_visible(from);
   for (const ViewPair& pair : pairs) {
     if (pair.first != reference) continue;
+    sums.visible += visible;
     const Warp warp(views[reference], from, views[pair.second], seen[pair.second],
                     options.depth_tolerance);
     add_pair(warp, from, options, sums);
@@ -144,6 +153,7 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
     result.energy += sums[v].sums.energy;
     result.weight += sums[v].sums.weight;
     result.pixels += sums[v].sums.pixels;
+    result.visible += sums[v].visible;
     add_to_faces(sums[v], seen[v], faces);
   }
   add_to_vertices(mesh, faces, result);

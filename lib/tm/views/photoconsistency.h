@@ -18,7 +18,7 @@
 #include "tm/mesh/mesh.h"
 #include "tm/support/progress.h"
 #include "tm/views/correlation.h"
-#include "tm/views/sample.h"
+#include "tm/views/interpolation.h"
 #include "tm/views/seen_surface.h"
 #include "tm/views/view.h"
 #include "tm/views/view_pairs.h"
@@ -37,6 +37,7 @@ struct Photoconsistency {
   double energy = 0;
   double weight = 0;           ///< sum of rho
   std::size_t pixels = 0;      ///< compared, over all pairs
+  std::size_t visible = 0;     ///< that see the surface, over all pairs, compared or not
   std::vector<Vec3> gradient;  ///< derivative of the energy by the position
   std::vector<double>
       curvature;  ///< by a movement along the normals, after Gauss and Newton, halved

@@ -3,6 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "tm/views/bilinear_sample.h"
+#include "tm/views/cubic_sample.h"
+
 namespace transformesh {
 namespace {
 

@@ -2,7 +2,7 @@
 /// the same point of the surface (the reprojection of Pons, Keriven & Faugeras, IJCV 72, 2007).
 #pragma once
 
-#include "tm/views/sample.h"
+#include "tm/views/interpolation.h"
 #include "tm/views/seen_surface.h"
 
 namespace transformesh {

@@ -165,15 +165,31 @@ TEST_CASE("the same bytes for any number of threads") {
   CHECK(many.positions == one.positions);
 }
 
-TEST_CASE("coverage that goes is told") {
-  // Eyes inside of the photographed ball see less and less of one that shrinks away from them.
+TEST_CASE("a surface that becomes smaller keeps its coverage") {
+  // Eyes that look at a large ball see less of it as it shrinks into its silhouettes.
   const PhotoScene scene = photo_scene(ring(1, true), 1);
-  Mesh mesh = ball(1.6);
+  Mesh mesh = ball(1.15);
   PhotoStepOptions options;
   options.silhouettes = 100;
   const PhotoStepsResult result = photo_steps(mesh, scene, {options, 12, false});
   CHECK(result.last.pixels < 0.9 * result.first.pixels);
+  CHECK(result.last.coverage > 0.98 * result.first.coverage);
+  CHECK_FALSE(result.lost_coverage);
+}
+
+TEST_CASE("coverage that goes is told") {
+  // Steps far too long crumple the ball: its spikes hide one another from the other views.
+  const PhotoScene scene = photo_scene(ring(), 1);
+  Mesh mesh = ball(1.02);
+  PhotoStepOptions options;
+  options.rule = PhotoStepRule::gradient;
+  options.time_step = 1;
+  options.alpha = 2;
+  options.smoothing = 0;
+  const PhotoStepsResult result = photo_steps(mesh, scene, {options, 4, false});
+  CHECK(result.last.coverage < 0.9 * result.first.coverage);
   CHECK(result.lost_coverage);
+  CHECK(photo_steps(mesh, scene, {options, 1, false}).lost_coverage == false);
 }
 
 TEST_CASE("views that cannot be compared are refused, and options out of range") {

@@ -1,0 +1,36 @@
+#include "tm/views/photo_scene.h"
+
+#include <string>
+
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+#include "tm/views/pyramid.h"
+#include "tm/views/scene_scale.h"
+#include "tm/views/silhouette.h"
+
+namespace transformesh {
+
+PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs) {
+  PhotoScene scene;
+  std::vector<PinholeCamera> cameras;
+  for (const View& view : views) cameras.push_back(view.camera);
+  const Vec3 center = viewed_point(cameras);
+  scene.pairs = choose_pairs(cameras, center, pairs);
+  if (scene.pairs.empty()) {
+    throw InputError("no two of the " + std::to_string(views.size()) +
+                     " views are as far apart as views that are compared must be");
+  }
+  scene.pixel = scale * pixel_size(cameras, center);
+  scene.views.resize(views.size());
+  scene.distances.resize(views.size());
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      scene.views[i] = at_scale(views[i], scale);
+      if (!scene.views[i].silhouette.empty())
+        scene.distances[i] = signed_distance(scene.views[i].silhouette);
+    }
+  });
+  return scene;
+}
+
+}  // namespace transformesh
