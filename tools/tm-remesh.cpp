@@ -20,6 +20,7 @@ struct Options {
   std::string smooth_twice;
   double feature_angle = 180;
   bool keep_border = false;
+  bool project = false;
 };
 
 double factor(const std::string& option, std::string_view text) {
@@ -84,6 +85,7 @@ RemeshOptions resolve(const Options& options, const Document& document, tool::Ru
                                          : FlipRule::valence;
   result.feature_angle_deg = options.feature_angle;
   result.keep_border = options.keep_border;
+  result.project = options.project;
   result.coordinate = document.style.coordinate;
   read_smoothing(options, result);
   return result;
@@ -128,6 +130,8 @@ int main(int argc, char** argv) {
   program.number("feature-angle", &options.feature_angle, 1, 180,
                  "keep edges sharper than this, in degrees; 180 keeps none");
   program.flag("keep-border", &options.keep_border, "leave borders as they are");
+  program.flag("project", &options.project,
+               "tangential smoothing puts vertices back onto the input");
   program.epilog("After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply");
   return program.filter(argc, argv, [&](Document& document, tool::Run& run) {
     remesh_document(document, options, run);

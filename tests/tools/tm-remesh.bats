@@ -132,3 +132,21 @@ sized() {
   run tm-remesh --size-field size --adaptive 0.1x "$BATS_TEST_TMPDIR/in.ply"
   assert_status 2
 }
+
+@test "an adaptive mesh has fewer faces than an even one, and stays within the error" {
+  tm-shape torus --faces 20000 -o "$BATS_TEST_TMPDIR/in.ply"
+  pipe "tm-remesh --adaptive 0.1x --iterations 4 -o $BATS_TEST_TMPDIR/out.ply $BATS_TEST_TMPDIR/in.ply &&
+    tm-compare --reference $BATS_TEST_TMPDIR/in.ply $BATS_TEST_TMPDIR/out.ply"
+  assert_status 0
+  error=$(awk '$1 == "hausdorff:" { print $2 }' <<<"$output")
+  edge=$(tm-info --get edge_mean "$BATS_TEST_TMPDIR/in.ply")
+  awk -v h="$error" -v e="$edge" 'BEGIN { exit !(h < 0.1 * e) }' || fail "$error of $edge"
+  [ "$(tm-info --get faces "$BATS_TEST_TMPDIR/out.ply")" -lt 10000 ]
+}
+
+@test "an adaptive error of nothing is refused" {
+  tetrahedron >"$BATS_TEST_TMPDIR/in.ply"
+  run tm-remesh --adaptive 0 "$BATS_TEST_TMPDIR/in.ply"
+  assert_status 2
+  [[ $output == *"the error must be above 0"* ]]
+}

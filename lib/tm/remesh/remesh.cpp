@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "tm/remesh/collapse.h"
@@ -21,8 +22,10 @@ constexpr double least_ratio = 1.5;
 constexpr double most_faces = 500e6;
 /// Edges up to this many times the least length may go where that makes valences regular.
 constexpr double longest_irregular = 1.3;
-/// Of the longest edge that curvature allows: shorter ones are collapsed.
-constexpr double adaptive_shortest = 0.6;
+/// Of the edge that curvature takes: shorter ones are collapsed.
+constexpr double adaptive_shortest = 0.55;
+/// Longer ones are split: a margin, since faces relax after the splits and curvature varies.
+constexpr double adaptive_longest = 0.95;
 
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
@@ -77,10 +80,11 @@ EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions&
   if (!options.size_column.empty()) {
     sizes = sizes_of_column(input, options.size_column);
   } else if (options.adaptive_error > 0) {
-    limits = {adaptive_shortest, 1};
-    const double least = std::min(options.min_edge / adaptive_shortest, options.max_edge);
+    limits = {adaptive_shortest, adaptive_longest};
+    const double most = options.max_edge / adaptive_longest;
+    const double least = std::min(options.min_edge / adaptive_shortest, most);
     mark_features(mesh, options.feature_angle_deg);
-    sizes = sizes_of_curvature(mesh, {options.adaptive_error, least, options.max_edge});
+    sizes = sizes_of_curvature(mesh, {options.adaptive_error, least, most});
   }
   if (sizes.empty()) return limits;
   grade_sizes(mesh, sizes);
@@ -115,10 +119,11 @@ void check_number_of_faces(const EditableMesh& mesh, double max_edge) {
 class Iteration {
  public:
   Iteration(EditableMesh& mesh, const RemeshOptions& options, const EdgeLimits& limits,
-            RemeshResult& result, const Progress& progress)
+            const ClosestPointQuery* surface, RemeshResult& result, const Progress& progress)
       : mesh_(mesh),
         options_(options),
         limits_(limits),
+        surface_(surface),
         result_(result),
         progress_(progress),
         roles_(mesh, options.keep_border),
@@ -151,7 +156,9 @@ class Iteration {
     result_.flips += counts.done;
     result_.refused += counts.refused;
   }
-  void relax() { result_.refused += relax_tangentially(mesh_, guard_, roles_, progress_).refused; }
+  void relax() {
+    result_.refused += relax_tangentially(mesh_, guard_, roles_, surface_, progress_).refused;
+  }
   void smooth() {
     const double second = options_.smoothing == Smoothing::bilaplace ? options_.smooth_second : 0;
     if (options_.smoothing == Smoothing::tangential) relax();
@@ -166,6 +173,7 @@ class Iteration {
   EditableMesh& mesh_;
   const RemeshOptions& options_;
   const EdgeLimits& limits_;
+  const ClosestPointQuery* surface_;
   RemeshResult& result_;
   const Progress& progress_;
   VertexRoles roles_;
@@ -173,10 +181,10 @@ class Iteration {
 };
 
 void iterate(EditableMesh& mesh, const RemeshOptions& options, const EdgeLimits& limits,
-             RemeshResult& result, const Progress& progress) {
+             const ClosestPointQuery* surface, RemeshResult& result, const Progress& progress) {
   mark_features(mesh, options.feature_angle_deg);
   result.splits += split_long_edges(mesh, limits.longest, options.keep_border, progress);
-  Iteration(mesh, options, limits, result, progress).run();
+  Iteration(mesh, options, limits, surface, result, progress).run();
 }
 
 }  // namespace
@@ -189,11 +197,13 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
   editable.set_coordinate(options.coordinate);
   const EdgeLimits limits = set_sizes(editable, mesh, options);
   check_number_of_faces(editable, limits.longest);
+  std::optional<ClosestPointQuery> surface;
+  if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
   RemeshResult result;
   result.components_removed =
       remove_small_components(editable, limits.shortest, options.keep_border);
   for (int i = 0; i < options.iterations; ++i) {
-    iterate(editable, options, limits, result, progress);
+    iterate(editable, options, limits, surface ? &*surface : nullptr, result, progress);
     result.components_removed +=
         remove_small_components(editable, limits.shortest, options.keep_border);
   }

@@ -29,7 +29,8 @@ struct RemeshOptions {
   double max_edge = 0;  ///< e2: longer edges are split; input units, >= 1.5 min_edge
   /// Where not empty: e1 and e2 are factors of this vertex column, as both ends' mean (sizing.h).
   std::string size_column;
-  /// > 0: between e1 and e2, edges of 0.6 to 1 of what curvature takes to keep this near (sizing.h)
+  /// > 0: between e1 and e2, edges of 0.55 to 0.95 of what curvature takes to keep this near
+  /// (sizing.h)
   double adaptive_error = 0;
   int iterations = 1;  ///< >= 0; with 0 only small components and degenerate faces go
   FlipRule flip = FlipRule::valence;  ///< towards valence 6 (4 on borders), or larger least angles
@@ -38,6 +39,7 @@ struct RemeshOptions {
   double smooth_second = 0;        ///< b2 of v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
   double feature_angle_deg = 180;  ///< edges sharper than this stay; in (0, 180], 180: none are
   bool keep_border = false;        ///< leave border vertices and edges alone
+  bool project = false;  ///< tangential smoothing ends on the input; so with adaptive_error
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
 };
 

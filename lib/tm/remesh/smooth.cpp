@@ -16,8 +16,9 @@ constexpr double least_weight = 0.01;
 
 class Relaxer {
  public:
-  Relaxer(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles)
-      : mesh_(mesh), roles_(roles), mover_(mesh, guard) {}
+  Relaxer(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+          const ClosestPointQuery* surface)
+      : mesh_(mesh), roles_(roles), surface_(surface), mover_(mesh, guard) {}
 
   SmoothCounts run(const Progress& progress) {
     SmoothCounts counts;
@@ -27,7 +28,8 @@ class Relaxer {
       const VertexRole role = roles_[v];
       if (role == VertexRole::fixed) continue;
       star_.gather(mesh_, v);
-      const Vec3 target = role == VertexRole::free ? free_target() : line_target(v);
+      Vec3 target = role == VertexRole::free ? free_target() : line_target(v);
+      if (role == VertexRole::free && surface_) target = (*surface_)(target).point;
       if ((target - star_.centre).squaredNorm() < rest * rest * star_.normal.norm()) continue;
       if (mover_.move(v, star_, target)) {
         ++counts.moved;
@@ -46,6 +48,7 @@ class Relaxer {
 
   EditableMesh& mesh_;
   const VertexRoles& roles_;
+  const ClosestPointQuery* surface_;
   VertexMover mover_;
   Star star_;
 };
@@ -162,8 +165,8 @@ class Laplacian {
 }  // namespace
 
 SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-                                const Progress& progress) {
-  return Relaxer(mesh, guard, roles).run(progress);
+                                const ClosestPointQuery* surface, const Progress& progress) {
+  return Relaxer(mesh, guard, roles, surface).run(progress);
 }
 
 SmoothCounts smooth_laplace(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,

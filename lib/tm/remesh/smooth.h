@@ -1,6 +1,7 @@
 /// Moves vertices: tangential relaxation, and the two Laplacians of paper 5.1.2.
 #pragma once
 
+#include "tm/geometry/closest_point.h"
 #include "tm/remesh/embedding_guard.h"
 #include "tm/remesh/vertex_role.h"
 #include "tm/support/progress.h"
@@ -16,9 +17,10 @@ struct SmoothCounts {
 /// across its area normal. One vertex after the other, in slot order, so that the volume of a
 /// closed mesh stays up to rounding. Attributes are interpolated where the vertex slides to.
 /// Vertices on lines slide along them. A move that would turn a normal by more than 60 degrees,
-/// make a poor triangle poorer or might make contact is halved, then refused.
+/// make a poor triangle poorer or might make contact is halved, then refused. Where there is a
+/// `surface`, vertices that are free move on to its closest point.
 SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-                                const Progress& progress);
+                                const ClosestPointQuery* surface, const Progress& progress);
 
 /// v -> v - first dv + second d2v with the Laplace-Beltrami operator dv = v - sum w_j v_j / sum
 /// w_j, w_j the sum of the cotangents of the angles opposite the edge (Desbrun et al., "Implicit

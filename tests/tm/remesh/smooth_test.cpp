@@ -103,7 +103,7 @@ TEST_CASE("relaxation keeps the volume to rounding and rounds the triangles") {
   for (Vec3& point : mesh.positions) point = (point + random.point(-0.03, 0.03)).normalized();
   const Mesh relaxed =
       after(mesh, [](EditableMesh& editable, EmbeddingGuard& guard, const VertexRoles& roles) {
-        CHECK(relax_tangentially(editable, guard, roles, {}).moved > 600);
+        CHECK(relax_tangentially(editable, guard, roles, nullptr, {}).moved > 600);
       });
   CHECK(volume(relaxed) == doctest::Approx(volume(mesh)).epsilon(1e-12));
   CHECK(angles(relaxed).minimum_mean_deg > angles(mesh).minimum_mean_deg + 3);
