@@ -8,8 +8,9 @@
 
 namespace transformesh {
 
-/// Calls body(first, last) on disjoint ranges that cover [0, count). Ranges hold at least `grain`
-/// indices where count allows. An exception thrown by a body reaches the caller.
+/// Calls body(first, last) on disjoint ranges that cover [0, count); all but the last hold at least
+/// `grain` indices. Of the exceptions that bodies throw, that of the lowest range reaches the
+/// caller, and ranges not yet begun are left out.
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t first, std::size_t last)>& body);
 

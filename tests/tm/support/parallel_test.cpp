@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <set>
@@ -48,4 +49,53 @@ TEST_CASE("an exception in a body reaches the caller") {
     if (last == 100) throw std::runtime_error("the last range");
   };
   CHECK_THROWS_AS(parallel_for(100, 1, fail), std::runtime_error);
+}
+
+TEST_CASE("of several exceptions that of the lowest range reaches the caller") {
+  for (int round = 0; round < 50; ++round) {
+    std::size_t thrown = 1000;
+    try {
+      parallel_for(1000, 1, [](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          if (i >= 300) throw i;
+      });
+    } catch (const std::size_t i) {
+      thrown = i;
+    }
+    REQUIRE(thrown == 300);
+  }
+}
+
+TEST_CASE("two halves run at the same time where two threads are allowed") {
+  if (std::thread::hardware_concurrency() < 2) return;
+  // Each waits for the other to begin; one after the other would wait in vain.
+  std::atomic<int> begun{0};
+  const auto half = [&] {
+    ++begun;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (begun < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  };
+  parallel_invoke(half, half);
+  CHECK(begun == 2);
+}
+
+TEST_CASE("loops inside loops end, within the limit of threads") {
+  std::atomic<std::size_t> visits{0};
+  std::atomic<int> at_work{0};
+  std::atomic<int> most_at_work{0};
+  const ThreadLimit alive(2);
+  parallel_for(40, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      parallel_for(50, 1, [&](std::size_t inner_first, std::size_t inner_last) {
+        const int now = ++at_work;
+        for (int most = most_at_work; most < now && !most_at_work.compare_exchange_weak(most, now);)
+          continue;
+        std::this_thread::yield();
+        visits += inner_last - inner_first;
+        --at_work;
+      });
+    }
+  });
+  CHECK(visits == 2000);
+  CHECK(most_at_work <= 2);
 }
