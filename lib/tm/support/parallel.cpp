@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -17,8 +16,20 @@ constexpr std::size_t ranges_per_thread = 16;
 
 std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-/// How many threads may work at once, the caller among them.
+/// How many threads may work at once, and how many do: the first caller, and helpers that were
+/// taken.
 std::atomic<std::size_t> allowed_threads{cores()};
+std::atomic<std::size_t> working_threads{1};
+
+bool take_thread() {
+  std::size_t working = working_threads;
+  while (working < allowed_threads) {
+    if (working_threads.compare_exchange_weak(working, working + 1)) return true;
+  }
+  return false;
+}
+
+void give_thread_back() { --working_threads; }
 
 /// The ranges of one loop, handed out in order to whoever comes.
 class Loop {
@@ -64,81 +75,25 @@ class Loop {
   std::size_t error_at_ = 0;
 };
 
-/// Threads that help with loops, and sleep while there are none. They start when first needed and
-/// live as long as the process. A loop inside a loop is helped likewise; its caller waits for
-/// helpers only while they work, never for one that has not come, so nothing can lock up.
-class Helpers {
- public:
-  /// Never destroyed: a thread may be asleep in it when the process ends.
-  static Helpers& all() {
-    static auto* const helpers = new Helpers;
-    return *helpers;
-  }
-
-  void run(Loop& loop, std::size_t wanted) {
-    Call call{&loop, wanted, 0};
-    {
-      const std::lock_guard lock(mutex_);
-      calls_.push_back(&call);
-      start_threads(wanted);
-    }
-    for (std::size_t i = 0; i < wanted; ++i) is_wanted_.notify_one();
-    loop.work();
-
-    std::unique_lock lock(mutex_);
-    calls_.erase(std::find(calls_.begin(), calls_.end(), &call));
-    has_left_.wait(lock, [&] { return call.helping == 0; });
-  }
-
- private:
-  struct Call {
-    Loop* loop;
-    std::size_t wanted;
-    std::size_t helping;
-  };
-
-  /// So that `wanted` are idle, if so many are allowed and the system gives them.
-  void start_threads(std::size_t wanted) {
+/// Works on the loop with up to `wanted` more threads, as far as they are allowed and the system
+/// has them. A loop inside a loop takes what others have given back, so nothing waits for a thread.
+/// To start one costs some 10 us: less than it costs to keep it spinning between two loops.
+void work_together(Loop& loop, std::size_t wanted) {
+  std::vector<std::jthread> helpers;
+  helpers.reserve(wanted);
+  while (helpers.size() < wanted && take_thread()) {
     try {
-      for (; threads_ - busy_ < wanted && threads_ + 1 < allowed_threads; ++threads_) {
-        std::thread([this] { serve(); }).detach();
-      }
+      helpers.emplace_back([&loop] {
+        loop.work();
+        give_thread_back();
+      });
     } catch (const std::system_error&) {
-      // Then with fewer.
+      give_thread_back();
+      break;
     }
   }
-
-  [[noreturn]] void serve() {
-    std::unique_lock lock(mutex_);
-    for (;;) {
-      Call* call = nullptr;
-      is_wanted_.wait(lock, [&] { return (call = next_call()) != nullptr; });
-      --call->wanted;
-      ++call->helping;
-      ++busy_;
-      lock.unlock();
-      call->loop->work();
-      lock.lock();
-      --busy_;
-      if (--call->helping == 0) has_left_.notify_all();
-    }
-  }
-
-  /// The innermost loop that wants help, while more threads are allowed to work.
-  Call* next_call() const {
-    if (busy_ + 1 >= allowed_threads) return nullptr;
-    const auto found = std::find_if(calls_.rbegin(), calls_.rend(),
-                                    [](const Call* call) { return call->wanted > 0; });
-    return found == calls_.rend() ? nullptr : *found;
-  }
-
-  std::mutex mutex_;
-  std::condition_variable is_wanted_;
-  std::condition_variable has_left_;
-  std::vector<Call*> calls_;
-  std::size_t threads_ = 0;
-  std::size_t busy_ = 0;
-};
+  loop.work();
+}
 
 }  // namespace
 
@@ -150,7 +105,7 @@ void parallel_for(std::size_t count, std::size_t grain,
   const std::size_t range =
       std::max({std::size_t{1}, grain, count / (ranges_per_thread * threads)});
   Loop loop(count, range, body);
-  Helpers::all().run(loop, std::min(threads, (count + range - 1) / range) - 1);
+  work_together(loop, std::min(threads, (count + range - 1) / range) - 1);
   loop.rethrow();
 }
 
