@@ -75,13 +75,14 @@ seconds_since() {
 }
 
 keep_frame() {
-  if [ -n "$frames" ] && [ $((iteration % every)) -eq 0 ]; then
-    local frame
-    frame=$frames/frame-$(printf '%05d' "$iteration").ply
-    mkdir -p "$frames" || fail 5 "cannot make the folder '$frames'"
-    cp "$state/mesh-$((iteration % 2)).ply" "$frame.new" || fail 5 "cannot write '$frame.new'"
-    mv "$frame.new" "$frame"
-  fi
+  if [ -z "$frames" ] || [ $((iteration % every)) -ne 0 ]; then return; fi
+  local frame mesh=$state/mesh-$((iteration % 2)).ply
+  printf -v frame '%s/frame-%05d.ply' "$frames" "$iteration"
+  [ -d "$frames" ] || mkdir -p "$frames" || fail 5 "cannot make the folder '$frames'"
+  # The mesh is replaced and never rewritten, so a second name keeps it, where the file system can.
+  ln -f "$mesh" "$frame" 2>/dev/null && return
+  cp "$mesh" "$frame.new" || fail 5 "cannot write '$frame.new'"
+  mv "$frame.new" "$frame"
 }
 
 # Of a pipeline that failed: the messages of the filter to blame, and its code.

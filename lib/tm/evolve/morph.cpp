@@ -15,11 +15,12 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t queries_per_task = 512;
-constexpr std::size_t most_vertices_of_target = 2048;
+constexpr std::size_t most_vertices_of_target = 1024;
 
 std::vector<double> surface_distances(const Mesh& mesh, const Target& target, double exact_within) {
   const ClosestPointQuery closest(target.mesh, target.face_order);
-  return sample_distance(mesh.positions, exact_within, [&](const Vec3& p) {
+  return sample_distance(mesh.positions, exact_within, [&](const Vec3& p, double sign) {
+    if (sign != 0) return searched_distance(p, closest.nearby(p, far_tolerance), sign);
     const ClosestPoint q = closest(p);
     return searched_distance(p, q.point, q.signed_distance < 0 ? -1 : 1);
   });
@@ -98,7 +99,7 @@ DistanceSummary distance_from_target(const Target& target, const Mesh& mesh, dou
   const KdTree tree(mesh.positions);
   const VertexFaces faces_at(mesh);
   const std::vector<Vec3> points = thinned(target.mesh.positions, most_vertices_of_target);
-  return summary(sample_distance(points, exact_within, [&](const Vec3& p) {
+  return summary(sample_distance(points, exact_within, [&](const Vec3& p, double) {
     const Index nearest = tree.nearest(p);
     return searched_distance(p, closest_around_vertex(p, mesh, nearest, faces_at[nearest]));
   }));

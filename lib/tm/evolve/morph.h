@@ -47,7 +47,7 @@ MorphVelocities morph_velocities(const Mesh& mesh, const Target& target,
                                  const MorphOptions& options = {},
                                  const Progress& progress = Progress());
 
-/// From vertices of the target (all, or 1025 to 2048 taken evenly from the list of more) to the
+/// From vertices of the target (all, or 513 to 1024 taken evenly from the list of more) to the
 /// surface of the mesh: shows what the mesh has missed.
 /// Sought on the faces around the mesh's nearest vertex, so a distance can come out too large, by a
 /// fraction of an edge on well-shaped meshes; estimated beyond `exact_within`. Throws InputError

@@ -10,7 +10,9 @@ namespace transformesh {
 namespace {
 
 /// Distances beyond so many mean edges may be estimated.
-constexpr double far_in_edges = 4;
+constexpr double far_in_edges = 1;
+/// Of distances from the target, whose maximum has to come out right when it is some edges.
+constexpr double far_from_target_in_edges = 4;
 
 struct EdgeSizes {
   double mean = 0;
@@ -36,7 +38,7 @@ EdgeSizes edge_sizes(const Mesh& mesh) {
 double exact_within(const MorphStepOptions& options, const EdgeSizes& edges) {
   if (!options.mask.empty()) return std::numeric_limits<double>::infinity();
   const double clamped_beyond = options.displace.alpha * edges.largest / options.displace.time_step;
-  return std::max(clamped_beyond, far_in_edges * edges.mean);
+  return std::max(clamped_beyond, 1 * edges.mean);
 }
 
 }  // namespace
@@ -51,7 +53,8 @@ MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOpti
   MorphVelocities morph =
       morph_velocities(mesh, target, {result.distance, exact_within(options, edges)}, progress);
   result.to_target = morph.to_target;
-  result.from_target = distance_from_target(target, mesh, far_in_edges * edges.mean, progress);
+  result.from_target =
+      distance_from_target(target, mesh, far_from_target_in_edges * edges.mean, progress);
 
   if (!options.mask.empty()) apply_mask(mesh, options.mask, morph.velocities);
   progress("displace");

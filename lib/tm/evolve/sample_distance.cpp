@@ -11,7 +11,7 @@ namespace {
 
 /// Runs of fixed length along the curve, so that estimates do not depend on how threads share.
 constexpr std::size_t run_length = 512;
-constexpr double reach = 0.5;
+constexpr double reach = 0.4;
 
 std::vector<Index> order_along_curve(std::span<const Vec3> points) {
   std::vector<FloatBox> boxes(points.size());
@@ -24,10 +24,11 @@ struct Anchor {
   Vec3 point = Vec3::Zero();
   SearchedDistance found;
 
-  bool reaches(const Vec3& other, double exact_within) const {
-    const double far = std::abs(found.distance);
-    const double way = (other - point).norm();
-    return way <= reach * far && far - way > exact_within;
+  bool is_far(const Vec3& other, double exact_within) const {
+    return std::abs(found.distance) / (1 + far_tolerance) - (other - point).norm() > exact_within;
+  }
+  bool reaches(const Vec3& other) const {
+    return (other - point).norm() <= reach * std::abs(found.distance);
   }
   double estimate(const Vec3& other) const {
     return found.distance + found.gradient.dot(other - point);
@@ -45,7 +46,7 @@ SearchedDistance searched_distance(const Vec3& point, const Vec3& closest, doubl
 
 std::vector<double> sample_distance(
     std::span<const Vec3> points, double exact_within,
-    const std::function<SearchedDistance(const Vec3& point)>& search) {
+    const std::function<SearchedDistance(const Vec3& point, double sign)>& search) {
   const std::vector<Index> order = order_along_curve(points);
   std::vector<double> distances(points.size());
   const std::size_t runs = (points.size() + run_length - 1) / run_length;
@@ -55,10 +56,11 @@ std::vector<double> sample_distance(
       const std::size_t end = std::min((run + 1) * run_length, points.size());
       for (std::size_t i = run * run_length; i < end; ++i) {
         const Vec3& point = points[order[i]];
-        if (anchor.reaches(point, exact_within)) {
+        const bool is_far = anchor.is_far(point, exact_within);
+        if (is_far && anchor.reaches(point)) {
           distances[order[i]] = anchor.estimate(point);
         } else {
-          anchor = {point, search(point)};
+          anchor = {point, search(point, is_far ? std::copysign(1, anchor.found.distance) : 0)};
           distances[order[i]] = anchor.found.distance;
         }
       }

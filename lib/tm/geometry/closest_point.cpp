@@ -73,31 +73,42 @@ ClosestPointQuery::ClosestPointQuery(const Mesh& mesh, FaceOrder order)
             order == FaceOrder::spatial ? BoxOrder::of_tree : BoxOrder::any),
       faces_at_(mesh) {}
 
-ClosestPoint ClosestPointQuery::operator()(const Vec3& query) const {
-  double best_squared = std::numeric_limits<double>::infinity();
-  Index best_face = no_index;
-  TrianglePoint best;
+struct ClosestPointQuery::Hit {
+  double squared = std::numeric_limits<double>::infinity();  ///< distance
+  Index face = no_index;
+  TrianglePoint place;
+};
+
+/// Cells are left out that are farther than `shrink` times the best so far, in squares.
+ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink) const {
+  Hit best;
   tree_.visit_nearest(
-      query, [&] { return best_squared; },
+      query, [&] { return shrink * best.squared; },
       [&](std::size_t place) {
         const Index face = tree_.order()[place];
         const auto& [a, b, c] = mesh_->faces[face];
         const TrianglePoint candidate = closest_point_of_triangle(
             query, mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]);
-        const double candidate_squared = squared_distance(candidate.point, query);
-        if (candidate_squared > best_squared) return;
-        if (candidate_squared == best_squared && face > best_face) return;
-        best_squared = candidate_squared;
-        best_face = face;
-        best = candidate;
+        const double squared = squared_distance(candidate.point, query);
+        if (squared > best.squared) return;
+        if (squared == best.squared && face > best.face) return;
+        best = {squared, face, candidate};
       });
+  return best;
+}
 
+Vec3 ClosestPointQuery::nearby(const Vec3& query, double tolerance) const {
+  return search(query, 1 / ((1 + tolerance) * (1 + tolerance))).place.point;
+}
+
+ClosestPoint ClosestPointQuery::operator()(const Vec3& query) const {
+  const Hit best = search(query, 1);
   ClosestPoint result;
-  result.point = best.point;
-  result.face = best_face;
-  result.distance = (query - best.point).norm();
-  result.pseudonormal = pseudonormal(best_face, best.part);
-  const bool is_behind = result.pseudonormal.dot(query - best.point) < 0;
+  result.point = best.place.point;
+  result.face = best.face;
+  result.distance = (query - best.place.point).norm();
+  result.pseudonormal = pseudonormal(best.face, best.place.part);
+  const bool is_behind = result.pseudonormal.dot(query - best.place.point) < 0;
   result.signed_distance = is_behind ? -result.distance : result.distance;
   return result;
 }

@@ -141,6 +141,25 @@ TEST_CASE("closest points agree with a search, the sign with the winding number"
   }
 }
 
+TEST_CASE("a nearby point is on the mesh, and farther than the closest by no more than allowed") {
+  const Mesh mesh = spiky_sphere();
+  const ClosestPointQuery closest(mesh);
+  test::Random random(8);
+  std::size_t others = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 query = random.point(-4, 4);
+    const double least = closest(query).distance;
+    for (const double tolerance : {0.0, 0.05, 0.5}) {
+      const Vec3 point = closest.nearby(query, tolerance);
+      CHECK((point - query).norm() >= least);
+      CHECK((point - query).norm() <= (1 + tolerance) * least * (1 + 1e-12));
+      CHECK(closest(point).distance <= 1e-14);
+      others += (point - query).norm() > least;
+    }
+  }
+  CHECK(others > 0);
+}
+
 TEST_CASE("the lowest face wins ties; duplicates and flat faces do not disturb") {
   Mesh mesh = test::cube();
   const std::size_t faces = mesh.faces.size();
