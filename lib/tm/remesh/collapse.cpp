@@ -159,7 +159,11 @@ void Collapser::fill_patch(const Vec3& position) {
   patch_.centre = stays_;
   patch_.centre_position = position;
   patch_.made.clear();
-  for (const Spoke& spoke : spokes_) patch_.made.push_back({position, spoke.first, spoke.second});
+  patch_.normals.clear();
+  for (const Spoke& spoke : spokes_) {
+    patch_.made.push_back({position, spoke.first, spoke.second});
+    patch_.normals.push_back(normal_of(position, spoke.first, spoke.second));
+  }
 }
 
 bool Collapser::try_position(const Vec3& wanted, double source_share) {

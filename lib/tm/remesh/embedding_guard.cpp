@@ -7,36 +7,52 @@
 namespace transformesh {
 namespace {
 
-constexpr std::uint32_t all_directions = (1U << 26) - 1;
+constexpr std::uint32_t all_directions = 0x1fff1fff;
 /// A direction counts as seeing a front when cosine to the normal is above this.
-constexpr double least_cosine = 0.03;
+constexpr float least_cosine = 0.03F;
 /// Cells are this many longest edges wide: most patches reach nine tenths of one from their centre,
 /// and each face that meets that ball has a corner within 0.58 of one.
 constexpr double cell_edges = 1.5;
 constexpr double corner_reach = 0.58;
 constexpr int key_bits = 21;
 
-/// Bit k where direction k of thirteen sees the front of a face with that normal, bit 13 + k where
-/// the opposite direction does: the axes, the diagonals of a cube's faces, and its diagonals.
+/// Four numbers that the processor treats at once (an extension that GCC and Clang share).
+using Floats = float __attribute__((vector_size(16)));
+using Words = std::int32_t __attribute__((vector_size(16)));
+
+/// Thirteen directions in fours, padded with none: the axes, the diagonals of a cube's faces, and
+/// its diagonals.
+struct FourDirections {
+  Floats x, y, z, length;
+  Words bits;
+};
+constexpr float face = 1.41421356F;
+constexpr float cube = 1.73205081F;
+constexpr std::array<FourDirections, 4> directions_tested{{
+    {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 0}, {1, 1, 1, face}, {1, 2, 4, 8}},
+    {{1, 0, 0, 1}, {-1, 1, 1, 0}, {0, 1, -1, 1}, {face, face, face, face}, {16, 32, 64, 128}},
+    {{-1, 1, 1, 1}, {0, 1, 1, -1}, {1, 1, -1, 1}, {face, cube, cube, cube}, {256, 512, 1024, 2048}},
+    {{-1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}, {cube, 1, 1, 1}, {4096, 0, 0, 0}},
+}};
+
+/// Bit k where direction k sees the front of a face with that normal, bit 16 + k where the opposite
+/// direction does. Single precision is far finer than the margin of least_cosine; where it
+/// overflows or underflows, nothing is seen.
 std::uint32_t seeing_directions(const Vec3& normal) {
-  const double x = normal.x();
-  const double y = normal.y();
-  const double z = normal.z();
-  const double axis = least_cosine * normal.norm();
-  const double diagonal = 1.4142135623730951 * axis;
-  const double corner = 1.7320508075688772 * axis;
-  const std::array<double, 13> along{x,         y,         z,         x + y, x - y,
-                                     y + z,     y - z,     z + x,     z - x, x + y + z,
-                                     x + y - z, x - y + z, -x + y + z};
-  const std::array<double, 13> least{axis,     axis,     axis,     diagonal, diagonal,
-                                     diagonal, diagonal, diagonal, diagonal, corner,
-                                     corner,   corner,   corner};
-  std::uint32_t directions = 0;
-  for (std::size_t k = 0; k < 13; ++k) {
-    directions |= static_cast<std::uint32_t>(along[k] > least[k]) << k;
-    directions |= static_cast<std::uint32_t>(along[k] < -least[k]) << (13 + k);
+  const auto x = static_cast<float>(normal.x());
+  const auto y = static_cast<float>(normal.y());
+  const auto z = static_cast<float>(normal.z());
+  const float least = least_cosine * std::sqrt(x * x + y * y + z * z);
+  Words front{};
+  Words back{};
+  for (const FourDirections& four : directions_tested) {
+    const Floats along = four.x * x + four.y * y + four.z * z;
+    const Floats needed = four.length * least;
+    front |= (along > needed) & four.bits;
+    back |= (along < -needed) & four.bits;
   }
-  return directions;
+  const Words both = front | back << 16;
+  return static_cast<std::uint32_t>(both[0] | both[1] | both[2] | both[3]);
 }
 
 Vec3 lowest(const Triangle& triangle) {
@@ -70,6 +86,7 @@ double longest_edge_of(const EditableMesh& mesh) {
 
 void Patch::clear() {
   made.clear();
+  normals.clear();
   replaced.clear();
   vertices.clear();
 }
@@ -78,11 +95,7 @@ EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge)
     : mesh_(mesh),
       longest_edge_(std::max(longest_edge, longest_edge_of(mesh))),
       cell_size_(cell_edges * longest_edge_),
-      component_(mesh.vertex_slots(), no_index),
-      cell_of_(mesh.vertex_slots(), no_index),
-      next_in_cell_(mesh.vertex_slots(), no_index),
-      previous_in_cell_(mesh.vertex_slots(), no_index),
-      seeing_(mesh.vertex_slots(), all_directions),
+      places_(mesh.vertex_slots()),
       stamp_(mesh.face_slots(), 0) {
   Vec3 low = Vec3::Constant(HUGE_VAL);
   Vec3 high = -low;
@@ -121,7 +134,7 @@ void EmbeddingGuard::label_components() {
     }
     if (!closed) continue;
     for (const Index face : members) {
-      for (Index h = 3 * face; h < 3 * face + 3; ++h) component_[mesh_.source(h)] = seed;
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) places_[mesh_.source(h)].component = seed;
     }
   }
   stamp_now_ = 1;
@@ -190,16 +203,16 @@ void EmbeddingGuard::fill_cells() {
     if (!mesh_.has_vertex(v)) continue;
     const Key key = key_of(mesh_.position(v));
     Index cell = find_cell(key);
-    if (cell == no_index) cell = make_cell(key, component_[v]);
-    if (cells_[cell].component != component_[v]) cells_[cell].directions = 0;
+    if (cell == no_index) cell = make_cell(key, places_[v].component);
+    if (cells_[cell].component != places_[v].component) cells_[cell].directions = 0;
     insert(v, cell);
   }
   for (Index face = 0; face < mesh_.face_slots(); ++face) {
     if (!mesh_.has_face(face)) continue;
     const std::uint32_t directions = seeing_directions(mesh_.face_normal(face));
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      cells_[cell_of_[mesh_.source(h)]].directions &= directions;
-      seeing_[mesh_.source(h)] &= directions;
+      cells_[places_[mesh_.source(h)].cell].directions &= directions;
+      places_[mesh_.source(h)].seeing &= directions;
     }
   }
   for (Cell& cell : cells_) dilate(cell);
@@ -222,21 +235,21 @@ void EmbeddingGuard::restrict_cell(Index cell, std::uint32_t directions) {
 
 void EmbeddingGuard::insert(Index vertex, Index cell) {
   const Index next = cells_[cell].first_vertex;
-  cell_of_[vertex] = cell;
-  next_in_cell_[vertex] = next;
-  previous_in_cell_[vertex] = no_index;
-  if (next != no_index) previous_in_cell_[next] = vertex;
+  places_[vertex].cell = cell;
+  places_[vertex].next = next;
+  places_[vertex].previous = no_index;
+  if (next != no_index) places_[next].previous = vertex;
   cells_[cell].first_vertex = vertex;
 }
 
 void EmbeddingGuard::remove(Index vertex) {
-  const Index next = next_in_cell_[vertex];
-  const Index previous = previous_in_cell_[vertex];
-  if (next != no_index) previous_in_cell_[next] = previous;
+  const Index next = places_[vertex].next;
+  const Index previous = places_[vertex].previous;
+  if (next != no_index) places_[next].previous = previous;
   if (previous != no_index) {
-    next_in_cell_[previous] = next;
+    places_[previous].next = next;
   } else {
-    cells_[cell_of_[vertex]].first_vertex = next;
+    cells_[places_[vertex].cell].first_vertex = next;
   }
 }
 
@@ -244,15 +257,15 @@ void EmbeddingGuard::forget(Index vertex) { remove(vertex); }
 
 void EmbeddingGuard::commit(const Patch& patch) {
   const Key key = key_of(mesh_.position(patch.centre));
-  if (key != cells_[cell_of_[patch.centre]].key) change_cell(patch.centre, key);
+  if (key != cells_[places_[patch.centre].cell].key) change_cell(patch.centre, key);
   for (const Index vertex : patch.vertices) {
-    restrict_cell(cell_of_[vertex], directions_);
-    seeing_[vertex] &= directions_;
+    restrict_cell(places_[vertex].cell, directions_);
+    places_[vertex].seeing &= directions_;
   }
 }
 
 void EmbeddingGuard::change_cell(Index vertex, Key key) {
-  const Index component = component_[vertex];
+  const Index component = places_[vertex].component;
   remove(vertex);
   Index cell = find_cell(key);
   if (cell == no_index) {
@@ -277,19 +290,9 @@ bool EmbeddingGuard::allows(const Patch& patch) {
 }
 
 bool EmbeddingGuard::is_certified(const Patch& patch) {
-  directions_ = all_directions;
-  const double longest = longest_edge_ * longest_edge_;
-  bool fits = true;
-  for (const Triangle& triangle : patch.made) {
-    const Vec3 ab = triangle[1] - triangle[0];
-    const Vec3 ac = triangle[2] - triangle[0];
-    const Vec3 bc = triangle[2] - triangle[1];
-    directions_ &= seeing_directions(ab.cross(ac));
-    fits &=
-        ab.squaredNorm() <= longest && ac.squaredNorm() <= longest && bc.squaredNorm() <= longest;
-  }
-  if (!fits) directions_ = 0;
-  if ((directions_ & cells_[cell_of_[patch.centre]].around) == 0) return false;
+  directions_ = is_short_enough(patch) ? all_directions : 0;
+  for (const Vec3& normal : patch.normals) directions_ &= seeing_directions(normal);
+  if ((directions_ & cells_[places_[patch.centre].cell].around) == 0) return false;
 
   // the ball around the centre must hold the patch
   const double radius = cell_size_ - corner_reach * longest_edge_;
@@ -300,12 +303,12 @@ bool EmbeddingGuard::is_certified(const Patch& patch) {
   return (patch.centre_position - centre).squaredNorm() <= radius * radius;
 }
 
+/// The edges of the rim were there before.
 bool EmbeddingGuard::is_short_enough(const Patch& patch) const {
   const double longest = longest_edge_ * longest_edge_;
   return std::all_of(patch.made.begin(), patch.made.end(), [&](const Triangle& triangle) {
     return (triangle[1] - triangle[0]).squaredNorm() <= longest &&
-           (triangle[2] - triangle[1]).squaredNorm() <= longest &&
-           (triangle[0] - triangle[2]).squaredNorm() <= longest;
+           (triangle[2] - triangle[0]).squaredNorm() <= longest;
   });
 }
 
@@ -320,10 +323,11 @@ bool EmbeddingGuard::is_height_field(const Patch& patch) const {
   for (const Triangle& triangle : patch.made)
     direction += (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   direction.normalize();
-  const Index component = component_[patch.centre];
+  const Index component = places_[patch.centre].component;
   if (component == no_index) return false;
   const auto is_seen = [&](Index face) {
-    return component_[mesh_.source(3 * face)] == component && sees(direction, triangle_of(face));
+    return places_[mesh_.source(3 * face)].component == component &&
+           sees(direction, triangle_of(face));
   };
   return std::all_of(patch.made.begin(), patch.made.end(),
                      [&](const Triangle& triangle) { return sees(direction, triangle); }) &&
@@ -360,18 +364,22 @@ void EmbeddingGuard::enclose(const Patch& patch) {
   };
   for (const Triangle& triangle : patch.made) extend(triangle);
   for (const Index face : patch.replaced) extend(triangle_of(face));
+  const Vec3 reach = Vec3::Constant(corner_reach * longest_edge_);
+  low_corner_ = low_ - reach;
+  high_corner_ = high_ + reach;
 }
 
 /// The certificate of is_height_field() for all faces at the vertices around, which is more than it
 /// needs.
 bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
-  const Index component = component_[patch.centre];
+  const Index component = places_[patch.centre].component;
   std::uint32_t directions = component == no_index ? 0 : directions_;
-  for (const Index face : patch.replaced)
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) directions &= seeing_[mesh_.source(h)];
+  for (const Index vertex : patch.vertices) directions &= places_[vertex].seeing;
   if (directions == 0) return false;
-  return for_each_vertex_around([&](Index vertex) {
-    directions &= component_[vertex] == component ? seeing_[vertex] : 0;
+  return for_each_vertex_in_cells([&](Index vertex) {
+    const Place& place = places_[vertex];
+    const std::uint32_t left = place.component == component ? directions & place.seeing : 0;
+    if (left != directions && is_around(vertex)) directions = left;
     return directions != 0;
   });
 }
@@ -381,7 +389,8 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
   near_.clear();
   ++stamp_now_;
   for (const Index face : patch.replaced) stamp_[face] = stamp_now_;
-  for_each_vertex_around([&](Index vertex) {
+  for_each_vertex_in_cells([&](Index vertex) {
+    if (!is_around(vertex)) return true;
     mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
       const Index face = halfedge / 3;
       if (stamp_[face] == stamp_now_) return;
@@ -395,26 +404,26 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
   });
 }
 
-/// Calls visit(vertex) until it returns false; at least one corner of every face that meets the
-/// box is visited.
+bool EmbeddingGuard::is_around(Index vertex) const {
+  const Vec3& position = mesh_.position(vertex);
+  return (position.array() >= low_corner_.array()).all() &&
+         (position.array() <= high_corner_.array()).all();
+}
+
+/// Calls visit(vertex) until it returns false. At least one corner of every face that meets the box
+/// is visited, and is around.
 template <class Visit>
-bool EmbeddingGuard::for_each_vertex_around(const Visit& visit) const {
-  const Vec3 reach = Vec3::Constant(corner_reach * longest_edge_);
-  const Vec3 low = low_ - reach;
-  const Vec3 high = high_ + reach;
-  const Key first = key_of(low);
-  const Key last = key_of(high);
+bool EmbeddingGuard::for_each_vertex_in_cells(const Visit& visit) const {
+  const Key first = key_of(low_corner_);
+  const Key last = key_of(high_corner_);
   constexpr Key axis_mask = (Key{1} << key_bits) - 1;
   for (Key x = first >> (2 * key_bits); x <= last >> (2 * key_bits); ++x) {
     for (Key y = (first >> key_bits) & axis_mask; y <= ((last >> key_bits) & axis_mask); ++y) {
       for (Key z = first & axis_mask; z <= (last & axis_mask); ++z) {
         const Index cell = find_cell((x << (2 * key_bits)) | (y << key_bits) | z);
         Index vertex = cell == no_index ? no_index : cells_[cell].first_vertex;
-        for (; vertex != no_index; vertex = next_in_cell_[vertex]) {
-          const Vec3& position = mesh_.position(vertex);
-          const bool is_around =
-              (position.array() >= low.array()).all() && (position.array() <= high.array()).all();
-          if (is_around && !visit(vertex)) return false;
+        for (; vertex != no_index; vertex = places_[vertex].next) {
+          if (!visit(vertex)) return false;
         }
       }
     }

@@ -26,7 +26,8 @@ namespace transformesh {
 struct Patch {
   Index centre = no_index;      ///< a living vertex of it, before and after
   Vec3 centre_position;         ///< where it will be
-  std::vector<Triangle> made;   ///< the new triangles
+  std::vector<Triangle> made;   ///< the new triangles, each with an edge of the rim last
+  std::vector<Vec3> normals;    ///< of these, of any length
   std::vector<Index> replaced;  ///< the faces that give way
   std::vector<Index> vertices;  ///< the corners of the new triangles
 
@@ -57,6 +58,15 @@ class EmbeddingGuard {
     Index component;
   };
 
+  /// What is known of a vertex, together in memory.
+  struct Place {
+    Index cell = no_index;
+    Index next = no_index;  ///< in the cell
+    Index previous = no_index;
+    Index component = no_index;  ///< its lowest vertex; no_index with a border
+    std::uint32_t seeing = ~0U;  ///< directions that see all faces at the vertex
+  };
+
   Key key_of(const Vec3& position) const;
   Index find_cell(Key key) const;
   Index make_cell(Key key, Index component);
@@ -76,7 +86,8 @@ class EmbeddingGuard {
   void enclose(const Patch& patch);
   bool is_seen_around(const Patch& patch) const;
   template <class Visit>
-  bool for_each_vertex_around(const Visit& visit) const;
+  bool for_each_vertex_in_cells(const Visit& visit) const;
+  bool is_around(Index vertex) const;
   bool is_height_field(const Patch& patch) const;
   bool meets_itself(const Patch& patch) const;
   bool meets_others(const Patch& patch) const;
@@ -87,17 +98,15 @@ class EmbeddingGuard {
   double cell_size_;
   Vec3 origin_ = Vec3::Zero();
   std::vector<Cell> cells_;
-  std::vector<Index> table_;         ///< open addressing, no_index where empty
-  std::vector<Index> component_;     ///< per vertex; no_index in components with a border
-  std::vector<Index> cell_of_;       ///< per vertex
-  std::vector<Index> next_in_cell_;  ///< per vertex
-  std::vector<Index> previous_in_cell_;
-  std::vector<std::uint32_t> seeing_;  ///< per vertex: directions that see all of its faces
-  std::vector<std::uint32_t> stamp_;   ///< per face, against visiting twice
+  std::vector<Index> table_;          ///< open addressing, no_index where empty
+  std::vector<Place> places_;         ///< per vertex
+  std::vector<std::uint32_t> stamp_;  ///< per face, against visiting twice
   std::uint32_t stamp_now_ = 0;
   std::uint32_t directions_ = 0;  ///< of the patch allowed last
   Vec3 low_ = Vec3::Zero();       ///< the box around the patch in question, before and after
   Vec3 high_ = Vec3::Zero();
+  Vec3 low_corner_ = Vec3::Zero();  ///< the same box, wide enough for a corner of all faces in it
+  Vec3 high_corner_ = Vec3::Zero();
   std::vector<Index> near_;  ///< faces whose boxes touch it
 };
 

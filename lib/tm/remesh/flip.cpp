@@ -114,7 +114,8 @@ bool Flipper::attempt(Index halfedge) {
   const Vec3& d = mesh_.position(at.right);
   patch_.centre = at.from;
   patch_.centre_position = a;
-  patch_.made.assign({Triangle{a, d, c}, Triangle{b, c, d}});
+  patch_.made.assign({Triangle{c, a, d}, Triangle{d, b, c}});
+  patch_.normals.assign({normal_of(c, a, d), normal_of(d, b, c)});
   patch_.replaced.assign({halfedge / 3, mesh_.opposite(halfedge) / 3});
   patch_.vertices.assign({at.from, at.to, at.left, at.right});
   if (!guard_.allows(patch_)) {

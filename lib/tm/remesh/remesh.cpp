@@ -22,6 +22,9 @@ constexpr double least_ratio = 1.5;
 constexpr double most_faces = 500e6;
 /// Edges up to this many times the least length may go where that makes valences regular.
 constexpr double longest_irregular = 1.3;
+/// Edges may become this many times as long as the longest where that makes valences regular: a
+/// flip between equilateral triangles makes an edge of 1.73 of theirs, which relaxation shortens.
+constexpr double stretch = 1.15;
 /// Of the edge that curvature takes: shorter ones are collapsed.
 constexpr double adaptive_shortest = 0.55;
 /// Longer ones are split: a margin, since faces relax after the splits and curvature varies.
@@ -115,76 +118,87 @@ void check_number_of_faces(const EditableMesh& mesh, double max_edge) {
   }
 }
 
+/// What all iterations work on and with.
+struct Task {
+  EditableMesh& mesh;
+  const RemeshOptions& options;
+  EdgeLimits limits;
+  const ClosestPointQuery* surface;  ///< to project onto, or none
+  const Progress& progress;
+  RemeshResult& result;
+};
+
 /// The steps of one iteration, on the mesh as split.
 class Iteration {
  public:
-  Iteration(EditableMesh& mesh, const RemeshOptions& options, const EdgeLimits& limits,
-            const ClosestPointQuery* surface, RemeshResult& result, const Progress& progress)
-      : mesh_(mesh),
-        options_(options),
-        limits_(limits),
-        surface_(surface),
-        result_(result),
-        progress_(progress),
-        roles_(mesh, options.keep_border),
-        guard_(mesh, limits.longest * largest_size(mesh)) {}
+  explicit Iteration(const Task& task)
+      : task_(task),
+        mesh_(task.mesh),
+        roles_(mesh_, task.options.keep_border),
+        guard_(mesh_, stretch * task.limits.longest * largest_size(mesh_)) {}
 
-  void run() {
-    result_.refused = 0;
+  void run(bool is_first) {
+    task_.result.refused = 0;
     collapse();
     flip();
-    smooth();
-    if (options_.smoothing == Smoothing::none) return;
-    if (options_.flip == FlipRule::valence) {
-      result_.collapses += collapse_for_valence(
-          mesh_, guard_, roles_, longest_irregular * limits_.shortest, limits_.longest, progress_);
-    }
+    smooth(is_first);
+    if (task_.options.smoothing == Smoothing::none) return;
+    if (task_.options.flip == FlipRule::valence) collapse_irregular();
     flip();
     relax();
   }
 
  private:
   void collapse() {
-    const CollapseCounts counts =
-        collapse_short_edges(mesh_, guard_, roles_, limits_.shortest, limits_.longest, progress_);
-    result_.collapses += counts.done;
-    result_.refused += counts.refused;
-    remove_degenerate_faces(mesh_, guard_, roles_, limits_.longest);
+    const CollapseCounts counts = collapse_short_edges(mesh_, guard_, roles_, task_.limits.shortest,
+                                                       task_.limits.longest, task_.progress);
+    task_.result.collapses += counts.done;
+    task_.result.refused += counts.refused;
+    remove_degenerate_faces(mesh_, guard_, roles_, task_.limits.longest);
+  }
+  void collapse_irregular() {
+    task_.result.collapses +=
+        collapse_for_valence(mesh_, guard_, roles_, longest_irregular * task_.limits.shortest,
+                             stretch * task_.limits.longest, task_.progress);
   }
   void flip() {
-    const FlipCounts counts = flip_edges(mesh_, guard_, options_.flip, limits_.longest, progress_);
-    result_.flips += counts.done;
-    result_.refused += counts.refused;
+    const FlipCounts counts = flip_edges(mesh_, guard_, task_.options.flip,
+                                         stretch * task_.limits.longest, task_.progress);
+    task_.result.flips += counts.done;
+    task_.result.refused += counts.refused;
   }
   void relax() {
-    result_.refused += relax_tangentially(mesh_, guard_, roles_, surface_, progress_).refused;
+    task_.result.refused +=
+        relax_tangentially(mesh_, guard_, roles_, task_.surface, task_.progress).refused;
   }
-  void smooth() {
-    const double second = options_.smoothing == Smoothing::bilaplace ? options_.smooth_second : 0;
-    if (options_.smoothing == Smoothing::tangential) relax();
-    if (options_.smoothing != Smoothing::laplace && options_.smoothing != Smoothing::bilaplace) {
-      return;
-    }
-    const SmoothCounts counts =
-        smooth_laplace(mesh_, guard_, roles_, options_.smooth_first, second, progress_);
-    result_.refused += counts.refused;
+  void smooth(bool is_first) {
+    const RemeshOptions& options = task_.options;
+    // between collapses and flips it pays only where a mesh is good already
+    if (options.smoothing == Smoothing::tangential && !is_first) relax();
+    const bool twice = options.smoothing == Smoothing::bilaplace;
+    if (options.smoothing != Smoothing::laplace && !twice) return;
+    const SmoothCounts counts = smooth_laplace(mesh_, guard_, roles_, options.smooth_first,
+                                               twice ? options.smooth_second : 0, task_.progress);
+    task_.result.refused += counts.refused;
   }
 
+  const Task& task_;
   EditableMesh& mesh_;
-  const RemeshOptions& options_;
-  const EdgeLimits& limits_;
-  const ClosestPointQuery* surface_;
-  RemeshResult& result_;
-  const Progress& progress_;
   VertexRoles roles_;
   EmbeddingGuard guard_;
 };
 
-void iterate(EditableMesh& mesh, const RemeshOptions& options, const EdgeLimits& limits,
-             const ClosestPointQuery* surface, RemeshResult& result, const Progress& progress) {
-  mark_features(mesh, options.feature_angle_deg);
-  result.splits += split_long_edges(mesh, limits.longest, options.keep_border, progress);
-  Iteration(mesh, options, limits, surface, result, progress).run();
+void remove_small(const Task& task) {
+  task.result.components_removed +=
+      remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
+}
+
+void iterate(const Task& task, bool is_first) {
+  mark_features(task.mesh, task.options.feature_angle_deg);
+  task.result.splits +=
+      split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
+  Iteration(task).run(is_first);
+  remove_small(task);
 }
 
 }  // namespace
@@ -199,14 +213,11 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
   check_number_of_faces(editable, limits.longest);
   std::optional<ClosestPointQuery> surface;
   if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
+
   RemeshResult result;
-  result.components_removed =
-      remove_small_components(editable, limits.shortest, options.keep_border);
-  for (int i = 0; i < options.iterations; ++i) {
-    iterate(editable, options, limits, surface ? &*surface : nullptr, result, progress);
-    result.components_removed +=
-        remove_small_components(editable, limits.shortest, options.keep_border);
-  }
+  const Task task{editable, options, limits, surface ? &*surface : nullptr, progress, result};
+  remove_small(task);
+  for (int i = 0; i < options.iterations; ++i) iterate(task, i == 0);
   result.degenerate_faces = count_degenerate_faces(editable);
   Mesh remeshed = editable.to_mesh();
   if (remeshed.faces.empty()) {

@@ -10,7 +10,7 @@
 ///   Splits are not checked: they move the surface by the rounding of a midpoint only;
 /// - surviving vertices and faces keep their order, new ones follow; attributes are interpolated
 ///   for new and for sliding vertices, inherited by faces.
-/// Not guaranteed: that all edges reach the interval, where that would break one of the above.
+/// Not guaranteed: that all edges reach the interval; regular valences may take 1.15 e2.
 /// Floating point; deterministic; O(n log n); about 150 bytes per face.
 #pragma once
 
@@ -39,7 +39,7 @@ struct RemeshOptions {
   double smooth_second = 0;        ///< b2 of v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
   double feature_angle_deg = 180;  ///< edges sharper than this stay; in (0, 180], 180: none are
   bool keep_border = false;        ///< leave border vertices and edges alone
-  bool project = false;  ///< tangential smoothing ends on the input; so with adaptive_error
+  bool project = false;            ///< relaxed vertices end on the input; so with adaptive_error
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
 };
 

@@ -60,7 +60,7 @@ Vec3 Relaxer::free_target() const {
   for (const Star::Spoke& spoke : star_.spokes) {
     const Vec3 a = spoke.first_position - star_.centre;
     const Vec3 b = spoke.second_position - star_.centre;
-    const double area = a.cross(b).norm();
+    const double area = spoke.normal.norm();
     sum += area * (a + b);
     weight += area;
   }

@@ -10,8 +10,10 @@ namespace transformesh {
 struct Star {
   struct Spoke {
     Index first;
+    Index face;
     Vec3 first_position;
     Vec3 second_position;
+    Vec3 normal;  ///< twice the area long
   };
   std::vector<Spoke> spokes;
   Vec3 centre;
@@ -29,6 +31,8 @@ class VertexMover {
 
  private:
   bool attempt(Index vertex, const Star& star, const Vec3& target);
+  bool place_triangles(const Star& star, const Vec3& target);
+  void name_parts(Index vertex, const Star& star);
 
   EditableMesh& mesh_;
   EmbeddingGuard& guard_;
