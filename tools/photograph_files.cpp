@@ -7,6 +7,7 @@
 #include "tm/support/error.h"
 #include "tm/views/file_list.h"
 #include "tm/views/gray_picture.h"
+#include "tm/views/mesh_silhouette.h"
 #include "tm/views/silhouette.h"
 #include "tm/views/view_files.h"
 
@@ -22,15 +23,6 @@ CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
   return list;
 }
 
-/// What the centre of each pixel sees.
-GrayImage seen_silhouette(const Mesh& mesh, const Camera& camera) {
-  const FaceBuffer faces = rasterize(mesh, camera);
-  GrayImage silhouette(camera.width, camera.height);
-  for (std::size_t i = 0; i < faces.pixels.size(); ++i)
-    silhouette.pixels[i] = faces.pixels[i].face == no_index ? 0.0F : 255.0F;
-  return silhouette;
-}
-
 void compare_silhouettes(const Mesh& mesh, const PhotographFiles& files, Run& run) {
   if (files.cameras.empty()) throw UsageError("--compare-silhouettes needs --cameras");
   double sum = 0;
@@ -38,7 +30,7 @@ void compare_silhouettes(const Mesh& mesh, const PhotographFiles& files, Run& ru
   const std::vector<View> views = views_from({files.cameras, "", files.masks});
   for (const View& view : views) {
     const Camera camera{view.camera.projection(), view.silhouette.width, view.silhouette.height};
-    const double agreement = silhouette_agreement(seen_silhouette(mesh, camera), view.silhouette);
+    const double agreement = silhouette_agreement(mesh_silhouette(mesh, camera), view.silhouette);
     run.detail(view.name + ": silhouettes agree by " + shortest_text(agreement));
     sum += agreement;
     least = std::min(least, agreement);

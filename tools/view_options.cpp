@@ -2,23 +2,25 @@
 
 #include "tm/picture/png.h"
 #include "tm/support/error.h"
+#include "tm/views/agreed_level.h"
 #include "tm/views/gray_picture.h"
 
 namespace transformesh::tool {
 namespace {
 
-ThresholdOptions threshold_of(const SilhouetteOptions& options) {
-  ThresholdOptions threshold;
-  threshold.blur = options.blur;
-  threshold.close = options.close;
-  if (options.threshold == "auto") return threshold;
-  const Length level = parse_length(options.threshold);
+std::optional<double> level_of(const std::string& threshold) {
+  if (threshold == "auto") return std::nullopt;
+  const Length level = parse_length(threshold);
   if (level.unit != Length::Unit::absolute || level.value < 1 || level.value > 254) {
-    throw UsageError("--threshold: '" + options.threshold +
-                     "' is neither auto nor a number from 1 to 254");
+    throw UsageError("--threshold: '" + threshold + "' is neither auto nor a number from 1 to 254");
   }
-  threshold.level = level.value;
-  return threshold;
+  return level.value;
+}
+
+void add_silhouettes(std::vector<View>& views, ThresholdOptions threshold, Run& run) {
+  if (!threshold.level) threshold.level = agreed_level(views, threshold, run.progress());
+  run.report("threshold", *threshold.level);
+  for (View& view : views) view.silhouette = threshold_silhouette(view.image, threshold);
 }
 
 }  // namespace
@@ -44,11 +46,11 @@ void declare_silhouettes(Program& program, SilhouetteOptions& options) {
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run) {
   if (options.sources.silhouettes.empty() == options.sources.images.empty())
     throw UsageError("either --silhouettes or --images is needed");
-  const ThresholdOptions threshold = threshold_of(options);
+  const ThresholdOptions threshold{level_of(options.threshold), options.blur, options.close};
   std::vector<View> views = views_from(options.sources);
-  for (View& view : views) {
-    if (!view.image.empty()) view.silhouette = threshold_silhouette(view.image, threshold);
-    if (options.masks.empty()) continue;
+  if (!options.sources.images.empty()) add_silhouettes(views, threshold, run);
+  for (const View& view : views) {
+    if (options.masks.empty()) break;
     const GrayImage mask = two_levels(view.silhouette);
     run.write(options.masks + "/" + view.name + ".png", write_png(picture_of(mask)));
   }

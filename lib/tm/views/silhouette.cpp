@@ -32,12 +32,14 @@ struct Segment {
 
 bool is_inside(float level) { return level > contour_level; }
 
-/// The nearest piece of the contour of each pixel.
+/// The nearest piece of the contour of each pixel, where that is nearer than `limit`: of all others
+/// the distance is said to be that.
 class ContourDistance {
  public:
-  explicit ContourDistance(const GrayImage& silhouette)
+  explicit ContourDistance(const GrayImage& silhouette,
+                           float limit = std::numeric_limits<float>::infinity())
       : silhouette_(silhouette),
-        squared_(silhouette.width, silhouette.height, std::numeric_limits<float>::infinity()),
+        squared_(silhouette.width, silhouette.height, limit * limit),
         nearest_(silhouette.pixels.size(), no_segment) {}
 
   GrayImage compute() {
@@ -129,13 +131,6 @@ class ContourDistance {
   std::vector<Segment> segments_;
 };
 
-double dividing_level(const cv::Mat& pixels) {
-  cv::Mat bytes, unused;
-  pixels.convertTo(bytes, CV_8U);
-  const double level = cv::threshold(bytes, unused, 0, 255, cv::THRESH_OTSU);
-  return std::clamp(level + 0.5, 0.5, 254.5);  // bytes of the level itself are dark
-}
-
 /// The silhouette whose contour is `offset` pixels outside of the one with these distances.
 GrayImage offset_silhouette(GrayImage distances, float offset) {
   for (float& pixel : distances.pixels)
@@ -145,8 +140,10 @@ GrayImage offset_silhouette(GrayImage distances, float offset) {
 
 /// As the border of the image is no contour, nothing is eroded from there.
 GrayImage closed(const GrayImage& silhouette, float radius) {
-  const GrayImage wide = offset_silhouette(signed_distance(silhouette), radius);
-  GrayImage narrow = offset_silhouette(signed_distance(wide), -radius);
+  // Only distances around the radius count, and what they are propagated through.
+  const float limit = radius + 4;
+  const GrayImage wide = offset_silhouette(ContourDistance(silhouette, limit).compute(), radius);
+  GrayImage narrow = offset_silhouette(ContourDistance(wide, limit).compute(), -radius);
   // Where nothing was closed the contour stays exactly where it was.
   for (std::size_t i = 0; i < narrow.pixels.size(); ++i)
     narrow.pixels[i] = std::max(narrow.pixels[i], silhouette.pixels[i]);
@@ -154,6 +151,28 @@ GrayImage closed(const GrayImage& silhouette, float radius) {
 }
 
 }  // namespace
+
+double dividing_level(std::span<const GrayImage> images) {
+  std::vector<unsigned char> bytes;
+  for (const GrayImage& image : images)
+    for (const float level : image.pixels)
+      bytes.push_back(static_cast<unsigned char>(std::clamp(std::lround(level), 0L, 255L)));
+  if (bytes.empty()) return contour_level;
+  cv::Mat unused;
+  const double darker =
+      cv::threshold(cv::Mat(bytes), unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
+
+  // All bytes up to that level are dark. It is the last of them, or one of those that none has.
+  double dark = 0;
+  double bright = 255;
+  for (const unsigned char byte : bytes) {
+    if (byte <= darker)
+      dark = std::max<double>(dark, byte);
+    else
+      bright = std::min<double>(bright, byte);
+  }
+  return std::clamp((dark + bright) / 2, 0.5, 254.5);
+}
 
 GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options) {
   if (options.level && !(*options.level > 0 && *options.level < 255))
@@ -167,7 +186,8 @@ GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& o
   cv::Mat pixels(image.height, image.width, CV_32F, silhouette.pixels.data());
   if (options.blur > 0) cv::GaussianBlur(pixels, pixels, {}, options.blur);
   // Steep, but not so steep that the place of the contour between two pixels is lost.
-  const auto level = static_cast<float>(options.level ? *options.level : dividing_level(pixels));
+  const auto level =
+      static_cast<float>(options.level ? *options.level : dividing_level({&silhouette, 1}));
   const float slope = contour_level / std::min(level, 255 - level);
   for (float& pixel : silhouette.pixels)
     pixel = std::clamp(contour_level + slope * (pixel - level), 0.0F, 255.0F);

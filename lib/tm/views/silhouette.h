@@ -8,20 +8,25 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "tm/views/gray_image.h"
 
 namespace transformesh {
 
 struct ThresholdOptions {
-  /// (0, 255): the object is brighter than that. Default: the level that best divides the pixels
-  /// into dark and bright ones (Otsu, "A threshold selection method from gray-level histograms",
-  /// IEEE Trans. SMC 9, 1979).
+  /// (0, 255): the object is brighter than that. Default: the dividing_level of the image. Of
+  /// several views agreed_level.h knows more.
   std::optional<double> level = std::nullopt;
   double blur = 1.5;    ///< >= 0: deviation in pixels of the Gaussian that is applied before
   double close = 0.01;  ///< [0, 1]: per larger side of the image; dark marks on the object, and
                         ///< gaps in it, that are less than twice as wide become part of it
 };
+
+/// The level that best divides the pixels of all images into dark and bright ones (Otsu, "A
+/// threshold selection method from gray-level histograms", IEEE Trans. SMC 9, 1979), in the middle
+/// of the levels that no pixel has. From 0.5 to 254.5.
+double dividing_level(std::span<const GrayImage> images);
 
 /// The silhouette of a bright object before a dark background. Its contour is where the blurred
 /// image crosses the level, but for what is closed (dilated and eroded, with discs). Throws
