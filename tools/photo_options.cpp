@@ -38,6 +38,8 @@ void declare_step(Program& program, PhotoOptions& options) {
   program.number("stiffness", &step.stiffness, 0, 1e300,
                  "gauss-newton: of the surface, where 1 is the usual pull of photographs");
   program.number("pull", &step.silhouettes, 0, 1e300, "the same of silhouettes");
+  program.choice("silhouettes-show", &options.meaning, {"exact", "least"},
+                 "the object, or only some of it: then they pull outwards alone");
   program.number("time-step", &step.time_step, 0, 1e300,
                  "paper: t, in units of length to the fourth power");
   program.number("smooth", &step.smoothing, 0, 1,
@@ -62,6 +64,7 @@ PhotoStepsOptions steps_of(const PhotoOptions& options) {
   PhotoStepsOptions steps = options.steps;
   steps.iterations = static_cast<int>(options.iterations);
   if (options.rule == "paper") steps.step.rule = PhotoStepRule::gradient;
+  if (options.meaning == "least") steps.step.meaning = SilhouetteMeaning::least;
   PhotoconsistencyOptions& photographs = steps.step.photographs;
   photographs.correlation.radius = static_cast<int>(options.window);
   if (options.interpolation == "bilinear") photographs.interpolation = Interpolation::bilinear;

@@ -17,6 +17,7 @@ struct PhotoOptions {
   long window = CorrelationOptions().radius;
   long iterations = PhotoStepsOptions().iterations;
   std::string rule = "gauss-newton";
+  std::string meaning = "exact";
   std::string interpolation = "catmull-rom";
   PairOptions pairs;
   PhotoStepsOptions steps;

@@ -15,6 +15,7 @@ struct Options {
   long resolution = 100;
   std::optional<Length> edge;
   std::string keep = "largest";
+  std::string outlines;  ///< folder to write to
 };
 
 void declare(tool::Program& program, Options& options) {
@@ -26,6 +27,9 @@ void declare(tool::Program& program, Options& options) {
   program.length("edge", &options.edge, "or the size of a cell");
   program.text("keep", &options.keep, "largest|all|SHARE",
                "which components: of at least this share of the largest one's volume");
+  program.text("write-outlines", &options.outlines, "FOLDER",
+               "also write there, as NAME.png, what the hull covers in each view");
+  program.keep_out_of_provenance("write-outlines");
 }
 
 double share_to_keep(const std::string& keep) {
@@ -52,6 +56,7 @@ Document make(const Options& options, tool::Run& run) {
   run.report("views", views.size());
   run.report("cell", result.cell);
   run.report("dropped_components", result.dropped_components);
+  if (!options.outlines.empty()) tool::write_outlines(result.mesh, views, options.outlines, run);
   Document document;
   document.mesh = std::move(result.mesh);
   return document;

@@ -4,6 +4,7 @@
 #include "tm/support/error.h"
 #include "tm/views/agreed_level.h"
 #include "tm/views/gray_picture.h"
+#include "tm/views/mesh_silhouette.h"
 
 namespace transformesh::tool {
 namespace {
@@ -55,6 +56,15 @@ std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& 
     run.write(options.masks + "/" + view.name + ".png", write_png(picture_of(mask)));
   }
   return views;
+}
+
+void write_outlines(const Mesh& hull, const std::vector<View>& views, const std::string& folder,
+                    Run& run) {
+  for (const View& view : views) {
+    const Camera camera{view.camera.projection(), view.silhouette.width, view.silhouette.height};
+    run.write(folder + "/" + view.name + ".png",
+              write_png(picture_of(mesh_silhouette(hull, camera))));
+  }
 }
 
 }  // namespace transformesh::tool

@@ -25,4 +25,8 @@ void declare_silhouettes(Program& program, SilhouetteOptions& options);
 /// that was asked for. Throws UsageError unless there is either, and what views_from throws.
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run);
 
+/// Writes what the mesh covers in each view, which has a silhouette, to NAME.png in the folder.
+void write_outlines(const Mesh& mesh, const std::vector<View>& views, const std::string& folder,
+                    Run& run);
+
 }  // namespace transformesh::tool

@@ -46,8 +46,8 @@ compared() { # KEY MESH
 }
 
 @test "the csv has a line per pass, from coarse to fine" {
-  awk -F, 'NR == 1 { if ($1 != "pass" || NF != 15) exit 1; next }
-    $1 != NR - 1 || NF != 15 || (before && $2 > before) { exit 1 }
+  awk -F, 'NR == 1 { if ($1 != "pass" || NF != 16) exit 1; next }
+    $1 != NR - 1 || NF != 16 || (before && $2 > before) { exit 1 }
     { before = $2 }
     END { exit !(NR > 3 && before == 1) }' "$scene/whole.csv" || fail "$(cat "$scene/whole.csv")"
   [ "$(value passes "$scene/whole.json")" -eq $(($(wc -l <"$scene/whole.csv") - 1)) ]
@@ -70,13 +70,13 @@ compared() { # KEY MESH
   assert_status 2
   "${reconstruct[@]}" -o out.ply --csv log.csv --resume -q
   cmp out.ply "$scene/whole.ply"
-  cmp <(cut -d, -f1-10 log.csv) <(cut -d, -f1-10 "$scene/whole.csv")
+  cmp <(cut -d, -f1-12 log.csv) <(cut -d, -f1-12 "$scene/whole.csv")
   [ ! -e out.ply.tm-reconstruct ]
 }
 
 @test "a filter that fails ends the loop with its message and code" {
   mkdir filters
-  cp "$tm_root"/scripts/{tm-reconstruct,loop.bash} filters/
+  cp "$tm_root"/scripts/{tm-reconstruct,loop.bash,sequence.bash} filters/
   for filter in tm-hull tm-cameras tm-clean tm-remesh tm-convert tm-info; do
     ln -s "$tm_build/bin/$filter" "filters/$filter"
   done

@@ -45,19 +45,21 @@ bool borders_on_background(const FaceBuffer& faces, double x, double y, double d
 }
 
 void add_view(const Mesh& mesh, const View& view, const FaceBuffer& faces,
-              const GrayImage& distances, ContourGaps& gaps) {
+              const GrayImage& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
   const Projection projection = view.camera.projection();
   const double focal = view.camera.focal_length();
   const std::vector<char> facing = facings(mesh, view.camera.center());
+  const bool is_exact = meaning == SilhouetteMeaning::exact;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const Vec3 q = projection.leftCols<3>() * mesh.positions[v] + projection.col(3);
     if (!(q.z() > 0)) continue;
     const double x = q.x() / q.z();
     const double y = q.y() / q.z();
-    const double gap = distance_at(distances, x, y) * q.z() / focal;
+    const double slack = is_exact ? 0 : q.z() / focal;
+    const double gap = distance_at(distances, x, y) * q.z() / focal + slack;
     if (!std::isfinite(gap)) continue;
     if (gap >= 0) {
-      gaps.outside[v] = std::max(gaps.outside[v], gap);
+      if (is_exact) gaps.outside[v] = std::max(gaps.outside[v], gap);
     } else if (facing[v] == both && borders_on_background(faces, x, y, q.z(), q.z() / focal)) {
       gaps.inside[v] -= gap;
       ++gaps.rims[v];
@@ -68,12 +70,13 @@ void add_view(const Mesh& mesh, const View& view, const FaceBuffer& faces,
 }  // namespace
 
 ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views,
-                         std::span<const SeenSurface> seen, std::span<const GrayImage> distances) {
+                         std::span<const SeenSurface> seen, std::span<const GrayImage> distances,
+                         SilhouetteMeaning meaning) {
   const std::size_t count = mesh.positions.size();
   ContourGaps gaps{std::vector<double>(count, 0), std::vector<double>(count, 0),
                    std::vector<Index>(count, 0)};
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (!distances[i].empty()) add_view(mesh, views[i], seen[i].faces, distances[i], gaps);
+    if (!distances[i].empty()) add_view(mesh, views[i], seen[i].faces, distances[i], meaning, gaps);
   }
   return gaps;
 }

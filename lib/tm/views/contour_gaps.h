@@ -12,6 +12,11 @@
 
 namespace transformesh {
 
+/// What silhouettes say of the object: where it is and where not; or, as those do that a threshold
+/// found, only where some of it is, to within a pixel. Then nothing is outside, and a rim is beyond
+/// the contour only from a pixel on.
+enum class SilhouetteMeaning { exact, least };
+
 /// Per vertex; lengths in input units.
 struct ContourGaps {
   std::vector<double> outside;  ///< how far it is outside, in the view where that is most; or 0
@@ -22,6 +27,7 @@ struct ContourGaps {
 /// `distances` are signed_distance() of the views' silhouettes, empty where there is none. `seen`
 /// is see_surface() of mesh and views. O(views * vertices); deterministic.
 ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views,
-                         std::span<const SeenSurface> seen, std::span<const GrayImage> distances);
+                         std::span<const SeenSurface> seen, std::span<const GrayImage> distances,
+                         SilhouetteMeaning meaning = SilhouetteMeaning::exact);
 
 }  // namespace transformesh

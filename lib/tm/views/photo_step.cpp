@@ -5,7 +5,6 @@
 
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
-#include "tm/views/contour_gaps.h"
 #include "tm/views/thin_plate.h"
 
 namespace transformesh {
@@ -124,7 +123,7 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
       photoconsistency(mesh, scene.views, seen, scene.pairs, options.photographs, progress);
   if (measured.pixels == 0) throw InputError("no two views see the same part of the mesh");
   progress("move");
-  const ContourGaps gaps = contour_gaps(mesh, scene.views, seen, scene.distances);
+  const ContourGaps gaps = contour_gaps(mesh, scene.views, seen, scene.distances, options.meaning);
 
   // Movements along the normals, then clamped.
   const Umbrella umbrella(mesh);

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "tm/evolve/displace.h"
+#include "tm/views/contour_gaps.h"
 #include "tm/views/photo_scene.h"
 #include "tm/views/photoconsistency.h"
 
@@ -25,9 +26,10 @@ struct PhotoStepOptions {
   double alpha = 0.5;      ///< clamp as a fraction of the local mean edge; >= 0, the paper has 0.1
   double stiffness = 1;    ///< of the plate, in median curvatures of the energy; >= 0
   double damping = 0.006;  ///< >= 0
-  double time_step = 0.001;   ///< t of `gradient`; >= 0
-  double smoothing = 0.1;     ///< of `gradient`; in [0, 1]
-  double silhouettes = 1;     ///< pull of silhouettes; 1 is that of photographs; >= 0
+  double time_step = 0.001;  ///< t of `gradient`; >= 0
+  double smoothing = 0.1;    ///< of `gradient`; in [0, 1]
+  double silhouettes = 1;    ///< pull of silhouettes; 1 is that of photographs; >= 0
+  SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   double least_cosine = 0.1;  ///< of ray and normal: faces seen more flatly are not compared; >= 0
   PhotoconsistencyOptions photographs;
 };

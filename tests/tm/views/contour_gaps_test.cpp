@@ -32,12 +32,13 @@ View view_of_disk(double radius, double shift = 0) {
   return view;
 }
 
-ContourGaps gaps_of(const Mesh& mesh, const std::vector<View>& views) {
+ContourGaps gaps_of(const Mesh& mesh, const std::vector<View>& views,
+                    SilhouetteMeaning meaning = SilhouetteMeaning::exact) {
   std::vector<GrayImage> distances;
   for (const View& view : views)
     distances.push_back(view.silhouette.empty() ? GrayImage() : signed_distance(view.silhouette));
   return contour_gaps(mesh, views, see_surface(mesh, face_unit_normals(mesh), views, 0.1),
-                      distances);
+                      distances, meaning);
 }
 
 /// Pixels of a point from the middle of the image of the first view.
@@ -102,5 +103,22 @@ TEST_CASE("beyond the image nothing is known") {
   for (std::size_t v = 0; v < ball.positions.size(); ++v) {
     const Vec3& p = ball.positions[v];
     if (focal * p.x() / (p.z() + distance) > 21) CHECK(gaps.outside[v] == 0);
+  }
+}
+
+TEST_CASE("silhouettes that show only some of the object pull out from a pixel on, and never in") {
+  const Mesh ball = test::icosphere(4);
+  const auto least = SilhouetteMeaning::least;
+  const ContourGaps inner = gaps_of(ball, {view_of_disk(40)}, least);
+  CHECK(*std::max_element(inner.outside.begin(), inner.outside.end()) == 0);
+  CHECK(*std::max_element(inner.rims.begin(), inner.rims.end()) == 0);
+
+  const ContourGaps exact = gaps_of(ball, {view_of_disk(55)});
+  const ContourGaps outer = gaps_of(ball, {view_of_disk(55)}, least);
+  CHECK(*std::max_element(outer.rims.begin(), outer.rims.end()) == 1);
+  for (std::size_t v = 0; v < ball.positions.size(); ++v) {
+    CHECK(outer.rims[v] == exact.rims[v]);
+    const double pixel = (ball.positions[v].z() + distance) / focal;
+    CHECK(outer.inside[v] == Approx(exact.inside[v] - (exact.rims[v] > 0 ? pixel : 0)));
   }
 }
