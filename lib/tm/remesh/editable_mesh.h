@@ -95,6 +95,7 @@ class EditableMesh {
   /// Positions are rounded to this type as they are made, so that what is checked is what a file
   /// of that type holds.
   void set_coordinate(Scalar coordinate) { single_ = coordinate == Scalar::float32; }
+  bool is_single() const { return single_; }
   Vec3 rounded(const Vec3& position) const {
     if (!single_) return position;
     return {round_to_single(position.x()), round_to_single(position.y()),

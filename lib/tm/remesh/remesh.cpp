@@ -128,17 +128,18 @@ struct Task {
   RemeshResult& result;
 };
 
-/// The steps of one iteration, on the mesh as split.
+/// The steps of one iteration, on the mesh as split, with new vertices from `first_new` on.
 class Iteration {
  public:
-  explicit Iteration(const Task& task)
+  Iteration(const Task& task, Index first_new)
       : task_(task),
         mesh_(task.mesh),
+        first_new_(first_new),
         roles_(mesh_, task.options.keep_border),
         guard_(mesh_, stretch * task.limits.longest * largest_size(mesh_)) {}
 
   void run(bool is_first) {
-    task_.result.refused = 0;
+    task_.result.refused = settle_midpoints(mesh_, guard_, first_new_);
     collapse();
     flip();
     smooth(is_first);
@@ -184,6 +185,7 @@ class Iteration {
 
   const Task& task_;
   EditableMesh& mesh_;
+  Index first_new_;
   VertexRoles roles_;
   EmbeddingGuard guard_;
 };
@@ -195,9 +197,10 @@ void remove_small(const Task& task) {
 
 void iterate(const Task& task, bool is_first) {
   mark_features(task.mesh, task.options.feature_angle_deg);
+  const Index first_new = task.mesh.vertex_slots();
   task.result.splits +=
       split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
-  Iteration(task).run(is_first);
+  Iteration(task, first_new).run(is_first);
   remove_small(task);
 }
 

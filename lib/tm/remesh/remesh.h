@@ -1,17 +1,17 @@
-/// Keeps a surface well sampled while it evolves (paper 5.1.2): edges between two lengths, six
-/// edges at a vertex, round triangles. Each iteration splits long edges, collapses short ones,
-/// flips, and smooths, in the order of Botsch & Kobbelt, "A remeshing approach to multiresolution
-/// modeling", SGP 2004.
+/// Keeps a surface well sampled while it evolves (paper 5.1.2): edges between two lengths, six at a
+/// vertex, round triangles. Each iteration splits, collapses, flips and smooths, in the order of
+/// Botsch & Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004.
 ///
 /// Guarantees, for an oriented manifold with or without borders:
 /// - the result is one too; genus and number of components change only by small components removed;
 /// - no step makes a self-intersection: collapses, flips and moves that might meet another part of
 ///   the surface are refused (embedding_guard.h). Crossings of the input stay where they are.
-///   Splits are not checked: they move the surface by the rounding of a midpoint only;
+///   Midpoints, which rounding moves off their edges, are moved out of contact; only sheets less
+///   than a rounding apart may stay crossed, which counts as refused;
 /// - surviving vertices and faces keep their order, new ones follow; attributes are interpolated
 ///   for new and for sliding vertices, inherited by faces.
 /// Not guaranteed: that all edges reach the interval; regular valences may take 1.15 e2.
-/// Floating point; deterministic; O(n log n); about 150 bytes per face.
+/// Deterministic; O(n log n); about 150 bytes per face.
 #pragma once
 
 #include <string>
@@ -52,9 +52,8 @@ struct RemeshResult {
   std::size_t degenerate_faces = 0;    ///< left
 };
 
-/// Throws UsageError for options out of range, InputError where the mesh is not an oriented
-/// manifold (with face ids), has no faces or no sizes in the column, GoalError where nothing would
-/// be left.
+/// Throws UsageError for options out of range, InputError for what is no oriented manifold (with
+/// face ids), has no faces or no sizes in the column, GoalError where nothing would be left.
 RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress = {});
 
 }  // namespace transformesh

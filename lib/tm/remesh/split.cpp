@@ -1,11 +1,18 @@
 #include "tm/remesh/split.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tm/remesh/edge_queue.h"
+#include "tm/remesh/vertex_mover.h"
 
 namespace transformesh {
 namespace {
+
+/// How far a midpoint may be moved out of the way, in roundings of its largest coordinate.
+constexpr std::array<double, 3> roundings{1, 2, 4};
+constexpr int most_rounds = 4;
 
 class Splitter {
  public:
@@ -56,11 +63,48 @@ class Splitter {
   std::size_t splits_ = 0;
 };
 
+/// The distance of neighbouring numbers at a point.
+double rounding_at(const EditableMesh& mesh, const Vec3& point) {
+  const double largest = point.cwiseAbs().maxCoeff();
+  const double next = mesh.is_single() ? std::nextafter(static_cast<float>(largest), HUGE_VALF)
+                                       : std::nextafter(largest, HUGE_VAL);
+  return next - largest;
+}
+
+bool settle(EditableMesh& mesh, VertexMover& mover, Index vertex, Star& star) {
+  star.gather(mesh, vertex);
+  if (mover.move(vertex, star, star.centre)) return true;
+  const Vec3 step = rounding_at(mesh, star.centre) * star.normal.normalized();
+  for (const double distance : roundings) {
+    if (mover.move(vertex, star, star.centre + distance * step)) return true;
+    if (mover.move(vertex, star, star.centre - distance * step)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::size_t split_long_edges(EditableMesh& mesh, double max_edge, bool keep_border,
                              const Progress& progress) {
   return Splitter(mesh, max_edge, keep_border).run(progress);
+}
+
+std::size_t settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, Index first) {
+  VertexMover mover(mesh, guard);
+  Star star;
+  std::vector<Index> in_contact;
+  const auto try_to_settle = [&](Index vertex) {
+    if (!settle(mesh, mover, vertex, star)) in_contact.push_back(vertex);
+  };
+  for (Index v = first; v < mesh.vertex_slots(); ++v) try_to_settle(v);
+
+  // neighbours may be out of the way by now
+  for (int round = 0; round < most_rounds && !in_contact.empty(); ++round) {
+    const std::vector<Index> again = std::exchange(in_contact, {});
+    std::for_each(again.begin(), again.end(), try_to_settle);
+    if (in_contact.size() == again.size()) break;
+  }
+  return in_contact.size();
 }
 
 }  // namespace transformesh

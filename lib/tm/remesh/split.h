@@ -1,7 +1,7 @@
 /// Splits long edges at their midpoints.
 #pragma once
 
-#include "tm/remesh/editable_mesh.h"
+#include "tm/remesh/embedding_guard.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
@@ -10,5 +10,10 @@ namespace transformesh {
 /// halfedge). The surface does not move but by rounding. Returns the number of splits.
 std::size_t split_long_edges(EditableMesh& mesh, double max_edge, bool keep_border,
                              const Progress& progress);
+
+/// Rounding moves a midpoint off its edge, perhaps through another sheet as near as that. Looks at
+/// the vertices from `first` on and moves those in contact by a few roundings, to either side of
+/// the surface. Returns how many stay in contact, as where the input crosses itself.
+std::size_t settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, Index first);
 
 }  // namespace transformesh
