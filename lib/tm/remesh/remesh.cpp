@@ -25,6 +25,8 @@ constexpr double longest_irregular = 1.3;
 /// Edges may become this many times as long as the longest where that makes valences regular: a
 /// flip between equilateral triangles makes an edge of 1.73 of theirs, which relaxation shortens.
 constexpr double stretch = 1.15;
+/// Edges far too short are collapsed in stages of this many times the mean length.
+constexpr double stage_growth = 1.6;
 /// Of the edge that curvature takes: shorter ones are collapsed.
 constexpr double adaptive_shortest = 0.55;
 /// Longer ones are split: a margin, since faces relax after the splits and curvature varies.
@@ -195,8 +197,36 @@ void remove_small(const Task& task) {
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
 }
 
+double mean_scaled_length(const EditableMesh& mesh) {
+  double sum = 0;
+  double count = 0;
+  for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+    if (!mesh.is_edge(h)) continue;
+    sum += std::sqrt(mesh.scaled_squared_length(h));
+    ++count;
+  }
+  return sum / count;
+}
+
+/// Where edges are far too short, collapses them in stages of less than twice the length: with the
+/// guard made for the longest edges at once, each of its cells would hold many vertices.
+void coarsen(const Task& task) {
+  for (double done = 1; done > 0;) {
+    const double shortest = stage_growth * mean_scaled_length(task.mesh);
+    if (!(stage_growth * shortest < task.limits.shortest)) return;
+    const double longest = shortest / task.limits.shortest * task.limits.longest;
+    EmbeddingGuard guard(task.mesh, longest * largest_size(task.mesh));
+    const VertexRoles roles(task.mesh, task.options.keep_border);
+    const CollapseCounts counts =
+        collapse_short_edges(task.mesh, guard, roles, shortest, longest, task.progress);
+    task.result.collapses += counts.done;
+    done = static_cast<double>(counts.done);
+  }
+}
+
 void iterate(const Task& task, bool is_first) {
   mark_features(task.mesh, task.options.feature_angle_deg);
+  coarsen(task);
   const Index first_new = task.mesh.vertex_slots();
   task.result.splits +=
       split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);

@@ -81,6 +81,22 @@ TEST_CASE("lengths come into the interval") {
   CHECK(result.splits + result.collapses > 100);
 }
 
+TEST_CASE("edges eight times as long come in one iteration") {
+  // in stages: sheets near each other stay apart in all of them
+  Mesh mesh = joined(icosphere(5), scaled(reversed(icosphere(5)), 0.9));
+  const Mesh before = mesh;
+  RemeshOptions options = around(mesh, 1);
+  options.min_edge *= 8;
+  options.max_edge *= 8;
+  remesh(mesh, options);
+  check_sound(before, mesh);
+  CHECK(mesh.faces.size() < before.faces.size() / 40);
+  CHECK(edge_lengths(mesh).minimum > 0.8 * options.min_edge);
+  CHECK(edge_lengths(mesh).maximum < 1.2 * options.max_edge);
+  CHECK(angles(mesh).minimum_deg > 20);
+  CHECK(std::abs(volume(mesh) / volume(before) - 1) < 0.02);
+}
+
 TEST_CASE("the volume of a sphere stays within a thousandth per pass") {
   Mesh mesh = icosphere(4);
   const double before = volume(mesh);
