@@ -13,7 +13,7 @@ constexpr double least_turn_cosine = 0.5;
 /// Triangles at least this round are good enough; others must not get worse.
 constexpr double round_enough = 0.3;
 /// A triangle rounder than this has a normal to rely on.
-constexpr double has_normal = 0.02;
+constexpr double normal_roundness = 0.02;
 
 class Collapser {
  public:
@@ -29,7 +29,7 @@ class Collapser {
     Vec3 first;
     Vec3 second;
     Vec3 normal;
-    double roundness;
+    bool has_normal;
     double first_limit;  ///< squared: no new edge to `first` may be longer
     double second_limit;
   };
@@ -41,6 +41,7 @@ class Collapser {
   bool try_free_positions();
   Vec3 volume_keeping_shift(const Vec3& position) const;
   bool is_sound(const Vec3& position) const;
+  double least_roundness_before() const;
   void fill_patch(const Vec3& position);
 
   EditableMesh& mesh_;
@@ -52,7 +53,6 @@ class Collapser {
   Index stays_ = no_index;
   std::vector<Spoke> spokes_;
   Vec3 mean_normal_ = Vec3::Zero();
-  double least_roundness_ = 1;
   double volume_ = 0;  ///< six times what the star of goes_ encloses with stays_
   Patch patch_;
 };
@@ -82,7 +82,6 @@ void Collapser::gather() {
   spokes_.clear();
   patch_.clear();
   mean_normal_.setZero();
-  least_roundness_ = 1;
   volume_ = 0;
   gather_star(goes_);
   gather_star(stays_);
@@ -97,14 +96,16 @@ void Collapser::gather_star(Index vertex) {
     const Index second = mesh_.apex(halfedge);
     const Vec3& a = mesh_.position(first);
     const Vec3& b = mesh_.position(second);
-    const double round = roundness(corner, a, b);
-    least_roundness_ = std::min(least_roundness_, round);
     patch_.replaced.push_back(halfedge / 3);
     const Index other_end = vertex == goes_ ? stays_ : goes_;
     if (first == other_end || second == other_end) return;
     const Vec3 normal = normal_of(corner, a, b);
-    const double longest = std::max((a - corner).squaredNorm(), (b - corner).squaredNorm());
-    spokes_.push_back({a, b, normal, round, std::max(longest, longest_to(first)),
+    const double to_a = (a - corner).squaredNorm();
+    const double to_b = (b - corner).squaredNorm();
+    const double longest = std::max(to_a, to_b);
+    const double needed = normal_roundness * (to_a + to_b + (b - a).squaredNorm());
+    spokes_.push_back({a, b, normal, 12 * normal.squaredNorm() > needed * needed,
+                       std::max(longest, longest_to(first)),
                        std::max(longest, longest_to(second))});
     mean_normal_ += normal;
     volume_ += (corner - origin).dot((a - origin).cross(b - origin));
@@ -145,14 +146,27 @@ Vec3 Collapser::volume_keeping_shift(const Vec3& position) const {
 }
 
 bool Collapser::is_sound(const Vec3& position) const {
-  const double least_round = std::min(round_enough, least_roundness_);
-  return std::all_of(spokes_.begin(), spokes_.end(), [&](const Spoke& spoke) {
+  double least = 1;
+  for (const Spoke& spoke : spokes_) {
     if ((spoke.first - position).squaredNorm() > spoke.first_limit) return false;
     if ((spoke.second - position).squaredNorm() > spoke.second_limit) return false;
-    if (roundness(position, spoke.first, spoke.second) < least_round) return false;
-    const Vec3& before = spoke.roundness > has_normal ? spoke.normal : mean_normal_;
-    return !turns(before, normal_of(position, spoke.first, spoke.second), least_turn_cosine);
-  });
+    const Vec3& before = spoke.has_normal ? spoke.normal : mean_normal_;
+    const Vec3 after = normal_of(position, spoke.first, spoke.second);
+    if (turns(before, after, least_turn_cosine)) return false;
+    least = std::min(least, roundness(position, spoke.first, spoke.second));
+  }
+  return least >= round_enough || least >= least_roundness_before();
+}
+
+/// Of the triangles at both ends.
+double Collapser::least_roundness_before() const {
+  double least = 1;
+  for (const Index face : patch_.replaced) {
+    least = std::min(least, roundness(mesh_.position(mesh_.source(3 * face)),
+                                      mesh_.position(mesh_.source(3 * face + 1)),
+                                      mesh_.position(mesh_.source(3 * face + 2))));
+  }
+  return least;
 }
 
 void Collapser::fill_patch(const Vec3& position) {
@@ -160,7 +174,11 @@ void Collapser::fill_patch(const Vec3& position) {
   patch_.centre_position = position;
   patch_.made.clear();
   patch_.normals.clear();
+  patch_.longest_squared = 0;
   for (const Spoke& spoke : spokes_) {
+    patch_.longest_squared =
+        std::max({patch_.longest_squared, (spoke.first - position).squaredNorm(),
+                  (spoke.second - position).squaredNorm()});
     patch_.made.push_back({position, spoke.first, spoke.second});
     patch_.normals.push_back(normal_of(position, spoke.first, spoke.second));
   }
@@ -209,7 +227,7 @@ class Candidates {
 };
 
 template <class Wanted>
-CollapseCounts collapse_wanted(EditableMesh& mesh, Collapser& collapser, const Wanted& wanted,
+CollapseCounts collapse_wanted(EditableMesh& mesh, Collapser& collapser, Wanted& wanted,
                                const Progress& progress) {
   CollapseCounts counts;
   Candidates<Wanted> edges(mesh, wanted);
@@ -223,23 +241,66 @@ CollapseCounts collapse_wanted(EditableMesh& mesh, Collapser& collapser, const W
       ++counts.refused;
     } else {
       ++counts.done;
+      wanted.note_merged(vertex);
       edges.push_around(vertex);
     }
   }
   return counts;
 }
 
-/// By how much the squared deviations from valence six shrink where an inner edge collapses.
-int valence_gain(const EditableMesh& mesh, Index halfedge) {
-  const auto excess = [&](Index vertex) { return static_cast<int>(mesh.valence(vertex)) - 6; };
-  const int source = excess(mesh.source(halfedge));
-  const int target = excess(mesh.target(halfedge));
-  const int left = excess(mesh.apex(halfedge));
-  const int right = excess(mesh.apex(mesh.opposite(halfedge)));
-  const int merged = source + target + 2;
-  // each apex loses an edge: x^2 - (x - 1)^2 = 2x - 1
-  return source * source + target * target - merged * merged + 2 * left + 2 * right - 2;
-}
+class IsShort {
+ public:
+  IsShort(const EditableMesh& mesh, double min_edge, bool keep_border)
+      : mesh_(mesh), limit_(min_edge * min_edge), keep_border_(keep_border) {}
+  bool operator()(Index halfedge) const {
+    return mesh_.scaled_squared_length(halfedge) < limit_ &&
+           !(keep_border_ && mesh_.is_border(halfedge));
+  }
+  void note_merged(Index) const {}
+
+ private:
+  const EditableMesh& mesh_;
+  double limit_;
+  bool keep_border_;
+};
+
+/// Edges not too long whose collapse brings valences closer to six.
+class IsIrregular {
+ public:
+  IsIrregular(const EditableMesh& mesh, double longest)
+      : mesh_(mesh), limit_(longest * longest), excess_(mesh.vertex_slots(), -6) {
+    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+      if (!mesh.has_halfedge(h)) continue;
+      ++excess_[mesh.source(h)];
+      if (mesh.is_border(h)) ++excess_[mesh.target(h)];  // which has one edge more than faces
+    }
+  }
+  bool operator()(Index halfedge) const {
+    return mesh_.scaled_squared_length(halfedge) < limit_ && !mesh_.is_border(halfedge) &&
+           gain(halfedge) > 0;
+  }
+  void note_merged(Index vertex) {
+    recount(vertex);
+    mesh_.for_each_neighbour(vertex, [&](Index neighbour, Index) { recount(neighbour); });
+  }
+
+ private:
+  void recount(Index vertex) { excess_[vertex] = static_cast<int>(mesh_.valence(vertex)) - 6; }
+  /// By how much the squared deviations from six shrink.
+  int gain(Index halfedge) const {
+    const int source = excess_[mesh_.source(halfedge)];
+    const int target = excess_[mesh_.target(halfedge)];
+    const int left = excess_[mesh_.apex(halfedge)];
+    const int right = excess_[mesh_.apex(mesh_.opposite(halfedge))];
+    const int merged = source + target + 2;
+    // each apex loses an edge: x^2 - (x - 1)^2 = 2x - 1
+    return source * source + target * target - merged * merged + 2 * left + 2 * right - 2;
+  }
+
+  const EditableMesh& mesh_;
+  double limit_;
+  std::vector<int> excess_;  ///< valence minus six
+};
 
 }  // namespace
 
@@ -247,10 +308,7 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, double min_edge, double max_edge,
                                     const Progress& progress) {
   Collapser collapser(mesh, guard, roles, max_edge);
-  const auto is_short = [&, limit = min_edge * min_edge](Index halfedge) {
-    return mesh.scaled_squared_length(halfedge) < limit &&
-           !(roles.keeps_border() && mesh.is_border(halfedge));
-  };
+  IsShort is_short(mesh, min_edge, roles.keeps_border());
   CollapseCounts counts = collapse_wanted(mesh, collapser, is_short, progress);
   if (counts.refused == 0) return counts;
 
@@ -266,11 +324,8 @@ std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
                                  const VertexRoles& roles, double longest, double max_edge,
                                  const Progress& progress) {
   Collapser collapser(mesh, guard, roles, max_edge);
-  const auto is_wanted = [&, limit = longest * longest](Index halfedge) {
-    return mesh.scaled_squared_length(halfedge) < limit && !mesh.is_border(halfedge) &&
-           valence_gain(mesh, halfedge) > 0;
-  };
-  return collapse_wanted(mesh, collapser, is_wanted, progress).done;
+  IsIrregular is_irregular(mesh, longest);
+  return collapse_wanted(mesh, collapser, is_irregular, progress).done;
 }
 
 bool collapse_edge(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <string>
 
 #include "tm/support/error.h"
@@ -20,21 +21,48 @@ constexpr const char* advice = "; mend it with tm-stitch --orient";
                    advice);
 }
 
-/// The halfedges that leave each vertex, as one array with offsets.
-struct Outgoing {
-  std::vector<Index> offsets;
-  std::vector<Index> halfedges;
+/// The halfedges that leave each vertex and where they arrive, as one array with offsets.
+class Outgoing {
+ public:
+  struct End {
+    Index halfedge;
+    Index target;
+  };
 
   Outgoing(const std::vector<Index>& sources, std::size_t vertices)
-      : offsets(vertices + 1, 0), halfedges(sources.size()) {
-    for (const Index source : sources) ++offsets[source + 1];
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-    for (std::size_t h = 0; h < sources.size(); ++h) {
-      halfedges[next[sources[h]]++] = static_cast<Index>(h);
+      : offsets_(vertices + 1, 0), ends_(sources.size()) {
+    for (const Index source : sources) ++offsets_[source + 1];
+    std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+    std::vector<Index> next(offsets_.begin(), offsets_.end() - 1);
+    for (Index h = 0; h < sources.size(); ++h) {
+      ends_[next[sources[h]]++] = {h, sources[next_halfedge(h)]};
     }
   }
+  std::span<const End> operator[](Index vertex) const {
+    return {ends_.data() + offsets_[vertex], ends_.data() + offsets_[vertex + 1]};
+  }
+
+ private:
+  std::vector<Index> offsets_;
+  std::vector<End> ends_;
 };
+
+bool has_equal_targets(std::span<const Outgoing::End> ends) {
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (ends[i].target == ends[j].target) return true;
+    }
+  }
+  return false;
+}
+
+[[noreturn]] void throw_first_crowded_edge(const EditableMesh& mesh, const Outgoing& outgoing) {
+  for (Index h = 0;; ++h) {
+    for (const auto& [other, target] : outgoing[mesh.source(h)]) {
+      if (other > h && target == mesh.target(h)) throw_crowded_edge(mesh, h, other);
+    }
+  }
+}
 
 }  // namespace
 
@@ -74,21 +102,14 @@ void EditableMesh::check_corners() const {
 void EditableMesh::link_opposites() {
   opposites_.assign(sources_.size(), no_index);
   const Outgoing outgoing(sources_, positions_.size());
-  const auto visit_leaving = [&](Index vertex, const auto& visit) {
-    for (Index i = outgoing.offsets[vertex]; i < outgoing.offsets[vertex + 1]; ++i) {
-      visit(outgoing.halfedges[i]);
+  for (Index v = 0; v < vertex_slots(); ++v) {
+    if (has_equal_targets(outgoing[v])) throw_first_crowded_edge(*this, outgoing);
+    for (const auto& [halfedge, target] : outgoing[v]) {
+      if (target < v) continue;
+      for (const auto& [other, back] : outgoing[target]) {
+        if (back == v) link(halfedge, other);
+      }
     }
-  };
-  for (Index h = 0; h < halfedge_slots(); ++h) {
-    const Index from = source(h);
-    const Index to = target(h);
-    visit_leaving(from, [&](Index other) {
-      if (other > h && target(other) == to) throw_crowded_edge(*this, h, other);
-    });
-    if (from > to) continue;
-    visit_leaving(to, [&](Index other) {
-      if (target(other) == from) link(h, other);
-    });
   }
   for (Index h = 0; h < halfedge_slots(); ++h) has_borders_ |= opposites_[h] == no_index;
 }

@@ -74,6 +74,31 @@ bool sees(const Vec3& direction, const Triangle& triangle) {
   return along > 0 && along * along > least_cosine * least_cosine * normal.squaredNorm();
 }
 
+/// The space between two planes across a direction.
+class Slab {
+ public:
+  explicit Slab(const Vec3& direction) : direction_(direction) {}
+  void extend(const Triangle& triangle) {
+    for (const Vec3& corner : triangle) {
+      low_ = std::min(low_, direction_.dot(corner));
+      high_ = std::max(high_, direction_.dot(corner));
+    }
+  }
+  /// Counts what is within rounding as meeting.
+  bool meets(const Triangle& triangle) const {
+    const double a = direction_.dot(triangle[0]);
+    const double b = direction_.dot(triangle[1]);
+    const double c = direction_.dot(triangle[2]);
+    const double margin = 1e-12 * (std::abs(low_) + std::abs(high_) + std::abs(a));
+    return std::max({a, b, c}) >= low_ - margin && std::min({a, b, c}) <= high_ + margin;
+  }
+
+ private:
+  Vec3 direction_;
+  double low_ = HUGE_VAL;
+  double high_ = -HUGE_VAL;
+};
+
 double longest_edge_of(const EditableMesh& mesh) {
   double longest = 0;
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
@@ -282,7 +307,7 @@ void EmbeddingGuard::change_cell(Index vertex, Key key) {
 
 bool EmbeddingGuard::allows(const Patch& patch) {
   if (is_certified(patch)) return true;
-  if (!is_short_enough(patch)) return false;
+  if (!(patch.longest_squared <= longest_edge_ * longest_edge_)) return false;
   enclose(patch);
   if (is_seen_around(patch)) return true;
   find_faces_near(patch);
@@ -290,7 +315,7 @@ bool EmbeddingGuard::allows(const Patch& patch) {
 }
 
 bool EmbeddingGuard::is_certified(const Patch& patch) {
-  directions_ = is_short_enough(patch) ? all_directions : 0;
+  directions_ = patch.longest_squared <= longest_edge_ * longest_edge_ ? all_directions : 0;
   for (const Vec3& normal : patch.normals) directions_ &= seeing_directions(normal);
   if ((directions_ & cells_[places_[patch.centre].cell].around) == 0) return false;
 
@@ -303,28 +328,23 @@ bool EmbeddingGuard::is_certified(const Patch& patch) {
   return (patch.centre_position - centre).squaredNorm() <= radius * radius;
 }
 
-/// The edges of the rim were there before.
-bool EmbeddingGuard::is_short_enough(const Patch& patch) const {
-  const double longest = longest_edge_ * longest_edge_;
-  return std::all_of(patch.made.begin(), patch.made.end(), [&](const Triangle& triangle) {
-    return (triangle[1] - triangle[0]).squaredNorm() <= longest &&
-           (triangle[2] - triangle[0]).squaredNorm() <= longest;
-  });
-}
-
 Triangle EmbeddingGuard::triangle_of(Index face) const {
   return {mesh_.position(mesh_.source(3 * face)), mesh_.position(mesh_.source(3 * face + 1)),
           mesh_.position(mesh_.source(3 * face + 2))};
 }
 
-/// The box around both patches is convex, so lines in it may be followed (as in a ball).
+/// The box around both patches, and of it the slab between two planes that hold them, is convex, so
+/// that lines in it may be followed (as in a ball).
 bool EmbeddingGuard::is_height_field(const Patch& patch) const {
-  Vec3 direction = Vec3::Zero();
-  for (const Triangle& triangle : patch.made)
-    direction += (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
-  direction.normalize();
   const Index component = places_[patch.centre].component;
   if (component == no_index) return false;
+  Vec3 direction = Vec3::Zero();
+  for (const Vec3& normal : patch.normals) direction += normal;
+  direction.normalize();
+  Slab slab(direction);
+  for (const Triangle& triangle : patch.made) slab.extend(triangle);
+  for (const Index face : patch.replaced) slab.extend(triangle_of(face));
+
   const auto is_seen = [&](Index face) {
     return places_[mesh_.source(3 * face)].component == component &&
            sees(direction, triangle_of(face));
@@ -332,7 +352,8 @@ bool EmbeddingGuard::is_height_field(const Patch& patch) const {
   return std::all_of(patch.made.begin(), patch.made.end(),
                      [&](const Triangle& triangle) { return sees(direction, triangle); }) &&
          std::all_of(patch.replaced.begin(), patch.replaced.end(), is_seen) &&
-         std::all_of(near_.begin(), near_.end(), is_seen);
+         std::all_of(near_.begin(), near_.end(),
+                     [&](Index face) { return !slab.meets(triangle_of(face)) || is_seen(face); });
 }
 
 bool EmbeddingGuard::meets_itself(const Patch& patch) const {
@@ -376,10 +397,13 @@ bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
   std::uint32_t directions = component == no_index ? 0 : directions_;
   for (const Index vertex : patch.vertices) directions &= places_[vertex].seeing;
   if (directions == 0) return false;
-  return for_each_vertex_in_cells([&](Index vertex) {
-    const Place& place = places_[vertex];
-    const std::uint32_t left = place.component == component ? directions & place.seeing : 0;
-    if (left != directions && is_around(vertex)) directions = left;
+  return for_each_cell_near([&](const Cell& cell) {
+    const bool restricts = cell.component != component || (directions & ~cell.directions) != 0;
+    for (Index v = restricts ? cell.first_vertex : no_index; v != no_index; v = places_[v].next) {
+      const Place& place = places_[v];
+      const std::uint32_t left = place.component == component ? directions & place.seeing : 0;
+      if (left != directions && is_around(v)) directions = left;
+    }
     return directions != 0;
   });
 }
@@ -389,17 +413,19 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
   near_.clear();
   ++stamp_now_;
   for (const Index face : patch.replaced) stamp_[face] = stamp_now_;
-  for_each_vertex_in_cells([&](Index vertex) {
-    if (!is_around(vertex)) return true;
-    mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
-      const Index face = halfedge / 3;
-      if (stamp_[face] == stamp_now_) return;
-      stamp_[face] = stamp_now_;
-      const Triangle triangle = triangle_of(face);
-      if ((lowest(triangle).array() <= high_.array()).all() &&
-          (highest(triangle).array() >= low_.array()).all())
-        near_.push_back(face);
-    });
+  const auto add_if_near = [&](Index halfedge) {
+    const Index face = halfedge / 3;
+    if (stamp_[face] == stamp_now_) return;
+    stamp_[face] = stamp_now_;
+    const Triangle triangle = triangle_of(face);
+    if ((lowest(triangle).array() <= high_.array()).all() &&
+        (highest(triangle).array() >= low_.array()).all())
+      near_.push_back(face);
+  };
+  for_each_cell_near([&](const Cell& cell) {
+    for (Index v = cell.first_vertex; v != no_index; v = places_[v].next) {
+      if (is_around(v)) mesh_.for_each_outgoing(v, add_if_near);
+    }
     return true;
   });
 }
@@ -410,10 +436,10 @@ bool EmbeddingGuard::is_around(Index vertex) const {
          (position.array() <= high_corner_.array()).all();
 }
 
-/// Calls visit(vertex) until it returns false. At least one corner of every face that meets the box
-/// is visited, and is around.
+/// Calls visit(cell) until it returns false. At least one corner of every face that meets the box
+/// lies in one of them, and is around.
 template <class Visit>
-bool EmbeddingGuard::for_each_vertex_in_cells(const Visit& visit) const {
+bool EmbeddingGuard::for_each_cell_near(const Visit& visit) const {
   const Key first = key_of(low_corner_);
   const Key last = key_of(high_corner_);
   constexpr Key axis_mask = (Key{1} << key_bits) - 1;
@@ -421,10 +447,7 @@ bool EmbeddingGuard::for_each_vertex_in_cells(const Visit& visit) const {
     for (Key y = (first >> key_bits) & axis_mask; y <= ((last >> key_bits) & axis_mask); ++y) {
       for (Key z = first & axis_mask; z <= (last & axis_mask); ++z) {
         const Index cell = find_cell((x << (2 * key_bits)) | (y << key_bits) | z);
-        Index vertex = cell == no_index ? no_index : cells_[cell].first_vertex;
-        for (; vertex != no_index; vertex = places_[vertex].next) {
-          if (!visit(vertex)) return false;
-        }
+        if (cell != no_index && !visit(cells_[cell])) return false;
       }
     }
   }

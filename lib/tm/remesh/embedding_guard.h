@@ -26,8 +26,9 @@ namespace transformesh {
 struct Patch {
   Index centre = no_index;      ///< a living vertex of it, before and after
   Vec3 centre_position;         ///< where it will be
-  std::vector<Triangle> made;   ///< the new triangles, each with an edge of the rim last
+  std::vector<Triangle> made;   ///< the new triangles
   std::vector<Vec3> normals;    ///< of these, of any length
+  double longest_squared = 0;   ///< of their edges that were not there before
   std::vector<Index> replaced;  ///< the faces that give way
   std::vector<Index> vertices;  ///< the corners of the new triangles
 
@@ -81,12 +82,11 @@ class EmbeddingGuard {
   void insert(Index vertex, Index cell);
   void remove(Index vertex);
   bool is_certified(const Patch& patch);
-  bool is_short_enough(const Patch& patch) const;
   void find_faces_near(const Patch& patch);
   void enclose(const Patch& patch);
   bool is_seen_around(const Patch& patch) const;
   template <class Visit>
-  bool for_each_vertex_in_cells(const Visit& visit) const;
+  bool for_each_cell_near(const Visit& visit) const;
   bool is_around(Index vertex) const;
   bool is_height_field(const Patch& patch) const;
   bool meets_itself(const Patch& patch) const;

@@ -9,7 +9,7 @@ namespace transformesh {
 namespace {
 
 /// Moves below this share of the star's size are not worth making.
-constexpr double rest = 1e-3;
+constexpr double rest = 5e-3;
 /// The cotangent of 5 degrees.
 constexpr double largest_cotangent = 11.430052302761343;
 constexpr double least_weight = 0.01;

@@ -9,33 +9,25 @@ constexpr double least_turn_cosine = 0.5;
 /// Triangles at least this round are good enough; others must not get worse.
 constexpr double round_enough = 0.6;
 /// A triangle rounder than this has a normal to rely on.
-constexpr double has_normal = 0.02;
+constexpr double normal_roundness = 0.02;
 
-/// The squared roundness (star.h) of the flattest triangle around a centre.
-double least_squared_roundness(const Star& star, const Vec3& centre) {
+/// The square of what roundness() in star.h says.
+double squared_roundness(const Vec3& normal, double squares) {
+  return squares > 0 ? 12 * normal.squaredNorm() / (squares * squares) : 0;
+}
+
+/// Whether the triangle's own normal is one to rely on.
+bool has_normal(const Star::Spoke& spoke) {
+  return 12 * spoke.normal.squaredNorm() >
+         normal_roundness * normal_roundness * spoke.squares * spoke.squares;
+}
+
+/// The squared roundness of the narrowest triangle.
+double least_squared_roundness(const Star& star) {
   double least = 1;
-  for (const Star::Spoke& spoke : star.spokes) {
-    const Vec3 a = spoke.first_position - centre;
-    const Vec3 b = spoke.second_position - centre;
-    const double squares = a.squaredNorm() + b.squaredNorm() + (b - a).squaredNorm();
-    const double area = a.cross(b).squaredNorm();
-    least = std::min(least, squares > 0 ? 12 * area / (squares * squares) : 0);
-  }
+  for (const Star::Spoke& spoke : star.spokes)
+    least = std::min(least, squared_roundness(spoke.normal, spoke.squares));
   return least;
-}
-
-bool has_own_normal(const Star::Spoke& spoke, const Vec3& centre) {
-  const Vec3 a = spoke.first_position - centre;
-  const Vec3 b = spoke.second_position - centre;
-  const double squares = a.squaredNorm() + b.squaredNorm() + (b - a).squaredNorm();
-  return 12 * spoke.normal.squaredNorm() > has_normal * has_normal * squares * squares;
-}
-
-/// Whether no triangle gets too narrow.
-bool is_round(const Star& star, const Vec3& target) {
-  const double after = least_squared_roundness(star, target);
-  if (after >= round_enough * round_enough) return true;
-  return after >= least_squared_roundness(star, star.centre);
 }
 
 }  // namespace
@@ -44,13 +36,21 @@ void Star::gather(const EditableMesh& mesh, Index vertex) {
   spokes.clear();
   normal.setZero();
   centre = mesh.position(vertex);
+  Index first = mesh.target(mesh.outgoing(vertex));
+  Vec3 a = mesh.position(first) - centre;
+  double a_squared = a.squaredNorm();
   mesh.for_each_outgoing(vertex, [&](Index halfedge) {
-    const Index first = mesh.target(halfedge);
-    const Vec3& a = mesh.position(first);
-    const Vec3& b = mesh.position(mesh.apex(halfedge));
-    const Vec3 own = normal_of(centre, a, b);
-    spokes.push_back({first, halfedge / 3, a, b, own});
+    const Index second = mesh.apex(halfedge);
+    const Vec3 b = mesh.position(second) - centre;
+    const double b_squared = b.squaredNorm();
+    const double rim = (b - a).squaredNorm();
+    const Vec3 own = a.cross(b);
+    spokes.push_back({first, halfedge / 3, mesh.position(first), mesh.position(second), own, rim,
+                      a_squared + b_squared + rim});
     normal += own;
+    first = second;
+    a = b;
+    a_squared = b_squared;
   });
 }
 
@@ -58,17 +58,27 @@ bool VertexMover::move(Index vertex, const Star& star, const Vec3& target) {
   return attempt(vertex, star, target) || attempt(vertex, star, 0.5 * star.centre + 0.5 * target);
 }
 
-/// Fills the patch's triangles; false where one turns over.
+/// Fills the patch's triangles; false where one turns over or gets too narrow.
 bool VertexMover::place_triangles(const Star& star, const Vec3& target) {
   patch_.clear();
+  double least = 1;
+  Vec3 a = star.spokes[0].first_position - target;
+  double a_squared = a.squaredNorm();
+  patch_.longest_squared = a_squared;
   for (const Star::Spoke& spoke : star.spokes) {
-    const Vec3 normal = normal_of(target, spoke.first_position, spoke.second_position);
-    const Vec3& before = has_own_normal(spoke, star.centre) ? spoke.normal : star.normal;
+    const Vec3 b = spoke.second_position - target;
+    const double b_squared = b.squaredNorm();
+    const Vec3 normal = a.cross(b);
+    const Vec3& before = has_normal(spoke) ? spoke.normal : star.normal;
     if (turns(before, normal, least_turn_cosine)) return false;
+    least = std::min(least, squared_roundness(normal, a_squared + b_squared + spoke.rim));
+    patch_.longest_squared = std::max(patch_.longest_squared, b_squared);
     patch_.made.push_back({target, spoke.first_position, spoke.second_position});
     patch_.normals.push_back(normal);
+    a = b;
+    a_squared = b_squared;
   }
-  return true;
+  return least >= round_enough * round_enough || least >= least_squared_roundness(star);
 }
 
 void VertexMover::name_parts(Index vertex, const Star& star) {
@@ -85,7 +95,7 @@ void VertexMover::name_parts(Index vertex, const Star& star) {
 
 bool VertexMover::attempt(Index vertex, const Star& star, const Vec3& wanted) {
   const Vec3 target = mesh_.rounded(wanted);
-  if (!is_round(star, target) || !place_triangles(star, target)) return false;
+  if (!place_triangles(star, target)) return false;
   patch_.centre_position = target;
   name_parts(vertex, star);
   if (!guard_.allows(patch_)) return false;

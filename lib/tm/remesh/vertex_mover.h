@@ -6,14 +6,17 @@
 
 namespace transformesh {
 
-/// The triangles at a vertex, without that corner.
+/// The triangles at a vertex, without that corner, counter-clockwise: the second corner of one is
+/// the first of the next.
 struct Star {
   struct Spoke {
     Index first;
     Index face;
     Vec3 first_position;
     Vec3 second_position;
-    Vec3 normal;  ///< twice the area long
+    Vec3 normal;     ///< twice the area long
+    double rim;      ///< squared length of the side across
+    double squares;  ///< of the three sides, summed
   };
   std::vector<Spoke> spokes;
   Vec3 centre;
