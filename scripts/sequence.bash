@@ -68,12 +68,13 @@ run_self() { # ARGUMENT...
   "$here/$name" -q --threads "$threads" --cameras "${cameras//'{}'/$step}" \
     --images "${images//'{}'/$step}" "${masks[@]}" --keep "$keep" --edge "$edge" \
     --last-edge "$last_edge" --passes "$passes" --iterations "$iterations" --pairs "$pairs" \
-    --stiffness "$stiffness" --pull "$pull" --resume "$@" &
+    --stiffness "$stiffness" --pull "$pull" --resume "$@" 2>"$state/messages" &
   job=$!
   set +m
   local code=0
   wait "$job" || code=$?
   job=''
+  [ "$code" -eq 0 ] || cat "$state/messages" >&2
   return "$code"
 }
 
@@ -94,10 +95,10 @@ make_surface() { # hull|before|given [--start FILE] [--coarsest NUMBER]
   local of=$1
   shift
   detail "$step: from $of"
-  run_self "$@" --report "$state/$of.json" -o "$state/$of.ply" || exit $?
+  run_self "$@" --report "$state/$of.json" -o "$state/$of.ply" || return $?
   tm-photograph --threads "$threads" -q --cameras "${cameras//'{}'/$step}" \
     --compare-silhouettes "${masks[1]}" --report "$state/silhouettes-$of.json" -o /dev/null \
-    "$state/$of.ply" || exit $?
+    "$state/$of.ply" || return $?
   start_of_step=$of
 }
 
@@ -109,7 +110,7 @@ faults() { # hull|before|given
     END {
       if (reference == "none") exit
       split(reference, before, " ")
-      if (of_result("dissimilarity") > 1.2 * before[1]) printf "dissimilarity "
+      if (of_result("dissimilarity") > 1.3 * before[1]) printf "dissimilarity "
       if (of_result("coverage") < 0.9 * before[2]) printf "coverage "
       least = value["silhouettes-" of ".result.least_silhouette_agreement"] + 0
       if (least < before[3] - 0.03) printf "silhouettes "
@@ -126,19 +127,31 @@ is_hull_better() { # FAULTS-OF-BEFORE
     }' "$state"/{hull,before}.json
 }
 
+# A surface that was lost altogether has all faults; no dissimilarity is above 2.
+make_tracked() {
+  local code=0
+  make_surface before --start "$before" --coarsest "$track" || code=$?
+  if [ "$code" -eq 0 ]; then return; fi
+  if [ "$code" -ne 3 ] && [ "$code" -ne 4 ]; then exit "$code"; fi
+  say "time step $number, $(step_name "$step"): the surface before is lost"
+  rm -rf "$state/before.ply.$name"
+  printf '{\n  "result": {\n    "dissimilarity": 3\n  }\n}\n' >"$state/before.json"
+  : >"$state/silhouettes-before.json"
+}
+
 # From the surface before, where there is one, and from the hull where that one has faults.
 make_step() {
   local found=''
   make_masks
   if [ "$before" = none ] && [ -n "$start" ]; then
-    make_surface given --start "$start" --coarsest "$coarsest"
+    make_surface given --start "$start" --coarsest "$coarsest" || exit $?
   elif [ "$before" = none ]; then
-    make_surface hull --coarsest "$coarsest"
+    make_surface hull --coarsest "$coarsest" || exit $?
   else
-    make_surface before --start "$before" --coarsest "$track"
+    make_tracked
     found=$(faults before)
     if [ -n "$found" ]; then
-      make_surface hull --coarsest "$coarsest"
+      make_surface hull --coarsest "$coarsest" || exit $?
       is_hull_better "$found" || start_of_step=before
     fi
   fi

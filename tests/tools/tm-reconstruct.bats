@@ -122,3 +122,76 @@ STUB
   [[ $stderr == *"--edge"* ]]
   [ ! -e out.ply ] && [ ! -e out.ply.tm-reconstruct ]
 }
+
+# take STEP MESH...: photographs of a time step, by the cameras of the first one.
+take() {
+  local step=film/$1 cameras=(--ring 16 --elevations '35,-25' --distance 400)
+  shift
+  mkdir -p "$step"/{images,masks}
+  tm-cat "$@" | tm-clean -o "$step/truth.ply"
+  if [ -e par.txt ]; then cameras=(--cameras par.txt); fi
+  tm-photograph "${cameras[@]}" --size 160x120 --finest 5 --coarsest 20 --write-images "$step/images" \
+    --write-silhouettes "$step/masks" -o par.new "$step/truth.ply"
+  mv par.new par.txt
+}
+
+@test "a sequence: surfaces follow what moves and meets, and what appears is found from the hull" {
+  ball() { tm-shape sphere --radius "$1" --faces 5000 --center "$2" -o "$3.ply"; }
+  ball 20 -25,0,0 left && ball 20 25,0,0 right && take 8 left.ply right.ply
+  ball 20 -19,0,0 left && ball 20 17,0,4 right && take 9 left.ply right.ply
+  ball 12 0,5,42 third && take 10 left.ply right.ply third.ply
+  sequence=(tm-reconstruct --sequence film --cameras par.txt --images '{}/images'
+    --silhouettes '{}/masks' --keep 0.1)
+  "${sequence[@]}" -o whole --csv whole.csv --report whole.json 2>messages
+  grep -q '3 time steps, 1 tracked, 3 as good as from the hull' messages
+  [ "$(value time_steps whole.json) $(value tracked whole.json)" = "3 1" ]
+  # In natural order.
+  diff <(cut -d, -f1-4,7,8 whole.csv) - <<'CSV'
+step,name,start,accepted,components,genus
+1,8,hull,yes,2,0
+2,9,before,yes,1,0
+3,10,hull,yes,2,0
+CSV
+  for step in 8 9 10; do
+    tm-checkmanifold --closed "whole/$step.ply" >/dev/null
+    tm-intersect --check "whole/$step.ply"
+    # A pixel is 0.74 wide.
+    tm-compare --reference "film/$step/truth.ply" "whole/$step.ply" |
+      awk '/^accuracy:/ { exit !($2 < 0.5) }'
+  done
+  [ "$(find whole -mindepth 1 | wc -l)" -eq 3 ]
+
+  # Interrupted in the second time step, and continued.
+  env --default-signal=INT "${sequence[@]}" --threads 1 -o parts --csv parts.csv -q 2>messages 3>&- &
+  while [ ! -e parts.csv ] || [ ! -e parts/.tm-reconstruct/before.ply.tm-reconstruct/state ]; do
+    sleep 0.05
+  done
+  kill -INT $!
+  wait $! || code=$?
+  [ "$code" -eq 130 ]
+  grep -q -- '--resume' messages
+  run --separate-stderr "${sequence[@]}" -o parts --resume --edge 4
+  assert_status 2
+  "${sequence[@]}" --threads 1 -o parts --csv parts.csv --resume -q
+  for step in 8 9 10; do cmp "parts/$step.ply" "whole/$step.ply"; done
+  cmp <(cut -d, -f1-13 parts.csv) <(cut -d, -f1-13 whole.csv)
+}
+
+@test "a sequence that names no time steps, or no places for them, is refused" {
+  sequence=(tm-reconstruct --cameras "$scene/par.txt" --images '{}/images' -o out)
+  run --separate-stderr "${sequence[@]}" --sequence 'nowhere/*'
+  assert_status 3
+  one_line "$stderr"
+  run --separate-stderr "${sequence[@]}" --sequence "$scene" --images "$scene/images"
+  assert_status 2
+  [[ $stderr == *"--images"*"{}"* ]]
+  printf 'a/first\nb/first\n' >names
+  run --separate-stderr "${sequence[@]}" --sequence names
+  assert_status 2
+  [[ $stderr == *"'first'"* ]]
+  # What is wrong with a time step is said by the program that finds it.
+  echo missing >names
+  run --separate-stderr "${sequence[@]}" --sequence names
+  assert_status 3
+  [[ $stderr == *"missing/images"* ]]
+}
