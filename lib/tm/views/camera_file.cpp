@@ -104,8 +104,12 @@ std::vector<std::string> camera_files_in(const std::string& folder) {
     const auto found = camera_format(file_bytes(path, 4096));
     if (!found) continue;
     if (format && *format != *found) {
-      throw InputError(folder + ": camera files of different formats are in this folder, " +
-                       files.back() + " and " + path + ": name one, or a quoted pattern");
+      throw InputError(std::string(folder)
+                           .append(": camera files of different formats are in this folder, ")
+                           .append(files.back())
+                           .append(" and ")
+                           .append(path)
+                           .append(": name one, or a quoted pattern"));
     }
     format = found;
     files.push_back(path);

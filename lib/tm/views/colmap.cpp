@@ -60,7 +60,7 @@ void read_lens(TextRows& rows, Lenses& lenses) {
   if (model == "PINHOLE") k(1, 1) = read_parameter(rows, "the second focal length", who);
   k(0, 2) = read_parameter(rows, "cx", who) - 0.5;
   k(1, 2) = read_parameter(rows, "cy", who) - 0.5;
-  rows.end_row([&] { return who; });
+  rows.end_row([&] { return std::string(who); });
   check_intrinsics(rows, k, who);
   if (!lenses.emplace(id, lens).second) rows.fail(who + " is there twice");
 }
@@ -125,7 +125,7 @@ CameraList read_images(TextRows& rows, const Source& source, const Lenses& lense
 }
 
 // True where the row that rows is at describes a camera.
-bool at_lens(TextRows rows) { return colmap_part(rows) == ColmapPart::cameras; }
+bool at_lens(const TextRows& rows) { return colmap_part(rows) == ColmapPart::cameras; }
 
 [[noreturn]] void fail_without_images(const TextRows& rows) {
   rows.fail("there is no image in COLMAP's images.txt, so that no camera has a place");

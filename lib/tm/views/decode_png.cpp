@@ -25,7 +25,7 @@ void take(png_structp png, png_bytep data, png_size_t size) {
   png_longjmp(png, 1);
 }
 
-void ignore_warning(png_structp, png_const_charp) {}
+void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
 struct Layout {
   png_uint_32 width = 0;
@@ -62,10 +62,14 @@ bool decode(png_structp png, png_infop info, png_bytepp rows) {
 /// Frees libpng's structures whatever happens.
 class Reader {
  public:
-  explicit Reader(const Source& source) : input_{source.bytes, {}} {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &input_, fail, ignore_warning);
-    info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
-    if (info_ == nullptr) throw std::bad_alloc();
+  explicit Reader(const Source& source)
+      : input_{source.bytes, {}},
+        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &input_, fail, ignore_warning)),
+        info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
+    if (info_ == nullptr) {
+      png_destroy_read_struct(&png_, nullptr, nullptr);
+      throw std::bad_alloc();
+    }
     png_set_read_fn(png_, &input_, take);
   }
   ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
@@ -80,8 +84,8 @@ class Reader {
 
  private:
   Input input_;
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
+  png_structp png_;
+  png_infop info_;
 };
 
 /// Where each row of the samples starts.
@@ -106,7 +110,7 @@ Samples decode_png(const Source& source) {
   const auto refuse = [&] { source.fail("not a complete PNG image: " + reader.failure()); };
   if (!reader.read_layout(layout)) refuse();
   // Deflate makes a byte of at most 1032; a sample has one bit at least.
-  check_size(source, layout.width, layout.height, 8 * 1032);
+  check_size(source, layout.width, layout.height, std::uint64_t{8} * 1032);
 
   Samples samples;
   samples.width = static_cast<int>(layout.width);

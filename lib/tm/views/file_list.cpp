@@ -20,8 +20,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Takes the number at the start of the text, without leading zeros.
 std::string_view take_number(std::string_view& text) {
-  const auto last = std::find_if_not(text.begin(), text.end(), is_digit);
-  std::string_view digits = text.substr(0, static_cast<std::size_t>(last - text.begin()));
+  std::string_view digits = text.substr(0, text.find_first_not_of("0123456789"));
   text.remove_prefix(digits.size());
   digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
   return digits;

@@ -68,8 +68,8 @@ void append_row(const Sample* pixel, const cv::Mat& image, std::vector<Sample>& 
 bool decode(std::string_view bytes, Samples& samples) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return false;
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  const cv::Mat encoded(1, static_cast<int>(bytes.size()), CV_8UC1,
-                        const_cast<char*>(bytes.data()));
+  const cv::_InputArray encoded(reinterpret_cast<const unsigned char*>(bytes.data()),
+                                static_cast<int>(bytes.size()));
   const cv::Mat image =
       cv::imdecode(encoded, static_cast<int>(cv::IMREAD_ANYDEPTH) | cv::IMREAD_ANYCOLOR |
                                 cv::IMREAD_IGNORE_ORIENTATION);
