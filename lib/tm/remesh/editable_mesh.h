@@ -48,8 +48,10 @@ class EditableMesh {
   }
   /// The same in units of the local size, the mean of both ends'; plain while there are no sizes.
   double scaled_squared_length(Index halfedge) const {
+    const double squared = squared_length(halfedge);
+    if (sizes_.empty()) return squared;
     const double size = mean_size(source(halfedge), target(halfedge));
-    return squared_length(halfedge) / (size * size);
+    return squared / (size * size);
   }
   /// Twice the area times the unit normal.
   Vec3 face_normal(Index face) const;

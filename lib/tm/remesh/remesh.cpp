@@ -25,7 +25,7 @@ constexpr double longest_irregular = 1.3;
 /// Edges may become this many times as long as the longest where that makes valences regular: a
 /// flip between equilateral triangles makes an edge of 1.73 of theirs, which relaxation shortens.
 constexpr double stretch = 1.15;
-/// Edges far too short are collapsed in stages of this many times the mean length.
+/// Edges far too short are collapsed in stages of this many times the typical length.
 constexpr double stage_growth = 1.6;
 /// Of the edge that curvature takes: shorter ones are collapsed.
 constexpr double adaptive_shortest = 0.55;
@@ -197,22 +197,23 @@ void remove_small(const Task& task) {
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
 }
 
-double mean_scaled_length(const EditableMesh& mesh) {
+/// The root of the mean square of the edges' lengths in units of the local size.
+double typical_length(const EditableMesh& mesh) {
   double sum = 0;
   double count = 0;
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
     if (!mesh.is_edge(h)) continue;
-    sum += std::sqrt(mesh.scaled_squared_length(h));
+    sum += mesh.scaled_squared_length(h);
     ++count;
   }
-  return sum / count;
+  return std::sqrt(sum / count);
 }
 
 /// Where edges are far too short, collapses them in stages of less than twice the length: with the
 /// guard made for the longest edges at once, each of its cells would hold many vertices.
 void coarsen(const Task& task) {
   for (double done = 1; done > 0;) {
-    const double shortest = stage_growth * mean_scaled_length(task.mesh);
+    const double shortest = stage_growth * typical_length(task.mesh);
     if (!(stage_growth * shortest < task.limits.shortest)) return;
     const double longest = shortest / task.limits.shortest * task.limits.longest;
     EmbeddingGuard guard(task.mesh, longest * largest_size(task.mesh));
