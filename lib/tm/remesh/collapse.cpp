@@ -12,6 +12,8 @@ namespace {
 constexpr double least_turn_cosine = 0.5;
 /// Triangles at least this round are good enough; others must not get worse.
 constexpr double round_enough = 0.3;
+/// Edges up to this many times the shortest may go where that makes valences regular.
+constexpr double longest_irregular = 1.15;
 /// A triangle rounder than this has a normal to rely on.
 constexpr double normal_roundness = 0.02;
 
@@ -305,10 +307,10 @@ class IsIrregular {
 }  // namespace
 
 CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
-                                    const VertexRoles& roles, double min_edge, double max_edge,
+                                    const VertexRoles& roles, const EdgeLimits& limits,
                                     const Progress& progress) {
-  Collapser collapser(mesh, guard, roles, max_edge);
-  IsShort is_short(mesh, min_edge, roles.keeps_border());
+  Collapser collapser(mesh, guard, roles, limits.longest);
+  IsShort is_short(mesh, limits.shortest, roles.keeps_border());
   CollapseCounts counts = collapse_wanted(mesh, collapser, is_short, progress);
   if (counts.refused == 0) return counts;
 
@@ -321,10 +323,10 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
 }
 
 std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
-                                 const VertexRoles& roles, double longest, double max_edge,
+                                 const VertexRoles& roles, const EdgeLimits& limits,
                                  const Progress& progress) {
-  Collapser collapser(mesh, guard, roles, max_edge);
-  IsIrregular is_irregular(mesh, longest);
+  Collapser collapser(mesh, guard, roles, limits.stretched());
+  IsIrregular is_irregular(mesh, longest_irregular * limits.shortest);
   return collapse_wanted(mesh, collapser, is_irregular, progress).done;
 }
 

@@ -1,6 +1,7 @@
 /// Collapses short edges.
 #pragma once
 
+#include "tm/remesh/edge_limits.h"
 #include "tm/remesh/embedding_guard.h"
 #include "tm/remesh/vertex_role.h"
 #include "tm/support/progress.h"
@@ -12,19 +13,19 @@ struct CollapseCounts {
   std::size_t refused = 0;  ///< short edges left
 };
 
-/// Collapses edges shorter than `min_edge`, the shortest first, where that keeps the topology (link
-/// condition; a closed component keeps four faces), turns no normal by more than 60 degrees, makes
-/// no sliver, no edge longer than `max_edge` and no contact. The merged vertex lies at the
-/// midpoint, shifted along the normal so that the volume stays (Lindstrom & Turk, "Fast and memory
-/// efficient polygonal simplification", Visualization 1998), or at the end that must stay.
+/// Collapses edges shorter than the shortest allowed, the shortest first, where that keeps the
+/// topology (link condition; a closed component keeps four faces), turns no normal by more than 60
+/// degrees, makes no sliver, no edge longer than allowed and no contact. The merged vertex lies at
+/// the midpoint, shifted along the normal so that the volume stays (Lindstrom & Turk, "Fast and
+/// memory efficient polygonal simplification", Visualization 1998), or at the end that must stay.
 CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
-                                    const VertexRoles& roles, double min_edge, double max_edge,
+                                    const VertexRoles& roles, const EdgeLimits& limits,
                                     const Progress& progress);
 
-/// Collapses, under the same rules, edges shorter than `longest` where that brings the valences
-/// around closer to six. Returns how many went.
+/// Collapses, under the same rules, edges of up to 1.15 times the shortest allowed where that
+/// brings the valences around closer to six; edges may be stretched. Returns how many went.
 std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
-                                 const VertexRoles& roles, double longest, double max_edge,
+                                 const VertexRoles& roles, const EdgeLimits& limits,
                                  const Progress& progress);
 
 /// Tries to collapse one edge under the same rules, whatever its length.

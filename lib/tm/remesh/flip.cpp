@@ -1,6 +1,7 @@
 #include "tm/remesh/flip.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tm/remesh/star.h"
 
@@ -10,13 +11,15 @@ namespace {
 constexpr double least_cosine = 0.5;
 /// A flip for valence may not make an angle below this smaller: cosine of 20 degrees.
 constexpr double narrow = 0.9396926207859084;
+/// How far from the old edge a stretched one may pass, of its length.
+constexpr double farthest_shift = 0.012;
 /// Angles must grow by more than rounding, so that no edge flips to and fro.
 constexpr double least_gain = 1e-9;
 
 class Flipper {
  public:
-  Flipper(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule, double max_edge)
-      : mesh_(mesh), guard_(guard), rule_(rule), longest_(max_edge * max_edge) {}
+  Flipper(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule, const EdgeLimits& limits)
+      : mesh_(mesh), guard_(guard), rule_(rule), limits_(limits) {}
 
   FlipCounts run(const Progress& progress);
   bool flip(Index halfedge);
@@ -33,6 +36,7 @@ class Flipper {
   int deviation_gain(const Corners& at) const;
   bool is_wanted(Index halfedge) const;
   bool gains_angle(const Corners& at, bool only_not_narrow) const;
+  bool is_too_long(const Corners& at) const;
   bool is_sound(Index halfedge, const Corners& at) const;
   bool attempt(Index halfedge);
   void push_around(Index halfedge);
@@ -40,7 +44,7 @@ class Flipper {
   EditableMesh& mesh_;
   EmbeddingGuard& guard_;
   FlipRule rule_;
-  double longest_;
+  EdgeLimits limits_;
   std::vector<int> excess_;  ///< valence minus what it should be
   std::vector<Index> queue_;
   std::vector<char> queued_;  ///< per halfedge
@@ -84,14 +88,26 @@ bool Flipper::is_wanted(Index halfedge) const {
   return gains_angle(at, gain > 0);
 }
 
+bool Flipper::is_too_long(const Corners& at) const {
+  const Vec3& a = mesh_.position(at.from);
+  const Vec3& c = mesh_.position(at.left);
+  const Vec3 before = mesh_.position(at.to) - a;
+  const Vec3 after = mesh_.position(at.right) - c;
+  const double length = after.norm();
+  const double scaled = length / mesh_.mean_size(at.left, at.right);
+  if (scaled <= limits_.longest || scaled > limits_.stretched()) return scaled > limits_.longest;
+
+  // the distance between the old edge and the new one
+  const Vec3 across = before.cross(after);
+  return std::abs(across.dot(c - a)) > farthest_shift * length * across.norm();
+}
+
 bool Flipper::is_sound(Index halfedge, const Corners& at) const {
   const Vec3& a = mesh_.position(at.from);
   const Vec3& b = mesh_.position(at.to);
   const Vec3& c = mesh_.position(at.left);
   const Vec3& d = mesh_.position(at.right);
-  const double squared = (d - c).squaredNorm();
-  const double size = mesh_.mean_size(at.left, at.right);
-  if (squared > longest_ * size * size && squared > mesh_.squared_length(halfedge)) return false;
+  if ((d - c).squaredNorm() > mesh_.squared_length(halfedge) && is_too_long(at)) return false;
 
   // all four triangles look the same way
   const Vec3 left = normal_of(a, b, c);
@@ -177,14 +193,14 @@ FlipCounts Flipper::run(const Progress& progress) {
 
 }  // namespace
 
-FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule, double max_edge,
-                      const Progress& progress) {
+FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule,
+                      const EdgeLimits& limits, const Progress& progress) {
   if (rule == FlipRule::none) return {};
-  return Flipper(mesh, guard, rule, max_edge).run(progress);
+  return Flipper(mesh, guard, rule, limits).run(progress);
 }
 
 bool flip_edge(EditableMesh& mesh, EmbeddingGuard& guard, Index halfedge) {
-  return Flipper(mesh, guard, FlipRule::angle, 0).flip(halfedge);
+  return Flipper(mesh, guard, FlipRule::angle, {}).flip(halfedge);
 }
 
 }  // namespace transformesh

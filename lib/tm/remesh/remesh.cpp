@@ -7,6 +7,7 @@
 
 #include "tm/remesh/collapse.h"
 #include "tm/remesh/degenerate.h"
+#include "tm/remesh/edge_limits.h"
 #include "tm/remesh/flip.h"
 #include "tm/remesh/sizing.h"
 #include "tm/remesh/small_components.h"
@@ -20,11 +21,6 @@ namespace {
 /// Halves of split edges shorter than 3/4 of the least length would be collapsed again at once.
 constexpr double least_ratio = 1.5;
 constexpr double most_faces = 500e6;
-/// Edges up to this many times the least length may go where that makes valences regular.
-constexpr double longest_irregular = 1.3;
-/// Edges may become this many times as long as the longest where that makes valences regular: a
-/// flip between equilateral triangles makes an edge of 1.73 of theirs, which relaxation shortens.
-constexpr double stretch = 1.15;
 /// Edges far too short are collapsed in stages of this many times the typical length.
 constexpr double stage_growth = 1.6;
 /// Of the edge that curvature takes: shorter ones are collapsed.
@@ -72,12 +68,6 @@ void check_options(const RemeshOptions& options) {
                      shortest_text(first / 2));
   }
 }
-
-/// What edges are held to: lengths, or factors where the mesh has sizes.
-struct EdgeLimits {
-  double shortest;
-  double longest;
-};
 
 EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions& options) {
   EdgeLimits limits{options.min_edge, options.max_edge};
@@ -138,7 +128,7 @@ class Iteration {
         mesh_(task.mesh),
         first_new_(first_new),
         roles_(mesh_, task.options.keep_border),
-        guard_(mesh_, stretch * task.limits.longest * largest_size(mesh_)) {}
+        guard_(mesh_, task.limits.stretched() * largest_size(mesh_)) {}
 
   void run(bool is_first) {
     task_.result.refused = settle_midpoints(mesh_, guard_, first_new_);
@@ -153,20 +143,19 @@ class Iteration {
 
  private:
   void collapse() {
-    const CollapseCounts counts = collapse_short_edges(mesh_, guard_, roles_, task_.limits.shortest,
-                                                       task_.limits.longest, task_.progress);
+    const CollapseCounts counts =
+        collapse_short_edges(mesh_, guard_, roles_, task_.limits, task_.progress);
     task_.result.collapses += counts.done;
     task_.result.refused += counts.refused;
     remove_degenerate_faces(mesh_, guard_, roles_, task_.limits.longest);
   }
   void collapse_irregular() {
     task_.result.collapses +=
-        collapse_for_valence(mesh_, guard_, roles_, longest_irregular * task_.limits.shortest,
-                             stretch * task_.limits.longest, task_.progress);
+        collapse_for_valence(mesh_, guard_, roles_, task_.limits, task_.progress);
   }
   void flip() {
-    const FlipCounts counts = flip_edges(mesh_, guard_, task_.options.flip,
-                                         stretch * task_.limits.longest, task_.progress);
+    const FlipCounts counts =
+        flip_edges(mesh_, guard_, task_.options.flip, task_.limits, task_.progress);
     task_.result.flips += counts.done;
     task_.result.refused += counts.refused;
   }
@@ -215,11 +204,11 @@ void coarsen(const Task& task) {
   for (double done = 1; done > 0;) {
     const double shortest = stage_growth * typical_length(task.mesh);
     if (!(stage_growth * shortest < task.limits.shortest)) return;
-    const double longest = shortest / task.limits.shortest * task.limits.longest;
-    EmbeddingGuard guard(task.mesh, longest * largest_size(task.mesh));
+    const EdgeLimits limits{shortest, shortest / task.limits.shortest * task.limits.longest};
+    EmbeddingGuard guard(task.mesh, limits.longest * largest_size(task.mesh));
     const VertexRoles roles(task.mesh, task.options.keep_border);
     const CollapseCounts counts =
-        collapse_short_edges(task.mesh, guard, roles, shortest, longest, task.progress);
+        collapse_short_edges(task.mesh, guard, roles, limits, task.progress);
     task.result.collapses += counts.done;
     done = static_cast<double>(counts.done);
   }

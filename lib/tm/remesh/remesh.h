@@ -10,7 +10,7 @@
 ///   than a rounding apart may stay crossed, which counts as refused;
 /// - surviving vertices and faces keep their order, new ones follow; attributes are interpolated
 ///   for new and for sliding vertices, inherited by faces.
-/// Not guaranteed: that all edges reach the interval; regular valences may take 1.15 e2.
+/// Not guaranteed: that all edges reach the interval; regular valences may take 1.12 e2.
 /// Deterministic; O(n log n); about 150 bytes per face.
 #pragma once
 
