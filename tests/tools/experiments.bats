@@ -63,3 +63,24 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
   run "$tm_root/scripts/experiments/synthetic-mvs" out nothing
   [ "$status" -ne 0 ]
 }
+
+@test "a film is photographed, reconstructed time step by time step and judged by its truth" {
+  [ -x "$tm_build/bin/tm-photo-step" ] || skip "built without OpenCV"
+  SIZE=160x120 TM_BUILD=$tm_build "$tm_root/scripts/experiments/sequence" out >table
+  # Two balls meet and part; only the third one is made from its hull.
+  [ "$(cut -d, -f2 out/table.csv | tail -n +2 | tr '\n' ' ')" = \
+    "hull before before before before before before before hull " ]
+  [ "$(cut -d, -f5 out/table.csv | tail -n +2 | tr '\n' ' ')" = \
+    "2/0 2/0 2/0 1/0 1/0 1/0 2/0 2/0 3/0 " ]
+  ! grep -q ',no$' out/table.csv
+  [ "$(head -c 4 out/sheet.png | tail -c 3)" = PNG ]
+}
+
+@test "real photographs: where there are none that is said" {
+  [ -x "$tm_build/bin/tm-photo-step" ] || skip "built without OpenCV"
+  run --separate-stderr env SHARED_MVS=nowhere TM_BUILD="$tm_build" \
+    "$tm_root/scripts/experiments/real-mvs" out
+  assert_status 3
+  one_line "$stderr"
+  [ ! -e out ]
+}

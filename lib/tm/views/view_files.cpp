@@ -61,9 +61,11 @@ void decode_all(const std::vector<std::string>& paths, Decode decode, GrayImage 
   }
 }
 
-std::string size_text(const GrayImage& image) {
-  return std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels";
+std::string size_text(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
+
+std::string size_text(const GrayImage& image) { return size_text(image.width, image.height); }
 
 bool is_size_equal(const GrayImage& first, const GrayImage& second) {
   return first.width == second.width && first.height == second.height;
@@ -84,16 +86,23 @@ const GrayImage& sized_image(const View& view) {
   return view.image.empty() ? view.silhouette : view.image;
 }
 
+struct SizedCamera {
+  Eigen::Matrix3d intrinsics;
+  int width = 0;
+  int height = 0;
+  std::string path;  ///< of the image
+};
+
 /// One camera's pixels cannot be two images' of different sizes.
-void check_sizes(const std::vector<View>& views, const std::vector<std::string>& paths) {
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const auto same_lens = std::find_if(views.begin(), views.end(), [&](const View& view) {
-      return view.camera.intrinsics == views[i].camera.intrinsics;
-    });
-    if (is_size_equal(sized_image(views[i]), sized_image(*same_lens))) continue;
-    throw InputError(paths[i] + ": the image has " + size_text(sized_image(views[i])) + ", but " +
-                     paths[static_cast<std::size_t>(same_lens - views.begin())] +
-                     ", of the same intrinsics, has " + size_text(sized_image(*same_lens)));
+void check_sizes(const std::vector<SizedCamera>& cameras) {
+  for (const SizedCamera& camera : cameras) {
+    const auto same_lens = std::find_if(
+        cameras.begin(), cameras.end(),
+        [&](const SizedCamera& other) { return other.intrinsics == camera.intrinsics; });
+    if (camera.width == same_lens->width && camera.height == same_lens->height) continue;
+    throw InputError(camera.path + ": the image has " + size_text(camera.width, camera.height) +
+                     ", but " + same_lens->path + ", of the same intrinsics, has " +
+                     size_text(same_lens->width, same_lens->height));
   }
 }
 
@@ -121,14 +130,16 @@ std::vector<View> views_from(const ViewSources& sources) {
     if (images.empty()) leaders.paths = silhouettes;
   }
 
+  std::vector<SizedCamera> sized;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const GrayImage& image = sized_image(views[i]);
     if (!image.empty()) list.cameras[i].set_size(image.width, image.height, leaders.paths[i]);
     views[i].camera = list.cameras[i].camera;
+    sized.push_back({views[i].camera.intrinsics, image.width, image.height, leaders.paths[i]});
     views[i].name = stem_of(leaders.paths[i]);
     if (!silhouettes.empty()) check_silhouette(views[i], silhouettes[i]);
   }
-  check_sizes(views, leaders.paths);
+  check_sizes(sized);
   return views;
 }
 
@@ -136,11 +147,14 @@ CameraList cameras_of_images(CameraList cameras, const std::string& where,
                              const std::string& images) {
   const auto paths =
       ordered(names_of(cameras, where), image_files("image", images), cameras.names_images);
+  std::vector<SizedCamera> sized;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const GrayImage image = decode_photograph(file_bytes(paths[i]), paths[i]);
     cameras.cameras[i].set_size(image.width, image.height, paths[i]);
+    sized.push_back({cameras.cameras[i].camera.intrinsics, image.width, image.height, paths[i]});
     cameras.cameras[i].name = std::filesystem::path(paths[i]).filename().string();
   }
+  check_sizes(sized);
   cameras.names_images = true;
   return cameras;
 }
