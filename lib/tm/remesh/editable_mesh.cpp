@@ -3,66 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
-#include <span>
 #include <string>
 
+#include "tm/remesh/halfedges.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
 namespace {
 
 constexpr const char* advice = "; mend it with tm-stitch --orient";
-
-[[noreturn]] void throw_crowded_edge(const EditableMesh& mesh, Index first, Index second) {
-  throw InputError("faces " + std::to_string(first / 3) + " and " + std::to_string(second / 3) +
-                   " run the same way along the edge from vertex " +
-                   std::to_string(mesh.source(first)) + " to vertex " +
-                   std::to_string(mesh.target(first)) + ": the mesh is not an oriented manifold" +
-                   advice);
-}
-
-/// The halfedges that leave each vertex and where they arrive, as one array with offsets.
-class Outgoing {
- public:
-  struct End {
-    Index halfedge;
-    Index target;
-  };
-
-  Outgoing(const std::vector<Index>& sources, std::size_t vertices)
-      : offsets_(vertices + 1, 0), ends_(sources.size()) {
-    for (const Index source : sources) ++offsets_[source + 1];
-    std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
-    std::vector<Index> next(offsets_.begin(), offsets_.end() - 1);
-    for (Index h = 0; h < sources.size(); ++h) {
-      ends_[next[sources[h]]++] = {h, sources[next_halfedge(h)]};
-    }
-  }
-  std::span<const End> operator[](Index vertex) const {
-    return {ends_.data() + offsets_[vertex], ends_.data() + offsets_[vertex + 1]};
-  }
-
- private:
-  std::vector<Index> offsets_;
-  std::vector<End> ends_;
-};
-
-bool has_equal_targets(std::span<const Outgoing::End> ends) {
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (ends[i].target == ends[j].target) return true;
-    }
-  }
-  return false;
-}
-
-[[noreturn]] void throw_first_crowded_edge(const EditableMesh& mesh, const Outgoing& outgoing) {
-  for (Index h = 0;; ++h) {
-    for (const auto& [other, target] : outgoing[mesh.source(h)]) {
-      if (other > h && target == mesh.target(h)) throw_crowded_edge(mesh, h, other);
-    }
-  }
-}
 
 }  // namespace
 
@@ -78,40 +27,9 @@ EditableMesh::EditableMesh(const Mesh& mesh)
   for (const Face& face : mesh.faces) sources_.insert(sources_.end(), face.begin(), face.end());
   std::iota(vertex_rows_.begin(), vertex_rows_.end(), 0U);
   std::iota(face_rows_.begin(), face_rows_.end(), 0U);
-  check_corners();
-  link_opposites();
+  opposites_ = opposites_of(sources_, positions_.size());
+  has_borders_ = std::find(opposites_.begin(), opposites_.end(), no_index) != opposites_.end();
   find_outgoing();
-}
-
-void EditableMesh::check_corners() const {
-  for (Index h = 0; h < halfedge_slots(); ++h) {
-    if (sources_[h] >= positions_.size()) {
-      throw InputError("face " + std::to_string(h / 3) + " has vertex index " +
-                       std::to_string(sources_[h]) + ", but there are " +
-                       std::to_string(positions_.size()) + " vertices");
-    }
-  }
-  for (Index h = 0; h < halfedge_slots(); ++h) {
-    if (source(h) == target(h)) {
-      throw InputError("face " + std::to_string(h / 3) + " uses vertex " +
-                       std::to_string(source(h)) + " twice" + advice);
-    }
-  }
-}
-
-void EditableMesh::link_opposites() {
-  opposites_.assign(sources_.size(), no_index);
-  const Outgoing outgoing(sources_, positions_.size());
-  for (Index v = 0; v < vertex_slots(); ++v) {
-    if (has_equal_targets(outgoing[v])) throw_first_crowded_edge(*this, outgoing);
-    for (const auto& [halfedge, target] : outgoing[v]) {
-      if (target < v) continue;
-      for (const auto& [other, back] : outgoing[target]) {
-        if (back == v) link(halfedge, other);
-      }
-    }
-  }
-  for (Index h = 0; h < halfedge_slots(); ++h) has_borders_ |= opposites_[h] == no_index;
 }
 
 void EditableMesh::find_outgoing() {

@@ -128,9 +128,7 @@ class EditableMesh {
 
  private:
   void link(Index first, Index second);
-  void link_opposites();
   void find_outgoing();
-  void check_corners() const;
   Index append_face(Index a, Index b, Index c, Index row);
   Index append_row(const RowBlend& blend);
   void set_opposite(Index halfedge, Index opposite);

@@ -5,20 +5,18 @@
 /// that ball (along the plane's normal its crossings alternate between in and out). A new patch
 /// with the same rim whose normals are on that side too covers the same ground, so it cannot meet
 /// the rest. Normals are kept per cell of a grid as a set of 26 directions, so that the test of a
-/// whole neighbourhood is one bitwise and (the idea of the normal cone: Volino &
-/// Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized surface
-/// animations", Eurographics 1994). Where that fails, as between the sheets of a thin plate, the
-/// faces around the patch's own box are asked one by one. Elsewhere, and near borders or a second
-/// component, every new triangle is tested against all triangles nearby and those of its own patch
-/// (triangle_contact).
+/// whole neighbourhood is one bitwise and (direction_set.h). Where that fails, as between the
+/// sheets of a thin plate, the faces around the patch's own box are asked one by one. Elsewhere,
+/// and near borders or a second component, every new triangle is tested against all triangles
+/// nearby and those of its own patch (triangle_contact).
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "tm/remesh/editable_mesh.h"
 #include "tm/remesh/triangle_contact.h"
+#include "tm/remesh/vertex_cells.h"
 
 namespace transformesh {
 
@@ -47,46 +45,13 @@ class EmbeddingGuard {
   bool allows(const Patch& patch);
   /// To be called after the mesh was changed by the patch that was allowed last.
   void commit(const Patch& patch);
-  void forget(Index vertex);
+  void forget(Index vertex) { cells_.remove(vertex); }
 
  private:
-  using Key = std::int64_t;
-  struct Cell {
-    Key key;
-    std::uint32_t directions;  ///< that see the front of every face at the cell's vertices
-    std::uint32_t around;      ///< the same for the 27 cells around; 0 near other components
-    Index first_vertex;
-    Index component;
-  };
-
-  /// What is known of a vertex, together in memory.
-  struct Place {
-    Index cell = no_index;
-    Index next = no_index;  ///< in the cell
-    Index previous = no_index;
-    Index component = no_index;  ///< its lowest vertex; no_index with a border
-    std::uint32_t seeing = ~0U;  ///< directions that see all faces at the vertex
-  };
-
-  Key key_of(const Vec3& position) const;
-  Index find_cell(Key key) const;
-  Index make_cell(Key key, Index component);
-  void grow_table();
-  template <class Visit>
-  void for_each_cell_around(Key key, const Visit& visit) const;
-  void label_components();
-  void fill_cells();
-  void dilate(Cell& cell) const;
-  void restrict_cell(Index cell, std::uint32_t directions);
-  void change_cell(Index vertex, Key key);
-  void insert(Index vertex, Index cell);
-  void remove(Index vertex);
   bool is_certified(const Patch& patch);
   void find_faces_near(const Patch& patch);
   void enclose(const Patch& patch);
   bool is_seen_around(const Patch& patch) const;
-  template <class Visit>
-  bool for_each_cell_near(const Visit& visit) const;
   bool is_around(Index vertex) const;
   bool is_height_field(const Patch& patch) const;
   bool meets_itself(const Patch& patch) const;
@@ -95,15 +60,11 @@ class EmbeddingGuard {
 
   const EditableMesh& mesh_;
   double longest_edge_;
-  double cell_size_;
-  Vec3 origin_ = Vec3::Zero();
-  std::vector<Cell> cells_;
-  std::vector<Index> table_;          ///< open addressing, no_index where empty
-  std::vector<Place> places_;         ///< per vertex
+  VertexCells cells_;
   std::vector<std::uint32_t> stamp_;  ///< per face, against visiting twice
   std::uint32_t stamp_now_ = 0;
-  std::uint32_t directions_ = 0;  ///< of the patch allowed last
-  Vec3 low_ = Vec3::Zero();       ///< the box around the patch in question, before and after
+  DirectionSet directions_ = 0;  ///< of the patch allowed last
+  Vec3 low_ = Vec3::Zero();      ///< the box around the patch in question, before and after
   Vec3 high_ = Vec3::Zero();
   Vec3 low_corner_ = Vec3::Zero();  ///< the same box, wide enough for a corner of all faces in it
   Vec3 high_corner_ = Vec3::Zero();

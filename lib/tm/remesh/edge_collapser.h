@@ -1,0 +1,54 @@
+/// Collapses one edge where that keeps all that the operations promise (collapse.h).
+#pragma once
+
+#include <vector>
+
+#include "tm/remesh/embedding_guard.h"
+#include "tm/remesh/vertex_role.h"
+
+namespace transformesh {
+
+class EdgeCollapser {
+ public:
+  EdgeCollapser(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+                double max_edge)
+      : mesh_(mesh), guard_(guard), roles_(roles), longest_(max_edge * max_edge) {}
+
+  /// The vertex that the edge became, or no_index.
+  Index collapse(Index halfedge);
+
+ private:
+  /// One triangle that stays, with its corner at the edge left out.
+  struct Spoke {
+    Vec3 first;
+    Vec3 second;
+    Vec3 normal;
+    bool has_normal;
+    double first_limit;  ///< squared: no new edge to `first` may be longer
+    double second_limit;
+  };
+
+  void gather();
+  void gather_star(Index vertex);
+  double longest_to(Index neighbour) const;
+  bool try_position(const Vec3& wanted, double source_share);
+  bool try_free_positions();
+  Vec3 volume_keeping_shift(const Vec3& position) const;
+  bool is_sound(const Vec3& position) const;
+  double least_roundness_before() const;
+  void fill_patch(const Vec3& position);
+
+  EditableMesh& mesh_;
+  EmbeddingGuard& guard_;
+  const VertexRoles& roles_;
+  double longest_;
+  Index edge_ = no_index;
+  Index goes_ = no_index;
+  Index stays_ = no_index;
+  std::vector<Spoke> spokes_;
+  Vec3 mean_normal_ = Vec3::Zero();
+  double volume_ = 0;  ///< six times what the star of goes_ encloses with stays_
+  Patch patch_;
+};
+
+}  // namespace transformesh

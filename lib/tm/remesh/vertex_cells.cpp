@@ -1,0 +1,183 @@
+#include "tm/remesh/vertex_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace transformesh {
+
+VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
+    : mesh_(mesh), cell_size_(cell_size), places_(mesh.vertex_slots()) {
+  Vec3 low = Vec3::Constant(HUGE_VAL);
+  Vec3 high = -low;
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    if (!mesh.has_vertex(v)) continue;
+    low = low.cwiseMin(mesh.position(v));
+    high = high.cwiseMax(mesh.position(v));
+  }
+  // a margin of cells on each side, and as many cells as a key can count
+  cell_size_ = std::max(cell_size_, (high - low).maxCoeff() / (1 << (key_bits - 3)));
+  origin_ = low - Vec3::Constant(8 * cell_size_);
+  label_components();
+  fill();
+}
+
+void VertexCells::label_components() {
+  std::vector<char> reached(mesh_.face_slots(), 0);
+  std::vector<Index> faces;
+  for (Index seed = 0; seed < mesh_.vertex_slots(); ++seed) {
+    if (!mesh_.has_vertex(seed) || reached[mesh_.outgoing(seed) / 3]) continue;
+    if (!gather_component(seed, reached, faces)) continue;
+    for (const Index face : faces) {
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) places_[mesh_.source(h)].component = seed;
+    }
+  }
+}
+
+/// Whether it is closed.
+bool VertexCells::gather_component(Index seed, std::vector<char>& reached,
+                                   std::vector<Index>& faces) const {
+  bool closed = true;
+  faces.assign(1, mesh_.outgoing(seed) / 3);
+  reached[faces[0]] = 1;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (Index h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
+      const Index opposite = mesh_.opposite(h);
+      closed &= opposite != no_index;
+      if (opposite == no_index || reached[opposite / 3]) continue;
+      reached[opposite / 3] = 1;
+      faces.push_back(opposite / 3);
+    }
+  }
+  return closed;
+}
+
+VertexCells::Key VertexCells::key_of(const Vec3& position) const {
+  const Vec3 at = (position - origin_) / cell_size_;
+  Key key = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double limit = (1 << key_bits) - 2;
+    key = (key << key_bits) | static_cast<Key>(std::clamp(at[axis], 1.0, limit));
+  }
+  return key;
+}
+
+void VertexCells::enter_in_table(Index cell) {
+  const std::size_t mask = table_.size() - 1;
+  std::size_t slot = slot_of(cells_[cell].key);
+  while (table_[slot & mask] != no_index) ++slot;
+  table_[slot & mask] = cell;
+}
+
+void VertexCells::grow_table() {
+  table_.assign(std::max<std::size_t>(1024, 2 * table_.size()), no_index);
+  for (Index cell = 0; cell < cells_.size(); ++cell) enter_in_table(cell);
+}
+
+Index VertexCells::make_cell(Key key, Index component) {
+  const auto cell = static_cast<Index>(cells_.size());
+  const DirectionSet directions = component == no_index ? 0 : all_directions;
+  cells_.push_back({key, directions, directions, no_index, component});
+  if (2 * cells_.size() > table_.size()) {
+    grow_table();
+  } else {
+    enter_in_table(cell);
+  }
+  return cell;
+}
+
+template <class Visit>
+void VertexCells::for_each_cell_around(Key key, const Visit& visit) const {
+  for (Key dx = -1; dx <= 1; ++dx) {
+    for (Key dy = -1; dy <= 1; ++dy) {
+      for (Key dz = -1; dz <= 1; ++dz) {
+        const Index cell =
+            find_cell(key + dx * (Key{1} << (2 * key_bits)) + dy * (Key{1} << key_bits) + dz);
+        if (cell != no_index) visit(cell);
+      }
+    }
+  }
+}
+
+void VertexCells::fill() {
+  grow_table();
+  for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
+    if (!mesh_.has_vertex(v)) continue;
+    const Key key = key_of(mesh_.position(v));
+    Index cell = find_cell(key);
+    if (cell == no_index) cell = make_cell(key, places_[v].component);
+    if (cells_[cell].component != places_[v].component) cells_[cell].directions = 0;
+    insert(v, cell);
+  }
+  for (Index face = 0; face < mesh_.face_slots(); ++face) {
+    if (!mesh_.has_face(face)) continue;
+    const DirectionSet directions = seeing_directions(mesh_.face_normal(face));
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      cells_[places_[mesh_.source(h)].cell].directions &= directions;
+      places_[mesh_.source(h)].seeing &= directions;
+    }
+  }
+  for (Cell& cell : cells_) dilate(cell);
+}
+
+void VertexCells::dilate(Cell& cell) const {
+  cell.around = cell.directions;
+  for_each_cell_around(cell.key, [&](Index other) {
+    const bool alike = cells_[other].component == cell.component;
+    cell.around &= alike ? cells_[other].directions : 0;
+  });
+}
+
+void VertexCells::restrict_cell(Index cell, DirectionSet directions) {
+  const DirectionSet left = cells_[cell].directions & directions;
+  if (left == cells_[cell].directions) return;
+  cells_[cell].directions = left;
+  for_each_cell_around(cells_[cell].key, [&](Index other) { cells_[other].around &= left; });
+}
+
+void VertexCells::insert(Index vertex, Index cell) {
+  const Index next = cells_[cell].first_vertex;
+  places_[vertex].cell = cell;
+  places_[vertex].next = next;
+  places_[vertex].previous = no_index;
+  if (next != no_index) places_[next].previous = vertex;
+  cells_[cell].first_vertex = vertex;
+}
+
+void VertexCells::remove(Index vertex) {
+  const Index next = places_[vertex].next;
+  const Index previous = places_[vertex].previous;
+  if (next != no_index) places_[next].previous = previous;
+  if (previous != no_index) {
+    places_[previous].next = next;
+  } else {
+    cells_[places_[vertex].cell].first_vertex = next;
+  }
+}
+
+void VertexCells::update(Index vertex) {
+  const Key key = key_of(mesh_.position(vertex));
+  if (key != cell_of(vertex).key) change_cell(vertex, key);
+}
+
+void VertexCells::restrict(Index vertex, DirectionSet directions) {
+  restrict_cell(places_[vertex].cell, directions);
+  places_[vertex].seeing &= directions;
+}
+
+void VertexCells::change_cell(Index vertex, Key key) {
+  const Index component = places_[vertex].component;
+  remove(vertex);
+  Index cell = find_cell(key);
+  if (cell == no_index) {
+    cell = make_cell(key, component);
+    dilate(cells_[cell]);
+    for_each_cell_around(key, [&](Index other) {
+      if (cells_[other].component != component) cells_[other].around = 0;
+    });
+  } else if (cells_[cell].component != component) {
+    restrict_cell(cell, 0);
+  }
+  insert(vertex, cell);
+}
+
+}  // namespace transformesh

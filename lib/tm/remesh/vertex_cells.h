@@ -1,0 +1,103 @@
+/// The vertices of a mesh in the cells of a grid, with the directions that see the faces there:
+/// what the embedding guard asks about the neighbourhood of a place. A hash table of the cells in
+/// use.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tm/remesh/direction_set.h"
+#include "tm/remesh/editable_mesh.h"
+
+namespace transformesh {
+
+class VertexCells {
+ public:
+  struct Cell {
+    std::int64_t key;
+    DirectionSet directions;  ///< that see the front of every face at the cell's vertices
+    DirectionSet around;      ///< the same for the 27 cells around; none near other components
+    Index first_vertex;
+    Index component;
+  };
+  /// What is known of a vertex, together in memory.
+  struct Place {
+    Index cell = no_index;
+    Index next = no_index;  ///< in the cell
+    Index previous = no_index;
+    Index component = no_index;            ///< its lowest vertex; no_index with a border
+    DirectionSet seeing = all_directions;  ///< directions that see all faces at the vertex
+  };
+
+  /// Keeps a reference to the mesh. Cells are larger where a mesh has more of them than can count.
+  VertexCells(const EditableMesh& mesh, double cell_size);
+
+  double cell_size() const { return cell_size_; }
+  const Place& operator[](Index vertex) const { return places_[vertex]; }
+  const Cell& cell_of(Index vertex) const { return cells_[places_[vertex].cell]; }
+
+  /// To be called after a vertex moved, before it goes, and where faces at it are replaced by
+  /// others that only these directions see.
+  void update(Index vertex);
+  void remove(Index vertex);
+  void restrict(Index vertex, DirectionSet directions);
+
+  /// Calls visit(cell) for the cells that meet a box until it returns false.
+  template <class Visit>
+  bool for_each_cell_near(const Vec3& low, const Vec3& high, const Visit& visit) const;
+
+ private:
+  using Key = std::int64_t;
+  static constexpr int key_bits = 21;  ///< per axis
+
+  Key key_of(const Vec3& position) const;
+  std::size_t slot_of(Key key) const {
+    return (static_cast<std::uint64_t>(key) * 0x9e3779b97f4a7c15ULL) >> 32;
+  }
+  Index find_cell(Key key) const;
+  Index make_cell(Key key, Index component);
+  void enter_in_table(Index cell);
+  void grow_table();
+  template <class Visit>
+  void for_each_cell_around(Key key, const Visit& visit) const;
+  void label_components();
+  bool gather_component(Index seed, std::vector<char>& reached, std::vector<Index>& faces) const;
+  void fill();
+  void dilate(Cell& cell) const;
+  void restrict_cell(Index cell, DirectionSet directions);
+  void change_cell(Index vertex, Key key);
+  void insert(Index vertex, Index cell);
+
+  const EditableMesh& mesh_;
+  double cell_size_;
+  Vec3 origin_ = Vec3::Zero();
+  std::vector<Cell> cells_;
+  std::vector<Index> table_;   ///< open addressing, no_index where empty
+  std::vector<Place> places_;  ///< per vertex
+};
+
+inline Index VertexCells::find_cell(Key key) const {
+  const std::size_t mask = table_.size() - 1;
+  for (std::size_t slot = slot_of(key);; ++slot) {
+    const Index cell = table_[slot & mask];
+    if (cell == no_index || cells_[cell].key == key) return cell;
+  }
+}
+
+template <class Visit>
+bool VertexCells::for_each_cell_near(const Vec3& low, const Vec3& high, const Visit& visit) const {
+  const Key first = key_of(low);
+  const Key last = key_of(high);
+  constexpr Key axis_mask = (Key{1} << key_bits) - 1;
+  for (Key x = first >> (2 * key_bits); x <= last >> (2 * key_bits); ++x) {
+    for (Key y = (first >> key_bits) & axis_mask; y <= ((last >> key_bits) & axis_mask); ++y) {
+      for (Key z = first & axis_mask; z <= (last & axis_mask); ++z) {
+        const Index cell = find_cell((x << (2 * key_bits)) | (y << key_bits) | z);
+        if (cell != no_index && !visit(cells_[cell])) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace transformesh

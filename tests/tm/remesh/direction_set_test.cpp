@@ -1,0 +1,62 @@
+#include "tm/remesh/direction_set.h"
+
+#include <bit>
+#include <vector>
+
+#include "helpers/random.h"
+
+using namespace transformesh;
+using namespace transformesh::test;
+
+namespace {
+
+/// The directions to the sides, edges and corners of a cube whose cosine to the normal exceeds
+/// this.
+int count_within(const Vec3& normal, double cosine) {
+  int count = 0;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) {
+        if (x == 0 && y == 0 && z == 0) continue;
+        const Vec3 direction = Vec3(x, y, z).normalized();
+        count += direction.dot(normal.normalized()) > cosine;
+      }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a normal is seen by the directions within 88 degrees of it") {
+  Random random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 normal = random.point(-1, 1) * std::pow(10, random.uniform(-28, 28));
+    const int seen = std::popcount(seeing_directions(normal));
+    CHECK(seen <= count_within(normal, 0.02999));
+    CHECK(seen >= count_within(normal, 0.03001));
+  }
+}
+
+TEST_CASE("opposite normals are never seen alike, normals near each other mostly are") {
+  Random random(2);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 normal = random.point(-1, 1);
+    CHECK((seeing_directions(normal) & seeing_directions(-normal)) == 0);
+    const Vec3 near = normal + random.point(-0.2, 0.2) * normal.norm();
+    CHECK((seeing_directions(normal) & seeing_directions(near)) != 0);
+  }
+}
+
+TEST_CASE("what has no direction, or none that single precision can hold, is seen by none") {
+  CHECK(seeing_directions(Vec3::Zero()) == 0);
+  CHECK(seeing_directions(Vec3(1e-40, 0, 0)) == 0);
+  CHECK(seeing_directions(Vec3(1e40, 1e40, 0)) == 0);
+  CHECK((seeing_directions(Vec3(1, 2, 3)) & ~all_directions) == 0);
+}
+
+TEST_CASE("a direction sees a triangle from its front only, and not from its edge") {
+  const Triangle triangle{Vec3(0, 0, 5), Vec3(1, 0, 5), Vec3(0, 1, 5)};
+  CHECK(sees(Vec3(0, 0, 1), triangle));
+  CHECK(sees(Vec3(0.99, 0, 0.1).normalized(), triangle));
+  CHECK_FALSE(sees(Vec3(0, 0, -1), triangle));
+  CHECK_FALSE(sees(Vec3(1, 0, 0.01).normalized(), triangle));
+}
