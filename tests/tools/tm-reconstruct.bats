@@ -125,7 +125,7 @@ STUB
 
 # take STEP MESH...: photographs of a time step, by the cameras of the first one.
 take() {
-  local step=film/$1 cameras=(--ring 16 --elevations '35,-25' --distance 400)
+  local step=film/$1 cameras=(--ring 16 --elevations '35,-25' --distance 500)
   shift
   mkdir -p "$step"/{images,masks}
   tm-cat "$@" | tm-clean -o "$step/truth.ply"
@@ -139,7 +139,7 @@ take() {
   ball() { tm-shape sphere --radius "$1" --faces 5000 --center "$2" -o "$3.ply"; }
   ball 20 -25,0,0 left && ball 20 25,0,0 right && take 8 left.ply right.ply
   ball 20 -19,0,0 left && ball 20 17,0,4 right && take 9 left.ply right.ply
-  ball 12 0,5,42 third && take 10 left.ply right.ply third.ply
+  ball 12 0,38,4 third && take 10 left.ply right.ply third.ply
   sequence=(tm-reconstruct --sequence film --cameras par.txt --images '{}/images'
     --silhouettes '{}/masks' --keep 0.1)
   "${sequence[@]}" -o whole --csv whole.csv --report whole.json 2>messages
@@ -155,9 +155,10 @@ CSV
   for step in 8 9 10; do
     tm-checkmanifold --closed "whole/$step.ply" >/dev/null
     tm-intersect --check "whole/$step.ply"
-    # A pixel is 0.74 wide.
-    tm-compare --reference "film/$step/truth.ply" "whole/$step.ply" |
-      awk '/^accuracy:/ { exit !($2 < 0.5) }'
+    # A pixel is 0.92 wide; stiff surfaces round the crease between balls.
+    accuracy=$(tm-compare --reference "film/$step/truth.ply" "whole/$step.ply" |
+      awk '/^accuracy:/ { print $2 }')
+    below "$accuracy" 0.92
   done
   [ "$(find whole -mindepth 1 | wc -l)" -eq 3 ]
 
