@@ -17,39 +17,33 @@ struct Options {
   long iterations = 1;
   std::string flip = "valence";
   std::string smooth = "tangential";
-  std::string smooth_twice;
+  std::vector<double> smooth_twice;
   double feature_angle = 180;
   bool keep_border = false;
   bool project = false;
 };
 
-double factor(const std::string& option, std::string_view text) {
+double smoothing_factor(std::string_view text) {
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end) {
-    throw UsageError(
-        "--" + option + ": '" + std::string(text) + "' is not a number" +
-        (option == "smooth" ? "; write tangential, none or a factor such as 0.1" : ""));
-  }
-  return value;
+  if (error == std::errc() && rest == end) return value;
+  throw UsageError("--smooth: '" + std::string(text) +
+                   "' is not a number; write tangential, none or a factor such as 0.1");
 }
 
 void read_smoothing(const Options& options, RemeshOptions& result) {
+  const bool is_tangential = options.smooth == "tangential";
   if (!options.smooth_twice.empty()) {
-    const std::string_view text = options.smooth_twice;
-    const std::size_t comma = text.find(',');
-    if (options.smooth != "tangential")
-      throw UsageError("--smooth and --smooth2 exclude each other");
-    if (comma == text.npos) throw UsageError("--smooth2: write two factors, such as 0.1,0.05");
+    if (!is_tangential) throw UsageError("--smooth and --smooth2 exclude each other");
     result.smoothing = Smoothing::bilaplace;
-    result.smooth_first = factor("smooth2", text.substr(0, comma));
-    result.smooth_second = factor("smooth2", text.substr(comma + 1));
+    result.smooth_first = options.smooth_twice[0];
+    result.smooth_second = options.smooth_twice[1];
   } else if (options.smooth == "none") {
     result.smoothing = Smoothing::none;
-  } else if (options.smooth != "tangential") {
+  } else if (!is_tangential) {
     result.smoothing = Smoothing::laplace;
-    result.smooth_first = factor("smooth", options.smooth);
+    result.smooth_first = smoothing_factor(options.smooth);
   }
 }
 
@@ -125,8 +119,8 @@ int main(int argc, char** argv) {
   program.text("smooth", &options.smooth, "KIND",
                "tangential (slides vertices, does not shrink), none, or the factor B of the "
                "Laplace-Beltrami operator, 0 to 1");
-  program.text("smooth2", &options.smooth_twice, "B1,B2",
-               "the operator used twice: v - B1 dv + B2 d2v");
+  program.numbers("smooth2", &options.smooth_twice, "B1,B2",
+                  "the operator used twice: v - B1 dv + B2 d2v");
   program.number("feature-angle", &options.feature_angle, 1, 180,
                  "keep edges sharper than this, in degrees; 180 keeps none");
   program.flag("keep-border", &options.keep_border, "leave borders as they are");

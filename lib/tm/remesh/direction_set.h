@@ -13,7 +13,8 @@ namespace transformesh {
 using DirectionSet = std::uint32_t;
 inline constexpr DirectionSet all_directions = 0x1fff1fff;
 
-/// Those that clearly see the front of a face with that normal, of any length.
+/// Those that clearly see the front of a face with that normal; none where its length is not
+/// between 1e-30 and 1e30.
 DirectionSet seeing_directions(const Vec3& normal);
 
 /// Whether any one direction, of unit length, clearly sees the front of the triangle.
