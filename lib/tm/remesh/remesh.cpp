@@ -98,12 +98,11 @@ double largest_size(const EditableMesh& mesh) {
 void check_number_of_faces(const EditableMesh& mesh, double max_edge) {
   double faces = 0;
   for (Index face = 0; face < mesh.face_slots(); ++face) {
-    const double size = (mesh.size(mesh.source(3 * face)) + mesh.size(mesh.source(3 * face + 1)) +
-                         mesh.size(mesh.source(3 * face + 2))) /
-                        3;
-    const double edge = max_edge * size;
-    faces += mesh.face_normal(face).norm() / (edge * edge * std::sqrt(3.0) / 2);
+    const double sizes = mesh.size(mesh.source(3 * face)) + mesh.size(mesh.source(3 * face + 1)) +
+                         mesh.size(mesh.source(3 * face + 2));
+    faces += mesh.face_normal(face).norm() * 9 / (sizes * sizes);
   }
+  faces /= max_edge * max_edge * std::sqrt(3.0) / 2;
   if (faces > most_faces) {
     throw UsageError("a longest edge of " + shortest_text(max_edge) + " would take more than " +
                      shortest_text(std::ceil(faces / 1e6)) + " million faces");
@@ -186,40 +185,52 @@ void remove_small(const Task& task) {
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
 }
 
-/// The root of the mean square of the edges' lengths in units of the local size.
-double typical_length(const EditableMesh& mesh) {
-  double sum = 0;
-  double count = 0;
-  for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-    if (!mesh.is_edge(h)) continue;
-    sum += mesh.scaled_squared_length(h);
-    ++count;
+/// Of all edges, in units of the local size.
+struct ScaledLengths {
+  double typical = 0;  ///< root of the mean square
+  double longest = 0;
+
+  explicit ScaledLengths(const EditableMesh& mesh) {
+    double sum = 0;
+    double count = 0;
+    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+      if (!mesh.is_edge(h)) continue;
+      const double squared = mesh.scaled_squared_length(h);
+      longest = std::max(longest, squared);
+      sum += squared;
+      ++count;
+    }
+    typical = std::sqrt(sum / count);
+    longest = std::sqrt(longest);
   }
-  return std::sqrt(sum / count);
-}
+};
 
 /// Where edges are far too short, collapses them in stages of less than twice the length: with the
-/// guard made for the longest edges at once, each of its cells would hold many vertices.
-void coarsen(const Task& task) {
-  for (double done = 1; done > 0;) {
-    const double shortest = stage_growth * typical_length(task.mesh);
-    if (!(stage_growth * shortest < task.limits.shortest)) return;
+/// guard made for the longest edges at once, each of its cells would hold many vertices. Returns
+/// the lengths that came of it.
+ScaledLengths coarsen(const Task& task) {
+  for (bool goes_on = true;;) {
+    const ScaledLengths lengths(task.mesh);
+    const double shortest = stage_growth * lengths.typical;
+    if (!goes_on || !(stage_growth * shortest < task.limits.shortest)) return lengths;
     const EdgeLimits limits{shortest, shortest / task.limits.shortest * task.limits.longest};
     EmbeddingGuard guard(task.mesh, limits.longest * largest_size(task.mesh));
     const VertexRoles roles(task.mesh, task.options.keep_border);
     const CollapseCounts counts =
         collapse_short_edges(task.mesh, guard, roles, limits, task.progress);
     task.result.collapses += counts.done;
-    done = static_cast<double>(counts.done);
+    goes_on = counts.done > 0;
   }
 }
 
 void iterate(const Task& task, bool is_first) {
   mark_features(task.mesh, task.options.feature_angle_deg);
-  coarsen(task);
+  const ScaledLengths lengths = coarsen(task);
   const Index first_new = task.mesh.vertex_slots();
-  task.result.splits +=
-      split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
+  if (lengths.longest > task.limits.longest) {
+    task.result.splits +=
+        split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
+  }
   Iteration(task, first_new).run(is_first);
   remove_small(task);
 }
