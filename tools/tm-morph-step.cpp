@@ -1,5 +1,6 @@
 /// tm-morph-step: one step of a surface towards a target (paper 5.2).
 #include "displacement_report.h"
+#include "tm/evolve/gaps.h"
 #include "tm/evolve/morph_step.h"
 #include "tm/evolve/target_file.h"
 #include "tool.h"
@@ -21,11 +22,14 @@ Target target_of(const Options& options, tool::Run& run) {
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbours");
   }
+  if (options.step.gap_edges > 0 && target.gaps.empty())
+    target.gaps = gap_widths(target, options.step.gap_edges * run.reference_edge(), run.progress());
   if (!options.written_target.empty()) run.write(options.written_target, write_target(target));
   return target;
 }
 
 void step(Document& document, Options options, tool::Run& run) {
+  if (options.step.gap_edges > 0) options.step.largest_size = run.reference_edge();
   const Target target = target_of(options, run);
   if (options.distance == "surface") options.step.distance = MorphDistance::surface;
   if (options.distance == "vertex") options.step.distance = MorphDistance::vertex;
@@ -55,6 +59,9 @@ int main(int argc, char** argv) {
                  "clamp on the movement, as a fraction of the mean edge at the vertex");
   program.text("mask", &options.step.mask, "COLUMN",
                "multiply velocities by this vertex property; 0 holds a vertex fast");
+  program.number("gap-edges", &options.step.gap_edges, 0, 1e6,
+                 "write the vertex property 'size', for tm-remesh --size-field: so many edges "
+                 "across the target's gaps and walls, at most 1x long; 0: do not");
   program.text("write-target", &options.written_target, "FILE",
                "write the target as it is used: points with their normals");
   program.epilog(

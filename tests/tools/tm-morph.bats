@@ -182,6 +182,22 @@ STUB
   [ "$(tm-info --get components out.ply)" -eq 2 ]
 }
 
+@test "--gap-edges resolves a gap with short edges there only" {
+  tm-shape two-spheres --gap 0.1 --faces 6000 -o two.ply
+  tm-shape sphere --around two.ply --faces 1500 -o start.ply
+  tm-morph start.ply --target two.ply -o out.ply --iterations 80 --report r.json -q
+  [ "$(value converged r.json)" = false ]
+  tm-morph start.ply --target two.ply -o out.ply --gap-edges 1.5 --frames frames --every 1 \
+    --report r.json -q
+  [ "$(value converged r.json)" = true ]
+  [ "$(tm-info --get components out.ply)" -eq 2 ]
+  for frame in frames/*.ply; do tm-intersect --check "$frame" >/dev/null; done
+  below "$(tm-info --get edge_min out.ply)" 0.1
+  # Edges that short all over would take ten times the faces.
+  below "$(tm-info --get faces out.ply)" 4000
+  below 0.15 "$(tm-info --get edge_mean out.ply)"
+}
+
 @test "a notch of the target that is left filled is no convergence" {
   # The notch is as wide as an edge and eight deep; the body has no other topology than a ball.
   tm-shape box 2 2 2 --faces 6000 -o block.ply

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tm/evolve/sample_distance.h"
 #include "tm/geometry/closest_point.h"
@@ -17,28 +18,48 @@ namespace {
 constexpr std::size_t queries_per_task = 512;
 constexpr std::size_t most_vertices_of_target = 1024;
 
-std::vector<double> surface_distances(const Mesh& mesh, const Target& target, double exact_within) {
+constexpr double wide = std::numeric_limits<double>::infinity();
+
+/// From every vertex of the mesh.
+struct Found {
+  std::vector<double> distances;
+  std::vector<double> gaps;  ///< empty where the target's are
+};
+
+std::vector<double> room_for_gaps(const Mesh& mesh, const Target& target) {
+  return std::vector<double>(target.gaps.empty() ? 0 : mesh.positions.size(), wide);
+}
+
+Found search_surface(const Mesh& mesh, const Target& target, double exact_within) {
   const ClosestPointQuery closest(target.mesh, target.face_order);
-  return sample_distance(mesh.positions, exact_within, [&](const Vec3& p, double sign) {
+  Found found{{}, room_for_gaps(mesh, target)};
+  found.distances = sample_distance(mesh.positions, exact_within, [&](Index v, double sign) {
+    const Vec3& p = mesh.positions[v];
     if (sign != 0) return searched_distance(p, closest.nearby(p, far_tolerance), sign);
     const ClosestPoint q = closest(p);
+    if (!target.gaps.empty()) {
+      const auto& [a, b, c] = target.mesh.faces[q.face];
+      found.gaps[v] = std::min({target.gaps[a], target.gaps[b], target.gaps[c]});
+    }
     return searched_distance(p, q.point, q.signed_distance < 0 ? -1 : 1);
   });
+  return found;
 }
 
 // To the tangent plane at the nearest vertex, which jumps from vertex to vertex: never estimated.
-std::vector<double> vertex_distances(const Mesh& mesh, const Target& target) {
+Found search_vertices(const Mesh& mesh, const Target& target) {
   const KdTree tree(target.mesh.positions);
   const std::vector<Vec3> normals = target.is_mesh() ? vertex_normals(target.mesh) : target.normals;
-  std::vector<double> distances(mesh.positions.size());
-  parallel_for(distances.size(), queries_per_task, [&](std::size_t first, std::size_t last) {
+  Found found{std::vector<double>(mesh.positions.size()), room_for_gaps(mesh, target)};
+  parallel_for(mesh.positions.size(), queries_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const Vec3& p = mesh.positions[v];
       const Index q = tree.nearest(p);
-      distances[v] = (p - target.mesh.positions[q]).dot(normals[q]);
+      found.distances[v] = (p - target.mesh.positions[q]).dot(normals[q]);
+      if (!target.gaps.empty()) found.gaps[v] = target.gaps[q];
     }
   });
-  return distances;
+  return found;
 }
 
 Vec3 closest_around_vertex(const Vec3& query, const Mesh& mesh, Index vertex,
@@ -84,10 +105,11 @@ MorphVelocities morph_velocities(const Mesh& mesh, const Target& target,
   }
 
   progress("distance to target");
-  const std::vector<double> phi = by_surface ? surface_distances(mesh, target, options.exact_within)
-                                             : vertex_distances(mesh, target);
+  Found found = by_surface ? search_surface(mesh, target, options.exact_within)
+                           : search_vertices(mesh, target);
 
-  MorphVelocities result{vertex_normals(mesh), summary(phi)};
+  const std::vector<double>& phi = found.distances;
+  MorphVelocities result{vertex_normals(mesh), summary(phi), std::move(found.gaps)};
   for (std::size_t v = 0; v < phi.size(); ++v) result.velocities[v] *= -phi[v];
   return result;
 }
@@ -99,7 +121,8 @@ DistanceSummary distance_from_target(const Target& target, const Mesh& mesh, dou
   const KdTree tree(mesh.positions);
   const VertexFaces faces_at(mesh);
   const std::vector<Vec3> points = thinned(target.mesh.positions, most_vertices_of_target);
-  return summary(sample_distance(points, exact_within, [&](const Vec3& p, double) {
+  return summary(sample_distance(points, exact_within, [&](Index point, double) {
+    const Vec3& p = points[point];
     const Index nearest = tree.nearest(p);
     return searched_distance(p, closest_around_vertex(p, mesh, nearest, faces_at[nearest]));
   }));

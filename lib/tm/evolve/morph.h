@@ -40,6 +40,9 @@ struct DistanceSummary {
 struct MorphVelocities {
   std::vector<Vec3> velocities;  ///< one per vertex of the mesh
   DistanceSummary to_target;     ///< of |phi| over the vertices of the mesh
+  /// Where the target's are known: the narrowest at the closest face or vertex, for every vertex of
+  /// the mesh; infinity beyond `exact_within`.
+  std::vector<double> gaps;
 };
 
 /// Throws InputError for a mesh without faces, UsageError for surface distance to points.

@@ -13,6 +13,8 @@ namespace {
 constexpr double far_in_edges = 1;
 /// Of distances from the target, whose maximum has to come out right when it is some edges.
 constexpr double far_from_target_in_edges = 4;
+/// Of the largest size, the smallest.
+constexpr double least_share = 0.05;
 
 struct EdgeSizes {
   double mean = 0;
@@ -41,6 +43,13 @@ double exact_within(const MorphStepOptions& options, const EdgeSizes& edges) {
   return std::max(clamped_beyond, 1 * edges.mean);
 }
 
+void set_sizes(Mesh& mesh, std::span<const double> gaps, const MorphStepOptions& options) {
+  Column& sizes = mesh.vertex_columns.get("size", Scalar::float64, mesh.positions.size());
+  for (std::size_t v = 0; v < gaps.size(); ++v)
+    sizes.values[v] = std::clamp(gaps[v] / options.gap_edges, least_share * options.largest_size,
+                                 options.largest_size);
+}
+
 }  // namespace
 
 MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOptions& options,
@@ -57,6 +66,7 @@ MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOpti
       distance_from_target(target, mesh, far_from_target_in_edges * edges.mean, progress);
 
   if (!options.mask.empty()) apply_mask(mesh, options.mask, morph.velocities);
+  if (options.gap_edges > 0 && !morph.gaps.empty()) set_sizes(mesh, morph.gaps, options);
   progress("displace");
   result.displaced = displace(mesh, morph.velocities, options.displace);
   return result;

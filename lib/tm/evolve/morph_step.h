@@ -17,6 +17,11 @@ struct MorphStepOptions {
   std::optional<MorphDistance> distance;
   DisplaceOptions displace;
   std::string mask;  ///< vertex column by which velocities are multiplied; empty: none
+  /// Where the target's gaps are measured: the vertex column `size` becomes the edge length that
+  /// puts so many edges across them, between a twentieth of this length and all of it (input
+  /// units).
+  double gap_edges = 0;
+  double largest_size = 0;
 };
 
 /// Distances are those before the movement.

@@ -46,7 +46,7 @@ SearchedDistance searched_distance(const Vec3& point, const Vec3& closest, doubl
 
 std::vector<double> sample_distance(
     std::span<const Vec3> points, double exact_within,
-    const std::function<SearchedDistance(const Vec3& point, double sign)>& search) {
+    const std::function<SearchedDistance(Index point, double sign)>& search) {
   const std::vector<Index> order = order_along_curve(points);
   std::vector<double> distances(points.size());
   const std::size_t runs = (points.size() + run_length - 1) / run_length;
@@ -60,7 +60,7 @@ std::vector<double> sample_distance(
         if (is_far && anchor.reaches(point)) {
           distances[order[i]] = anchor.estimate(point);
         } else {
-          anchor = {point, search(point, is_far ? std::copysign(1, anchor.found.distance) : 0)};
+          anchor = {point, search(order[i], is_far ? std::copysign(1, anchor.found.distance) : 0)};
           distances[order[i]] = anchor.found.distance;
         }
       }

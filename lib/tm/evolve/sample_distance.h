@@ -25,11 +25,12 @@ struct SearchedDistance {
 /// How far a search may go wrong where the sign is known.
 inline constexpr double far_tolerance = 0.05;
 
-/// One distance per point. `search` is called from several threads at once; where `sign` is not 0
-/// it is the sign of the distance, which may come out too large by far_tolerance.
+/// One distance per point. `search` takes the index of a point and is called from several threads
+/// at once; where `sign` is not 0 it is the sign of the distance, which may come out too large by
+/// far_tolerance.
 std::vector<double> sample_distance(
     std::span<const Vec3> points, double exact_within,
-    const std::function<SearchedDistance(const Vec3& point, double sign)>& search);
+    const std::function<SearchedDistance(Index point, double sign)>& search);
 
 /// The distance from `point` to its closest point, taken with the sign given.
 SearchedDistance searched_distance(const Vec3& point, const Vec3& closest, double sign = 1);

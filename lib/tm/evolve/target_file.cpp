@@ -9,10 +9,12 @@ namespace transformesh {
 namespace {
 
 constexpr const char* spatial_order = "tm:faces in spatial order";
+constexpr const char* measured_gaps = "tm:gaps measured";
+constexpr const char* gap_column = "gap";
 
-bool is_in_spatial_order(const Document& document) {
+bool has_comment(const Document& document, const char* comment) {
   const std::vector<std::string>& comments = document.style.comments;
-  return std::find(comments.begin(), comments.end(), spatial_order) != comments.end();
+  return std::find(comments.begin(), comments.end(), comment) != comments.end();
 }
 
 }  // namespace
@@ -21,9 +23,10 @@ Target read_target(std::string_view bytes, const std::string& name) {
   const Source source{bytes, name};
   if (is_point_text(source)) return make_target(read_point_text(source));
   Document document = read_mesh(bytes, name).document;
-  const bool is_in_order = is_in_spatial_order(document);
   Target target = make_target(std::move(document.mesh));
-  if (is_in_order) target.face_order = FaceOrder::spatial;
+  if (has_comment(document, spatial_order)) target.face_order = FaceOrder::spatial;
+  const Column* gaps = target.mesh.vertex_columns.find(gap_column);
+  if (has_comment(document, measured_gaps) && gaps != nullptr) target.gaps = gaps->values;
   return target;
 }
 
@@ -37,6 +40,11 @@ std::string write_target(const Target& target) {
   } else {
     document.style.element_order = {"vertex"};
     set_normal_columns(document.mesh, target.normals);
+  }
+  if (!target.gaps.empty()) {
+    Columns& columns = document.mesh.vertex_columns;
+    columns.get(gap_column, Scalar::float64, target.gaps.size()).values = target.gaps;
+    document.style.comments.emplace_back(measured_gaps);
   }
   return write_mesh(document).bytes;
 }
