@@ -78,7 +78,7 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
     "hull before before before before before before before hull " ]
   [ "$(cut -d, -f5 out/table.csv | tail -n +2 | tr '\n' ' ')" = \
     "2/0 2/0 2/0 1/0 1/0 1/0 2/0 2/0 3/0 " ]
-  ! grep -q ',no$' out/table.csv
+  run ! grep -q ',no$' out/table.csv
   [ "$(head -c 4 out/sheet.png | tail -c 3)" = PNG ]
 }
 
