@@ -57,6 +57,7 @@ std::vector<Blend> blends(int size, double scale, const Kernel& kernel) {
   const int count = static_cast<int>(std::floor(size / scale + 1e-9));
   if (count < 1) throw UsageError("an image has no pixel left at this scale");
   std::vector<Blend> result;
+  result.reserve(static_cast<std::size_t>(count));
   for (int place = 0; place < count; ++place)
     result.push_back(blend_at((place + 0.5) * scale - 0.5, size, kernel));
   return result;

@@ -51,15 +51,15 @@ Rectangle bounding_rectangle(const View& view) {
 
 void add_bounds(const HalfSpace& pixel_row, const HalfSpace& depth_row, const Range& range,
                 int size, std::vector<HalfSpace>& bounds) {
-  if (range.first > 0) bounds.push_back((range.first - 1) * depth_row - pixel_row);
-  if (range.last < size - 1) bounds.push_back(pixel_row - (range.last + 1) * depth_row);
+  if (range.first > 0) bounds.emplace_back((range.first - 1) * depth_row - pixel_row);
+  if (range.last < size - 1) bounds.emplace_back(pixel_row - (range.last + 1) * depth_row);
 }
 
 std::vector<HalfSpace> half_spaces(std::span<const View> views) {
   std::vector<HalfSpace> bounds;
   for (const View& view : views) {
     const Projection projection = view.camera.projection();
-    bounds.push_back(-projection.row(2));
+    bounds.emplace_back(-projection.row(2));
     if (view.silhouette.empty()) continue;
     const Rectangle rectangle = bounding_rectangle(view);
     add_bounds(projection.row(0), projection.row(2), rectangle.columns, view.silhouette.width,

@@ -25,7 +25,8 @@ double angle_deg(const Vec3& first, const Vec3& second) {
 std::vector<ViewPair> choose_pairs(std::span<const PinholeCamera> cameras, const Vec3& scene_center,
                                    const PairOptions& options) {
   std::vector<Vec3> directions;
-  for (const PinholeCamera& camera : cameras) directions.push_back(camera.center() - scene_center);
+  for (const PinholeCamera& camera : cameras)
+    directions.emplace_back(camera.center() - scene_center);
 
   std::vector<ViewPair> pairs;
   for (std::size_t i = 0; i < directions.size(); ++i) {
