@@ -16,6 +16,11 @@ struct Options {
   MorphStepOptions step;
 };
 
+const char* name_of(MorphDistance distance) {
+  if (distance == MorphDistance::surface) return "surface";
+  return distance == MorphDistance::points ? "points" : "vertex";
+}
+
 Target target_of(const Options& options, tool::Run& run) {
   run.progress()("read target");
   Target target = read_target(run.read_bytes(options.target), options.target);
@@ -32,9 +37,10 @@ void step(Document& document, Options options, tool::Run& run) {
   if (options.step.gap_edges > 0) options.step.largest_size = run.reference_edge();
   const Target target = target_of(options, run);
   if (options.distance == "surface") options.step.distance = MorphDistance::surface;
+  if (options.distance == "points") options.step.distance = MorphDistance::points;
   if (options.distance == "vertex") options.step.distance = MorphDistance::vertex;
   const MorphStepResult result = morph_step(document.mesh, target, options.step, run.progress());
-  run.report("distance", result.distance == MorphDistance::surface ? "surface" : "vertex");
+  run.report("distance", name_of(result.distance));
   run.report("rms_distance_to_target", result.to_target.rms);
   run.report("max_distance_to_target", result.to_target.maximum);
   run.report("rms_distance_from_target", result.from_target.rms);
@@ -51,8 +57,9 @@ int main(int argc, char** argv) {
                         "Moves a mesh one step towards a target");
   program.text("target", &options.target, "FILE", "mesh or points to move towards");
   program.require("target");
-  program.choice("distance", &options.distance, {"auto", "surface", "vertex"},
-                 "to the target's faces or to its vertices; auto: faces where it has any");
+  program.choice("distance", &options.distance, {"auto", "surface", "points", "vertex"},
+                 "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
+                 "surface where it has faces, else points");
   program.number("time-step", &displace.time_step, 0, 1e300,
                  "share of the distance to go in one step");
   program.number("alpha", &displace.alpha, 0, 1e300,

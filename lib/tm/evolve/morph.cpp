@@ -16,6 +16,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t queries_per_task = 512;
+constexpr std::size_t planes_of_points = 12;
 constexpr std::size_t most_vertices_of_target = 1024;
 
 constexpr double wide = std::numeric_limits<double>::infinity();
@@ -46,17 +47,33 @@ Found search_surface(const Mesh& mesh, const Target& target, double exact_within
   return found;
 }
 
-// To the tangent plane at the nearest vertex, which jumps from vertex to vertex: never estimated.
-Found search_vertices(const Mesh& mesh, const Target& target) {
+/// The mean over the planes at those vertices, nearest first.
+double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
+                          std::span<const Vec3> normals, std::span<const Index> nearest) {
+  const auto squared = [&](Index q) { return (p - points[q]).squaredNorm(); };
+  const double least = squared(nearest.front());
+  const double spread = squared(nearest.back()) - least;
+  double sum = 0;
+  double weights = 0;
+  for (const Index q : nearest) {
+    const double weight = spread > 0 ? std::exp(-2 * (squared(q) - least) / spread) : 1;
+    sum += weight * (p - points[q]).dot(normals[q]);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+// To the tangent planes at the nearest vertices, which jump from vertex to vertex: never estimated.
+Found search_vertices(const Mesh& mesh, const Target& target, std::size_t planes) {
   const KdTree tree(target.mesh.positions);
   const std::vector<Vec3> normals = target.is_mesh() ? vertex_normals(target.mesh) : target.normals;
   Found found{std::vector<double>(mesh.positions.size()), room_for_gaps(mesh, target)};
   parallel_for(mesh.positions.size(), queries_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const Vec3& p = mesh.positions[v];
-      const Index q = tree.nearest(p);
-      found.distances[v] = (p - target.mesh.positions[q]).dot(normals[q]);
-      if (!target.gaps.empty()) found.gaps[v] = target.gaps[q];
+      const std::vector<Index> nearest = tree.nearest(p, planes);
+      found.distances[v] = distance_to_planes(p, target.mesh.positions, normals, nearest);
+      if (!target.gaps.empty()) found.gaps[v] = target.gaps[nearest.front()];
     }
   });
   return found;
@@ -105,8 +122,9 @@ MorphVelocities morph_velocities(const Mesh& mesh, const Target& target,
   }
 
   progress("distance to target");
+  const std::size_t planes = options.distance == MorphDistance::points ? planes_of_points : 1;
   Found found = by_surface ? search_surface(mesh, target, options.exact_within)
-                           : search_vertices(mesh, target);
+                           : search_vertices(mesh, target, planes);
 
   const std::vector<double>& phi = found.distances;
   MorphVelocities result{vertex_normals(mesh), summary(phi), std::move(found.gaps)};

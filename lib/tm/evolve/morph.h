@@ -1,16 +1,17 @@
 /// Velocities that evolve a surface towards a target (paper 5.2): F(p) = -phi(p) N(p), phi being
 /// the signed distance to the target, negative inside, and N(p) the angle-weighted vertex normal.
-/// What is outside the target shrinks, what is inside grows. Reference for the flow: Breen &
-/// Whitaker, "A level-set approach for the metamorphosis of solid models", TVCG 2001.
+/// What is outside the target shrinks, what is inside grows (Breen & Whitaker, "A level-set
+/// approach for the metamorphosis of solid models", TVCG 2001).
 ///
 /// - MorphDistance::vertex, the paper's heuristic: with q the target vertex nearest to p and n its
 ///   normal, F(p) = ((q - p) . n) N(p). It needs a target sampled as finely as the source, and
 ///   vanishes beside sharp edges.
-/// - MorphDistance::surface: phi is the distance to the closest point of the target's faces, its
-///   sign by the pseudonormal there (closest_point.h). Needs a target with faces.
+/// - MorphDistance::points: the mean of that over the twelve nearest, nearer ones counting more
+///   (Kolluri, "Provably good moving least squares", TALG 4(2), 2008). A single plane passes p on
+///   either side by chance beyond the tip of a limb, and the surface runs away there.
+/// - MorphDistance::surface: to the closest point of the target's faces (closest_point.h).
 ///
-/// The source finds what it overlaps: a component of the target that lies outside the source stays
-/// unfound, and a component of the source outside the target shrinks to nothing.
+/// A component of the target outside the source stays unfound; one of the source outside shrinks.
 /// Cost: O(n log m) in parallel; deterministic for any number of threads. Floating point.
 #pragma once
 
@@ -22,8 +23,7 @@
 #include "tm/support/progress.h"
 
 namespace transformesh {
-
-enum class MorphDistance { surface, vertex };
+enum class MorphDistance { surface, vertex, points };
 
 struct MorphOptions {
   MorphDistance distance = MorphDistance::surface;
@@ -33,15 +33,13 @@ struct MorphOptions {
 };
 
 struct DistanceSummary {
-  double rms = 0;
-  double maximum = 0;
+  double rms = 0, maximum = 0;
 };
 
 struct MorphVelocities {
   std::vector<Vec3> velocities;  ///< one per vertex of the mesh
   DistanceSummary to_target;     ///< of |phi| over the vertices of the mesh
-  /// Where the target's are known: the narrowest at the closest face or vertex, for every vertex of
-  /// the mesh; infinity beyond `exact_within`.
+  /// Where the target's are known: of its closest face or vertex; infinity beyond `exact_within`.
   std::vector<double> gaps;
 };
 
@@ -52,9 +50,8 @@ MorphVelocities morph_velocities(const Mesh& mesh, const Target& target,
 
 /// From vertices of the target (all, or 513 to 1024 taken evenly from the list of more) to the
 /// surface of the mesh: shows what the mesh has missed.
-/// Sought on the faces around the mesh's nearest vertex, so a distance can come out too large, by a
-/// fraction of an edge on well-shaped meshes; estimated beyond `exact_within`. Throws InputError
-/// for a mesh without faces.
+/// Sought on the faces around the mesh's nearest vertex: too large by a fraction of an edge at
+/// times; estimated beyond `exact_within`. Throws InputError for a mesh without faces.
 DistanceSummary distance_from_target(const Target& target, const Mesh& mesh,
                                      double exact_within = std::numeric_limits<double>::infinity(),
                                      const Progress& progress = Progress());

@@ -55,7 +55,7 @@ void set_sizes(Mesh& mesh, std::span<const double> gaps, const MorphStepOptions&
 MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOptions& options,
                            const Progress& progress) {
   MorphStepResult result;
-  const auto natural = target.is_mesh() ? MorphDistance::surface : MorphDistance::vertex;
+  const auto natural = target.is_mesh() ? MorphDistance::surface : MorphDistance::points;
   result.distance = options.distance.value_or(natural);
 
   const EdgeSizes edges = edge_sizes(mesh);

@@ -42,7 +42,7 @@ TEST_CASE("movements are those of exact distances, however far away") {
   }
 }
 
-TEST_CASE("points are taken by vertex, and a mask holds vertices fast") {
+TEST_CASE("points are taken by their planes, and a mask holds vertices fast") {
   const Mesh sphere = test::icosphere(3);
   Mesh points;
   points.positions = sphere.positions;
@@ -53,7 +53,7 @@ TEST_CASE("points are taken by vertex, and a mask holds vertices fast") {
   MorphStepOptions options;
   options.mask = "free";
   const MorphStepResult result = morph_step(mesh, make_target(points), options);
-  CHECK(result.distance == MorphDistance::vertex);
+  CHECK(result.distance == MorphDistance::points);
   CHECK(result.displaced.moved == 1);
   CHECK(mesh.positions[6] == before.positions[6]);
   CHECK(mesh.positions[7] != before.positions[7]);

@@ -148,6 +148,36 @@ TEST_CASE("the distance from the target shows a component that the mesh has lost
   CHECK(distance_from_target(target, target.mesh).maximum < 1e-12);
 }
 
+TEST_CASE("where normals are noisy, several planes tell outside from inside better than one") {
+  const Vec3 axes(0.1, 0.1, 1);
+  Mesh cloud;
+  std::vector<Vec3> normals;
+  test::Random random(4);  // normals of scans are inexact
+  for (const Vec3& p : test::icosphere(2).positions) {
+    cloud.positions.push_back(p.cwiseProduct(axes));
+    normals.push_back((p.cwiseQuotient(axes).normalized() + random.point(-1, 1)).normalized());
+  }
+  set_normal_columns(cloud, normals);
+  const Target target = make_target(cloud);
+  const auto count_inside = [&](MorphDistance distance, const Mesh& mesh) {
+    // A velocity along the normal means inside.
+    const std::vector<Vec3> outwards = vertex_normals(mesh);
+    const MorphVelocities morph = morph_velocities(mesh, target, {distance});
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < outwards.size(); ++v)
+      count += morph.velocities[v].dot(outwards[v]) > 0;
+    return count;
+  };
+  Mesh beyond = test::icosphere(3);
+  for (Vec3& p : beyond.positions) p = p.cwiseProduct(Vec3(0.4, 0.4, 1.3));
+  const std::size_t wrong = count_inside(MorphDistance::vertex, beyond);
+  CHECK(wrong > 0);
+  CHECK(count_inside(MorphDistance::points, beyond) < wrong / 4);
+  Mesh within = test::icosphere(3);
+  for (Vec3& p : within.positions) p = (0.5 * p).cwiseProduct(axes);
+  CHECK(count_inside(MorphDistance::points, within) == within.positions.size());
+}
+
 TEST_CASE("the distance from the target is that of a search over all faces") {
   const Target target = make_target(test::torus(1, 0.4, 24, 12));
   const Mesh mesh = jittered_sphere(1.1);
