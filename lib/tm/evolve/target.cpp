@@ -1,6 +1,7 @@
 #include "tm/evolve/target.h"
 
 #include <array>
+#include <cmath>
 
 #include "tm/evolve/estimate_normals.h"
 #include "tm/mesh/components.h"
@@ -34,7 +35,9 @@ std::vector<Vec3> column_normals(const Mesh& mesh, const std::array<const Column
     if (!normal.allFinite()) {
       throw InputError("the normal of target point " + std::to_string(v) + " is not finite");
     }
-    normals[v] = normal.stableNormalized();
+    // What has unit length stays as it is, so that a target reads back the same.
+    const bool is_unit = std::abs(normal.squaredNorm() - 1) < 1e-15;
+    normals[v] = is_unit ? normal : normal.stableNormalized();
   }
   return normals;
 }
