@@ -56,18 +56,24 @@ double size_factor(const std::string& option, const Length& length) {
                    " is a factor of the local size: write it as 0.7x, not as " + length.text());
 }
 
-void read_lengths(const Options& options, tool::Run& run, RemeshOptions& result) {
+/// Fills in the defaults, so that settings and report show them.
+void set_default_lengths(Options& options) {
   const bool adapts = options.adaptive.has_value();
-  const Length shortest = options.min_edge.value_or(in_reference_edges(adapts ? 0.1 : 0.7));
-  const Length longest = options.max_edge.value_or(in_reference_edges(adapts ? 5 : 1.5));
-  result.size_column = options.size_column;
-  if (adapts) {
+  if (!options.min_edge) options.min_edge = in_reference_edges(adapts ? 0.1 : 0.7);
+  if (!options.max_edge) options.max_edge = in_reference_edges(adapts ? 5 : 1.5);
+}
+
+void read_lengths(const Options& options, tool::Run& run, RemeshOptions& result) {
+  if (options.adaptive) {
     result.adaptive_error = run.length(*options.adaptive);
     if (result.adaptive_error == 0) throw UsageError("--adaptive: the error must be above 0");
   }
+  result.size_column = options.size_column;
   const bool has_sizes = !options.size_column.empty();
-  result.min_edge = has_sizes ? size_factor("min-edge", shortest) : run.length(shortest);
-  result.max_edge = has_sizes ? size_factor("max-edge", longest) : run.length(longest);
+  result.min_edge =
+      has_sizes ? size_factor("min-edge", *options.min_edge) : run.length(*options.min_edge);
+  result.max_edge =
+      has_sizes ? size_factor("max-edge", *options.max_edge) : run.length(*options.max_edge);
 }
 
 RemeshOptions resolve(const Options& options, const Document& document, tool::Run& run) {
@@ -85,7 +91,8 @@ RemeshOptions resolve(const Options& options, const Document& document, tool::Ru
   return result;
 }
 
-void remesh_document(Document& document, const Options& options, tool::Run& run) {
+void remesh_document(Document& document, Options& options, tool::Run& run) {
+  set_default_lengths(options);
   const RemeshOptions resolved = resolve(options, document, run);
   const RemeshResult result = remesh(document.mesh, resolved, run.progress());
   run.report("splits", result.splits);
