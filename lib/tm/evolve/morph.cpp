@@ -47,20 +47,27 @@ Found search_surface(const Mesh& mesh, const Target& target, double exact_within
   return found;
 }
 
-/// The mean over the planes at those vertices, nearest first.
+/// The planes at those vertices, nearest first. That of the nearest is right by the surface;
+/// farther away than samples are from each other, the mean of all says on which side the point is,
+/// and is taken where the nearest one's plane says otherwise.
 double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
                           std::span<const Vec3> normals, std::span<const Index> nearest) {
   const auto squared = [&](Index q) { return (p - points[q]).squaredNorm(); };
+  const auto to_plane = [&](Index q) { return (p - points[q]).dot(normals[q]); };
   const double least = squared(nearest.front());
   const double spread = squared(nearest.back()) - least;
+  const double to_nearest = to_plane(nearest.front());
+  if (4 * least <= spread || nearest.size() == 1) return to_nearest;
+
   double sum = 0;
   double weights = 0;
   for (const Index q : nearest) {
     const double weight = spread > 0 ? std::exp(-2 * (squared(q) - least) / spread) : 1;
-    sum += weight * (p - points[q]).dot(normals[q]);
+    sum += weight * to_plane(q);
     weights += weight;
   }
-  return sum / weights;
+  const bool is_same_side = (sum < 0) == (to_nearest < 0);
+  return is_same_side ? to_nearest : sum / weights;
 }
 
 // To the tangent planes at the nearest vertices, which jump from vertex to vertex: never estimated.

@@ -6,9 +6,9 @@
 /// - MorphDistance::vertex, the paper's heuristic: with q the target vertex nearest to p and n its
 ///   normal, F(p) = ((q - p) . n) N(p). It needs a target sampled as finely as the source, and
 ///   vanishes beside sharp edges.
-/// - MorphDistance::points: the mean of that over the twelve nearest, nearer ones counting more
-///   (Kolluri, "Provably good moving least squares", TALG 4(2), 2008). A single plane passes p on
-///   either side by chance beyond the tip of a limb, and the surface runs away there.
+/// - MorphDistance::points: the same, but farther away than samples are from each other the mean
+///   over twelve planes decides on the side (Kolluri, "Provably good moving least squares", TALG
+///   4(2), 2008): one alone errs beyond the tip of a limb, and the surface runs away there.
 /// - MorphDistance::surface: to the closest point of the target's faces (closest_point.h).
 ///
 /// A component of the target outside the source stays unfound; one of the source outside shrinks.
