@@ -56,7 +56,7 @@ Certificate certify_document(const Document& document, const Mesh& input, const 
   CertifyOptions library_options;
   library_options.level = static_cast<int>(options.level.value_or(1));
   library_options.coordinate = document.style.coordinate;
-  const Certificate certificate = certify(input, document.mesh, library_options, run.progress());
+  Certificate certificate = certify(input, document.mesh, library_options, run.progress());
   run.report("winding", certificate.input_is_closed ? "tested" : "not tested, the input is open");
   run.report("certified_samples", certificate.samples);
   run.report("undecided_samples", certificate.undecided);

@@ -59,6 +59,7 @@ std::string render(const std::vector<Document>& documents, const Options& option
   const Mesh around = options.around.empty() ? Mesh{} : run.read(options.around).mesh;
   if (!options.around.empty()) picture.around = &around;
   std::vector<const Mesh*> meshes;
+  meshes.reserve(documents.size());
   for (const Document& document : documents) meshes.push_back(&document.mesh);
   run.report("meshes", meshes.size());
   return write_png(draw_picture(meshes, picture, run.progress()));
@@ -71,7 +72,7 @@ int main(int argc, char** argv) {
   tool::Program program("tm-render", "[OPTION]... [INPUT]...", "Draws meshes as a PNG picture");
   declare(program, options);
   program.epilog("Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png");
-  return program.picture(argc, argv, [&](std::vector<Document> documents, tool::Run& run) {
+  return program.picture(argc, argv, [&](const std::vector<Document>& documents, tool::Run& run) {
     return render(documents, options, run);
   });
 }
