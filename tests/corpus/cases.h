@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct Case {
   /// Its smallest gap or part, as a share of its largest coordinate. Where only a few numbers lie
   /// in between, many samples of a right result are undecided.
   double feature = 1;
+  /// Of the result, where it is known in closed form.
+  std::optional<double> volume{};
 };
 
 using Cases = std::vector<Case>;
@@ -39,6 +42,7 @@ void add_nesting_cases(Cases& cases);
 void add_coordinate_cases(Cases& cases);
 void add_random_cases(Cases& cases);
 void add_open_cases(Cases& cases);
+void add_wall_cases(Cases& cases);
 void add_workload_cases(Cases& cases);
 
 }  // namespace transformesh::corpus

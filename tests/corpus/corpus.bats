@@ -23,7 +23,7 @@ setup() {
   for kind in axis barely-held cavity coincident coplanar-opposite coplanar-same \
     duplicate-vertices edge-contact eversion far-away folded-flat inside-out inverted jitter \
     lattice-soup levels many-in-one-face nearly-coplanar needles nested not-oriented open point \
-    scale touching vertex-on-face workload zero-area zero-length; do
+    scale touching vertex-on-face walls workload zero-area zero-length; do
     grep -q " $kind " list || fail "no case of $kind"
   done
   run grep -vE '^[^ ]+ [^ ]+ (clean|clean-at-limit|by-winding|inside-out|not-oriented)( |$)' list

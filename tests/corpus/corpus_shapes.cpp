@@ -1,6 +1,7 @@
 // A program of the tests, never installed: the generated inputs of tests/corpus/run.
 //   corpus_shapes          lists the inputs, a line each: NAME KIND OUTCOME, and options of
 //   tm-clean corpus_shapes NAME     writes that input as PLY
+//   corpus_shapes --volume NAME     prints the volume of the result, where it is known
 // NAME ends in how the mesh is written: double, float or to-float (doubles that tm-clean shall turn
 // into floats), in binary or, with -ascii, as text.
 #include <iostream>
@@ -23,7 +24,7 @@ Cases all_cases() {
   Cases cases;
   for (const auto add :
        {add_coplanar_cases, add_contact_cases, add_degenerate_cases, add_nesting_cases,
-        add_coordinate_cases, add_random_cases, add_open_cases, add_workload_cases})
+        add_coordinate_cases, add_random_cases, add_open_cases, add_wall_cases, add_workload_cases})
     add(cases);
   return cases;
 }
@@ -76,20 +77,26 @@ void write(const Input& input) {
   std::cout << write_mesh(document).bytes;
 }
 
+void print_volume(const Input& input) {
+  if (input.shape->volume) std::cout << *input.shape->volume << '\n';
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const Cases cases = all_cases();
+  const bool wants_volume = argc == 3 && std::string(argv[1]) == "--volume";
+  const std::string name = argc > 1 ? argv[argc - 1] : "";
   for (const Input& input : all_inputs(cases)) {
     if (argc == 1) {
       std::cout << input.name << ' ' << input.shape->kind << ' '
                 << outcome_text(input.shape->outcome, is_at_limit(input)) << options_text(input)
                 << '\n';
-    } else if (input.name == argv[1]) {
-      write(input);
+    } else if (input.name == name) {
+      wants_volume ? print_volume(input) : write(input);
       return 0;
     }
   }
-  if (argc > 1) std::cerr << "corpus_shapes: no input is named '" << argv[1] << "'\n";
+  if (argc > 1) std::cerr << "corpus_shapes: no input is named '" << name << "'\n";
   return argc > 1 ? 2 : 0;
 }

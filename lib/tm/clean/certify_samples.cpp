@@ -8,11 +8,20 @@ namespace transformesh {
 namespace {
 
 /// Points of a face that are tried, by the weights of its corners.
-constexpr std::array<std::array<double, 3>, 5> tried_weights = {{{0.344, 0.327, 0.329},
-                                                                 {0.523, 0.218, 0.259},
-                                                                 {0.231, 0.552, 0.217},
-                                                                 {0.262, 0.193, 0.545},
-                                                                 {0.101, 0.468, 0.431}}};
+constexpr std::array<std::array<double, 3>, 14> tried_weights = {{{0.344, 0.327, 0.329},
+                                                                  {0.523, 0.218, 0.259},
+                                                                  {0.231, 0.552, 0.217},
+                                                                  {0.262, 0.193, 0.545},
+                                                                  {0.101, 0.468, 0.431},
+                                                                  {0.442, 0.113, 0.445},
+                                                                  {0.457, 0.437, 0.106},
+                                                                  {0.763, 0.121, 0.116},
+                                                                  {0.118, 0.767, 0.115},
+                                                                  {0.123, 0.112, 0.765},
+                                                                  {0.618, 0.331, 0.051},
+                                                                  {0.324, 0.047, 0.629},
+                                                                  {0.053, 0.321, 0.626},
+                                                                  {0.052, 0.627, 0.321}}};
 
 /// How much nearer the next sample is tried where something was in the way.
 constexpr double step = 2;

@@ -25,6 +25,8 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
   } else {
     const SettleOptions how{options.level, options.method, pass.is_open, options.coordinate};
     Settled settled = settle(mesh, std::move(pass), how, progress);
+    result.cut_faces += settled.cut_faces;
+    result.removed_faces += settled.removed_faces;
     result.new_vertices = settled.new_vertices;
     result.copied_vertices = settled.copied_vertices;
     result.rounding_repairs = settled.repairs;

@@ -36,7 +36,10 @@ Scene read_scene(const Mesh& mesh, const PassOptions& options, const Progress& p
   Scene scene;
   scene.soup = std::make_shared<const Soup>(make_soup(mesh));
   scene.borders = find_borders(*scene.soup, mesh);
-  if (options.check_orientation && !scene.borders.is_oriented) {
+  // Of a stitched mesh borders may lie upon each other and run alike: clean makes such, where two
+  // sheets end at a third.
+  if (options.check_orientation && !scene.borders.is_oriented &&
+      !is_stitched(mesh, scene.borders)) {
     refuse_orientation(*scene.soup, mesh);
   }
   scene.pairs = find_soup_intersections(*scene.soup, progress);

@@ -96,11 +96,12 @@ void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, d
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  std::stable_partition(vertices.begin(), vertices.end(),
-                        [&](Index v) { return !assembly.vertex_is_new[v]; });
+  const auto first_new = std::stable_partition(vertices.begin(), vertices.end(),
+                                               [&](Index v) { return !assembly.vertex_is_new[v]; });
+  const auto old = static_cast<std::size_t>(first_new - vertices.begin());
   std::vector<Vec3> positions;
   for (const Index v : vertices) positions.push_back(assembly.mesh.positions[v]);
-  const std::vector<Index> representative = weld(positions, distance);
+  const std::vector<Index> representative = gather(positions, old, distance);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (!assembly.vertex_is_new[vertices[i]]) continue;
     assembly.mesh.positions[vertices[i]] = positions[representative[i]];

@@ -1,9 +1,12 @@
 #include "tm/clean/settle.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <string>
 
 #include "tm/clean/rounding.h"
+#include "tm/clean/unite_close.h"
 #include "tm/mesh/place.h"
 #include "tm/support/error.h"
 #include "tm/support/single.h"
@@ -11,19 +14,31 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_rounds = 8;
-// Vertices this close become one, in doublings of the spacing of floats or doubles. More merges
-// what lies apart and breaks as much as it mends.
-constexpr int doublings_of_new = 3;
-constexpr int doublings_of_broken = 5;
+constexpr int most_rounds = 12;
+constexpr int most_equal_rounds = 3;
+constexpr std::size_t few = 30;
+// New vertices this close become one from the start, in doublings of the spacing of floats or
+// doubles. More would close films that can be kept.
+constexpr int doublings_of_new = -1;
+// And these, where too many faces pass one place to be united.
+constexpr int doublings_in_crowds = 8;
 constexpr int most_grid_steps = 5;
 
-// Films of a few spacings survive where new vertices first merge over half a spacing only, and over
-// twice as much in every round. Where that does not settle, they merge over all of it at once.
-enum class Merging { growing, full };
+// How parts close to what is broken are united: over how many doublings of the spacing at first,
+// and whether all there are, or only those that are broken.
+struct Attempt {
+  int doublings;
+  bool is_wide;
+};
+constexpr std::array attempts = {Attempt{-1, true}, Attempt{0, true}, Attempt{-2, false},
+                                 Attempt{2, true}};
 
-int doublings_in(int round, Merging merging) {
-  return merging == Merging::full ? doublings_of_new : std::min(round - 1, doublings_of_new);
+constexpr Attempt on_grid = {-2, false};
+
+// Turning in doubles moves what was coplanar by a few of their spacings; what was turned in doubles
+// and stored in floats is off by one.
+int doublings_in(int round, const Attempt& attempt, Scalar coordinate) {
+  return attempt.doublings + round / 3 + (coordinate == Scalar::float32 ? 0 : 2);
 }
 
 // The spacing of the grid at each step, in doublings of the spacing of floats and of doubles.
@@ -43,12 +58,15 @@ class Settler {
   Settled settle(CleanPass pass);
 
  private:
-  bool repair(Assembly& assembly, Merging merging);
+  bool repair(Assembly& assembly, const Attempt& attempt);
   double distance(int doublings) const {
     return merge_distance(mesh_, options_.coordinate, doublings);
   }
   void round_new_positions(Assembly& assembly) const;
+  void unite_broken(Assembly& assembly, std::vector<Index> broken, int doublings,
+                    bool is_wide) const;
   void note_trouble(const Assembly& assembly, const std::vector<Index>& broken);
+  void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   CleanPass run_pass(const Mesh& mesh, int level) const;
   [[noreturn]] void give_up() const;
 
@@ -96,24 +114,49 @@ void inherit(const Assembly& before, Assembly& after) {
   for (Index& source : after.source_face) source = before.source_face[source];
 }
 
-// Rounds, checks what was rounded and cleans that again, until nothing is broken or ever more is.
+void Settler::unite_broken(Assembly& assembly, std::vector<Index> broken, int doublings,
+                           bool is_wide) const {
+  merge_close_vertices(assembly, broken, distance(doublings));
+  if (is_wide) broken = with_near_faces(assembly.mesh, broken, distance(doublings));
+  if (!unite_close_parts(assembly, broken, distance(doublings), options_.coordinate))
+    merge_close_vertices(assembly, broken, distance(doublings_in_crowds));
+}
+
+// Whether repair brings less and less: what is broken grows beyond a few, or stays as much.
+class Trend {
+ public:
+  bool is_hopeless(std::size_t broken) {
+    equal_rounds_ = broken == last_ ? equal_rounds_ + 1 : 1;
+    last_ = broken;
+    fewest_ = std::min(fewest_, broken);
+    return ++rounds_ > most_rounds || equal_rounds_ > most_equal_rounds ||
+           broken > 3 * fewest_ + few;
+  }
+
+ private:
+  std::size_t last_ = 0;
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max() / 4;
+  int rounds_ = 0;
+  int equal_rounds_ = 0;
+};
+
+// Rounds, checks what was rounded and cleans that again, until nothing is broken or all is in vain.
 // What remains of an open mesh is cleaned again in any case, because other borders need other fans.
-bool Settler::repair(Assembly& assembly, Merging merging) {
-  std::size_t fewest = assembly.mesh.faces.size();
+bool Settler::repair(Assembly& assembly, const Attempt& attempt) {
+  Trend trend;
   for (int round = 0;; ++round) {
     progress_("round");
     round_new_positions(assembly);
     // Points that rounding all but unites would only make slivers.
-    merge_close_vertices(assembly, find_new_faces(assembly),
-                         distance(doublings_in(round, merging)));
+    merge_close_vertices(assembly, find_new_faces(assembly), distance(doublings_of_new));
     const std::vector<Index> broken = find_broken_faces(assembly);
     if (broken.empty() && !options_.is_open) return true;
     if (!broken.empty()) {
       note_trouble(assembly, broken);
-      if (round >= most_rounds || broken.size() > 3 * fewest) return false;
-      fewest = std::min(fewest, broken.size());
+      if (trend.is_hopeless(broken.size())) return false;
       ++result_.repairs;
-      merge_close_vertices(assembly, broken, distance(doublings_of_broken));
+      unite_broken(assembly, broken, doublings_in(round, attempt, options_.coordinate),
+                   attempt.is_wide);
     }
     CleanPass pass = run_pass(assembly.mesh, 1);
     if (pass.unchanged) return true;
@@ -122,11 +165,35 @@ bool Settler::repair(Assembly& assembly, Merging merging) {
   }
 }
 
+// The input faces that are whole faces of it.
+std::vector<char> whole_faces(const Mesh& mesh, const Assembly& assembly) {
+  std::vector<char> is_whole(mesh.faces.size(), 0);
+  const auto at = [](const Mesh& of, Index face, std::size_t i) {
+    return of.positions[of.faces[face][i]];
+  };
+  for (Index f = 0; f < assembly.source_face.size(); ++f) {
+    const Index source = assembly.source_face[f];
+    bool is_same = true;
+    for (std::size_t i = 0; i < 3; ++i) is_same &= at(assembly.mesh, f, i) == at(mesh, source, i);
+    is_whole[source] |= is_same ? 1 : 0;
+  }
+  return is_whole;
+}
+
+void Settler::count_faces(const std::vector<char>& was_whole, const Assembly& assembly) {
+  const std::vector<char> is_whole = whole_faces(mesh_, assembly);
+  std::vector<char> is_left(mesh_.faces.size(), 0);
+  for (const Index source : assembly.source_face) is_left[source] = 1;
+  for (std::size_t f = 0; f < is_left.size(); ++f)
+    if (was_whole[f] && !is_whole[f]) ++(is_left[f] ? result_.cut_faces : result_.removed_faces);
+}
+
 Settled Settler::settle(CleanPass pass) {
-  bool is_settled = repair(pass.assembly, Merging::growing);
-  if (!is_settled) {
+  const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
+  bool is_settled = repair(pass.assembly, attempts[0]);
+  for (std::size_t i = 1; i < attempts.size() && !is_settled; ++i) {
     pass = run_pass(mesh_, options_.level);
-    is_settled = repair(pass.assembly, Merging::full);
+    is_settled = repair(pass.assembly, attempts[i]);
   }
   while (!is_settled) {
     if (result_.grid_steps == most_grid_steps) give_up();
@@ -138,8 +205,9 @@ Settled Settler::settle(CleanPass pass) {
       result_.mesh = snapped;
       return std::move(result_);
     }
-    is_settled = repair(pass.assembly, Merging::full);
+    is_settled = repair(pass.assembly, on_grid);
   }
+  count_faces(was_whole, pass.assembly);
   const auto& is_new = pass.assembly.vertex_is_new;
   result_.new_vertices = static_cast<std::size_t>(std::count(is_new.begin(), is_new.end(), 1));
   result_.copied_vertices = pass.assembly.copies;

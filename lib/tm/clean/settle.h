@@ -1,12 +1,13 @@
 /// The mesh as it will be written: rounds the new vertices of a pass and repairs what rounding
 /// broke, until no face crosses another or has no area in the coordinates as stored.
 ///
-/// First a few rounds merge vertices that are all but one and clean again, which is local; in a
-/// second try they merge over a larger distance from the first round on. Where the input is so
-/// close to degenerate that neither settles (nearly coplanar faces make ever new slivers), the
-/// vertices of the input there go to a grid that is coarser with every step: what the grid leaves
-/// apart is far apart by the measure of rounding. Old vertices move in no other case.
-/// Deterministic. Throws GoalError, with the place, when the coarsest grid does not help.
+/// Each round unites what is all but one near the broken faces, by at most a few spacings of
+/// numbers (unite_close.h), and cleans again. Where that does not settle, it starts over with other
+/// distances. Where the input is so close to degenerate that none settles, the vertices of the
+/// input there go to a grid that is coarser with every step: what the grid leaves apart is far
+/// apart by the measure of rounding. Old vertices move in no other case, and new ones no farther in
+/// a round than that distance. Deterministic. Throws GoalError, with the place, when the coarsest
+/// grid does not help.
 #pragma once
 
 #include "tm/clean/clean_pass.h"
@@ -24,6 +25,8 @@ struct Settled {
   Mesh mesh;
   std::size_t new_vertices = 0;
   std::size_t copied_vertices = 0;
+  std::size_t cut_faces = 0;      ///< input faces that were whole after `pass` and are cut now
+  std::size_t removed_faces = 0;  ///< and those that are gone now
   std::size_t repairs = 0;     ///< rounds of cleaning after rounding
   std::size_t grid_steps = 0;  ///< how often input vertices went to a coarser grid
 };

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
+
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "tm/clean/certify_faces.h"
@@ -51,6 +53,30 @@ TEST_CASE("what clean makes of the seven workloads is certified, in doubles and 
       CHECK(certificate.undecided_share() < 0.01);
       CHECK(certificate.wrong == 0);
     }
+}
+
+TEST_CASE("turned boxes and moved pinches, whose films rounding closes, are certified") {
+  for (const char* kind : {"boxes", "pinch"})
+    for (const double angle : {0.4, 1.3})
+      for (const Scalar coordinate : {Scalar::float64, Scalar::float32}) {
+        CAPTURE(kind);
+        CAPTURE(angle);
+        Mesh input = workload(kind, 800, 3);
+        const Eigen::AngleAxisd turn(angle, Vec3(1, 2, 3).normalized());
+        for (Vec3& p : input.positions) p = turn * p + Vec3(31, -7, 190 * angle);
+        if (coordinate == Scalar::float32)
+          for (Vec3& p : input.positions)
+            for (double& x : p) x = round_to_single(x);
+        CleanOptions clean_options;
+        clean_options.coordinate = coordinate;
+        const CleanResult result = clean(input, clean_options);
+        CertifyOptions options;
+        options.coordinate = coordinate;
+        const Certificate certificate = certify(input, result.mesh, options);
+        CHECK(certificate.problem == "");
+        CHECK(certificate.undecided_share() < 0.04);
+        CHECK(result.grid_steps == 0);
+      }
 }
 
 TEST_CASE("an untouched mesh is its own boundary, at level 1 only") {
