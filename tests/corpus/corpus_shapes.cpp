@@ -1,7 +1,10 @@
 // A program of the tests, never installed: the generated inputs of tests/corpus/run.
-//   corpus_shapes          lists the inputs, a line each: NAME KIND OUTCOME, and options of
-//   tm-clean corpus_shapes NAME     writes that input as PLY
-//   corpus_shapes --volume NAME     prints the volume of the result, where it is known
+//   corpus_shapes
+//     lists the inputs, a line each: NAME KIND OUTCOME, and what tm-clean is to be told
+//   corpus_shapes NAME
+//     writes that input as PLY
+//   corpus_shapes --volume NAME
+//     prints the volume of the result, where it is known
 // NAME ends in how the mesh is written: double, float or to-float (doubles that tm-clean shall turn
 // into floats), in binary or, with -ascii, as text.
 #include <iostream>
