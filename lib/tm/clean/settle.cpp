@@ -16,10 +16,12 @@ namespace {
 
 constexpr int most_rounds = 12;
 constexpr int most_equal_rounds = 3;
-constexpr std::size_t few = 30;
+constexpr std::size_t few = 30;  // broken faces that may come and go
 // New vertices this close become one from the start, in doublings of the spacing of floats or
 // doubles. More would close films that can be kept.
 constexpr int doublings_of_new = -1;
+// And those of broken faces.
+constexpr int doublings_of_broken = 1;
 // And these, where too many faces pass one place to be united.
 constexpr int doublings_in_crowds = 8;
 constexpr int most_grid_steps = 5;
@@ -29,11 +31,11 @@ constexpr int most_grid_steps = 5;
 struct Attempt {
   int doublings;
   bool is_wide;
+  bool is_local;  ///< see Closeness; doubles cannot measure that
 };
-constexpr std::array attempts = {Attempt{-1, true}, Attempt{0, true}, Attempt{-2, false},
-                                 Attempt{2, true}};
-
-constexpr Attempt on_grid = {-2, false};
+constexpr std::array attempts = {Attempt{-2, true, true}, Attempt{0, true, false},
+                                 Attempt{-2, false, false}, Attempt{2, true, false}};
+constexpr Attempt on_grid = {-2, false, false};
 
 // Turning in doubles moves what was coplanar by a few of their spacings; what was turned in doubles
 // and stored in floats is off by one.
@@ -63,8 +65,8 @@ class Settler {
     return merge_distance(mesh_, options_.coordinate, doublings);
   }
   void round_new_positions(Assembly& assembly) const;
-  void unite_broken(Assembly& assembly, std::vector<Index> broken, int doublings,
-                    bool is_wide) const;
+  void unite_broken(Assembly& assembly, std::vector<Index> broken, const Attempt& attempt,
+                    int round) const;
   void note_trouble(const Assembly& assembly, const std::vector<Index>& broken);
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   CleanPass run_pass(const Mesh& mesh, int level) const;
@@ -114,11 +116,13 @@ void inherit(const Assembly& before, Assembly& after) {
   for (Index& source : after.source_face) source = before.source_face[source];
 }
 
-void Settler::unite_broken(Assembly& assembly, std::vector<Index> broken, int doublings,
-                           bool is_wide) const {
-  merge_close_vertices(assembly, broken, distance(doublings));
-  if (is_wide) broken = with_near_faces(assembly.mesh, broken, distance(doublings));
-  if (!unite_close_parts(assembly, broken, distance(doublings), options_.coordinate))
+void Settler::unite_broken(Assembly& assembly, std::vector<Index> broken, const Attempt& attempt,
+                           int round) const {
+  const double reach = distance(doublings_in(round, attempt, options_.coordinate));
+  const bool is_local = attempt.is_local && options_.coordinate == Scalar::float32;
+  merge_close_vertices(assembly, broken, std::max(reach, distance(doublings_of_broken)));
+  if (attempt.is_wide) broken = with_near_faces(assembly.mesh, broken, reach);
+  if (!unite_close_parts(assembly, broken, {reach, is_local}, options_.coordinate))
     merge_close_vertices(assembly, broken, distance(doublings_in_crowds));
 }
 
@@ -130,7 +134,7 @@ class Trend {
     last_ = broken;
     fewest_ = std::min(fewest_, broken);
     return ++rounds_ > most_rounds || equal_rounds_ > most_equal_rounds ||
-           broken > 3 * fewest_ + few;
+           2 * broken > 3 * fewest_ + few;
   }
 
  private:
@@ -155,8 +159,7 @@ bool Settler::repair(Assembly& assembly, const Attempt& attempt) {
       note_trouble(assembly, broken);
       if (trend.is_hopeless(broken.size())) return false;
       ++result_.repairs;
-      unite_broken(assembly, broken, doublings_in(round, attempt, options_.coordinate),
-                   attempt.is_wide);
+      unite_broken(assembly, broken, attempt, round);
     }
     CleanPass pass = run_pass(assembly.mesh, 1);
     if (pass.unchanged) return true;

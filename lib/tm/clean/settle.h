@@ -27,8 +27,8 @@ struct Settled {
   std::size_t copied_vertices = 0;
   std::size_t cut_faces = 0;      ///< input faces that were whole after `pass` and are cut now
   std::size_t removed_faces = 0;  ///< and those that are gone now
-  std::size_t repairs = 0;     ///< rounds of cleaning after rounding
-  std::size_t grid_steps = 0;  ///< how often input vertices went to a coarser grid
+  std::size_t repairs = 0;        ///< rounds of cleaning after rounding
+  std::size_t grid_steps = 0;     ///< how often input vertices went to a coarser grid
 };
 
 /// `pass` is that of the mesh, and is not unchanged.

@@ -32,11 +32,15 @@ PointPair edge_of(const Face& face, std::size_t i) {
 
 WidePoint wide(const Vec3& p) { return p.cast<long double>(); }
 
+bool is_within(const WidePoint& step, const Vec3& reach) {
+  return (step.cwiseAbs().array() <= wide(reach).array()).all();
+}
+
 // Whether the point is that close to the inside of the triangle.
-bool is_over(const Triangle& t, const Vec3& point, double distance) {
+bool is_over(const Triangle& t, const Vec3& point, const Vec3& reach) {
   const WidePoint a = wide(t[0]), p = wide(point);
-  const WidePoint normal = (wide(t[1]) - a).cross(wide(t[2]) - a);
-  if (!(std::abs((p - a).dot(normal)) <= distance * normal.norm())) return false;
+  const WidePoint normal = (wide(t[1]) - a).cross(wide(t[2]) - a).stableNormalized();
+  if (!is_within((p - a).dot(normal) * normal, reach)) return false;
   for (std::size_t i = 0; i < 3; ++i) {
     const WidePoint from = wide(t[i]), to = wide(t[(i + 1) % 3]);
     if (!((to - from).cross(p - from).dot(normal) > 0)) return false;
@@ -62,10 +66,12 @@ FloatBox box_around(const Soup& soup, const Triangle& t, double distance) {
 
 class Uniter {
  public:
-  Uniter(Assembly& assembly, double distance, Scalar coordinate);
+  Uniter(Assembly& assembly, const Closeness& closeness, Scalar coordinate);
   bool unite(const std::vector<Index>& faces);
 
  private:
+  Vec3 reach_at(std::initializer_list<Index> points) const;
+  Vec3 reach_of(const Vec3& size) const;
   std::vector<Bvh::Pair> close_pairs(const std::vector<Index>& faces) const;
   bool is_beside(const PointPair& edge, Index point, double& share) const;
   bool touches_end(const PointPair& first, const PointPair& second) const;
@@ -87,8 +93,10 @@ class Uniter {
 
   Assembly& assembly_;
   const Soup soup_;
+  const Closeness closeness_;
   const double distance_;
   const Scalar coordinate_;
+  int largest_ = 0;                                       ///< exponent of the largest coordinate
   std::vector<Face> corners_;                             ///< of all faces, as points
   std::vector<Vec3> points_;                              ///< of the soup, then new ones
   std::map<PointPair, std::map<Index, double>> on_edge_;  ///< points, and at which share
@@ -97,12 +105,16 @@ class Uniter {
   std::map<std::array<PointPair, 2>, Index> between_;     ///< new points
 };
 
-Uniter::Uniter(Assembly& assembly, double distance, Scalar coordinate)
+Uniter::Uniter(Assembly& assembly, const Closeness& closeness, Scalar coordinate)
     : assembly_(assembly),
       soup_(make_soup(assembly.mesh)),
-      distance_(distance),
+      closeness_(closeness),
+      distance_(closeness.distance),
       coordinate_(coordinate),
       points_(soup_.points) {
+  double largest = 0;
+  for (const Vec3& p : points_) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  largest_ = std::ilogb(largest);
   for (const Face& f : assembly.mesh.faces)
     corners_.push_back({soup_.point_of[f[0]], soup_.point_of[f[1]], soup_.point_of[f[2]]});
 }
@@ -113,6 +125,21 @@ std::vector<Bvh::Pair> Uniter::close_pairs(const std::vector<Index>& faces) cons
   return Bvh(boxes).overlapping_pairs([](Index, Index) { return true; });
 }
 
+// Along each axis, for parts whose coordinates are of that size: numbers near zero are closer.
+Vec3 Uniter::reach_of(const Vec3& size) const {
+  if (!closeness_.is_local) return Vec3::Constant(distance_);
+  return size.unaryExpr([&](double x) {
+    const int exponent = x > 0 ? std::max(std::ilogb(x) - largest_, -20) : -20;
+    return std::ldexp(distance_, exponent);
+  });
+}
+
+Vec3 Uniter::reach_at(std::initializer_list<Index> points) const {
+  Vec3 size = Vec3::Zero();
+  for (const Index p : points) size = size.cwiseMax(points_[p].cwiseAbs());
+  return reach_of(size);
+}
+
 // Whether the point is close to the inside of the edge, and where.
 bool Uniter::is_beside(const PointPair& edge, Index point, double& share) const {
   if (point == edge[0] || point == edge[1]) return false;
@@ -120,7 +147,7 @@ bool Uniter::is_beside(const PointPair& edge, Index point, double& share) const 
   const WidePoint along = wide(points_[edge[1]]) - from, to = wide(points_[point]) - from;
   const long double at = to.dot(along) / along.dot(along);
   share = static_cast<double>(at);
-  return at > 0 && at < 1 && (to - at * along).norm() <= distance_;
+  return at > 0 && at < 1 && is_within(to - at * along, reach_at({edge[0], edge[1], point}));
 }
 
 void Uniter::unite_corner(Index point, Index face) {
@@ -134,7 +161,8 @@ void Uniter::unite_corner(Index point, Index face) {
     is_on_edge = true;
   }
   if (is_on_edge || std::count(corners.begin(), corners.end(), point) > 0) return;
-  if (is_over(triangle(face), points_[point], distance_)) inside_[face].insert(point);
+  const Vec3 reach = reach_at({corners[0], corners[1], corners[2], point});
+  if (is_over(triangle(face), points_[point], reach)) inside_[face].insert(point);
 }
 
 // Then it is up to that end.
@@ -154,8 +182,9 @@ void Uniter::unite_edges(const PointPair& first, const PointPair& second) {
   const auto [s, t] = closest_shares(a, b, c, d);
   if (!(s > 0 && s < 1 && t > 0 && t < 1)) return;
   const WidePoint p = wide(a) + s * (wide(b) - wide(a)), q = wide(c) + t * (wide(d) - wide(c));
+  const Vec3 reach = reach_at({first[0], first[1], second[0], second[1]});
   const auto is_near = [&](const WidePoint& x, const WidePoint& y) {
-    return (x - y).norm() <= distance_;
+    return is_within(x - y, reach);
   };
   if (!is_near(p, q) || is_near(p, wide(a)) || is_near(p, wide(b)) || is_near(q, wide(c)) ||
       is_near(q, wide(d)))
@@ -306,12 +335,12 @@ bool Uniter::unite(const std::vector<Index>& faces) {
   for (const Index f : named)
     for (const Index point : corners_[f]) unite_corner(point, f);
   for (const auto& [i, k] : pairs) {
-    for (const Index point : corners_[named[i]]) unite_corner(point, named[k]);
-    for (const Index point : corners_[named[k]]) unite_corner(point, named[i]);
-  }
-  for (const auto& [i, k] : pairs)
+    const Index f = named[i], g = named[k];
+    for (const Index point : corners_[f]) unite_corner(point, g);
+    for (const Index point : corners_[g]) unite_corner(point, f);
     for (std::size_t e = 0; e < 9; ++e)
-      unite_edges(edge_of(corners_[named[i]], e / 3), edge_of(corners_[named[k]], e % 3));
+      unite_edges(edge_of(corners_[f], e / 3), edge_of(corners_[g], e % 3));
+  }
   for (const auto& [i, k] : pairs) {
     constrain(named[i], named[k]);
     constrain(named[k], named[i]);
@@ -342,9 +371,9 @@ std::vector<Index> with_near_faces(const Mesh& mesh, const std::vector<Index>& f
   return result;
 }
 
-bool unite_close_parts(Assembly& assembly, const std::vector<Index>& faces, double distance,
-                       Scalar coordinate) {
-  return Uniter(assembly, distance, coordinate).unite(faces);
+bool unite_close_parts(Assembly& assembly, const std::vector<Index>& faces,
+                       const Closeness& closeness, Scalar coordinate) {
+  return Uniter(assembly, closeness, coordinate).unite(faces);
 }
 
 }  // namespace transformesh

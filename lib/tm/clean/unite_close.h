@@ -21,10 +21,16 @@ namespace transformesh {
 std::vector<Index> with_near_faces(const Mesh& mesh, const std::vector<Index>& faces,
                                    double distance);
 
+struct Closeness {
+  double distance = 0;    ///< where coordinates are largest
+  bool is_local = false;  ///< along axes where those of both parts are smaller, it is less, as is
+                          ///< the spacing of numbers
+};
+
 /// Only what is on the faces named is compared. New positions are in numbers of that type. Does
 /// nothing and returns false where too many of them are close to each other, as where hundreds
 /// pass through one point.
-bool unite_close_parts(Assembly& assembly, const std::vector<Index>& faces, double distance,
-                       Scalar coordinate);
+bool unite_close_parts(Assembly& assembly, const std::vector<Index>& faces,
+                       const Closeness& closeness, Scalar coordinate);
 
 }  // namespace transformesh

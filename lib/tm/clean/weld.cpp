@@ -64,7 +64,8 @@ std::vector<Index> weld(const std::vector<Vec3>& positions, double tolerance) {
 }
 
 std::vector<Index> gather(const std::vector<Vec3>& positions, std::size_t fixed, double distance) {
-  PointGrid grid(distance);
+  // Cells wide enough that doubles tell neighbours apart, though the distance be but their spacing.
+  PointGrid grid(16 * distance);
   std::vector<Index> representative(positions.size());
   for (Index i = 0; i < positions.size(); ++i) {
     representative[i] = i;

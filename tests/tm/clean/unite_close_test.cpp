@@ -23,7 +23,7 @@ Assembly as_assembly(const Mesh& mesh) {
 
 Mesh united(const Mesh& mesh, double distance) {
   Assembly assembly = as_assembly(mesh);
-  CHECK(unite_close_parts(assembly, assembly.source_face, distance, Scalar::float64));
+  CHECK(unite_close_parts(assembly, assembly.source_face, {distance}, Scalar::float64));
   CHECK(assembly.source_face.size() == assembly.mesh.faces.size());
   CHECK(assembly.face_is_new.size() == assembly.mesh.faces.size());
   CHECK(assembly.vertex_is_new.size() == assembly.mesh.positions.size());
