@@ -10,8 +10,8 @@
 /// vertices and edges may touch), no face without area. Exact throughout; nothing is perturbed.
 /// Deterministic for any number of threads. Open meshes keep their borders (paper 4.6).
 ///
-/// Throws InputError (not oriented: two or more faces left over along an edge, other than borders
-/// of a stitched mesh that lie upon each other), UsageError
+/// Throws InputError (not oriented: two or more faces left over along an edge, but for
+/// borders of a stitched mesh that lie partly upon each other), UsageError
 /// (static_test on an open mesh), GoalError (nothing has w >= level; rounding could not be
 /// repaired, with the place; `refuse` and there is something to change). Cost: O(n log n + k log k)
 /// for k intersecting pairs on usual meshes; about 250 bytes a face.

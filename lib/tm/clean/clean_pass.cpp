@@ -1,7 +1,9 @@
 #include "tm/clean/clean_pass.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "tm/clean/arrange.h"
@@ -9,11 +11,35 @@
 #include "tm/clean/enclosed_sheets.h"
 #include "tm/clean/intersect.h"
 #include "tm/clean/orientation_check.h"
+#include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/manifold.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
 namespace {
+
+// Whether borders that hang together lie on each other all the way, and run alike: they are the
+// rims of a patch that is inside out.
+bool has_turned_patch(const Soup& soup, const Mesh& mesh) {
+  const std::vector<Index> border = check_manifold(mesh).border_halfedges;
+  const auto ends_of = [&](Index h) {
+    const Face& f = mesh.faces[h / 3];
+    return std::minmax({soup.point_of[f[h % 3]], soup.point_of[f[(h % 3 + 1) % 3]]});
+  };
+  std::map<std::pair<Index, Index>, int> borders_at;
+  DisjointSets rims(soup.points.size());
+  for (const Index h : border) {
+    ++borders_at[ends_of(h)];
+    rims.join(ends_of(h).first, ends_of(h).second);
+  }
+
+  std::set<Index> free_somewhere;
+  for (const auto& [ends, count] : borders_at)
+    if (count == 1) free_somewhere.insert(rims.find(ends.first));
+  return std::any_of(borders_at.begin(), borders_at.end(), [&](const auto& edge) {
+    return !free_somewhere.contains(rims.find(edge.first.first));
+  });
+}
 
 // Whether indices say what positions say: a soup, a seam or a singular vertex is to be stitched.
 bool is_stitched(const Mesh& mesh, const Borders& borders) {
@@ -22,6 +48,13 @@ bool is_stitched(const Mesh& mesh, const Borders& borders) {
   for (const auto& loop : borders.loops) border_edges += loop.size();
   return report.is_manifold() && report.is_oriented() &&
          report.border_halfedges.size() == border_edges;
+}
+
+// Of a stitched mesh borders may lie upon each other and run alike: clean makes such, where two
+// sheets end at a third. Turning sheets does not mend that; what it mends is refused.
+bool ends_at_sheets(const Soup& soup, const Mesh& mesh, const Borders& borders) {
+  return is_stitched(mesh, borders) &&
+         !(has_turned_patch(soup, mesh) && can_be_oriented(soup, mesh));
 }
 
 // What all steps of a pass know of the mesh.
@@ -36,10 +69,8 @@ Scene read_scene(const Mesh& mesh, const PassOptions& options, const Progress& p
   Scene scene;
   scene.soup = std::make_shared<const Soup>(make_soup(mesh));
   scene.borders = find_borders(*scene.soup, mesh);
-  // Of a stitched mesh borders may lie upon each other and run alike: clean makes such, where two
-  // sheets end at a third.
   if (options.check_orientation && !scene.borders.is_oriented &&
-      !is_stitched(mesh, scene.borders)) {
+      !ends_at_sheets(*scene.soup, mesh, scene.borders)) {
     refuse_orientation(*scene.soup, mesh);
   }
   scene.pairs = find_soup_intersections(*scene.soup, progress);

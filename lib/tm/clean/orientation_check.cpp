@@ -79,6 +79,14 @@ std::string edge_problem(const Mesh& mesh, std::span<const Index> halfedges, boo
          (against == 0 ? "" : ", and only " + std::to_string(against) + " the other way");
 }
 
+Mesh welded(const Soup& soup, const Mesh& mesh) {
+  Mesh result{mesh.positions, mesh.faces, {}, {}};
+  for (Face& face : result.faces) {
+    for (Index& v : face) v = soup.vertex_of[soup.point_of[v]];
+  }
+  return result;
+}
+
 }  // namespace
 
 Borders find_borders(const Soup& soup, const Mesh& mesh, const std::vector<char>& left_out) {
@@ -115,14 +123,21 @@ std::string describe_misorientation(const Mesh& mesh) {
   return text;
 }
 
-void refuse_orientation(const Soup& soup, const Mesh& mesh) {
-  Mesh welded{mesh.positions, mesh.faces, {}, {}};
-  for (Face& face : welded.faces) {
-    for (Index& v : face) v = soup.vertex_of[soup.point_of[v]];
+bool can_be_oriented(const Soup& soup, const Mesh& mesh) {
+  Mesh turned = welded(soup, mesh);
+  try {
+    orient_faces(turned);
+  } catch (const InputError&) {
+    return false;
   }
-  const std::string problem = describe_misorientation(welded);
-  orient_faces(welded);
-  const std::string rest = describe_misorientation(welded);
+  return describe_misorientation(turned).empty();
+}
+
+void refuse_orientation(const Soup& soup, const Mesh& mesh) {
+  Mesh turned = welded(soup, mesh);
+  const std::string problem = describe_misorientation(turned);
+  orient_faces(turned);
+  const std::string rest = describe_misorientation(turned);
   if (rest.empty()) {
     throw InputError(problem + ": the mesh is not oriented; mend it with tm-stitch --orient");
   }

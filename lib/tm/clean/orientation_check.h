@@ -25,6 +25,9 @@ Borders find_borders(const Soup& soup, const Mesh& mesh, const std::vector<char>
 /// vertices are one index.
 std::string describe_misorientation(const Mesh& mesh);
 
+/// Whether tm-stitch --orient mends a mesh that is not oriented.
+bool can_be_oriented(const Soup& soup, const Mesh& mesh);
+
 /// Throws InputError for a mesh that is not oriented, saying where and what mends it: tm-stitch
 /// --orient only where it does.
 [[noreturn]] void refuse_orientation(const Soup& soup, const Mesh& mesh);

@@ -204,4 +204,29 @@ TEST_CASE("static refuses an open mesh") {
   CHECK_THROWS_AS(clean(sheet(flat), options), UsageError);
 }
 
+TEST_CASE("a patch that is inside out is refused, though only positions join it to the rest") {
+  for (const bool is_turned : {false, true}) {
+    CAPTURE(is_turned);
+    Mesh mesh = test::icosphere(2);
+    std::vector<Index> copies(mesh.positions.size(), no_index);
+    for (Face& f : mesh.faces) {
+      const Vec3 sum = mesh.positions[f[0]] + mesh.positions[f[1]] + mesh.positions[f[2]];
+      if (sum.z() < 1.5) continue;
+      for (Index& v : f) {
+        if (copies[v] == no_index) {
+          copies[v] = static_cast<Index>(mesh.positions.size());
+          mesh.positions.emplace_back(mesh.positions[v]);
+        }
+        v = copies[v];
+      }
+      if (is_turned) std::swap(f[0], f[1]);
+    }
+    if (is_turned) {
+      CHECK_THROWS_AS(clean(mesh), InputError);
+    } else {
+      CHECK(clean(mesh).removed_faces == 0);
+    }
+  }
+}
+
 }  // namespace transformesh
