@@ -8,10 +8,10 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <ctime>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 
+#include "driver.h"
 #include "helpers/cgal_mesh.h"
 #include "mesh_file.h"
 
@@ -34,14 +34,6 @@ void measure(const std::string& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: cgal-intersect INPUT\n";
-    return 2;
-  }
-  try {
-    measure(argv[1]);
-  } catch (const std::exception& error) {
-    std::cerr << "cgal-intersect: " << error.what() << '\n';
-    return 3;
-  }
+  return drive({argv, static_cast<std::size_t>(argc)}, "cgal-intersect INPUT",
+               [](const auto& words) { measure(words[0]); });
 }

@@ -5,9 +5,9 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 
 #include <ctime>
-#include <fstream>
 #include <iostream>
 
+#include "driver.h"
 #include "helpers/cgal_mesh.h"
 #include "mesh_file.h"
 
@@ -42,23 +42,16 @@ void measure(double edge, unsigned iterations, const std::string& input,
   CGAL::Polygon_mesh_processing::isotropic_remeshing(surface.faces(), edge, surface,
                                                      parameters::number_of_iterations(iterations));
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  Document document;
-  document.mesh = plain_mesh(surface);
-  std::ofstream(output, std::ios::binary) << write_mesh(document).bytes;
+  write_file(output, plain_mesh(surface));
   std::cout << "seconds: " << seconds << '\n';
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::cerr << "usage: cgal-remesh EDGE ITERATIONS INPUT OUTPUT\n";
-    return 2;
-  }
-  try {
-    measure(std::stod(argv[1]), static_cast<unsigned>(std::stoul(argv[2])), argv[3], argv[4]);
-  } catch (const std::exception& error) {
-    std::cerr << "cgal-remesh: " << error.what() << '\n';
-    return 3;
-  }
+  return drive({argv, static_cast<std::size_t>(argc)}, "cgal-remesh EDGE ITERATIONS INPUT OUTPUT",
+               [](const auto& words) {
+                 measure(std::stod(words[0]), static_cast<unsigned>(std::stoul(words[1])), words[2],
+                         words[3]);
+               });
 }

@@ -11,12 +11,10 @@
 
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
-#include "tm/io/mesh_io.h"
-#include "tm/support/error.h"
+#include "driver.h"
+#include "mesh_file.h"
 
 using namespace transformesh;
 using openvdb::FloatGrid;
@@ -26,13 +24,6 @@ namespace {
 constexpr int most_rounds = 2000;
 /// The morph has ended when a round changes the volume by less than this share.
 constexpr double rest = 1e-6;
-
-Mesh read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError("cannot open " + path);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return read_mesh(bytes, path).document.mesh;
-}
 
 FloatGrid::Ptr level_set(const Mesh& mesh, double voxel) {
   std::vector<openvdb::Vec3s> points;
@@ -86,24 +77,16 @@ void measure(double voxel, const std::string& source, const std::string& target,
   const std::clock_t start = std::clock();
   const FloatGrid::Ptr grid = level_set(from, voxel);
   morph(*grid, *level_set(to, voxel));
-  Document document;
-  document.mesh = surface(*grid);
+  const Mesh result = surface(*grid);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  std::ofstream(output, std::ios::binary) << write_mesh(document).bytes;
+  write_file(output, result);
   std::cout << "seconds: " << seconds << '\n';
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::cerr << "usage: openvdb-morph VOXEL SOURCE TARGET OUTPUT\n";
-    return 2;
-  }
-  try {
-    measure(std::stod(argv[1]), argv[2], argv[3], argv[4]);
-  } catch (const std::exception& error) {
-    std::cerr << "openvdb-morph: " << error.what() << '\n';
-    return 3;
-  }
+  return drive(
+      {argv, static_cast<std::size_t>(argc)}, "openvdb-morph VOXEL SOURCE TARGET OUTPUT",
+      [](const auto& words) { measure(std::stod(words[0]), words[1], words[2], words[3]); });
 }

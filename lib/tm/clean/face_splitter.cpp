@@ -11,8 +11,6 @@ namespace {
 /// Angles this close to those of four points on a circle leave the choice to the ids.
 constexpr long double alike = 1e-4L;
 
-WidePoint wide(const Vec3& p) { return p.cast<long double>(); }
-
 }  // namespace
 
 FaceSplitter::FaceSplitter(const Triangle& triangle, const Face& ids, double distance)
@@ -171,25 +169,25 @@ bool FaceSplitter::crosses(Index from, Index to, Index a, Index b) const {
   return is_left(a, from, to) != is_left(b, from, to) && is_left(from, a, b) != is_left(to, a, b);
 }
 
-// Flips one edge that crosses the segment: another in every step, so that none flips to and fro.
+// Flips one edge that crosses the segment: one that then does not, where there is one; else another
+// in every step, so that none flips to and fro.
 bool FaceSplitter::step_towards(Index from, Index to, std::size_t step) {
   const Halfedges halfedges = find_halfedges();
-  std::vector<std::pair<Index, Index>> crossing;
+  std::vector<std::pair<Index, Index>> turning, clearing;
   for (const auto& [ends, h] : halfedges) {
     const auto across = halfedges.find({ends.second, ends.first});
     if (ends.first > ends.second || across == halfedges.end()) continue;
     if (!crosses(from, to, ends.first, ends.second)) continue;
     if (constrained_.contains(ends)) return false;
-    crossing.emplace_back(h, across->second);
-  }
-  for (std::size_t i = 0; i < crossing.size(); ++i) {
-    const auto& [h, across] = crossing[(i + step) % crossing.size()];
-    const Quad quad = quad_at(h, across);
+    const Quad quad = quad_at(h, across->second);
     if (!is_convex(quad)) continue;
-    flip(h, across, quad);
-    return true;
+    (crosses(from, to, quad.c, quad.d) ? turning : clearing).emplace_back(h, across->second);
   }
-  return false;
+  const auto& candidates = clearing.empty() ? turning : clearing;
+  if (candidates.empty()) return false;
+  const auto& [h, across] = candidates[step % candidates.size()];
+  flip(h, across, quad_at(h, across));
+  return true;
 }
 
 void FaceSplitter::constrain(Index from_id, Index to_id) {

@@ -16,6 +16,8 @@ namespace transformesh {
 
 using WidePoint = Eigen::Matrix<long double, 3, 1>;
 
+inline WidePoint wide(const Vec3& p) { return p.cast<long double>(); }
+
 class FaceSplitter {
  public:
   /// `ids` name the corners. Points inside that are closer than `distance` to a cut go on it.

@@ -139,7 +139,7 @@ class Trend {
 
  private:
   std::size_t last_ = 0;
-  std::size_t fewest_ = std::numeric_limits<std::size_t>::max() / 4;
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   int rounds_ = 0;
   int equal_rounds_ = 0;
 };

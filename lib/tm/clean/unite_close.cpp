@@ -30,8 +30,6 @@ PointPair edge_of(const Face& face, std::size_t i) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-WidePoint wide(const Vec3& p) { return p.cast<long double>(); }
-
 bool is_within(const WidePoint& step, const Vec3& reach) {
   return (step.cwiseAbs().array() <= wide(reach).array()).all();
 }
