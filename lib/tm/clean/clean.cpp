@@ -33,7 +33,8 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
     result.grid_steps = settled.grid_steps;
     result.mesh = std::move(settled.mesh);
   }
-  if (options.outermost) {
+  // A single patch has nothing inside.
+  if (options.outermost && !(pass.unchanged && result.patches == 1)) {
     result.dropped_components = drop_enclosed_components(result.mesh);
     result.changed |= result.dropped_components > 0;
   }

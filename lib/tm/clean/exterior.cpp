@@ -46,7 +46,7 @@ Growth::Growth(const Arrangement& arrangement, int level, const BorderClosure& c
       level_(level),
       is_open_(!closure.empty()),
       patches_(arrangement),
-      ray_(arrangement, closure),
+      ray_(arrangement, closure, (is_open_ ? tries_per_seed : 1) * patches_.size()),
       front_(patches_.size(), unknown) {}
 
 bool Growth::keeps(Index patch) const {
@@ -139,7 +139,7 @@ Exterior Growth::grow(const Progress& progress) {
 }
 
 Exterior test_all(const Arrangement& arrangement, int level, const Progress& progress) {
-  const WindingRay ray(arrangement, BorderClosure());
+  const WindingRay ray(arrangement, BorderClosure(), arrangement.pieces.size());
   progress("exterior", 0.1);
   Exterior result;
   result.kept.assign(arrangement.pieces.size(), 0);

@@ -12,7 +12,7 @@ namespace {
 std::vector<char> find_enclosed(const Mesh& mesh, const Components& components) {
   const auto soup = std::make_shared<const Soup>(make_soup(mesh));
   const Arrangement arrangement = arrange(soup, {}, Progress());
-  const WindingRay ray(arrangement, BorderClosure());
+  const WindingRay ray(arrangement, BorderClosure(), components.components.size());
   std::vector<char> enclosed(components.components.size(), 0);
   std::vector<char> seen(components.components.size(), 0);
   for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {

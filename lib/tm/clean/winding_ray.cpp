@@ -11,19 +11,13 @@ namespace transformesh {
 namespace {
 
 constexpr int most_attempts = 20000;  // the squares fit into integers
+constexpr std::size_t few_rays = 4;
 
-std::vector<Triangle> collect_triangles(const Soup& soup, const BorderClosure& closure) {
-  std::vector<Triangle> triangles;
-  triangles.reserve(soup.faces.size() + closure.triangles.size());
-  for (Index f = 0; f < soup.faces.size(); ++f) triangles.push_back(soup.triangle(f));
-  triangles.insert(triangles.end(), closure.triangles.begin(), closure.triangles.end());
-  return triangles;
-}
-
-Bvh build_bvh(const Soup& soup, const std::vector<Triangle>& triangles) {
+Bvh build_bvh(const Soup& soup, const std::vector<Triangle>& closure) {
   std::vector<FloatBox> boxes;
-  boxes.reserve(triangles.size());
-  for (const Triangle& t : triangles) boxes.push_back(soup.box(t));
+  boxes.reserve(soup.faces.size() + closure.size());
+  for (Index f = 0; f < soup.faces.size(); ++f) boxes.push_back(soup.box(f));
+  for (const Triangle& t : closure) boxes.push_back(soup.box(t));
   return Bvh(boxes);
 }
 
@@ -32,11 +26,29 @@ std::array<int, 3> weights(int attempt) { return {1, attempt, attempt * attempt}
 
 }  // namespace
 
-WindingRay::WindingRay(const Arrangement& arrangement, const BorderClosure& closure)
-    : arrangement_(arrangement),
-      triangles_(collect_triangles(*arrangement.soup, closure)),
-      bvh_(build_bvh(*arrangement.soup, triangles_)) {
+WindingRay::WindingRay(const Arrangement& arrangement, const BorderClosure& closure,
+                       std::size_t rays)
+    : arrangement_(arrangement), closure_(closure.triangles) {
+  if (rays > few_rays) bvh_ = build_bvh(*arrangement.soup, closure_);
   if (!closure.empty()) limit_sheets(closure);
+}
+
+Triangle WindingRay::triangle(Index i) const {
+  const Soup& soup = *arrangement_.soup;
+  return i < soup.faces.size() ? soup.triangle(i) : closure_[i - soup.faces.size()];
+}
+
+void WindingRay::visit_overlaps(const Vec3& low, const Vec3& high,
+                                const std::function<bool(Index)>& visit) const {
+  const Soup& soup = *arrangement_.soup;
+  if (!bvh_.empty()) return bvh_.visit_overlaps(soup.frame.box(low, high), visit);
+  const auto count = static_cast<Index>(soup.faces.size() + closure_.size());
+  for (Index i = 0; i < count; ++i) {
+    const Triangle t = triangle(i);
+    if ((t[0].cwiseMin(t[1]).cwiseMin(t[2]).array() <= high.array()).all() &&
+        (t[0].cwiseMax(t[1]).cwiseMax(t[2]).array() >= low.array()).all() && !visit(i))
+      return;
+  }
 }
 
 // Sheets count only for what they meet, directly or through others.
@@ -92,7 +104,7 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
   Count count;
   const auto cross = [&](Index i) {
     if (!only_for_.empty() && only_for_[i] != no_index && only_for_[i] != cluster) return true;
-    const Triangle& t = triangles_[i];
+    const Triangle t = triangle(i);
     bool left = false, right = false, on = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const int turn = geometry.orient2d(ExactGeometry::free(t[k]),
@@ -111,7 +123,7 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
     if (side * up * direction < 0) count.winding += up * direction;
     return true;
   };
-  bvh_.visit_overlaps(arrangement_.soup->frame.box(low, high), cross);
+  visit_overlaps(low, high, cross);
   return count;
 }
 

@@ -55,6 +55,25 @@ DirectionSet seeing_directions(const Vec3& normal) {
   return static_cast<DirectionSet>(both[0] | both[1] | both[2] | both[3]);
 }
 
+Direction nearest_direction(DirectionSet set, const Vec3& vector) {
+  const Eigen::Vector3f unit = vector.stableNormalized().cast<float>();
+  Direction nearest;
+  float best = -HUGE_VALF;
+  for (const FourDirections& four : directions_tested) {
+    const Floats along = (four.x * unit.x() + four.y * unit.y() + four.z * unit.z()) / four.length;
+    for (int i = 0; i < 4; ++i) {
+      const auto front = static_cast<DirectionSet>(four.bits[i]);
+      for (const float sign : {1.0F, -1.0F}) {
+        const DirectionSet bit = sign > 0 ? front : front << 16;
+        if ((set & bit) == 0 || !(sign * along[i] > best)) continue;
+        best = sign * along[i];
+        nearest = {bit, sign * Vec3(four.x[i], four.y[i], four.z[i]) / four.length[i]};
+      }
+    }
+  }
+  return nearest;
+}
+
 bool sees(const Vec3& direction, const Triangle& triangle) {
   const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double along = direction.dot(normal);

@@ -17,6 +17,13 @@ inline constexpr DirectionSet all_directions = 0x1fff1fff;
 /// between 1e-30 and 1e30.
 DirectionSet seeing_directions(const Vec3& normal);
 
+struct Direction {
+  DirectionSet bit = 0;
+  Vec3 unit = Vec3::Zero();
+};
+/// Of a set that is not empty, the direction nearest to that of a vector.
+Direction nearest_direction(DirectionSet set, const Vec3& vector);
+
 /// Whether any one direction, of unit length, clearly sees the front of the triangle.
 bool sees(const Vec3& direction, const Triangle& triangle);
 

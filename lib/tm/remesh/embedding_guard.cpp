@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 namespace transformesh {
 namespace {
@@ -24,10 +26,13 @@ bool boxes_touch(const Triangle& first, const Triangle& second) {
          (lowest(second).array() <= highest(first).array()).all();
 }
 
+}  // namespace
+
 /// The space between two planes across a direction.
-class Slab {
+class EmbeddingGuard::Slab {
  public:
   explicit Slab(const Vec3& direction) : direction_(direction) {}
+  const Vec3& direction() const { return direction_; }
   void extend(const Triangle& triangle) {
     for (const Vec3& corner : triangle) {
       low_ = std::min(low_, direction_.dot(corner));
@@ -49,6 +54,12 @@ class Slab {
   double high_ = -HUGE_VAL;
 };
 
+namespace {
+
+Vec3 sum_of(const std::vector<Vec3>& vectors) {
+  return std::accumulate(vectors.begin(), vectors.end(), Vec3(Vec3::Zero()));
+}
+
 double longest_edge_of(const EditableMesh& mesh) {
   double longest = 0;
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
@@ -68,18 +79,21 @@ void Patch::clear() {
 
 EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge)
     : mesh_(mesh),
-      longest_edge_(std::max(longest_edge, longest_edge_of(mesh))),
-      cells_(mesh, cell_edges * longest_edge_),
+      longest_allowed_(longest_edge),
+      longest_edge_(longest_edge_of(mesh)),
+      cells_(mesh, cell_edges * std::max(longest_allowed_, longest_edge_)),
       stamp_(mesh.face_slots(), 0) {}
 
 void EmbeddingGuard::commit(const Patch& patch) {
+  longest_edge_ = std::max(longest_edge_, std::sqrt(patch.longest_squared));
   cells_.update(patch.centre);
   for (const Index vertex : patch.vertices) cells_.restrict(vertex, directions_);
 }
 
 bool EmbeddingGuard::allows(const Patch& patch) {
+  const double longest = std::max(longest_allowed_, longest_edge_);
+  if (!(patch.longest_squared <= longest * longest)) return false;
   if (is_certified(patch)) return true;
-  if (!(patch.longest_squared <= longest_edge_ * longest_edge_)) return false;
   enclose(patch);
   if (is_seen_around(patch)) return true;
   find_faces_near(patch);
@@ -87,7 +101,7 @@ bool EmbeddingGuard::allows(const Patch& patch) {
 }
 
 bool EmbeddingGuard::is_certified(const Patch& patch) {
-  directions_ = patch.longest_squared <= longest_edge_ * longest_edge_ ? all_directions : 0;
+  directions_ = all_directions;
   for (const Vec3& normal : patch.normals) directions_ &= seeing_directions(normal);
   if ((directions_ & cells_.cell_of(patch.centre).around) == 0) return false;
 
@@ -105,18 +119,21 @@ Triangle EmbeddingGuard::triangle_of(Index face) const {
           mesh_.position(mesh_.source(3 * face + 2))};
 }
 
+/// Around both patches.
+EmbeddingGuard::Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
+  Slab slab(direction);
+  for (const Triangle& triangle : patch.made) slab.extend(triangle);
+  for (const Index face : patch.replaced) slab.extend(triangle_of(face));
+  return slab;
+}
+
 /// The box around both patches, and of it the slab between two planes that hold them, is convex, so
 /// that lines in it may be followed (as in a ball).
 bool EmbeddingGuard::is_height_field(const Patch& patch) const {
   const Index component = cells_[patch.centre].component;
   if (component == no_index) return false;
-  Vec3 direction = Vec3::Zero();
-  for (const Vec3& normal : patch.normals) direction += normal;
-  direction.normalize();
-  Slab slab(direction);
-  for (const Triangle& triangle : patch.made) slab.extend(triangle);
-  for (const Index face : patch.replaced) slab.extend(triangle_of(face));
-
+  const Vec3 direction = sum_of(patch.normals).normalized();
+  const Slab slab = slab_of(patch, direction);
   const auto is_seen = [&](Index face) {
     return cells_[mesh_.source(3 * face)].component == component &&
            sees(direction, triangle_of(face));
@@ -162,22 +179,45 @@ void EmbeddingGuard::enclose(const Patch& patch) {
   high_corner_ = high_ + reach;
 }
 
-/// The certificate of is_height_field() for all faces at the vertices around, which is more than it
-/// needs.
+/// The certificate of is_height_field() along the direction nearest to the normals, of those that
+/// see the patches: asks only the faces at vertices that it does not see.
 bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
   const Index component = cells_[patch.centre].component;
   DirectionSet directions = component == no_index ? 0 : directions_;
   for (const Index vertex : patch.vertices) directions &= cells_[vertex].seeing;
   if (directions == 0) return false;
+  const Direction direction = nearest_direction(directions, sum_of(patch.normals));
+  const auto is_alike = [&](const auto& place, DirectionSet seeing) {
+    return place.component == component && (seeing & direction.bit) != 0;
+  };
+
+  std::optional<Slab> slab;
   return cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
-    const bool restricts = cell.component != component || (directions & ~cell.directions) != 0;
-    for (Index v = restricts ? cell.first_vertex : no_index; v != no_index; v = cells_[v].next) {
-      const VertexCells::Place& place = cells_[v];
-      const DirectionSet left = place.component == component ? directions & place.seeing : 0;
-      if (left != directions && is_around(v)) directions = left;
+    if (is_alike(cell, cell.directions)) return true;
+    for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
+      if (is_alike(cells_[v], cells_[v].seeing) || !is_around(v)) continue;
+      if (!slab) slab = slab_of(patch, direction.unit);
+      if (!is_seen_or_far(v, component, *slab)) return false;
     }
-    return directions != 0;
+    return true;
   });
+}
+
+/// Whether the slab's direction sees those faces at the vertex that meet slab and box.
+bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& slab) const {
+  const bool is_mine = cells_[vertex].component == component;
+  bool result = true;
+  mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
+    const Triangle triangle = triangle_of(halfedge / 3);
+    result = result && ((is_mine && sees(slab.direction(), triangle)) || !meets_box(triangle) ||
+                        !slab.meets(triangle));
+  });
+  return result;
+}
+
+bool EmbeddingGuard::meets_box(const Triangle& triangle) const {
+  return (lowest(triangle).array() <= high_.array()).all() &&
+         (highest(triangle).array() >= low_.array()).all();
 }
 
 /// Fills near_ with the faces, other than those that give way, whose boxes touch the patches'.
@@ -189,10 +229,7 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
     const Index face = halfedge / 3;
     if (stamp_[face] == stamp_now_) return;
     stamp_[face] = stamp_now_;
-    const Triangle triangle = triangle_of(face);
-    if ((lowest(triangle).array() <= high_.array()).all() &&
-        (highest(triangle).array() >= low_.array()).all())
-      near_.push_back(face);
+    if (meets_box(triangle_of(face))) near_.push_back(face);
   };
   cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
     for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {

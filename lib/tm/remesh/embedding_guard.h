@@ -48,18 +48,24 @@ class EmbeddingGuard {
   void forget(Index vertex) { cells_.remove(vertex); }
 
  private:
+  class Slab;
+
   bool is_certified(const Patch& patch);
   void find_faces_near(const Patch& patch);
   void enclose(const Patch& patch);
   bool is_seen_around(const Patch& patch) const;
+  bool is_seen_or_far(Index vertex, Index component, const Slab& slab) const;
   bool is_around(Index vertex) const;
   bool is_height_field(const Patch& patch) const;
+  Slab slab_of(const Patch& patch, const Vec3& direction) const;
+  bool meets_box(const Triangle& triangle) const;
   bool meets_itself(const Patch& patch) const;
   bool meets_others(const Patch& patch) const;
   Triangle triangle_of(Index face) const;
 
   const EditableMesh& mesh_;
-  double longest_edge_;
+  double longest_allowed_;
+  double longest_edge_;  ///< that there is or has been
   VertexCells cells_;
   std::vector<std::uint32_t> stamp_;  ///< per face, against visiting twice
   std::uint32_t stamp_now_ = 0;

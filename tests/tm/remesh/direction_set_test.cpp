@@ -60,3 +60,23 @@ TEST_CASE("a direction sees a triangle from its front only, and not from its edg
   CHECK_FALSE(sees(Vec3(0, 0, -1), triangle));
   CHECK_FALSE(sees(Vec3(1, 0, 0.01).normalized(), triangle));
 }
+
+TEST_CASE("the nearest direction of a set is found") {
+  Random random(3);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 vector = random.point(-1, 1) * std::pow(10, random.uniform(-200, 200));
+    const DirectionSet set = seeing_directions(random.point(-1, 1));
+    if (set == 0) continue;
+    const Direction nearest = nearest_direction(set, vector);
+    CHECK((nearest.bit & set) == nearest.bit);
+    CHECK((seeing_directions(nearest.unit) & nearest.bit) != 0);
+    CHECK(nearest.unit.norm() == doctest::Approx(1));
+
+    // No other of the set has a larger cosine: asked as a set of one, each tells what it is.
+    for (DirectionSet rest = set; rest != 0; rest &= rest - 1) {
+      const Direction other = nearest_direction(rest & -rest, vector);
+      CHECK(other.bit == (rest & -rest));
+      CHECK(other.unit.dot(vector) <= nearest.unit.dot(vector) + 1e-6 * vector.norm());
+    }
+  }
+}
