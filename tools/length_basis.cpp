@@ -1,5 +1,7 @@
 #include "length_basis.h"
 
+#include <cmath>
+
 #include "comments.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
@@ -15,9 +17,13 @@ double LengthBasis::diagonal() {
 }
 
 double LengthBasis::measured_edge() const {
-  const double mean = edge_lengths(document_->mesh).mean;
-  if (mean > 0) return mean;
-  throw InputError("the mesh has no edges, so there is no reference edge that x could refer to");
+  const EdgeLengths edges = edge_lengths(document_->mesh);
+  if (edges.mean > 0 && std::isfinite(edges.mean)) return edges.mean;
+  if (edges.count == 0)
+    throw InputError("the mesh has no edges, so there is no reference edge that x could refer to");
+  throw InputError("the mean edge of the mesh is " + shortest_text(edges.mean) +
+                   ", so there is no reference edge that x could refer to" +
+                   (edges.mean > 0 ? "; scale the mesh down" : ""));
 }
 
 double LengthBasis::inherited_edge() const {

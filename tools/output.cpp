@@ -6,9 +6,8 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
+#include <filesystem>
 #include <optional>
 
 #include "signals.h"
@@ -30,11 +29,15 @@ void write_and_close(int descriptor, const std::string& path, std::string_view b
   if (!is_written || !is_closed) throw_failed(path);
 }
 
-// Where a symbolic link leads, so that the link itself stays.
+// Where a symbolic link leads, be it to a file or to where none is yet, so that the link itself
+// stays.
 std::string resolved(const std::string& path) {
-  const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.c_str(), nullptr),
-                                                         &std::free);
-  return real ? real.get() : path;
+  const std::filesystem::path named = path;
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::canonical(named, error);
+  if (!error) return real;
+  const std::filesystem::path link = std::filesystem::read_symlink(named, error);
+  return error ? named : named.parent_path() / link;
 }
 
 std::string folder_of(const std::string& path) {

@@ -56,11 +56,11 @@ std::string write_photographs(const Mesh& mesh, const CameraRing& ring,
       photograph = take_photograph(mesh, camera, texture, number, files.sensor);
     if (!files.images.empty()) {
       const bool is_shaded = files.look == "shade";
-      run.write(files.images + "/" + name,
-                write_png(is_shaded ? shade(mesh, camera) : picture_of(photograph.image)));
+      run.write_into(files.images, name,
+                     write_png(is_shaded ? shade(mesh, camera) : picture_of(photograph.image)));
     }
     if (!files.silhouettes.empty())
-      run.write(files.silhouettes + "/" + name, write_png(picture_of(photograph.silhouette)));
+      run.write_into(files.silhouettes, name, write_png(picture_of(photograph.silhouette)));
     record.name = name;
     ++number;
   }

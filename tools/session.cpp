@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "comments.h"
@@ -63,9 +64,16 @@ Session::Session(const Description& program, OptionTable& table, const CommonOpt
   if (!options_.report.empty()) check_writable(options_.report);
 }
 
+Bytes Session::read_once(const std::string& path) {
+  if (path == "-" && stdin_is_read_)
+    throw UsageError("standard input is named twice: name a file for one of the inputs");
+  stdin_is_read_ = stdin_is_read_ || path == "-";
+  return read_all(path);
+}
+
 Document Session::read_document(const std::string& path) {
   phases_.begin("read");
-  const Bytes bytes = read_all(path);
+  const Bytes bytes = read_once(path);
   ReadResult result = read_mesh(bytes.view(), input_name(path));
   for (const std::string& line : result.notes) note(line);
   detail(input_name(path) + ": " + described(result.document));
@@ -220,7 +228,7 @@ void Session::set_basis(double diagonal) { basis_.set_diagonal(diagonal); }
 Document Session::read(const std::string& path) { return read_document(path); }
 
 std::string Session::read_bytes(const std::string& path) {
-  const Bytes bytes = read_all(path);
+  const Bytes bytes = read_once(path);
   return std::string(bytes.view());
 }
 
@@ -230,6 +238,13 @@ void Session::write(const std::string& path, std::string bytes) {
   }
   check_writable(path);
   further_files_.emplace_back(path, std::move(bytes));
+}
+
+void Session::write_into(const std::string& folder, const std::string& name, std::string bytes) {
+  // Where it cannot be made, writing says why.
+  std::error_code ignored;
+  std::filesystem::create_directories(folder, ignored);
+  write(folder + '/' + name, std::move(bytes));
 }
 
 void Session::note(const std::string& message) { terminal_.note(message); }

@@ -12,6 +12,7 @@
 #include "output.h"
 #include "phases.h"
 #include "report.h"
+#include "streams.h"
 #include "terminal.h"
 #include "tool.h"
 
@@ -42,6 +43,7 @@ class Session : public Run {
   Document read(const std::string& path) override;
   std::string read_bytes(const std::string& path) override;
   void write(const std::string& path, std::string bytes) override;
+  void write_into(const std::string& folder, const std::string& name, std::string bytes) override;
   void note(const std::string& message) override;
   void detail(const std::string& message) override;
   using Run::report;
@@ -58,6 +60,8 @@ class Session : public Run {
     std::size_t faces = 0;
   };
 
+  /// Throws UsageError where stdin is to be read a second time.
+  Bytes read_once(const std::string& path);
   Document read_document(const std::string& path);
   void refuse_binary_on_terminal(Format format) const;
   std::optional<double> resolved(const Option& option);
@@ -77,6 +81,7 @@ class Session : public Run {
   Counts input_counts_;
   std::optional<Counts> output_counts_;
   bool has_mesh_ = false;
+  bool stdin_is_read_ = false;
   bool settings_are_shown_ = false;
   bool report_is_written_ = false;
   std::vector<std::pair<std::string, std::string>> further_files_;

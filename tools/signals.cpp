@@ -6,20 +6,22 @@
 #include <array>
 #include <atomic>
 #include <csignal>
-#include <cstring>
-#include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "exit_code.h"
 
 namespace transformesh::tool {
 namespace {
 
+// A list that the handler may walk at any time, until the very end: an entry is complete before it
+// can be seen, and none is ever taken out.
 struct TemporaryFile {
-  std::atomic<bool> exists{false};
-  std::array<char, 4096> path{};
+  const std::string path;
+  TemporaryFile* const next;
+  std::atomic<bool> exists{true};
 };
-// Enough for every image of a large data set; pages that are not used cost nothing.
-std::array<TemporaryFile, 2048> temporary_files;
+std::atomic<TemporaryFile*> temporary_files{nullptr};
 std::atomic<bool> bar_is_visible{false};
 
 void write_text(int descriptor, std::string_view text) {
@@ -28,18 +30,11 @@ void write_text(int descriptor, std::string_view text) {
 }
 
 void end_process(int signal_number) {
-  for (TemporaryFile& file : temporary_files) {
-    if (file.exists) unlink(file.path.data());
+  for (TemporaryFile* file = temporary_files; file != nullptr; file = file->next) {
+    if (file->exists) unlink(file->path.c_str());
   }
   if (bar_is_visible) write_text(STDERR_FILENO, "\r\033[K");
   _exit(exit_signal + signal_number);
-}
-
-TemporaryFile* find_file(const std::string& path) {
-  for (TemporaryFile& file : temporary_files) {
-    if (file.exists && path == file.path.data()) return &file;
-  }
-  return nullptr;
 }
 
 }  // namespace
@@ -57,21 +52,21 @@ void install_signal_handlers() {
   struct sigaction action {};
   action.sa_handler = end_process;
   sigfillset(&action.sa_mask);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) sigaction(number, &action, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXCPU}) sigaction(number, &action, nullptr);
+  struct sigaction inherited {};
+  sigaction(SIGHUP, nullptr, &inherited);
+  if (inherited.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void remove_on_signal(const std::string& path) {
-  for (TemporaryFile& file : temporary_files) {
-    if (file.exists || path.size() >= file.path.size()) continue;
-    std::memcpy(file.path.data(), path.c_str(), path.size() + 1);
-    file.exists = true;
-    return;
-  }
-  throw std::runtime_error("too many output files, or a path that is too long");
+  temporary_files = new TemporaryFile{path, temporary_files};
 }
 
 void keep_on_signal(const std::string& path) {
-  if (TemporaryFile* file = find_file(path)) file->exists = false;
+  for (TemporaryFile* file = temporary_files; file != nullptr; file = file->next) {
+    if (file->exists && file->path == path) file->exists = false;
+  }
 }
 
 void set_bar_is_visible(bool is_visible) { bar_is_visible = is_visible; }

@@ -9,10 +9,11 @@ namespace transformesh::tool {
 /// Opens unusable descriptors in place of closed standard ones, so that no file takes their number.
 void occupy_standard_descriptors();
 
-/// SIGINT, SIGTERM, SIGHUP and SIGPIPE end the process at once with 128 + their number.
+/// SIGINT, SIGTERM, SIGPIPE, SIGXCPU and, unless nohup has it ignored, SIGHUP end the process at
+/// once with 128 + their number. SIGXFSZ is ignored: the write that grew too large fails and tells.
 void install_signal_handlers();
 
-/// Files that a signal removes. At most 16 at a time, with paths below 4096 bytes.
+/// Files that a signal removes; any number of them.
 void remove_on_signal(const std::string& path);
 void keep_on_signal(const std::string& path);
 

@@ -73,7 +73,10 @@ char* Bytes::reserve(std::size_t size) {
   return data_.get() + size_;
 }
 
-std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+std::string input_name(const std::string& path) {
+  if (path.empty()) return "''";
+  return path == "-" ? "standard input" : path;
+}
 
 Bytes read_all(const std::string& path) {
   const Descriptor descriptor(path);

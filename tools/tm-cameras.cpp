@@ -1,5 +1,4 @@
 /// tm-cameras: converts camera files, and lists what they hold.
-#include <filesystem>
 
 #include "camera_table.h"
 #include "tm/support/error.h"
@@ -55,9 +54,7 @@ std::string convert(const CameraList& list, const Options& options, tool::Run& r
                                                              : CameraFormat::middlebury;
   if (options.folder.empty()) return write_cameras(list, format);
   const auto files = write_camera_files(list, format);
-  std::error_code error;
-  std::filesystem::create_directories(options.folder, error);
-  for (const CameraText& file : files) run.write(options.folder + '/' + file.name, file.text);
+  for (const CameraText& file : files) run.write_into(options.folder, file.name, file.text);
   return {};
 }
 

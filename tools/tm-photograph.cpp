@@ -4,6 +4,7 @@
 #include "photograph_files.h"
 #include "tm/mesh/measure.h"
 #include "tm/picture/spelling.h"
+#include "tm/support/error.h"
 #include "tool.h"
 
 namespace {
@@ -50,6 +51,7 @@ void declare(tool::Program& program, Options& options) {
 
 std::string photograph(const std::string& input, Options& options, tool::Run& run) {
   const Mesh mesh = run.read(input).mesh;
+  if (!(bounding_box(mesh).diagonal() > 0)) throw InputError("the mesh is empty or a single point");
   run.set_basis(bounding_box(mesh).diagonal());
   CameraRing ring;
   std::tie(ring.width, ring.height) = parse_size(options.size);

@@ -1,4 +1,5 @@
 /// tm-wrap: a rough closed mesh around points.
+#include "streams.h"
 #include "tm/evolve/target_file.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
@@ -17,7 +18,7 @@ struct Options {
 
 Document wrap(const std::string& input, const Options& options, tool::Run& run) {
   run.progress()("read");
-  const std::string name = input == "-" ? "standard input" : input;
+  const std::string name = tool::input_name(input);
   const Target cloud = read_target(run.read_bytes(input), name);
   const bool has_normals = !cloud.is_mesh() && !cloud.has_estimated_normals;
   if (options.method == "poisson" && !has_normals)

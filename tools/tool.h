@@ -34,6 +34,9 @@ class Run {
   virtual std::string read_bytes(const std::string& path) = 0;
   /// Writes a further file, complete or not at all, once the program has succeeded.
   virtual void write(const std::string& path, std::string bytes) = 0;
+  /// The same in a folder, which is made where it is missing.
+  virtual void write_into(const std::string& folder, const std::string& name,
+                          std::string bytes) = 0;
 
   /// One line on stderr unless -q.
   virtual void note(const std::string& message) = 0;
@@ -113,6 +116,8 @@ class Program {
   /// One mesh in, the report on stdout as `key: value` lines, or JSON with --json; exit 0 for true
   /// and 1 for false.
   int predicate(int argc, char** argv, const std::function<bool(Document&, Run&)>& body);
+  /// The same without an answer: exit 0.
+  int description(int argc, char** argv, const std::function<void(Document&, Run&)>& body);
   /// A filter that becomes a predicate while *is_predicate holds after parsing. As a filter it
   /// writes no mesh and exits with 1 where the body returns false.
   int filter_or_predicate(int argc, char** argv, const bool* is_predicate,

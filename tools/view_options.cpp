@@ -53,7 +53,7 @@ std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& 
   for (const View& view : views) {
     if (options.masks.empty()) break;
     const GrayImage mask = two_levels(view.silhouette);
-    run.write(options.masks + "/" + view.name + ".png", write_png(picture_of(mask)));
+    run.write_into(options.masks, view.name + ".png", write_png(picture_of(mask)));
   }
   return views;
 }
@@ -62,8 +62,8 @@ void write_outlines(const Mesh& hull, const std::vector<View>& views, const std:
                     Run& run) {
   for (const View& view : views) {
     const Camera camera{view.camera.projection(), view.silhouette.width, view.silhouette.height};
-    run.write(folder + "/" + view.name + ".png",
-              write_png(picture_of(mesh_silhouette(hull, camera))));
+    run.write_into(folder, view.name + ".png",
+                   write_png(picture_of(mesh_silhouette(hull, camera))));
   }
 }
 

@@ -23,6 +23,11 @@ setup() {
     'BEGIN { exit !(hull > 0.99 * truth && hull < 2 * truth) }'
 }
 
+@test "folders are made, and hold more than two thousand images" {
+  tm-shape box --faces 12 | tm-photograph --ring 2100 --size 4x4 --write-images new/images -o /dev/null
+  [ "$(ls new/images | wc -l)" -eq 2100 ]
+}
+
 @test "given cameras see the same as the ring that they came from" {
   tm-photograph "${size[@]}" --write-images images -o par.txt truth.ply
   mkdir again
@@ -58,9 +63,12 @@ setup() {
 @test "senseless input is refused" {
   run --separate-stderr tm-photograph --compare-silhouettes masks -o /dev/null truth.ply
   assert_status 2
-  run --separate-stderr tm-photograph --write-images nowhere -o par.txt truth.ply
+  run --separate-stderr tm-photograph --write-images truth.ply -o par.txt truth.ply
   assert_status 5
   [ ! -e par.txt ]
+  run --separate-stderr tm-photograph -o par.txt <<<$'OFF\n1 0 0\n1 2 3'
+  assert_status 3
+  one_line "$stderr"
   run --separate-stderr tm-photograph --elevations 90,0 -o par.txt truth.ply
   assert_status 2
   one_line "$stderr"

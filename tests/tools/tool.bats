@@ -1,6 +1,7 @@
 # What the frame does for every program, shown with tm-convert and tm-cat.
 
 load ../helpers/common
+load ../helpers/contract
 
 setup() {
   cd "$BATS_TEST_TMPDIR"
@@ -44,6 +45,17 @@ setup() {
   [ "$(grep -c '^comment tm-convert' now.ply)" -eq 20 ]
 }
 
+@test "a mean edge that x cannot refer to is told" {
+  sed 's/^1 1 0/1e200 0 0/' t.ply >huge.ply
+  sed -E 's/^-?[01] -?[01] -?[01]$/0 0 0/' t.ply >point.ply
+  for case in 'huge inf*scale' 'point 0, so'; do
+    run --separate-stderr tm-remesh "${case%% *}.ply"
+    assert_status 3
+    # shellcheck disable=SC2053
+    [[ $stderr == *"mean edge of the mesh is "${case#* }* ]] || fail "$stderr"
+  done
+}
+
 @test "--reference-edge writes the comment that later programs read" {
   tm-convert --reference-edge auto t.ply | grep -qx "comment tm:reference-edge 1.4142135623730951"
   tm-convert --reference-edge 10 t.ply | tm-convert --reference-edge 0.5x |
@@ -79,6 +91,17 @@ setup() {
   [ -p fifo ]
 }
 
+@test "a symbolic link as target stays, also one that leads to no file yet" {
+  mkdir scratch
+  ln -s scratch/out.ply link.ply
+  for _ in 1 2; do
+    tm-convert --no-provenance -o link.ply t.ply
+    [ -L link.ply ]
+    cmp scratch/out.ply t.ply
+    rm t.ply && tetrahedron >t.ply
+  done
+}
+
 @test "devices and descriptors as targets are written directly" {
   tm-convert -o /dev/null t.ply
   [ -c /dev/null ]
@@ -111,6 +134,48 @@ setup() {
   [ -z "$(find . -name '*.tmp')" ]
 }
 
+@test "more output than ulimit allows is exit 5, and nothing is left behind" {
+  tm-shape sphere -o large.ply
+  mkdir folder
+  run --separate-stderr bash -c 'ulimit -f 10; exec tm-convert -o folder/out.ply large.ply'
+  assert_status 5
+  one_line "$stderr"
+  [ -z "$(ls -A folder)" ]
+}
+
+@test "a hangup ends a program with 129, unless nohup has it ignored" {
+  mkfifo fifo
+  for start in exec 'exec nohup'; do
+    bash -c "$start tm-convert --no-provenance -o out.ply fifo" 3>&- >/dev/null 2>&1 &
+    pid=$!
+    exec 9>fifo
+    wait_until_interruptible "$pid"
+    kill -HUP "$pid"
+    sleep 0.2
+    cat t.ply >&9 || true
+    exec 9>&-
+    code=0
+    wait "$pid" || code=$?
+    if [ "$start" = exec ]; then
+      [ "$code" -eq 129 ] || fail "exit code $code"
+      [ ! -e out.ply ]
+    else
+      [ "$code" -eq 0 ] || fail "exit code $code under nohup"
+      cmp out.ply t.ply
+    fi
+  done
+}
+
+@test "stdin named twice is exit 2 and says so" {
+  for arguments in "tm-cat - -" "tm-compare --reference -" "tm-morph-step --target -"; do
+    # shellcheck disable=SC2086
+    run --separate-stderr $arguments <t.ply
+    assert_status 2
+    one_line "$stderr"
+    [[ $stderr == *"standard input is named twice"* ]]
+  done
+}
+
 @test "closed descriptors are told" {
   for redirection in '>&-' '<&-'; do
     code=0
@@ -123,11 +188,11 @@ setup() {
 }
 
 @test "an input that cannot be read is exit 3 and says why" {
-  for input in none.ply .; do
+  for input in none.ply . ''; do
     run --separate-stderr tm-convert "$input"
     assert_status 3
     one_line "$stderr"
-    [[ $stderr == "tm-convert: $input: cannot be read: "* ]]
+    [[ $stderr == "tm-convert: ${input:-''}: cannot be read: "* ]]
   done
 }
 
