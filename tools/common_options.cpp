@@ -52,7 +52,7 @@ void add_common_options(OptionTable& table, const Kind& kind, CommonOptions& val
   section.add(output, false, 'o');
   if (kind.writes_mesh) add_mesh_output(section, values);
   if (kind.reads_mesh && kind.writes_mesh && !kind.makes_mesh) add_reference_edge(section, values);
-  if (kind.is_predicate) {
+  if (kind.prints_report) {
     section.add(flag_option("json", &values.json, "print the report as JSON"));
   }
   section.add(text_option("report", &values.report, "FILE", "also write a JSON report there"));

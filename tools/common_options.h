@@ -12,8 +12,9 @@ struct Kind {
   bool reads_mesh = true;
   bool many_inputs = false;
   bool writes_mesh = true;
-  bool makes_mesh = false;    ///< what it reads is no mesh whose edges could be a reference
-  bool is_predicate = false;  ///< prints its report on stdout
+  bool makes_mesh = false;     ///< what it reads is no mesh whose edges could be a reference
+  bool prints_report = false;  ///< on stdout
+  bool is_predicate = false;   ///< may answer no
 };
 
 struct CommonOptions {

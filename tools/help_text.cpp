@@ -57,7 +57,7 @@ std::string option_entries(const OptionTable& table, bool is_common) {
 }
 
 std::string exit_code_lines(bool is_predicate) {
-  return wrapped(std::string("Exit codes: 0 ") + (is_predicate ? "yes, 1 no" : "done") +
+  return wrapped(std::string("Exit codes: 0 ") + (is_predicate ? "done or yes, 1 no" : "done") +
                      ", 2 usage, 3 bad input, 4 goal not reached, 5 output failed, 6 out of "
                      "memory.",
                  0, 12);

@@ -23,6 +23,9 @@ struct Program::Implementation {
   /// Parses, answers --help and --version, works, and turns exceptions into exit codes.
   int run(int argc, char** argv, const Kind& kind, const Work& work);
   int run_unguarded(const std::vector<std::string>& arguments, const Kind& kind, const Work& work);
+  /// A mesh in, its report out.
+  int run_report(int argc, char** argv, const Kind& kind,
+                 const std::function<bool(Document&, Run&)>& body);
   /// A filter or a predicate, as `is_predicate` says once the options are parsed.
   int run_either(int argc, char** argv, const std::function<bool()>& is_predicate,
                  const std::function<bool(Document&, Run&)>& body);

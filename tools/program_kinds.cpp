@@ -45,16 +45,30 @@ int Program::combine(int argc, char** argv,
 }
 
 int Program::predicate(int argc, char** argv, const std::function<bool(Document&, Run&)>& body) {
+  const Kind kind{.writes_mesh = false, .prints_report = true, .is_predicate = true};
+  return implementation_->run_report(argc, argv, kind, body);
+}
+
+int Program::description(int argc, char** argv, const std::function<void(Document&, Run&)>& body) {
+  const auto describe = [&](Document& document, Run& run) {
+    body(document, run);
+    return true;
+  };
+  const Kind kind{.writes_mesh = false, .prints_report = true};
+  return implementation_->run_report(argc, argv, kind, describe);
+}
+
+int Program::Implementation::run_report(int argc, char** argv, const Kind& kind,
+                                        const std::function<bool(Document&, Run&)>& body) {
   const auto work = [&](Session& session, const std::vector<std::string>& inputs) {
     Document document = session.read_input(inputs[0], false);
     session.begin(&document);
     const bool answer = body(document, session);
-    const std::string* key = implementation_->only_key;
-    session.write_report(implementation_->common.json, key == nullptr ? "" : *key);
+    session.write_report(common.json, only_key == nullptr ? "" : *only_key);
     session.finish();
     return answer ? exit_done : exit_no;
   };
-  return implementation_->run(argc, argv, Kind{.writes_mesh = false, .is_predicate = true}, work);
+  return run(argc, argv, kind, work);
 }
 
 int Program::Implementation::run_either(int argc, char** argv,
@@ -72,7 +86,7 @@ int Program::Implementation::run_either(int argc, char** argv,
     session.finish();
     return answer ? exit_done : exit_no;
   };
-  return run(argc, argv, Kind{.is_predicate = true}, work);
+  return run(argc, argv, Kind{.prints_report = true, .is_predicate = true}, work);
 }
 
 int Program::filter_or_predicate(int argc, char** argv, const bool* is_predicate,

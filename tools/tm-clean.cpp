@@ -54,7 +54,7 @@ void clean_document(Document& document, Options options, tool::Run& run) {
 int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-clean", "[OPTION]... [INPUT]",
-                        "Remove self-intersections: the boundary of winding number >= 1");
+                        "Removes self-intersections: the boundary of winding number >= 1");
   program.choice("method", &options.method, {"grow", "static"},
                  "grow regions from seeds, or test every piece (slow reference)");
   program.integer("level", &options.level, 1, 1000000,

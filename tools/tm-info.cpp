@@ -25,7 +25,7 @@ void report_topology(const Mesh& mesh, std::size_t edges, tool::Run& run) {
   run.report("boundary_loops", boundary_loops);
 }
 
-bool describe(const Document& document, tool::Run& run) {
+void describe(const Document& document, tool::Run& run) {
   const Mesh& mesh = document.mesh;
   run.progress()("measuring");
   const EdgeLengths lengths = edge_lengths(mesh);
@@ -44,7 +44,6 @@ bool describe(const Document& document, tool::Run& run) {
   run.report("angle_min", smallest.minimum_deg);
   run.report("angle_min_mean", smallest.minimum_mean_deg);
   run.report("valence6", valence_six_share(mesh));
-  return true;
 }
 
 }  // namespace
@@ -59,5 +58,5 @@ int main(int argc, char** argv) {
                   "angle_min", "angle_min_mean", "valence6"},
                  "print the value of this key only");
   program.print_only(&key);
-  return program.predicate(argc, argv, describe);
+  return program.description(argc, argv, describe);
 }

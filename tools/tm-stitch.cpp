@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   StitchOptions options;
   Length tolerance;
   tool::Program program("tm-stitch", "[OPTION]... [INPUT]",
-                        "Join a soup of triangles into a manifold mesh");
+                        "Joins a soup of triangles into a manifold mesh");
   program.length("tolerance", &tolerance,
                  "join vertices within this distance; 0 joins equal positions only");
   program.flag("orient", &options.orient,
