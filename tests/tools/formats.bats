@@ -176,7 +176,7 @@ is_refused() {
   [[ $output == *"more values than the header names, from line 523"* ]]
   needs_shared meshes/geometry-central/stl_box_ascii.stl
   run bash -c "tm-convert --format off '$shared_file' 2>&1 >/dev/null"
-  [[ $output == *"12 faces read as a soup of separate triangles; join them with tm-stitch"* ]]
+  [[ $output == *"12 faces read as a soup of separate triangles; tm-stitch joins them"* ]]
   needs_shared meshes/trimesh/nancolor.obj
   run tm-convert "$shared_file"
   assert_status 3

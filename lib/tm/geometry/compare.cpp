@@ -95,6 +95,14 @@ OneWay measure(const Mesh& from, const Mesh& to, const CompareOptions& options,
   return result;
 }
 
+/// Whether distances between points of the two can be squared.
+bool has_finite_distances(const Mesh& mesh, const Mesh& reference) {
+  const Box a = bounding_box(mesh);
+  const Box b = bounding_box(reference);
+  const Box both{a.minimum.cwiseMin(b.minimum), a.maximum.cwiseMax(b.maximum)};
+  return std::isfinite(both.diagonal());
+}
+
 /// The smallest value that is not below the given share of the values.
 double quantile(std::vector<double> values, double share) {
   const double rank = std::ceil(share * static_cast<double>(values.size()));
@@ -116,6 +124,8 @@ Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions
   if (mesh.positions.empty()) throw InputError("the mesh has no vertices: nothing to compare");
   if (reference.positions.empty())
     throw InputError("the reference has no vertices: nothing to compare with");
+  if (!has_finite_distances(mesh, reference))
+    throw InputError("squared distances exceed what a double holds: scale both meshes down");
 
   const OneWay there = measure(mesh, reference, options, progress, "to the reference");
   const OneWay back = measure(reference, mesh, options, progress, "from the reference");

@@ -35,7 +35,7 @@ struct Comparison {
   double volume_difference = 0;         ///< of the mesh minus that of the reference
 };
 
-/// Throws InputError where one of them has no vertices.
+/// Throws InputError where one of them has no vertices, or distances are beyond about 1e154.
 Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options = {},
                    const Progress& progress = {});
 

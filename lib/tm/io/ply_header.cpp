@@ -13,8 +13,8 @@ class HeaderReader {
 
   PlyHeader read() {
     next_line();
-    if (line_ != "ply") fail("a PLY file starts with the line 'ply', not " + quoted(line_));
-    for (next_line(); line_ != "end_header"; next_line()) read_line();
+    if (!is_line("ply")) fail("a PLY file starts with the line 'ply', not " + quoted(line_));
+    for (next_line(); !is_line("end_header"); next_line()) read_line();
     if (!has_format_) {
       fail(
           "the PLY header has no line 'format ascii 1.0' (or binary_little_endian, "
@@ -46,6 +46,12 @@ class HeaderReader {
     line_ = rest.substr(0, length);
     if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
     words_ = line_;
+  }
+
+  /// Whether the line is this word, with or without blanks behind it.
+  bool is_line(std::string_view word) const {
+    return line_.starts_with(word) &&
+           line_.find_first_not_of(" \t", word.size()) == std::string_view::npos;
   }
 
   std::string_view next_word() {

@@ -42,6 +42,13 @@ std::string_view first_word(std::string_view text) {
   return text.substr(first, last - first);
 }
 
+/// The word `ply` alone on the first line.
+bool is_ply_start(std::string_view bytes) {
+  if (bytes.substr(0, 3) != "ply") return false;
+  const std::size_t next = bytes.find_first_not_of(" \t", 3);
+  return next == std::string_view::npos || bytes[next] == '\r' || bytes[next] == '\n';
+}
+
 bool is_binary_stl_by_size(std::string_view bytes) {
   if (bytes.size() < stl_header_size) return false;
   const bool swapped = !host_is_little;
@@ -68,9 +75,7 @@ bool is_obj_start(std::string_view bytes, std::string_view word) {
 
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   const std::string_view word = first_word(bytes);
-  if (bytes.substr(0, 3) == "ply" && (bytes.size() == 3 || bytes[3] == '\r' || bytes[3] == '\n')) {
-    return FileKind::ply;
-  }
+  if (is_ply_start(bytes)) return FileKind::ply;
   if (is_off_keyword(word)) return FileKind::off;
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
   if (is_ascii_stl(bytes)) return FileKind::stl_ascii;

@@ -17,7 +17,7 @@ constexpr std::size_t most_facets = no_index / 3;
 void note_soup(std::size_t faces, std::vector<std::string>& notes) {
   if (faces == 0) return;
   notes.push_back("stl: " + counted(faces, "face") +
-                  " read as a soup of separate triangles; join them with tm-stitch");
+                  " read as a soup of separate triangles; tm-stitch joins them");
 }
 
 class TextReader {

@@ -104,3 +104,10 @@ TEST_CASE("the comparison is the same for any number of threads") {
   }
   CHECK_THROWS_AS(compare(a, b, {}, Progress([](auto, double) { return false; })), CancelledError);
 }
+
+TEST_CASE("meshes too large to compare are refused") {
+  const Mesh mesh = test::icosphere(1);
+  CHECK_THROWS_AS(compare(test::scaled(mesh, 1e200), mesh), InputError);
+  CHECK_THROWS_AS(compare(mesh, test::moved(mesh, {1e200, 0, 0})), InputError);
+  CHECK(std::isfinite(compare(test::scaled(mesh, 1e100), mesh, {.samples = 10}).rms));
+}

@@ -143,6 +143,15 @@ TEST_CASE("ply: headers of DOS and of old Macintoshes") {
   CHECK(read_document(binary.str()).mesh.positions == std::vector<Vec3>{{1, 2, 3}});
 }
 
+TEST_CASE("ply: blanks behind every line of the header") {
+  std::string text = ascii_triangle("3 0 1 2");
+  for (std::size_t i = 0; (i = text.find('\n', i)) != std::string::npos; i += 4) {
+    text.replace(i, 1, " \t \n");
+  }
+  CHECK(read_document(text).mesh.positions[1] == Vec3(1, 0, 0));
+  CHECK(read_document(text).mesh.faces == std::vector<Face>{{0, 1, 2}});
+}
+
 TEST_CASE("ply: a point cloud stays without a face element") {
   const std::string text = header("ascii", "element vertex 1\n" + vertex_header) + "1 2 3\n";
   CHECK(read_document(text).mesh.faces.empty());

@@ -35,7 +35,7 @@ TEST_CASE("stl: binary by hand and back; nothing is joined") {
   CHECK(result.document.style.coordinate == Scalar::float32);
   CHECK(result.document.style.comments == std::vector<std::string>{"made by hand"});
   CHECK(result.notes == std::vector<std::string>{"stl: 2 faces read as a soup of separate "
-                                                 "triangles; join them with tm-stitch"});
+                                                 "triangles; tm-stitch joins them"});
   CHECK(write_mesh(result.document).bytes == file.str());
 }
 
