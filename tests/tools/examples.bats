@@ -1,0 +1,100 @@
+# The EXAMPLES of the man pages run as they are written.
+
+load ../helpers/common
+
+# The meshes, cameras and photographs that the examples name. The scene is 53 times as large as
+# tm-shape makes it: its pixels are as large as the page of tm-photo-step says.
+make_meshes() {
+  tm-shape sphere --faces 1000 -o a.ply
+  tm-shape box 1 1 3 --faces 1000 -o b.ply
+  tm-shape folded --faces 2000 -o crossing.ply
+  tm-shape box --faces 500 -o part.off
+  tm-shape torus --faces 2000 -o scan.ply
+  for name in mesh part rough large target result; do cp scan.ply "$name.ply"; done
+  cp b.ply source.ply
+  for name in mesh.off model.stl scan.obj; do tm-convert -o "$name" scan.ply; done
+  mkdir frames && cp a.ply b.ply frames
+  tm-convert --format ply-ascii scan.ply | awk '
+    /^element vertex/ { n = $3 }
+    /^element face/ { print "property double size" }
+    inside && n-- > 0 { print $0, 0.1; next }
+    /^end_header/ { inside = 1 }
+    { print }' >sized.ply
+  tm-convert --format ply-ascii scan.ply | awk '
+    /^element vertex/ { n = $3 }
+    inside && n-- > 0 { print $0, $1, $2, $3 }
+    /^end_header/ { inside = 1 }' >scan.P3D
+}
+
+make_scene_of_photographs() {
+  tm-shape dented --faces 3000 --format ply-ascii | awk '
+    /^element vertex/ { n = $3 }
+    inside && n-- > 0 { print 53 * $1, 53 * $2, 53 * $3; next }
+    /^end_header/ { inside = 1 }
+    { print }' >sparse.ply
+  tm-photograph --write-images photos --write-silhouettes masks -o par.txt sparse.ply
+  tm-hull --cameras par.txt --silhouettes masks -o hull.ply
+  for name in dino_par temple_par cameras; do cp par.txt "$name.txt"; done
+  for name in images dino temple dance/1/photos dance/2/photos; do
+    mkdir -p "$name" && cp photos/* "$name"
+  done
+  cp -r masks dance/1 && cp -r masks dance/2
+  tm-cameras --format matrices --folder matrices par.txt
+  for file in matrices/view*.txt; do cp "$file" "dino/camera${file#matrices/view}"; done
+  tm-cameras --format colmap --images images --folder sparse/0 par.txt
+}
+
+setup_file() {
+  needs_program tm-photograph
+  export PATH=$PATH:$tm_root/scripts
+  cd "$BATS_FILE_TMPDIR"
+  mkdir files && cd files
+  make_meshes
+  make_scene_of_photographs
+}
+
+# The indented lines of a page's section EXAMPLES.
+examples_of() {
+  sed -n '/^# EXAMPLES/,/^# EXIT STATUS/ s/^    //p' "$tm_build/man/$1.md"
+}
+
+run_examples() { # PAGE...
+  for page in "$@"; do
+    cp -r "$BATS_FILE_TMPDIR/files" "$page"
+    examples_of "$page" >"$page.sh"
+    [ -s "$page.sh" ] || fail "$page has no examples"
+    (cd "$page" && bash -euo pipefail "../$page.sh" >../log 2>&1 </dev/null) ||
+      fail "$page: $(cat log)"
+  done
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+}
+
+@test "every page is in one of the tests below" {
+  diff <(cd "$tm_root/man" && printf '%s\n' *.md | sed 's/\.md$//' | sort) \
+    <(sed -nE '/^  run_examples/,/[^\\]$/ s/run_examples|\\//gp' "$BATS_TEST_FILENAME" |
+      xargs -n 1 | grep -v '[{}#]' | sort)
+}
+
+@test "examples of filters" {
+  run_examples tm-cat.1 tm-clean.1 tm-convert.1 tm-displace.1 tm-morph-step.1 tm-remesh.1 tm-stitch.1
+}
+
+@test "examples of what looks and judges" {
+  # Its first example asks whether a mesh is free of intersections: it is.
+  run_examples tm-checkmanifold.1 tm-compare.1 tm-info.1 tm-intersect.1 tm-render.1
+}
+
+@test "examples of what makes meshes, and of the loop" {
+  run_examples tm-shape.1 tm-morph.1 tm.7
+}
+
+@test "examples of photographs and their cameras" {
+  run_examples tm-cameras.1 tm-hull.1 tm-photo-step.1 tm-photograph.1 tm-wrap.1
+}
+
+@test "examples of reconstruction" {
+  run_examples tm-reconstruct.1
+}
