@@ -114,3 +114,13 @@ refused() {
     /^bbox_max/ { exit_code += $2 > 0.0389 || $3 > 0.1919 || $4 > 0.0728 }
     END { exit exit_code }' || fail "$(tm-info hull.ply)"
 }
+
+@test "outlines are what the hull covers in the views: here all of the masks" {
+  tm-hull --cameras par.txt --silhouettes masks --resolution 60 --write-outlines outlines -o hull.ply
+  [ "$(ls outlines)" = $'a.png\nb.png\nc.png' ]
+  tm-photograph --cameras par.txt --compare-silhouettes outlines --report r.json -o /dev/null hull.ply
+  grep -q '"least_silhouette_agreement": 1.0' r.json
+  tm-hull --cameras par.txt --silhouettes outlines --resolution 60 -o again.ply
+  awk -v a="$(tm-info --get volume hull.ply)" -v b="$(tm-info --get volume again.ply)" \
+    'BEGIN { exit !(b > 0.9 * a && b < 1.1 * a) }'
+}

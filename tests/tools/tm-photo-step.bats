@@ -94,3 +94,19 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
   run tm-photo-step --images photos truth.ply
   assert_status 2
 }
+
+@test "angles choose the pairs, windows and interpolation the measure" {
+  photograph_truth
+  step=(tm-photo-step --cameras par.txt --images photos --alpha 0 -o /dev/null truth.ply)
+  "${step[@]}" --report usual.json
+  for options in "--min-angle 40" "--window 2" "--interpolation bilinear"; do
+    # shellcheck disable=SC2086
+    "${step[@]}" $options --report other.json
+    [ "$(value dissimilarity other.json)" != "$(value dissimilarity usual.json)" ] ||
+      fail "$options changes nothing"
+    less "$(value dissimilarity other.json)" 0.5
+  done
+  run --separate-stderr "${step[@]}" --min-angle 49 --max-angle 49.5
+  assert_status 3
+  one_line "$stderr"
+}

@@ -75,3 +75,13 @@ setup() {
   run --separate-stderr tm-photograph --finest 2 --coarsest 1 -o par.txt truth.ply
   assert_status 2
 }
+
+@test "--focal is the focal length per width, and --waves changes the texture" {
+  tm-photograph "${size[@]}" --write-images images -o par.txt truth.ply
+  # The first camera's K is in columns 2 to 10: 80 pixels wide.
+  awk 'NR == 2 { exit !($2 == 3.4 * 80 && $6 == $2) }' par.txt
+  tm-photograph "${size[@]}" --focal 2 --waves 80 --write-images other -o near.txt truth.ply
+  awk 'NR == 2 { exit !($2 == 160 && $6 == $2) }' near.txt
+  tm-photograph --cameras par.txt --waves 80 --write-images waves -o /dev/null truth.ply
+  ! cmp -s images/view0000.png waves/view0000.png
+}

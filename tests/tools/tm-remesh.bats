@@ -150,3 +150,66 @@ sized() {
   assert_status 2
   [[ $output == *"the error must be above 0"* ]]
 }
+
+@test "sharp edges stay sharp with --feature-angle" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 1 1 1 --faces 600 -o box.ply
+  options=(--iterations 5 --min-edge 0.35x --max-edge 0.75x box.ply)
+  tm-remesh --feature-angle 40 "${options[@]}" -o sharp.ply
+  tm-remesh "${options[@]}" -o blunt.ply
+  awk -v sharp="$(tm-info --get volume sharp.ply)" -v blunt="$(tm-info --get volume blunt.ply)" \
+    'BEGIN { exit !((sharp - 1) ^ 2 < 1e-24 && blunt < 0.9999) }'
+}
+
+@test "--project puts the vertices back onto the input" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape sphere --faces 2000 -o sphere.ply
+  options=(--iterations 5 --min-edge 0.35x --max-edge 0.75x sphere.ply)
+  tm-remesh --project "${options[@]}" -o on.ply
+  tm-remesh "${options[@]}" -o off.ply
+  for mesh in on off; do
+    tm-compare --reference sphere.ply --samples 0 $mesh.ply |
+      awk '/^hausdorff_to_reference/ { print $2 }'
+  done | paste -s | awk '{ exit !($1 < 1e-14 && $2 > 1e-4) }'
+}
+
+# A sphere without its cap above z = 0.5.
+open_sphere() {
+  tm-shape sphere --faces 2000 --format ply-ascii --no-provenance |
+    awk '
+      /^element vertex/ { vertices = $3 }
+      /^element face/ { rest_of_header = 1; next }
+      /^end_header/ { in_body = 1; next }
+      !in_body { header = header (rest_of_header ? "" : $0 "\n"); list = $0; next }
+      n < vertices { z[n++] = $3; points = points $0 "\n"; next }
+      z[$2] <= 0.5 && z[$3] <= 0.5 && z[$4] <= 0.5 { faces = faces $0 "\n"; ++count }
+      END { printf "%selement face %d\n%s\nend_header\n%s%s", header, count, list, points, faces }'
+}
+
+# border FILE: the points of the edges that one face has, sorted.
+border() {
+  tm-convert --format ply-ascii "$1" | awk '
+    /^element vertex/ { vertices = $3 }
+    /^end_header/ { in_body = 1; next }
+    !in_body { next }
+    n < vertices { point[n++] = $1 " " $2 " " $3; next }
+    { for (i = 2; i <= 4; ++i) is_edge[$i " " $(i < 4 ? i + 1 : 2)] = 1 }
+    END {
+      for (edge in is_edge) {
+        split(edge, ends, " ")
+        if (!((ends[2] " " ends[1]) in is_edge)) print point[ends[1]]
+      }
+    }' | sort
+}
+
+@test "--keep-border leaves every vertex of the border, and adds none" {
+  cd "$BATS_TEST_TMPDIR"
+  open_sphere >open.ply
+  border open.ply >before
+  [ "$(wc -l <before)" -gt 20 ]
+  options=(--iterations 3 --min-edge 0.35x --max-edge 0.75x open.ply)
+  tm-remesh --keep-border "${options[@]}" -o kept.ply
+  border kept.ply | diff before -
+  tm-remesh "${options[@]}" -o changed.ply
+  [ "$(border changed.ply | wc -l)" -gt "$(wc -l <before)" ]
+}

@@ -100,3 +100,15 @@ end_header" ] || fail "$output"
   assert_status 3
   one_line "$stderr"
 }
+
+@test "--tube is the radius of a torus's tube, --count the number of spheres or boxes" {
+  thick=$(tm-shape torus --radius 2 --tube 0.5 --faces 20000 | tm-info --get volume)
+  thin=$(tm-shape torus --radius 2 --tube 0.25 --faces 20000 | tm-info --get volume)
+  # 2 pi^2 R r^2, less what is cut off between vertices.
+  awk -v thick="$thick" -v thin="$thin" 'BEGIN {
+    pi = atan2(0, -1)
+    exit !(thick < pi * pi && thick > 0.98 * pi * pi && thin < thick / 4 && thin > 0.97 * thick / 4)
+  }'
+  [ "$(tm-shape many-spheres --count 7 --faces 700 | tm-info --get components)" -eq 7 ]
+  [ "$(tm-shape boxes --count 5 | tm-info --get components)" -eq 5 ]
+}

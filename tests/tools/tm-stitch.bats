@@ -160,3 +160,20 @@ mended() {
   assert_status 3
   [[ $output == *Moebius* ]]
 }
+
+@test "--tolerance joins corners that lie a little apart" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape sphere --faces 500 -o sphere.ply
+  tm-convert -q -o soup.stl sphere.ply
+  tm-convert -q --double --format ply-ascii soup.stl | awk '
+    in_body && NF == 3 { $1 += (n++ % 5 - 2) * 1e-6 }
+    /^end_header/ { in_body = 1 }
+    { print }' >apart.ply
+  tm-stitch -o exact.ply apart.ply
+  [ "$(tm-info --get boundary_loops exact.ply)" -gt 0 ]
+  for tolerance in 0.00001 0.001% 0.0001x; do
+    tm-stitch --tolerance $tolerance -o joined.ply apart.ply
+    [ "$(tm-info --get vertices joined.ply)" -eq "$(tm-info --get vertices sphere.ply)" ]
+    tm-checkmanifold --closed joined.ply
+  done
+}

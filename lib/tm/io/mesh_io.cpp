@@ -1,7 +1,6 @@
 #include "tm/io/mesh_io.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "tm/io/obj.h"
 #include "tm/io/off.h"

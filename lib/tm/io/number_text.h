@@ -2,8 +2,6 @@
 #pragma once
 
 #include <charconv>
-#include <cmath>
-#include <cstdint>
 #include <string_view>
 #include <system_error>
 #include <type_traits>

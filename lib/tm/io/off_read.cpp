@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include "tm/io/color_rows.h"
 #include "tm/io/off.h"

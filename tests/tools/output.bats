@@ -1,0 +1,119 @@
+# What the frame does with outputs for every program, shown with tm-convert.
+
+load ../helpers/common
+load ../helpers/contract
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  tetrahedron >t.ply
+}
+
+@test "-o onto the input itself works, and a failure leaves the file as it was" {
+  cp t.ply same.ply
+  tm-convert --format off -o same.ply same.ply
+  [ "$(head -n 1 same.ply)" = OFF ]
+  head -c 100 t.ply >broken.ply
+  cp broken.ply before
+  run tm-convert -o broken.ply broken.ply
+  assert_status 3
+  cmp broken.ply before
+}
+
+@test "a FIFO as target is written and stays a FIFO" {
+  mkfifo fifo
+  tm-convert --no-provenance -o fifo t.ply 3>&- &
+  cmp fifo t.ply
+  wait $!
+  [ -p fifo ]
+}
+
+@test "a symbolic link as target stays, also one that leads to no file yet" {
+  mkdir scratch
+  ln -s scratch/out.ply link.ply
+  for _ in 1 2; do
+    tm-convert --no-provenance -o link.ply t.ply
+    [ -L link.ply ]
+    cmp scratch/out.ply t.ply
+    rm t.ply && tetrahedron >t.ply
+  done
+}
+
+@test "devices and descriptors as targets are written directly" {
+  tm-convert -o /dev/null t.ply
+  [ -c /dev/null ]
+  tm-convert --no-provenance -o /dev/stdout t.ply | cmp - t.ply
+  tm-convert --no-provenance -o /dev/stdout t.ply >out.ply
+  cmp out.ply t.ply
+  run --separate-stderr tm-convert -o /dev/full t.ply
+  assert_status 5
+  one_line "$stderr"
+}
+
+@test "a folder that does not exist or may not be written is exit 5" {
+  run --separate-stderr tm-convert -o none/out.ply t.ply
+  assert_status 5
+  one_line "$stderr"
+  mkdir locked && chmod a-w locked
+  [ ! -w locked ] || skip "root may write everywhere"
+  run --separate-stderr tm-convert -o locked/out.ply t.ply
+  assert_status 5
+  one_line "$stderr"
+}
+
+@test "when one output fails no other appears" {
+  run --separate-stderr tm-convert -o out.ply --report /dev/full t.ply
+  assert_status 5
+  [ ! -e out.ply ]
+  run --separate-stderr tm-convert --report report.json t.ply -o /dev/full
+  assert_status 5
+  [ ! -e report.json ]
+  [ -z "$(find . -name '*.tmp')" ]
+}
+
+@test "more output than ulimit allows is exit 5, and nothing is left behind" {
+  tm-shape sphere -o large.ply
+  mkdir folder
+  run --separate-stderr bash -c 'ulimit -f 10; exec tm-convert -o folder/out.ply large.ply'
+  assert_status 5
+  one_line "$stderr"
+  [ -z "$(ls -A folder)" ]
+}
+
+@test "a hangup ends a program with 129, unless nohup has it ignored" {
+  mkfifo fifo
+  for start in exec 'exec nohup'; do
+    bash -c "$start tm-convert --no-provenance -o out.ply fifo" 3>&- >/dev/null 2>&1 &
+    pid=$!
+    exec 9>fifo
+    wait_until_interruptible "$pid"
+    kill -HUP "$pid"
+    sleep 0.2
+    cat t.ply >&9 || true
+    exec 9>&-
+    code=0
+    wait "$pid" || code=$?
+    if [ "$start" = exec ]; then
+      [ "$code" -eq 129 ] || fail "exit code $code"
+      [ ! -e out.ply ]
+    else
+      [ "$code" -eq 0 ] || fail "exit code $code under nohup"
+      cmp out.ply t.ply
+    fi
+  done
+}
+
+@test "closed descriptors are told" {
+  for redirection in '>&-' '<&-'; do
+    code=0
+    bash -c "tm-convert <t.ply $redirection" 2>stderr || code=$?
+    [ "$code" -eq 5 ] || [ "$redirection $code" = "<&- 3" ] || fail "$redirection: exit code $code"
+    one_line "$(cat stderr)"
+  done
+  tm-convert -o out.ply t.ply 2>&-
+  [ -s out.ply ]
+}
+
+@test "--help also fails on a full disk" {
+  run --separate-stderr bash -c 'tm-convert --help >/dev/full'
+  assert_status 5
+}
