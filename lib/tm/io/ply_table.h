@@ -2,6 +2,7 @@
 /// over rows that both encodings share.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 

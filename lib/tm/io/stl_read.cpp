@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "tm/io/polygons.h"
 #include "tm/io/scalar.h"

@@ -1,6 +1,7 @@
 /// Goes through text line by line and, within a line, word by word. Blank lines are skipped.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
