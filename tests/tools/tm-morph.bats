@@ -34,7 +34,7 @@ same_mesh() {
 # A folder of filters that are the built ones, but for those that a test puts there.
 own_filters() {
   mkdir -p filters
-  cp "$tm_root"/scripts/{tm-morph,loop.bash} filters/
+  cp "$tm_root"/scripts/{tm-morph,loop.bash,morph-*.bash} filters/
   for filter in tm-morph-step tm-clean tm-remesh tm-convert tm-compare tm-info tm-checkmanifold; do
     ln -sf "$tm_build/bin/$filter" "filters/$filter"
   done
@@ -324,4 +324,12 @@ LINES
     <(grep -B1 '^:   ' "$tm_root/man/tm-morph.1.md" | grep '^\*\*\\*-' |
       grep -oE '\*\*\\?--[a-z0-9-]+' | sed -E 's/^\*\*\\?--//' | sort)
   [[ $(tm-morph --version) =~ ^tm-morph\ [0-9]+\.[0-9]+\.[0-9]+$ ]]
+}
+
+@test "the loop runs from where it is installed, without the project's folders" {
+  cmake --install "$tm_build" --prefix "$PWD/usr" >/dev/null
+  run --separate-stderr env -u TM_BUILD PATH=/usr/bin:/bin usr/bin/tm-morph "$sphere" \
+    --target "$torus" --iterations 2 -o out.ply
+  assert_status 0
+  same_mesh out.ply <(tm-morph "$sphere" --target "$torus" --iterations 2 -q)
 }
