@@ -1,4 +1,7 @@
 /// tm-wrap: a rough closed mesh around points.
+#include <optional>
+#include <utility>
+
 #include "streams.h"
 #include "tm/evolve/target_file.h"
 #include "tm/mesh/measure.h"
@@ -12,9 +15,18 @@ using namespace transformesh;
 
 struct Options {
   std::string method = "auto";
-  Length alpha = parse_length("5%");
+  std::optional<Length> alpha;
   Length offset = parse_length("0.33%");
 };
+
+Mesh wrap_positions(const std::vector<Vec3>& positions, const Options& options, tool::Run& run) {
+  AlphaWrapOptions wrap;
+  if (options.alpha) wrap.alpha = run.length(*options.alpha);
+  wrap.offset = run.length(options.offset);
+  AlphaWrap result = alpha_wrap(positions, wrap);
+  run.report("alpha", result.alpha);
+  return std::move(result.mesh);
+}
 
 Document wrap(const std::string& input, const Options& options, tool::Run& run) {
   run.progress()("read");
@@ -31,8 +43,7 @@ Document wrap(const std::string& input, const Options& options, tool::Run& run) 
   run.progress()("wrap");
   Document document;
   document.mesh = is_poisson ? poisson_wrap(cloud.mesh.positions, cloud.normals)
-                             : alpha_wrap(cloud.mesh.positions,
-                                          {run.length(options.alpha), run.length(options.offset)});
+                             : wrap_positions(cloud.mesh.positions, options, run);
   return document;
 }
 
@@ -43,7 +54,10 @@ int main(int argc, char** argv) {
   tool::Program program("tm-wrap", "[OPTION]... [POINTS]", "Wraps points in a rough closed mesh");
   program.choice("method", &options.method, {"auto", "poisson", "alpha"},
                  "poisson needs normals; auto: poisson where there are normals, else alpha");
-  program.length("alpha", &options.alpha, "of alpha: radius of the smallest ball that is kept out");
+  program.length(
+      "alpha", &options.alpha,
+      "of alpha: radius of the smallest ball that is kept out (default: as small as does "
+      "not get in between the points)");
   program.length("offset", &options.offset, "of alpha: how far from the points");
   program.epilog("POINTS are PLY, OFF or lines of x y z [nx ny nz]; of a mesh, its vertices.");
   return program.maker(argc, argv, [&](const std::string& input, tool::Run& run) {

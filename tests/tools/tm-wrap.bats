@@ -17,6 +17,20 @@ setup() {
   tm-wrap --alpha 0.2 --offset 0.02 <points.xyz | cmp - wrap.ply
 }
 
+@test "without --alpha it is found: no hole is closed, and nothing is hollow" {
+  awk 'NR % 4 == 0' points.xyz >sparse.xyz
+  for points in points sparse; do
+    tm-wrap $points.xyz -o $points.ply --report $points.json
+    tm-checkmanifold --closed $points.ply
+    [ "$(tm-info --get components $points.ply)" -eq 1 ]
+    [ "$(tm-info --get genus $points.ply)" -eq 1 ]
+    awk -v volume="$(tm-info --get volume $points.ply)" -v truth="$(tm-shape torus | tm-info --get volume)" \
+      'BEGIN { exit !(volume > 0.9 * truth && volume < 1.2 * truth) }'
+  done
+  run cmp -s <(grep '"alpha":' sparse.json) <(grep '"alpha":' points.json)
+  [ "$status" -eq 1 ]
+}
+
 @test "points with normals get a Poisson surface" {
   awk '{ ring = sqrt($1 * $1 + $2 * $2); x = $1 - 0.85 * $1 / ring; y = $2 - 0.85 * $2 / ring
     print $1, $2, $3, x, y, $3 }' points.xyz >oriented.xyz

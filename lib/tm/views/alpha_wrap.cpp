@@ -2,8 +2,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
+#include <utility>
 #include <vector>
 
+#include "tm/geometry/ray_winding.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 #include "tm/views/wrap.h"
@@ -12,11 +14,21 @@
 namespace transformesh {
 namespace {
 
-constexpr double alpha_by_diagonal = 1.0 / 20;
 constexpr double offset_by_diagonal = 1.0 / 300;
+
+/// Where alpha is looked for, and in which steps.
+constexpr double largest_alpha_by_diagonal = 1.0 / 5;
+constexpr double least_alpha_by_diagonal = 1.0 / 100;
+constexpr double alpha_ratio = 0.8408964152537145;  // four of them halve it
+
+/// A wrap is hollow where it is thinner than this many offsets: a ball that got in between the
+/// points leaves hardly more than two.
+constexpr double hollow_by_offset = 4;
+constexpr double most_hollow = 0.05;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using Cloud = std::vector<Kernel::Point_3>;
 
 double diagonal_of(std::span<const Vec3> points) {
   Mesh cloud;
@@ -24,23 +36,7 @@ double diagonal_of(std::span<const Vec3> points) {
   return bounding_box(cloud).diagonal();
 }
 
-}  // namespace
-
-Mesh alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options) {
-  if (!(options.alpha >= 0 && options.offset >= 0))
-    throw UsageError("alpha and the offset of a wrap must not be negative");
-  const double diagonal = diagonal_of(points);
-  const double alpha = options.alpha > 0 ? options.alpha : alpha_by_diagonal * diagonal;
-  const double offset = options.offset > 0 ? options.offset : offset_by_diagonal * diagonal;
-  if (points.empty()) throw InputError("there are no points to wrap");
-  if (!(alpha > 0 && offset > 0))
-    throw InputError("the points are all in one place: give alpha and the offset as lengths");
-
-  std::vector<Kernel::Point_3> cloud;
-  for (const Vec3& point : points) cloud.emplace_back(point.x(), point.y(), point.z());
-  Surface surface;
-  CGAL::alpha_wrap_3(cloud, alpha, offset, surface);
-
+Mesh mesh_of(const Surface& surface) {
   Mesh mesh;
   for (const auto vertex : surface.vertices()) {
     const auto& point = surface.point(vertex);
@@ -53,8 +49,60 @@ Mesh alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options) {
       corners[i++] = static_cast<Index>(vertex.idx());
     mesh.faces.push_back(corners);
   }
-  check_wrap(mesh);
   return mesh;
+}
+
+AlphaWrap wrap(const Cloud& cloud, double alpha, double offset) {
+  Surface surface;
+  CGAL::alpha_wrap_3(cloud, alpha, offset, surface);
+  return {mesh_of(surface), alpha};
+}
+
+/// The share of the area behind which the wrap soon ends.
+double hollow_share(const Mesh& mesh, double offset) {
+  const RayWinding winding(mesh);
+  double hollow = 0;
+  double all = 0;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    const Vec3 center = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+    const double area = face_area(mesh, f);
+    all += area;
+    if (winding(center - hollow_by_offset * offset * face_normal(mesh, f).normalized()) == 0)
+      hollow += area;
+  }
+  return all > 0 ? hollow / all : 0;
+}
+
+/// The last one, from large balls to small ones, that none got into.
+AlphaWrap tightest_wrap(const Cloud& cloud, double diagonal, double offset) {
+  double alpha = largest_alpha_by_diagonal * diagonal;
+  AlphaWrap best = wrap(cloud, alpha, offset);
+  while ((alpha *= alpha_ratio) >= least_alpha_by_diagonal * diagonal) {
+    AlphaWrap next = wrap(cloud, alpha, offset);
+    if (hollow_share(next.mesh, offset) > most_hollow) break;
+    best = std::move(next);
+  }
+  return best;
+}
+
+}  // namespace
+
+AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options) {
+  if (!(options.alpha >= 0 && options.offset >= 0))
+    throw UsageError("alpha and the offset of a wrap must not be negative");
+  if (points.empty()) throw InputError("there are no points to wrap");
+  const double diagonal = diagonal_of(points);
+  const double offset = options.offset > 0 ? options.offset : offset_by_diagonal * diagonal;
+  if (!(offset > 0 && (options.alpha > 0 || diagonal > 0)))
+    throw InputError("the points are all in one place: give alpha and the offset as lengths");
+
+  Cloud cloud;
+  for (const Vec3& point : points) cloud.emplace_back(point.x(), point.y(), point.z());
+  AlphaWrap result = options.alpha > 0 ? wrap(cloud, options.alpha, offset)
+                                       : tightest_wrap(cloud, diagonal, offset);
+  check_wrap(result.mesh);
+  return result;
 }
 
 }  // namespace transformesh

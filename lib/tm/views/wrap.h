@@ -15,14 +15,22 @@
 namespace transformesh {
 
 struct AlphaWrapOptions {
-  double alpha = 0;   ///< > 0: smallest ball that is kept out; 0: a 20th of the box's diagonal
+  double alpha = 0;   ///< > 0: smallest ball that is kept out; 0: found, see below
   double offset = 0;  ///< > 0: of the surface from the points; 0: a 300th of the box's diagonal
 };
 
+struct AlphaWrap {
+  Mesh mesh;
+  double alpha = 0;  ///< that was used
+};
+
 /// Closed, oriented 2-manifold that contains all points; one component where the points are dense
-/// against alpha. Throws InputError for no points, UsageError for options out of range.
-/// Deterministic, one thread. Cost grows with the area by alpha^2: seconds for a diagonal / 300.
-Mesh alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options = {});
+/// against alpha. An alpha of 0 stands for the smallest one down to a 100th of the box's diagonal,
+/// in steps of 2^(1/4) from a fifth, that does not get in between the points: the next one would
+/// leave it hollow, thinner than four offsets on more than a 20th of its area. Throws InputError
+/// for no points, UsageError for options out of range. Deterministic, one thread. Cost grows with
+/// the area by alpha^2: seconds for a diagonal / 300, or where alpha is found among 10 000 points.
+AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options = {});
 
 /// Closed, oriented 2-manifold without self-intersection, its edges about as long as the points are
 /// apart. Normals point outwards; those that are zero are left out with their points. Throws

@@ -35,6 +35,19 @@ Cloud sphere_cloud(int count, double noise = 0) {
   return cloud;
 }
 
+/// Strewn over a torus.
+std::vector<Vec3> ring_points(int count) {
+  test::Random random(1);
+  std::vector<Vec3> ring;
+  for (int i = 0; i < count; ++i) {
+    const double u = random.uniform(0, 6.2831853);
+    const double v = random.uniform(0, 6.2831853);
+    const double radius = 1 + 0.3 * std::cos(v);
+    ring.emplace_back(radius * std::cos(u), radius * std::sin(u), 0.3 * std::sin(v));
+  }
+  return ring;
+}
+
 void check_surface(const Mesh& mesh) {
   const test::Count count = test::count(mesh);
   CHECK(count.is_closed_and_oriented);
@@ -47,7 +60,7 @@ void check_surface(const Mesh& mesh) {
 
 TEST_CASE("an alpha wrap contains all points, at its offset") {
   const Cloud cloud = sphere_cloud(800);
-  const Mesh mesh = alpha_wrap(cloud.points, {.alpha = 0.2, .offset = 0.02});
+  const Mesh mesh = alpha_wrap(cloud.points, {.alpha = 0.2, .offset = 0.02}).mesh;
   check_surface(mesh);
   CHECK(connected_components(mesh).components.size() == 1);
   const WindingQuery winding(mesh);
@@ -59,21 +72,30 @@ TEST_CASE("an alpha wrap contains all points, at its offset") {
 }
 
 TEST_CASE("alpha decides what is a hole") {
-  // A ring of points: a small ball passes through it, a large one does not.
-  test::Random random(1);
-  std::vector<Vec3> ring;
-  for (int i = 0; i < 3000; ++i) {
-    const double u = random.uniform(0, 6.2831853);
-    const double v = random.uniform(0, 6.2831853);
-    const double radius = 1 + 0.3 * std::cos(v);
-    ring.emplace_back(radius * std::cos(u), radius * std::sin(u), 0.3 * std::sin(v));
-  }
-  const Mesh fine = alpha_wrap(ring, {.alpha = 0.25, .offset = 0.02});
+  // A small ball passes through the ring, a large one does not.
+  const std::vector<Vec3> ring = ring_points(3000);
+  const Mesh fine = alpha_wrap(ring, {.alpha = 0.25, .offset = 0.02}).mesh;
   check_surface(fine);
   CHECK(connected_components(fine).components[0].genus() == 1);
-  const Mesh coarse = alpha_wrap(ring, {.alpha = 1.5, .offset = 0.02});
+  const Mesh coarse = alpha_wrap(ring, {.alpha = 1.5, .offset = 0.02}).mesh;
   check_surface(coarse);
   CHECK(connected_components(coarse).components[0].genus() == 0);
+}
+
+TEST_CASE("the alpha that is found fits the points: tight, but never in between them") {
+  double before = 10;
+  for (const int count : {200, 800, 3200, 12800}) {
+    CAPTURE(count);
+    const AlphaWrap ring = alpha_wrap(ring_points(count));
+    check_surface(ring.mesh);
+    REQUIRE(connected_components(ring.mesh).components.size() == 1);
+    CHECK(connected_components(ring.mesh).components[0].genus() == 1);
+    // Pappus: 2 pi^2 R r^2.
+    CHECK(volume(ring.mesh) == doctest::Approx(1.7765).epsilon(0.15));
+    CHECK(ring.alpha < before);
+    before = ring.alpha;
+  }
+  CHECK(before < 0.15);
 }
 
 TEST_CASE("a Poisson surface goes between noisy points, and closes what they leave open") {
@@ -108,7 +130,7 @@ TEST_CASE("the same bytes each time") {
   const Mesh second = poisson_wrap(cloud.points, cloud.normals);
   CHECK(first.positions == second.positions);
   CHECK(first.faces == second.faces);
-  CHECK(alpha_wrap(cloud.points).positions == alpha_wrap(cloud.points).positions);
+  CHECK(alpha_wrap(cloud.points).mesh.positions == alpha_wrap(cloud.points).mesh.positions);
 }
 
 TEST_CASE("too few points, points in a plane and senseless options are refused") {
@@ -116,7 +138,7 @@ TEST_CASE("too few points, points in a plane and senseless options are refused")
   CHECK_THROWS_AS(alpha_wrap(none), InputError);
   const std::vector<Vec3> one = {{1, 2, 3}};
   CHECK_THROWS_AS(alpha_wrap(one), InputError);
-  check_surface(alpha_wrap(one, {.alpha = 0.2, .offset = 0.1}));
+  check_surface(alpha_wrap(one, {.alpha = 0.2, .offset = 0.1}).mesh);
   CHECK_THROWS_AS(alpha_wrap(one, {.alpha = -1}), UsageError);
 
   const std::vector<Vec3> three(3, Vec3::UnitX());
@@ -128,5 +150,5 @@ TEST_CASE("too few points, points in a plane and senseless options are refused")
   }
   CHECK_THROWS_AS(poisson_wrap(plane, up), InputError);
   CHECK_THROWS_AS(poisson_wrap(plane, std::vector<Vec3>(25, Vec3::Zero())), InputError);
-  check_surface(alpha_wrap(plane, {.alpha = 2, .offset = 0.1}));
+  check_surface(alpha_wrap(plane, {.alpha = 2, .offset = 0.1}).mesh);
 }
