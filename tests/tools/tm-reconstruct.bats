@@ -76,7 +76,7 @@ compared() { # KEY MESH
 
 @test "a filter that fails ends the loop with its message and code" {
   mkdir filters
-  cp "$tm_root"/scripts/{tm-reconstruct,loop.bash,sequence.bash} filters/
+  cp "$tm_root"/scripts/{tm-reconstruct,loop.bash,reconstruct-*.bash} filters/
   for filter in tm-hull tm-cameras tm-clean tm-remesh tm-convert tm-info; do
     ln -s "$tm_build/bin/$filter" "filters/$filter"
   done
@@ -95,6 +95,20 @@ STUB
   assert_status 4
   [ "${stderr_lines[0]}" = "tm-photo-step: no luck today" ]
   [[ ${stderr_lines[1]} == *"stopped in pass 2; 'out.ply' holds the mesh of pass 1"* ]]
+}
+
+@test "the man page lists exactly the options of --help" {
+  tm-reconstruct --help >help
+  diff <(sed -nE 's/^  (-[a-zA-Z], )?--([a-z0-9-]+).*/\2/p' help | sort) \
+    <(grep -B1 '^:   ' "$tm_root/man/tm-reconstruct.1.md" | grep '^\*\*\\*-' |
+      grep -oE '\*\*\\?--[a-z0-9-]+' | sed -E 's/^\*\*\\?--//' | sort)
+}
+
+@test "the loop runs from where it is installed, without the project's folders" {
+  cmake --install "$tm_build" --prefix "$PWD/usr" >/dev/null
+  reconstruct[0]=$PWD/usr/bin/tm-reconstruct
+  env -u TM_BUILD PATH=/usr/bin:/bin "${reconstruct[@]}" --coarsest 2 --passes 1 -q -o out.ply
+  tm-checkmanifold --closed out.ply
 }
 
 @test "two balls in one wrapping come apart" {

@@ -162,7 +162,7 @@ make_step() {
 finish_step() {
   local file
   file=$output/$(step_name "$step").$extension
-  (output=$file && write_mesh "$state/$start_of_step.ply" tm-convert --no-provenance) || exit $?
+  output=$file write_mesh "$state/$start_of_step.ply" tm-convert --no-provenance || exit $?
   cp "$state/$start_of_step.ply" "$state/last.new" && mv "$state/last.new" "$state/last-$number.ply"
   seconds_since "$started"
   awk -v number="$number" -v step_name="$(step_name "$step")" -v of="$start_of_step" \

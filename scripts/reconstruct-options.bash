@@ -1,0 +1,169 @@
+# The command line of tm-reconstruct: what it takes, what it says of itself, and what it refuses.
+# Sourced by it, after loop.bash.
+# shellcheck shell=bash disable=SC2154,SC2034
+
+readonly long_options='--cameras --images --silhouettes --silhouettes-show --threshold --keep --start
+  --sequence --track --output --coarsest
+  --edge --last-edge --passes --iterations --pairs --stiffness --pull --resume --frames --every --csv
+  --format --report --threads --progress --no-progress --quiet --verbose --help --version'
+
+print_help() {
+  print_own_options
+  print_common_options
+}
+
+print_own_options() {
+  cat <<'HELP'
+Usage: tm-reconstruct [OPTION]... --cameras WHERE --images WHERE -o OUT
+
+Reconstructs a closed surface from calibrated photographs.
+
+Options:
+  --cameras WHERE         file, folder or pattern of cameras
+  --images WHERE          photographs
+  --silhouettes WHERE     masks: not black where the object is
+  --silhouettes-show exact|least
+                          the object, or only some of it: then they pull outwards
+                          alone (default exact)
+  --threshold auto|LEVEL  without masks: grey level above which photographs show
+                          the object (default auto)
+  --keep largest|all|SHARE
+                          components of the hull: of at least this share of the
+                          largest one's volume (default largest)
+  --start FILE            begin with this mesh, not with the visual hull
+  --sequence WHERE        reconstruct one time step after the other: a file with
+                          a name per line, a folder of folders, or a pattern;
+                          {} in other places stands for the name
+  --track NUMBER          as --coarsest, for time steps that begin with the
+                          surface of the one before (default 4)
+  --coarsest auto|NUMBER  how much smaller photographs are at first; auto: up to
+                          11.3, less where thin parts would get lost (default
+                          auto)
+  --edge NUMBER           length of edges, in pixels of the scale (default 3)
+  --last-edge NUMBER      then shorten them to this in steps of the square root
+                          of 2, at full scale (default: as --edge)
+  --passes N              at most so many at each scale (default 4)
+  --iterations N          steps between two cleanings (default 5)
+  --pairs N               neighbors with which each view is compared (default 4)
+  --stiffness NUMBER      resistance to bending (default 1)
+  --pull NUMBER           how much silhouettes pull (default 0.5)
+  --resume                continue a run that was stopped, where there is one
+  --frames FOLDER         keep meshes there as frame-00000.ply and so on
+  --every N               every how many passes (default 1)
+  --csv FILE              write a line per pass
+HELP
+}
+
+print_common_options() {
+  cat <<'HELP'
+
+Common options:
+  -o, --output FILE       where to write; - is stdout (default -)
+  --format ply|ply-ascii|ply-be|off
+                          format of the output (default ply)
+  --report FILE           also write a JSON report there
+  --threads N             threads to use, 0: one per core (default 0)
+  --progress              report progress on stderr, also where it is not a
+                          terminal
+  --no-progress           never report progress
+  -q, --quiet             print errors only
+  -v, --verbose           print the settings and what was done
+  -h, --help              print this text
+  --version               print the version
+
+WHERE is a file, a folder or a quoted pattern, see tm-cameras.
+
+Exit codes: 0 done, 2 usage, 3 bad input, 4 goal not reached, 5 output failed,
+            6 out of memory.
+HELP
+}
+
+need_number() { # OPTION VALUE MINIMUM
+  if ! [[ $2 =~ ^[0-9]*\.?[0-9]+$ ]] || awk -v a="$2" -v b="$3" 'BEGIN { exit a + 0 >= b }'; then
+    fail 2 "$1: '$2' is not a number of at least $3"
+  fi
+}
+
+parse() {
+  while [ $# -gt 0 ]; do
+    local option=$1
+    shift
+    if [[ $option == --*=* ]]; then
+      set -- "${option#*=}" "$@"
+      option=${option%%=*}
+    fi
+    case $option in
+      --cameras | --images | --silhouettes | --silhouettes-show | --threshold | --keep | --start | \
+        --sequence | --track | --output | -o | --coarsest | --edge | --last-edge | --passes | --iterations | \
+        --pairs | --stiffness | --pull | --frames | --every | --csv | --format | --report | --threads)
+        [ $# -gt 0 ] || fail 2 "$option needs a value"
+        set_option "$option" "$1"
+        shift
+        ;;
+      --resume) resume=yes ;;
+      --progress) progress=yes ;;
+      --no-progress) progress=no ;;
+      -q | --quiet) quiet=yes ;;
+      -v | --verbose) verbose=yes ;;
+      -h | --help) print_help && exit 0 ;;
+      --version) print_version && exit 0 ;;
+      -?*) fail 2 "unknown option '$option'; did you mean '$(nearest_option "$option")'?" ;;
+      *) fail 2 "unexpected '$option': photographs are named by --images" ;;
+    esac
+  done
+}
+
+set_option() {
+  case $1 in
+    --cameras) cameras=$2 ;;
+    --images) images=$2 ;;
+    --silhouettes) silhouettes=$2 ;;
+    --silhouettes-show) meaning=$2 ;;
+    --threshold) threshold=$2 ;;
+    --keep) keep=$2 ;;
+    --start) start=$2 ;;
+    --sequence) sequence=$2 ;;
+    --track) track=$2 ;;
+    --output | -o) output=$2 ;;
+    --coarsest) coarsest=$2 ;;
+    --edge) edge=$2 ;;
+    --last-edge) last_edge=$2 ;;
+    --passes) passes=$2 ;;
+    --iterations) iterations=$2 ;;
+    --pairs) pairs=$2 ;;
+    --stiffness) stiffness=$2 ;;
+    --pull) pull=$2 ;;
+    --frames) frames=$2 ;;
+    --every) every=$2 ;;
+    --csv) csv=$2 ;;
+    --format) format=$2 ;;
+    --report) report=$2 ;;
+    --threads) threads=$2 ;;
+  esac
+}
+
+check_options() {
+  [ -n "$cameras" ] || fail 2 "--cameras WHERE is needed: the cameras of the photographs"
+  [ -n "$images" ] || fail 2 "--images WHERE is needed: the photographs"
+  if [ -n "$start" ]; then
+    if [ ! -r "$start" ] || [ -d "$start" ]; then fail 3 "cannot read '$start'"; fi
+  fi
+  [ "$output" != - ] || [ ! -t 1 ] || [ "$format" = ply-ascii ] || [ "$format" = off ] ||
+    fail 2 "not writing binary PLY to a terminal: name a file with -o"
+  [ "$output" != - ] || [ "$resume" = no ] || fail 2 "--resume needs -o OUT: what to continue"
+  [[ $meaning =~ ^(exact|least)$ ]] || fail 2 "--silhouettes-show: '$meaning' is neither exact nor least"
+  need_number --track "$track" 1
+  [ -z "$sequence" ] || check_sequence
+  [ "$coarsest" = auto ] || need_number --coarsest "$coarsest" 1
+  need_number --edge "$edge" 1
+  need_number --last-edge "${last_edge:=$edge}" 1
+  need_integer --passes "$passes" 1
+  need_integer --iterations "$iterations" 1
+  need_integer --every "$every" 1
+  need_integer --threads "$threads" 0
+}
+
+print_version() {
+  find_filters "${filters[@]}"
+  tm-photo-step --version | sed "s/^tm-photo-step/$name/"
+}

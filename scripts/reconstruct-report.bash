@@ -1,0 +1,60 @@
+# What tm-reconstruct says at the end: a line on stderr, and the report. Sourced by it, after loop.bash.
+# shellcheck shell=bash disable=SC2154,SC2034
+
+# The last mesh, cleaned once more, and how well photographs agree on it and on the start.
+finish() {
+  local mesh=$state/mesh-$((iteration % 2)).ply
+  tm-clean -q --threads "$threads" --outermost --report "$state/final.json" \
+    -o "$state/last.ply" "$mesh" || stop_after_failure $?
+  local of
+  for of in start last; do
+    photo_step --alpha 0 --report "$state/$of.json" -o /dev/null "$state/$of.ply" ||
+      stop_after_failure $?
+  done
+  write_mesh "$state/last.ply" tm-convert --no-provenance || exit $?
+  seconds_since "$begun"
+  write_report || fail 5 "cannot write '$report'"
+  close_state
+}
+
+# What keeps the result from being converged, if anything.
+fault() {
+  if [ "$lost" != no ]; then
+    echo "photographs compare less of the surface after scale $lost than before"
+  elif [ "$rest" != yes ]; then
+    echo "the surface was not at rest after the last pass"
+  fi
+}
+
+write_report() {
+  awk -v passes="$iteration" -v name="$name" -v report="$report" -v quiet="$quiet" \
+    -v seconds="$seconds" -v pixel="$pixel_size" -v fault="$(fault)" "$read_reports"'
+    function entry(key, text) { printf "    \"%s\": %s,\n", key, text >report }
+    END {
+      if (quiet != "yes")
+        printf("%s: %d passes: %d faces, components %d, genus %d; dissimilarity from %.4f to %.4f%s\n",
+          name, passes, value["final.output.faces"], value["final.result.components"],
+          value["final.result.genus"], value["start.result.dissimilarity"],
+          value["last.result.dissimilarity"], fault == "" ? "" : "; " fault) >"/dev/stderr"
+      if (report == "") exit
+      printf "{\n  \"tool\": \"%s\",\n  \"version\": \"%s\",\n", name, value["final.version"] >report
+      printf "  \"output\": {\n    \"vertices\": %d,\n    \"faces\": %d\n  },\n",
+        value["final.output.vertices"], value["final.output.faces"] >report
+      printf "  \"result\": {\n" >report
+      entry("views", value["last.result.views"])
+      entry("pixel_size", pixel)
+      entry("passes", passes)
+      entry("converged", fault == "" ? "true" : "false")
+      entry("fault", "\"" fault "\"")
+      entry("components", value["final.result.components"])
+      entry("genus", value["final.result.genus"])
+      entry("first_dissimilarity", value["start.result.dissimilarity"])
+      entry("dissimilarity", value["last.result.dissimilarity"])
+      entry("first_coverage", value["start.result.coverage"])
+      entry("coverage", value["last.result.coverage"])
+      entry("first_pixels", value["start.result.pixels"])
+      entry("pixels", value["last.result.pixels"])
+      printf "    \"mean_edge\": %s\n  },\n", value["last.result.mean_edge"] >report
+      printf "  \"timings\": {\n    \"total\": %s\n  }\n}\n", seconds >report
+    }' "$state"/{start,last,final}.json
+}

@@ -1,0 +1,154 @@
+# The state of a run of tm-reconstruct: a folder beside the output, from which --resume continues.
+# Sourced by it, after loop.bash. Each line of its file `state` is complete once it ends, and describes
+# the mesh after a pass: mesh-0.ply after even ones, mesh-1.ply after odd ones. `level` counts the
+# scales, and then the shorter edges at full scale.
+# shellcheck shell=bash disable=SC2154,SC2034
+
+readonly csv_header=pass,scale,edge,faces,pairs,components,genus,dissimilarity,pixels,coverage,mean_share,\
+outside,seconds_remesh,seconds_step,seconds_clean,seconds
+
+open_state() {
+  if [ "$output" = - ]; then
+    state=$(mktemp -d "${TMPDIR:-/tmp}/$name.XXXXXX")
+  else
+    state=$output.$name
+    mkdir -p "$state" || fail 5 "cannot make the folder '$state'"
+  fi
+  settings="cameras $cameras images $images silhouettes ${silhouettes:-none} show $meaning \
+threshold $threshold keep $keep start ${start:-hull} coarsest $coarsest edge $edge last-edge $last_edge passes $passes \
+iterations $iterations pairs $pairs stiffness $stiffness pull $pull"
+  if [ "$resume" = yes ] && [ -s "$state/state" ]; then
+    resume_state
+  else
+    rm -f "$state"/mesh-*.ply "$state"/state
+    start_state
+  fi
+}
+
+# Of a run that writes to stdout nothing can be continued.
+on_exit() {
+  if [ "$output" = - ] && [ -n "$state" ] && [ -d "$state" ]; then close_state; fi
+}
+
+close_state() {
+  rm -f "$state"/{mesh-0,mesh-1,start,coarse,last}.ply "$state"/{state,settings,levels} \
+    "$state"/{cameras,start,remesh,step,clean,coverage,final,last,group}.{json,messages}
+  rm -rf "$state/outlines"
+  rmdir "$state" || fail 5 "cannot remove the folder '$state'"
+}
+
+# A program of its own pipeline: ends the loop with its message where it fails.
+first_step() { # COMMAND...
+  "$@" || {
+    local code=$?
+    close_state
+    exit "$code"
+  }
+}
+
+start_state() {
+  first_step tm-cameras --list --threads "$threads" --images "$images" \
+    --report "$state/cameras.json" -o "$state/levels" "$cameras"
+  read_pixel_size
+  make_start
+  make_levels
+  iteration=0 level=1 first=1 lost=no rest=no
+  begin_level
+  coarsen_start
+  printf '%s\n' "$settings" >"$state/settings"
+  write_state
+  start_csv
+  keep_frame
+}
+
+read_pixel_size() {
+  pixel_size=$(awk "$read_reports"' END { print value["cameras.result.pixel_size"] }' \
+    "$state/cameras.json")
+}
+
+# A line per level: the scale, and the length of edges in the world.
+make_levels() {
+  local width
+  width=$(awk 'NR > 1 && $2 ~ /^[0-9]+x/ { split($2, size, "x"); print size[1]; exit }' \
+    "$state/levels")
+  awk -v coarsest="$coarsest" -v width="${width:-640}" -v edge="$edge" -v last="$last_edge" \
+    -v pixel="$pixel_size" 'BEGIN {
+      if (coarsest == "auto") {
+        coarsest = width / 28.5
+        if (coarsest > 11.3) coarsest = 11.3
+      }
+      steps = 0
+      while (exp(steps / 2 * log(2)) < coarsest * 0.999) ++steps
+      for (; steps >= 0; --steps) {
+        scale = exp(steps / 2 * log(2))
+        printf "%.4f %.9g\n", scale, edge * scale * pixel
+      }
+      for (edge /= sqrt(2); edge > last * 0.999; edge /= sqrt(2))
+        printf "1.0000 %.9g\n", edge * pixel
+    }' >"$state/levels.new"
+  mv "$state/levels.new" "$state/levels"
+}
+
+# The hull, or the mesh given.
+make_start() {
+  if [ -n "$start" ]; then
+    first_step tm-clean --outermost --threads "$threads" -q --format ply --no-provenance \
+      -o "$state/start.ply" "$start"
+  else
+    local from=(--silhouettes "$silhouettes")
+    if [ -z "$silhouettes" ]; then
+      mkdir -p "$state/outlines"
+      from=(--images "$images" --threshold "$threshold" --write-outlines "$state/outlines")
+    fi
+    first_step tm-hull --threads "$threads" -q --cameras "$cameras" "${from[@]}" \
+      --keep "$keep" --edge "$(awk -v p="$pixel_size" 'BEGIN { print 3 * p }')" -o "$state/start.ply"
+  fi
+}
+
+begin_level() {
+  pass=0 dissimilarity=none outside=none of_coverage=none of_pixels=none topology=none
+}
+
+# The start, with edges as long as the level has them, as the mesh of this pass. Doubling them again
+# and again is much faster than going there at once.
+coarsen_start() {
+  local goal mean mesh=$state/mesh-$((iteration % 2)).ply
+  goal=$(sed -n "${level}p" "$state/levels" | cut -d' ' -f2)
+  mean=$(tm-info --get edge_mean "$state/start.ply")
+  cp "$state/start.ply" "$mesh"
+  while mean=$(awk -v m="$mean" -v g="$goal" 'BEGIN { print 2 * m; exit !(2 * m < g) }'); do
+    first_step tm-remesh -q --threads "$threads" --iterations 1 --min-edge "$(scaled 0.7 "$mean")" \
+      --max-edge "$(scaled 1.4 "$mean")" -o "$state/coarse.ply" "$mesh"
+    mv "$state/coarse.ply" "$mesh"
+  done
+}
+
+scaled() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.9g", a * b }'; }
+
+write_state() {
+  printf 'pass %d first %d level %d of_level %d dissimilarity %s outside %s coverage %s pixels %s topology %s lost %s rest %s end\n' \
+    "$iteration" "$first" "$level" "$pass" "$dissimilarity" "$outside" "$of_coverage" "$of_pixels" \
+    "$topology" "$lost" "$rest" >>"$state/state" || fail 5 "cannot write to '$state'"
+}
+
+start_csv() {
+  [ -z "$csv" ] || printf '%s\n' "$csv_header" >"$csv" || fail 5 "cannot write '$csv'"
+}
+
+resume_state() {
+  [ "$(cat "$state/settings")" = "$settings" ] ||
+    fail 2 "'$state' is of a run with other settings ($(cat "$state/settings")); leave out --resume"
+  # Without what follows the last end of a line: it was being written.
+  sed -n '/^pass .* end$/p' "$state/state" >"$state/state.new"
+  mv "$state/state.new" "$state/state"
+  read -r _ iteration _ first _ level _ pass _ dissimilarity _ outside _ of_coverage _ of_pixels \
+    _ topology _ lost _ rest _ < <(tail -n 1 "$state/state")
+  read_pixel_size
+  if [ -n "$csv" ] && [ -e "$csv" ]; then
+    awk -F, -v last="$iteration" 'NR == 1 || $1 <= last' "$csv" >"$csv.new"
+    mv "$csv.new" "$csv"
+  else
+    start_csv
+  fi
+  detail "continuing after pass $iteration"
+}
