@@ -134,9 +134,9 @@ void EdgeCollapser::fill_patch(const Vec3& position) {
   patch_.normals.clear();
   patch_.longest_squared = 0;
   for (const Spoke& spoke : spokes_) {
-    patch_.longest_squared =
-        std::max({patch_.longest_squared, (spoke.first - position).squaredNorm(),
-                  (spoke.second - position).squaredNorm()});
+    patch_.longest_squared = std::max(
+        {patch_.longest_squared, (spoke.first - position).squaredNorm(),
+         (spoke.second - position).squaredNorm(), (spoke.second - spoke.first).squaredNorm()});
     patch_.made.push_back({position, spoke.first, spoke.second});
     patch_.normals.push_back(normal_of(position, spoke.first, spoke.second));
   }

@@ -89,6 +89,7 @@ class EditableMesh {
 
   /// A wanted edge length per vertex, which the operations interpolate as they do attributes.
   void set_sizes(std::vector<double> sizes) { sizes_ = std::move(sizes); }
+  bool has_sizes() const { return !sizes_.empty(); }
   double mean_size(Index first, Index second) const {
     return sizes_.empty() ? 1 : 0.5 * (sizes_[first] + sizes_[second]);
   }

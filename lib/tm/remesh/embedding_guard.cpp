@@ -87,7 +87,8 @@ EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge)
 void EmbeddingGuard::commit(const Patch& patch) {
   longest_edge_ = std::max(longest_edge_, std::sqrt(patch.longest_squared));
   cells_.update(patch.centre);
-  for (const Index vertex : patch.vertices) cells_.restrict(vertex, directions_);
+  for (const Index vertex : patch.vertices)
+    cells_.restrict(vertex, directions_, patch.longest_squared);
 }
 
 bool EmbeddingGuard::allows(const Patch& patch) {
@@ -209,7 +210,7 @@ bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& s
   bool result = true;
   mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
     const Triangle triangle = triangle_of(halfedge / 3);
-    result = result && ((is_mine && sees(slab.direction(), triangle)) || !meets_box(triangle) ||
+    result = result && (!meets_box(triangle) || (is_mine && sees(slab.direction(), triangle)) ||
                         !slab.meets(triangle));
   });
   return result;
@@ -239,10 +240,13 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
   });
 }
 
+/// Whether a face that meets the box may have this as its nearest corner.
 bool EmbeddingGuard::is_around(Index vertex) const {
   const Vec3& position = mesh_.position(vertex);
-  return (position.array() >= low_corner_.array()).all() &&
-         (position.array() <= high_corner_.array()).all();
+  const double longest = std::sqrt(static_cast<double>(cells_[vertex].longest_squared));
+  const double reach = corner_reach * std::min(longest, longest_edge_);
+  return (position.array() >= low_.array() - reach).all() &&
+         (position.array() <= high_.array() + reach).all();
 }
 
 }  // namespace transformesh

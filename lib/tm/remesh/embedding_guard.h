@@ -26,7 +26,7 @@ struct Patch {
   Vec3 centre_position;         ///< where it will be
   std::vector<Triangle> made;   ///< the new triangles
   std::vector<Vec3> normals;    ///< of these, of any length
-  double longest_squared = 0;   ///< of their edges that were not there before
+  double longest_squared = 0;   ///< of their edges
   std::vector<Index> replaced;  ///< the faces that give way
   std::vector<Index> vertices;  ///< the corners of the new triangles
 

@@ -132,7 +132,9 @@ bool Flipper::attempt(Index halfedge) {
   patch_.centre_position = a;
   patch_.made.assign({Triangle{c, a, d}, Triangle{d, b, c}});
   patch_.normals.assign({normal_of(c, a, d), normal_of(d, b, c)});
-  patch_.longest_squared = (d - c).squaredNorm();
+  patch_.longest_squared =
+      std::max({(d - c).squaredNorm(), (c - a).squaredNorm(), (d - a).squaredNorm(),
+                (c - b).squaredNorm(), (d - b).squaredNorm()});
   patch_.replaced.assign({halfedge / 3, mesh_.opposite(halfedge) / 3});
   patch_.vertices.assign({at.from, at.to, at.left, at.right});
   if (!guard_.allows(patch_)) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace transformesh {
-
 VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
     : mesh_(mesh), cell_size_(cell_size), places_(mesh.vertex_slots()) {
   Vec3 low = Vec3::Constant(HUGE_VAL);
@@ -117,6 +117,25 @@ void VertexCells::fill() {
     }
   }
   for (Cell& cell : cells_) dilate(cell);
+  if (mesh_.has_sizes()) measure_edges();
+}
+
+void VertexCells::measure_edges() {
+  for (Place& place : places_) place.longest_squared = 0;
+  for (Index face = 0; face < mesh_.face_slots(); ++face) {
+    if (!mesh_.has_face(face)) continue;
+    double longest = 0;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+      longest = std::max(longest, mesh_.squared_length(h));
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) stretch(mesh_.source(h), longest);
+  }
+}
+
+void VertexCells::stretch(Index vertex, double longest_squared) {
+  constexpr double margin = 1 + 1e-6;
+  const float rounded_up =
+      std::max(static_cast<float>(margin * longest_squared), std::numeric_limits<float>::min());
+  places_[vertex].longest_squared = std::max(places_[vertex].longest_squared, rounded_up);
 }
 
 void VertexCells::dilate(Cell& cell) const {
@@ -159,9 +178,10 @@ void VertexCells::update(Index vertex) {
   if (key != cell_of(vertex).key) change_cell(vertex, key);
 }
 
-void VertexCells::restrict(Index vertex, DirectionSet directions) {
+void VertexCells::restrict(Index vertex, DirectionSet directions, double longest_squared) {
   restrict_cell(places_[vertex].cell, directions);
   places_[vertex].seeing &= directions;
+  stretch(vertex, longest_squared);
 }
 
 void VertexCells::change_cell(Index vertex, Key key) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "tm/remesh/direction_set.h"
@@ -27,6 +28,8 @@ class VertexCells {
     Index previous = no_index;
     Index component = no_index;            ///< its lowest vertex; no_index with a border
     DirectionSet seeing = all_directions;  ///< directions that see all faces at the vertex
+    /// No less than that of these faces' edges; only where the mesh has sizes.
+    float longest_squared = HUGE_VALF;
   };
 
   /// Keeps a reference to the mesh. Cells are larger where a mesh has more of them than can count.
@@ -37,10 +40,10 @@ class VertexCells {
   const Cell& cell_of(Index vertex) const { return cells_[places_[vertex].cell]; }
 
   /// To be called after a vertex moved, before it goes, and where faces at it are replaced by
-  /// others that only these directions see.
+  /// others that only these directions see, with edges up to that length.
   void update(Index vertex);
   void remove(Index vertex);
-  void restrict(Index vertex, DirectionSet directions);
+  void restrict(Index vertex, DirectionSet directions, double longest_squared);
 
   /// Calls visit(cell) for the cells that meet a box until it returns false.
   template <class Visit>
@@ -64,6 +67,8 @@ class VertexCells {
   bool gather_component(Index seed, std::vector<char>& reached, std::vector<Index>& faces) const;
   void fill();
   void dilate(Cell& cell) const;
+  void measure_edges();
+  void stretch(Index vertex, double longest_squared);
   void restrict_cell(Index cell, DirectionSet directions);
   void change_cell(Index vertex, Key key);
   void insert(Index vertex, Index cell);

@@ -72,7 +72,7 @@ bool VertexMover::place_triangles(const Star& star, const Vec3& target) {
     const Vec3& before = has_normal(spoke) ? spoke.normal : star.normal;
     if (turns(before, normal, least_turn_cosine)) return false;
     least = std::min(least, squared_roundness(normal, a_squared + b_squared + spoke.rim));
-    patch_.longest_squared = std::max(patch_.longest_squared, b_squared);
+    patch_.longest_squared = std::max({patch_.longest_squared, b_squared, spoke.rim});
     patch_.made.push_back({target, spoke.first_position, spoke.second_position});
     patch_.normals.push_back(normal);
     a = b;
