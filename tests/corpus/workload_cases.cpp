@@ -1,9 +1,22 @@
-// The workloads of tm-shape, in several sizes.
+// The workloads of tm-shape, in several sizes, and turned: what was coplanar or met in a point does
+// so but for rounding, in many places at once.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 #include "helpers/shape_options.h"
 
 namespace transformesh::corpus {
+namespace {
+
+void add_turned(Cases& cases, const std::string& kind, long faces, long seed) {
+  const double angle = 0.1 + 0.37 * static_cast<double>(seed);
+  cases.push_back({"turned", kind + "/" + named("faces", faces) + "/" + named("seed", seed), [=] {
+                     const auto count = static_cast<std::size_t>(faces);
+                     return turned(test::workload(kind, count, static_cast<std::uint64_t>(seed)),
+                                   angle);
+                   }});
+}
+
+}  // namespace
 
 void add_workload_cases(Cases& cases) {
   for (const std::string kind :
@@ -16,6 +29,11 @@ void add_workload_cases(Cases& cases) {
              kind + "/" + named("faces", faces) + "/" + named("seed", static_cast<long>(seed)),
              [=] { return test::workload(kind, static_cast<std::size_t>(faces), seed); }});
       }
+  for (long seed = 1; seed <= 6; ++seed) {
+    for (const long faces : {300, 800}) add_turned(cases, "boxes", faces, seed);
+    for (const std::string kind : {"pinch", "tangle"}) add_turned(cases, kind, 800, seed);
+  }
+  add_turned(cases, "boxes", 2500, 1);
 }
 
 }  // namespace transformesh::corpus

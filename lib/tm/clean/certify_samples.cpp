@@ -26,7 +26,10 @@ constexpr std::array<std::array<double, 3>, 14> tried_weights = {{{0.344, 0.327,
 /// How much nearer the next sample is tried where something was in the way.
 constexpr double step = 2;
 
-/// Samples are no nearer than this share of the least height of their face.
+/// Samples are no nearer than that times what rounding may have moved the face towards them.
+constexpr double beyond_clearance = 1.25;
+
+/// And no nearer than this share of the least height of their face.
 constexpr double nearest_share = 0x1p-60;
 
 Triangle corners(const Mesh& mesh, Index face) {
@@ -61,8 +64,9 @@ std::optional<WindingSample> SampleFinder::find_above(const Vec3& base, const Ve
   const double clearance =
       std::max(direction.cwiseAbs().dot(zone_.margins_at(base)), nearest_share * height);
   const Vec3 start = base + clearance * direction;
-  for (double distance = std::max(height / 4, 4 * clearance);
-       distance >= 2 * clearance && distance > 0; distance /= step) {
+  const double nearest = beyond_clearance * clearance;
+  for (double distance = std::max(height / 4, step * step * nearest);
+       distance >= nearest && distance > 0; distance /= step) {
     const Vec3 point = base + distance * direction;
     if (input_winding_.blocks(start, point) || output_winding_.blocks(start, point)) continue;
     if (zone_.contains(point)) continue;

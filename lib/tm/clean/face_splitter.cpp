@@ -1,6 +1,5 @@
 #include "tm/clean/face_splitter.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

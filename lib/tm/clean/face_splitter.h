@@ -9,14 +9,11 @@
 #include <set>
 #include <vector>
 
+#include "tm/clean/wide_point.h"
 #include "tm/geometry/predicates.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
-
-using WidePoint = Eigen::Matrix<long double, 3, 1>;
-
-inline WidePoint wide(const Vec3& p) { return p.cast<long double>(); }
 
 class FaceSplitter {
  public:

@@ -7,6 +7,7 @@
 #include "tm/clean/soup.h"
 #include "tm/clean/weld.h"
 #include "tm/geometry/bvh.h"
+#include "tm/geometry/predicates.h"
 #include "tm/support/single.h"
 
 namespace transformesh {
@@ -54,6 +55,22 @@ void mark_crossings(const Assembly& assembly, const Soup& soup, const NewFaces& 
   }
 }
 
+bool is_before(const Vec3& a, const Vec3& b) { return compare_positions(a, b) < 0; }
+
+// All that are at the places of corners, in their order: moving but one of them would tear the
+// surface.
+std::vector<Index> vertices_at_corners(const Mesh& mesh, const std::vector<Index>& faces) {
+  std::vector<Vec3> places;
+  for (const Index face : faces)
+    for (const Index v : mesh.faces[face]) places.push_back(mesh.positions[v]);
+  std::sort(places.begin(), places.end(), is_before);
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh.positions.size(); ++v)
+    if (std::binary_search(places.begin(), places.end(), mesh.positions[v], is_before))
+      vertices.push_back(v);
+  return vertices;
+}
+
 double largest_coordinate(const Mesh& mesh) {
   double largest = 0;
   for (const Vec3& p : mesh.positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
@@ -88,14 +105,21 @@ double merge_distance(const Mesh& mesh, Scalar coordinate, int doublings) {
   return std::ldexp(1.0, std::ilogb(largest_coordinate(mesh)) + 1 - digits + doublings);
 }
 
+std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces) {
+  std::vector<char> is_corner(mesh.positions.size(), 0);
+  for (const Index face : faces)
+    for (const Index v : mesh.faces[face]) is_corner[v] = 1;
+  std::vector<Index> result;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    if (is_corner[a] || is_corner[b] || is_corner[c]) result.push_back(f);
+  }
+  return result;
+}
+
 void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance) {
   // Input vertices come first, so that they stay and new ones move.
-  std::vector<Index> vertices;
-  for (const Index face : faces) {
-    for (const Index v : assembly.mesh.faces[face]) vertices.push_back(v);
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<Index> vertices = vertices_at_corners(assembly.mesh, faces);
   const auto first_new = std::stable_partition(vertices.begin(), vertices.end(),
                                                [&](Index v) { return !assembly.vertex_is_new[v]; });
   const auto old = static_cast<std::size_t>(first_new - vertices.begin());

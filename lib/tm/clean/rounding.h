@@ -17,6 +17,9 @@ double merge_distance(const Mesh& mesh, Scalar coordinate, int doublings);
 
 std::vector<Index> find_new_faces(const Assembly& assembly);
 
+/// The faces, and all at their corners.
+std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces);
+
 /// Gives new vertices of the faces that are this close to others the position of those: that of an
 /// input vertex where there is one. Input vertices stay.
 void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance);

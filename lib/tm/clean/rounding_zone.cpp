@@ -1,9 +1,10 @@
 #include "tm/clean/rounding_zone.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "tm/geometry/closest_point.h"
 #include "tm/mesh/measure.h"
@@ -40,6 +41,28 @@ int digits_of(Scalar coordinate) { return coordinate == Scalar::float32 ? 24 : d
 double largest_coordinate(const Mesh& mesh) {
   const Box box = bounding_box(mesh);
   return box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).maxCoeff();
+}
+
+/// Whether no plane across that direction parts the triangle from the cube |x|, |y|, |z| <= half.
+bool overlap_along(const Vec3& direction, const Triangle& t, double half) {
+  const std::array<double, 3> at = {direction.dot(t[0]), direction.dot(t[1]), direction.dot(t[2])};
+  const auto [least, most] = std::minmax_element(at.begin(), at.end());
+  const double reach = half * direction.lpNorm<1>();
+  return *least <= reach && *most >= -reach;
+}
+
+/// By the planes that can part two convex bodies. Reference: Akenine-Moller, "Fast 3D triangle-box
+/// overlap testing", Journal of Graphics Tools 6(1), 2001.
+bool meets_cube(const Triangle& t, double half) {
+  const std::array<Vec3, 3> edges = {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+  if (!overlap_along(edges[0].cross(edges[1]), t, half)) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 unit = Vec3::Unit(axis);
+    if (!overlap_along(unit, t, half)) return false;
+    for (const Vec3& edge : edges)
+      if (!overlap_along(unit.cross(edge), t, half)) return false;
+  }
+  return true;
 }
 
 /// A box of all points for which `is_within` may hold.
@@ -99,16 +122,13 @@ std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
 }
 
 bool is_within(const Vec3& margins, const Vec3& point, const Triangle& triangle) {
-  // With the margins as units their box fits into a ball.
   Triangle measured;
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     measured[i] = (triangle[i] - point).cwiseQuotient(margins);
     size = std::max(size, measured[i].cwiseAbs().maxCoeff());
   }
-  const Vec3 closest =
-      closest_point_of_triangle(Vec3::Zero(), measured[0], measured[1], measured[2]).point;
-  return closest.norm() <= std::numbers::sqrt3 + measuring_error * size;
+  return meets_cube(measured, 1 + measuring_error * size);
 }
 
 RoundingZone::RoundingZone(const Mesh& input, const Mesh& output, const FaceMatch& match,

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 #include <string>
 
 #include "tm/clean/rounding.h"
+#include "tm/clean/trouble_spots.h"
 #include "tm/clean/unite_close.h"
 #include "tm/mesh/place.h"
 #include "tm/support/error.h"
@@ -14,28 +16,41 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_rounds = 12;
+constexpr int most_rounds = 20;
+constexpr int most_rounds_of_repair = 12;
 constexpr int most_equal_rounds = 3;
 constexpr std::size_t few = 30;  // broken faces that may come and go
 // New vertices this close become one from the start, in doublings of the spacing of floats or
 // doubles. More would close films that can be kept.
 constexpr int doublings_of_new = -1;
-// And those of broken faces.
-constexpr int doublings_of_broken = 1;
 // And these, where too many faces pass one place to be united.
 constexpr int doublings_in_crowds = 8;
 constexpr int most_grid_steps = 5;
+constexpr int most_starts = 20;
 
 // How parts close to what is broken are united: over how many doublings of the spacing at first,
-// and whether all there are, or only those that are broken.
+// whether all there are or only those that are broken, and which vertices of them become one.
 struct Attempt {
   int doublings;
   bool is_wide;
   bool is_local;  ///< see Closeness; doubles cannot measure that
+  int doublings_of_merging = 1;
 };
-constexpr std::array attempts = {Attempt{-2, true, true}, Attempt{0, true, false},
-                                 Attempt{-2, false, false}, Attempt{2, true, false}};
+// None settles every place, and what one leaves another mends: their order is that which left the
+// fewest places in trials with the corpus and with shapes turned at random.
+constexpr std::array attempts = {Attempt{-2, true, true},   Attempt{0, true, false},
+                                 Attempt{-2, false, false}, Attempt{2, true, false},
+                                 Attempt{-1, false, false}, Attempt{-3, false, false},
+                                 Attempt{1, false, true},   Attempt{-2, false, false, -1}};
 constexpr Attempt on_grid = {-2, false, false};
+
+const Attempt& attempt_after(int failures) {
+  return failures < std::ssize(attempts) ? attempts[static_cast<std::size_t>(failures)] : on_grid;
+}
+
+int grid_step_after(int failures) {
+  return std::max(0, failures - static_cast<int>(attempts.size()) + 1);
+}
 
 // Turning in doubles moves what was coplanar by a few of their spacings; what was turned in doubles
 // and stored in floats is off by one.
@@ -55,19 +70,21 @@ std::string place_of(const Mesh& mesh, Index face) {
 class Settler {
  public:
   Settler(const Mesh& mesh, const SettleOptions& options, const Progress& progress)
-      : mesh_(mesh), options_(options), progress_(progress), troubled_(mesh.faces.size(), 0) {}
+      : mesh_(mesh), options_(options), progress_(progress), spots_(mesh) {}
 
   Settled settle(CleanPass pass);
 
  private:
-  bool repair(Assembly& assembly, const Attempt& attempt);
+  bool repair(Assembly& assembly);
   double distance(int doublings) const {
     return merge_distance(mesh_, options_.coordinate, doublings);
   }
   void round_new_positions(Assembly& assembly) const;
-  void unite_broken(Assembly& assembly, std::vector<Index> broken, const Attempt& attempt,
-                    int round) const;
-  void note_trouble(const Assembly& assembly, const std::vector<Index>& broken);
+  void round_and_merge(Assembly& assembly) const;
+  void unite_broken(Assembly& assembly, const std::vector<Index>& broken, int round) const;
+  void unite(Assembly& assembly, std::vector<Index> broken, const Attempt& attempt,
+             int round) const;
+  Mesh snapped_input() const;
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   CleanPass run_pass(const Mesh& mesh, int level) const;
   [[noreturn]] void give_up() const;
@@ -75,7 +92,7 @@ class Settler {
   const Mesh& mesh_;
   const SettleOptions& options_;
   const Progress& progress_;
-  std::vector<char> troubled_;  ///< per input face: whether it or a piece of it was ever broken
+  TroubleSpots spots_;
   std::string place_;
   Settled result_;
 };
@@ -88,13 +105,9 @@ void Settler::round_new_positions(Assembly& assembly) const {
   }
 }
 
-void Settler::note_trouble(const Assembly& assembly, const std::vector<Index>& broken) {
-  for (const Index face : broken) troubled_[assembly.source_face[face]] = 1;
-  if (place_.empty() && !broken.empty()) place_ = place_of(assembly.mesh, broken.front());
-}
-
 void Settler::give_up() const {
-  throw GoalError("rounding leaves faces that cross near " + place_ +
+  const std::string place = place_.empty() ? place_of(mesh_, 0) : place_;
+  throw GoalError("rounding leaves faces that cross near " + place +
                   "; write doubles (--double), or move and scale the mesh to the origin");
 }
 
@@ -116,24 +129,39 @@ void inherit(const Assembly& before, Assembly& after) {
   for (Index& source : after.source_face) source = before.source_face[source];
 }
 
-void Settler::unite_broken(Assembly& assembly, std::vector<Index> broken, const Attempt& attempt,
-                           int round) const {
+void Settler::unite(Assembly& assembly, std::vector<Index> broken, const Attempt& attempt,
+                    int round) const {
   const double reach = distance(doublings_in(round, attempt, options_.coordinate));
   const bool is_local = attempt.is_local && options_.coordinate == Scalar::float32;
-  merge_close_vertices(assembly, broken, std::max(reach, distance(doublings_of_broken)));
+  merge_close_vertices(assembly, with_faces_around(assembly.mesh, broken),
+                       std::max(reach, distance(attempt.doublings_of_merging)));
   if (attempt.is_wide) broken = with_near_faces(assembly.mesh, broken, reach);
   if (!unite_close_parts(assembly, broken, {reach, is_local}, options_.coordinate))
     merge_close_vertices(assembly, broken, distance(doublings_in_crowds));
 }
 
+// Each spot by the attempt that it is at.
+void Settler::unite_broken(Assembly& assembly, const std::vector<Index>& broken, int round) const {
+  std::set<int> all_failures;
+  for (const Index face : broken) all_failures.insert(spots_.failures_at(assembly.mesh, face));
+  for (const int failures : all_failures) {
+    const bool is_first = failures == *all_failures.begin();
+    std::vector<Index> there = is_first ? broken : find_broken_faces(assembly);
+    std::erase_if(there,
+                  [&](Index face) { return spots_.failures_at(assembly.mesh, face) != failures; });
+    unite(assembly, std::move(there), attempt_after(failures), round);
+  }
+}
+
 // Whether repair brings less and less: what is broken grows beyond a few, or stays as much.
 class Trend {
  public:
+  bool is_fewest(std::size_t broken) const { return broken <= fewest_; }
   bool is_hopeless(std::size_t broken) {
     equal_rounds_ = broken == last_ ? equal_rounds_ + 1 : 1;
     last_ = broken;
     fewest_ = std::min(fewest_, broken);
-    return ++rounds_ > most_rounds || equal_rounds_ > most_equal_rounds ||
+    return ++rounds_ > most_rounds_of_repair || equal_rounds_ > most_equal_rounds ||
            2 * broken > 3 * fewest_ + few;
   }
 
@@ -144,28 +172,37 @@ class Trend {
   int equal_rounds_ = 0;
 };
 
-// Rounds, checks what was rounded and cleans that again, until nothing is broken or all is in vain.
-// What remains of an open mesh is cleaned again in any case, because other borders need other fans.
-bool Settler::repair(Assembly& assembly, const Attempt& attempt) {
+void Settler::round_and_merge(Assembly& assembly) const {
+  round_new_positions(assembly);
+  // Points that rounding all but unites would only make slivers.
+  merge_close_vertices(assembly, find_new_faces(assembly), distance(doublings_of_new));
+}
+
+// Rounds, checks what was rounded and cleans that again, until cleaning changes nothing; what is
+// whole at once need not be cleaned, but for an open mesh, whose borders need other fans now.
+// If that is in vain, notes where it was when least was broken.
+bool Settler::repair(Assembly& assembly) {
   Trend trend;
-  for (int round = 0;; ++round) {
+  TroubleSpots spots = spots_;
+  for (int round = 0; round < most_rounds; ++round) {
     progress_("round");
-    round_new_positions(assembly);
-    // Points that rounding all but unites would only make slivers.
-    merge_close_vertices(assembly, find_new_faces(assembly), distance(doublings_of_new));
+    round_and_merge(assembly);
     const std::vector<Index> broken = find_broken_faces(assembly);
-    if (broken.empty() && !options_.is_open) return true;
+    if (broken.empty() && round == 0 && !options_.is_open) return true;
     if (!broken.empty()) {
-      note_trouble(assembly, broken);
-      if (trend.is_hopeless(broken.size())) return false;
+      if (place_.empty()) place_ = place_of(assembly.mesh, broken.front());
+      if (trend.is_fewest(broken.size())) (spots = spots_).add(assembly, broken);
+      if (trend.is_hopeless(broken.size())) break;
       ++result_.repairs;
-      unite_broken(assembly, broken, attempt, round);
+      unite_broken(assembly, broken, round);
     }
     CleanPass pass = run_pass(assembly.mesh, 1);
     if (pass.unchanged) return true;
     inherit(assembly, pass.assembly);
     assembly = std::move(pass.assembly);
   }
+  spots_ = std::move(spots);
+  return false;
 }
 
 // The input faces that are whole faces of it.
@@ -191,24 +228,30 @@ void Settler::count_faces(const std::vector<char>& was_whole, const Assembly& as
     if (was_whole[f] && !is_whole[f]) ++(is_left[f] ? result_.cut_faces : result_.removed_faces);
 }
 
+// Where all attempts failed, on grids that are coarser with every step.
+Mesh Settler::snapped_input() const {
+  Mesh mesh = mesh_;
+  for (int step = 1; step <= grid_step_after(spots_.most_failures()); ++step) {
+    std::vector<char> is_marked;
+    for (const int failures : spots_.failures_of_input())
+      is_marked.push_back(grid_step_after(failures) >= step ? 1 : 0);
+    const double spacing = distance(grid_doublings(options_.coordinate, step));
+    mesh = snap_to_grid(mesh, is_marked, spacing, options_.coordinate);
+  }
+  return mesh;
+}
+
 Settled Settler::settle(CleanPass pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
-  bool is_settled = repair(pass.assembly, attempts[0]);
-  for (std::size_t i = 1; i < attempts.size() && !is_settled; ++i) {
-    pass = run_pass(mesh_, options_.level);
-    is_settled = repair(pass.assembly, attempts[i]);
-  }
-  while (!is_settled) {
-    if (result_.grid_steps == most_grid_steps) give_up();
-    const int step = static_cast<int>(++result_.grid_steps);
-    const double spacing = distance(grid_doublings(options_.coordinate, step));
-    const Mesh snapped = snap_to_grid(mesh_, troubled_, spacing, options_.coordinate);
+  for (int start = 1; !repair(pass.assembly); ++start) {
+    result_.grid_steps = static_cast<std::size_t>(grid_step_after(spots_.most_failures()));
+    if (start == most_starts || result_.grid_steps > most_grid_steps) give_up();
+    const Mesh snapped = snapped_input();
     pass = run_pass(snapped, options_.level);
     if (pass.unchanged) {
       result_.mesh = snapped;
       return std::move(result_);
     }
-    is_settled = repair(pass.assembly, on_grid);
   }
   count_faces(was_whole, pass.assembly);
   const auto& is_new = pass.assembly.vertex_is_new;
