@@ -8,18 +8,28 @@ namespace {
 
 using namespace transformesh;
 
-void append_mesh(Mesh& all, const Mesh& other) {
+void note_misfits(const std::vector<std::string>& names, const std::string& element,
+                  tool::Run& run) {
+  for (const std::string& name : names)
+    run.note(element + " property '" + name +
+             "' is a list in one input and a number in another: missing in the later one");
+}
+
+void append_mesh(Mesh& all, const Mesh& other, tool::Run& run) {
   const auto offset = static_cast<Index>(all.positions.size());
-  all.vertex_columns.concatenate(other.vertex_columns, all.positions.size(),
-                                 other.positions.size());
-  all.face_columns.concatenate(other.face_columns, all.faces.size(), other.faces.size());
+  note_misfits(all.vertex_columns.concatenate(other.vertex_columns, all.positions.size(),
+                                              other.positions.size()),
+               "vertex", run);
+  note_misfits(
+      all.face_columns.concatenate(other.face_columns, all.faces.size(), other.faces.size()),
+      "face", run);
   all.positions.insert(all.positions.end(), other.positions.begin(), other.positions.end());
   for (const Face& face : other.faces) {
     all.faces.push_back({face[0] + offset, face[1] + offset, face[2] + offset});
   }
 }
 
-void append_element(std::vector<OtherElement>& all, const OtherElement& other) {
+void append_element(std::vector<OtherElement>& all, const OtherElement& other, tool::Run& run) {
   const auto same = std::find_if(all.begin(), all.end(), [&](const OtherElement& element) {
     return element.name == other.name;
   });
@@ -27,7 +37,7 @@ void append_element(std::vector<OtherElement>& all, const OtherElement& other) {
     all.push_back(other);
     return;
   }
-  same->columns.concatenate(other.columns, same->rows, other.rows);
+  note_misfits(same->columns.concatenate(other.columns, same->rows, other.rows), other.name, run);
   same->rows += other.rows;
 }
 
@@ -39,10 +49,10 @@ void append_lines(std::vector<std::string>& all, const std::vector<std::string>&
   }
 }
 
-void append(Document& all, const Document& other) {
-  append_mesh(all.mesh, other.mesh);
+void append(Document& all, const Document& other, tool::Run& run) {
+  append_mesh(all.mesh, other.mesh, run);
   for (const OtherElement& element : other.other_elements) {
-    append_element(all.other_elements, element);
+    append_element(all.other_elements, element, run);
   }
   append_lines(all.style.comments, other.style.comments);
   append_lines(all.style.obj_info, other.style.obj_info);
@@ -51,7 +61,7 @@ void append(Document& all, const Document& other) {
 
 Document concatenate(std::vector<Document> documents, tool::Run& run) {
   Document all = std::move(documents[0]);
-  for (std::size_t i = 1; i < documents.size(); ++i) append(all, documents[i]);
+  for (std::size_t i = 1; i < documents.size(); ++i) append(all, documents[i], run);
   run.report("meshes", documents.size());
   return all;
 }

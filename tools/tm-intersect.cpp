@@ -37,7 +37,6 @@ std::string segment_file(const std::vector<std::pair<Vec3, Vec3>>& segments) {
 }
 
 void count_per_face(Mesh& mesh, const std::vector<FacePair>& pairs) {
-  mesh.face_columns.erase("intersections");
   Column& column = mesh.face_columns.get("intersections", Scalar::int32, mesh.faces.size());
   for (const auto& [f, g] : pairs) {
     ++column.values[f];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace transformesh {
 namespace {
@@ -11,8 +12,22 @@ bool is_color(const Column& column) {
          column.name == "alpha";
 }
 
-bool is_floating(const Column& column) {
-  return column.type == Scalar::float32 || column.type == Scalar::float64;
+bool is_floating(Scalar type) { return type == Scalar::float32 || type == Scalar::float64; }
+
+/// Whether every value of the other type is one of `type`.
+bool holds(Scalar type, Scalar other) {
+  constexpr std::array<int, 8> bits{7, 8, 15, 16, 31, 32, 24, 53};
+  constexpr std::array<bool, 8> is_signed{true, false, true, false, true, false, true, true};
+  const auto [t, o] = std::pair{static_cast<std::size_t>(type), static_cast<std::size_t>(other)};
+  if (is_floating(other) && !is_floating(type)) return false;
+  return bits[t] >= bits[o] && (is_signed[t] || !is_signed[o]);
+}
+
+/// The first type that holds all values of both.
+Scalar united(Scalar first, Scalar second) {
+  for (const Scalar type : {first, second, Scalar::int16, Scalar::int32})
+    if (holds(type, first) && holds(type, second)) return type;
+  return Scalar::float64;
 }
 
 std::uint32_t heaviest_source(const RowBlend& row) {
@@ -32,8 +47,8 @@ void append_list(Column& to, const Column& from, std::uint32_t row) {
 
 double blended_value(const Column& column, const RowBlend& row) {
   if (row.weight[0] == 1) return column.values[row.source[0]];  // to the bit: a sum loses -0
-  const bool rounded = !is_floating(column) && is_color(column);
-  if (!is_floating(column) && !rounded) return column.values[heaviest_source(row)];
+  const bool rounded = !is_floating(column.type) && is_color(column);
+  if (!is_floating(column.type) && !rounded) return column.values[heaviest_source(row)];
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (row.weight[i] != 0) sum += row.weight[i] * column.values[row.source[i]];
@@ -64,6 +79,8 @@ void append_zeros(Column& column, std::size_t rows) {
 }
 
 void append_column(Column& to, const Column& from) {
+  to.type = united(to.type, from.type);
+  if (to.list_count_type) to.list_count_type = united(*to.list_count_type, *from.list_count_type);
   const std::size_t base = to.values.size();
   to.values.insert(to.values.end(), from.values.begin(), from.values.end());
   for (std::size_t i = 1; i < from.list_offsets.size(); ++i) {
@@ -84,9 +101,9 @@ const Column* Columns::find(std::string_view name) const {
 }
 
 Column& Columns::get(std::string_view name, Scalar type, std::size_t rows) {
-  if (Column* column = find(name)) return *column;
-  columns.push_back(Column{std::string(name), type, std::vector<double>(rows, 0.0), {}, {}});
-  return columns.back();
+  Column fresh{std::string(name), type, std::vector<double>(rows, 0.0), {}, {}};
+  if (Column* column = find(name)) return *column = std::move(fresh);
+  return columns.emplace_back(std::move(fresh));
 }
 
 void Columns::erase(std::string_view name) {
@@ -122,7 +139,9 @@ void Columns::append(const RowBlend& row) {
   for (Column& column : columns) append_row(column, column, row);
 }
 
-void Columns::concatenate(const Columns& other, std::size_t rows, std::size_t other_rows) {
+std::vector<std::string> Columns::concatenate(const Columns& other, std::size_t rows,
+                                              std::size_t other_rows) {
+  std::vector<std::string> misfits;
   for (Column& column : columns) {
     const Column* source = other.find(column.name);
     const bool fits =
@@ -131,6 +150,7 @@ void Columns::concatenate(const Columns& other, std::size_t rows, std::size_t ot
       append_column(column, *source);
     } else {
       append_zeros(column, other_rows);
+      if (source) misfits.push_back(column.name);
     }
   }
   for (const Column& column : other.columns) {
@@ -139,6 +159,7 @@ void Columns::concatenate(const Columns& other, std::size_t rows, std::size_t ot
     append_zeros(copy, rows);
     append_column(copy, column);
   }
+  return misfits;
 }
 
 }  // namespace transformesh

@@ -36,7 +36,8 @@ class Columns {
 
   Column* find(std::string_view name);
   const Column* find(std::string_view name) const;
-  /// The column of that name, made with `rows` zeros where missing, which moves the others.
+  /// A column of `rows` zeros, for results: in the place of one that has this name already, whatever
+  /// that holds, else behind the others, which may move them in memory.
   Column& get(std::string_view name, Scalar type, std::size_t rows);
   void erase(std::string_view name);
 
@@ -48,8 +49,10 @@ class Columns {
   /// Appends `row` of this table blended as above: for operations that work in place.
   void append(const RowBlend& row);
   /// Appends all rows of `other` (which has `other_rows`); missing values are zero, empty for
-  /// lists.
-  void concatenate(const Columns& other, std::size_t rows, std::size_t other_rows);
+  /// lists. Types become as wide as both tables need. Returns the names of columns that are lists
+  /// in one table and numbers in the other: their values in `other` are missing too.
+  std::vector<std::string> concatenate(const Columns& other, std::size_t rows,
+                                       std::size_t other_rows);
 };
 
 }  // namespace transformesh

@@ -1,6 +1,7 @@
 /// The four ways in which the library refuses. Every message is one line that says what is wrong,
 /// where (line, byte offset, face and vertex id, coordinate) and what to do next. The frame in
-/// tools/ maps them to the exit codes 2, 3, 4 and 130.
+/// tools/ maps the first three to the exit codes 2, 3 and 4; it cancels nothing, as a signal ends
+/// the process.
 #pragma once
 
 #include <stdexcept>
