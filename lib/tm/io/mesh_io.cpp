@@ -30,7 +30,16 @@ void check_columns(const Columns& columns, std::size_t rows, const std::string& 
   }
 }
 
+void check_finite(const Mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    if (mesh.positions[i].allFinite()) continue;
+    throw GoalError("vertex " + std::to_string(i) +
+                    " would have a coordinate that is not a finite number: no mesh is written");
+  }
+}
+
 void check_writable(const Document& document) {
+  check_finite(document.mesh);
   check_columns(document.mesh.vertex_columns, document.mesh.positions.size(), "vertex");
   check_columns(document.mesh.face_columns, document.mesh.faces.size(), "face");
   for (const OtherElement& other : document.other_elements) {

@@ -31,7 +31,8 @@ struct WriteResult {
 ReadResult read_mesh(std::string_view bytes, const std::string& name);
 
 /// Writes in document.style. Coordinates are rounded to style.coordinate where the format has a
-/// choice; STL holds float. Throws GoalError where rounding overflows to infinity.
+/// choice; STL holds float. Throws GoalError for coordinates that are not finite, or become so by
+/// rounding.
 WriteResult write_mesh(const Document& document);
 
 /// The format that a file name's extension asks for: .ply .off .obj .stl, any case.

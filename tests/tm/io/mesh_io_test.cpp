@@ -1,6 +1,7 @@
 #include <bit>
 #include <clocale>
 #include <cstdint>
+#include <limits>
 
 #include "helpers/random.h"
 #include "tm/io/bytes.h"
@@ -159,4 +160,18 @@ TEST_CASE("mesh io: what is no mesh is refused with its first bytes") {
 
 TEST_CASE("mesh io: a byte order mark in front of text is skipped") {
   CHECK(read_document("\xef\xbb\xbfOFF 1 0 0\n1 2 3\n").mesh.positions.size() == 1);
+}
+
+TEST_CASE("coordinates that are not finite are not written, in any format") {
+  Document document;
+  document.mesh.positions = {{0, 0, 0}, {0, 0, 0}};
+  for (const Format format : all_formats) {
+    document.style.format = format;
+    for (const double value :
+         {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+          std::numeric_limits<double>::quiet_NaN()}) {
+      document.mesh.positions[1].y() = value;
+      CHECK_THROWS_AS(write_mesh(document), GoalError);
+    }
+  }
 }
