@@ -29,7 +29,7 @@ bool is_capable_terminal(int descriptor) {
   return is_terminal(descriptor) && !name.empty() && name != "dumb";
 }
 
-bool has_colour() { return is_capable_terminal(STDERR_FILENO) && environment("NO_COLOR").empty(); }
+bool has_color() { return is_capable_terminal(STDERR_FILENO) && environment("NO_COLOR").empty(); }
 
 void print_raw(const std::string& text) { write_all(STDERR_FILENO, text); }
 
@@ -66,8 +66,8 @@ void Terminal::detail(std::string_view message) {
 
 void Terminal::print(std::string_view message) {
   clear_bar();
-  const bool colour = has_colour();
-  std::string line = (colour ? "\033[1m" : "") + name_ + ":" + (colour ? "\033[0m " : " ");
+  const bool is_colored = has_color();
+  std::string line = (is_colored ? "\033[1m" : "") + name_ + ":" + (is_colored ? "\033[0m " : " ");
   // One message is one line, whatever file names or library texts it holds.
   for (const char character : message) {
     const bool is_control = static_cast<unsigned char>(character) < ' ' || character == '\x7f';

@@ -26,7 +26,7 @@ Target target_of(const Options& options, tool::Run& run) {
   run.progress()("read target");
   Target target = read_target(run.read_bytes(options.target), tool::input_name(options.target));
   if (target.has_estimated_normals) {
-    run.note("the target's points have no normals: estimated from their neighbours");
+    run.note("the target's points have no normals: estimated from their neighbors");
   }
   if (options.step.gap_edges > 0 && target.gaps.empty())
     target.gaps = gap_widths(target, options.step.gap_edges * run.reference_edge(), run.progress());

@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   program.length("tolerance", &tolerance,
                  "join vertices within this distance; 0 joins equal positions only");
   program.flag("orient", &options.orient,
-               "turn faces so that neighbours agree; closed components then look outwards");
+               "turn faces so that neighbors agree; closed components then look outwards");
   program.flag("flip", &options.flip, "reverse all faces");
   return program.filter(argc, argv, [&](Document& document, tool::Run& run) {
     stitch_document(document, options, tolerance, run);

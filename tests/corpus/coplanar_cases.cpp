@@ -80,9 +80,7 @@ Mesh flat_triangle() {
   return mesh;
 }
 
-}  // namespace
-
-void add_coplanar_cases(Cases& cases) {
+void add_slabs(Cases& cases) {
   for (const int count : {2, 3, 5, 8, 20})
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const std::string name = named("boxes", count) + "/" + named("seed", static_cast<long>(seed));
@@ -94,7 +92,9 @@ void add_coplanar_cases(Cases& cases) {
                        [=] { return turned(abutting(count, seed)); }, Outcome::clean, 1, true,
                        1e-16});
     }
+}
 
+void add_copies(Cases& cases) {
   for (const int count : {2, 3, 5}) {
     const std::string name = named("copies", count);
     cases.push_back({"coincident", name + "/cube", [=] { return copies(cube(), count, 0); }});
@@ -111,6 +111,9 @@ void add_coplanar_cases(Cases& cases) {
     cases.push_back({"coincident", name + "/cancelled",
                      [=] { return copies(cube(), count, count); }, Outcome::inside_out});
   }
+}
+
+void add_sheets(Cases& cases) {
   for (const int cells : {1, 3, 6}) {
     const std::string name = named("cells", cells);
     cases.push_back({"coincident", name + "/sheets-in-box", [=] {
@@ -129,6 +132,14 @@ void add_coplanar_cases(Cases& cases) {
   cases.push_back({"coincident", "flat-triangle-and-cube", [] {
                      return joined(flat_triangle(), cuboid({1, 1, -1}, {2, 2, 1}));
                    }});
+}
+
+}  // namespace
+
+void add_coplanar_cases(Cases& cases) {
+  add_slabs(cases);
+  add_copies(cases);
+  add_sheets(cases);
 
   for (const int cells : {3, 4, 8})
     for (const double shift : {1.0, 1.5, 2.0, 3.0})

@@ -73,17 +73,7 @@ Mesh with_flipped_faces(Mesh mesh, int count, std::uint64_t seed) {
   return mesh;
 }
 
-}  // namespace
-
-void add_nesting_cases(Cases& cases) {
-  for (const std::string signs :
-       {"++", "+++++", "+-", "+-+", "+-+-+", "+--+++", "-+", "-++", "++--++", "---++++++"})
-    for (const bool boxes : {false, true}) {
-      const std::string name = signs + (boxes ? "/boxes" : "/balls");
-      cases.push_back({"nested", name, [=] { return shells(signs, boxes); },
-                       signs == "-+" ? Outcome::inside_out : Outcome::clean});
-    }
-
+void add_signed_bodies(Cases& cases) {
   for (const int inverted : {1, 2, 3})
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const std::string name =
@@ -105,8 +95,9 @@ void add_nesting_cases(Cases& cases) {
       cases.push_back({"levels", name + "/balls", [=] { return signed_balls(8, 3, seed); },
                        Outcome::by_winding, level});
     }
-  add_cavities(cases);
+}
 
+void add_wrongly_oriented(Cases& cases) {
   for (int size = 0; size <= 3; ++size) {
     const std::string name = named("ball", size);
     cases.push_back(
@@ -126,6 +117,21 @@ void add_nesting_cases(Cases& cases) {
                      },
                      Outcome::not_oriented});
   }
+}
+
+}  // namespace
+
+void add_nesting_cases(Cases& cases) {
+  for (const std::string signs :
+       {"++", "+++++", "+-", "+-+", "+-+-+", "+--+++", "-+", "-++", "++--++", "---++++++"})
+    for (const bool boxes : {false, true}) {
+      const std::string name = signs + (boxes ? "/boxes" : "/balls");
+      cases.push_back({"nested", name, [=] { return shells(signs, boxes); },
+                       signs == "-+" ? Outcome::inside_out : Outcome::clean});
+    }
+  add_signed_bodies(cases);
+  add_cavities(cases);
+  add_wrongly_oriented(cases);
 }
 
 }  // namespace transformesh::corpus

@@ -23,51 +23,78 @@ struct Count {
   std::vector<long> genera;  // per component, sorted
 };
 
+/// The surface by its halfedges: which vertex of the face left of each is not on it.
+struct Halfedges {
+  std::map<std::pair<Index, Index>, Index> third;
+  std::vector<std::size_t> valence;
+  std::vector<Index> some_neighbour;
+  bool are_unique = true;
+
+  explicit Halfedges(const Mesh& mesh)
+      : valence(mesh.positions.size(), 0), some_neighbour(mesh.positions.size()) {
+    for (const Face& face : mesh.faces)
+      for (int i = 0; i < 3; ++i) {
+        const Index a = face[i];
+        const Index b = face[(i + 1) % 3];
+        if (!third.try_emplace({a, b}, face[(i + 2) % 3]).second || a == b) are_unique = false;
+        ++valence[a];
+        some_neighbour[a] = b;
+      }
+  }
+
+  bool are_paired() const {
+    return are_unique && std::all_of(third.begin(), third.end(), [&](const auto& halfedge) {
+             return third.contains({halfedge.first.second, halfedge.first.first});
+           });
+  }
+
+  /// Whether turning around the vertex meets all of its faces.
+  bool is_one_cycle(Index vertex) const {
+    std::size_t steps = 0;
+    Index neighbour = some_neighbour[vertex];
+    do {
+      neighbour = third.at({vertex, neighbour});
+      ++steps;
+    } while (neighbour != some_neighbour[vertex] && steps <= valence[vertex]);
+    return steps == valence[vertex];
+  }
+
+  /// A vertex that stands for the component of each.
+  std::vector<Index> components() const {
+    std::vector<Index> parent(valence.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](Index v) {
+      while (parent[v] != v) v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    for (const auto& [halfedge, apex] : third) parent[root(halfedge.first)] = root(halfedge.second);
+    for (Index& vertex : parent) vertex = root(vertex);
+    return parent;
+  }
+};
+
 inline Count count(const Mesh& mesh) {
+  const Halfedges halfedges(mesh);
   Count result;
-  std::map<std::pair<Index, Index>, Index> third;  // of the face left of a halfedge
-  std::vector<Index> parent(mesh.positions.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  std::vector<std::size_t> valence(mesh.positions.size(), 0);
-  std::vector<Index> some_neighbour(mesh.positions.size());
-  for (const Face& face : mesh.faces)
-    for (int i = 0; i < 3; ++i) {
-      const Index a = face[i];
-      const Index b = face[(i + 1) % 3];
-      if (!third.try_emplace({a, b}, face[(i + 2) % 3]).second || a == b)
-        result.is_closed_and_oriented = false;
-      parent[root(a)] = root(b);
-      ++valence[a];
-      some_neighbour[a] = b;
-    }
-  for (const auto& [halfedge, apex] : third)
-    if (!third.contains({halfedge.second, halfedge.first})) result.is_closed_and_oriented = false;
+  result.is_closed_and_oriented = halfedges.are_paired();
   if (!result.is_closed_and_oriented) return result;
 
-  std::map<Index, long> euler;
-  for (Index v = 0; v < valence.size(); ++v) {
-    if (valence[v] == 0) {
+  const std::vector<Index> component = halfedges.components();
+  std::map<Index, long> vertices;
+  for (Index v = 0; v < component.size(); ++v) {
+    if (halfedges.valence[v] == 0) {
       result.has_isolated_vertices = true;
       continue;
     }
-    std::size_t steps = 0;
-    Index neighbour = some_neighbour[v];
-    do {
-      neighbour = third.at({v, neighbour});
-      ++steps;
-    } while (neighbour != some_neighbour[v] && steps <= valence[v]);
-    if (steps != valence[v]) result.is_manifold = false;
-    euler[root(v)] += 1;
+    if (!halfedges.is_one_cycle(v)) result.is_manifold = false;
+    ++vertices[component[v]];
   }
-  std::map<Index, long> halfedges;
-  for (const auto& [halfedge, apex] : third) ++halfedges[root(halfedge.first)];
+
+  std::map<Index, long> edges;  // twice
+  for (const auto& [halfedge, apex] : halfedges.third) ++edges[component[halfedge.first]];
   // 3 F = 2 E = H, so V - E + F = V - H / 6.
-  for (const auto& [component, vertices] : euler)
-    result.genera.push_back((2 - vertices + halfedges[component] / 6) / 2);
+  for (const auto& [root, number] : vertices)
+    result.genera.push_back((2 - number + edges[root] / 6) / 2);
   std::sort(result.genera.begin(), result.genera.end());
   return result;
 }

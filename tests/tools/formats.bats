@@ -122,7 +122,7 @@ PLY
     "$BATS_TEST_TMPDIR/a.ply" | grep -qx '0 1 1'
 }
 
-# Files of no known format, and one with a colour that is no number.
+# Files of no known format, and one with a color that is no number.
 is_refused() {
   case $1 in
     *.P3D | */nancolor.obj) true ;;
@@ -180,5 +180,5 @@ is_refused() {
   needs_shared meshes/trimesh/nancolor.obj
   run tm-convert "$shared_file"
   assert_status 3
-  [[ $output == *"the colour of vertex 7 is not a finite number: 'nan'"* ]]
+  [[ $output == *"the color of vertex 7 is not a finite number: 'nan'"* ]]
 }

@@ -56,11 +56,11 @@ class ObjReader {
   void read_vertex() {
     const std::size_t row = mesh().positions.size();
     const auto coordinate = [&] { return "a coordinate of vertex " + std::to_string(row + 1); };
-    const auto color_name = [&] { return "the colour of vertex " + std::to_string(row + 1); };
+    const auto color_name = [&] { return "the color of vertex " + std::to_string(row + 1); };
     const std::size_t words = rows_.words_left();
     if (words != 3 && words != 4 && words != 6) {
       rows_.fail("vertex " + std::to_string(row + 1) + " has " + counted(words, "number") +
-                 "; 3 are needed, 4 with a weight or 6 with a colour");
+                 "; 3 are needed, 4 with a weight or 6 with a color");
     }
     if (row + 1 >= no_index) rows_.fail("more vertices than 32 bits can count");
     Vec3& position = mesh().positions.emplace_back();
@@ -124,7 +124,7 @@ class ObjReader {
     colors_.add_columns(mesh().positions.size(), columns);
     if (colors_.missing_rows() > 0) {
       result_.notes.push_back("obj: " + counted(colors_.missing_rows(), "point") +
-                              " without a colour made black");
+                              " without a color made black");
     }
     const auto is_byte = [](double value) {
       return value >= 0 && value <= 1 && std::round(value * 255) / 255 == value;

@@ -131,14 +131,14 @@ class OffReader {
     }
   }
 
-  /// What the header does not announce but the first vertex has must be a colour.
+  /// What the header does not announce but the first vertex has must be a color.
   void decide_layout(std::size_t words) {
     const std::size_t announced = 3 + (variant_.normal ? 3 : 0) + (variant_.texture ? 2 : 0);
     channels_ = words < announced ? 0 : words - announced;
     if (channels_ == 3 || channels_ == 4 || (channels_ == 0 && !variant_.color)) {
       if (channels_ > 0 && !variant_.color) {
         result_.notes.emplace_back("off: " + std::to_string(channels_) +
-                                   " further numbers of each vertex are read as its colour");
+                                   " further numbers of each vertex are read as its color");
       }
     } else {
       rows_.fail("vertex 0 has " + counted(words, "number") + ", which does not fit the header");
@@ -182,7 +182,7 @@ class OffReader {
     polygons_.move_into(mesh, "off", result_.notes);
   }
 
-  /// Geomview: the index of a colour, or three or four channels.
+  /// Geomview: the index of a color, or three or four channels.
   void read_face_color() {
     const std::size_t words = rows_.words_left();
     if (words == 1 || words == 3 || words == 4) return read_color(words, face_colors_);
@@ -192,8 +192,7 @@ class OffReader {
   void read_color(std::size_t channels, ColorRows& colors) {
     ColorRows::Color color = ColorRows::no_color;
     for (std::size_t i = 0; i < channels; ++i) {
-      color[i] =
-          read_value(&colors == &face_colors_ ? "the colour of face" : "the colour of vertex");
+      color[i] = read_value(&colors == &face_colors_ ? "the color of face" : "the color of vertex");
       colors.see_word(rows_.last_word());
     }
     colors.set(row_, color);
@@ -211,11 +210,11 @@ class OffReader {
     std::vector<std::string>& notes = result_.notes;
     if (face_colors_.missing_rows() > 0) {
       notes.emplace_back("off: " + counted(face_colors_.missing_rows(), "face") +
-                         " without a colour made black");
+                         " without a color made black");
     }
     if (strange_faces_ > 0) {
       notes.emplace_back("off: the numbers behind " + counted(strange_faces_, "face") +
-                         " are no colour, dropped");
+                         " are no color, dropped");
     }
     if (rows_.next_row()) notes.emplace_back("off: what follows the last face is ignored");
     if (rows_.trailing_comments > 0) {
@@ -230,7 +229,7 @@ class OffReader {
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;
   std::size_t row_ = 0;
-  std::size_t channels_ = 0;  ///< numbers that are the colour of a vertex
+  std::size_t channels_ = 0;  ///< numbers that are the color of a vertex
   ColorRows vertex_colors_;
   Columns texture_;
   PolygonFans polygons_;

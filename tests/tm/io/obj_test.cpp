@@ -52,7 +52,7 @@ TEST_CASE("obj: polygons are cut, small faces dropped, the rest is named once") 
                                  "obj: 1 comment behind data left out"});
 }
 
-TEST_CASE("obj: colours from bytes become bytes, others stay decimals") {
+TEST_CASE("obj: colors from bytes become bytes, others stay decimals") {
   const Columns bytes = read_document("v 0 0 0 1 0 0.5019607843137255\n").mesh.vertex_columns;
   CHECK(column(bytes, "blue").type == Scalar::uint8);
   CHECK(column(bytes, "blue").values == std::vector<double>{128});
@@ -73,7 +73,7 @@ TEST_CASE("obj: colours from bytes become bytes, others stay decimals") {
         document.mesh.vertex_columns.find("green")->values);
 
   const ReadResult partial = read_mesh("v 0 0 0 1 1 1\nv 1 0 0\n", "input");
-  CHECK(has_note(partial.notes, "obj: 1 point without a colour made black"));
+  CHECK(has_note(partial.notes, "obj: 1 point without a color made black"));
 }
 
 TEST_CASE("obj: weights are left out, and said") {
@@ -95,11 +95,11 @@ TEST_CASE("obj: errors name the place") {
   CHECK(read_error(points + "f 1 2 3x\n") ==
         "a corner of face 1 is not an index: '3x' (input line 5)");
   CHECK(read_error("v 0 0\n") ==
-        "vertex 1 has 2 numbers; 3 are needed, 4 with a weight or 6 with a colour (input line 1)");
+        "vertex 1 has 2 numbers; 3 are needed, 4 with a weight or 6 with a color (input line 1)");
   CHECK(read_error("v 0 0 nan\n") ==
         "a coordinate of vertex 1 is not a finite number: 'nan' (input line 1)");
   CHECK(read_error("v 0 0 0 nan 0 0\n") ==
-        "the colour of vertex 1 is not a finite number: 'nan' (input line 1)");
+        "the color of vertex 1 is not a finite number: 'nan' (input line 1)");
   CHECK(read_error("v 0,5 0 0\n") ==
         "a coordinate of vertex 1 is not a number: '0,5' (input line 1)");
   CHECK(read_error(points + "quux 1\n") ==

@@ -36,7 +36,7 @@ TEST_CASE("off: counts, comments and blank lines wherever people put them") {
                  "off: 1 comment behind data dropped"));
 }
 
-TEST_CASE("off: normals, colours and texture coordinates of vertices") {
+TEST_CASE("off: normals, colors and texture coordinates of vertices") {
   const std::string text =
       "STCNOFF\n2 0 0\n0 0 0 1 0 0 10 20 30 255 0.5 0.25\n1 0 0 0 0.5 1 11 21 31 0 1 0\n";
   const Document document = read_document(text);
@@ -65,13 +65,13 @@ TEST_CASE("off: an empty mesh keeps its normals") {
   CHECK(rewritten("NOFF\n0 0 0\n") == "NOFF\n0 0 0\n");
 }
 
-TEST_CASE("off: numbers behind plain vertices are a colour, and that is said") {
+TEST_CASE("off: numbers behind plain vertices are a color, and that is said") {
   const ReadResult result = read_mesh("OFF\n1 0 0\n0 0 0 255 0 7\n", "input");
   CHECK(column(result.document.mesh.vertex_columns, "blue").values == std::vector<double>{7});
-  CHECK(has_note(result.notes, "off: 3 further numbers of each vertex are read as its colour"));
+  CHECK(has_note(result.notes, "off: 3 further numbers of each vertex are read as its color"));
 }
 
-TEST_CASE("off: colours of faces as integers, as decimals and as an index") {
+TEST_CASE("off: colors of faces as integers, as decimals and as an index") {
   const std::string start = "OFF\n4 2 0\n" + points;
   const auto faces = [&](const std::string& lines) { return read_document(start + lines).mesh; };
   Mesh mesh = faces("3 0 1 2 255 0 9\n3 0 1 3 1 2 3\n");
@@ -89,13 +89,13 @@ TEST_CASE("off: colours of faces as integers, as decimals and as an index") {
   CHECK(column(mesh.face_columns, "color_index").values == std::vector<double>{7, 8});
 }
 
-TEST_CASE("off: faces without a colour among others are black and opaque, and that is said") {
+TEST_CASE("off: faces without a color among others are black and opaque, and that is said") {
   const ReadResult result =
       read_mesh("OFF\n4 3 0\n" + points + "3 0 1 2\n3 0 1 3 1 2 3 4\n3 1 2 3 5 6 7\n", "input");
   const Columns& columns = result.document.mesh.face_columns;
   CHECK(column(columns, "red").values == std::vector<double>{0, 1, 5});
   CHECK(column(columns, "alpha").values == std::vector<double>{255, 4, 255});
-  CHECK(has_note(result.notes, "off: 1 face without a colour made black"));
+  CHECK(has_note(result.notes, "off: 1 face without a color made black"));
 }
 
 TEST_CASE("off: what cannot be kept is named once") {
@@ -133,7 +133,7 @@ TEST_CASE("off: errors name the place") {
   CHECK(read_error(start + "-3 0 1 2\n") ==
         "the number of corners of face 0 is not a whole number of 0 or more: '-3' (input line 7)");
   CHECK(read_error(start + "3 0 1 2 nan 0 0\n") ==
-        "the colour of face 0 is not a finite number: 'nan' (input line 7)");
+        "the color of face 0 is not a finite number: 'nan' (input line 7)");
   CHECK(read_error(start) == "the data ends before face 0 of 1 (input line 7)");
   CHECK(read_error("OFF\n2 0 0\n0 0 0\n0 inf 0\n") ==
         "a coordinate of vertex 1 is not a finite number: 'inf' (input line 4)");
