@@ -3,7 +3,7 @@
 # shellcheck shell=bash disable=SC2154,SC2034
 
 readonly long_options='--cameras --images --silhouettes --silhouettes-show --threshold --keep --start
-  --sequence --track --output --coarsest
+  --clip --sequence --track --output --coarsest
   --edge --last-edge --passes --iterations --pairs --stiffness --pull --resume --frames --every --csv
   --format --report --threads --progress --no-progress --quiet --verbose --help --version'
 
@@ -26,11 +26,13 @@ Options:
                           the object, or only some of it: then they pull outwards
                           alone (default exact)
   --threshold auto|LEVEL  without masks: grey level above which photographs show
-                          the object (default auto)
+                          the object (default auto; with --start, none)
   --keep largest|all|SHARE
                           components of the hull: of at least this share of the
                           largest one's volume (default largest)
   --start FILE            begin with this mesh, not with the visual hull
+  --clip hull|nothing     of that mesh, keep what is within the hull of exact
+                          silhouettes, or all (default hull)
   --sequence WHERE        reconstruct one time step after the other: a file with
                           a name per line, a folder of folders, or a pattern;
                           {} in other places stands for the name
@@ -93,7 +95,7 @@ parse() {
       option=${option%%=*}
     fi
     case $option in
-      --cameras | --images | --silhouettes | --silhouettes-show | --threshold | --keep | --start | \
+      --cameras | --images | --silhouettes | --silhouettes-show | --threshold | --keep | --start | --clip | \
         --sequence | --track | --output | -o | --coarsest | --edge | --last-edge | --passes | --iterations | \
         --pairs | --stiffness | --pull | --frames | --every | --csv | --format | --report | --threads)
         [ $# -gt 0 ] || fail 2 "$option needs a value"
@@ -122,6 +124,7 @@ set_option() {
     --threshold) threshold=$2 ;;
     --keep) keep=$2 ;;
     --start) start=$2 ;;
+    --clip) clip=$2 ;;
     --sequence) sequence=$2 ;;
     --track) track=$2 ;;
     --output | -o) output=$2 ;;
@@ -152,6 +155,7 @@ check_options() {
     fail 2 "not writing binary PLY to a terminal: name a file with -o"
   [ "$output" != - ] || [ "$resume" = no ] || fail 2 "--resume needs -o OUT: what to continue"
   [[ $meaning =~ ^(exact|least)$ ]] || fail 2 "--silhouettes-show: '$meaning' is neither exact nor least"
+  [[ $clip =~ ^(hull|nothing)$ ]] || fail 2 "--clip: '$clip' is neither hull nor nothing"
   need_number --track "$track" 1
   [ -z "$sequence" ] || check_sequence
   [ "$coarsest" = auto ] || need_number --coarsest "$coarsest" 1

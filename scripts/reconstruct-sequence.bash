@@ -35,8 +35,8 @@ open_sequence() {
   mkdir -p "$output" || fail 5 "cannot make the folder '$output'"
   state=$output/.$name
   settings="sequence $sequence cameras $cameras images $images silhouettes ${silhouettes:-none} \
-show $meaning threshold $threshold keep $keep start ${start:-hull} track $track coarsest $coarsest \
-edge $edge last-edge $last_edge passes $passes iterations $iterations pairs $pairs \
+show $meaning threshold ${threshold:-auto} keep $keep start ${start:-hull} clip $clip track $track \
+coarsest $coarsest edge $edge last-edge $last_edge passes $passes iterations $iterations pairs $pairs \
 stiffness $stiffness pull $pull format ${format:-ply}"
   if [ "$resume" = yes ] && [ -s "$state/settings" ]; then
     [ "$(cat "$state/settings")" = "$settings" ] ||
@@ -86,12 +86,12 @@ make_masks() {
   rm -rf "$state/outlines"
   mkdir "$state/outlines"
   tm-hull --threads "$threads" -q --cameras "${cameras//'{}'/$step}" \
-    --images "${images//'{}'/$step}" --threshold "$threshold" --keep "$keep" \
+    --images "${images//'{}'/$step}" --threshold "${threshold:-auto}" --keep "$keep" \
     --write-outlines "$state/outlines" -o /dev/null || exit $?
 }
 
 # Makes a surface and measures how far it agrees with the masks. Sets start_of_step.
-make_surface() { # hull|before|given [--start FILE] [--coarsest NUMBER]
+make_surface() { # hull|before|given OPTION...
   local of=$1
   shift
   detail "$step: from $of"
@@ -130,7 +130,7 @@ is_hull_better() { # FAULTS-OF-BEFORE
 # A surface that was lost altogether has all faults; no dissimilarity is above 2.
 make_tracked() {
   local code=0
-  make_surface before --start "$before" --coarsest "$track" || code=$?
+  make_surface before --start "$before" --clip nothing --coarsest "$track" || code=$?
   if [ "$code" -eq 0 ]; then return; fi
   if [ "$code" -ne 3 ] && [ "$code" -ne 4 ]; then exit "$code"; fi
   say "time step $number, $(step_name "$step"): the surface before is lost"
@@ -144,7 +144,7 @@ make_step() {
   local found=''
   make_masks
   if [ "$before" = none ] && [ -n "$start" ]; then
-    make_surface given --start "$start" --coarsest "$coarsest" || exit $?
+    make_surface given --start "$start" --clip "$clip" --coarsest "$coarsest" || exit $?
   elif [ "$before" = none ]; then
     make_surface hull --coarsest "$coarsest" || exit $?
   else

@@ -15,8 +15,8 @@ open_state() {
     mkdir -p "$state" || fail 5 "cannot make the folder '$state'"
   fi
   settings="cameras $cameras images $images silhouettes ${silhouettes:-none} show $meaning \
-threshold $threshold keep $keep start ${start:-hull} coarsest $coarsest edge $edge last-edge $last_edge passes $passes \
-iterations $iterations pairs $pairs stiffness $stiffness pull $pull"
+threshold ${threshold:-default} keep $keep start ${start:-hull} clip $clip coarsest $coarsest edge $edge \
+last-edge $last_edge passes $passes iterations $iterations pairs $pairs stiffness $stiffness pull $pull"
   if [ "$resume" = yes ] && [ -s "$state/state" ]; then
     resume_state
   else
@@ -31,7 +31,7 @@ on_exit() {
 }
 
 close_state() {
-  rm -f "$state"/{mesh-0,mesh-1,start,coarse,last}.ply "$state"/{state,settings,levels} \
+  rm -f "$state"/{mesh-0,mesh-1,start,hull,both,coarse,last}.ply "$state"/{state,settings,levels} \
     "$state"/{cameras,start,remesh,step,clean,coverage,final,last,group}.{json,messages}
   rm -rf "$state/outlines"
   rmdir "$state" || fail 5 "cannot remove the folder '$state'"
@@ -89,20 +89,45 @@ make_levels() {
   mv "$state/levels.new" "$state/levels"
 }
 
-# The hull, or the mesh given.
+# The hull; or the mesh given, within the hull where masks show the object exactly. Without masks and
+# with a threshold its outlines are those of the object's hull.
 make_start() {
-  if [ -n "$start" ]; then
-    first_step tm-clean --outermost --threads "$threads" -q --format ply --no-provenance \
-      -o "$state/start.ply" "$start"
-  else
-    local from=(--silhouettes "$silhouettes")
-    if [ -z "$silhouettes" ]; then
-      mkdir -p "$state/outlines"
-      from=(--images "$images" --threshold "$threshold" --write-outlines "$state/outlines")
-    fi
-    first_step tm-hull --threads "$threads" -q --cameras "$cameras" "${from[@]}" \
-      --keep "$keep" --edge "$(awk -v p="$pixel_size" 'BEGIN { print 3 * p }')" -o "$state/start.ply"
+  if [ -z "$start" ]; then
+    make_hull "$state/start.ply" "$keep"
+    return
   fi
+  first_step tm-clean --outermost --threads "$threads" -q --format ply --no-provenance \
+    -o "$state/start.ply" "$start"
+  if [ -n "$silhouettes" ] && [ "$meaning$clip" = exacthull ]; then
+    clip_start
+  elif [ -z "$silhouettes" ] && [ -n "$threshold" ]; then
+    make_hull /dev/null "$keep"
+  fi
+}
+
+make_hull() { # FILE COMPONENTS
+  local from=(--silhouettes "$silhouettes")
+  if [ -z "$silhouettes" ]; then
+    mkdir -p "$state/outlines"
+    from=(--images "$images" --threshold "${threshold:-auto}" --write-outlines "$state/outlines")
+  fi
+  first_step tm-hull --threads "$threads" -q --cameras "$cameras" "${from[@]}" \
+    --keep "$2" --edge "$(scaled 3 "$pixel_size")" -o "$1"
+}
+
+# The exact intersection of start and hull.
+clip_start() {
+  local code=0
+  make_hull "$state/hull.ply" all
+  first_step tm-cat -q --threads "$threads" -o "$state/both.ply" "$state"/{start,hull}.ply
+  tm-clean --level 2 --outermost --threads "$threads" -q --format ply --no-provenance \
+    -o "$state/start.ply" "$state/both.ply" 2>"$state/clean.messages" || code=$?
+  if [ "$code" -eq 0 ]; then return; fi
+  [ "$code" -eq 4 ] || cat "$state/clean.messages" >&2
+  close_state
+  [ "$code" -ne 4 ] ||
+    fail 4 "nothing of '$start' is within the hull of the silhouettes; see --clip"
+  exit "$code"
 }
 
 begin_level() {

@@ -90,3 +90,13 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
   one_line "$stderr"
   [ ! -e out ]
 }
+
+@test "from a rough mesh around sparse points: two balls come apart" {
+  [ -x "$tm_build/bin/tm-photo-step" ] || skip "built without OpenCV"
+  TM_BUILD=$tm_build "$tm_root/scripts/experiments/rough-start" out balls >table
+  IFS=, read -r name points alpha start _ _ result _ _ reference _ <out/balls/row.csv
+  [ "$name $points $start $result $reference" = "balls 300 1/0 2/0 2/0" ]
+  awk -v a="$alpha" 'BEGIN { exit !(a > 0) }'
+  [ "$(find out/balls/renders -name "*.png" | wc -l)" -eq 72 ]
+  [ "$(grep -c '<img' out/index.html)" -ge 4 ]
+}

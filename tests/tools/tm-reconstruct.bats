@@ -74,12 +74,21 @@ compared() { # KEY MESH
   [ ! -e out.ply.tm-reconstruct ]
 }
 
-@test "a filter that fails ends the loop with its message and code" {
+# The built filters, but tm-photo-step notes how it was called.
+noting_filters() {
   mkdir filters
   cp "$tm_root"/scripts/{tm-reconstruct,loop.bash,reconstruct-*.bash} filters/
-  for filter in tm-hull tm-cameras tm-clean tm-remesh tm-convert tm-info; do
+  for filter in tm-hull tm-cameras tm-cat tm-clean tm-remesh tm-convert tm-info; do
     ln -s "$tm_build/bin/$filter" "filters/$filter"
   done
+  printf '#!/bin/bash\necho "$@" >>%q\nexec %q "$@"\n' "$PWD/calls" "$tm_build/bin/tm-photo-step" \
+    >filters/tm-photo-step
+  chmod +x filters/tm-photo-step
+}
+
+@test "a filter that fails ends the loop with its message and code" {
+  noting_filters
+  rm filters/tm-photo-step
   cat >filters/tm-photo-step <<STUB
 #!/bin/bash
 echo >>$PWD/calls
@@ -117,10 +126,47 @@ STUB
   tm-photograph --ring 16 --size 160x120 --finest 4 --coarsest 20 --write-images images \
     --write-silhouettes masks -o par.txt truth.ply
   tm-shape ellipsoid 48 23 23 --faces 3000 -o start.ply
-  tm-reconstruct --cameras par.txt --images images --silhouettes masks --start start.ply -q -o out.ply
+  tm-reconstruct --cameras par.txt --images images --silhouettes masks --start start.ply --clip nothing \
+    -q -o out.ply
   [ "$(tm-info --get components out.ply)" -eq 2 ]
   [ "$(tm-info --get genus out.ply)" -eq 0 ]
   tm-intersect --check out.ply
+}
+
+@test "a start is clipped by the hull of exact masks, and only by that" {
+  tm-shape ellipsoid 80 65 65 --faces 3000 -o start.ply
+  few=(--start start.ply --coarsest 4 --passes 1 -q -o out.ply --csv log.csv)
+  outside() { awk -F, 'NR == 2 { print $12 }' log.csv; }
+  "${reconstruct[@]}" "${few[@]}"
+  [ "$(outside)" -lt 10 ]
+  "${reconstruct[@]}" "${few[@]}" --clip nothing
+  [ "$(outside)" -gt 100 ] || fail "$(cat log.csv)"
+  # Of masks that show only some of the object the hull may be too small.
+  "${reconstruct[@]}" "${few[@]}" --silhouettes-show least --frames frames
+  awk -v a="$(tm-info --get volume frames/frame-00000.ply)" -v b="$(tm-info --get volume start.ply)" \
+    'BEGIN { exit !(a > 0.9 * b) }'
+
+  tm-shape sphere --radius 30 --center 500,0,0 -o elsewhere.ply
+  run --separate-stderr "${reconstruct[@]}" --start elsewhere.ply -o nothing.ply
+  assert_status 4
+  one_line "$stderr"
+  [[ $stderr == *"elsewhere.ply"*"--clip"* ]]
+  [ ! -e nothing.ply ] && [ ! -e nothing.ply.tm-reconstruct ]
+  run --separate-stderr "${reconstruct[@]}" --start start.ply --clip all -o nothing.ply
+  assert_status 2
+}
+
+@test "with a start, outlines come from a threshold that is given, and no background is supposed" {
+  noting_filters
+  few=(filters/tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images" --start "$scene/whole.ply"
+    --coarsest 2 --passes 1 -q -o out.ply)
+  "${few[@]}"
+  run grep -e --silhouettes calls
+  [ "$status" -eq 1 ]
+  rm calls
+  "${few[@]}" --threshold auto
+  run grep -v -e '--silhouettes-show least' calls
+  [ "$status" -eq 1 ]
 }
 
 @test "bad input is refused before anything is left behind" {
@@ -190,6 +236,41 @@ CSV
   "${sequence[@]}" --threads 1 -o parts --csv parts.csv --resume -q
   for step in 8 9 10; do cmp "parts/$step.ply" "whole/$step.ply"; done
   cmp <(cut -d, -f1-13 parts.csv) <(cut -d, -f1-13 whole.csv)
+}
+
+# take_from NUMBER X: a ball at X, by cameras that look there.
+take_from() {
+  mkdir -p "film/$1"/{images,masks}
+  tm-shape sphere --radius 20 --faces 5000 --center "$2,0,0" -o "film/$1/truth.ply"
+  tm-photograph --ring 12 --distance 500 --size 160x120 --finest 5 --coarsest 20 \
+    --write-images "film/$1/images" --write-silhouettes "film/$1/masks" -o "film/$1/par.txt" \
+    "film/$1/truth.ply"
+}
+
+@test "a sequence: a surface that no view sees any more, or that all views see elsewhere, comes from the hull" {
+  # Cameras and ball moved on: no view sees where the ball was. Then they stay, and the ball jumps.
+  take_from 1 0
+  take_from 2 900
+  cp -r film/2 film/3
+  tm-shape sphere --radius 20 --faces 5000 --center 845,0,0 -o film/3/truth.ply
+  tm-photograph --cameras film/2/par.txt --size 160x120 --finest 5 --coarsest 20 \
+    --write-images film/3/images --write-silhouettes film/3/masks -o film/3/par.txt film/3/truth.ply
+  tm-reconstruct --sequence film --cameras '{}/par.txt' --images '{}/images' --silhouettes '{}/masks' \
+    -o out --csv log.csv 2>messages
+  grep -q 'time step 2, 2: the surface before is lost' messages
+  diff <(cut -d, -f1-4,7,8 log.csv) - <<'CSV'
+step,name,start,accepted,components,genus
+1,1,hull,yes,1,0
+2,2,hull,yes,1,0
+3,3,hull,yes,1,0
+CSV
+  for step in 1 2 3; do
+    tm-checkmanifold --closed "out/$step.ply" >/dev/null
+    # A pixel is 0.92 wide.
+    below "$(tm-compare --reference "film/$step/truth.ply" "out/$step.ply" |
+      awk '/^accuracy:/ { print $2 }')" 0.92
+  done
+  [ "$(find out -mindepth 1 | wc -l)" -eq 3 ]
 }
 
 @test "a sequence that names no time steps, or no places for them, is refused" {
