@@ -1,5 +1,8 @@
 #include "photo_options.h"
 
+#include "tm/support/error.h"
+#include "tm/support/length.h"
+
 namespace transformesh::tool {
 namespace {
 
@@ -56,6 +59,11 @@ void declare_photo_step(Program& program, PhotoOptions& options) {
 
 PhotoScene read_scene(const PhotoOptions& options) {
   PairOptions pairs = options.pairs;
+  if (!(pairs.minimum_angle_deg < pairs.maximum_angle_deg)) {
+    throw UsageError("--min-angle " + shortest_text(pairs.minimum_angle_deg) +
+                     " is not below --max-angle " + shortest_text(pairs.maximum_angle_deg) +
+                     ": no angle is between them");
+  }
   pairs.neighbors = static_cast<std::size_t>(options.neighbors);
   return photo_scene(views_from(options.sources), options.scale, pairs);
 }

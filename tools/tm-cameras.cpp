@@ -22,8 +22,8 @@ struct Options {
 
 CameraList read(const std::string& where, const Options& options, tool::Run& run) {
   run.progress()("reading cameras");
-  CameraList list =
-      where == "-" ? parse_cameras(run.read_bytes("-"), "standard input") : cameras_from(where);
+  CameraList list = where == "-" ? parse_cameras(run.read_bytes("-"), "standard input", "camera")
+                                 : cameras_from(where);
   run.report("cameras", list.cameras.size());
   if (options.images.empty()) return list;
   run.progress()("reading images");

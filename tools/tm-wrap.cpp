@@ -4,8 +4,8 @@
 
 #include "streams.h"
 #include "tm/evolve/target_file.h"
-#include "tm/mesh/measure.h"
 #include "tm/support/error.h"
+#include "tm/views/unit_scale.h"
 #include "tm/views/wrap.h"
 #include "tool.h"
 
@@ -31,19 +31,20 @@ Mesh wrap_positions(const std::vector<Vec3>& positions, const Options& options, 
 Document wrap(const std::string& input, const Options& options, tool::Run& run) {
   run.progress()("read");
   const std::string name = tool::input_name(input);
-  const Target cloud = read_target(run.read_bytes(input), name);
-  const bool has_normals = !cloud.is_mesh() && !cloud.has_estimated_normals;
-  if (options.method == "poisson" && !has_normals)
+  const Mesh cloud = read_mesh_or_points(run.read_bytes(input), name);
+  const std::vector<Vec3> normals =
+      cloud.faces.empty() ? stored_normals(cloud) : std::vector<Vec3>();
+  if (options.method == "poisson" && normals.empty())
     throw InputError(name + ": the points have no normals, which --method poisson needs");
-  run.set_basis(bounding_box(cloud.mesh).diagonal());
-  const bool is_poisson = options.method == "poisson" || (options.method == "auto" && has_normals);
-  run.report("points", cloud.mesh.positions.size());
+  run.set_basis(diagonal_of(cloud.positions));
+  const bool is_poisson = options.method != "alpha" && !normals.empty();
+  run.report("points", cloud.positions.size());
   run.report("method", is_poisson ? "poisson" : "alpha");
 
   run.progress()("wrap");
   Document document;
-  document.mesh = is_poisson ? poisson_wrap(cloud.mesh.positions, cloud.normals)
-                             : wrap_positions(cloud.mesh.positions, options, run);
+  document.mesh = is_poisson ? poisson_wrap(cloud.positions, normals)
+                             : wrap_positions(cloud.positions, options, run);
   return document;
 }
 

@@ -187,6 +187,36 @@ CASES
   [[ $stderr == *"in.txt line 2"*"name the images"* ]]
 }
 
+@test "tm-cameras: matrices from standard input have names that every format takes" {
+  two_cameras | tm-cameras --format matrices | grep -v '^#' >two.txt
+  head -n 3 two.txt >one.txt
+  [ "$(tm-cameras <one.txt | awk 'NR > 1 { print $1 }')" = camera ]
+  [ "$(tm-cameras <two.txt | awk 'NR > 1 { print $1 }' | tr '\n' ' ')" = 'camera-1 camera-2 ' ]
+  [ "$(tm-cameras one.txt | awk 'NR > 1 { print $1 }')" = one ]
+  diff <(tm-cameras <one.txt | cut -d' ' -f2-) <(tm-cameras one.txt | cut -d' ' -f2-)
+}
+
+@test "tm-cameras: a line of COLMAP cut short: what is missing, and names that cannot harm a terminal" {
+  mkdir model
+  refused() { # CAMERAS IMAGES MESSAGE
+    printf "$1" >model/cameras.txt
+    printf "$2" >model/images.txt
+    run --separate-stderr tm-cameras model
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr == *"$3"* ]] || fail "$stderr"
+    [[ $stderr != *$'\e'* ]]
+  }
+  lens='1 PINHOLE 160 120 300 300 80 60\n'
+  refused "$lens" '7 1 0 0 0 0 0 5\n' "the camera of image '7' is missing"
+  refused "$lens" '7 1 0 0 0 0 0 5 1\n' "the name of image '7' is missing"
+  refused "$lens" '7 1 0 0 0 0 0\n' "tz of image '7' is missing"
+  refused "$lens" '\e[31m 1 0 0 0 0 0 5 2 a.png\n' "image '\\x1b[31m'"
+  refused '1\n' '7 1 0 0 0 0 0 5 1 a.png\n' "the model of camera '1' is missing"
+  refused '\e[31m PINHOLE 160 120 0 300 80 60\n' '7 1 0 0 0 0 0 5 1 a.png\n' "camera '\\x1b[31m'"
+  refused "$lens" '7 1 0 0 0 0 0 5 1 \ea.png\n\n8 1 0 0 0 0 0 5 1 \ea.png\n\n' "'\\x1ba.png'"
+}
+
 @test "tm-cameras: a JPEG gives its size, a broken one is refused" {
   printf '1\na.jpg 300 0 3 0 300 3 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5\n' >in.txt
   # 8 x 6 pixels of grey.

@@ -110,3 +110,12 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
   assert_status 3
   one_line "$stderr"
 }
+
+@test "angles that no pair can have are refused, and both options named" {
+  for angles in '--min-angle 60' '--max-angle 4' '--min-angle 20 --max-angle 10'; do
+    run --separate-stderr tm-photo-step --cameras none --images none $angles < <(tetrahedron)
+    [[ $stderr == *--min-angle*--max-angle* ]] || fail "$stderr"
+    assert_status 2
+    one_line "$stderr"
+  done
+}

@@ -64,3 +64,38 @@ setup() {
   assert_status 3
   one_line "$stderr"
 }
+
+@test "coordinates that no square fits, and all that are too few: an answer, or exit 3 and one line" {
+  for scale in 1e-320 1e-200 1e154 1e200 1e308; do
+    awk -v s=$scale 'NR % 40 == 0 { printf "%.17g %.17g %.17g\n", s * $1, s * $2, s * $3 }' \
+      points.xyz >cloud.xyz
+    printf "$scale 0 0\n%.0s" 1 2 3 4 5 >same.xyz
+    printf "$scale 0 0\n0 $scale 0\n" >two.xyz
+    echo "$scale $scale 0" >one.xyz
+    for points in cloud same two one; do
+      awk '{ print $0, 0, 0, 1 }' $points.xyz >$points-normals.xyz
+      for file in $points $points-normals; do
+        run --separate-stderr timeout 60 tm-wrap $file.xyz -o wrap.ply
+        case $status in
+          0) tm-checkmanifold --closed wrap.ply ;;
+          3 | 4) one_line "$stderr" ;;
+          *) fail "$file at $scale: exit code $status" ;;
+        esac
+      done
+    done
+  done
+}
+
+@test "messages are about points, not about a target; a mesh inside out has vertices as well" {
+  printf 'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n' >none.ply
+  run --separate-stderr tm-wrap none.ply
+  assert_status 3
+  [[ $stderr != *target* ]]
+  printf '0 0 0 nan 0 1\n' >nan.xyz
+  run --separate-stderr tm-wrap nan.xyz
+  assert_status 3
+  [[ $stderr != *target* ]]
+  # No normals have to be estimated.
+  echo 1 2 3 | tm-wrap --alpha 0.2 --offset 0.1 | tm-checkmanifold --closed >/dev/null
+  tm-shape sphere --faces 320 | tm-stitch --flip | tm-wrap --alpha 20% | tm-checkmanifold --closed >/dev/null
+}

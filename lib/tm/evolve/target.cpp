@@ -33,7 +33,7 @@ std::vector<Vec3> column_normals(const Mesh& mesh, const std::array<const Column
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vec3 normal(columns[0]->values[v], columns[1]->values[v], columns[2]->values[v]);
     if (!normal.allFinite()) {
-      throw InputError("the normal of target point " + std::to_string(v) + " is not finite");
+      throw InputError("the normal of point " + std::to_string(v) + " is not finite");
     }
     // What has unit length stays as it is, so that a target reads back the same.
     const bool is_unit = std::abs(normal.squaredNorm() - 1) < 1e-15;
@@ -43,15 +43,9 @@ std::vector<Vec3> column_normals(const Mesh& mesh, const std::array<const Column
 }
 
 void add_point_normals(Target& target) {
-  std::array<const Column*, 3> columns{};
-  bool has_normals = true;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    columns[axis] = target.mesh.vertex_columns.find(normal_names[axis]);
-    has_normals = has_normals && columns[axis] != nullptr && !columns[axis]->list_count_type;
-  }
-  target.has_estimated_normals = !has_normals;
-  target.normals =
-      has_normals ? column_normals(target.mesh, columns) : estimate_normals(target.mesh.positions);
+  target.normals = stored_normals(target.mesh);
+  target.has_estimated_normals = target.normals.empty();
+  if (target.normals.empty()) target.normals = estimate_normals(target.mesh.positions);
 }
 
 }  // namespace
@@ -69,6 +63,15 @@ Target make_target(Mesh mesh) {
   }
   refuse_inside_out(target.mesh);
   return target;
+}
+
+std::vector<Vec3> stored_normals(const Mesh& mesh) {
+  std::array<const Column*, 3> columns{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    columns[axis] = mesh.vertex_columns.find(normal_names[axis]);
+    if (columns[axis] == nullptr || columns[axis]->list_count_type) return {};
+  }
+  return column_normals(mesh, columns);
 }
 
 void set_normal_columns(Mesh& mesh, const std::vector<Vec3>& normals) {

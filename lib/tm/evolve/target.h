@@ -26,6 +26,10 @@ struct Target {
 /// it would be outside), and for normals that are not finite.
 Target make_target(Mesh mesh);
 
+/// The vertex columns nx ny nz, of unit length or zero; nothing where one is missing. Throws
+/// InputError for normals that are not finite.
+std::vector<Vec3> stored_normals(const Mesh& mesh);
+
 /// Stores normals as the vertex columns nx ny nz, from where make_target takes those of points.
 void set_normal_columns(Mesh& mesh, const std::vector<Vec3>& normals);
 

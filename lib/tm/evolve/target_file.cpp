@@ -30,6 +30,11 @@ Target read_target(std::string_view bytes, const std::string& name) {
   return target;
 }
 
+Mesh read_mesh_or_points(std::string_view bytes, const std::string& name) {
+  const Source source{bytes, name};
+  return is_point_text(source) ? read_point_text(source) : read_mesh(bytes, name).document.mesh;
+}
+
 std::string write_target(const Target& target) {
   Document document;
   document.mesh.positions = target.mesh.positions;

@@ -2,12 +2,14 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "tm/geometry/ray_winding.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
+#include "tm/views/unit_scale.h"
 #include "tm/views/wrap.h"
 #include "tm/views/wrap_result.h"
 
@@ -29,12 +31,6 @@ constexpr double most_hollow = 0.05;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Cloud = std::vector<Kernel::Point_3>;
-
-double diagonal_of(std::span<const Vec3> points) {
-  Mesh cloud;
-  cloud.positions.assign(points.begin(), points.end());
-  return bounding_box(cloud).diagonal();
-}
 
 Mesh mesh_of(const Surface& surface) {
   Mesh mesh;
@@ -96,12 +92,20 @@ AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& optio
   const double offset = options.offset > 0 ? options.offset : offset_by_diagonal * diagonal;
   if (!(offset > 0 && (options.alpha > 0 || diagonal > 0)))
     throw InputError("the points are all in one place: give alpha and the offset as lengths");
+  const double finest = options.alpha > 0 ? std::min(options.alpha, offset) : offset;
+  const double largest = std::max({diagonal, options.alpha, offset});
+  const UnitScale scale(largest);
+  check_detail(points, finest, largest);
 
   Cloud cloud;
-  for (const Vec3& point : points) cloud.emplace_back(point.x(), point.y(), point.z());
-  AlphaWrap result = options.alpha > 0 ? wrap(cloud, options.alpha, offset)
-                                       : tightest_wrap(cloud, diagonal, offset);
+  for (const Vec3& point : scale.to_unit(points))
+    cloud.emplace_back(point.x(), point.y(), point.z());
+  const double unit_offset = scale.to_unit(offset);
+  AlphaWrap result = options.alpha > 0 ? wrap(cloud, scale.to_unit(options.alpha), unit_offset)
+                                       : tightest_wrap(cloud, scale.to_unit(diagonal), unit_offset);
   check_wrap(result.mesh);
+  scale.from_unit(result.mesh);
+  result.alpha = scale.from_unit(result.alpha);
   return result;
 }
 

@@ -43,7 +43,8 @@ void check_names(const CameraList& list) {
   std::set<std::string_view> names;
   for (const CameraRecord& record : list.cameras) {
     if (!names.insert(record.name).second) {
-      throw InputError("a second camera is called '" + record.name + "' (" + record.place + ")");
+      throw InputError("a second camera is called " + transformesh::quoted(record.name) + " (" +
+                       record.place + ")");
     }
   }
 }
@@ -51,13 +52,13 @@ void check_names(const CameraList& list) {
 void check_complete(const CameraList& list) {
   for (const CameraRecord& record : list.cameras) {
     if (!record.is_centered) continue;
-    throw InputError("the principal point of '" + record.name +
-                     "' is the center of an image of unknown size (" + record.place +
+    throw InputError("the principal point of " + transformesh::quoted(record.name) +
+                     " is the center of an image of unknown size (" + record.place +
                      "): name the images");
   }
 }
 
-CameraList parse(const Source& source, CameraFormat format) {
+CameraList parse(const Source& source, CameraFormat format, const std::string& stem) {
   switch (format) {
     case CameraFormat::middlebury:
       return read_middlebury(source);
@@ -68,7 +69,7 @@ CameraList parse(const Source& source, CameraFormat format) {
     case CameraFormat::matrices:
       break;
   }
-  return read_matrices(source);
+  return read_matrices(source, stem);
 }
 
 CameraFormat known_format(const Source& source) {
@@ -134,7 +135,7 @@ void append(CameraList& list, CameraList further) {
 CameraList read_file(const std::string& path) {
   const std::string bytes = file_bytes(path);
   const Source source{bytes, path};
-  return parse(source, known_format(source));
+  return parse(source, known_format(source), stem_of(path));
 }
 
 }  // namespace
@@ -152,9 +153,9 @@ std::optional<CameraFormat> camera_format(std::string_view bytes) {
   return {};
 }
 
-CameraList parse_cameras(std::string_view bytes, const std::string& name) {
+CameraList parse_cameras(std::string_view bytes, const std::string& name, const std::string& stem) {
   const Source source{bytes, name};
-  CameraList list = parse(source, known_format(source));
+  CameraList list = parse(source, known_format(source), stem.empty() ? stem_of(name) : stem);
   check_names(list);
   return list;
 }

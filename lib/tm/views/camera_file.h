@@ -25,8 +25,10 @@ enum class CameraFormat { middlebury, colmap, bundler, matrices };
 /// None where the beginning looks like no camera file.
 std::optional<CameraFormat> camera_format(std::string_view bytes);
 
-/// The cameras of a text, which is complete in itself.
-CameraList parse_cameras(std::string_view bytes, const std::string& name);
+/// The cameras of a text, which is complete in itself; `name` is the text's, for messages. Matrices
+/// without names are called after `stem`, or else the stem of `name`.
+CameraList parse_cameras(std::string_view bytes, const std::string& name,
+                         const std::string& stem = {});
 
 /// The cameras of a file, a folder or a pattern, in order: several matrix files in natural order.
 /// Of a folder the files are taken that look like camera files, which must be of one format.

@@ -10,7 +10,8 @@ namespace transformesh {
 
 CameraList read_middlebury(const Source& source);
 CameraList read_bundler(const Source& source);
-CameraList read_matrices(const Source& source);
+/// Cameras without a name are called after the stem.
+CameraList read_matrices(const Source& source, const std::string& stem);
 /// Cameras and images in one text.
 CameraList read_colmap(const Source& source);
 /// In two texts.

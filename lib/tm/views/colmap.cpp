@@ -45,7 +45,8 @@ int read_side(TextRows& rows, const char* name, const std::string& who) {
 // The center of the first pixel is 0.5, 0.5 for COLMAP, and 0, 0 here.
 void read_lens(TextRows& rows, Lenses& lenses) {
   const std::string id(rows.word());
-  const std::string who = "camera " + id;
+  const std::string who = "camera " + quoted(id);
+  if (!rows.has_more()) rows.fail("the model of " + who + " is missing");
   const std::string model(rows.word());
   if (model != "PINHOLE" && model != "SIMPLE_PINHOLE") {
     rows.fail(who + " has the model " + quoted(model) +
@@ -81,12 +82,13 @@ Eigen::Matrix3d read_rotation(TextRows& rows, const std::string& who) {
 CameraRecord read_image(TextRows& rows, const Source& source, const Lenses& lenses) {
   CameraRecord record;
   record.place = place_of(rows, source);
-  const std::string who = "image " + std::string(rows.word());
+  const std::string who = "image " + quoted(rows.word());
   record.camera.rotation = read_rotation(rows, who);
   for (int i = 0; i < 3; ++i) {
     constexpr std::array names{"tx", "ty", "tz"};
     record.camera.translation[i] = read_parameter(rows, names[static_cast<std::size_t>(i)], who);
   }
+  if (!rows.has_more()) rows.fail("the camera of " + who + " is missing");
   const std::string_view id = rows.word();
   const auto lens = lenses.find(id);
   if (lens == lenses.end())

@@ -21,12 +21,12 @@ std::size_t lens_of(const CameraList& list, const CameraRecord& record) {
 
 void check(const CameraRecord& record) {
   if (record.width == 0) {
-    throw InputError("COLMAP needs the sizes of the images, which are not known for '" +
-                     record.name + "' (" + record.place + "): name the images");
+    throw InputError("COLMAP needs the sizes of the images, which are not known for " +
+                     quoted(record.name) + " (" + record.place + "): name the images");
   }
   if (record.camera.intrinsics(0, 1) != 0) {
-    throw InputError("COLMAP's pinhole has no skew, but the camera of '" + record.name + "' has (" +
-                     record.place + ")");
+    throw InputError("COLMAP's pinhole has no skew, but the camera of " + quoted(record.name) +
+                     " has (" + record.place + ")");
   }
 }
 

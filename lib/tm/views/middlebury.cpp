@@ -90,8 +90,8 @@ std::string write_middlebury(const CameraList& list) {
   text.add('\n');
   for (const CameraRecord& record : list.cameras) {
     if (record.name.find_first_of(" \t#") != std::string::npos) {
-      throw InputError("a name in a Middlebury camera file has no blank and no #: '" + record.name +
-                       "' (" + record.place + ")");
+      throw InputError("a name in a Middlebury camera file has no blank and no #: " +
+                       quoted(record.name) + " (" + record.place + ")");
     }
     text.add(record.name);
     add_matrix(text, record.camera.intrinsics);

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iostream>
 #include <utility>
 #include <vector>
 
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 #include "tm/views/marching_tetrahedra.h"
+#include "tm/views/unit_scale.h"
 #include "tm/views/wrap.h"
 #include "tm/views/wrap_result.h"
 
@@ -57,12 +59,24 @@ bool is_in_plane(const std::vector<Oriented>& cloud) {
   });
 }
 
-Box box_of(const std::vector<Oriented>& cloud) {
-  Mesh points;
-  for (const auto& [point, normal] : cloud)
-    points.positions.emplace_back(point.x(), point.y(), point.z());
-  return bounding_box(points);
+std::vector<Vec3> positions_of(const std::vector<Oriented>& cloud) {
+  std::vector<Vec3> positions;
+  positions.reserve(cloud.size());
+  for (const auto& [point, normal] : cloud) positions.emplace_back(point.x(), point.y(), point.z());
+  return positions;
 }
+
+/// CGAL says on std::cerr what cannot be solved; here an exception does.
+class SilentErrors {
+ public:
+  SilentErrors() : before_(std::cerr.rdstate()) { std::cerr.setstate(std::ios::failbit); }
+  ~SilentErrors() { std::cerr.clear(before_); }
+  SilentErrors(const SilentErrors&) = delete;
+  SilentErrors& operator=(const SilentErrors&) = delete;
+
+ private:
+  std::ios::iostate before_;
+};
 
 float value_at(const Function& function, const ValueGrid& grid,
                const std::array<std::size_t, 3>& site) {
@@ -103,25 +117,35 @@ ValueGrid sampled(const Function& function, const Box& box, double cell) {
   return grid;
 }
 
-}  // namespace
-
-Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals) {
-  std::vector<Oriented> cloud = oriented_points(points, normals);
-  if (cloud.size() < 4) throw InputError("fewer than four points have normals");
-  if (is_in_plane(cloud)) throw InputError("all points lie in one plane");
-  const Box box = box_of(cloud);
+/// Empty where there is no such function.
+Mesh unit_wrap(const std::vector<Oriented>& cloud) {
+  Mesh points;
+  points.positions = positions_of(cloud);
+  const Box box = bounding_box(points);
   const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(
       cloud, neighbors, CGAL::parameters::point_map(PointMap()));
   const double cell =
       std::clamp(spacing, box.diagonal() / most_cells, box.diagonal() / least_cells);
 
+  const SilentErrors silence;
   Function function(cloud.begin(), cloud.end(), PointMap(), NormalMap());
-  Mesh mesh;
-  if (function.compute_implicit_function()) {
-    check_normals(function, cloud, spacing / 2);
-    mesh = march_tetrahedra(sampled(function, box, cell));
-  }
+  if (!function.compute_implicit_function()) return {};
+  check_normals(function, cloud, spacing / 2);
+  return march_tetrahedra(sampled(function, box, cell));
+}
+
+}  // namespace
+
+Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals) {
+  const std::vector<Oriented> given = oriented_points(points, normals);
+  if (given.size() < 4) throw InputError("fewer than four points have normals");
+  if (is_in_plane(given)) throw InputError("all points lie in one plane");
+  const double diagonal = diagonal_of(positions_of(given));
+  const UnitScale scale(diagonal);
+  check_detail(positions_of(given), diagonal / most_cells, diagonal);
+  Mesh mesh = unit_wrap(oriented_points(scale.to_unit(points), normals));
   check_wrap(mesh);
+  scale.from_unit(mesh);
   return mesh;
 }
 

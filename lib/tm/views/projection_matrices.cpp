@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "tm/views/camera_formats.h"
-#include "tm/views/file_list.h"
 
 namespace transformesh {
 namespace {
@@ -54,7 +53,7 @@ Projection read_projection(TextRows& rows, const std::string& who) {
 
 }  // namespace
 
-CameraList read_matrices(const Source& source) {
+CameraList read_matrices(const Source& source, const std::string& stem) {
   TextRows rows(source, 0, rules);
   CameraList list;
   while (rows.next_row()) {
@@ -66,8 +65,7 @@ CameraList read_matrices(const Source& source) {
     CameraRecord record;
     record.place = place_of(rows, source);
     const std::string number = std::to_string(list.cameras.size() + 1);
-    record.name =
-        rows.comments.empty() ? stem_of(source.name) + '-' + number : rows.comments.back();
+    record.name = rows.comments.empty() ? stem + '-' + number : rows.comments.back();
     rows.comments.clear();
     const std::string who = "matrix " + number;
     const Projection projection = read_projection(rows, who);
@@ -77,7 +75,7 @@ CameraList read_matrices(const Source& source) {
   }
   if (list.cameras.empty()) rows.fail("there is no camera in the file");
   // A comment in each of many files is a title, not a name.
-  if (list.cameras.size() == 1) list.cameras[0].name = stem_of(source.name);
+  if (list.cameras.size() == 1) list.cameras[0].name = stem;
   return list;
 }
 

@@ -153,15 +153,15 @@ TEST_CASE("COLMAP: every mistake is refused with its line") {
   CHECK(refusal(colmap_lens + "1 1 0 0 0 0 0 5 1 a.png").empty());
   CHECK(is_refused("1 OPENCV 320 240 300 310 160 120 0 0 0 0\n" + image, "'OPENCV'", 1));
   CHECK(is_refused("1 SIMPLE_RADIAL 320 240 300 160 120 0\n" + image, "undistort", 1));
-  CHECK(is_refused(colmap_lens + colmap_lens + image, "camera 1 is there twice", 4));
+  CHECK(is_refused(colmap_lens + colmap_lens + image, "camera '1' is there twice", 4));
   CHECK(is_refused("1 PINHOLE 0 240 300 310 160 120\n" + image, "width", 1));
-  CHECK(is_refused("1 PINHOLE 320 240 300 310 160\n" + image, "cy of camera 1", 1));
+  CHECK(is_refused("1 PINHOLE 320 240 300 310 160\n" + image, "cy of camera '1'", 1));
   CHECK(is_refused("1 PINHOLE 320 240 300 nan 160 120\n" + image, "second focal length", 1));
   CHECK(is_refused("1 PINHOLE 320 240 -300 310 160 120\n" + image, "positive", 1));
   CHECK(is_refused(colmap_lens, "no image", 3));
   CHECK(is_refused(colmap_lens + "1 1 0 0 0 0 0 5 2 a.png\n\n", "no camera '2'", 3));
   CHECK(is_refused(colmap_lens + "1 0 0 0 0 0 0 5 1 a.png\n\n", "quaternion", 3));
-  CHECK(is_refused(colmap_lens + "1 1 0 0 0 0 0 5 1 \n\n", "name of image 1", 3));
+  CHECK(is_refused(colmap_lens + "1 1 0 0 0 0 0 5 1 \n\n", "name of image '1'", 3));
   CHECK(is_refused(colmap_lens + "1 1 0 0 0 0 0 5 1 a.png\n2 1 0 0 0 0 0 5 1 b.png\n",
                    "line of points", 4));
 }
