@@ -3,12 +3,29 @@
 # state (a folder), iteration; and job, the process group of the filters while they run.
 # shellcheck shell=bash disable=SC2154,SC2034
 
-say() { [ "$quiet" = yes ] || printf '%s: %s\n' "$name" "$*" >&2; }
-detail() { [ "$verbose" = no ] || printf '%s: %s\n' "$name" "$*" >&2; }
+# What is closed must not become one of our files. Reading and writing the data go on failing.
+occupy_standard_descriptors() {
+  : >&2 || exec 2>/dev/null
+  { : <&0; } 2>/dev/null || exec 0>/dev/null
+  { : >&1; } 2>/dev/null || exec 1</dev/null
+}
+
+# A message that nobody can read is no failure of the loop.
+message() { printf '%s: %s\n' "$name" "$*" >&2 2>/dev/null || true; }
+say() { [ "$quiet" = yes ] || message "$@"; }
+detail() { [ "$verbose" = no ] || message "$@"; }
 fail() {
   clear_progress
-  printf '%s: %s\n' "$name" "$2" >&2
+  message "$2"
   exit "$1"
+}
+
+# Ends the loop with what the command says on stdout.
+print_and_exit() { # COMMAND...
+  local text
+  text=$("$@") || exit $?
+  printf '%s\n' "$text" 2>/dev/null || fail 5 'cannot write standard output'
+  exit 0
 }
 
 # The known option with the smallest edit distance to $1.
@@ -42,6 +59,50 @@ need_integer() { # OPTION VALUE MINIMUM
   fi
 }
 
+# --progress or --no-progress, and --quiet or --verbose, as the filters have them.
+set_progress() { # yes|no
+  [ "${progress:-$1}" = "$1" ] || fail 2 'give either --progress or --no-progress, not both'
+  progress=$1
+}
+check_verbosity() {
+  [ "$quiet$verbose" != yesyes ] || fail 2 'give either --quiet or --verbose, not both'
+}
+
+# Before any work is done: each output has a name of its own, and a place to be written to.
+check_outputs() { # OPTION FILE...
+  local -A places=()
+  while [ $# -gt 0 ]; do
+    if [ -n "$2" ] && [ "$2" != - ]; then
+      local place
+      place=$(readlink -m -- "$2")
+      if [ -n "${places[$place]-}" ] && { [ -f "$place" ] || [ ! -e "$place" ]; }; then
+        fail 2 "give either ${places[$place]} or $1 its own file, not both"
+      fi
+      places[$place]=$1
+      check_writable "$2" "$place"
+    elif [ "$2" = - ] && [ "$1" != --output ]; then
+      fail 2 "$1: name a file, as standard output is the mesh's"
+    elif [ "$1" = --output ] && [ -z "$2" ]; then
+      fail 5 'cannot write a file without a name'
+    fi
+    shift 2
+  done
+}
+
+# As the filters do: folders of files are not made, and what is not a regular file is written directly.
+check_writable() { # NAME PLACE
+  local folder=${2%/*}
+  if [ -d "$2" ] || [[ $1 == */ ]]; then
+    fail 5 "cannot write '$1': Is a directory"
+  elif [ -e "$2" ] && [ ! -f "$2" ]; then
+    return
+  elif [ ! -d "${folder:-/}" ]; then
+    fail 5 "cannot write '$1': No such file or directory"
+  elif [ ! -w "${folder:-/}" ] || [ ! -x "${folder:-/}" ]; then
+    fail 5 "cannot write '$1': Permission denied"
+  fi
+}
+
 # The filters: beside the loop, in the project's build, or on PATH.
 find_filters() { # FILTER...
   local folder filter
@@ -58,7 +119,7 @@ find_filters() { # FILTER...
 }
 
 clear_progress() {
-  if [ "${progress:-no}" = terminal ]; then printf '\r\033[K' >&2; fi
+  if [ "${progress:-no}" = terminal ]; then printf '\r\033[K' >&2 2>/dev/null || true; fi
 }
 
 # Whether and how to show progress: no, yes (lines) or terminal.
@@ -109,8 +170,14 @@ run_group() {
   return "$code"
 }
 
+trap_signals() {
+  trap 'on_signal SIGINT 130' INT
+  trap 'on_signal SIGTERM 143' TERM
+  trap 'on_signal SIGHUP 129' HUP
+}
+
 on_signal() { # NAME CODE
-  trap '' INT TERM
+  trap '' INT TERM HUP
   [ -z "$job" ] || kill -TERM -- "-$job" 2>/dev/null || true
   wait 2>/dev/null || true
   fail "$2" "interrupted by $1$([ "$output" = - ] || echo "; --resume continues")"
@@ -123,6 +190,13 @@ write_mesh() { # FILE PROGRAM...
   if [ -n "$format" ]; then as=(--format "$format"); fi
   "$@" -q --threads "$threads" "${as[@]}" -o "$output" "$file"
 }
+
+# Awk: "1 face", "2 faces".
+# shellcheck disable=SC2016
+readonly counted='
+  function counted(count, noun) {
+    return sprintf("%d %s", count, noun) (count == 1 ? "" : noun ~ /s$/ ? "es" : "s")
+  }'
 
 # Awk that flattens the reports of our programs, one key per line, to value["FILE.SECTION.KEY"].
 # shellcheck disable=SC2016

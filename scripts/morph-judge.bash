@@ -42,9 +42,9 @@ readonly judge_messages='
       own_seconds("remesh"), seconds, scale) >>csv
   }
   function show_progress() {
-    printf("%s%s: iteration %d: %d faces, %d part%s, genus %d, moved %d%%, distance %.3g%s",
-      (progress == "terminal" ? "\r\033[K" : ""), name, iteration, faces, components,
-      (components == 1 ? "" : "s"), genus, 100 * moved, (rms_to > rms_from ? rms_to : rms_from),
+    printf("%s%s: iteration %d: %s, %s, genus %d, moved %d%%, distance %.3g%s",
+      (progress == "terminal" ? "\r\033[K" : ""), name, iteration, counted(faces, "face"),
+      counted(components, "part"), genus, 100 * moved, (rms_to > rms_from ? rms_to : rms_from),
       (progress == "terminal" ? "" : "\n")) >"/dev/stderr"
   }'
 
@@ -97,7 +97,7 @@ judge() { # SECONDS SCALE
   # shellcheck disable=SC2016
   awk -v iteration="$iteration" -v csv="$csv" -v progress="$progress" -v seconds="$1" \
     -v name="$name" -v line="$state_line" -v scale="$2" \
-    "$read_reports$judge_values$judge_messages$judge_decision"'
+    "$read_reports$counted$judge_values$judge_messages$judge_decision"'
     BEGIN { read_line(line) }
     END {
       read_values()

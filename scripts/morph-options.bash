@@ -84,12 +84,12 @@ parse() {
         shift
         ;;
       --resume) resume=yes ;;
-      --progress) progress=yes ;;
-      --no-progress) progress=no ;;
+      --progress) set_progress yes ;;
+      --no-progress) set_progress no ;;
       -q | --quiet) quiet=yes ;;
       -v | --verbose) verbose=yes ;;
-      -h | --help) print_help && exit 0 ;;
-      --version) print_version && exit 0 ;;
+      -h | --help) print_and_exit print_help ;;
+      --version) print_and_exit print_version ;;
       -?*) fail 2 "unknown option '$option'; did you mean '$(nearest_option "$option")'?" ;;
       *)
         [ -z "$source" ] || fail 2 "one source at most, but '$option' is a second one"
@@ -123,11 +123,13 @@ set_option() {
 }
 
 check_options() {
+  check_verbosity
   if [ -z "$source" ]; then
     [ ! -t 0 ] || fail 2 "no source named; try $name --help"
     source=-
   fi
   [ -n "$target" ] || fail 2 "--target FILE is needed: what to move towards"
+  [ "$target" != - ] || fail 2 "--target: name a file: standard input is for the source"
   if [ ! -r "$target" ] || [ -d "$target" ]; then fail 3 "cannot read the target '$target'"; fi
   [ "$output" != - ] || [ ! -t 1 ] || [ "$format" = ply-ascii ] || [ "$format" = off ] ||
     fail 2 "not writing binary PLY to a terminal: name a file with -o"
@@ -137,6 +139,7 @@ check_options() {
   [ "$scales" -le 10 ] || fail 2 "--scales: $scales is more than 10; edges would be 2^$((scales - 1)) times as long"
   need_integer --every "$every" 1
   need_integer --threads "$threads" 0
+  check_outputs --output "$output" --report "$report" --csv "$csv"
 }
 
 print_version() {

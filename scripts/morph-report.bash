@@ -8,9 +8,9 @@ readonly report_functions='
   function summary(   how) {
     how = stop == "converged" ? "converged" : \
       stop == "stalled" ? "no longer improving" : "iteration limit reached"
-    return sprintf("%s after %d iterations: %d faces, components %d, genus %d, " \
-      "rms distance %.3g to and %.3g from the target%s", how, iterations,
-      value["final.output.faces"], value["final.result.components"], value["final.result.genus"],
+    return sprintf("%s after %s: %s, components %d, genus %d, " \
+      "rms distance %.3g to and %.3g from the target%s", how, counted(iterations, "iteration"),
+      counted(value["final.output.faces"], "face"), value["final.result.components"], value["final.result.genus"],
       result("rms_distance_to_target"), result("rms_distance_from_target"),
       fault == "" ? "" : "; " fault)
   }
@@ -38,12 +38,13 @@ readonly report_functions='
   }'
 
 write_report() {
+  local summary
   # shellcheck disable=SC2016
-  awk -v stop="${stop:-iteration_limit}" -v iterations="$iteration" -v name="$name" \
-    -v report="$report" -v quiet="$quiet" -v seconds="$seconds" -v fault="$fault" \
-    -v topology="$target_topology" "$read_reports$report_functions"'
+  summary=$(awk -v stop="${stop:-iteration_limit}" -v iterations="$iteration" -v name="$name" \
+    -v report="$report" -v seconds="$seconds" -v fault="$fault" \
+    -v topology="$target_topology" "$read_reports$counted$report_functions"'
     END {
-      if (quiet != "yes") print name ": " summary() >"/dev/stderr"
+      print summary()
       if (report == "") exit
       printf "{\n  \"tool\": \"%s\",\n  \"version\": \"%s\",\n", name, value["final.version"] >report
       printf "  \"output\": {\n    \"vertices\": %d,\n    \"faces\": %d\n  },\n",
@@ -51,5 +52,6 @@ write_report() {
       printf "  \"result\": {\n" >report
       write_result()
       printf "  },\n  \"timings\": {\n    \"total\": %s\n  }\n}\n", seconds >report
-    }' "$state"/{final,distances,comparison}.json
+    }' "$state"/{final,distances,comparison}.json) || return
+  say "$summary"
 }

@@ -26,9 +26,9 @@ readonly judge_lines='
       own_seconds("remesh"), own_seconds("step"), own_seconds("clean"), seconds) >>csv
   }
   function show_progress() {
-    printf("%s%s: pass %d, scale %.2f: %d faces, %d part%s, genus %d, dissimilarity %.4f%s",
-      (progress == "terminal" ? "\r\033[K" : ""), name, iteration, scale, faces, components,
-      (components == 1 ? "" : "s"), genus, now,
+    printf("%s%s: pass %d, scale %.2f: %s, %s, genus %d, dissimilarity %.4f%s",
+      (progress == "terminal" ? "\r\033[K" : ""), name, iteration, scale, counted(faces, "face"),
+      counted(components, "part"), genus, now,
       (progress == "terminal" ? "" : "\n")) >"/dev/stderr"
   }'
 
@@ -45,7 +45,7 @@ judge() { # SECONDS
     -v name="$name" -v scale="$scale" -v edge="$level_edge" -v before="$dissimilarity" \
     -v outside_before="$outside" -v topology_before="$topology" -v of_coverage="$of_coverage" \
     -v of_pixels="$of_pixels" -v pass="$pass" -v passes="$passes" \
-    "$read_reports$judge_values$judge_lines"'
+    "$read_reports$counted$judge_values$judge_lines"'
     END {
       read_values()
       if (csv != "") write_csv_line()

@@ -103,12 +103,12 @@ parse() {
         shift
         ;;
       --resume) resume=yes ;;
-      --progress) progress=yes ;;
-      --no-progress) progress=no ;;
+      --progress) set_progress yes ;;
+      --no-progress) set_progress no ;;
       -q | --quiet) quiet=yes ;;
       -v | --verbose) verbose=yes ;;
-      -h | --help) print_help && exit 0 ;;
-      --version) print_version && exit 0 ;;
+      -h | --help) print_and_exit print_help ;;
+      --version) print_and_exit print_version ;;
       -?*) fail 2 "unknown option '$option'; did you mean '$(nearest_option "$option")'?" ;;
       *) fail 2 "unexpected '$option': photographs are named by --images" ;;
     esac
@@ -145,9 +145,19 @@ set_option() {
   esac
 }
 
+# What is read again and again cannot be a pipe.
+refuse_standard_input() {
+  local option
+  for option in cameras images silhouettes start sequence; do
+    [ "${!option}" != - ] || fail 2 "--$option: name a file: standard input is read once only"
+  done
+}
+
 check_options() {
+  check_verbosity
   [ -n "$cameras" ] || fail 2 "--cameras WHERE is needed: the cameras of the photographs"
   [ -n "$images" ] || fail 2 "--images WHERE is needed: the photographs"
+  refuse_standard_input
   if [ -n "$start" ]; then
     if [ ! -r "$start" ] || [ -d "$start" ]; then fail 3 "cannot read '$start'"; fi
   fi
@@ -165,6 +175,11 @@ check_options() {
   need_integer --iterations "$iterations" 1
   need_integer --every "$every" 1
   need_integer --threads "$threads" 0
+  if [ -z "$sequence" ]; then
+    check_outputs --output "$output" --report "$report" --csv "$csv"
+  else
+    check_outputs --report "$report" --csv "$csv"
+  fi
 }
 
 print_version() {

@@ -27,15 +27,15 @@ fault() {
 }
 
 write_report() {
-  awk -v passes="$iteration" -v name="$name" -v report="$report" -v quiet="$quiet" \
-    -v seconds="$seconds" -v pixel="$pixel_size" -v fault="$(fault)" "$read_reports"'
+  local summary
+  summary=$(awk -v passes="$iteration" -v name="$name" -v report="$report" -v seconds="$seconds" -v pixel="$pixel_size" -v fault="$(fault)" "$read_reports$counted"'
     function entry(key, text) { printf "    \"%s\": %s,\n", key, text >report }
     END {
-      if (quiet != "yes")
-        printf("%s: %d passes: %d faces, components %d, genus %d; dissimilarity from %.4f to %.4f%s\n",
-          name, passes, value["final.output.faces"], value["final.result.components"],
-          value["final.result.genus"], value["start.result.dissimilarity"],
-          value["last.result.dissimilarity"], fault == "" ? "" : "; " fault) >"/dev/stderr"
+      printf("%s: %s, components %d, genus %d; dissimilarity from %.4f to %.4f%s\n",
+        counted(passes, "pass"), counted(value["final.output.faces"], "face"),
+        value["final.result.components"], value["final.result.genus"],
+        value["start.result.dissimilarity"], value["last.result.dissimilarity"],
+        fault == "" ? "" : "; " fault)
       if (report == "") exit
       printf "{\n  \"tool\": \"%s\",\n  \"version\": \"%s\",\n", name, value["final.version"] >report
       printf "  \"output\": {\n    \"vertices\": %d,\n    \"faces\": %d\n  },\n",
@@ -56,5 +56,6 @@ write_report() {
       entry("pixels", value["last.result.pixels"])
       printf "    \"mean_edge\": %s\n  },\n", value["last.result.mean_edge"] >report
       printf "  \"timings\": {\n    \"total\": %s\n  }\n}\n", seconds >report
-    }' "$state"/{start,last,final}.json
+    }' "$state"/{start,last,final}.json) || return
+  say "$summary"
 }

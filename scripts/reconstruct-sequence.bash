@@ -197,9 +197,9 @@ read_reference() {
 
 show_step() {
   if [ "$progress" = no ]; then return; fi
-  tail -n 1 "$state/steps" | awk -F, -v name="$name" -v count="${#steps[@]}" '{
-    printf "%s: time step %d of %d, %s, from %s: %d faces, components %d, genus %d, dissimilarity %.4f%s\n",
-      name, $1, count, $2, $3, $6, $7, $8, $9, $5 == "" ? "" : "; lost by tracking: " $5 }' >&2
+  tail -n 1 "$state/steps" | awk -F, -v name="$name" -v count="${#steps[@]}" "$counted"'{
+    printf "%s: time step %d of %d, %s, from %s: %s, components %d, genus %d, dissimilarity %.4f%s\n",
+      name, $1, count, $2, $3, counted($6, "face"), $7, $8, $9, $5 == "" ? "" : "; lost by tracking: " $5 }' >&2
 }
 
 reconstruct_sequence() {
@@ -224,18 +224,19 @@ reconstruct_sequence() {
 }
 
 report_sequence() {
+  local summary
   seconds_since "$begun"
-  awk -F, -v name="$name" -v report="$report" -v quiet="$quiet" -v seconds="$seconds" \
-    -v version="$("$here/$name" --version | awk '{ print $2; exit }')" '
+  summary=$(awk -F, -v name="$name" -v report="$report" -v seconds="$seconds" \
+    -v version="$("$here/$name" --version | awk '{ print $2; exit }')" "$counted"'
     { ++count; tracked += $3 == "before"; accepted += $4 == "yes" }
     END {
-      if (quiet != "yes")
-        printf("%s: %d time steps, %d tracked, %d as good as from the hull\n", name, count, tracked,
-          accepted) >"/dev/stderr"
+      printf("%s, %d tracked, %d as good as from the hull\n", counted(count, "time step"), tracked,
+        accepted)
       if (report == "") exit
       printf("{\n  \"tool\": \"%s\",\n  \"version\": \"%s\",\n  \"result\": {\n", name, version) >report
       printf("    \"time_steps\": %d,\n    \"tracked\": %d,\n    \"accepted\": %d\n  },\n", count,
         tracked, accepted) >report
       printf("  \"timings\": {\n    \"total\": %s\n  }\n}\n", seconds) >report
-    }' "$state/steps" || fail 5 "cannot write '$report'"
+    }' "$state/steps") || fail 5 "cannot write '$report'"
+  say "$summary"
 }
