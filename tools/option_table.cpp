@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
+#include <cctype>
 
 #include "suggestion.h"
 #include "tm/support/error.h"
@@ -45,6 +46,9 @@ po::options_description description(const std::vector<Option>& options) {
 }
 
 [[noreturn]] void throw_unknown(const std::string& token, const std::vector<Option>& options) {
+  if (token.size() > 1 && (std::isdigit(static_cast<unsigned char>(token[1])) || token[1] == '.')) {
+    throw UsageError("unknown option '" + token + "'; if it is no option, write -- before it");
+  }
   std::string word = token.substr(0, token.find('='));
   word.erase(0, word.find_first_not_of('-'));
   std::vector<std::string> names(options.size());

@@ -11,6 +11,7 @@
 #include "streams.h"
 #include "suggestion.h"
 #include "tm/io/mesh_io.h"
+#include "tm/support/counted.h"
 
 namespace transformesh::tool {
 namespace {
@@ -41,8 +42,8 @@ nlohmann::ordered_json value_of(const Option& option) {
 
 std::string described(const Document& document) {
   return std::string(format_name(document.style.format)) + ", " +
-         std::to_string(document.mesh.positions.size()) + " vertices, " +
-         std::to_string(document.mesh.faces.size()) + " faces";
+         counted(document.mesh.positions.size(), "vertex") + ", " +
+         counted(document.mesh.faces.size(), "face");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "tm/geometry/degenerate_faces.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tool.h"
 
@@ -40,14 +41,18 @@ void report_counts(const Mesh& mesh, const ManifoldReport& found, tool::Run& run
 
 std::string describe_intersections(const std::vector<FacePair>& pairs) {
   if (pairs.empty()) return {};
-  return std::to_string(pairs.size()) + " pairs of faces intersect, the first are faces " +
+  const bool is_one = pairs.size() == 1;
+  return counted(pairs.size(), "pair") +
+         (is_one ? " of faces intersects: faces " : " of faces intersect, the first are faces ") +
          std::to_string(pairs[0].first) + " and " + std::to_string(pairs[0].second) +
          "; remove them with tm-clean";
 }
 
 std::string describe_degenerate(const std::vector<Index>& faces) {
   if (faces.empty()) return {};
-  return std::to_string(faces.size()) + " faces have no area, the first is face " +
+  const bool is_one = faces.size() == 1;
+  return counted(faces.size(), "face") +
+         (is_one ? " has no area, face " : " have no area, the first is face ") +
          std::to_string(faces[0]);
 }
 

@@ -1,6 +1,7 @@
 #include "cleaning_report.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/separate.h"
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tool.h"
 
@@ -25,8 +26,9 @@ SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, t
   if (distance == 0) return {};
   const SeparateResult result = separate(mesh, {distance, coordinate}, run.progress());
   if (result.refused_vertices > 0) {
-    run.note(std::to_string(result.refused_vertices) +
-             " vertices stay in the place of another: on a border, or faces would cross");
+    run.note(counted(result.refused_vertices, "vertex") +
+             (result.refused_vertices == 1 ? " stays" : " stay") +
+             " in the place of another: on a border, or faces would cross");
   }
   return result;
 }

@@ -213,3 +213,18 @@ border() {
   tm-remesh "${options[@]}" -o changed.ply
   [ "$(border changed.ply | wc -l)" -gt "$(wc -l <before)" ]
 }
+
+@test "coordinates too large for areas are exit 3, with what to do; one component is one" {
+  for scale in 1e80 1e100 1e154; do
+    tm-shape sphere --faces 320 --format ply-ascii |
+      awk -v s=$scale 'body && NF == 3 { printf "%.17g %.17g %.17g\n", s * $1, s * $2, s * $3; next }
+        /^end_header/ { body = 1 } { print }' >large.ply
+    run --separate-stderr tm-remesh large.ply
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr == *"too large"*"scale it"* ]] || fail "$stderr"
+  done
+  run --separate-stderr bash -c 'tm-shape sphere --faces 320 | tm-remesh --min-edge 10 --max-edge 20'
+  assert_status 4
+  [[ $stderr == *"the only component is smaller"* ]]
+}

@@ -112,3 +112,39 @@ end_header" ] || fail "$output"
   [ "$(tm-shape many-spheres --count 7 --faces 700 | tm-info --get components)" -eq 7 ]
   [ "$(tm-shape boxes --count 5 | tm-info --get components)" -eq 5 ]
 }
+
+@test "lengths have a range, and a negative number is not taken for an option" {
+  refused() { # MESSAGE KIND OPTION...
+    run --separate-stderr tm-shape "${@:2}" -o out.ply
+    assert_status 2
+    one_line "$stderr"
+    [[ $stderr == *"$1"* ]] || fail "$stderr"
+    [ ! -e out.ply ]
+  }
+  for length in 1e308 1e51 1e-51; do
+    refused '--noise must be positive, from 1e-50 to 1e50' sphere --noise $length
+    refused '--edge must be positive' sphere --edge $length
+    refused '--gap must be positive' two-spheres --gap $length
+    refused '--tube must be positive' torus --tube $length
+    for kind in sphere torus torus-knot two-spheres tangle folded; do
+      refused '--radius must be positive' $kind --radius $length
+    done
+  done
+  tm-shape sphere --noise 0 --faces 100 | tm-checkmanifold >/dev/null
+  tm-shape torus --radius 1e50 --faces 1000 | tm-checkmanifold >/dev/null
+  refused "unknown option '-1'; if it is no option, write -- before it" genus -1
+  refused "unknown option '-.5'; if it is no option, write -- before it" ellipsoid 1 -.5 1
+  run --separate-stderr tm-shape -o out.ply -- genus -1
+  assert_status 2
+  [[ $stderr == "tm-shape: genus: '-1' is not an integer from 1 to"* ]]
+  refused 'genus takes 1 parameter, for' genus 1 2
+  # To go around.
+  for scale in 1e100 1e200; do
+    tm-shape sphere --faces 20 --format ply-ascii |
+      awk -v s=$scale 'body && NF == 3 { printf "%.17g %.17g %.17g\n", s * $1, s * $2, s * $3; next }
+        /^end_header/ { body = 1 } { print }' >large.ply
+    run --separate-stderr tm-shape sphere --around large.ply -o out.ply
+    assert_status 3
+    [[ $stderr == *"scale it"* ]]
+  done
+}

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "tm/mesh/place.h"
 #include "tm/support/error.h"

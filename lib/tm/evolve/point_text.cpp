@@ -1,6 +1,8 @@
 #include "tm/evolve/point_text.h"
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "tm/io/text_rows.h"
 

@@ -2,8 +2,6 @@
 /// or of x y z nx ny nz. Empty lines and what follows a # are skipped.
 #pragma once
 
-#include <string>
-
 #include "tm/io/source.h"
 #include "tm/mesh/mesh.h"
 

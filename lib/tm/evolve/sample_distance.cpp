@@ -1,7 +1,6 @@
 #include "tm/evolve/sample_distance.h"
 
 #include <cmath>
-#include <limits>
 
 #include "tm/geometry/hilbert.h"
 #include "tm/support/parallel.h"

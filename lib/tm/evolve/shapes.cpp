@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tm/evolve/shapes/assembly.h"
 #include "tm/evolve/shapes/kinds.h"
 #include "tm/evolve/shapes/noise.h"
 #include "tm/evolve/shapes/spheres.h"
 #include "tm/mesh/measure.h"
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/support/length.h"
 
@@ -41,9 +41,15 @@ void check_applies(const Kind& kind, const std::string& option) {
   throw UsageError(kind.name + " has no --" + option + "; these have: " + others);
 }
 
-void check_positive(const std::optional<double>& value, const std::string& option) {
-  if (value && !(*value > 0 && std::isfinite(*value)))
-    throw UsageError("--" + option + " must be positive, not " + shortest_text(*value));
+void check_length(const std::optional<double>& value, const std::string& option) {
+  if (value && !shapes::is_sensible_length(*value))
+    throw UsageError("--" + option + " must be positive, from 1e-50 to 1e50, not " +
+                     shortest_text(*value));
+}
+
+// Whose size may be 0, and of a gap the sign says something.
+void check_distance(const std::optional<double>& value, const std::string& option) {
+  if (value && *value != 0) check_length(std::abs(*value), option);
 }
 
 void check_options(const Kind& kind, const ShapeOptions& options) {
@@ -52,12 +58,14 @@ void check_options(const Kind& kind, const ShapeOptions& options) {
   if (options.gap) check_applies(kind, "gap");
   if (options.neck) check_applies(kind, "neck");
   if (options.count) check_applies(kind, "count");
-  check_positive(options.radius, "radius");
-  check_positive(options.tube, "tube");
-  check_positive(options.edge, "edge");
+  check_length(options.radius, "radius");
+  check_length(options.tube, "tube");
+  check_length(options.edge, "edge");
+  check_distance(options.gap, "gap");
+  if (options.noise && !(*options.noise >= 0)) throw UsageError("--noise must not be negative");
+  check_distance(options.noise, "noise");
   if (options.around && (kind.name != "sphere" || options.radius || !options.center.isZero(0)))
     throw UsageError("--around makes a sphere and sets its --radius and --center itself");
-  if (options.noise && !(*options.noise >= 0)) throw UsageError("--noise must not be negative");
   if (options.faces && options.edge)
     throw UsageError("--faces and --edge both set the size of the faces: give one of them");
   if (kind.name == "boxes" && options.edge)
@@ -70,13 +78,13 @@ void check_options(const Kind& kind, const ShapeOptions& options) {
 ShapeOptions with_parameters(const Kind& kind, ShapeOptions options) {
   if (options.parameters.empty()) options.parameters = kind.parameters;
   if (options.parameters.size() == kind.parameters.size()) return options;
-  const std::string count = std::to_string(kind.parameters.size());
   std::string example = kind.name;
   for (const std::string& parameter : kind.parameters) example += ' ' + parameter;
   throw UsageError(kind.parameters.empty()
                        ? kind.name + " takes no parameters, but '" + options.parameters[0] +
                              "' was given"
-                       : kind.name + " takes " + count + " parameters, for example: " + example);
+                       : kind.name + " takes " + counted(kind.parameters.size(), "parameter") +
+                             ", for example: " + example);
 }
 
 std::size_t checked_faces(double faces, const std::string& asked) {

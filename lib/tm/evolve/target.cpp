@@ -1,7 +1,9 @@
 #include "tm/evolve/target.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "tm/evolve/estimate_normals.h"
 #include "tm/mesh/components.h"

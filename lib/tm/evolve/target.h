@@ -1,7 +1,6 @@
 /// What a morph moves towards: a mesh, or points with normals.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "tm/geometry/closest_point.h"

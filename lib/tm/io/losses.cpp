@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tm/io/source.h"
+#include "tm/support/counted.h"
 
 namespace transformesh {
 namespace {

@@ -6,6 +6,7 @@
 #include "tm/io/obj.h"
 #include "tm/io/polygons.h"
 #include "tm/io/text_rows.h"
+#include "tm/support/counted.h"
 
 namespace transformesh {
 namespace {
@@ -114,7 +115,7 @@ class ObjReader {
                                    ? largest_index_face_
                                    : polygons_.rows() + 1;
     return "face " + std::to_string(face) + " has vertex index " + std::to_string(index) +
-           ", but there are " + std::to_string(mesh().positions.size()) + " vertices";
+           ", but " + there_are(mesh().positions.size(), "vertex");
   }
 
   /// Colours that are whole 255ths in every vertex come from bytes, and become bytes.
@@ -147,7 +148,7 @@ class ObjReader {
                       "' left out");
     }
     if (weights_ > 0)
-      notes.push_back("obj: weights of " + std::to_string(weights_) + " vertices left out");
+      notes.push_back("obj: weights of " + counted(weights_, "vertex") + " left out");
     if (rows_.trailing_comments > 0) {
       notes.push_back("obj: " + counted(rows_.trailing_comments, "comment") +
                       " behind data left out");

@@ -4,6 +4,7 @@
 #include "tm/io/off.h"
 #include "tm/io/polygons.h"
 #include "tm/io/text_rows.h"
+#include "tm/support/counted.h"
 
 namespace transformesh {
 namespace {
@@ -103,9 +104,9 @@ class OffReader {
   void read_vertices() {
     constexpr std::size_t shortest_row = 6;  // 0 0 0 and a line end
     if (vertex_count_ > source_.bytes.size() / shortest_row + 1 || vertex_count_ >= no_index) {
-      rows_.fail("the header announces " + std::to_string(vertex_count_) +
-                 " vertices, but the file has only " + std::to_string(source_.bytes.size()) +
-                 " bytes: it is cut off or its header wrong");
+      rows_.fail("the header announces " + counted(vertex_count_, "vertex") +
+                 ", but the file has only " + counted(source_.bytes.size(), "byte") +
+                 ": it is cut off or its header wrong");
     }
     Mesh& mesh = result_.document.mesh;
     const auto count = static_cast<std::size_t>(vertex_count_);
@@ -169,8 +170,8 @@ class OffReader {
       for (; left > 0; --left) {
         const auto index = rows_.number<std::int64_t>([&] { return "a corner of " + name(); });
         if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) {
-          rows_.fail(name() + " has vertex index " + std::to_string(index) + ", but there are " +
-                     std::to_string(vertex_count_) + " vertices");
+          rows_.fail(name() + " has vertex index " + std::to_string(index) + ", but " +
+                     there_are(vertex_count_, "vertex"));
         }
         corners.push_back(static_cast<Index>(index));
       }

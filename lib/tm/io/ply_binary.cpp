@@ -3,6 +3,7 @@
 #include "tm/io/ply_table.h"
 #include "tm/io/scalar.h"
 #include "tm/io/scalar_bytes.h"
+#include "tm/support/counted.h"
 
 namespace transformesh {
 namespace {

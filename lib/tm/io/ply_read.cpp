@@ -3,6 +3,7 @@
 #include "tm/io/ply_table.h"
 #include "tm/io/scalar.h"
 #include "tm/io/scalar_bytes.h"
+#include "tm/support/counted.h"
 
 namespace transformesh {
 namespace {
@@ -223,7 +224,7 @@ std::string PlyTable::value_name(std::size_t row, const PlyProperty& property) c
 
 std::string PlyTable::bad_index(std::size_t row, double index) const {
   return row_name(row) + " has vertex index " + std::to_string(static_cast<long>(index)) +
-         ", but there are " + std::to_string(vertex_count) + " vertices";
+         ", but " + there_are(vertex_count, "vertex");
 }
 
 ReadResult read_ply(const Source& source) { return PlyReader(source).read(); }

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "tm/io/source.h"
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

@@ -37,8 +37,4 @@ std::string quoted(std::string_view text) {
   return result + (text.size() > longest ? "...'" : "'");
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
-
 }  // namespace transformesh

@@ -26,7 +26,4 @@ struct Source {
 /// Text taken from the input, fit for a message: quoted, shortened, unprintable bytes as \xNN.
 std::string quoted(std::string_view text);
 
-/// "1 face", "2 faces".
-std::string counted(std::size_t count, const std::string& noun);
-
 }  // namespace transformesh

@@ -6,6 +6,7 @@
 #include "tm/io/scalar_bytes.h"
 #include "tm/io/stl.h"
 #include "tm/io/text_rows.h"
+#include "tm/support/counted.h"
 
 namespace transformesh {
 namespace {

@@ -7,6 +7,7 @@
 #include "tm/io/source.h"
 #include "tm/io/stl.h"
 #include "tm/io/text_buffer.h"
+#include "tm/support/counted.h"
 #include "tm/support/single.h"
 
 namespace transformesh {

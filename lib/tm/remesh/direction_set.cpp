@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <cmath>
 
 namespace transformesh {
 namespace {

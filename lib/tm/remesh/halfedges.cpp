@@ -3,6 +3,7 @@
 #include <numeric>
 #include <string>
 
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -14,8 +15,7 @@ void check_corners(std::span<const Index> sources, std::size_t vertices) {
   for (std::size_t h = 0; h < sources.size(); ++h) {
     if (sources[h] >= vertices) {
       throw InputError("face " + std::to_string(h / 3) + " has vertex index " +
-                       std::to_string(sources[h]) + ", but there are " + std::to_string(vertices) +
-                       " vertices");
+                       std::to_string(sources[h]) + ", but " + there_are(vertices, "vertex"));
     }
   }
   for (Index h = 0; h < sources.size(); ++h) {

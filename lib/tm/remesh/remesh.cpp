@@ -13,6 +13,7 @@
 #include "tm/remesh/small_components.h"
 #include "tm/remesh/smooth.h"
 #include "tm/remesh/split.h"
+#include "tm/support/counted.h"
 #include "tm/support/length.h"
 
 namespace transformesh {
@@ -21,6 +22,7 @@ namespace {
 /// Halves of split edges shorter than 3/4 of the least length would be collapsed again at once.
 constexpr double least_ratio = 1.5;
 constexpr double most_faces = 500e6;
+constexpr double largest_extent = 1e75;
 /// Edges far too short are collapsed in stages of this many times the typical length.
 constexpr double stage_growth = 1.6;
 /// Of the edge that curvature takes: shorter ones are collapsed.
@@ -69,6 +71,22 @@ void check_options(const RemeshOptions& options) {
   }
 }
 
+/// Areas are the roots of fourth powers of lengths.
+void check_size(const Mesh& mesh) {
+  Vec3 lowest = mesh.positions[0];
+  Vec3 highest = lowest;
+  for (const Vec3& position : mesh.positions) {
+    lowest = lowest.cwiseMin(position);
+    highest = highest.cwiseMax(position);
+  }
+  const double size = (highest - lowest).maxCoeff();
+  if (!(size <= largest_extent)) {
+    throw InputError("the mesh is " + shortest_text(size) +
+                     " across, too large to compute its areas: scale it to less than " +
+                     shortest_text(largest_extent));
+  }
+}
+
 EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions& options) {
   EdgeLimits limits{options.min_edge, options.max_edge};
   std::vector<double> sizes;
@@ -104,8 +122,9 @@ void check_number_of_faces(const EditableMesh& mesh, double max_edge) {
   }
   faces /= max_edge * max_edge * std::sqrt(3.0) / 2;
   if (faces > most_faces) {
+    const double least = std::isfinite(faces) ? faces : most_faces;
     throw UsageError("a longest edge of " + shortest_text(max_edge) + " would take more than " +
-                     shortest_text(std::ceil(faces / 1e6)) + " million faces");
+                     shortest_text(std::floor(least / 1e6)) + " million faces");
   }
 }
 
@@ -238,8 +257,10 @@ void iterate(const Task& task, bool is_first) {
 }  // namespace
 
 RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress) {
+  if (mesh.faces.empty() || mesh.positions.empty())
+    throw InputError("the mesh has no faces, so there is nothing to remesh");
+  check_size(mesh);
   check_options(options);
-  if (mesh.faces.empty()) throw InputError("the mesh has no faces, so there is nothing to remesh");
   progress("connect");
   EditableMesh editable(mesh);
   editable.set_coordinate(options.coordinate);
@@ -255,9 +276,10 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
   result.degenerate_faces = count_degenerate_faces(editable);
   Mesh remeshed = editable.to_mesh();
   if (remeshed.faces.empty()) {
-    throw GoalError("all " + std::to_string(result.components_removed) +
-                    " components are smaller than the shortest edge " +
-                    shortest_text(options.min_edge) +
+    const std::string all = result.components_removed == 1
+                                ? "the only component is"
+                                : "all " + counted(result.components_removed, "component") + " are";
+    throw GoalError(all + " smaller than the shortest edge " + shortest_text(options.min_edge) +
                     ", so nothing would be left; use a smaller --min-edge");
   }
   mesh = std::move(remeshed);

@@ -1,6 +1,5 @@
 #include "tm/remesh/sizing.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <queue>

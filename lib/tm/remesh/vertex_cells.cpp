@@ -1,7 +1,6 @@
 #include "tm/remesh/vertex_cells.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace transformesh {

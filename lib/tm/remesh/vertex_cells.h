@@ -3,7 +3,6 @@
 /// use.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "tm/io/number_text.h"
+#include "tm/support/counted.h"
 #include "tm/views/samples.h"
 
 namespace transformesh {

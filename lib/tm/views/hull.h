@@ -7,7 +7,6 @@
 /// carve. What no view carves is part of the hull as far as the box reaches.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 

@@ -1,3 +1,4 @@
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/views/camera_formats.h"
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tm/io/source.h"
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/views/file_list.h"
 

@@ -17,8 +17,8 @@ PhotoScene photo_scene(std::span<const View> views, double scale, const PairOpti
   const Vec3 center = viewed_point(cameras);
   scene.pairs = choose_pairs(cameras, center, pairs);
   if (scene.pairs.empty()) {
-    throw InputError("no two of the " + std::to_string(views.size()) +
-                     " views are as far apart as views that are compared must be");
+    throw InputError("no two views of " + std::to_string(views.size()) +
+                     " are as far apart as views that are compared must be");
   }
   scene.pixel = scale * pixel_size(cameras, center);
   scene.views.resize(views.size());

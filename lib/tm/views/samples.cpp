@@ -1,5 +1,7 @@
 #include "tm/views/samples.h"
 
+#include "tm/support/counted.h"
+
 namespace transformesh {
 
 void check_size(const Source& source, std::uint64_t width, std::uint64_t height,

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "tm/mesh/measure.h"
 #include "tm/support/parallel.h"

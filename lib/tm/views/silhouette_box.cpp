@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "tm/support/error.h"

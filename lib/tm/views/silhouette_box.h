@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "tm/mesh/measure.h"
 #include "tm/views/view.h"

@@ -1,7 +1,6 @@
 #include "tm/views/warp.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 
 #include "tm/views/bilinear_sample.h"
 #include "tm/views/cubic_sample.h"

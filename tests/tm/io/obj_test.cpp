@@ -78,7 +78,7 @@ TEST_CASE("obj: colors from bytes become bytes, others stay decimals") {
 
 TEST_CASE("obj: weights are left out, and said") {
   CHECK(read_mesh("v 0 0 0 1\n", "input").notes.empty());
-  CHECK(has_note(read_mesh("v 0 0 0 2\n", "input").notes, "obj: weights of 1 vertices left out"));
+  CHECK(has_note(read_mesh("v 0 0 0 2\n", "input").notes, "obj: weights of 1 vertex left out"));
 }
 
 TEST_CASE("obj: errors name the place") {

@@ -230,6 +230,7 @@ TEST_CASE("small components go at once, and nothing left is an error") {
   RemeshOptions coarse;
   coarse.min_edge = 5;
   coarse.max_edge = 10;
+  CHECK(message_of<GoalError>(icosphere(1), coarse).starts_with("the only component is smaller"));
   CHECK(message_of<GoalError>(icosphere(1), coarse).find("nothing would be left") !=
         std::string::npos);
 }
@@ -342,4 +343,21 @@ TEST_CASE("options that make no sense are refused with numbers") {
   CHECK(message_of<UsageError>(sphere, options).find("between -0.45 and 0.05") !=
         std::string::npos);
   CHECK(message_of<InputError>(Mesh{}, around(sphere)).find("no faces") != std::string::npos);
+  // Whose number no double holds.
+  options = around(sphere);
+  options.min_edge = 1e-300;
+  options.max_edge = 1e-200;
+  CHECK(message_of<UsageError>(sphere, options).find("500 million faces") != std::string::npos);
+}
+
+TEST_CASE("a mesh too large for areas is refused, whatever its edges") {
+  for (const double scale : {1e76, 1e100, 1e154, 1e300}) {
+    CAPTURE(scale);
+    Mesh sphere = icosphere(1);
+    for (Vec3& position : sphere.positions) position *= scale;
+    CHECK(message_of<InputError>(sphere, around(sphere)).find("too large") != std::string::npos);
+  }
+  Mesh sphere = icosphere(2);
+  for (Vec3& position : sphere.positions) position *= 4e74;
+  CHECK(message_of<InputError>(sphere, around(sphere)).empty());
 }

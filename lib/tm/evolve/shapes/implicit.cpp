@@ -9,6 +9,7 @@
 #include "tm/evolve/shapes/relax.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 
@@ -64,7 +65,8 @@ class MarchSearch {
       advice = std::to_string(enough) + " are enough";
       break;
     }
-    throw UsageError(std::to_string(faces) + " faces are too few for this shape; " + advice);
+    throw UsageError(counted(faces, "face") + (faces == 1 ? " is" : " are") +
+                     " too few for this shape; " + advice);
   }
 
  private:

@@ -38,8 +38,7 @@ Vec3 three_lengths(const ShapeOptions& options) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::string& text = options.parameters[axis];
     const Length length = parse_length(text);
-    const bool is_sensible = length.value >= 1e-50 && length.value <= 1e50;
-    if (length.unit != Length::Unit::absolute || !is_sensible)
+    if (length.unit != Length::Unit::absolute || !is_sensible_length(length.value))
       refuse(options, quoted(text) + " is not a length from 1e-50 to 1e50 in units of the mesh");
     lengths[axis] = length.value;
   }
@@ -53,6 +52,10 @@ Mesh make_sphere_kind(const ShapeOptions& options, std::size_t faces, const Prog
   const double inner = geodesic_inner_radius(geodesic_frequency(static_cast<double>(faces)));
   const double radius = 1.05 * box.diagonal() / 2 / inner;
   if (!(radius > 0)) throw InputError("the mesh to go around has no size");
+  if (!is_sensible_length(radius)) {
+    throw InputError("the mesh to go around is " + shortest_text(box.diagonal()) +
+                     " across: scale it to a size from 1e-50 to 1e50");
+  }
   return make_sphere(box.minimum + (box.maximum - box.minimum) / 2, radius, faces);
 }
 
@@ -153,6 +156,8 @@ Mesh make_boxes(const ShapeOptions& options, std::size_t faces, const Progress&)
 Mesh make_pinch(const ShapeOptions&, std::size_t faces, const Progress&) { return pinch(faces); }
 
 }  // namespace
+
+bool is_sensible_length(double length) { return length >= 1e-50 && length <= 1e50; }
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {

@@ -18,4 +18,7 @@ struct Kind {
 
 const std::vector<Kind>& kinds();
 
+/// From 1e-50 to 1e50: its fourth power neither overflows nor vanishes.
+bool is_sensible_length(double length);
+
 }  // namespace transformesh::shapes

@@ -1,7 +1,6 @@
 #include "tm/evolve/shapes/relax.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "tm/mesh/adjacency.h"
 #include "tm/support/parallel.h"

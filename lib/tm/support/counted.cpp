@@ -1,0 +1,16 @@
+#include "tm/support/counted.h"
+
+namespace transformesh {
+
+std::string counted(std::size_t count, const std::string& noun) {
+  const std::string number = std::to_string(count) + ' ';
+  if (count == 1) return number + noun;
+  if (noun.ends_with("vertex")) return number + noun.substr(0, noun.size() - 2) + "ices";
+  return number + noun + 's';
+}
+
+std::string there_are(std::size_t count, const std::string& noun) {
+  return (count == 1 ? "there is " : "there are ") + counted(count, noun);
+}
+
+}  // namespace transformesh
