@@ -12,6 +12,7 @@
 
 #include "signals.h"
 #include "streams.h"
+#include "tm/support/error.h"
 
 namespace transformesh::tool {
 namespace {
@@ -38,6 +39,13 @@ std::string resolved(const std::string& path) {
   if (!error) return real;
   const std::filesystem::path link = std::filesystem::read_symlink(named, error);
   return error ? named : named.parent_path() / link;
+}
+
+bool is_same_place(const std::filesystem::path& first, const std::filesystem::path& second) {
+  std::error_code error;
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(first), error);
+  return !error &&
+         place == std::filesystem::weakly_canonical(std::filesystem::absolute(second), error);
 }
 
 std::string folder_of(const std::string& path) {
@@ -116,6 +124,10 @@ void Outputs::stage(const std::string& path, std::string_view bytes) {
 }
 
 void Outputs::stage_file(const std::string& target, std::string_view bytes) {
+  for (const Staged& other : staged_) {
+    if (is_same_place(other.target, target))
+      throw UsageError("two outputs are called '" + target + "': give each its own file");
+  }
   Staged file{"", target};
   const int descriptor = open_temporary(target, file.temporary);
   staged_.push_back(file);

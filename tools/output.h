@@ -25,7 +25,7 @@ class Outputs {
   Outputs& operator=(const Outputs&) = delete;
 
   /// Writes the bytes to where they wait for commit(); `-` is stdout, which is written and closed
-  /// now. Throws OutputError.
+  /// now. Throws OutputError, and UsageError where a file of that place is staged already.
   void stage(const std::string& path, std::string_view bytes);
   /// Gives all staged files their names.
   void commit();

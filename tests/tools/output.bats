@@ -117,3 +117,19 @@ setup() {
   run --separate-stderr bash -c 'tm-convert --help >/dev/full'
   assert_status 5
 }
+
+@test "outputs of one place by two names are refused before either is written" {
+  mkdir folder
+  for report in ./x.ply folder/../x.ply "$PWD/x.ply"; do
+    run --separate-stderr tm-convert -o x.ply --report "$report" t.ply
+    assert_status 2
+    one_line "$stderr"
+    [[ $stderr == *"two outputs"* ]] || fail "$stderr"
+    [ ! -e x.ply ]
+  done
+  cp t.ply x.ply
+  run --separate-stderr tm-convert -o x.ply --report ./x.ply t.ply
+  assert_status 2
+  cmp t.ply x.ply
+  tm-convert -o /dev/null --report /dev/null t.ply
+}
