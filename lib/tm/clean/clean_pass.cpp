@@ -74,7 +74,8 @@ Scene read_scene(const Mesh& mesh, const PassOptions& options, const Progress& p
     refuse_orientation(*scene.soup, mesh);
   }
   scene.pairs = find_soup_intersections(*scene.soup, progress);
-  scene.arrangement = arrange(scene.soup, scene.pairs, progress);
+  if (scene.pairs.size() <= options.most_pairs)
+    scene.arrangement = arrange(scene.soup, scene.pairs, progress);
   return scene;
 }
 
@@ -104,6 +105,7 @@ CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Pro
   Scene scene = read_scene(mesh, options, progress);
   CleanPass pass;
   pass.pairs = scene.pairs.size();
+  if (pass.pairs > options.most_pairs) return pass;
   pass.is_open = !scene.borders.loops.empty();
   if (pass.is_open) {
     pass.removed_faces = leave_out_enclosed_sheets(mesh, options.level, scene, progress);

@@ -2,6 +2,8 @@
 /// the positions of new vertices, which are in doubles. Throws as clean.h says.
 #pragma once
 
+#include <limits>
+
 #include "tm/clean/assemble.h"
 #include "tm/clean/exterior.h"
 #include "tm/mesh/mesh.h"
@@ -10,7 +12,7 @@
 namespace transformesh {
 
 struct CleanPass {
-  std::size_t pairs = 0;          ///< intersecting face pairs
+  std::size_t pairs = 0;          ///< intersecting face pairs; all there is, where that is too many
   std::size_t cut_faces = 0;      ///< faces that were cut
   std::size_t removed_faces = 0;  ///< whole faces that were dropped
   Exterior exterior;
@@ -23,6 +25,7 @@ struct PassOptions {
   int level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
   bool check_orientation = true;  ///< refuse a mesh that is not oriented
+  std::size_t most_pairs = std::numeric_limits<std::size_t>::max();  ///< more are too many
 };
 
 CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Progress& progress);

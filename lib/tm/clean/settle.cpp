@@ -20,10 +20,12 @@ constexpr int most_rounds = 20;
 constexpr int most_rounds_of_repair = 12;
 constexpr int most_equal_rounds = 3;
 constexpr std::size_t few = 30;  // broken faces that may come and go
+constexpr std::size_t few_pairs = 1000;
 // New vertices this close become one from the start, in doublings of the spacing of floats or
 // doubles. More would close films that can be kept.
 constexpr int doublings_of_new = -1;
-// And these, where too many faces pass one place to be united.
+// And these, where too many faces pass one place to be united, once less did not settle it:
+// hundreds that pass through one point may be so far off it, but there may be gaps as small.
 constexpr int doublings_in_crowds = 8;
 constexpr int most_grid_steps = 5;
 constexpr int most_starts = 20;
@@ -46,6 +48,10 @@ constexpr Attempt on_grid = {-2, false, false};
 
 const Attempt& attempt_after(int failures) {
   return failures < std::ssize(attempts) ? attempts[static_cast<std::size_t>(failures)] : on_grid;
+}
+
+int doublings_in_crowd_after(int failures) {
+  return failures % 2 == 1 ? doublings_in_crowds : failures;
 }
 
 int grid_step_after(int failures) {
@@ -82,17 +88,17 @@ class Settler {
   void round_new_positions(Assembly& assembly) const;
   void round_and_merge(Assembly& assembly) const;
   void unite_broken(Assembly& assembly, const std::vector<Index>& broken, int round) const;
-  void unite(Assembly& assembly, std::vector<Index> broken, const Attempt& attempt,
-             int round) const;
+  void unite(Assembly& assembly, std::vector<Index> broken, int failures, int round) const;
   Mesh snapped_input() const;
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
-  CleanPass run_pass(const Mesh& mesh, int level) const;
+  CleanPass run_pass(const Mesh& mesh, const PassOptions& options) const;
   [[noreturn]] void give_up() const;
 
   const Mesh& mesh_;
   const SettleOptions& options_;
   const Progress& progress_;
   TroubleSpots spots_;
+  std::size_t most_pairs_ = 0;  ///< of a pass; what makes more than the input had is in vain
   std::string place_;
   Settled result_;
 };
@@ -112,9 +118,9 @@ void Settler::give_up() const {
 }
 
 // Where nothing is left of what rounding broke, the shape is too small for its coordinates.
-CleanPass Settler::run_pass(const Mesh& mesh, int level) const {
+CleanPass Settler::run_pass(const Mesh& mesh, const PassOptions& options) const {
   try {
-    return run_clean_pass(mesh, {level, options_.method, false}, progress_);
+    return run_clean_pass(mesh, options, progress_);
   } catch (const GoalError&) {
     give_up();
   }
@@ -129,15 +135,15 @@ void inherit(const Assembly& before, Assembly& after) {
   for (Index& source : after.source_face) source = before.source_face[source];
 }
 
-void Settler::unite(Assembly& assembly, std::vector<Index> broken, const Attempt& attempt,
-                    int round) const {
+void Settler::unite(Assembly& assembly, std::vector<Index> broken, int failures, int round) const {
+  const Attempt& attempt = attempt_after(failures);
   const double reach = distance(doublings_in(round, attempt, options_.coordinate));
   const bool is_local = attempt.is_local && options_.coordinate == Scalar::float32;
   merge_close_vertices(assembly, with_faces_around(assembly.mesh, broken),
                        std::max(reach, distance(attempt.doublings_of_merging)));
   if (attempt.is_wide) broken = with_near_faces(assembly.mesh, broken, reach);
   if (!unite_close_parts(assembly, broken, {reach, is_local}, options_.coordinate))
-    merge_close_vertices(assembly, broken, distance(doublings_in_crowds));
+    merge_close_vertices(assembly, broken, distance(doublings_in_crowd_after(failures)));
 }
 
 // Each spot by the attempt that it is at.
@@ -149,7 +155,7 @@ void Settler::unite_broken(Assembly& assembly, const std::vector<Index>& broken,
     std::vector<Index> there = is_first ? broken : find_broken_faces(assembly);
     std::erase_if(there,
                   [&](Index face) { return spots_.failures_at(assembly.mesh, face) != failures; });
-    unite(assembly, std::move(there), attempt_after(failures), round);
+    unite(assembly, std::move(there), failures, round);
   }
 }
 
@@ -196,8 +202,9 @@ bool Settler::repair(Assembly& assembly) {
       ++result_.repairs;
       unite_broken(assembly, broken, round);
     }
-    CleanPass pass = run_pass(assembly.mesh, 1);
+    CleanPass pass = run_pass(assembly.mesh, {1, options_.method, false, most_pairs_});
     if (pass.unchanged) return true;
+    if (pass.pairs > most_pairs_) break;
     inherit(assembly, pass.assembly);
     assembly = std::move(pass.assembly);
   }
@@ -243,11 +250,12 @@ Mesh Settler::snapped_input() const {
 
 Settled Settler::settle(CleanPass pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
+  most_pairs_ = 2 * pass.pairs + few_pairs;
   for (int start = 1; !repair(pass.assembly); ++start) {
     result_.grid_steps = static_cast<std::size_t>(grid_step_after(spots_.most_failures()));
     if (start == most_starts || result_.grid_steps > most_grid_steps) give_up();
     const Mesh snapped = snapped_input();
-    pass = run_pass(snapped, options_.level);
+    pass = run_pass(snapped, {options_.level, options_.method, false});
     if (pass.unchanged) {
       result_.mesh = snapped;
       return std::move(result_);

@@ -145,7 +145,7 @@ class Evolution {
 void run_rounds(Scalar coordinate) {
   const char* wanted = std::getenv("TM_ROUNDS");
   const int rounds = wanted != nullptr ? std::atoi(wanted) : 30;
-  const std::uint64_t seeds = wanted != nullptr ? 3 : 1;
+  const std::uint64_t seeds = wanted != nullptr ? 3 : 2;
   std::vector<std::string> kinds = {"torus", "dumbbell"};
   if (wanted != nullptr) kinds.insert(kinds.end(), {"two-spheres", "folded"});
   for (const std::string& kind : kinds) {
