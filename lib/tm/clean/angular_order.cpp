@@ -95,7 +95,7 @@ std::vector<Index> sort_around_edge(const Arrangement& arrangement,
   const auto& pieces = arrangement.pieces;
   std::vector<Spoke> spokes;
   for (const Index h : halfedges) {
-    const Source source = arrangement.sources_of(pieces[h / 3]).front();
+    const PieceSource source = arrangement.sources_of(pieces[h / 3]).front();
     const bool forward = is_forward(pieces, h);
     spokes.push_back(
         {arrangement.soup->triangle(source.face), forward, h, forward == source.reversed ? -1 : 1});

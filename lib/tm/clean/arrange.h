@@ -15,7 +15,7 @@
 namespace transformesh {
 
 /// A face of the soup that covers a piece, and whether it looks the other way.
-struct Source {
+struct PieceSource {
   Index face;
   bool reversed;
 };
@@ -33,7 +33,7 @@ struct Arrangement {
   std::vector<ExactPoint>
       cut_points;             ///< arrangement point i is cut_points[i - soup.points.size()]
   std::vector<Piece> pieces;  ///< whole faces first, in order, then the cut ones
-  std::vector<Source> sources;
+  std::vector<PieceSource> sources;
   std::size_t whole_pieces = 0;
 
   ExactGeometry geometry() const { return {soup->points, soup->faces}; }
@@ -46,7 +46,7 @@ struct Arrangement {
                                    : geometry().position(cut_points[i - soup->points.size()]);
   }
   std::size_t point_count() const { return soup->points.size() + cut_points.size(); }
-  std::span<const Source> sources_of(const Piece& piece) const {
+  std::span<const PieceSource> sources_of(const Piece& piece) const {
     return {sources.data() + piece.first_source, piece.source_count};
   }
 };

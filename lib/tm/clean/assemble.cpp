@@ -56,7 +56,7 @@ Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
 
 // The mesh face that a piece is cut from and looks the same way as.
 Index Assembler::piece_face(const Piece& piece) const {
-  for (const Source& source : arrangement_.sources_of(piece)) {
+  for (const PieceSource& source : arrangement_.sources_of(piece)) {
     if (!source.reversed) return arrangement_.soup->face_of[source.face];
   }
   return arrangement_.soup->face_of[arrangement_.sources_of(piece).front().face];

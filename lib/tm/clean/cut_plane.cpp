@@ -33,8 +33,8 @@ class PlaneCutter {
   void insert_faces();
   void insert_meeting(const Meeting& meeting);
   Index edge_line(Index face, Place place) const;
-  void flood(std::size_t k, std::vector<std::vector<Source>>& covers);
-  PlaneCut collect(const std::vector<std::vector<Source>>& covers) const;
+  void flood(std::size_t k, std::vector<std::vector<PieceSource>>& covers);
+  PlaneCut collect(const std::vector<std::vector<PieceSource>>& covers) const;
 
   const Soup& soup_;
   const std::vector<Index>& faces_;
@@ -125,7 +125,7 @@ void PlaneCutter::insert_meeting(const Meeting& meeting) {
 }
 
 // All facets of the k-th face: those that its border encloses.
-void PlaneCutter::flood(std::size_t k, std::vector<std::vector<Source>>& covers) {
+void PlaneCutter::flood(std::size_t k, std::vector<std::vector<PieceSource>>& covers) {
   const std::array<Index, 3>& corner = corners_[k];
   const auto& facets = triangulation_.facets();
   const bool reversed = orient2d(soup_.triangle(faces_[k])[0], soup_.triangle(faces_[k])[1],
@@ -152,7 +152,7 @@ void PlaneCutter::flood(std::size_t k, std::vector<std::vector<Source>>& covers)
   }
 }
 
-PlaneCut PlaneCutter::collect(const std::vector<std::vector<Source>>& covers) const {
+PlaneCut PlaneCutter::collect(const std::vector<std::vector<PieceSource>>& covers) const {
   PlaneCut result;
   for (Index i = 0; i < triangulation_.point_count(); ++i) {
     result.points.push_back(triangulation_.point(i));
@@ -175,7 +175,7 @@ PlaneCut PlaneCutter::cut() {
   }
   triangulation_.improve();
 
-  std::vector<std::vector<Source>> covers(triangulation_.facets().size());
+  std::vector<std::vector<PieceSource>> covers(triangulation_.facets().size());
   border_stamp_.assign(3 * covers.size(), 0);
   for (std::size_t k = 0; k < faces_.size(); ++k) flood(k, covers);
   return collect(covers);

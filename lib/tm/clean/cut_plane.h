@@ -21,7 +21,7 @@ struct PlaneCut {
   std::vector<ExactPoint> points;
   std::vector<Face> facets;           ///< into points; they look the way the first face does
   std::vector<Index> source_offsets;  ///< facet i has sources [offsets[i], offsets[i + 1])
-  std::vector<Source> sources;        ///< ascending faces
+  std::vector<PieceSource> sources;   ///< ascending faces
 };
 
 /// `faces` ascend; `meetings` are those in which one of them takes part.

@@ -95,7 +95,7 @@ std::vector<char> mark_contradictions(const Arrangement& arrangement, int level)
   std::vector<char> agrees(soup.faces.size(), 0);
   for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
     if (patches.patch_of[p] == no_index) continue;
-    for (const Source& source : arrangement.sources_of(arrangement.pieces[p])) {
+    for (const PieceSource& source : arrangement.sources_of(arrangement.pieces[p])) {
       const Index sheet = sheets.sheet_of[source.face];
       (contradicts[patches.patch_of[p]] ? seen : agrees)[sheet] = 1;
     }

@@ -20,14 +20,14 @@ class Refiner {
 
   Mesh refine() {
     for (const Piece& piece : arrangement_.pieces) {
-      for (const Source& source : arrangement_.sources_of(piece)) add_piece(piece, source);
+      for (const PieceSource& source : arrangement_.sources_of(piece)) add_piece(piece, source);
     }
     set_face_columns();
     return std::move(result_);
   }
 
  private:
-  void add_piece(const Piece& piece, const Source& source) {
+  void add_piece(const Piece& piece, const PieceSource& source) {
     const Index mesh_face = arrangement_.soup->face_of[source.face];
     Face face;
     for (std::size_t i = 0; i < 3; ++i) face[i] = vertex(piece.corners[i], mesh_face);

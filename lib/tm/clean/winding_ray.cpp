@@ -71,7 +71,7 @@ void WindingRay::limit_sheets(const BorderClosure& closure) {
 
 int WindingRay::in_front_of(const Piece& piece) const {
   // Along the axis nearest to the normal, to the front.
-  const Source source = arrangement_.sources_of(piece).front();
+  const PieceSource source = arrangement_.sources_of(piece).front();
   const PlaneProjection projection = projection_of(arrangement_.soup->triangle(source.face));
   const bool even = projection.v == (projection.u + 1) % 3;
   const int axis = 3 - projection.u - projection.v;
