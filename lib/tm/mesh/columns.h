@@ -36,8 +36,8 @@ class Columns {
 
   Column* find(std::string_view name);
   const Column* find(std::string_view name) const;
-  /// A column of `rows` zeros, for results: in the place of one that has this name already, whatever
-  /// that holds, else behind the others, which may move them in memory.
+  /// A column of `rows` zeros, for results: in the place of one that has this name already,
+  /// whatever that holds, else behind the others, which may move them in memory.
   Column& get(std::string_view name, Scalar type, std::size_t rows);
   void erase(std::string_view name);
 

@@ -1,7 +1,6 @@
 #include "tm/views/photo_scene.h"
 
-#include <string>
-
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 #include "tm/views/pyramid.h"
@@ -17,7 +16,7 @@ PhotoScene photo_scene(std::span<const View> views, double scale, const PairOpti
   const Vec3 center = viewed_point(cameras);
   scene.pairs = choose_pairs(cameras, center, pairs);
   if (scene.pairs.empty()) {
-    throw InputError("no two views of " + std::to_string(views.size()) +
+    throw InputError("no two of " + counted(views.size(), "view") +
                      " are as far apart as views that are compared must be");
   }
   scene.pixel = scale * pixel_size(cameras, center);
