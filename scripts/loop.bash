@@ -1,6 +1,7 @@
-# What the loops share: messages, options, the filters and their reports, frames, signals. Sourced by
-# them. They set: name, long_options, quiet, verbose, progress, output, threads, format, frames, every,
-# state (a folder), iteration; and job, the process group of the filters while they run.
+# What the loops share: messages, progress, the filters and their reports, frames, signals. Sourced by
+# them, before loop-options.bash and loop-state.bash. They set: name, quiet, verbose, progress, output,
+# threads, format, frames, every, state (a folder), iteration; and job, the process group of the filters
+# while they run.
 # shellcheck shell=bash disable=SC2154,SC2034
 
 # What is closed must not become one of our files. Reading and writing the data go on failing.
@@ -28,81 +29,6 @@ print_and_exit() { # COMMAND...
   exit 0
 }
 
-# The known option with the smallest edit distance to $1.
-nearest_option() {
-  awk -v word="$1" -v options="$long_options" '
-    function distance(a, b,   i, j, row, corner, above) {
-      for (j = 0; j <= length(b); ++j) row[j] = j
-      for (i = 1; i <= length(a); ++i) {
-        corner = row[0]; row[0] = i
-        for (j = 1; j <= length(b); ++j) {
-          above = row[j]
-          corner += substr(a, i, 1) != substr(b, j, 1)
-          if (row[j] + 1 < corner) corner = row[j] + 1
-          if (row[j - 1] + 1 < corner) corner = row[j - 1] + 1
-          row[j] = corner; corner = above
-        }
-      }
-      return row[length(b)]
-    }
-    BEGIN {
-      least = 1e9
-      for (n = split(options, known, /[ \n]+/); n > 0; --n)
-        if ((d = distance(word, known[n])) <= least) { least = d; best = known[n] }
-      print best
-    }'
-}
-
-need_integer() { # OPTION VALUE MINIMUM
-  if ! [[ $2 =~ ^[0-9]{1,9}$ ]] || [ "$2" -lt "$3" ]; then
-    fail 2 "$1: '$2' is not a whole number of at least $3"
-  fi
-}
-
-# --progress or --no-progress, and --quiet or --verbose, as the filters have them.
-set_progress() { # yes|no
-  [ "${progress:-$1}" = "$1" ] || fail 2 'give either --progress or --no-progress, not both'
-  progress=$1
-}
-check_verbosity() {
-  [ "$quiet$verbose" != yesyes ] || fail 2 'give either --quiet or --verbose, not both'
-}
-
-# Before any work is done: each output has a name of its own, and a place to be written to.
-check_outputs() { # OPTION FILE...
-  local -A places=()
-  while [ $# -gt 0 ]; do
-    if [ -n "$2" ] && [ "$2" != - ]; then
-      local place
-      place=$(readlink -m -- "$2")
-      if [ -n "${places[$place]-}" ] && { [ -f "$place" ] || [ ! -e "$place" ]; }; then
-        fail 2 "give either ${places[$place]} or $1 its own file, not both"
-      fi
-      places[$place]=$1
-      check_writable "$2" "$place"
-    elif [ "$2" = - ] && [ "$1" != --output ]; then
-      fail 2 "$1: name a file, as standard output is the mesh's"
-    elif [ "$1" = --output ] && [ -z "$2" ]; then
-      fail 5 'cannot write a file without a name'
-    fi
-    shift 2
-  done
-}
-
-# As the filters do: folders of files are not made, and what is not a regular file is written directly.
-check_writable() { # NAME PLACE
-  local folder=${2%/*}
-  if [ -d "$2" ] || [[ $1 == */ ]]; then
-    fail 5 "cannot write '$1': Is a directory"
-  elif [ -e "$2" ] && [ ! -f "$2" ]; then
-    return
-  elif [ ! -d "${folder:-/}" ]; then
-    fail 5 "cannot write '$1': No such file or directory"
-  elif [ ! -w "${folder:-/}" ] || [ ! -x "${folder:-/}" ]; then
-    fail 5 "cannot write '$1': Permission denied"
-  fi
-}
-
 # The filters: beside the loop, in the project's build, or on PATH.
 find_filters() { # FILTER...
   local folder filter
@@ -120,6 +46,14 @@ find_filters() { # FILTER...
 
 clear_progress() {
   if [ "${progress:-no}" = terminal ]; then printf '\r\033[K' >&2 2>/dev/null || true; fi
+}
+
+# A line of progress, which nobody needs to be able to read.
+show_progress() { # TEXT
+  case $progress in
+    terminal) printf '\r\033[K%s: %s' "$name" "$1" >&2 2>/dev/null || true ;;
+    yes) message "$1" ;;
+  esac
 }
 
 # Whether and how to show progress: no, yes (lines) or terminal.
@@ -158,10 +92,10 @@ blame() { # FILTER CODE...
   done
 }
 
-# The filters in a process group of their own, so that a signal can end all at once.
-run_group() {
+# What runs filters, in a process group of its own, so that a signal can end all at once.
+run_group() { # COMMAND...
   set -m
-  run_filters &
+  "$@" &
   job=$!
   set +m
   local code=0
@@ -207,4 +141,22 @@ readonly read_reports='
     text = $0; sub(/^[^:]*: */, "", text); sub(/,$/, "", text); gsub(/"/, "", text)
     if (text == "{") section = key
     else value[file "." (/^    /? section "." : "") key] = text
+  }
+  function own_seconds(filter) {
+    return value[filter ".timings.total"] - value[filter ".timings.read"]
+  }'
+
+# Awk that writes the report of a loop.
+# shellcheck disable=SC2016
+readonly write_entries='
+  function entry(key, text) { printf "    \"%s\": %s,\n", key, text >report }
+  function begin_report() {
+    printf "{\n  \"tool\": \"%s\",\n  \"version\": \"%s\",\n", name, value["final.version"] >report
+    printf "  \"output\": {\n    \"vertices\": %d,\n    \"faces\": %d\n  },\n",
+      value["final.output.vertices"], value["final.output.faces"] >report
+    printf "  \"result\": {\n" >report
+  }
+  function end_report(mean_edge) {
+    printf "    \"mean_edge\": %s\n  },\n", mean_edge >report
+    printf "  \"timings\": {\n    \"total\": %s\n  }\n}\n", seconds >report
   }'

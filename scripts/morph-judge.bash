@@ -5,9 +5,6 @@
 # Awk: what the reports say, and what was said before, in `last`.
 # shellcheck disable=SC2016
 readonly judge_values='
-  function own_seconds(filter) {
-    return value[filter ".timings.total"] - value[filter ".timings.read"]
-  }
   function result(key) { return value["step.result." key] + 0 }
   function better(key,   current) {
     current = result(key)
@@ -35,17 +32,16 @@ readonly judge_values='
 # Awk: the line of the CSV file, and of the progress.
 # shellcheck disable=SC2016
 readonly judge_messages='
-  function write_csv() {
-    printf("%d,%d,%d,%d,%d,%.4f,%.4f,%.6g,%.6g,%.6g,%.6g,%.6g,%.3f,%.3f,%.3f,%.3f,%d\n",
+  function csv_line() {
+    return sprintf("%d,%d,%d,%d,%d,%.4f,%.4f,%.6g,%.6g,%.6g,%.6g,%.6g,%.3f,%.3f,%.3f,%.3f,%d",
       iteration, faces, value["clean.result.pairs"], components, genus, moved, share, rms_to,
       max_to, rms_from, max_from, edge, own_seconds("step"), own_seconds("clean"),
-      own_seconds("remesh"), seconds, scale) >>csv
+      own_seconds("remesh"), seconds, scale)
   }
-  function show_progress() {
-    printf("%s%s: iteration %d: %s, %s, genus %d, moved %d%%, distance %.3g%s",
-      (progress == "terminal" ? "\r\033[K" : ""), name, iteration, counted(faces, "face"),
-      counted(components, "part"), genus, 100 * moved, (rms_to > rms_from ? rms_to : rms_from),
-      (progress == "terminal" ? "" : "\n")) >"/dev/stderr"
+  function progress_line() {
+    return sprintf("iteration %d: %s, %s, genus %d, moved %d%%, distance %.3g", iteration,
+      counted(faces, "face"), counted(components, "part"), genus, 100 * moved,
+      (rms_to > rms_from ? rms_to : rms_from))
   }'
 
 # Awk: what to do next:
@@ -91,18 +87,17 @@ readonly judge_decision='
     return line
   }'
 
-# Reads the reports, appends to the CSV file, shows progress, and prints what to do next, components
-# and genus, and the new line of the state.
+# From the reports: a line for the CSV file, one of progress, and what to do next, components and
+# genus, and the new line of the state.
 judge() { # SECONDS SCALE
   # shellcheck disable=SC2016
-  awk -v iteration="$iteration" -v csv="$csv" -v progress="$progress" -v seconds="$1" \
-    -v name="$name" -v line="$state_line" -v scale="$2" \
+  awk -v iteration="$iteration" -v seconds="$1" -v line="$state_line" -v scale="$2" \
     "$read_reports$counted$judge_values$judge_messages$judge_decision"'
     BEGIN { read_line(line) }
     END {
       read_values()
-      if (csv != "") write_csv()
-      if (progress != "no") show_progress()
+      print csv_line()
+      print progress_line()
       next_step = decide()
       if (next_step == "examine") last["checked"] = iteration
       if (next_step == "refine") { forget_scale(); --scale }

@@ -14,7 +14,6 @@ readonly report_functions='
       result("rms_distance_to_target"), result("rms_distance_from_target"),
       fault == "" ? "" : "; " fault)
   }
-  function entry(key, text) { printf "    \"%s\": %s,\n", key, text >report }
   function write_result(   expected) {
     entry("converged", stop == "converged" ? "true" : "false")
     entry("stop", "\"" stop "\"")
@@ -34,7 +33,6 @@ readonly report_functions='
       entry("target_genus", expected[2])
     }
     entry("fault", "\"" fault "\"")
-    printf "    \"mean_edge\": %s\n", result("mean_edge") >report
   }'
 
 write_report() {
@@ -42,16 +40,13 @@ write_report() {
   # shellcheck disable=SC2016
   summary=$(awk -v stop="${stop:-iteration_limit}" -v iterations="$iteration" -v name="$name" \
     -v report="$report" -v seconds="$seconds" -v fault="$fault" \
-    -v topology="$target_topology" "$read_reports$counted$report_functions"'
+    -v topology="$target_topology" "$read_reports$write_entries$counted$report_functions"'
     END {
       print summary()
       if (report == "") exit
-      printf "{\n  \"tool\": \"%s\",\n  \"version\": \"%s\",\n", name, value["final.version"] >report
-      printf "  \"output\": {\n    \"vertices\": %d,\n    \"faces\": %d\n  },\n",
-        value["final.output.vertices"], value["final.output.faces"] >report
-      printf "  \"result\": {\n" >report
+      begin_report()
       write_result()
-      printf "  },\n  \"timings\": {\n    \"total\": %s\n  }\n}\n", seconds >report
+      end_report(result("mean_edge"))
     }' "$state"/{final,distances,comparison}.json) || return
   say "$summary"
 }

@@ -5,9 +5,6 @@
 # Awk: what the reports of a pass say.
 # shellcheck disable=SC2016
 readonly judge_values='
-  function own_seconds(filter) {
-    return value[filter ".timings.total"] - value[filter ".timings.read"]
-  }
   function step(key) { return value["step.result." key] + 0 }
   function clean(key) { return value["clean.result." key] + 0 }
   function read_values() {
@@ -20,19 +17,17 @@ readonly judge_values='
 # Awk: a line for the CSV file, and progress.
 # shellcheck disable=SC2016
 readonly judge_lines='
-  function write_csv_line() {
-    printf("%d,%s,%s,%d,%d,%d,%d,%.6f,%d,%.4f,%.5f,%d,%.3f,%.3f,%.3f,%.3f\n", iteration, scale, edge,
-      faces, clean("pairs"), components, genus, now, pixels, coverage, share, outside,
-      own_seconds("remesh"), own_seconds("step"), own_seconds("clean"), seconds) >>csv
+  function csv_line() {
+    return sprintf("%d,%s,%s,%d,%d,%d,%d,%.6f,%d,%.4f,%.5f,%d,%.3f,%.3f,%.3f,%.3f", iteration, scale,
+      edge, faces, clean("pairs"), components, genus, now, pixels, coverage, share, outside,
+      own_seconds("remesh"), own_seconds("step"), own_seconds("clean"), seconds)
   }
-  function show_progress() {
-    printf("%s%s: pass %d, scale %.2f: %s, %s, genus %d, dissimilarity %.4f%s",
-      (progress == "terminal" ? "\r\033[K" : ""), name, iteration, scale, counted(faces, "face"),
-      counted(components, "part"), genus, now,
-      (progress == "terminal" ? "" : "\n")) >"/dev/stderr"
+  function progress_line() {
+    return sprintf("pass %d, scale %.2f: %s, %s, genus %d, dissimilarity %.4f", iteration, scale,
+      counted(faces, "face"), counted(components, "part"), genus, now)
   }'
 
-# Appends to the CSV file, shows progress, and prints what to do next, `stay` or `refine`, the
+# From the reports: a line for the CSV file, one of progress, and what to do next, `stay` or `refine`, the
 # dissimilarity, how many vertices are outside of silhouettes, the coverage and the pixels that the
 # level began with, components and genus, the scale at which coverage was lost since then or `no`,
 # and whether the surface is at rest. A level is done when vertices hardly move any more or
@@ -41,15 +36,14 @@ readonly judge_lines='
 # that photographs agree on because less of it is compared is not at rest: see lost_coverage of
 # tm-photo-step.
 judge() { # SECONDS
-  awk -v iteration="$iteration" -v csv="$csv" -v progress="$progress" -v seconds="$1" \
-    -v name="$name" -v scale="$scale" -v edge="$level_edge" -v before="$dissimilarity" \
+  awk -v iteration="$iteration" -v seconds="$1" -v scale="$scale" -v edge="$level_edge" -v before="$dissimilarity" \
     -v outside_before="$outside" -v topology_before="$topology" -v of_coverage="$of_coverage" \
     -v of_pixels="$of_pixels" -v pass="$pass" -v passes="$passes" \
     "$read_reports$counted$judge_values$judge_lines"'
     END {
       read_values()
-      if (csv != "") write_csv_line()
-      if (progress != "no") show_progress()
+      print csv_line()
+      print progress_line()
       is_lost = coverage < 0.9 * of_coverage || pixels < 0.5 * of_pixels
       is_at_rest = !is_lost && (share < 0.015 || (before != "none" && now > 0.99 * before))
       enters = outside > 0.002 * value["step.output.vertices"] && \

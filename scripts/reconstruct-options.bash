@@ -1,16 +1,11 @@
 # The command line of tm-reconstruct: what it takes, what it says of itself, and what it refuses.
-# Sourced by it, after loop.bash.
+# Sourced by it, before loop-options.bash.
 # shellcheck shell=bash disable=SC2154,SC2034
 
-readonly long_options='--cameras --images --silhouettes --silhouettes-show --threshold --keep --start
+readonly own_options='--cameras --images --silhouettes --silhouettes-show --threshold --keep --start
   --clip --sequence --track --output --coarsest
-  --edge --last-edge --passes --iterations --pairs --stiffness --pull --resume --frames --every --csv
-  --format --report --threads --progress --no-progress --quiet --verbose --help --version'
-
-print_help() {
-  print_own_options
-  print_common_options
-}
+  --edge --last-edge --passes --iterations --pairs --stiffness --pull'
+readonly help_note='WHERE is a file, a folder or a quoted pattern, see tm-cameras.'
 
 print_own_options() {
   cat <<'HELP'
@@ -56,93 +51,20 @@ Options:
 HELP
 }
 
-print_common_options() {
-  cat <<'HELP'
-
-Common options:
-  -o, --output FILE       where to write; - is stdout (default -)
-  --format ply|ply-ascii|ply-be|off
-                          format of the output (default ply)
-  --report FILE           also write a JSON report there
-  --threads N             threads to use, 0: one per core (default 0)
-  --progress              report progress on stderr, also where it is not a
-                          terminal
-  --no-progress           never report progress
-  -q, --quiet             print errors only
-  -v, --verbose           print the settings and what was done
-  -h, --help              print this text
-  --version               print the version
-
-WHERE is a file, a folder or a quoted pattern, see tm-cameras.
-
-Exit codes: 0 done, 2 usage, 3 bad input, 4 goal not reached, 5 output failed,
-            6 out of memory.
-HELP
-}
-
 need_number() { # OPTION VALUE MINIMUM
   if ! [[ $2 =~ ^[0-9]*\.?[0-9]+$ ]] || awk -v a="$2" -v b="$3" 'BEGIN { exit a + 0 >= b }'; then
     fail 2 "$1: '$2' is not a number of at least $3"
   fi
 }
 
-parse() {
-  while [ $# -gt 0 ]; do
-    local option=$1
-    shift
-    if [[ $option == --*=* ]]; then
-      set -- "${option#*=}" "$@"
-      option=${option%%=*}
-    fi
-    case $option in
-      --cameras | --images | --silhouettes | --silhouettes-show | --threshold | --keep | --start | --clip | \
-        --sequence | --track | --output | -o | --coarsest | --edge | --last-edge | --passes | --iterations | \
-        --pairs | --stiffness | --pull | --frames | --every | --csv | --format | --report | --threads)
-        [ $# -gt 0 ] || fail 2 "$option needs a value"
-        set_option "$option" "$1"
-        shift
-        ;;
-      --resume) resume=yes ;;
-      --progress) set_progress yes ;;
-      --no-progress) set_progress no ;;
-      -q | --quiet) quiet=yes ;;
-      -v | --verbose) verbose=yes ;;
-      -h | --help) print_and_exit print_help ;;
-      --version) print_and_exit print_version ;;
-      -?*) fail 2 "unknown option '$option'; did you mean '$(nearest_option "$option")'?" ;;
-      *) fail 2 "unexpected '$option': photographs are named by --images" ;;
-    esac
-  done
+set_defaults() {
+  cameras='' images='' silhouettes='' silhouettes_show=exact threshold='' keep=largest start=''
+  clip=hull sequence='' track=4 coarsest=auto edge=3 last_edge='' passes=4 iterations=5 pairs=4
+  stiffness=1 pull=0.5 every=1
 }
 
-set_option() {
-  case $1 in
-    --cameras) cameras=$2 ;;
-    --images) images=$2 ;;
-    --silhouettes) silhouettes=$2 ;;
-    --silhouettes-show) meaning=$2 ;;
-    --threshold) threshold=$2 ;;
-    --keep) keep=$2 ;;
-    --start) start=$2 ;;
-    --clip) clip=$2 ;;
-    --sequence) sequence=$2 ;;
-    --track) track=$2 ;;
-    --output | -o) output=$2 ;;
-    --coarsest) coarsest=$2 ;;
-    --edge) edge=$2 ;;
-    --last-edge) last_edge=$2 ;;
-    --passes) passes=$2 ;;
-    --iterations) iterations=$2 ;;
-    --pairs) pairs=$2 ;;
-    --stiffness) stiffness=$2 ;;
-    --pull) pull=$2 ;;
-    --frames) frames=$2 ;;
-    --every) every=$2 ;;
-    --csv) csv=$2 ;;
-    --format) format=$2 ;;
-    --report) report=$2 ;;
-    --threads) threads=$2 ;;
-  esac
+take_operand() {
+  fail 2 "unexpected '$1': photographs are named by --images"
 }
 
 # What is read again and again cannot be a pipe.
@@ -161,10 +83,9 @@ check_options() {
   if [ -n "$start" ]; then
     if [ ! -r "$start" ] || [ -d "$start" ]; then fail 3 "cannot read '$start'"; fi
   fi
-  [ "$output" != - ] || [ ! -t 1 ] || [ "$format" = ply-ascii ] || [ "$format" = off ] ||
-    fail 2 "not writing binary PLY to a terminal: name a file with -o"
-  [ "$output" != - ] || [ "$resume" = no ] || fail 2 "--resume needs -o OUT: what to continue"
-  [[ $meaning =~ ^(exact|least)$ ]] || fail 2 "--silhouettes-show: '$meaning' is neither exact nor least"
+  check_stdout
+  [[ $silhouettes_show =~ ^(exact|least)$ ]] ||
+    fail 2 "--silhouettes-show: '$silhouettes_show' is neither exact nor least"
   [[ $clip =~ ^(hull|nothing)$ ]] || fail 2 "--clip: '$clip' is neither hull nor nothing"
   need_number --track "$track" 1
   [ -z "$sequence" ] || check_sequence
@@ -180,9 +101,4 @@ check_options() {
   else
     check_outputs --report "$report" --csv "$csv"
   fi
-}
-
-print_version() {
-  find_filters "${filters[@]}"
-  tm-photo-step --version | sed "s/^tm-photo-step/$name/"
 }

@@ -28,8 +28,8 @@ fault() {
 
 write_report() {
   local summary
-  summary=$(awk -v passes="$iteration" -v name="$name" -v report="$report" -v seconds="$seconds" -v pixel="$pixel_size" -v fault="$(fault)" "$read_reports$counted"'
-    function entry(key, text) { printf "    \"%s\": %s,\n", key, text >report }
+  summary=$(awk -v passes="$iteration" -v name="$name" -v report="$report" -v seconds="$seconds" \
+    -v pixel="$pixel_size" -v fault="$(fault)" "$read_reports$write_entries$counted"'
     END {
       printf("%s: %s, components %d, genus %d; dissimilarity from %.4f to %.4f%s\n",
         counted(passes, "pass"), counted(value["final.output.faces"], "face"),
@@ -37,10 +37,7 @@ write_report() {
         value["start.result.dissimilarity"], value["last.result.dissimilarity"],
         fault == "" ? "" : "; " fault)
       if (report == "") exit
-      printf "{\n  \"tool\": \"%s\",\n  \"version\": \"%s\",\n", name, value["final.version"] >report
-      printf "  \"output\": {\n    \"vertices\": %d,\n    \"faces\": %d\n  },\n",
-        value["final.output.vertices"], value["final.output.faces"] >report
-      printf "  \"result\": {\n" >report
+      begin_report()
       entry("views", value["last.result.views"])
       entry("pixel_size", pixel)
       entry("passes", passes)
@@ -54,8 +51,7 @@ write_report() {
       entry("coverage", value["last.result.coverage"])
       entry("first_pixels", value["start.result.pixels"])
       entry("pixels", value["last.result.pixels"])
-      printf "    \"mean_edge\": %s\n  },\n", value["last.result.mean_edge"] >report
-      printf "  \"timings\": {\n    \"total\": %s\n  }\n}\n", seconds >report
+      end_report(value["last.result.mean_edge"])
     }' "$state"/{start,last,final}.json) || return
   say "$summary"
 }

@@ -35,14 +35,12 @@ open_sequence() {
   mkdir -p "$output" || fail 5 "cannot make the folder '$output'"
   state=$output/.$name
   settings="sequence $sequence cameras $cameras images $images silhouettes ${silhouettes:-none} \
-show $meaning threshold ${threshold:-auto} keep $keep start ${start:-hull} clip $clip track $track \
+show $silhouettes_show threshold ${threshold:-auto} keep $keep start ${start:-hull} clip $clip track $track \
 coarsest $coarsest edge $edge last-edge $last_edge passes $passes iterations $iterations pairs $pairs \
 stiffness $stiffness pull $pull format ${format:-ply}"
   if [ "$resume" = yes ] && [ -s "$state/settings" ]; then
-    [ "$(cat "$state/settings")" = "$settings" ] ||
-      fail 2 "'$state' is of a run with other settings ($(cat "$state/settings")); leave out --resume"
-    sed -n '/ end$/p' "$state/steps" >"$state/steps.new"
-    mv "$state/steps.new" "$state/steps"
+    check_settings
+    keep_complete_lines "$state/steps"
   else
     rm -rf "$state"
     mkdir -p "$state" || fail 5 "cannot make the folder '$state'"
@@ -62,25 +60,24 @@ check_names() {
   [ -z "$twice" ] || fail 2 "--sequence '$sequence': two time steps are called '$twice'"
 }
 
-# tm-reconstruct for one surface, in a process group of its own.
-run_self() { # ARGUMENT...
-  set -m
-  "$here/$name" -q --threads "$threads" --cameras "${cameras//'{}'/$step}" \
+# tm-reconstruct for one surface, in the background; its messages are shown where they end the loop.
+reconstruct_one() { # ARGUMENT...
+  exec "$here/$name" -q --threads "$threads" --cameras "${cameras//'{}'/$step}" \
     --images "${images//'{}'/$step}" "${masks[@]}" --keep "$keep" --edge "$edge" \
     --last-edge "$last_edge" --passes "$passes" --iterations "$iterations" --pairs "$pairs" \
-    --stiffness "$stiffness" --pull "$pull" --resume "$@" 2>"$state/messages" &
-  job=$!
-  set +m
+    --stiffness "$stiffness" --pull "$pull" --resume "$@" 2>"$state/messages"
+}
+
+run_self() { # ARGUMENT...
   local code=0
-  wait "$job" || code=$?
-  job=''
+  run_group reconstruct_one "$@" || code=$?
   [ "$code" -eq 0 ] || cat "$state/messages" >&2
   return "$code"
 }
 
 # Sets masks: those given, or the outlines of this time step's hull, which show the object at least.
 make_masks() {
-  masks=(--silhouettes "${silhouettes//'{}'/$step}" --silhouettes-show "$meaning")
+  masks=(--silhouettes "${silhouettes//'{}'/$step}" --silhouettes-show "$silhouettes_show")
   if [ -n "$silhouettes" ]; then return; fi
   masks=(--silhouettes "$state/outlines" --silhouettes-show least)
   rm -rf "$state/outlines"

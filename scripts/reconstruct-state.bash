@@ -1,49 +1,22 @@
-# The state of a run of tm-reconstruct: a folder beside the output, from which --resume continues.
-# Sourced by it, after loop.bash. Each line of its file `state` is complete once it ends, and describes
-# the mesh after a pass: mesh-0.ply after even ones, mesh-1.ply after odd ones. `level` counts the
-# scales, and then the shorter edges at full scale.
+# The state of a run of tm-reconstruct. `level` counts the scales, and then the shorter edges at full
+# scale. Sourced by it, after loop-state.bash.
 # shellcheck shell=bash disable=SC2154,SC2034
 
+readonly round=pass
 readonly csv_header=pass,scale,edge,faces,pairs,components,genus,dissimilarity,pixels,coverage,mean_share,\
 outside,seconds_remesh,seconds_step,seconds_clean,seconds
 
-open_state() {
-  if [ "$output" = - ]; then
-    state=$(mktemp -d "${TMPDIR:-/tmp}/$name.XXXXXX")
-  else
-    state=$output.$name
-    mkdir -p "$state" || fail 5 "cannot make the folder '$state'"
-  fi
-  settings="cameras $cameras images $images silhouettes ${silhouettes:-none} show $meaning \
+describe_settings() {
+  settings="cameras $cameras images $images silhouettes ${silhouettes:-none} show $silhouettes_show \
 threshold ${threshold:-default} keep $keep start ${start:-hull} clip $clip coarsest $coarsest edge $edge \
 last-edge $last_edge passes $passes iterations $iterations pairs $pairs stiffness $stiffness pull $pull"
-  if [ "$resume" = yes ] && [ -s "$state/state" ]; then
-    resume_state
-  else
-    rm -f "$state"/mesh-*.ply "$state"/state
-    start_state
-  fi
-}
-
-# Of a run that writes to stdout nothing can be continued.
-on_exit() {
-  if [ "$output" = - ] && [ -n "$state" ] && [ -d "$state" ]; then close_state; fi
 }
 
 close_state() {
-  rm -f "$state"/{mesh-0,mesh-1,start,hull,both,coarse,last}.ply "$state"/{state,settings,levels} \
+  rm -f "$state"/{mesh-0,mesh-1,start,hull,both,coarse,last}.ply "$state"/{state,verdict,settings,levels} \
     "$state"/{cameras,start,remesh,step,clean,coverage,final,last,group}.{json,messages}
   rm -rf "$state/outlines"
   rmdir "$state" || fail 5 "cannot remove the folder '$state'"
-}
-
-# A program of its own pipeline: ends the loop with its message where it fails.
-first_step() { # COMMAND...
-  "$@" || {
-    local code=$?
-    close_state
-    exit "$code"
-  }
 }
 
 start_state() {
@@ -55,10 +28,6 @@ start_state() {
   iteration=0 level=1 first=1 lost=no rest=no
   begin_level
   coarsen_start
-  printf '%s\n' "$settings" >"$state/settings"
-  write_state
-  start_csv
-  keep_frame
 }
 
 read_pixel_size() {
@@ -98,7 +67,7 @@ make_start() {
   fi
   first_step tm-clean --outermost --threads "$threads" -q --format ply --no-provenance \
     -o "$state/start.ply" "$start"
-  if [ -n "$silhouettes" ] && [ "$meaning$clip" = exacthull ]; then
+  if [ -n "$silhouettes" ] && [ "$silhouettes_show$clip" = exacthull ]; then
     clip_start
   elif [ -z "$silhouettes" ] && [ -n "$threshold" ]; then
     make_hull /dev/null "$keep"
@@ -151,29 +120,12 @@ coarsen_start() {
 scaled() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.9g", a * b }'; }
 
 write_state() {
-  printf 'pass %d first %d level %d of_level %d dissimilarity %s outside %s coverage %s pixels %s topology %s lost %s rest %s end\n' \
-    "$iteration" "$first" "$level" "$pass" "$dissimilarity" "$outside" "$of_coverage" "$of_pixels" \
-    "$topology" "$lost" "$rest" >>"$state/state" || fail 5 "cannot write to '$state'"
-}
-
-start_csv() {
-  [ -z "$csv" ] || printf '%s\n' "$csv_header" >"$csv" || fail 5 "cannot write '$csv'"
+  append_state "pass $iteration first $first level $level of_level $pass dissimilarity $dissimilarity \
+outside $outside coverage $of_coverage pixels $of_pixels topology $topology lost $lost rest $rest"
 }
 
 resume_state() {
-  [ "$(cat "$state/settings")" = "$settings" ] ||
-    fail 2 "'$state' is of a run with other settings ($(cat "$state/settings")); leave out --resume"
-  # Without what follows the last end of a line: it was being written.
-  sed -n '/^pass .* end$/p' "$state/state" >"$state/state.new"
-  mv "$state/state.new" "$state/state"
   read -r _ iteration _ first _ level _ pass _ dissimilarity _ outside _ of_coverage _ of_pixels \
     _ topology _ lost _ rest _ < <(tail -n 1 "$state/state")
   read_pixel_size
-  if [ -n "$csv" ] && [ -e "$csv" ]; then
-    awk -F, -v last="$iteration" 'NR == 1 || $1 <= last' "$csv" >"$csv.new"
-    mv "$csv.new" "$csv"
-  else
-    start_csv
-  fi
-  detail "continuing after pass $iteration"
 }

@@ -46,8 +46,10 @@ setup() {
   grep -q 'after 1 iteration: ' messages
   bash -c 'tm-morph sphere.ply --target torus.ply --iterations 1 -o closed.ply >&- 2>&- <&-'
   bash -c 'tm-morph sphere.ply --target torus.ply --iterations 1 -o full.ply 2>/dev/full'
+  bash -c 'tm-morph sphere.ply --target torus.ply --iterations 1 -o lines.ply --progress 2>/dev/full'
   cmp one.ply closed.ply
   cmp one.ply full.ply
+  cmp one.ply lines.ply
 }
 
 @test "tm-morph: a hangup is told as an interruption, with 129 and what continues the run" {

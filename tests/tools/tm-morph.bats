@@ -34,7 +34,7 @@ same_mesh() {
 # A folder of filters that are the built ones, but for those that a test puts there.
 own_filters() {
   mkdir -p filters
-  cp "$tm_root"/scripts/{tm-morph,loop.bash,morph-*.bash} filters/
+  cp "$tm_root"/scripts/{tm-morph,loop*.bash,morph-*.bash} filters/
   for filter in tm-morph-step tm-clean tm-remesh tm-convert tm-compare tm-info tm-checkmanifold; do
     ln -sf "$tm_build/bin/$filter" "filters/$filter"
   done
@@ -257,6 +257,7 @@ STUB
   run --separate-stderr tm-morph "$sphere" --target "$torus" --iterations 2 -q -o out.ply \
     --csv /dev/full
   assert_status 5
+  [ "$stderr" = "tm-morph: cannot write '/dev/full'" ]
 }
 
 @test "frames are kept every N iterations, from the source on" {
