@@ -6,6 +6,7 @@
 #include <malloc.h>
 #endif
 
+#include <iostream>
 #include <new>
 #include <stdexcept>
 
@@ -51,6 +52,10 @@ void keep_memory() {
 #endif
 }
 
+/// Every word on stderr is a message of the program. Ours do not go through std::cerr, on which
+/// CGAL says what it cannot do.
+void silence_libraries() { std::cerr.setstate(std::ios::failbit); }
+
 }  // namespace
 
 int Program::Implementation::fail(int code, std::string_view message) {
@@ -89,6 +94,7 @@ int Program::Implementation::run_unguarded(const std::vector<std::string>& argum
 
 int Program::Implementation::run(int argc, char** argv, const Kind& kind, const Work& work) {
   keep_memory();
+  silence_libraries();
   occupy_standard_descriptors();
   install_signal_handlers();
   try {

@@ -86,6 +86,15 @@ setup() {
   done
 }
 
+@test "points that CGAL finds no surface for: exit 4 and one line, not CGAL's" {
+  # A flat ring.
+  awk 'BEGIN { for (i = 0; i < 200; ++i) print cos(i), sin(i), 1e-15 * (i % 3), 0, 0, 1 }' >flat.xyz
+  run --separate-stderr tm-wrap flat.xyz -o wrap.ply
+  assert_status 4
+  one_line "$stderr"
+  [[ $stderr == "tm-wrap: "* ]]
+}
+
 @test "messages are about points, not about a target; a mesh inside out has vertices as well" {
   printf 'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n' >none.ply
   run --separate-stderr tm-wrap none.ply

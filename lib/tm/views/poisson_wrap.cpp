@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <utility>
 #include <vector>
 
@@ -66,18 +65,6 @@ std::vector<Vec3> positions_of(const std::vector<Oriented>& cloud) {
   return positions;
 }
 
-/// CGAL says on std::cerr what cannot be solved; here an exception does.
-class SilentErrors {
- public:
-  SilentErrors() : before_(std::cerr.rdstate()) { std::cerr.setstate(std::ios::failbit); }
-  ~SilentErrors() { std::cerr.clear(before_); }
-  SilentErrors(const SilentErrors&) = delete;
-  SilentErrors& operator=(const SilentErrors&) = delete;
-
- private:
-  std::ios::iostate before_;
-};
-
 float value_at(const Function& function, const ValueGrid& grid,
                const std::array<std::size_t, 3>& site) {
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -127,7 +114,6 @@ Mesh unit_wrap(const std::vector<Oriented>& cloud) {
   const double cell =
       std::clamp(spacing, box.diagonal() / most_cells, box.diagonal() / least_cells);
 
-  const SilentErrors silence;
   Function function(cloud.begin(), cloud.end(), PointMap(), NormalMap());
   if (!function.compute_implicit_function()) return {};
   check_normals(function, cloud, spacing / 2);

@@ -35,8 +35,8 @@ AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& optio
 /// Closed, oriented 2-manifold without self-intersection, its edges about as long as the points are
 /// apart. Normals point outwards; those that are zero are left out with their points. Throws
 /// InputError for fewer than four points with normals and for points in a plane, GoalError where
-/// most normals point inwards or do not agree. Deterministic; mostly one thread; a second for
-/// 10 000 points.
+/// most normals point inwards or do not agree; CGAL may say why on std::cerr, before that.
+/// Deterministic; mostly one thread; a second for 10 000 points.
 Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals);
 
 }  // namespace transformesh
