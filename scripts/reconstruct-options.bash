@@ -4,7 +4,7 @@
 
 readonly own_options='--cameras --images --silhouettes --silhouettes-show --threshold --keep --start
   --clip --sequence --track --output --coarsest
-  --edge --last-edge --passes --iterations --pairs --stiffness --pull'
+  --edge --last-edge --passes --iterations --pairs --window --stiffness --pull'
 readonly help_note='WHERE is a file, a folder or a quoted pattern, see tm-cameras.'
 
 print_own_options() {
@@ -42,6 +42,7 @@ Options:
   --passes N              at most so many at each scale (default 4)
   --iterations N          steps between two cleanings (default 5)
   --pairs N               neighbors with which each view is compared (default 4)
+  --window N              radius of compared windows, 1 to 5 pixels (default 3)
   --stiffness NUMBER      resistance to bending (default 1)
   --pull NUMBER           how much silhouettes pull (default 0.5)
   --resume                continue a run that was stopped, where there is one
@@ -60,7 +61,7 @@ need_number() { # OPTION VALUE MINIMUM
 set_defaults() {
   cameras='' images='' silhouettes='' silhouettes_show=exact threshold='' keep=largest start=''
   clip=hull sequence='' track=4 coarsest=auto edge=3 last_edge='' passes=4 iterations=5 pairs=4
-  stiffness=1 pull=0.5 every=1
+  window=3 stiffness=1 pull=0.5 every=1
 }
 
 take_operand() {
@@ -94,6 +95,7 @@ check_options() {
   need_number --last-edge "${last_edge:=$edge}" 1
   need_integer --passes "$passes" 1
   need_integer --iterations "$iterations" 1
+  [[ $window =~ ^[1-5]$ ]] || fail 2 "--window: '$window' is not a whole number from 1 to 5"
   need_integer --every "$every" 1
   need_integer --threads "$threads" 0
   if [ -z "$sequence" ]; then

@@ -65,7 +65,7 @@ reconstruct_one() { # ARGUMENT...
   exec "$here/$name" -q --threads "$threads" --cameras "${cameras//'{}'/$step}" \
     --images "${images//'{}'/$step}" "${masks[@]}" --keep "$keep" --edge "$edge" \
     --last-edge "$last_edge" --passes "$passes" --iterations "$iterations" --pairs "$pairs" \
-    --stiffness "$stiffness" --pull "$pull" --resume "$@" 2>"$state/messages"
+    --window "$window" --stiffness "$stiffness" --pull "$pull" --resume "$@" 2>"$state/messages"
 }
 
 run_self() { # ARGUMENT...

@@ -9,7 +9,7 @@ outside,seconds_remesh,seconds_step,seconds_clean,seconds
 describe_settings() {
   settings="cameras $cameras images $images silhouettes ${silhouettes:-none} show $silhouettes_show \
 threshold ${threshold:-default} keep $keep start ${start:-hull} clip $clip coarsest $coarsest edge $edge \
-last-edge $last_edge passes $passes iterations $iterations pairs $pairs stiffness $stiffness pull $pull"
+last-edge $last_edge passes $passes iterations $iterations pairs $pairs window $window stiffness $stiffness pull $pull"
 }
 
 close_state() {

@@ -13,7 +13,8 @@ name_files() { # SCENE
       cameras="$shared/dinoSparse_transformesh/camera*.txt"
       images="$shared/dinoSparse_transformesh/dinoSR*.png"
       masks="$shared/dinoSparse_transformesh/*mask.png"
-      options=(--stiffness 4) # plaster, hardly textured
+      # Plaster, hardly textured; views 45 degrees apart see other sides of the legs.
+      options=(--window 5 --pairs 2 --stiffness 3)
       ;;
     temple)
       cameras=$shared/templeSparseRing/templeSR_par.txt

@@ -2,7 +2,7 @@
 photographs = system("awk 'NR % 2 == 1 { printf \"%s \", $1 }' pairs.txt")
 renders = system("awk 'NR % 2 == 1 { printf \"%s \", $2 }' pairs.txt")
 columns = words(photographs) / 2
-set terminal pngcairo size 320 * columns, 960
+set terminal pngcairo size 480 * columns, 1440
 set output 'sheet.png'
 unset border
 unset tics

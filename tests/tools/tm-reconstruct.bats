@@ -177,6 +177,8 @@ STUB
   one_line "$stderr"
   run --separate-stderr "${reconstruct[@]}" --edge 0.5 -o out.ply
   assert_status 2
+  run --separate-stderr "${reconstruct[@]}" --window 6 -o out.ply
+  assert_status 2
   run --separate-stderr "${reconstruct[@]}" --egde 3 -o out.ply
   assert_status 2
   [[ $stderr == *"--edge"* ]]
