@@ -82,13 +82,29 @@ stop_after_failure() { # CODE
   fail "$1" "stopped in $round $iteration; $holds"
 }
 
-# Sets verdict, what judge says of this round, after its lines for the CSV file and for progress.
-hear_verdict() { # ARGUMENT...
-  local csv_line progress_line
-  judge "$@" >"$state/verdict" || fail 5 "cannot write to '$state'"
-  { read -r csv_line && read -r progress_line && read -r verdict; } <"$state/verdict"
+# One round, in a process group of its own: the filters, then judge, whose line for the CSV file and
+# whose progress are shown, and whose verdict is set. Returns the code of a filter that failed.
+run_round() {
+  local code=0 csv_line progress_line
+  { : >"$state/verdict"; } 2>/dev/null || fail 5 "cannot write to '$state'"
+  run_group filter_and_judge || code=$?
+  if [ "$code" -ne 0 ]; then
+    [ ! -s "$state/verdict" ] || fail 5 "cannot write to '$state'"
+    return "$code"
+  fi
+  { read -r _ && read -r csv_line && read -r progress_line && read -r verdict; } <"$state/verdict"
   append_csv "$csv_line"
   show_progress "$progress_line"
+}
+
+# An empty line says that no filter failed. Judge takes the place of this process: another one would
+# cost as much as a tenth of a filter.
+filter_and_judge() {
+  local started=$EPOCHREALTIME
+  run_filters || return
+  seconds_since "$started"
+  { echo >"$state/verdict"; } 2>/dev/null || fail 5 "cannot write to '$state'"
+  judge >>"$state/verdict"
 }
 
 start_csv() {

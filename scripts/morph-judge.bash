@@ -88,10 +88,10 @@ readonly judge_decision='
   }'
 
 # From the reports: a line for the CSV file, one of progress, and what to do next, components and
-# genus, and the new line of the state.
-judge() { # SECONDS SCALE
+# genus, and the new line of the state. Ends the process.
+judge() {
   # shellcheck disable=SC2016
-  awk -v iteration="$iteration" -v seconds="$1" -v line="$state_line" -v scale="$2" \
+  exec awk -v iteration="$iteration" -v seconds="$seconds" -v line="$state_line" -v scale="$scale" \
     "$read_reports$counted$judge_values$judge_messages$judge_decision"'
     BEGIN { read_line(line) }
     END {

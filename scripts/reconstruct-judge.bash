@@ -34,9 +34,9 @@ readonly judge_lines='
 # photographs agree hardly better than after the pass before, or after --passes; but while vertices
 # come in from outside of silhouettes or the topology changes, not before twice as many. A surface
 # that photographs agree on because less of it is compared is not at rest: see lost_coverage of
-# tm-photo-step.
-judge() { # SECONDS
-  awk -v iteration="$iteration" -v seconds="$1" -v scale="$scale" -v edge="$level_edge" -v before="$dissimilarity" \
+# tm-photo-step. Ends the process.
+judge() {
+  exec awk -v iteration="$iteration" -v seconds="$seconds" -v scale="$scale" -v edge="$level_edge" -v before="$dissimilarity" \
     -v outside_before="$outside" -v topology_before="$topology" -v of_coverage="$of_coverage" \
     -v of_pixels="$of_pixels" -v pass="$pass" -v passes="$passes" \
     "$read_reports$counted$judge_values$judge_lines"'
