@@ -16,7 +16,8 @@ TrianglePart corner_part(int corner) { return static_cast<TrianglePart>(corner %
 TrianglePart edge_part(int edge) { return static_cast<TrianglePart>(3 + edge); }
 
 /// The closest point of the segment from corner `edge` of the triangle to the next.
-TrianglePoint closest_point_of_edge(const Vec3& query, const Vec3& from, const Vec3& to, int edge) {
+inline TrianglePoint closest_point_of_edge(const Vec3& query, const Vec3& from, const Vec3& to,
+                                           int edge) {
   const Vec3 direction = to - from;
   const double along = direction.dot(query - from);
   const double length_squared = direction.squaredNorm();
@@ -53,13 +54,16 @@ TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const 
   }
 
   // Else the closest point lies on the boundary; the first of equals.
-  const std::array<TrianglePoint, 3> candidates{closest_point_of_edge(query, a, b, 0),
-                                                closest_point_of_edge(query, b, c, 1),
-                                                closest_point_of_edge(query, c, a, 2)};
-  TrianglePoint best = candidates[0];
-  for (const TrianglePoint& candidate : {candidates[1], candidates[2]})
-    if (squared_distance(candidate.point, query) < squared_distance(best.point, query))
-      best = candidate;
+  TrianglePoint best = closest_point_of_edge(query, a, b, 0);
+  double least = squared_distance(best.point, query);
+  const auto offer = [&](const TrianglePoint& candidate) {
+    const double squared = squared_distance(candidate.point, query);
+    if (!(squared < least)) return;
+    best = candidate;
+    least = squared;
+  };
+  offer(closest_point_of_edge(query, b, c, 1));
+  offer(closest_point_of_edge(query, c, a, 2));
   return best;
 }
 
@@ -77,23 +81,32 @@ struct ClosestPointQuery::Hit {
   double squared = std::numeric_limits<double>::infinity();  ///< distance
   Index face = no_index;
   TrianglePoint place;
+  Vec3 to_query = Vec3::Zero();  ///< from the place
+
+  /// Beyond the plane that touches the ball around the query at the place: no triangle with all
+  /// corners there comes closer. The room is for rounding.
+  bool is_beyond(const Vec3& corner) const {
+    return to_query.dot(corner - place.point) < -1e-9 * squared;
+  }
 };
 
 /// Cells are left out that are farther than `shrink` times the best so far, in squares.
 ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink) const {
   Hit best;
+  const auto offer = [&](Index face) {
+    const Vec3& a = mesh_->positions[mesh_->faces[face][0]];
+    const Vec3& b = mesh_->positions[mesh_->faces[face][1]];
+    const Vec3& c = mesh_->positions[mesh_->faces[face][2]];
+    if (best.is_beyond(a) && best.is_beyond(b) && best.is_beyond(c)) return;
+    const TrianglePoint candidate = closest_point_of_triangle(query, a, b, c);
+    const double squared = squared_distance(candidate.point, query);
+    if (squared > best.squared) return;
+    if (squared == best.squared && face > best.face) return;
+    best = {squared, face, candidate, query - candidate.point};
+  };
   tree_.visit_nearest(
       query, [&] { return shrink * best.squared; },
-      [&](std::size_t place) {
-        const Index face = tree_.order()[place];
-        const auto& [a, b, c] = mesh_->faces[face];
-        const TrianglePoint candidate = closest_point_of_triangle(
-            query, mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]);
-        const double squared = squared_distance(candidate.point, query);
-        if (squared > best.squared) return;
-        if (squared == best.squared && face > best.face) return;
-        best = {squared, face, candidate};
-      });
+      [&](std::size_t place) { offer(tree_.order()[place]); });
   return best;
 }
 

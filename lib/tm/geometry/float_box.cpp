@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "tm/support/parallel.h"
 
@@ -11,11 +10,6 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t boxes_per_task = 4096;
-
-double finite(float value) {
-  constexpr float largest = std::numeric_limits<float>::max();
-  return std::clamp(value, -largest, largest);
-}
 
 FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
   return float_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
@@ -51,10 +45,6 @@ BoxFrame::BoxFrame(std::span<const Vec3> points) {
   origin_ = low / 2 + high / 2;
   const double size = (high / 2 - low / 2).maxCoeff();
   if (size > 0) scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(size)));
-}
-
-double centre(const FloatBox& box, std::size_t axis) {
-  return (finite(box.minimum[axis]) + finite(box.maximum[axis])) / 2;
 }
 
 std::vector<FloatBox> face_boxes(const Mesh& mesh) {

@@ -2,7 +2,9 @@
 /// doubles is missed. Coordinates beyond the floats' range give infinite bounds.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -38,7 +40,12 @@ class BoxFrame {
 };
 
 /// The middle of a box along an axis, infinite bounds counted as the largest float.
-double centre(const FloatBox& box, std::size_t axis);
+inline double centre(const FloatBox& box, std::size_t axis) {
+  constexpr float largest = std::numeric_limits<float>::max();
+  const double low = std::clamp(box.minimum[axis], -largest, largest);
+  const double high = std::clamp(box.maximum[axis], -largest, largest);
+  return (low + high) / 2;
+}
 
 /// One box around each face.
 std::vector<FloatBox> face_boxes(const Mesh& mesh);

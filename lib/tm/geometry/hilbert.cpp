@@ -51,6 +51,25 @@ constexpr std::array<std::uint8_t, 24 * 8> make_transitions() {
 
 constexpr auto transitions = make_transitions();
 
+/// Two levels at once: for two bits of each axis the table holds 64 * (state inside) + two digits.
+constexpr std::array<std::uint16_t, 24 * 64> make_double_transitions() {
+  std::array<std::uint16_t, 24 * 64> table{};
+  for (unsigned state = 0; state < 24; ++state) {
+    for (unsigned bits = 0; bits < 64; ++bits) {
+      const unsigned inner = (bits & 1U) | (bits >> 2 & 1U) << 1 | (bits >> 4 & 1U) << 2;
+      const unsigned outer = (bits >> 1 & 1U) | (bits >> 3 & 1U) << 1 | (bits >> 5 & 1U) << 2;
+      const unsigned first = transitions[8 * state + outer];
+      const unsigned second = transitions[8 * (first >> axes) + inner];
+      table[64 * state + bits] =
+          static_cast<std::uint16_t>((second >> axes) << 6U | (first & 7U) << axes | (second & 7U));
+    }
+  }
+  return table;
+}
+
+constexpr auto double_transitions = make_double_transitions();
+static_assert(hilbert_bits % 2 == 0);
+
 struct Key {
   std::uint64_t place;
   Index box;
@@ -122,12 +141,12 @@ void sort_keys(std::vector<Key>& keys) {
 std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell) {
   std::uint64_t place = 0;
   unsigned state = 0;
-  for (int bit = hilbert_bits - 1; bit >= 0; --bit) {
-    const unsigned octant =
-        (cell[0] >> bit & 1U) | (cell[1] >> bit & 1U) << 1 | (cell[2] >> bit & 1U) << 2;
-    const unsigned entry = transitions[8 * state + octant];
-    place = place << axes | (entry & 7U);
-    state = entry >> 3;
+  for (int bit = hilbert_bits - 2; bit >= 0; bit -= 2) {
+    const unsigned bits =
+        (cell[0] >> bit & 3U) | (cell[1] >> bit & 3U) << 2 | (cell[2] >> bit & 3U) << 4;
+    const unsigned entry = double_transitions[64 * state + bits];
+    place = place << 2 * axes | (entry & 63U);
+    state = entry >> 6U;
   }
   return place;
 }

@@ -35,12 +35,28 @@ std::size_t widest_axis(std::span<const Centre> centres) {
 
 }  // namespace
 
+MedianTree::Halves::Halves(const FloatBox& left, const FloatBox& right) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    minimum[axis] = {left.minimum[axis], right.minimum[axis]};
+    maximum[axis] = {left.maximum[axis], right.maximum[axis]};
+  }
+}
+
+FloatBox MedianTree::Halves::both() const {
+  FloatBox box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.minimum[axis] = std::min(minimum[axis][0], minimum[axis][1]);
+    box.maximum[axis] = std::max(maximum[axis][0], maximum[axis][1]);
+  }
+  return box;
+}
+
 MedianTree::MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size, BoxOrder order)
     : bucket_size_(bucket_size), order_(boxes.size()) {
   if (boxes.empty()) return;
   std::size_t leaves = 1;
   for (std::size_t size = boxes.size(); size > bucket_size; size -= size / 2) leaves *= 2;
-  nodes_.resize(2 * leaves - 1);
+  nodes_.resize(leaves - 1);
   if (order == BoxOrder::of_tree) {
     std::iota(order_.begin(), order_.end(), Index{0});
     enclose(boxes, {0, boxes.size(), 0, 0});
@@ -55,18 +71,17 @@ MedianTree::MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size,
   build(boxes, centres, {0, boxes.size(), 0, 0});
 }
 
-void MedianTree::build(std::span<const FloatBox> boxes, std::vector<Centre>& centres,
-                       const Cell& cell) {
+FloatBox MedianTree::build(std::span<const FloatBox> boxes, std::vector<Centre>& centres,
+                           const Cell& cell) {
   const std::size_t size = cell.last - cell.first;
   const std::span<Centre> own(centres.data() + cell.first, size);
-  FloatBox& box = nodes_[cell.node];
   if (size <= bucket_size_) {
-    box = boxes[own[0].box];
+    FloatBox box = boxes[own[0].box];
     for (std::size_t i = 0; i < size; ++i) {
       order_[cell.first + i] = own[i].box;
       extend(box, boxes[own[i].box]);
     }
-    return;
+    return box;
   }
 
   // Cut at the median of the widest axis; the box of the whole follows from the halves.
@@ -75,30 +90,35 @@ void MedianTree::build(std::span<const FloatBox> boxes, std::vector<Centre>& cen
   std::nth_element(
       own.begin(), own.begin() + static_cast<std::ptrdiff_t>(size / 2), own.end(),
       [axis](const Centre& a, const Centre& b) { return a.position[axis] < b.position[axis]; });
-  const auto left = [&] { build(boxes, centres, {cell.first, cell.middle(), child, 0}); };
-  const auto right = [&] { build(boxes, centres, {cell.middle(), cell.last, child + 1, 0}); };
+  FloatBox left_box;
+  FloatBox right_box;
+  const auto left = [&] {
+    left_box = build(boxes, centres, {cell.first, cell.middle(), child, 0});
+  };
+  const auto right = [&] {
+    right_box = build(boxes, centres, {cell.middle(), cell.last, child + 1, 0});
+  };
   if (size > boxes_per_task) {
     parallel_invoke(left, right);
   } else {
     left();
     right();
   }
-  box = nodes_[child];
-  extend(box, nodes_[child + 1]);
+  nodes_[cell.node] = Halves(left_box, right_box);
+  return nodes_[cell.node].both();
 }
 
-void MedianTree::enclose(std::span<const FloatBox> boxes, const Cell& cell) {
-  FloatBox& box = nodes_[cell.node];
+FloatBox MedianTree::enclose(std::span<const FloatBox> boxes, const Cell& cell) {
   if (cell.last - cell.first <= bucket_size_) {
-    box = boxes[cell.first];
+    FloatBox box = boxes[cell.first];
     for (std::size_t i = cell.first + 1; i < cell.last; ++i) extend(box, boxes[i]);
-    return;
+    return box;
   }
   const std::size_t child = 2 * cell.node + 1;
-  enclose(boxes, {cell.first, cell.middle(), child, 0});
-  enclose(boxes, {cell.middle(), cell.last, child + 1, 0});
-  box = nodes_[child];
-  extend(box, nodes_[child + 1]);
+  const FloatBox left = enclose(boxes, {cell.first, cell.middle(), child, 0});
+  const FloatBox right = enclose(boxes, {cell.middle(), cell.last, child + 1, 0});
+  nodes_[cell.node] = Halves(left, right);
+  return nodes_[cell.node].both();
 }
 
 }  // namespace transformesh

@@ -49,14 +49,22 @@ class MedianTree {
     double distance;
     std::size_t middle() const { return first + (last - first) / 2; }
   };
-  void build(std::span<const FloatBox> boxes, std::vector<Centre>& centres, const Cell& cell);
-  void enclose(std::span<const FloatBox> boxes, const Cell& cell);
-
-  double squared_distance(std::size_t node, const Vec3& query) const;
+  /// The boxes of a node's halves, side by side: one loop over both is one of vectors.
+  struct Halves {
+    std::array<std::array<float, 2>, 3> minimum;
+    std::array<std::array<float, 2>, 3> maximum;
+    Halves() = default;
+    Halves(const FloatBox& left, const FloatBox& right);
+    FloatBox both() const;
+    Eigen::Array2d squared_distances(const Vec3& query) const;
+  };
+  /// These return the box of the cell.
+  FloatBox build(std::span<const FloatBox> boxes, std::vector<Centre>& centres, const Cell& cell);
+  FloatBox enclose(std::span<const FloatBox> boxes, const Cell& cell);
 
   std::size_t bucket_size_;
   std::vector<Index> order_;
-  std::vector<FloatBox> nodes_;
+  std::vector<Halves> nodes_;  ///< that are cut
 };
 
 }  // namespace transformesh

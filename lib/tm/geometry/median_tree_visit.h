@@ -7,13 +7,17 @@
 
 namespace transformesh {
 
-inline double MedianTree::squared_distance(std::size_t node, const Vec3& query) const {
-  const FloatBox& box = nodes_[node];
-  const auto outside = [&](std::size_t axis) {
+inline Eigen::Array2d MedianTree::Halves::squared_distances(const Vec3& query) const {
+  const auto outside = [&](std::size_t axis) -> Eigen::Array2d {
+    const Eigen::Array2d low(minimum[axis][0], minimum[axis][1]);
+    const Eigen::Array2d high(maximum[axis][0], maximum[axis][1]);
     const double coordinate = query.data()[axis];
-    return std::max({box.minimum[axis] - coordinate, coordinate - box.maximum[axis], 0.0});
+    return (low - coordinate).max(coordinate - high).max(0.0);
   };
-  return squared_length(outside(0), outside(1), outside(2));
+  const Eigen::Array2d x = outside(0);
+  const Eigen::Array2d y = outside(1);
+  const Eigen::Array2d z = outside(2);
+  return x * x + y * y + z * z;
 }
 
 template <class Bound, class Visit>
@@ -27,8 +31,9 @@ void MedianTree::visit_nearest(const Vec3& query, const Bound& bound, const Visi
     Cell cell = stack[--waiting];
     while (cell.distance <= bound() && cell.last - cell.first > bucket_size_) {
       const std::size_t child = 2 * cell.node + 1;
-      const Cell left{cell.first, cell.middle(), child, squared_distance(child, query)};
-      const Cell right{cell.middle(), cell.last, child + 1, squared_distance(child + 1, query)};
+      const Eigen::Array2d squares = nodes_[cell.node].squared_distances(query);
+      const Cell left{cell.first, cell.middle(), child, squares[0]};
+      const Cell right{cell.middle(), cell.last, child + 1, squares[1]};
       const bool is_left_nearer = left.distance <= right.distance;
       stack[waiting] = is_left_nearer ? right : left;
       if (stack[waiting].distance <= bound()) ++waiting;

@@ -1,19 +1,21 @@
 #include "tm/mesh/edges.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace transformesh {
 namespace {
 
-/// A halfedge, filed under the smaller of its two vertices.
-struct Entry {
-  Index larger_vertex;
-  Index halfedge;
-  bool operator<(const Entry& other) const {
-    return larger_vertex != other.larger_vertex ? larger_vertex < other.larger_vertex
-                                                : halfedge < other.halfedge;
-  }
-};
+/// A halfedge, filed under the smaller of its two vertices: the larger one, then the halfedge, in
+/// one number that orders them.
+using Entry = std::uint64_t;
+static_assert(2 * sizeof(Index) == sizeof(Entry));
+constexpr int index_bits = 32;
+constexpr Entry entry_of(Index larger, Index halfedge) {
+  return Entry{larger} << index_bits | halfedge;
+}
+constexpr Index larger_vertex(Entry entry) { return static_cast<Index>(entry >> index_bits); }
+constexpr Index halfedge_of(Entry entry) { return static_cast<Index>(entry); }
 
 /// Calls visit(smaller vertex, larger vertex, halfedge) in order of the halfedges.
 template <class Visit>
@@ -48,20 +50,20 @@ Edges::Edges(std::span<const Face> faces, std::size_t vertices) {
   for (std::size_t v = 1; v < bucket_end.size(); ++v) bucket_end[v] += bucket_end[v - 1];
   std::vector<Entry> entries(bucket_end.back());
   for_each_halfedge(faces, [&](Index smaller, Index larger, Index halfedge) {
-    entries[bucket_end[smaller]++] = {larger, halfedge};
+    entries[bucket_end[smaller]++] = entry_of(larger, halfedge);
   });
 
   // Each bucket by the larger vertex; a new edge starts where that changes.
-  halfedges_.reserve(entries.size());
+  halfedges_.resize(entries.size());
   offsets_.reserve(entries.size() / 2 + 2);
   Index first = 0;
   for (std::size_t v = 0; v + 1 < bucket_end.size(); ++v) {
     const Index last = bucket_end[v];
     sort_bucket(entries.data() + first, entries.data() + last);
     for (Index i = first; i < last; ++i) {
-      if (i == first || entries[i].larger_vertex != entries[i - 1].larger_vertex)
+      if (i == first || larger_vertex(entries[i]) != larger_vertex(entries[i - 1]))
         offsets_.push_back(i);
-      halfedges_.push_back(entries[i].halfedge);
+      halfedges_[i] = halfedge_of(entries[i]);
     }
     first = last;
   }
