@@ -65,6 +65,18 @@ setup() {
   one_line "$stderr"
 }
 
+@test "an alpha that would take minutes is refused, and the one named instead is not" {
+  run --separate-stderr timeout 20 tm-wrap points.xyz --alpha 0.0001 --offset 0.05 -o wrap.ply
+  assert_status 2
+  one_line "$stderr"
+  [ ! -e wrap.ply ]
+  # So many faces again, for a tenth of the area.
+  echo 0 0 0 >one.xyz
+  run --separate-stderr timeout 20 tm-wrap one.xyz --alpha 0.0001 --offset 1 -o wrap.ply
+  assert_status 2
+  [[ $stderr == *"; of 0.0029 or more it would not"* ]]
+}
+
 @test "coordinates that no square fits, and all that are too few: an answer, or exit 3 and one line" {
   for scale in 1e-320 1e-200 1e154 1e200 1e308; do
     awk -v s=$scale 'NR % 40 == 0 { printf "%.17g %.17g %.17g\n", s * $1, s * $2, s * $3 }' \

@@ -3,12 +3,16 @@
 #include <CGAL/alpha_wrap_3.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "tm/geometry/ray_winding.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
+#include "tm/support/length.h"
 #include "tm/views/unit_scale.h"
 #include "tm/views/wrap.h"
 #include "tm/views/wrap_result.h"
@@ -22,6 +26,13 @@ constexpr double offset_by_diagonal = 1.0 / 300;
 constexpr double largest_alpha_by_diagonal = 1.0 / 5;
 constexpr double least_alpha_by_diagonal = 1.0 / 100;
 constexpr double alpha_ratio = 0.8408964152537145;  // four of them halve it
+
+/// A wrap has about so many faces by its area in squares of alpha, and takes a minute and a
+/// gigabyte for a million. The area is that of a coarse wrap, or of all the balls around points on
+/// their own; but twice that of the coarse one where alpha gets in between the points.
+constexpr double faces_by_area = 1.3;
+constexpr double most_faces = 2e6;
+constexpr double coarse_alpha_by_size = 1.0 / 50;
 
 /// A wrap is hollow where it is thinner than this many offsets: a ball that got in between the
 /// points leaves hardly more than two.
@@ -52,6 +63,32 @@ AlphaWrap wrap(const Cloud& cloud, double alpha, double offset) {
   Surface surface;
   CGAL::alpha_wrap_3(cloud, alpha, offset, surface);
   return {mesh_of(surface), alpha};
+}
+
+double expected_faces(const Cloud& cloud, double alpha, double offset, double diagonal) {
+  const double faces_of_unit_area = faces_by_area / (alpha * alpha);
+  const double balls = 4 * std::numbers::pi * offset * offset * static_cast<double>(cloud.size());
+  const double coarse = coarse_alpha_by_size * (diagonal + 2 * offset);
+  if (alpha >= coarse || balls * faces_of_unit_area <= most_faces) return 0;
+  return faces_of_unit_area * std::min(balls, 2 * surface_area(wrap(cloud, coarse, offset).mesh));
+}
+
+/// With two digits, rounded up.
+std::string rounded_up(double length) {
+  const double power = std::floor(std::log10(length)) - 1;
+  const double digits = std::ceil(length / std::pow(10, power));
+  return shortest_text(power < 0 ? digits / std::pow(10, -power) : digits * std::pow(10, power));
+}
+
+/// Throws UsageError for an alpha that is far too small.
+void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal,
+                const UnitScale& scale) {
+  const double faces = expected_faces(cloud, alpha, offset, diagonal);
+  if (faces <= most_faces) return;
+  const double least = scale.from_unit(alpha * std::sqrt(faces / most_faces));
+  throw UsageError(
+      "alpha is too small: a wrap of more than two million faces would take minutes; of " +
+      rounded_up(least) + " or more it would not");
 }
 
 /// The share of the area behind which the wrap soon ends.
@@ -101,6 +138,8 @@ AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& optio
   for (const Vec3& point : scale.to_unit(points))
     cloud.emplace_back(point.x(), point.y(), point.z());
   const double unit_offset = scale.to_unit(offset);
+  if (options.alpha > 0)
+    check_cost(cloud, scale.to_unit(options.alpha), unit_offset, scale.to_unit(diagonal), scale);
   AlphaWrap result = options.alpha > 0 ? wrap(cloud, scale.to_unit(options.alpha), unit_offset)
                                        : tightest_wrap(cloud, scale.to_unit(diagonal), unit_offset);
   check_wrap(result.mesh);

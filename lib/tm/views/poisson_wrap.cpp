@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
+#include "tm/support/random.h"
 #include "tm/views/marching_tetrahedra.h"
 #include "tm/views/unit_scale.h"
 #include "tm/views/wrap.h"
@@ -29,6 +31,7 @@ constexpr unsigned neighbors = 6;  // that the spacing is measured to
 /// Cells along the diagonal of the points' box: one for the spacing of the points, but within this.
 constexpr double least_cells = 16;
 constexpr double most_cells = 160;
+constexpr double shaken_by_spacing = 0.03;
 constexpr double margin_by_diagonal = 0.1;
 constexpr float outside = 1;
 
@@ -77,14 +80,42 @@ float value_at(const Function& function, const ValueGrid& grid,
 }
 
 /// The function rises along the normals, or most of them are turned the wrong way.
-void check_normals(const Function& function, const std::vector<Oriented>& cloud, double step) {
+bool rises_outwards(const Function& function, const std::vector<Oriented>& cloud, double step) {
   const auto rises = [&](const Oriented& oriented) {
     const auto& [point, normal] = oriented;
     return function(point + step * normal) > function(point - step * normal);
   };
   const auto rising = std::count_if(cloud.begin(), cloud.end(), rises);
-  if (2 * static_cast<std::size_t>(rising) < cloud.size())
-    throw GoalError("no surface has these normals: most point inwards, or they do not agree");
+  return 2 * static_cast<std::size_t>(rising) >= cloud.size();
+}
+
+/// Each point moved by up to `reach` along each axis, always the same way.
+std::vector<Oriented> shaken(std::vector<Oriented> cloud, double reach) {
+  Random random(1);
+  const auto way = [&] { return random.uniform(-reach, reach); };
+  for (auto& [point, normal] : cloud) {
+    const Kernel::Vector_3 shift(way(), way(), way());
+    point = point + shift;
+  }
+  return cloud;
+}
+
+/// Null where there is no such function.
+std::unique_ptr<Function> function_of(const std::vector<Oriented>& cloud) {
+  auto function = std::make_unique<Function>(cloud.begin(), cloud.end(), PointMap(), NormalMap());
+  if (!function->compute_implicit_function()) return nullptr;
+  return function;
+}
+
+/// The cells between points on one sphere have one circumcentre, at which CGAL's refinement of its
+/// triangulation ends before the space around is divided: the function is flat there, and what is
+/// inside a guess. Points that are shaken are on no sphere. Null where there is no function.
+std::unique_ptr<Function> rising_function(const std::vector<Oriented>& cloud, double spacing) {
+  std::unique_ptr<Function> function = function_of(cloud);
+  if (function == nullptr || rises_outwards(*function, cloud, spacing / 2)) return function;
+  function = function_of(shaken(cloud, shaken_by_spacing * spacing));
+  if (function == nullptr || rises_outwards(*function, cloud, spacing / 2)) return function;
+  throw GoalError("no surface has these normals: most point inwards, or they do not agree");
 }
 
 /// The function at the nodes of a grid around the points, with a margin for what bulges.
@@ -114,10 +145,9 @@ Mesh unit_wrap(const std::vector<Oriented>& cloud) {
   const double cell =
       std::clamp(spacing, box.diagonal() / most_cells, box.diagonal() / least_cells);
 
-  Function function(cloud.begin(), cloud.end(), PointMap(), NormalMap());
-  if (!function.compute_implicit_function()) return {};
-  check_normals(function, cloud, spacing / 2);
-  return march_tetrahedra(sampled(function, box, cell));
+  const std::unique_ptr<Function> function = rising_function(cloud, spacing);
+  if (function == nullptr) return {};
+  return march_tetrahedra(sampled(*function, box, cell));
 }
 
 }  // namespace

@@ -117,6 +117,32 @@ TEST_CASE("a Poisson surface goes between noisy points, and closes what they lea
   CHECK(volume(closed) == doctest::Approx(4.18879).epsilon(0.1));
 }
 
+TEST_CASE("points exactly on a sphere have a Poisson surface, and normals inwards still none") {
+  for (const int count : {50, 100, 200, 500, 1000, 2000}) {
+    CAPTURE(count);
+    Cloud cloud = sphere_cloud(count);
+    const Mesh mesh = poisson_wrap(cloud.points, cloud.normals);
+    check_surface(mesh);
+    CHECK(connected_components(mesh).components.size() == 1);
+    for (const Vec3& position : mesh.positions) CHECK(std::abs(position.norm() - 1) < 0.1);
+    for (Vec3& normal : cloud.normals) normal = -normal;
+    CHECK_THROWS_AS(poisson_wrap(cloud.points, cloud.normals), GoalError);
+  }
+}
+
+TEST_CASE("an alpha of millions of faces is refused before it takes its time") {
+  const Cloud cloud = sphere_cloud(1000);
+  for (const double alpha : {0.004, 1e-4, 1e-8}) {
+    CAPTURE(alpha);
+    CHECK_THROWS_WITH_AS(alpha_wrap(cloud.points, {.alpha = alpha, .offset = 0.1}),
+                         doctest::Contains("too small"), UsageError);
+  }
+  // One ball; and many that are small, each on its own.
+  CHECK_THROWS_AS(alpha_wrap(std::vector<Vec3>{Vec3::Zero()}, {.alpha = 1e-4, .offset = 1}),
+                  UsageError);
+  check_surface(alpha_wrap(cloud.points, {.alpha = 1e-4, .offset = 1e-4}).mesh);
+}
+
 namespace {
 
 std::vector<Vec3> scaled(std::vector<Vec3> points, double factor) {
