@@ -29,8 +29,8 @@ struct AlphaWrap {
 /// in steps of 2^(1/4) from a fifth, that does not get in between the points: the next one would
 /// leave it hollow, thinner than four offsets on more than a 20th of its area. Throws InputError
 /// for no points, UsageError for options out of range and for an alpha that is to make more than
-/// some million faces. Deterministic, one thread. Cost grows with the area by alpha^2: seconds for a
-/// diagonal / 300, or where alpha is found among 10 000 points.
+/// some million faces. Deterministic, one thread. Cost grows with the area by alpha^2: seconds for
+/// a diagonal / 300, or where alpha is found among 10 000 points.
 AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options = {});
 
 /// Closed, oriented 2-manifold without self-intersection, its edges about as long as the points are
