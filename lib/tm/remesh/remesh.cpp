@@ -8,6 +8,7 @@
 #include "tm/remesh/collapse.h"
 #include "tm/remesh/degenerate.h"
 #include "tm/remesh/edge_limits.h"
+#include "tm/remesh/even_out.h"
 #include "tm/remesh/flip.h"
 #include "tm/remesh/sizing.h"
 #include "tm/remesh/small_components.h"
@@ -29,6 +30,9 @@ constexpr double stage_growth = 1.6;
 constexpr double adaptive_shortest = 0.55;
 /// Longer ones are split: a margin, since faces relax after the splits and curvature varies.
 constexpr double adaptive_longest = 0.95;
+/// So many iterations make a mesh anew; with fewer it moves on, and its next step sees to its
+/// shape.
+constexpr int iterations_anew = 3;
 
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
@@ -159,6 +163,11 @@ class Iteration {
     relax();
   }
 
+  void finish() {
+    if (task_.options.smoothing == Smoothing::tangential && task_.surface == nullptr)
+      even_out(mesh_, guard_, roles_, task_.progress);
+  }
+
  private:
   void collapse() {
     const CollapseCounts counts =
@@ -242,7 +251,7 @@ ScaledLengths coarsen(const Task& task) {
   }
 }
 
-void iterate(const Task& task, bool is_first) {
+void iterate(const Task& task, bool is_first, bool is_finish) {
   mark_features(task.mesh, task.options.feature_angle_deg);
   const ScaledLengths lengths = coarsen(task);
   const Index first_new = task.mesh.vertex_slots();
@@ -250,7 +259,9 @@ void iterate(const Task& task, bool is_first) {
     task.result.splits +=
         split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
   }
-  Iteration(task, first_new).run(is_first);
+  Iteration iteration(task, first_new);
+  iteration.run(is_first);
+  if (is_finish) iteration.finish();
   remove_small(task);
 }
 
@@ -272,7 +283,8 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
   RemeshResult result;
   const Task task{editable, options, limits, surface ? &*surface : nullptr, progress, result};
   remove_small(task);
-  for (int i = 0; i < options.iterations; ++i) iterate(task, i == 0);
+  for (int i = 0; i < options.iterations; ++i)
+    iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
   result.degenerate_faces = count_degenerate_faces(editable);
   Mesh remeshed = editable.to_mesh();
   if (remeshed.faces.empty()) {

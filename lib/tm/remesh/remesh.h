@@ -32,7 +32,7 @@ struct RemeshOptions {
   /// > 0: between e1 and e2, edges of 0.55 to 0.95 of what curvature takes to keep this near
   /// (sizing.h)
   double adaptive_error = 0;
-  int iterations = 1;  ///< >= 0; with 0 only small components and degenerate faces go
+  int iterations = 1;  ///< >= 0; 0: only small components, degenerate faces; 3 or more: even_out.h
   FlipRule flip = FlipRule::valence;  ///< towards valence 6 (4 on borders), or larger least angles
   Smoothing smoothing = Smoothing::tangential;  ///< the Laplacians slide vertices as well
   double smooth_first = 0;                      ///< b of v - b dv, or b1; in [0, 1]

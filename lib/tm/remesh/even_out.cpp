@@ -1,0 +1,76 @@
+#include "tm/remesh/even_out.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tm/remesh/vertex_mover.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double share = 0.3;
+/// Of the edge length: what is higher is a crease, and what has less to go stays.
+constexpr double crease = 0.25;
+constexpr double rest = 1e-3;
+/// The edge length of six equilateral triangles with this sum of doubled areas, squared.
+constexpr double squared_edge_by_area = 0.19245008972987526;
+
+constexpr double not_smooth = std::numeric_limits<double>::quiet_NaN();
+
+struct Vertex {
+  Vec3 neighbours = Vec3::Zero();  ///< their sum
+  Vec3 normal = Vec3::Zero();      ///< of the areas, doubled, summed; then of unit length
+  double valence = 0;
+  double edge = 0;
+  double height = not_smooth;  ///< over the mean of the neighbours
+};
+
+std::vector<Vertex> heights(const EditableMesh& mesh, const VertexRoles& roles) {
+  std::vector<Vertex> vertices(mesh.vertex_slots());
+  for (Index face = 0; face < mesh.face_slots(); ++face) {
+    if (!mesh.has_face(face)) continue;
+    const Vec3 normal = mesh.face_normal(face);
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      Vertex& vertex = vertices[mesh.source(h)];
+      vertex.neighbours += mesh.position(mesh.target(h));
+      vertex.normal += normal;
+      ++vertex.valence;
+    }
+  }
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    Vertex& vertex = vertices[v];
+    if (!mesh.has_vertex(v) || roles[v] != VertexRole::free) continue;
+    const double area = vertex.normal.norm();
+    if (area == 0) continue;
+    vertex.normal /= area;
+    vertex.edge = std::sqrt(squared_edge_by_area * area);
+    const double height =
+        (mesh.position(v) - vertex.neighbours / vertex.valence).dot(vertex.normal);
+    if (std::abs(height) < crease * vertex.edge) vertex.height = height;
+  }
+  return vertices;
+}
+
+}  // namespace
+
+void even_out(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+              const Progress& progress) {
+  progress("even out", 0);
+  const std::vector<Vertex> vertices = heights(mesh, roles);
+  VertexMover mover(mesh, guard);
+  Star star;
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    if (v % 8192 == 0) progress("even out", static_cast<double>(v) / mesh.vertex_slots());
+    const Vertex& vertex = vertices[v];
+    if (std::isnan(vertex.height)) continue;
+    double sum = 0;
+    mesh.for_each_neighbour(v, [&](Index neighbour, Index) { sum += vertices[neighbour].height; });
+    const double way = share * (sum / vertex.valence - vertex.height);
+    if (!(std::abs(way) > rest * vertex.edge)) continue;
+    star.gather(mesh, v);
+    mover.move(v, star, star.centre + way * vertex.normal);
+  }
+}
+
+}  // namespace transformesh
