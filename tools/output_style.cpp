@@ -30,14 +30,16 @@ Scalar output_coordinate(const Style& style, const CommonOptions& options) {
 
 }  // namespace
 
-void apply_output_style(Document& document, const CommonOptions& options) {
+std::size_t apply_output_style(Document& document, const CommonOptions& options) {
   Style& style = document.style;
   style.format = output_format(style.format, options);
+  std::size_t collapsed = 0;
   const Scalar coordinate = output_coordinate(style, options);
   if (coordinate == Scalar::float32 && style.coordinate != Scalar::float32) {
-    round_positions(document.mesh, Scalar::float32);
+    collapsed = round_positions(document.mesh, Scalar::float32);
   }
   style.coordinate = coordinate;
+  return collapsed;
 }
 
 bool is_text(Format format) {

@@ -7,8 +7,9 @@
 namespace transformesh::tool {
 
 /// Changes the style as -o, --format, --float and --double ask, and rounds the coordinates where
-/// the output will hold floats: what is computed is what will be read back.
-void apply_output_style(Document& document, const CommonOptions& options);
+/// the output will hold floats: what is computed is what will be read back. Returns how many
+/// faces collapse by that; throws GoalError where most do.
+std::size_t apply_output_style(Document& document, const CommonOptions& options);
 
 /// Whether the format is text, which may go to a terminal.
 bool is_text(Format format);

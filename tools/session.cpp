@@ -82,12 +82,17 @@ Document Session::read_document(const std::string& path) {
   return std::move(result.document);
 }
 
+void Session::set_output_style(Document& document) {
+  const std::size_t collapsed = apply_output_style(document, options_);
+  if (collapsed > 0) note(counted(collapsed, "face") + " with two corners in one place as floats");
+}
+
 Document Session::read_input(const std::string& path, bool writes_mesh) {
   Document document = read_document(path);
   input_counts_.vertices += document.mesh.positions.size();
   input_counts_.faces += document.mesh.faces.size();
   if (writes_mesh) {
-    apply_output_style(document, options_);
+    set_output_style(document);
     refuse_binary_on_terminal(document.style.format);
   }
   return document;
@@ -151,7 +156,7 @@ void Session::write_mesh(Document& document, const std::vector<std::string>& wor
   // What is measured from now on would be another mesh.
   basis_.set_document(nullptr);
   phases_.begin("write");
-  if (!has_mesh_) apply_output_style(document, options_);
+  if (!has_mesh_) set_output_style(document);
   refuse_binary_on_terminal(document.style.format);
   std::vector<std::string>& comments = document.style.comments;
   if (basis_.has_reference_edge()) set_reference_edge(comments, basis_.reference_edge());

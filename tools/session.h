@@ -63,6 +63,7 @@ class Session : public Run {
   /// Throws UsageError where stdin is to be read a second time.
   Bytes read_once(const std::string& path);
   Document read_document(const std::string& path);
+  void set_output_style(Document& document);
   void refuse_binary_on_terminal(Format format) const;
   std::optional<double> resolved(const Option& option);
   void show_settings();

@@ -87,3 +87,22 @@ moving_tetrahedron() { # VX VY VZ
   # Either ball is still there: the neck went, not they.
   awk -v v="$(tm-info --get volume a.ply)" 'BEGIN { exit !(v > 0.3) }'
 }
+
+@test "a step so far that coordinates do not hold the mesh any more is refused, in floats too" {
+  tm-shape sphere --faces 320 --format ply-ascii | awk '
+    /^element vertex/ { n = $3 }
+    /^element face/ { print "property double vx\nproperty double vy\nproperty double vz" }
+    inside && n-- > 0 { print $0, 1e20, 0, 0; next }
+    /^end_header/ { inside = 1 }
+    { print }' >far.ply
+  run --separate-stderr tm-displace --alpha 1e30 far.ply -o out.ply
+  assert_status 4
+  one_line "$stderr"
+  [ ! -e out.ply ]
+  tm-displace far.ply | tm-checkmanifold --closed >/dev/null
+  tm-shape sphere --faces 320 --center 1e10,0,0 -o off.ply
+  tm-displace --normal-speed 0.01 off.ply | tm-checkmanifold --closed >/dev/null
+  run --separate-stderr tm-displace --normal-speed 0.01 --float off.ply -o out.ply
+  assert_status 4
+  one_line "$stderr"
+}

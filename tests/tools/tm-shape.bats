@@ -148,3 +148,33 @@ end_header" ] || fail "$output"
     [[ $stderr == *"scale it"* ]]
   done
 }
+
+@test "a shape that its coordinates cannot hold is refused: too far off, too thin, or in floats" {
+  for options in '--center 1e308,0,0' '--center 0,1e16,0' '--center 0,0,-1e14' '--radius 1e-20 --center 1,1,1'; do
+    # shellcheck disable=SC2086
+    refused "do not hold this shape" tm-shape sphere $options
+  done
+  for kind in 'torus --tube 1e-17' 'torus --tube 1e-50' 'torus-knot --tube 1e-40' 'box 1e-20 1 1 --center 1,1,1' \
+    'bowl --center 1e15,0,0' 'many-spheres --center 1e300,1e300,0' 'boxes --center 1e30,0,0'; do
+    # shellcheck disable=SC2086
+    refused "do not hold this shape" tm-shape $kind
+  done
+  run --separate-stderr tm-shape sphere --center 1e9,0,0 --float -o out.ply
+  assert_status 4
+  one_line "$stderr"
+  run --separate-stderr tm-shape sphere --radius 1e-50 --float -o out.ply
+  assert_status 4
+  tm-shape sphere --center 1e9,0,0 -o far.ply
+  tm-checkmanifold --closed far.ply >/dev/null
+  tm-intersect --check far.ply >/dev/null
+  tm-shape sphere --radius 1e-20 --center 1e-10,0,0 | tm-checkmanifold --closed >/dev/null
+  run --separate-stderr tm-shape sphere --around far.ply --faces 1000 -o around.ply
+  assert_status 0
+  for output in '--float -o out.ply' '-o out.stl'; do
+    # shellcheck disable=SC2086
+    run --separate-stderr tm-convert far.ply $output
+    assert_status 4
+    one_line "$stderr"
+    [ ! -e out.ply ] && [ ! -e out.stl ]
+  done
+}

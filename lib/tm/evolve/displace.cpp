@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tm/mesh/digits.h"
 #include "tm/mesh/place.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
@@ -69,6 +70,18 @@ Step clamped_step(const Vec3& velocity, double time_step, double limit) {
   return {std::copysign(limit, time_step) * direction.normalized(), true};
 }
 
+/// Where coordinates are farther apart than the edges were, faces collapse or become flat.
+void check_digits(const Mesh& mesh, const LocalEdges& edges, const std::vector<char>& is_moved) {
+  std::size_t lost = 0;
+  for (std::size_t v = 0; v < is_moved.size(); ++v) {
+    lost += is_moved[v] != 0 && spacing_at(mesh.positions[v].cwiseAbs().maxCoeff()) > edges.mean[v];
+  }
+  if (2 * lost > is_moved.size()) {
+    throw GoalError(
+        "most vertices would go so far that coordinates have no digits for their edges any more");
+  }
+}
+
 }  // namespace
 
 DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
@@ -94,6 +107,8 @@ DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
       mesh.positions[v] = goal;
     }
   });
+
+  check_digits(mesh, edges, is_moved);
 
   // Sum up in the order of the vertices.
   DisplaceResult result;

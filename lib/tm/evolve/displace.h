@@ -5,6 +5,8 @@
 /// Changes positions only: topology, order and columns stay. The result may intersect itself; that
 /// is what clean() is for. A vertex without edges does not move, because its clamp is 0. Edges on a
 /// border count half in e_avg. A velocity may have any finite size: what overflows is clamped.
+/// Throws GoalError where most vertices go so far that coordinates are farther apart than
+/// edges.
 /// Cost: O(n), in parallel; deterministic.
 #pragma once
 

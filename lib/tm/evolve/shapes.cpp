@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tm/evolve/shapes/assembly.h"
 #include "tm/evolve/shapes/kinds.h"
 #include "tm/evolve/shapes/noise.h"
 #include "tm/evolve/shapes/spheres.h"
+#include "tm/mesh/digits.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
@@ -20,6 +22,7 @@ using shapes::Kind;
 constexpr std::size_t default_faces = 10000;
 constexpr std::size_t coarse_faces = 2000;
 constexpr double most_faces = 1e9;
+constexpr double least_spacings = 1000;
 constexpr double noise_wavelength = 0.2;  // per diagonal
 
 const Kind& find_kind(const std::string& name) {
@@ -109,6 +112,18 @@ std::size_t wanted_faces(const Kind& kind, const ShapeOptions& options) {
   return checked_faces(static_cast<double>(faces), "--faces " + std::to_string(faces));
 }
 
+// Half the thickness of plates, a third of the radius of balls.
+double thickness(const Mesh& mesh) { return volume(mesh) / surface_area(mesh); }
+
+// The faces, and what lies between them, must be far larger than the rounding of coordinates.
+void check_digits(const Mesh& mesh, double thickness) {
+  const double least = least_spacings * coordinate_spacing(mesh);
+  const double face = std::sqrt(surface_area(mesh) / static_cast<double>(mesh.faces.size()));
+  if (face > least && thickness > least) return;
+  throw UsageError("coordinates " + shortest_text(coordinate_spacing(mesh)) +
+                   " apart do not hold this shape: it is too far from the origin, or too thin");
+}
+
 }  // namespace
 
 const std::vector<std::string>& shape_kinds() {
@@ -127,12 +142,16 @@ Mesh make_shape(const ShapeOptions& options, const Progress& progress) {
   progress("shape");
   Mesh mesh = kind.make(complete, wanted_faces(kind, complete), progress);
 
+  const bool can_be_thin = has_option(kind, "tube") || !options.center.isZero(0);
+  const double thin = can_be_thin ? thickness(mesh) : std::numeric_limits<double>::infinity();
+
   const double diagonal = bounding_box(mesh).diagonal();
   const double noise = options.noise.value_or(kind.noise * diagonal);
   if (noise > 0)
     shapes::add_noise(mesh, noise, noise_wavelength * diagonal, options.seed, progress);
   if (!options.center.isZero(0))
     shapes::transform(mesh, Eigen::Matrix3d::Identity(), options.center);
+  check_digits(mesh, thin);
   return mesh;
 }
 

@@ -7,6 +7,7 @@
 #include "tm/io/ply.h"
 #include "tm/io/sniff.h"
 #include "tm/io/stl.h"
+#include "tm/mesh/digits.h"
 #include "tm/support/error.h"
 #include "tm/support/single.h"
 
@@ -112,12 +113,20 @@ bool format_of_name(std::string_view name, Format encoding_like, Format& format)
   return true;
 }
 
-void round_positions(Mesh& mesh, Scalar coordinate) {
-  if (coordinate != Scalar::float32) return;
+std::size_t round_positions(Mesh& mesh, Scalar coordinate) {
+  if (coordinate != Scalar::float32) return 0;
   check_float_range(mesh);
+  const std::vector<Vec3> before = mesh.positions;
   for (Vec3& position : mesh.positions) {
     for (double& x : position) x = round_to_single(x);
   }
+  const RoundingLoss loss = rounding_loss(mesh, before);
+  if (2 * (loss.collapsed + loss.turned) > mesh.faces.size()) {
+    throw GoalError(
+        "floats have no digits for this mesh: most of its faces collapse or turn; write double, in "
+        "PLY, OFF or OBJ, or move it to the origin before");
+  }
+  return loss.collapsed;
 }
 
 }  // namespace transformesh

@@ -40,7 +40,8 @@ WriteResult write_mesh(const Document& document);
 bool format_of_name(std::string_view name, Format encoding_like, Format& format);
 
 /// Rounds coordinates to the scalar type in which they will be written, so that what is computed is
-/// what is read back.
-void round_positions(Mesh& mesh, Scalar coordinate);
+/// what is read back. Returns how many faces collapse by that; throws GoalError
+/// where most do, or turn.
+std::size_t round_positions(Mesh& mesh, Scalar coordinate);
 
 }  // namespace transformesh

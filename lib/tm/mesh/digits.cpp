@@ -1,0 +1,57 @@
+#include "tm/mesh/digits.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace transformesh {
+namespace {
+
+constexpr double least_cosine = 0.7071067811865476;
+
+bool has_collapsed(std::span<const Vec3> positions, const Face& face) {
+  const Vec3& a = positions[face[0]];
+  const Vec3& b = positions[face[1]];
+  const Vec3& c = positions[face[2]];
+  return a == b || b == c || c == a;
+}
+
+/// Of unit length, whatever the size of the face; zero where it has no area.
+Vec3 direction(std::span<const Vec3> positions, const Face& face) {
+  const Vec3& a = positions[face[0]];
+  const Vec3 ab = (positions[face[1]] - a).stableNormalized();
+  const Vec3 ac = (positions[face[2]] - a).stableNormalized();
+  return ab.cross(ac).stableNormalized();
+}
+
+}  // namespace
+
+double spacing_at(double coordinate) {
+  const double size = std::abs(coordinate);
+  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+}
+
+double coordinate_spacing(const Mesh& mesh) {
+  double largest = 0;
+  for (const Vec3& position : mesh.positions)
+    largest = std::max(largest, position.cwiseAbs().maxCoeff());
+  return spacing_at(largest);
+}
+
+RoundingLoss rounding_loss(const Mesh& mesh, std::span<const Vec3> before) {
+  RoundingLoss loss;
+  for (const Face& face : mesh.faces) {
+    if (has_collapsed(before, face)) continue;
+    if (has_collapsed(mesh.positions, face)) {
+      ++loss.collapsed;
+      continue;
+    }
+    const Vec3 normal = direction(before, face);
+    if (!normal.isZero(0) && normal.dot(direction(mesh.positions, face)) < least_cosine)
+      ++loss.turned;
+  }
+  return loss;
+}
+
+}  // namespace transformesh
