@@ -42,8 +42,8 @@ const std::vector<std::string>& shape_kinds();
 
 /// The mesh asked for. The number of faces is within a few percent of `faces` where the kind allows
 /// (an icosahedron has 20, box and boxes have 12 each). Throws UsageError for options that the kind
-/// does not have, or that make no sense, for fewer faces than a genus needs, for more than 10^9, and for
-/// shapes too far from the origin, or with tubes too thin, for their coordinates. O(faces).
+/// does not have, or that make no sense, for fewer faces than a genus needs, for more than 10^9,
+/// and for shapes too far from the origin, or with tubes too thin, for their coordinates. O(faces).
 Mesh make_shape(const ShapeOptions& options, const Progress& progress = {});
 
 /// The diagonal of the bounding box of that shape, as far as a coarse version tells.
