@@ -30,7 +30,8 @@ readonly judge_lines='
 # From the reports: a line for the CSV file, one of progress, and what to do next, `stay` or `refine`, the
 # dissimilarity, how many vertices are outside of silhouettes, the coverage and the pixels that the
 # level began with, components and genus, the scale at which coverage was lost since then or `no`,
-# and whether the surface is at rest. A level is done when vertices hardly move any more or
+# whether the surface is at rest, and the scale, below 2, at which components or holes came or went,
+# or `no`. A level is done when vertices hardly move any more or
 # photographs agree hardly better than after the pass before, or after --passes; but while vertices
 # come in from outside of silhouettes or the topology changes, not before twice as many. A surface
 # that photographs agree on because less of it is compared is not at rest: see lost_coverage of
@@ -49,10 +50,12 @@ judge() {
       enters = outside > 0.002 * value["step.output.vertices"] && \
         (outside_before == "none" || outside < 0.9 * outside_before)
       topology = components "/" genus
-      changes = enters || (topology_before != "none" && topology != topology_before)
+      is_other = topology_before != "none" && topology != topology_before
+      changes = enters || is_other
       is_done = (is_at_rest && !changes) || pass + 1 >= (changes ? 2 * passes : passes)
       print is_done ? "refine" : "stay", now, outside, of_coverage, of_pixels, topology,
-        is_lost ? scale : "no", is_at_rest && !changes ? "yes" : "no"
+        is_lost ? scale : "no", is_at_rest && !changes ? "yes" : "no",
+        is_other && scale < 1.99 ? scale : "no"
     }' "$state"/{remesh,step,clean}.json
 }
 

@@ -23,6 +23,8 @@ fault() {
     echo "photographs compare less of the surface after scale $lost than before"
   elif [ "$rest" != yes ]; then
     echo "the surface was not at rest after the last pass"
+  elif [ "$late" != no ]; then
+    echo "components or holes came or went as late as at scale $late: maybe films that no photograph shows"
   fi
 }
 

@@ -25,7 +25,7 @@ start_state() {
   read_pixel_size
   make_start
   make_levels
-  iteration=0 level=1 first=1 lost=no rest=no
+  iteration=0 level=1 first=1 lost=no rest=no late=no
   begin_level
   coarsen_start
 }
@@ -121,11 +121,12 @@ scaled() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.9g", a * b }'; }
 
 write_state() {
   append_state "pass $iteration first $first level $level of_level $pass dissimilarity $dissimilarity \
-outside $outside coverage $of_coverage pixels $of_pixels topology $topology lost $lost rest $rest"
+outside $outside coverage $of_coverage pixels $of_pixels topology $topology lost $lost rest $rest \
+late $late"
 }
 
 resume_state() {
   read -r _ iteration _ first _ level _ pass _ dissimilarity _ outside _ of_coverage _ of_pixels \
-    _ topology _ lost _ rest _ < <(tail -n 1 "$state/state")
+    _ topology _ lost _ rest _ late _ < <(tail -n 1 "$state/state")
   read_pixel_size
 }

@@ -293,3 +293,25 @@ CSV
   assert_status 3
   [[ $stderr == *"missing/images"* ]]
 }
+
+@test "a surface whose topology changes within a late scale is told from one that changes before" {
+  # shellcheck source=scripts/loop.bash
+  . "$tm_root/scripts/loop.bash"
+  # shellcheck source=scripts/reconstruct-judge.bash
+  . "$tm_root/scripts/reconstruct-judge.bash"
+  state=$BATS_TEST_TMPDIR iteration=9 seconds=1 level_edge=1 dissimilarity=0.31 outside=0 of_coverage=0.8 \
+    of_pixels=900 pass=1 passes=4
+  echo '{}' >remesh.json
+  printf '{\n  "result": {\n    "components": 1,\n    "genus": 5\n  }\n}\n' >clean.json
+  printf '{\n  "result": {\n    "last_dissimilarity": 0.3,\n    "last_coverage": 0.8,\n    "last_pixels": 900\n  }\n}\n' >step.json
+  cd "$state"
+  late() { # SCALE TOPOLOGY-BEFORE
+    scale=$1 topology=$2
+    judge | awk 'END { print $NF }'
+  }
+  [ "$(late 1.4142 1/6)" = 1.4142 ]
+  [ "$(late 1.0000 2/5)" = 1.0000 ]
+  [ "$(late 1.4142 1/5)" = no ]
+  [ "$(late 1.4142 none)" = no ]
+  [ "$(late 2.0000 1/6)" = no ]
+}
