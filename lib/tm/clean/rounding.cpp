@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "tm/clean/contacts.h"
+#include "tm/clean/crowds.h"
 #include "tm/clean/soup.h"
+#include "tm/clean/unite_close.h"
 #include "tm/clean/weld.h"
 #include "tm/geometry/bvh.h"
 #include "tm/geometry/predicates.h"
@@ -57,18 +59,81 @@ void mark_crossings(const Assembly& assembly, const Soup& soup, const NewFaces& 
 
 bool is_before(const Vec3& a, const Vec3& b) { return compare_positions(a, b) < 0; }
 
-// All that are at the places of corners, in their order: moving but one of them would tear the
-// surface.
-std::vector<Index> vertices_at_corners(const Mesh& mesh, const std::vector<Index>& faces) {
-  std::vector<Vec3> places;
+// The distinct positions of corners, those of input vertices first. What is at one position moves
+// together, whatever faces it is of: else the surface would tear.
+class Places {
+ public:
+  Places(const Assembly& assembly, const std::vector<Index>& faces);
+  const std::vector<Vec3>& positions() const { return positions_; }
+  std::size_t inputs() const { return inputs_; }
+  void move(Mesh& mesh, const std::vector<Vec3>& to) const;
+
+ private:
+  Index find(const Vec3& position) const;
+
+  std::vector<Vec3> positions_;
+  std::vector<Vec3> sorted_;
+  std::vector<Index> place_of_;  ///< of those in sorted_
+  std::size_t inputs_ = 0;
+};
+
+Places::Places(const Assembly& assembly, const std::vector<Index>& faces) {
+  const Mesh& mesh = assembly.mesh;
   for (const Index face : faces)
-    for (const Index v : mesh.faces[face]) places.push_back(mesh.positions[v]);
-  std::sort(places.begin(), places.end(), is_before);
-  std::vector<Index> vertices;
-  for (Index v = 0; v < mesh.positions.size(); ++v)
-    if (std::binary_search(places.begin(), places.end(), mesh.positions[v], is_before))
-      vertices.push_back(v);
-  return vertices;
+    for (const Index v : mesh.faces[face]) sorted_.push_back(mesh.positions[v]);
+  std::sort(sorted_.begin(), sorted_.end(), is_before);
+  sorted_.erase(std::unique(sorted_.begin(), sorted_.end()), sorted_.end());
+
+  place_of_.assign(sorted_.size(), no_index);
+  for (const bool is_new : {false, true}) {
+    for (Index v = 0; v < mesh.positions.size(); ++v) {
+      if ((assembly.vertex_is_new[v] != 0) != is_new) continue;
+      const Index found = find(mesh.positions[v]);
+      if (found == no_index || place_of_[found] != no_index) continue;
+      place_of_[found] = static_cast<Index>(positions_.size());
+      positions_.push_back(mesh.positions[v]);
+    }
+    if (!is_new) inputs_ = positions_.size();
+  }
+}
+
+Index Places::find(const Vec3& position) const {
+  const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), position, is_before);
+  if (found == sorted_.end() || *found != position) return no_index;
+  return static_cast<Index>(found - sorted_.begin());
+}
+
+void Places::move(Mesh& mesh, const std::vector<Vec3>& to) const {
+  for (Vec3& position : mesh.positions) {
+    const Index found = find(position);
+    if (found != no_index) position = to[place_of_[found]];
+  }
+}
+
+Index nearest(const std::vector<Vec3>& positions, const std::vector<Index>& among,
+              const Vec3& point) {
+  return *std::min_element(among.begin(), among.end(), [&](Index a, Index b) {
+    return (positions[a] - point).stableNorm() < (positions[b] - point).stableNorm();
+  });
+}
+
+Vec3 middle(const std::vector<Vec3>& positions, const std::vector<Index>& crowd) {
+  Vec3 lower = positions[crowd.front()], upper = lower;
+  for (const Index i : crowd) {
+    lower = lower.cwiseMin(positions[i]);
+    upper = upper.cwiseMax(positions[i]);
+  }
+  return lower + (upper - lower) / 2;
+}
+
+// Where those of a crowd go: the first positions stay.
+void unite_crowd(const std::vector<Index>& crowd, std::size_t inputs,
+                 const std::vector<Vec3>& positions, std::vector<Vec3>& moved) {
+  const auto first_new = std::lower_bound(crowd.begin(), crowd.end(), inputs);
+  std::vector<Index> fixed(crowd.begin(), first_new);
+  if (fixed.empty()) fixed = {nearest(positions, crowd, middle(positions, crowd))};
+  std::for_each(first_new, crowd.end(),
+                [&](Index i) { moved[i] = positions[nearest(positions, fixed, positions[i])]; });
 }
 
 double largest_coordinate(const Mesh& mesh) {
@@ -118,18 +183,20 @@ std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>&
 }
 
 void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance) {
-  // Input vertices come first, so that they stay and new ones move.
-  std::vector<Index> vertices = vertices_at_corners(assembly.mesh, faces);
-  const auto first_new = std::stable_partition(vertices.begin(), vertices.end(),
-                                               [&](Index v) { return !assembly.vertex_is_new[v]; });
-  const auto old = static_cast<std::size_t>(first_new - vertices.begin());
-  std::vector<Vec3> positions;
-  for (const Index v : vertices) positions.push_back(assembly.mesh.positions[v]);
-  const std::vector<Index> representative = gather(positions, old, distance);
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (!assembly.vertex_is_new[vertices[i]]) continue;
-    assembly.mesh.positions[vertices[i]] = positions[representative[i]];
-  }
+  const Places places(assembly, faces);
+  std::vector<Vec3> moved;
+  for (const Index i : gather(places.positions(), places.inputs(), distance))
+    moved.push_back(places.positions()[i]);
+  places.move(assembly.mesh, moved);
+}
+
+void merge_crowds(Assembly& assembly, const std::vector<Index>& faces, Scalar coordinate) {
+  const double spacing = merge_distance(assembly.mesh, coordinate, 0);
+  const Places places(assembly, with_near_faces(assembly.mesh, faces, widest_crowd * spacing));
+  std::vector<Vec3> moved = places.positions();
+  for (const std::vector<Index>& crowd : find_crowds(places.positions(), spacing))
+    unite_crowd(crowd, places.inputs(), places.positions(), moved);
+  places.move(assembly.mesh, moved);
 }
 
 Mesh snap_to_grid(const Mesh& mesh, const std::vector<char>& marked_faces, double spacing,

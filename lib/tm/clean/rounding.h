@@ -24,6 +24,10 @@ std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>&
 /// input vertex where there is one. Input vertices stay.
 void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance);
 
+/// Gives the new vertices of each crowd (crowds.h) near the faces one position: that of the input
+/// vertex in it that is nearest, if there is one, else that of the one nearest to its middle.
+void merge_crowds(Assembly& assembly, const std::vector<Index>& faces, Scalar coordinate);
+
 /// The mesh with the vertices of marked faces on a grid, and what is at their positions too. Those
 /// that are within a small part of the spacing of each other go to the same place.
 Mesh snap_to_grid(const Mesh& mesh, const std::vector<char>& marked_faces, double spacing,

@@ -24,9 +24,7 @@ constexpr std::size_t few_pairs = 1000;
 // New vertices this close become one from the start, in doublings of the spacing of floats or
 // doubles. More would close films that can be kept.
 constexpr int doublings_of_new = -1;
-// And these, where too many faces pass one place to be united, once less did not settle it:
-// hundreds that pass through one point may be so far off it, but there may be gaps as small.
-constexpr int doublings_in_crowds = 8;
+constexpr int most_doublings_of_merging = 8;
 constexpr int most_grid_steps = 5;
 constexpr int most_starts = 20;
 
@@ -48,10 +46,6 @@ constexpr Attempt on_grid = {-2, false, false};
 
 const Attempt& attempt_after(int failures) {
   return failures < std::ssize(attempts) ? attempts[static_cast<std::size_t>(failures)] : on_grid;
-}
-
-int doublings_in_crowd_after(int failures) {
-  return failures % 2 == 1 ? doublings_in_crowds : failures;
 }
 
 int grid_step_after(int failures) {
@@ -142,8 +136,10 @@ void Settler::unite(Assembly& assembly, std::vector<Index> broken, int failures,
   merge_close_vertices(assembly, with_faces_around(assembly.mesh, broken),
                        std::max(reach, distance(attempt.doublings_of_merging)));
   if (attempt.is_wide) broken = with_near_faces(assembly.mesh, broken, reach);
-  if (!unite_close_parts(assembly, broken, {reach, is_local}, options_.coordinate))
-    merge_close_vertices(assembly, broken, distance(doublings_in_crowd_after(failures)));
+  if (unite_close_parts(assembly, broken, {reach, is_local}, options_.coordinate)) return;
+  // Too many pass one place: through one point, or in a mess of slivers.
+  merge_crowds(assembly, broken, options_.coordinate);
+  merge_close_vertices(assembly, broken, distance(std::min(failures, most_doublings_of_merging)));
 }
 
 // Each spot by the attempt that it is at.

@@ -2,13 +2,14 @@
 /// broke, until no face crosses another or has no area in the coordinates as stored.
 ///
 /// Each round unites what is all but one near the broken faces, by at most a few spacings of
-/// numbers (unite_close.h), and cleans again. Where that does not settle, all starts over, and the
+/// numbers (unite_close.h), and cleans again. Where hundreds of faces pass one place, the points of
+/// a crowd there (crowds.h) become one, however wide it is, and new vertices that are close merge,
+/// over up to 256 spacings where less failed. Where that does not settle, all starts over, and the
 /// places that stayed broken are treated by other distances, each on its own (trouble_spots.h).
 /// Where the input is so close to degenerate that none settles a place, the vertices of the input
 /// there go to a grid that is coarser with every further start: what the grid leaves apart is far
-/// apart by the measure of rounding. Old vertices move in no other case, and new ones no farther in
-/// a round than that distance. Deterministic. Throws GoalError, with the place, when the coarsest
-/// grid does not help.
+/// apart by the measure of rounding. Old vertices move in no other case. Deterministic. Throws
+/// GoalError, with the place, when the coarsest grid does not help.
 #pragma once
 
 #include "tm/clean/clean_pass.h"

@@ -1,0 +1,90 @@
+#include "tm/clean/crowds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tm/mesh/disjoint_sets.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t fewest = 30;
+
+using Cell = std::array<double, 3>;  // whole numbers, however many
+
+// The occupied cells of a grid, joined with those around them: points of different groups are
+// farther apart than a cell is wide.
+class Groups {
+ public:
+  Groups(const std::vector<Vec3>& positions, double size);
+  std::vector<std::vector<Index>> members();
+
+ private:
+  DisjointSets join_cells() const;
+
+  std::map<Cell, std::vector<Index>> cells_;
+  std::size_t positions_;
+};
+
+Groups::Groups(const std::vector<Vec3>& positions, double size) : positions_(positions.size()) {
+  for (Index i = 0; i < positions.size(); ++i) {
+    const Vec3& p = positions[i];
+    cells_[{std::floor(p[0] / size), std::floor(p[1] / size), std::floor(p[2] / size)}].push_back(
+        i);
+  }
+}
+
+// By the first point of each cell.
+DisjointSets Groups::join_cells() const {
+  DisjointSets sets(positions_);
+  for (const auto& [cell, points] : cells_) {
+    for (int i = 0; i < 13; ++i) {  // those before it; it comes after the other half
+      const Cell around = {cell[0] + i / 9 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i % 3 - 1};
+      const auto found = cells_.find(around);
+      if (found != cells_.end()) sets.join(points.front(), found->second.front());
+    }
+  }
+  return sets;
+}
+
+std::vector<std::vector<Index>> Groups::members() {
+  DisjointSets sets = join_cells();
+  std::vector<std::vector<Index>> result(positions_);
+  for (const auto& [cell, points] : cells_) {
+    std::vector<Index>& group = result[sets.find(points.front())];
+    group.insert(group.end(), points.begin(), points.end());
+  }
+  return result;
+}
+
+double extent(const std::vector<Vec3>& positions, const std::vector<Index>& group) {
+  Vec3 lower = positions[group.front()], upper = lower;
+  for (const Index i : group) {
+    lower = lower.cwiseMin(positions[i]);
+    upper = upper.cwiseMax(positions[i]);
+  }
+  return (upper - lower).maxCoeff();
+}
+
+}  // namespace
+
+std::vector<std::vector<Index>> find_crowds(const std::vector<Vec3>& positions, double spacing) {
+  std::vector<std::vector<Index>> crowds;
+  std::vector<char> is_taken(positions.size(), 0);
+  const auto is_crowd = [&](const std::vector<Index>& group, double size) {
+    return group.size() >= fewest && extent(positions, group) <= size &&
+           std::none_of(group.begin(), group.end(), [&](Index i) { return is_taken[i]; });
+  };
+  for (double size = spacing; size <= widest_crowd * spacing; size *= 2) {
+    for (std::vector<Index>& group : Groups(positions, size).members()) {
+      if (!is_crowd(group, size)) continue;
+      std::sort(group.begin(), group.end());
+      for (const Index i : group) is_taken[i] = 1;
+      crowds.push_back(std::move(group));
+    }
+  }
+  return crowds;
+}
+
+}  // namespace transformesh
