@@ -34,7 +34,7 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
     result.mesh = std::move(settled.mesh);
   }
   // A single patch has nothing inside.
-  if (options.outermost && !(pass.unchanged && result.patches == 1)) {
+  if (options.outermost && (result.changed || result.patches != 1)) {
     result.dropped_components = drop_enclosed_components(result.mesh);
     result.changed |= result.dropped_components > 0;
   }

@@ -25,6 +25,12 @@ struct Component {
   std::size_t border_points = 0;
 };
 
+bool is_sheet(const Component& component) {
+  const double sphere = std::pow(component.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
+  return component.border_points > 0 && component.span.norm() / 2 >= sheet_share * component.area &&
+         component.volume / 6 <= body_share * sphere;
+}
+
 class BorderCloser {
  public:
   BorderCloser(const Soup& soup, const std::vector<Loop>& loops);
@@ -36,7 +42,6 @@ class BorderCloser {
   void measure_loop(const Loop& loop);
   Index face_of(const Loop& loop) const;
   Vec3 middle_of(const Loop& loop) const;
-  bool is_sheet(const Component& component) const;
   Vec3 added_point(const Loop& loop, const Component& component) const;
 
   const Soup& soup_;
@@ -119,12 +124,6 @@ Vec3 BorderCloser::middle_of(const Loop& loop) const {
   Vec3 middle = Vec3::Zero();
   for (const Index p : loop) middle += soup_.points[p] / static_cast<double>(loop.size());
   return middle;
-}
-
-bool BorderCloser::is_sheet(const Component& component) const {
-  const double sphere = std::pow(component.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
-  return component.border_points > 0 && component.span.norm() / 2 >= sheet_share * component.area &&
-         component.volume / 6 <= body_share * sphere;
 }
 
 Vec3 BorderCloser::added_point(const Loop& loop, const Component& component) const {

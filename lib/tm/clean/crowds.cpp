@@ -39,8 +39,10 @@ Groups::Groups(const std::vector<Vec3>& positions, double size) : positions_(pos
 DisjointSets Groups::join_cells() const {
   DisjointSets sets(positions_);
   for (const auto& [cell, points] : cells_) {
-    for (int i = 0; i < 13; ++i) {  // those before it; it comes after the other half
-      const Cell around = {cell[0] + i / 9 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i % 3 - 1};
+    for (std::size_t i = 0; i < 13; ++i) {  // those before it; it comes after the other half
+      constexpr std::array<double, 3> steps = {-1, 0, 1};
+      const Cell around = {cell[0] + steps[i / 9], cell[1] + steps[i / 3 % 3],
+                           cell[2] + steps[i % 3]};
       const auto found = cells_.find(around);
       if (found != cells_.end()) sets.join(points.front(), found->second.front());
     }
@@ -76,7 +78,8 @@ std::vector<std::vector<Index>> find_crowds(const std::vector<Vec3>& positions, 
     return group.size() >= fewest && extent(positions, group) <= size &&
            std::none_of(group.begin(), group.end(), [&](Index i) { return is_taken[i]; });
   };
-  for (double size = spacing; size <= widest_crowd * spacing; size *= 2) {
+  for (int doublings = 0; std::ldexp(1, doublings) <= widest_crowd; ++doublings) {
+    const double size = std::ldexp(spacing, doublings);
     for (std::vector<Index>& group : Groups(positions, size).members()) {
       if (!is_crowd(group, size)) continue;
       std::sort(group.begin(), group.end());

@@ -17,8 +17,8 @@ class SpaceCells {
 
   /// In a cell without bounds of a connected set of patches w is 0. From there it passes through
   /// patches to the next cells, to each along the shortest ways, of which the largest w counts.
-  int winding_in_front_of(Index patch) const { return winding_[cell_of_[2 * patch]]; }
-  int winding_behind(Index patch) const { return winding_[cell_of_[2 * patch + 1]]; }
+  int winding_in_front_of(Index patch) const { return winding_[cell_of_[std::size_t{2} * patch]]; }
+  int winding_behind(Index patch) const { return winding_[cell_of_[std::size_t{2} * patch + 1]]; }
 
  private:
   void join_around_edges(const Arrangement& arrangement, const Patches& patches,
