@@ -10,6 +10,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t fewest = 30;
+constexpr double most_spacings = 4;  // along an axis for each point
 
 using Cell = std::array<double, 3>;  // whole numbers, however many
 
@@ -60,7 +61,7 @@ std::vector<std::vector<Index>> Groups::members() {
   return result;
 }
 
-double extent(const std::vector<Vec3>& positions, const std::vector<Index>& group) {
+double extent_of(const std::vector<Vec3>& positions, const std::vector<Index>& group) {
   Vec3 lower = positions[group.front()], upper = lower;
   for (const Index i : group) {
     lower = lower.cwiseMin(positions[i]);
@@ -75,7 +76,9 @@ std::vector<std::vector<Index>> find_crowds(const std::vector<Vec3>& positions, 
   std::vector<std::vector<Index>> crowds;
   std::vector<char> is_taken(positions.size(), 0);
   const auto is_crowd = [&](const std::vector<Index>& group, double size) {
-    return group.size() >= fewest && extent(positions, group) <= size &&
+    if (group.size() < fewest) return false;
+    const double extent = extent_of(positions, group);
+    return extent <= size && extent < most_spacings * spacing * static_cast<double>(group.size()) &&
            std::none_of(group.begin(), group.end(), [&](Index i) { return is_taken[i]; });
   };
   for (int doublings = 0; std::ldexp(1, doublings) <= widest_crowd; ++doublings) {

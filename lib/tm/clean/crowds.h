@@ -3,9 +3,10 @@
 /// farther off the flatter two of them meet. How far is known only from the points themselves.
 ///
 /// A crowd is at least 30 points in a box of a size, along all axes, with no other point as near as
-/// that to any of them. So what is in it is told apart from all around it, however far it spreads:
-/// a fine mesh has no crowds. Of several sizes, the spacing times powers of two up to 2^12, the
-/// least for which it is one counts. Cost: O(n log n). Deterministic.
+/// that to any of them, and with at most four spacings along an axis for each point. So what is in
+/// it is told apart from all around it, however far it spreads, and is too dense to be a part of a
+/// mesh. Of several sizes, the spacing times powers of two up to 2^12, the least for which it is
+/// one counts. Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>
