@@ -46,6 +46,7 @@ PlanarTriangulation::PlanarTriangulation(const ExactGeometry& geometry, const Tr
                                          const Vec3& low, const Vec3& high, Crossing crossing)
     : geometry_(geometry), projection_(projection_of(plane)), crossing_(std::move(crossing)) {
   for (const Vec3& corner : scaffold(plane, projection_, low, high)) {
+    // NOLINTNEXTLINE(clang-analyzer-unix.Malloc): references are counted
     add_point(ExactGeometry::free(corner));
   }
   facets_.push_back({{0, 1, 2}, {no_index, no_index, no_index}, {no_index, no_index, no_index}});
@@ -291,7 +292,7 @@ void PlanarTriangulation::legalize(Index p) {
 
 void PlanarTriangulation::improve() {
   std::vector<Index> stack;
-  for (Index edge = static_cast<Index>(3 * facets_.size()); edge-- > 0;) stack.push_back(edge);
+  for (auto edge = static_cast<Index>(3 * facets_.size()); edge-- > 0;) stack.push_back(edge);
   for (std::size_t budget = 100 + 30 * facets_.size(); !stack.empty() && budget > 0; --budget) {
     const Index edge = stack.back();
     stack.pop_back();

@@ -46,7 +46,7 @@ Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
 
 // The point nearest to a unit vector among the positive combinations of two others.
 Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
-  const Vec3 in_plane = direction - direction.dot(side.normal) * side.normal;
+  Vec3 in_plane = direction - direction.dot(side.normal) * side.normal;
   const bool is_left = side.normal.dot(side.first.cross(in_plane)) >= 0;
   const bool is_right = side.normal.dot(in_plane.cross(side.second)) >= 0;
   if (is_left && is_right) return in_plane;
@@ -146,6 +146,7 @@ class Separator {
   // Tells where to before any of the copies moves.
   bool move_apart(const std::vector<Index>& copies) {
     std::vector<std::vector<Vec3>> directions;
+    directions.reserve(copies.size());
     for (const Index copy : copies) directions.push_back(ways_out(copy, copies));
     bool any = false;
     for (std::size_t i = 0; i < copies.size(); ++i) {

@@ -28,7 +28,7 @@ void weld_positions(const Mesh& mesh, Soup& soup) {
     }
     if (slots[slot] == no_index) {
       slots[slot] = static_cast<Index>(soup.points.size());
-      soup.points.push_back(position + Vec3::Zero());
+      soup.points.emplace_back(position + Vec3::Zero());
       soup.vertex_of.push_back(vertex);
     }
     soup.point_of.push_back(slots[slot]);

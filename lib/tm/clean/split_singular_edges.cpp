@@ -58,7 +58,7 @@ Index Splitter::split_face(Index h, Index vertex) {
 void Splitter::split_sheet(Index h) {
   const auto middle = static_cast<Index>(mesh_.positions.size());
   const Index from = halfedge_source(mesh_, h), to = halfedge_target(mesh_, h);
-  mesh_.positions.push_back(0.5 * (mesh_.positions[from] + mesh_.positions[to]));
+  mesh_.positions.emplace_back(0.5 * (mesh_.positions[from] + mesh_.positions[to]));
   result_.vertices.push_back({source(h / 3), {from, to}});
   const Index across = opposite_[h];
   const Index second = split_face(h, middle);

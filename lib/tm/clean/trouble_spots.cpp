@@ -26,6 +26,7 @@ int TroubleSpots::failures_at(const Mesh& mesh, Index face) const {
 
 void TroubleSpots::add(const Assembly& assembly, const std::vector<Index>& faces) {
   std::vector<int> failures;
+  failures.reserve(faces.size());
   for (const Index face : faces) failures.push_back(failures_at(assembly.mesh, face) + 1);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     boxes_.push_back(box(assembly.mesh, faces[i]));

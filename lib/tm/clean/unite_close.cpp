@@ -81,6 +81,7 @@ Uniter::Uniter(Assembly& assembly, const Closeness& closeness, Scalar coordinate
 
 std::vector<Bvh::Pair> Uniter::close_pairs(const std::vector<Index>& faces) const {
   std::vector<FloatBox> boxes;
+  boxes.reserve(faces.size());
   for (const Index f : faces) boxes.push_back(box_around(soup_, cuts_.triangle(f), distance_));
   return Bvh(boxes).overlapping_pairs([](Index, Index) { return true; });
 }
@@ -192,6 +193,7 @@ std::vector<Index> with_near_faces(const Mesh& mesh, const std::vector<Index>& f
     return Triangle{mesh.positions[a], mesh.positions[b], mesh.positions[c]};
   };
   std::vector<FloatBox> boxes;
+  boxes.reserve(faces.size());
   for (const Index f : faces) boxes.push_back(box_around(soup, triangle(f), distance));
   const Bvh bvh(boxes);
   std::vector<Index> result;

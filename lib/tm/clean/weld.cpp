@@ -20,8 +20,10 @@ class PointGrid {
   template <class Visit>
   void visit_around(const Vec3& position, const Visit& visit) const {
     const Cell middle = cell(position);
-    for (int i = 0; i < 27; ++i) {
-      const Cell around = {middle[0] + i % 3 - 1, middle[1] + i / 3 % 3 - 1, middle[2] + i / 9 - 1};
+    constexpr std::array<double, 3> steps = {-1, 0, 1};
+    for (std::size_t i = 0; i < 27; ++i) {
+      const Cell around = {middle[0] + steps[i % 3], middle[1] + steps[i / 3 % 3],
+                           middle[2] + steps[i / 9]};
       const auto found = cells_.find(around);
       if (found == cells_.end()) continue;
       for (const Index index : found->second) visit(index);

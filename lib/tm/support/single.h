@@ -5,7 +5,7 @@
 namespace transformesh {
 
 inline double round_to_single(double value) {
-  volatile float single = static_cast<float>(value);  // volatile: the casts must happen
+  const volatile auto single = static_cast<float>(value);  // volatile: the casts must happen
   return single;
 }
 
