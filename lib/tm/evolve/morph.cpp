@@ -28,7 +28,9 @@ struct Found {
 };
 
 std::vector<double> room_for_gaps(const Mesh& mesh, const Target& target) {
-  return std::vector<double>(target.gaps.empty() ? 0 : mesh.positions.size(), wide);
+  std::vector<double> room;
+  if (!target.gaps.empty()) room.assign(mesh.positions.size(), wide);
+  return room;
 }
 
 Found search_surface(const Mesh& mesh, const Target& target, double exact_within) {

@@ -10,7 +10,6 @@ namespace transformesh {
 namespace {
 
 /// Distances beyond so many mean edges may be estimated.
-constexpr double far_in_edges = 1;
 /// Of distances from the target, whose maximum has to come out right when it is some edges.
 constexpr double far_from_target_in_edges = 4;
 /// Of the largest size, the smallest.

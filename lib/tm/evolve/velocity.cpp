@@ -80,10 +80,8 @@ const Column& number_column(const Mesh& mesh, std::string_view name) {
 }  // namespace
 
 bool has_column_velocities(const Mesh& mesh) {
-  for (const char* name : velocity_names) {
-    if (mesh.vertex_columns.find(name) == nullptr) return false;
-  }
-  return true;
+  return std::all_of(velocity_names.begin(), velocity_names.end(),
+                     [&](const char* name) { return mesh.vertex_columns.find(name) != nullptr; });
 }
 
 std::vector<Vec3> column_velocities(const Mesh& mesh) {
@@ -132,8 +130,8 @@ std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed) {
   return sums;
 }
 
-void apply_mask(const Mesh& mesh, std::string_view name, std::vector<Vec3>& velocities) {
-  const Column& mask = number_column(mesh, name);
+void apply_mask(const Mesh& mesh, std::string_view column, std::vector<Vec3>& velocities) {
+  const Column& mask = number_column(mesh, column);
   for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] *= mask.values[v];
 }
 

@@ -127,7 +127,7 @@ ClosestPoint ClosestPointQuery::operator()(const Vec3& query) const {
 }
 
 Vec3 ClosestPointQuery::pseudonormal(Index face, TrianglePart part) const {
-  const Vec3 normal = face_normal(*mesh_, face).stableNormalized();
+  Vec3 normal = face_normal(*mesh_, face).stableNormalized();
   if (part == TrianglePart::inside) return normal;
   const auto number = static_cast<int>(part);
   const Face& corners = mesh_->faces[face];

@@ -28,8 +28,8 @@ constexpr unsigned trailing_ones(unsigned digit) {
 
 /// How the curve runs inside a cell: from which octant it enters, and along which axis it leaves.
 /// A state is 3 * entry + axis; for each octant the table holds 8 * (state inside) + digit.
-constexpr std::array<std::uint8_t, 24 * 8> make_transitions() {
-  std::array<std::uint8_t, 24 * 8> table{};
+constexpr auto make_transitions() {
+  std::array<std::uint8_t, std::size_t{24} * 8> table{};
   for (unsigned entry = 0; entry < 8; ++entry) {
     for (unsigned axis = 0; axis < axes; ++axis) {
       for (unsigned octant = 0; octant < 8; ++octant) {
@@ -52,8 +52,8 @@ constexpr std::array<std::uint8_t, 24 * 8> make_transitions() {
 constexpr auto transitions = make_transitions();
 
 /// Two levels at once: for two bits of each axis the table holds 64 * (state inside) + two digits.
-constexpr std::array<std::uint16_t, 24 * 64> make_double_transitions() {
-  std::array<std::uint16_t, 24 * 64> table{};
+constexpr auto make_double_transitions() {
+  std::array<std::uint16_t, std::size_t{24} * 64> table{};
   for (unsigned state = 0; state < 24; ++state) {
     for (unsigned bits = 0; bits < 64; ++bits) {
       const unsigned inner = (bits & 1U) | (bits >> 2 & 1U) << 1 | (bits >> 4 & 1U) << 2;

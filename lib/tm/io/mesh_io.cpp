@@ -26,8 +26,8 @@ void check_columns(const Columns& columns, std::size_t rows, const std::string& 
                                 column.list_offsets.back() == column.values.size()
                           : column.values.size() == rows;
     if (fits) continue;
-    throw GoalError(element + " property '" + column.name + "' does not have one value for each " +
-                    element);
+    std::string message = element + " property '" + column.name;
+    throw GoalError(message.append("' does not have one value for each ").append(element));
   }
 }
 

@@ -47,7 +47,7 @@ CollapseCounts collapse_wanted(EditableMesh& mesh, EdgeCollapser& collapser, Wan
                                const Progress& progress) {
   CollapseCounts counts;
   Candidates<Wanted> edges(mesh, wanted);
-  const double first = static_cast<double>(edges.size());
+  const auto first = static_cast<double>(edges.size());
   for (double tried = 0; !edges.empty(); ++tried) {
     if (std::fmod(tried, 1024) == 0) progress("collapse", tried / (tried + first));
     const QueuedEdge edge = edges.pop();
@@ -72,7 +72,7 @@ class IsShort {
     return mesh_.scaled_squared_length(halfedge) < limit_ &&
            !(keep_border_ && mesh_.is_border(halfedge));
   }
-  void note_merged(Index) const {}
+  void note_merged(Index /*vertex*/) const {}
 
  private:
   const EditableMesh& mesh_;

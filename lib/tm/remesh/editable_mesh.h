@@ -25,7 +25,7 @@ class EditableMesh {
   Index face_slots() const { return static_cast<Index>(sources_.size() / 3); }
   Index halfedge_slots() const { return static_cast<Index>(sources_.size()); }
   bool has_vertex(Index vertex) const { return outgoing_[vertex] != no_index; }
-  bool has_face(Index face) const { return sources_[3 * face] != no_index; }
+  bool has_face(Index face) const { return sources_[std::size_t{3} * face] != no_index; }
   bool has_halfedge(Index halfedge) const { return sources_[halfedge] != no_index; }
   bool has_borders() const { return has_borders_; }
 

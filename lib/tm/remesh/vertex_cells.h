@@ -53,7 +53,7 @@ class VertexCells {
   static constexpr int key_bits = 21;  ///< per axis
 
   Key key_of(const Vec3& position) const;
-  std::size_t slot_of(Key key) const {
+  static std::size_t slot_of(Key key) {
     return (static_cast<std::uint64_t>(key) * 0x9e3779b97f4a7c15ULL) >> 32;
   }
   Index find_cell(Key key) const;
