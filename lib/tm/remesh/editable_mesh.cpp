@@ -79,8 +79,9 @@ Mesh EditableMesh::to_mesh() const {
   mesh.faces.reserve(face_slots());
   for (Index f = 0; f < face_slots(); ++f) {
     if (!has_face(f)) continue;
-    mesh.faces.push_back({new_index[sources_[3 * f]], new_index[sources_[3 * f + 1]],
-                          new_index[sources_[3 * f + 2]]});
+    const std::size_t h = std::size_t{3} * f;
+    mesh.faces.push_back(
+        {new_index[sources_[h]], new_index[sources_[h + 1]], new_index[sources_[h + 2]]});
     rows.push_back(face_rows_[f]);
   }
   mesh.face_columns = face_columns_.select(rows);
@@ -88,8 +89,9 @@ Mesh EditableMesh::to_mesh() const {
 }
 
 Vec3 EditableMesh::face_normal(Index face) const {
-  const Vec3& a = positions_[sources_[3 * face]];
-  return (positions_[sources_[3 * face + 1]] - a).cross(positions_[sources_[3 * face + 2]] - a);
+  const std::size_t h = std::size_t{3} * face;
+  const Vec3& a = positions_[sources_[h]];
+  return (positions_[sources_[h + 1]] - a).cross(positions_[sources_[h + 2]] - a);
 }
 
 Index EditableMesh::valence(Index vertex) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace transformesh {
 namespace {
@@ -26,12 +27,23 @@ bool boxes_touch(const Triangle& first, const Triangle& second) {
          (lowest(second).array() <= highest(first).array()).all();
 }
 
+bool meets_itself(const Patch& patch) {
+  for (std::size_t i = 0; i < patch.made.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (boxes_touch(patch.made[i], patch.made[j]) && may_touch(patch.made[i], patch.made[j])) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 /// The space between two planes across a direction.
 class EmbeddingGuard::Slab {
  public:
-  explicit Slab(const Vec3& direction) : direction_(direction) {}
+  explicit Slab(Vec3 direction) : direction_(std::move(direction)) {}
   const Vec3& direction() const { return direction_; }
   void extend(const Triangle& triangle) {
     for (const Vec3& corner : triangle) {
@@ -144,17 +156,6 @@ bool EmbeddingGuard::is_height_field(const Patch& patch) const {
          std::all_of(patch.replaced.begin(), patch.replaced.end(), is_seen) &&
          std::all_of(near_.begin(), near_.end(),
                      [&](Index face) { return !slab.meets(triangle_of(face)) || is_seen(face); });
-}
-
-bool EmbeddingGuard::meets_itself(const Patch& patch) const {
-  for (std::size_t i = 0; i < patch.made.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (boxes_touch(patch.made[i], patch.made[j]) && may_touch(patch.made[i], patch.made[j])) {
-        return true;
-      }
-    }
-  }
-  return false;
 }
 
 bool EmbeddingGuard::meets_others(const Patch& patch) const {

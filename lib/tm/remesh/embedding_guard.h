@@ -59,7 +59,6 @@ class EmbeddingGuard {
   bool is_height_field(const Patch& patch) const;
   Slab slab_of(const Patch& patch, const Vec3& direction) const;
   bool meets_box(const Triangle& triangle) const;
-  bool meets_itself(const Patch& patch) const;
   bool meets_others(const Patch& patch) const;
   Triangle triangle_of(Index face) const;
 

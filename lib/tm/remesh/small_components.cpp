@@ -27,7 +27,7 @@ class ComponentWalk {
     six_volumes_ = 0;
     sizes_ = 0;
     const Vec3& origin = mesh_.position(mesh_.source(3 * seed));
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
+    for (std::size_t i = 0; i < faces_.size(); ++i) {  // NOLINT: visit() adds to them
       if (!has_short_edges(faces_[i]) || !visit(faces_[i], origin)) return false;
     }
     return true;

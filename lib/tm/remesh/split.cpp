@@ -23,7 +23,7 @@ class Splitter {
     for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
       if (mesh_.is_edge(h)) push(h);
     }
-    const double first = static_cast<double>(queue_.size());
+    const auto first = static_cast<double>(queue_.size());
     for (double tried = 0; !queue_.empty(); ++tried) {
       if (std::fmod(tried, 4096) == 0) progress("split", tried / (tried + first));
       const QueuedEdge edge = queue_.top();

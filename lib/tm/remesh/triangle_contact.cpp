@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
 namespace transformesh {
 namespace {
@@ -92,13 +93,18 @@ bool are_wedges_apart(const Wedges& wedges) {
   const auto& [a, b, c, d] = wedges.rays;
   const Vec3 first_normal = a.cross(b);
   const Vec3 second_normal = c.cross(d);
-  for (const Vec3& axis :
-       {first_normal, second_normal, Vec3(a.cross(c)), Vec3(a.cross(d)), Vec3(b.cross(c)),
-        Vec3(b.cross(d)), Vec3(first_normal.cross(a)), Vec3(first_normal.cross(b)),
-        Vec3(second_normal.cross(c)), Vec3(second_normal.cross(d))}) {
-    if (wedges.separates_either_way(axis)) return true;
-  }
-  return false;
+  const std::array<Vec3, 10> axes = {first_normal,
+                                     second_normal,
+                                     a.cross(c),
+                                     a.cross(d),
+                                     b.cross(c),
+                                     b.cross(d),
+                                     first_normal.cross(a),
+                                     first_normal.cross(b),
+                                     second_normal.cross(c),
+                                     second_normal.cross(d)};
+  return std::any_of(axes.begin(), axes.end(),
+                     [&](const Vec3& axis) { return wedges.separates_either_way(axis); });
 }
 
 /// Whether two triangles with the common edge from `origin` along `edge` open by more than a

@@ -33,7 +33,7 @@ class VertexMover {
   bool move(Index vertex, const Star& star, const Vec3& target);
 
  private:
-  bool attempt(Index vertex, const Star& star, const Vec3& target);
+  bool attempt(Index vertex, const Star& star, const Vec3& wanted);
   bool place_triangles(const Star& star, const Vec3& target);
   void name_parts(Index vertex, const Star& star);
 
