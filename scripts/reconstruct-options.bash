@@ -4,7 +4,7 @@
 
 readonly own_options='--cameras --images --silhouettes --silhouettes-show --threshold --keep --start
   --clip --sequence --track --output --coarsest
-  --edge --last-edge --passes --iterations --pairs --window --stiffness --pull'
+  --edge --last-edge --passes --iterations --pairs --window --robust --stiffness --pull'
 readonly help_note='WHERE is a file, a folder or a quoted pattern, see tm-cameras.'
 
 print_own_options() {
@@ -43,6 +43,9 @@ Options:
   --iterations N          steps between two cleanings (default 5)
   --pairs N               neighbors with which each view is compared (default 4)
   --window N              radius of compared windows, 1 to 5 pixels (default 3)
+  --robust auto|NUMBER    at last, windows that disagree this many times as much as
+                          the mean pull by a quarter, 0: all alike; auto: 1 where
+                          photographs agree well, else 0 (default auto)
   --stiffness NUMBER      resistance to bending (default 1)
   --pull NUMBER           how much silhouettes pull (default 0.5)
   --resume                continue a run that was stopped, where there is one
@@ -61,7 +64,7 @@ need_number() { # OPTION VALUE MINIMUM
 set_defaults() {
   cameras='' images='' silhouettes='' silhouettes_show=exact threshold='' keep=largest start=''
   clip=hull sequence='' track=4 coarsest=auto edge=3 last_edge='' passes=4 iterations=5 pairs=4
-  window=3 stiffness=1 pull=0.5 every=1
+  window=3 robust=auto stiffness=1 pull=0.5 every=1
 }
 
 take_operand() {
@@ -96,6 +99,7 @@ check_options() {
   need_integer --passes "$passes" 1
   need_integer --iterations "$iterations" 1
   [[ $window =~ ^[1-5]$ ]] || fail 2 "--window: '$window' is not a whole number from 1 to 5"
+  [ "$robust" = auto ] || need_number --robust "$robust" 0
   need_integer --every "$every" 1
   need_integer --threads "$threads" 0
   if [ -z "$sequence" ]; then

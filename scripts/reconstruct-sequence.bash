@@ -37,7 +37,7 @@ open_sequence() {
   settings="sequence $sequence cameras $cameras images $images silhouettes ${silhouettes:-none} \
 show $silhouettes_show threshold ${threshold:-auto} keep $keep start ${start:-hull} clip $clip track $track \
 coarsest $coarsest edge $edge last-edge $last_edge passes $passes iterations $iterations pairs $pairs \
-stiffness $stiffness pull $pull format ${format:-ply}"
+robust $robust stiffness $stiffness pull $pull format ${format:-ply}"
   if [ "$resume" = yes ] && [ -s "$state/settings" ]; then
     check_settings
     keep_complete_lines "$state/steps"
@@ -65,7 +65,7 @@ reconstruct_one() { # ARGUMENT...
   exec "$here/$name" -q --threads "$threads" --cameras "${cameras//'{}'/$step}" \
     --images "${images//'{}'/$step}" "${masks[@]}" --keep "$keep" --edge "$edge" \
     --last-edge "$last_edge" --passes "$passes" --iterations "$iterations" --pairs "$pairs" \
-    --window "$window" --stiffness "$stiffness" --pull "$pull" --resume "$@" 2>"$state/messages"
+    --window "$window" --robust "$robust" --stiffness "$stiffness" --pull "$pull" --resume "$@" 2>"$state/messages"
 }
 
 run_self() { # ARGUMENT...

@@ -9,7 +9,8 @@ outside,seconds_remesh,seconds_step,seconds_clean,seconds
 describe_settings() {
   settings="cameras $cameras images $images silhouettes ${silhouettes:-none} show $silhouettes_show \
 threshold ${threshold:-default} keep $keep start ${start:-hull} clip $clip coarsest $coarsest edge $edge \
-last-edge $last_edge passes $passes iterations $iterations pairs $pairs window $window stiffness $stiffness pull $pull"
+last-edge $last_edge passes $passes iterations $iterations pairs $pairs window $window robust $robust \
+stiffness $stiffness pull $pull"
 }
 
 close_state() {
@@ -25,7 +26,7 @@ start_state() {
   read_pixel_size
   make_start
   make_levels
-  iteration=0 level=1 first=1 lost=no rest=no late=no
+  iteration=0 level=1 first=1 lost=no rest=no late=no loss=0
   begin_level
   coarsen_start
 }
@@ -103,6 +104,22 @@ begin_level() {
   pass=0 dissimilarity=none outside=none of_coverage=none of_pixels=none topology=none
 }
 
+# Where the last level is at rest and photographs agree on most of it, some more passes, in which
+# windows that disagree pull less: sets loss, for --robust of tm-photo-step. Before, these windows are
+# needed, as they show where the surface is still far off; and where few agree, it is not the others
+# that are wrong.
+begin_robust() { # LEVELS
+  [ "$level" -eq "$1" ] && [ "$loss" = 0 ] && [ "$rest" = yes ] || return 1
+  loss=$(awk -v robust="$robust" -v mean="$dissimilarity" 'BEGIN {
+    loss = (robust == "auto" ? mean < 0.25 : robust) * mean
+    if (loss > 1000) loss = 1000
+    if (loss > 0 && loss < 0.001) loss = 0.001
+    printf "%.9g", loss
+  }')
+  [ "$loss" != 0 ] || return 1
+  begin_level
+}
+
 # The start, with edges as long as the level has them, as the mesh of this pass. Doubling them again
 # and again is much faster than going there at once.
 coarsen_start() {
@@ -122,11 +139,11 @@ scaled() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.9g", a * b }'; }
 write_state() {
   append_state "pass $iteration first $first level $level of_level $pass dissimilarity $dissimilarity \
 outside $outside coverage $of_coverage pixels $of_pixels topology $topology lost $lost rest $rest \
-late $late"
+late $late loss $loss"
 }
 
 resume_state() {
   read -r _ iteration _ first _ level _ pass _ dissimilarity _ outside _ of_coverage _ of_pixels \
-    _ topology _ lost _ rest _ late _ < <(tail -n 1 "$state/state")
+    _ topology _ lost _ rest _ late _ loss _ < <(tail -n 1 "$state/state")
   read_pixel_size
 }

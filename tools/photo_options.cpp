@@ -27,6 +27,8 @@ void declare_comparison(Program& program, PhotoOptions& options) {
   program.flag("alternate", &options.steps.alternate,
                "compare pairs in one order only, and in every other step in the other one");
   program.integer("window", &options.window, 1, 5, "radius of compared windows, in pixels");
+  program.number("robust", &options.steps.step.photographs.correlation.robust, 0, 1e3,
+                 "disagreement at which a window pulls by a quarter; 0: all pull alike");
   program.choice("interpolation", &options.interpolation, {"catmull-rom", "bilinear"},
                  "of levels between pixels");
 }

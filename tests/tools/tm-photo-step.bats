@@ -111,6 +111,25 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
   one_line "$stderr"
 }
 
+@test "--robust changes where vertices go, not the measure, for any number of threads" {
+  photograph_truth
+  tm-displace --normal-speed 1% --alpha 10 -o near.ply truth.ply
+  step=(tm-photo-step --cameras par.txt --images photos --iterations 2 --no-provenance near.ply)
+  "${step[@]}" --report usual.json -o usual.ply
+  "${step[@]}" --robust 0.1 --threads 1 --report robust.json -o robust.ply
+  "${step[@]}" --robust 0.1 --threads 2 -o again.ply
+  cmp robust.ply again.ply
+  run cmp -s robust.ply usual.ply
+  assert_status 1
+  [ "$(value dissimilarity robust.json)" = "$(value dissimilarity usual.json)" ]
+  [ "$(value energy robust.json)" = "$(value energy usual.json)" ]
+  for wrong in -1 0.0001 2000; do
+    run --separate-stderr "${step[@]}" --robust $wrong
+    assert_status 2
+    one_line "$stderr"
+  done
+}
+
 @test "angles that no pair can have are refused, and both options named" {
   for angles in '--min-angle 60' '--max-angle 4' '--min-angle 20 --max-angle 10'; do
     run --separate-stderr tm-photo-step --cameras none --images none $angles < <(tetrahedron)

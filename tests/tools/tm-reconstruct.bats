@@ -86,6 +86,35 @@ noting_filters() {
   chmod +x filters/tm-photo-step
 }
 
+# pulls LOG: the scale and --robust of each pass, and the dissimilarity after it.
+pulls() {
+  paste -d' ' <(grep -v -e '--alpha 0' calls | sed -E 's/.*--scale ([^ ]*).*--robust ([^ ]*).*/\1 \2/') \
+    <(cut -d, -f8 "$1" | tail -n +2)
+}
+
+@test "at last, windows that disagree pull less, and the surface is nearer to the truth" {
+  noting_filters
+  reconstruct[0]=filters/tm-reconstruct
+  "${reconstruct[@]}" --robust 0 -q -o plain.ply --csv log.csv
+  pulls log.csv | awk '$2 != 0 { exit 1 }' || fail "$(pulls log.csv)"
+  below "$(compared accuracy "$scene/whole.ply")" \
+    "$(awk "BEGIN { print 0.75 * $(compared accuracy plain.ply) }")"
+  below "$(compared hausdorff "$scene/whole.ply")" "$(compared hausdorff plain.ply)"
+
+  # After a pass at full scale, by half of what was the dissimilarity then.
+  rm calls
+  "${reconstruct[@]}" --robust 0.5 -q -o out.ply --csv log.csv
+  pulls log.csv | awk '
+    $2 == 0 && robust { exit bad = 1 }
+    $2 != 0 && !robust { if (scale != 1 || $2 / before < 0.499 || $2 / before > 0.501) exit bad = 1 }
+    $2 != 0 { ++robust }
+    { scale = $1; before = $3 }
+    END { exit bad || !robust }' || fail "$(pulls log.csv)"
+  run --separate-stderr "${reconstruct[@]}" --robust some -o out.ply
+  assert_status 2
+  one_line "$stderr"
+}
+
 @test "a filter that fails ends the loop with its message and code" {
   noting_filters
   rm filters/tm-photo-step

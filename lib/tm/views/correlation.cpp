@@ -133,6 +133,18 @@ class Correlation {
     weight_ *= least_ / (least_ + static_cast<float>(options_.contrast));
   }
 
+  /// The energy and the loss of each window, and how much it pulls: the derivative by 1 - cc.
+  void find_loss() {
+    energy_ = weight_ * (1 - correlation_);
+    loss_ = energy_;
+    pull_ = weight_;
+    if (options_.robust == 0) return;
+    const auto scale = static_cast<float>(options_.robust);
+    share_ = scale / (scale + (1 - correlation_).max(0.0F));
+    loss_ *= share_;
+    pull_ *= share_.square();
+  }
+
   /// The energy of row y, and what its windows contribute to the derivative at their pixels.
   void compare(int y) {
     find_moments(y);
@@ -146,14 +158,15 @@ class Correlation {
 
     deviations_ = (variance1_ * variance2_).sqrt();
     correlation_ = (sums_[sum12] * inverse_ - mean1_ * mean2_) / deviations_;
-    by_deviations_ = weight_ * inverse_ / deviations_;
-    by_variance_ = weight_ * inverse_ / variance2_;
+    find_loss();
+    by_deviations_ = pull_ * inverse_ / deviations_;
+    by_variance_ = pull_ * inverse_ / variance2_;
     factor(of_first, y) = -by_deviations_;
     factor(of_second, y) = by_variance_ * correlation_;
     factor(constant, y) = mean1_ * by_deviations_ - mean2_ * correlation_ * by_variance_;
     factor(of_square, y) = by_variance_;
-    energy_ = weight_ * (1 - correlation_);
     totals_.energy += energy_.template cast<double>().sum();
+    totals_.loss += loss_.template cast<double>().sum();
     totals_.weight += weight_.template cast<double>().sum();
     totals_.pixels += static_cast<std::size_t>((weight_ > 0).count());
   }
@@ -181,7 +194,7 @@ class Correlation {
   std::array<Row, moments> sums_;
   std::array<Row, factor_planes> factor_sums_;
   Row inverse_, mean1_, mean2_, variance1_, variance2_, deviations_, correlation_;
-  Row least_, weight_, energy_, by_deviations_, by_variance_;
+  Row least_, weight_, energy_, share_, loss_, pull_, by_deviations_, by_variance_;
   Row gradient_, curvature_;
   CorrelationSums totals_;
 };
@@ -202,6 +215,8 @@ CorrelationSums correlate(int width, int first_row, int end_row, const Correlati
   if (options.radius < 1 || options.radius > 5) throw UsageError("a window's radius is 1 to 5");
   if (!(options.noise_variance > 0)) throw UsageError("the variance of noise is to be above 0");
   if (!(options.contrast >= 0)) throw UsageError("the contrast is to be at least 0");
+  if (options.robust != 0 && !(options.robust >= 1e-3 && options.robust <= 1e3))
+    throw UsageError("the scale of a robust loss is 0, for none, or from 0.001 to 1000");
   if (width < 1 || first_row >= end_row) return {};
   return runs[static_cast<std::size_t>(options.radius - 1)](width, first_row, end_row, options,
                                                             fill, take);

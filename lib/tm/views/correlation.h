@@ -7,6 +7,11 @@
 /// by that of the noise; rho = min(v1, v2) / (min(v1, v2) + contrast); the energy is the sum of
 /// rho (1 - cc) over all seen pixels whose window is more than half seen. Its derivative by a level
 /// of the second image takes rho as constant, and sums over all windows with that pixel.
+///
+/// With `robust` s above 0, what is differentiated is the sum of rho s e / (s + e), e = 1 - cc: the
+/// loss of Geman & McClure, "Statistical methods for tomographic image reconstruction", Bulletin of
+/// the ISI 52(4), 1987. Windows that disagree pull by (s / (s + e))^2 of what they would. The
+/// gradient is exact; the curvature takes these shares as constant, as reweighted least squares do.
 /// Levels are floats, less a middle level. O(radius) operations a pixel, all on whole rows.
 #pragma once
 
@@ -19,6 +24,8 @@ struct CorrelationOptions {
   int radius = 3;              ///< of the window, in pixels; 1 to 5
   double noise_variance = 25;  ///< added to the variances, in squared grey levels; > 0
   double contrast = 25;        ///< variance at which rho is 1/2; 0: rho is 1
+  double robust = 0;  ///< s, 1 - cc at which a window pulls by a quarter; 0.001 to 1000, or
+                      ///< 0: the loss is 1 - cc
 };
 
 /// What a row of both images holds; 0 where nothing is seen.
@@ -37,7 +44,8 @@ struct CorrelationRow {
 };
 
 struct CorrelationSums {
-  double energy = 0;
+  double energy = 0;       ///< whatever the loss is
+  double loss = 0;         ///< what is differentiated: the energy, if not robust
   double weight = 0;       ///< sum of rho
   std::size_t pixels = 0;  ///< windows compared
 };

@@ -66,6 +66,7 @@ void add_pair(const Warp& warp, const SeenSurface& seen, const PhotoconsistencyO
       },
       [&](int y, const CorrelationRow& row) { add_row(row, y - seen.first_row, sums); });
   sums.sums.energy += pair.energy;
+  sums.sums.loss += pair.loss;
   sums.sums.weight += pair.weight;
   sums.sums.pixels += pair.pixels;
 }
@@ -151,6 +152,7 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
   std::vector<FaceSums> faces(mesh.faces.size());
   for (std::size_t v = 0; v < views.size(); ++v) {
     result.energy += sums[v].sums.energy;
+    result.loss += sums[v].sums.loss;
     result.weight += sums[v].sums.weight;
     result.pixels += sums[v].sums.pixels;
     result.visible += sums[v].visible;

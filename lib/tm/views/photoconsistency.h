@@ -35,10 +35,11 @@ struct PhotoconsistencyOptions {
 /// pairs.
 struct Photoconsistency {
   double energy = 0;
+  double loss = 0;             ///< what is differentiated: the energy, if not robust
   double weight = 0;           ///< sum of rho
   std::size_t pixels = 0;      ///< compared, over all pairs
   std::size_t visible = 0;     ///< that see the surface, over all pairs, compared or not
-  std::vector<Vec3> gradient;  ///< derivative of the energy by the position
+  std::vector<Vec3> gradient;  ///< derivative of the loss by the position
   std::vector<double>
       curvature;  ///< by a movement along the normals, after Gauss and Newton, halved
   std::vector<double> coverage;  ///< sum of l

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "helpers/random.h"
@@ -38,6 +39,7 @@ struct Images {
 /// The energy in doubles, window by window from the definition. rho may be given.
 struct Direct {
   double energy = 0;
+  double loss = 0;
   double weight = 0;
   std::size_t pixels = 0;
   std::vector<double> rho;
@@ -66,7 +68,9 @@ Direct direct(const Images& images, const CorrelationOptions& options,
       const double cc = (s12 / n - s1 * s2 / (n * n)) / std::sqrt(v1 * v2);
       const double least = std::min(v1, v2);
       result.rho[at] = rho ? (*rho)[at] : least / (least + options.contrast);
-      result.energy += result.rho[at] * (1 - cc);
+      const double e = 1 - cc;
+      result.energy += result.rho[at] * e;
+      result.loss += result.rho[at] * (options.robust > 0 ? 1 / (1 / e + 1 / options.robust) : e);
       result.weight += result.rho[at];
       ++result.pixels;
     }
@@ -106,12 +110,13 @@ TEST_CASE("sums are those of the definition, for every radius, mask and first ro
   const std::vector<double> second(images.second.begin(), images.second.end());
   for (int radius = 1; radius <= 5; ++radius) {
     for (const double contrast : {0.0, 25.0}) {
-      const CorrelationOptions options{radius, 25, contrast};
+      const CorrelationOptions options{radius, 25, contrast, radius == 4 ? 0 : 0.1 * radius};
       const Direct expected = direct(images, options, second);
       for (const int first_row : {0, 7}) {
         const CorrelationSums sums = correlate_images(images, options, first_row).sums;
         CHECK(sums.pixels == expected.pixels);
         CHECK(sums.energy == Approx(expected.energy).epsilon(1e-5));
+        CHECK(sums.loss == Approx(expected.loss).epsilon(1e-5));
         CHECK(sums.weight == Approx(expected.weight).epsilon(1e-5));
       }
     }
@@ -120,8 +125,9 @@ TEST_CASE("sums are those of the definition, for every radius, mask and first ro
 
 TEST_CASE("the derivative by every pixel is that of the definition") {
   const Images images;
-  for (const int radius : {1, 3, 5}) {
-    const CorrelationOptions options{radius, 25, 25};
+  for (const auto& [radius, robust] :
+       {std::pair{1, 0.0}, {3, 0.0}, {5, 0.0}, {2, 0.5}, {3, 0.1}, {5, 0.02}}) {
+    const CorrelationOptions options{radius, 25, 25, robust};
     const Found found = correlate_images(images, options);
     std::vector<double> second(images.second.begin(), images.second.end());
     const std::vector<double> rho = direct(images, options, second).rho;
@@ -129,15 +135,30 @@ TEST_CASE("the derivative by every pixel is that of the definition") {
     for (std::size_t i = 0; i < second.size(); ++i) {
       const double level = second[i];
       second[i] = level + 1e-3;
-      const double above = direct(images, options, second, &rho).energy;
+      const double above = direct(images, options, second, &rho).loss;
       second[i] = level - 1e-3;
-      const double below = direct(images, options, second, &rho).energy;
+      const double below = direct(images, options, second, &rho).loss;
       second[i] = level;
       const double expected = (above - below) / 2e-3 * images.slope[i];
       CHECK(std::abs(found.gradient[i] - expected) < 1e-5 * (1 + 10 * std::abs(expected)));
       CHECK(found.curvature[i] >= 0);
     }
   }
+}
+
+TEST_CASE("a robust loss leaves the measure as it is, and hardly minds what disagrees") {
+  Images images;
+  const CorrelationSums plain = correlate_images(images, {3, 25, 25}).sums;
+  const CorrelationSums robust = correlate_images(images, {3, 25, 25, 0.1}).sums;
+  CHECK(robust.energy == plain.energy);
+  CHECK(robust.weight == plain.weight);
+  CHECK(plain.loss == plain.energy);
+  CHECK(correlate_images(images, {3, 25, 25, 1000}).sums.loss == Approx(plain.loss).epsilon(1e-3));
+  // No window can cost more than s.
+  for (float& level : images.second) level = -level;
+  const CorrelationSums against = correlate_images(images, {3, 25, 25, 0.1}).sums;
+  CHECK(against.energy > 1.5 * against.weight);
+  CHECK(against.loss < 0.1 * against.weight);
 }
 
 TEST_CASE("gains and offsets of an image change little, and textureless windows weigh little") {
@@ -158,4 +179,6 @@ TEST_CASE("options out of range are refused") {
   CHECK_THROWS_AS(correlate_images(images, {6, 25, 25}), UsageError);
   CHECK_THROWS_AS(correlate_images(images, {3, 0, 25}), UsageError);
   CHECK_THROWS_AS(correlate_images(images, {3, 25, -1}), UsageError);
+  for (const double robust : {-0.1, 1e-4, 1e4, std::nan("")})
+    CHECK_THROWS_AS(correlate_images(images, {3, 25, 25, robust}), UsageError);
 }

@@ -107,13 +107,13 @@ struct Scene {
     return photoconsistency(mesh, views, see_surface(mesh, face_unit_normals(mesh), views, 0.1),
                             pairs, options);
   }
-  double energy_moved(std::span<const Vec3> field, double factor) const {
+  double loss_moved(std::span<const Vec3> field, double factor) const {
     Scene moved(*this);
     for (std::size_t v = 0; v < field.size(); ++v) moved.mesh.positions[v] += factor * field[v];
-    return moved.measure().energy;
+    return moved.measure().loss;
   }
   double difference_quotient(std::span<const Vec3> field, double step) const {
-    return (energy_moved(field, step) - energy_moved(field, -step)) / (2 * step);
+    return (loss_moved(field, step) - loss_moved(field, -step)) / (2 * step);
   }
 };
 
@@ -190,6 +190,32 @@ TEST_CASE("the derivative is that of the energy: bumps inside both images") {
     CHECK(found.slope() == Approx(1).epsilon(0.001));
     CHECK(found.largest_error() < 0.005);
     CHECK(found.correlation() > 0.99999);
+  }
+}
+
+TEST_CASE("with a robust loss the derivative is that of the loss, and not that of the energy") {
+  Scene scene;
+  const Photoconsistency plain = scene.measure();
+  for (const double robust : {0.03, 0.3}) {
+    scene.options.correlation.robust = robust;
+    const Photoconsistency at = scene.measure();
+    CHECK(at.energy == plain.energy);
+    CHECK(at.loss < at.energy);
+    test::Random random(7);
+    Comparison found;
+    Comparison mistaken;
+    for (int i = 0; i < 12; ++i) {
+      const Vec3 center(random.uniform(-0.25, 0.25), random.uniform(-0.2, 0.2), 0);
+      const auto field = bump(scene.mesh, center, Vec3(0, 0, 1) + random.point(-0.7, 0.7));
+      const double quotient = scene.difference_quotient(field, 5e-4);
+      found.add(product(at.gradient, field), quotient);
+      mistaken.add(product(plain.gradient, field), quotient);
+    }
+    CHECK(found.slope() == Approx(1).epsilon(0.001));
+    CHECK(found.largest_error() < 0.005);
+    CHECK(found.correlation() > 0.99999);
+    CHECK(mistaken.slope() > 1.2);
+    CHECK(mistaken.correlation() < 0.999);
   }
 }
 
