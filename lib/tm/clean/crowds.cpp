@@ -61,23 +61,21 @@ std::vector<std::vector<Index>> Groups::members() {
   return result;
 }
 
-double extent_of(const std::vector<Vec3>& positions, const std::vector<Index>& group) {
-  Vec3 lower = positions[group.front()], upper = lower;
-  for (const Index i : group) {
-    lower = lower.cwiseMin(positions[i]);
-    upper = upper.cwiseMax(positions[i]);
-  }
-  return (upper - lower).maxCoeff();
-}
-
 }  // namespace
+
+Eigen::AlignedBox3d box_around(const std::vector<Vec3>& positions,
+                               const std::vector<Index>& group) {
+  Eigen::AlignedBox3d box;
+  for (const Index i : group) box.extend(positions[i]);
+  return box;
+}
 
 std::vector<std::vector<Index>> find_crowds(const std::vector<Vec3>& positions, double spacing) {
   std::vector<std::vector<Index>> crowds;
   std::vector<char> is_taken(positions.size(), 0);
   const auto is_crowd = [&](const std::vector<Index>& group, double size) {
     if (group.size() < fewest) return false;
-    const double extent = extent_of(positions, group);
+    const double extent = box_around(positions, group).sizes().maxCoeff();
     return extent <= size && extent < most_spacings * spacing * static_cast<double>(group.size()) &&
            std::none_of(group.begin(), group.end(), [&](Index i) { return is_taken[i]; });
   };

@@ -9,6 +9,7 @@
 /// one counts. Cost: O(n log n). Deterministic.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "tm/mesh/mesh.h"
@@ -17,6 +18,9 @@ namespace transformesh {
 
 /// The widest crowd, in spacings.
 constexpr double widest_crowd = 0x1p12;
+
+/// Of some of the positions.
+Eigen::AlignedBox3d box_around(const std::vector<Vec3>& positions, const std::vector<Index>& group);
 
 /// The indices of each, ascending. Positions are distinct; the spacing is a power of two, the
 /// least by which coordinates as large as theirs differ.

@@ -117,21 +117,12 @@ Index nearest(const std::vector<Vec3>& positions, const std::vector<Index>& amon
   });
 }
 
-Vec3 middle(const std::vector<Vec3>& positions, const std::vector<Index>& crowd) {
-  Vec3 lower = positions[crowd.front()], upper = lower;
-  for (const Index i : crowd) {
-    lower = lower.cwiseMin(positions[i]);
-    upper = upper.cwiseMax(positions[i]);
-  }
-  return lower + (upper - lower) / 2;
-}
-
 // Where those of a crowd go: the first positions stay.
 void unite_crowd(const std::vector<Index>& crowd, std::size_t inputs,
                  const std::vector<Vec3>& positions, std::vector<Vec3>& moved) {
   const auto first_new = std::lower_bound(crowd.begin(), crowd.end(), inputs);
   std::vector<Index> fixed(crowd.begin(), first_new);
-  if (fixed.empty()) fixed = {nearest(positions, crowd, middle(positions, crowd))};
+  if (fixed.empty()) fixed = {nearest(positions, crowd, box_around(positions, crowd).center())};
   std::for_each(first_new, crowd.end(),
                 [&](Index i) { moved[i] = positions[nearest(positions, fixed, positions[i])]; });
 }

@@ -9,7 +9,6 @@
 namespace transformesh {
 namespace {
 
-/// Distances beyond so many mean edges may be estimated.
 /// Of distances from the target, whose maximum has to come out right when it is some edges.
 constexpr double far_from_target_in_edges = 4;
 /// Of the largest size, the smallest.
