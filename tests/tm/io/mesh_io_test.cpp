@@ -84,14 +84,14 @@ TEST_CASE("mesh io: the decimal comma of a locale changes nothing") {
   }
   bool has_locale = false;
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"}) {
-    has_locale = has_locale || std::setlocale(LC_ALL, name) != nullptr;
+    has_locale = has_locale || std::setlocale(LC_NUMERIC, name) != nullptr;
   }
   if (!has_locale) MESSAGE("no locale with a decimal comma is installed");
   for (std::size_t i = 0; i < all_formats.size(); ++i) {
     Document document = read_document(expected[i]);
     CHECK(write_mesh(document).bytes == expected[i]);
   }
-  std::setlocale(LC_ALL, "C");
+  std::setlocale(LC_NUMERIC, "C");
 }
 
 TEST_CASE("mesh io: the name of a file chooses its format") {
