@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "tm/views/camera_file.h"
-#include "tm/views/view_pairs.h"
+#include "tm/views/cameras/camera_file.h"
+#include "tm/views/cameras/view_pairs.h"
 
 namespace transformesh::tool {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tm/clean/clean.h"
-#include "tm/clean/separate.h"
+#include "tm/clean/stitch/separate.h"
 #include "tm/mesh/components.h"
 #include "tool.h"
 

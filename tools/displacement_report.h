@@ -1,7 +1,7 @@
 /// The entries of a report that all programs share which move vertices.
 #pragma once
 
-#include "tm/evolve/displace.h"
+#include "tm/step/displace.h"
 #include "tool.h"
 
 namespace transformesh::tool {

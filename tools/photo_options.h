@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "tm/views/photo_steps.h"
-#include "tm/views/view_files.h"
+#include "tm/views/cameras/view_files.h"
+#include "tm/views/photo/photo_steps.h"
 #include "tool.h"
 
 namespace transformesh::tool {

@@ -5,11 +5,11 @@
 #include "tm/picture/png.h"
 #include "tm/picture/shade.h"
 #include "tm/support/error.h"
-#include "tm/views/file_list.h"
-#include "tm/views/gray_picture.h"
-#include "tm/views/mesh_silhouette.h"
-#include "tm/views/silhouette.h"
-#include "tm/views/view_files.h"
+#include "tm/views/cameras/file_list.h"
+#include "tm/views/cameras/view_files.h"
+#include "tm/views/hull/mesh_silhouette.h"
+#include "tm/views/hull/silhouette.h"
+#include "tm/views/images/gray_picture.h"
 
 namespace transformesh::tool {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "tm/views/camera_ring.h"
-#include "tm/views/photograph.h"
+#include "tm/views/cameras/camera_ring.h"
+#include "tm/views/photo/photograph.h"
 #include "tool.h"
 
 namespace transformesh::tool {

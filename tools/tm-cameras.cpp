@@ -2,8 +2,8 @@
 
 #include "camera_table.h"
 #include "tm/support/error.h"
-#include "tm/views/scene_scale.h"
-#include "tm/views/view_files.h"
+#include "tm/views/cameras/scene_scale.h"
+#include "tm/views/cameras/view_files.h"
 #include "tool.h"
 
 namespace {

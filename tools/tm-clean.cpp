@@ -1,6 +1,6 @@
 #include "cleaning_report.h"
 #include "tm/clean/clean.h"
-#include "tm/clean/separate.h"
+#include "tm/clean/stitch/separate.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tool.h"

@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "displacement_report.h"
-#include "tm/evolve/displace.h"
-#include "tm/evolve/velocity.h"
+#include "tm/step/displace.h"
+#include "tm/step/velocity.h"
 #include "tm/support/error.h"
 #include "tool.h"
 

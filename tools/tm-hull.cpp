@@ -1,7 +1,7 @@
 /// tm-hull: the visual hull of calibrated silhouettes.
 #include "tm/support/error.h"
-#include "tm/views/hull.h"
-#include "tm/views/silhouette_box.h"
+#include "tm/views/hull/hull.h"
+#include "tm/views/hull/silhouette_box.h"
 #include "tool.h"
 #include "view_options.h"
 

@@ -1,5 +1,5 @@
-#include "tm/clean/intersect.h"
-#include "tm/clean/refine.h"
+#include "tm/clean/arrange/refine.h"
+#include "tm/clean/intersect/intersect.h"
 #include "tm/io/mesh_io.h"
 #include "tool.h"
 

@@ -1,9 +1,9 @@
 /// tm-morph-step: one step of a surface towards a target (paper 5.2).
 #include "displacement_report.h"
 #include "streams.h"
-#include "tm/evolve/gaps.h"
-#include "tm/evolve/morph_step.h"
-#include "tm/evolve/target_file.h"
+#include "tm/step/gaps.h"
+#include "tm/step/morph_step.h"
+#include "tm/step/target_file.h"
 #include "tool.h"
 
 namespace {

@@ -1,6 +1,6 @@
 /// tm-shape: closed meshes out of nothing, as sources, targets and workloads.
 #include "suggestion.h"
-#include "tm/evolve/shapes.h"
+#include "tm/shapes/shapes.h"
 #include "tool.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "tm/clean/stitch.h"
+#include "tm/clean/stitch/stitch.h"
 #include "tool.h"
 
 using namespace transformesh;

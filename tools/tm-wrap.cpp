@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "streams.h"
-#include "tm/evolve/target_file.h"
+#include "tm/step/target_file.h"
 #include "tm/support/error.h"
-#include "tm/views/unit_scale.h"
-#include "tm/views/wrap.h"
+#include "tm/views/wrap/unit_scale.h"
+#include "tm/views/wrap/wrap.h"
 #include "tool.h"
 
 namespace {

@@ -2,9 +2,9 @@
 
 #include "tm/picture/png.h"
 #include "tm/support/error.h"
-#include "tm/views/agreed_level.h"
-#include "tm/views/gray_picture.h"
-#include "tm/views/mesh_silhouette.h"
+#include "tm/views/hull/agreed_level.h"
+#include "tm/views/hull/mesh_silhouette.h"
+#include "tm/views/images/gray_picture.h"
 
 namespace transformesh::tool {
 namespace {

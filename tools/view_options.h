@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tm/views/silhouette.h"
-#include "tm/views/view_files.h"
+#include "tm/views/cameras/view_files.h"
+#include "tm/views/hull/silhouette.h"
 #include "tool.h"
 
 namespace transformesh::tool {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tm/evolve/shapes.h"
+#include "tm/shapes/shapes.h"
 
 namespace transformesh::test {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tm/views/view.h"
+#include "tm/views/cameras/view.h"
 
 namespace view_maker {
 

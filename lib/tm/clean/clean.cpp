@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "tm/clean/clean_pass.h"
-#include "tm/clean/outermost.h"
-#include "tm/clean/settle.h"
+#include "tm/clean/exterior/outermost.h"
+#include "tm/clean/pass/clean_pass.h"
+#include "tm/clean/rounding/settle.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

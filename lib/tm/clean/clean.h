@@ -17,7 +17,7 @@
 /// for k intersecting pairs on usual meshes; about 250 bytes a face.
 #pragma once
 
-#include "tm/clean/exterior.h"
+#include "tm/clean/exterior/exterior.h"
 #include "tm/mesh/mesh.h"
 #include "tm/support/progress.h"
 

@@ -15,7 +15,7 @@
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
 #include "tm/clean/clean.h"
-#include "tm/clean/intersect.h"
+#include "tm/clean/intersect/intersect.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

@@ -6,7 +6,7 @@
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
-#include "tm/clean/intersect.h"
+#include "tm/clean/intersect/intersect.h"
 #include "tm/geometry/degenerate_faces.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"

@@ -5,7 +5,7 @@
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
 #include "tm/clean/clean.h"
-#include "tm/clean/intersect.h"
+#include "tm/clean/intersect/intersect.h"
 #include "tm/geometry/winding.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"

@@ -3,7 +3,7 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "tm/clean/intersect.h"
+#include "tm/clean/intersect/intersect.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/remesh.h"
 #include "tm/remesh/remesh_checks.h"

@@ -4,7 +4,7 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "tm/clean/intersect.h"
+#include "tm/clean/intersect/intersect.h"
 #include "tm/remesh/remesh_checks.h"
 
 using namespace transformesh;

@@ -1,0 +1,426 @@
+#include "tm/clean/arrange/planar_triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <stdexcept>
+
+namespace transformesh {
+namespace {
+
+constexpr Index next_corner(Index i) { return i == 2 ? 0 : i + 1; }
+constexpr Index previous_corner(Index i) { return i == 0 ? 2 : i - 1; }
+constexpr Index next_edge(Index edge) { return edge / 3 * 3 + next_corner(edge % 3); }
+constexpr Index previous_edge(Index edge) { return edge / 3 * 3 + previous_corner(edge % 3); }
+
+// Corners of a triangle far around the box, in the plane as well as doubles allow.
+std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec3& low,
+                             const Vec3& high) {
+  const Vec3 middle = low + (high - low) / 2;
+  const int w = 3 - p.u - p.v;
+  const Vec3 normal = (plane[1] - plane[0]).cross(plane[2] - plane[0]);
+  double size = std::max((high - low)[p.u], (high - low)[p.v]);
+  if (!(size > 0)) size = 1;
+  constexpr std::array<std::array<double, 2>, 3> directions{{{-10, -8}, {11, -7}, {-1, 12}}};
+  std::array<Vec3, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vec3& corner = corners[i];
+    corner[p.u] = middle[p.u] + size * directions[i][0];
+    corner[p.v] = middle[p.v] + size * directions[i][1];
+    const double slope =
+        normal[p.u] * (corner[p.u] - plane[0][p.u]) + normal[p.v] * (corner[p.v] - plane[0][p.v]);
+    corner[w] = plane[0][w] - slope / normal[w];
+    if (!std::isfinite(corner[w])) corner[w] = middle[w];
+  }
+  return corners;
+}
+
+// Cotangent of the angle at c: negative when it is obtuse.
+double cotangent(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (a - c).dot(b - c) / (a - c).cross(b - c).norm();
+}
+
+}  // namespace
+
+PlanarTriangulation::PlanarTriangulation(const ExactGeometry& geometry, const Triangle& plane,
+                                         const Vec3& low, const Vec3& high, Crossing crossing)
+    : geometry_(geometry), projection_(projection_of(plane)), crossing_(std::move(crossing)) {
+  for (const Vec3& corner : scaffold(plane, projection_, low, high)) {
+    // NOLINTNEXTLINE(clang-analyzer-unix.Malloc): references are counted
+    add_point(ExactGeometry::free(corner));
+  }
+  facets_.push_back({{0, 1, 2}, {no_index, no_index, no_index}, {no_index, no_index, no_index}});
+  facet_of_.assign(3, 0);
+}
+
+int PlanarTriangulation::turn(Index a, Index b, const ExactPoint& c) const {
+  return geometry_.orient2d(points_[a], points_[b], c, projection_);
+}
+
+// Points known to lie on one line need no arithmetic.
+int PlanarTriangulation::turn(Index a, Index b, Index c) const {
+  const std::vector<Index>* shortest = &lines_[a];
+  if (lines_[b].size() < shortest->size()) shortest = &lines_[b];
+  if (lines_[c].size() < shortest->size()) shortest = &lines_[c];
+  for (const Index line : *shortest) {
+    const auto holds = [line](const std::vector<Index>& lines) {
+      return std::binary_search(lines.begin(), lines.end(), line);
+    };
+    if (holds(lines_[a]) && holds(lines_[b]) && holds(lines_[c])) return 0;
+  }
+  return geometry_.orient2d(points_[a], points_[b], points_[c], projection_);
+}
+
+// For collinear points: whether `through` lies on the same side of `from` as `to`.
+bool PlanarTriangulation::is_ahead(Index from, Index through, Index to) const {
+  for (const int coordinate : {projection_.u, projection_.v}) {
+    const int sign = geometry_.compare_coordinate(points_[to], points_[from], coordinate);
+    if (sign == 0) continue;
+    return sign == geometry_.compare_coordinate(points_[through], points_[from], coordinate);
+  }
+  return false;
+}
+
+Index PlanarTriangulation::add_point(const ExactPoint& point) {
+  points_.push_back(point);
+  lines_.emplace_back();
+  facet_of_.push_back(no_index);
+  return static_cast<Index>(points_.size() - 1);
+}
+
+void PlanarTriangulation::add_line(Index point, Index line) {
+  std::vector<Index>& lines = lines_[point];
+  const auto at = std::lower_bound(lines.begin(), lines.end(), line);
+  if (at == lines.end() || *at != line) lines.insert(at, line);
+}
+
+// Walks towards the point; falls back on trying all facets, as a walk may circle where the
+// triangulation is not Delaunay.
+PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& point) const {
+  Location location{static_cast<Index>(facets_.size() - 1), {}};
+  const auto leave_by = [&](Index first) {
+    Index exit = no_index;
+    for (Index k = 0; k < 3; ++k) {
+      const Index i = (first + k) % 3;
+      const Facet& facet = facets_[location.facet];
+      location.turn[i] = turn(facet.v[i], facet.v[next_corner(i)], point);
+      if (location.turn[i] < 0) {
+        exit = i;
+        break;
+      }
+    }
+    return exit;
+  };
+  for (std::size_t step = 0; step < 3 * facets_.size() + 10; ++step) {
+    const Index exit = leave_by(static_cast<Index>(step % 3));
+    if (exit == no_index) return location;
+    if (facets_[location.facet].next[exit] == no_index) break;
+    location.facet = facets_[location.facet].next[exit];
+  }
+  for (location.facet = 0; location.facet < facets_.size(); ++location.facet) {
+    if (leave_by(0) == no_index) return location;
+  }
+  throw std::logic_error("a point lies outside its plane's scaffold");
+}
+
+Index PlanarTriangulation::insert(const ExactPoint& point, std::initializer_list<Index> lines) {
+  const Location location = locate(point);
+  const Facet facet = facets_[location.facet];
+  const auto zeros = std::count(location.turn.begin(), location.turn.end(), 0);
+  Index index = no_index;
+  for (Index i = 0; i < 3 && zeros == 2; ++i) {
+    if (location.turn[i] == 0 && location.turn[previous_corner(i)] == 0) index = facet.v[i];
+  }
+  if (index == no_index) {
+    index = add_point(point);
+    if (zeros == 0) split_facet(location.facet, index);
+    for (Index i = 0; i < 3 && zeros == 1; ++i) {
+      if (location.turn[i] == 0) split_edge(3 * location.facet + i, index);
+    }
+    legalize(index);
+  } else if (point.kind == ExactPoint::Kind::given) {
+    points_[index] = point;  // a vertex is known as such in every plane, whatever else meets there
+  }
+  for (const Index line : lines) add_line(index, line);
+  return index;
+}
+
+// Writes a facet and makes its neighbours and points agree.
+void PlanarTriangulation::set_facet(Index facet, const std::array<Index, 3>& v,
+                                    const std::array<Index, 3>& next,
+                                    const std::array<Index, 3>& line) {
+  facets_[facet] = {v, next, line};
+  for (Index i = 0; i < 3; ++i) {
+    facet_of_[v[i]] = facet;
+    if (next[i] == no_index) continue;
+    Facet& neighbor = facets_[next[i]];
+    for (Index k = 0; k < 3; ++k) {
+      if (neighbor.v[k] == v[next_corner(i)] && neighbor.v[next_corner(k)] == v[i]) {
+        neighbor.next[k] = facet;
+      }
+    }
+  }
+}
+
+void PlanarTriangulation::split_facet(Index facet, Index p) {
+  const Facet old = facets_[facet];
+  const auto second = static_cast<Index>(facets_.size());
+  const Index third = second + 1;
+  facets_.resize(facets_.size() + 2, old);
+  const Index none = no_index;
+  set_facet(facet, {old.v[0], old.v[1], p}, {old.next[0], second, third},
+            {old.line[0], none, none});
+  set_facet(second, {old.v[1], old.v[2], p}, {old.next[1], third, facet},
+            {old.line[1], none, none});
+  set_facet(third, {old.v[2], old.v[0], p}, {old.next[2], facet, second},
+            {old.line[2], none, none});
+}
+
+// Both facets at the edge are cut in two. The scaffold's own edges are never split.
+void PlanarTriangulation::split_edge(Index edge, Index p) {
+  const Index f = edge / 3, i = edge % 3;
+  const Index back = opposite(edge);
+  const Index g = back / 3, k = back % 3;
+  const Facet left = facets_[f], right = facets_[g];
+  const Index a = left.v[i], b = left.v[next_corner(i)];
+  const Index c = left.v[previous_corner(i)], d = right.v[previous_corner(k)];
+  const Index line = left.line[i];
+  const auto f2 = static_cast<Index>(facets_.size());
+  const Index g2 = f2 + 1;
+  facets_.resize(facets_.size() + 2, left);
+  const Index none = no_index;
+  // Left: a p c and p b c. Right: p a d and b p d.
+  facets_[f] = {{a, p, c},
+                {g, f2, left.next[previous_corner(i)]},
+                {line, none, left.line[previous_corner(i)]}};
+  facets_[g] = {
+      {p, a, d}, {f, right.next[next_corner(k)], g2}, {line, right.line[next_corner(k)], none}};
+  set_facet(f2, {p, b, c}, {g2, left.next[next_corner(i)], f},
+            {line, left.line[next_corner(i)], none});
+  set_facet(g2, {b, p, d}, {f2, g, right.next[previous_corner(k)]},
+            {line, none, right.line[previous_corner(k)]});
+  set_facet(f, facets_[f].v, facets_[f].next, facets_[f].line);
+  set_facet(g, facets_[g].v, facets_[g].next, facets_[g].line);
+  if (line != no_index) {
+    const std::vector<Index>& from = lines_[a];
+    for (const Index candidate : from) {
+      if (std::binary_search(lines_[b].begin(), lines_[b].end(), candidate)) {
+        add_line(p, candidate);
+      }
+    }
+    add_line(p, line);
+  }
+}
+
+Index PlanarTriangulation::opposite(Index edge) const {
+  const Facet& facet = facets_[edge / 3];
+  const Index neighbor = facet.next[edge % 3];
+  if (neighbor == no_index) return no_index;
+  const Index from = facet.v[next_corner(edge % 3)];
+  for (Index k = 0; k < 3; ++k) {
+    if (facets_[neighbor].v[k] == from) return 3 * neighbor + k;
+  }
+  return no_index;
+}
+
+// Replaces the edge by the other diagonal of its two facets; returns that edge.
+Index PlanarTriangulation::flip(Index edge) {
+  const Index back = opposite(edge);
+  const Index f = edge / 3, i = edge % 3, g = back / 3, k = back % 3;
+  const Facet left = facets_[f], right = facets_[g];
+  const Index a = left.v[i], b = left.v[next_corner(i)];
+  const Index c = left.v[previous_corner(i)], d = right.v[previous_corner(k)];
+  const Index none = no_index;
+  const std::array<Index, 3> f_next{right.next[next_corner(k)], g, left.next[previous_corner(i)]};
+  const std::array<Index, 3> g_next{left.next[next_corner(i)], f, right.next[previous_corner(k)]};
+  // c a d b: facets a d c and b c d.
+  facets_[f].v = {a, d, c};
+  facets_[g].v = {b, c, d};
+  set_facet(f, {a, d, c}, f_next,
+            {right.line[next_corner(k)], none, left.line[previous_corner(i)]});
+  set_facet(g, {b, c, d}, g_next,
+            {left.line[next_corner(i)], none, right.line[previous_corner(k)]});
+  return 3 * f + 1;
+}
+
+bool PlanarTriangulation::is_convex(Index edge) const {
+  const Index back = opposite(edge);
+  const Index a = facets_[edge / 3].v[edge % 3];
+  const Index b = facets_[back / 3].v[back % 3];
+  const Index c = facets_[edge / 3].v[previous_corner(edge % 3)];
+  const Index d = facets_[back / 3].v[previous_corner(back % 3)];
+  return turn(a, d, c) > 0 && turn(b, c, d) > 0;
+}
+
+bool PlanarTriangulation::wants_flip(Index edge) const {
+  const Facet& facet = facets_[edge / 3];
+  if (facet.line[edge % 3] != no_index || facet.next[edge % 3] == no_index) return false;
+  const Index back = opposite(edge);
+  const Vec3& a = points_[facet.v[edge % 3]].center;
+  const Vec3& b = points_[facets_[back / 3].v[back % 3]].center;
+  const Vec3& c = points_[facet.v[previous_corner(edge % 3)]].center;
+  const Vec3& d = points_[facets_[back / 3].v[previous_corner(back % 3)]].center;
+  return cotangent(a, b, c) + cotangent(a, b, d) < -1e-9 && is_convex(edge);
+}
+
+// Flips around a new point until its star is Delaunay; bounded, as angles are not exact.
+void PlanarTriangulation::legalize(Index p) {
+  std::vector<Index> stack;
+  const auto push_star = [&](Index facet) {
+    for (Index i = 0; i < 3; ++i) {
+      if (facets_[facet].v[i] == p) stack.push_back(3 * facet + next_corner(i));
+    }
+  };
+  const Index start = facet_of_[p];
+  Index facet = start;
+  do {
+    push_star(facet);
+    Index i = 0;
+    while (facets_[facet].v[i] != p) ++i;
+    facet = facets_[facet].next[i];
+  } while (facet != start);
+  for (std::size_t budget = 64 + 4 * facets_.size(); !stack.empty() && budget > 0; --budget) {
+    const Index edge = stack.back();
+    stack.pop_back();
+    const Facet& f = facets_[edge / 3];
+    if (f.v[previous_corner(edge % 3)] != p || !wants_flip(edge)) continue;
+    const Index diagonal = flip(edge);
+    push_star(diagonal / 3);
+    push_star(facets_[diagonal / 3].next[diagonal % 3]);
+  }
+}
+
+void PlanarTriangulation::improve() {
+  std::vector<Index> stack;
+  for (auto edge = static_cast<Index>(3 * facets_.size()); edge-- > 0;) stack.push_back(edge);
+  for (std::size_t budget = 100 + 30 * facets_.size(); !stack.empty() && budget > 0; --budget) {
+    const Index edge = stack.back();
+    stack.pop_back();
+    if (!wants_flip(edge)) continue;
+    const Index diagonal = flip(edge);
+    const Index other = opposite(diagonal);
+    for (const Index e : {diagonal, other}) {
+      stack.push_back(next_edge(e));
+      stack.push_back(previous_edge(e));
+    }
+  }
+}
+
+// The edge from one point to a neighbour; no_index where they are not neighbours.
+Index PlanarTriangulation::edge_between(Index from, Index to) const {
+  if (from < scaffold_points) return opposite(edge_between(to, from));
+  const Index start = facet_of_[from];
+  Index facet = start;
+  do {
+    Index i = 0;
+    while (facets_[facet].v[i] != from) ++i;
+    if (facets_[facet].v[next_corner(i)] == to) return 3 * facet + i;
+    facet = facets_[facet].next[previous_corner(i)];
+  } while (facet != start);
+  return no_index;
+}
+
+void PlanarTriangulation::mark(Index edge, Index line) {
+  const Index back = opposite(edge);
+  for (const Index e : {edge, back}) {
+    Index& slot = facets_[e / 3].line[e % 3];
+    if (slot == no_index) slot = line;
+  }
+  add_line(facets_[edge / 3].v[edge % 3], line);
+  add_line(facets_[back / 3].v[back % 3], line);
+}
+
+void PlanarTriangulation::constrain(Index from, Index to, Index line) {
+  while (from != to) from = step_along(from, to, line);
+}
+
+// Constrains the first stretch of the segment; returns the point where it ends.
+Index PlanarTriangulation::step_along(Index from, Index to, Index line) {
+  const Index start = facet_of_[from];
+  Index facet = start;
+  do {
+    Index i = 0;
+    while (facets_[facet].v[i] != from) ++i;
+    const Index x = facets_[facet].v[next_corner(i)];
+    const Index y = facets_[facet].v[previous_corner(i)];
+    const int turn_x = x == to ? 0 : turn(from, x, to);
+    if (turn_x == 0 && (x == to || is_ahead(from, x, to))) {
+      mark(3 * facet + i, line);
+      return x;
+    }
+    if (turn_x > 0 && y != to && turn(from, to, y) > 0) {
+      return march(3 * facet + next_corner(i), from, to, line);
+    }
+    facet = facets_[facet].next[previous_corner(i)];
+  } while (facet != start);
+  throw std::logic_error("a constraint leaves its plane's scaffold");
+}
+
+// From `from` across the edge and on, up to the first point on the segment. A constrained edge on
+// the way is split where it is crossed, which makes that point.
+Index PlanarTriangulation::march(Index edge, Index from, Index to, Index line) {
+  std::vector<std::array<Index, 2>> crossed;
+  Index end = no_index;
+  while (end == no_index) {
+    const Facet& facet = facets_[edge / 3];
+    const Index other_line = facet.line[edge % 3];
+    if (other_line != no_index) {
+      end = add_point(crossing_(line, other_line));
+      add_line(end, line);
+      split_edge(edge, end);
+      break;
+    }
+    crossed.push_back({facet.v[edge % 3], facet.v[next_corner(edge % 3)]});
+    const Index back = opposite(edge);
+    const Index apex = facets_[back / 3].v[previous_corner(back % 3)];
+    const int side = apex == to ? 0 : turn(from, to, apex);
+    if (side == 0) end = apex;
+    // The apex is left of the segment: the way leads out between it and the right end.
+    edge = side > 0 ? next_edge(back) : previous_edge(back);
+  }
+  clear_way(std::move(crossed), from, end);
+  mark(edge_between(from, end), line);
+  return end;
+}
+
+// Flips the crossed edges away, so that the segment becomes an edge (Sloan 1993).
+void PlanarTriangulation::clear_way(std::vector<std::array<Index, 2>> crossed, Index from,
+                                    Index to) {
+  std::deque<std::array<Index, 2>> queue(crossed.begin(), crossed.end());
+  while (!queue.empty()) {
+    const auto [x, y] = queue.front();
+    queue.pop_front();
+    const Index edge = edge_between(x, y);
+    if (!is_convex(edge)) {
+      queue.push_back({x, y});
+      continue;
+    }
+    const Index diagonal = flip(edge);
+    const Index p = facets_[diagonal / 3].v[diagonal % 3];
+    const Index q = facets_[diagonal / 3].v[next_corner(diagonal % 3)];
+    if (p == from || p == to || q == from || q == to) continue;
+    if (turn(from, to, p) * turn(from, to, q) < 0) queue.push_back({p, q});
+  }
+}
+
+std::vector<Index> PlanarTriangulation::chain(Index from, Index to) const {
+  std::vector<Index> edges;
+  while (from != to) {
+    const Index start = facet_of_[from];
+    Index facet = start;
+    Index found = no_index;
+    do {
+      Index i = 0;
+      while (facets_[facet].v[i] != from) ++i;
+      const Index x = facets_[facet].v[next_corner(i)];
+      if (x == to || (turn(from, x, to) == 0 && is_ahead(from, x, to))) found = 3 * facet + i;
+      facet = facets_[facet].next[previous_corner(i)];
+    } while (facet != start && found == no_index);
+    if (found == no_index) throw std::logic_error("a constraint is missing from its plane");
+    edges.push_back(found);
+    from = facets_[found / 3].v[next_corner(found % 3)];
+  }
+  return edges;
+}
+
+}  // namespace transformesh

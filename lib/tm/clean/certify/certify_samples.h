@@ -1,0 +1,36 @@
+/// Points beside faces at which the winding numbers of a mesh and of what was made from it can be
+/// compared: nearer to the face than any other face of either, and outside the rounding zone.
+#pragma once
+
+#include <optional>
+
+#include "tm/clean/certify/certify_faces.h"
+#include "tm/clean/certify/rounding_zone.h"
+#include "tm/geometry/ray_winding.h"
+
+namespace transformesh {
+
+struct WindingSample {
+  Vec3 point = Vec3::Zero();
+  int input_winding = 0;
+  int output_winding = 0;
+};
+
+class SampleFinder {
+ public:
+  /// Keeps references. The input must be closed. The output was stored in numbers of that type.
+  SampleFinder(const Mesh& input, const Mesh& output, const FaceMatch& match, Scalar coordinate);
+
+  /// In front of the face (side 1) or behind it (-1); nothing where no point will do.
+  std::optional<WindingSample> find(const Mesh& mesh, Index face, int side) const;
+
+ private:
+  std::optional<WindingSample> find_above(const Vec3& base, const Vec3& direction,
+                                          double height) const;
+
+  RayWinding input_winding_;
+  RayWinding output_winding_;
+  RoundingZone zone_;
+};
+
+}  // namespace transformesh

@@ -1,0 +1,39 @@
+/// Where a surface that was cut and rounded may be misplaced by the rounding: around the new faces
+/// of the output, and around the faces of the input that it no longer has, of which slivers thinner
+/// than the spacing of numbers may be gone without a trace.
+#pragma once
+
+#include <vector>
+
+#include "tm/clean/certify/certify_faces.h"
+#include "tm/geometry/bvh.h"
+#include "tm/geometry/predicates.h"
+
+namespace transformesh {
+
+/// How far rounding may have moved each of the faces along each axis: four times as far as its
+/// corners, the middles of its edges and its centroid are from the input, but at least twice the
+/// spacing of numbers of that type at its coordinates, and at most 1024 times that at the largest
+/// coordinate of the mesh.
+std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
+                                   const std::vector<Index>& faces, Scalar coordinate);
+
+/// Whether the point is so near to the triangle that one may lie on the other but for rounding.
+bool is_within(const Vec3& margins, const Vec3& point, const Triangle& triangle);
+
+class RoundingZone {
+ public:
+  /// The output was stored in numbers of that type.
+  RoundingZone(const Mesh& input, const Mesh& output, const FaceMatch& match, Scalar coordinate);
+
+  bool contains(const Vec3& point) const;
+  /// How far a surface may be misplaced at a point of it, and the point itself, along each axis.
+  Vec3 margins_at(const Vec3& point) const;
+
+ private:
+  std::vector<Triangle> triangles_;
+  std::vector<Vec3> margins_;  ///< of the triangles
+  Bvh bvh_;                    ///< a box around each triangle and its margins
+};
+
+}  // namespace transformesh

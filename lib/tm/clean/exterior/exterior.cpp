@@ -1,0 +1,186 @@
+#include "tm/clean/exterior/exterior.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "tm/clean/exterior/patches.h"
+#include "tm/clean/exterior/winding_ray.h"
+#include "tm/support/error.h"
+
+namespace transformesh {
+namespace {
+
+constexpr int unknown = std::numeric_limits<int>::min();
+constexpr std::size_t tries_per_patch = 8;
+constexpr std::size_t tries_per_seed = 64;
+
+bool is_kept(int front, const Piece& piece, int level) {
+  return front < level && front + piece.winding >= level;
+}
+
+/// Winding numbers in front of patches, from seeds outwards.
+class Growth {
+ public:
+  Growth(const Arrangement& arrangement, int level, const BorderClosure& closure);
+  Exterior grow(const Progress& progress);
+
+ private:
+  bool keeps(Index patch) const;
+  void cast_ray(Index patch, std::size_t member);
+  std::vector<Index> connected_patches(Index first) const;
+  Index find_open_seed(Index first);
+  void spread(Index seed);
+
+  const Arrangement& arrangement_;
+  int level_;
+  bool is_open_;
+  Patches patches_;
+  WindingRay ray_;
+  std::vector<int> front_;  ///< per patch
+  std::size_t rays_ = 0;
+};
+
+Growth::Growth(const Arrangement& arrangement, int level, const BorderClosure& closure)
+    : arrangement_(arrangement),
+      level_(level),
+      is_open_(!closure.empty()),
+      patches_(arrangement),
+      ray_(arrangement, closure, (is_open_ ? tries_per_seed : 1) * patches_.size()),
+      front_(patches_.size(), unknown) {}
+
+bool Growth::keeps(Index patch) const {
+  return is_kept(front_[patch], arrangement_.pieces[patches_.pieces[patch].front()], level_);
+}
+
+void Growth::cast_ray(Index patch, std::size_t member) {
+  front_[patch] = ray_.in_front_of(arrangement_.pieces[patches_.pieces[patch][member]]);
+  ++rays_;
+}
+
+// Largest first, which are the likeliest to be exterior.
+std::vector<Index> Growth::connected_patches(Index first) const {
+  std::vector<Index> connected{first};
+  std::vector<char> seen(patches_.size(), 0);
+  seen[first] = 1;
+  for (std::size_t i = 0; i < connected.size(); ++i) {
+    for (const Patches::Relation& relation : patches_.relations[connected[i]]) {
+      if (seen[relation.patch]) continue;
+      seen[relation.patch] = 1;
+      connected.push_back(relation.patch);
+    }
+  }
+  std::stable_sort(connected.begin(), connected.end(), [&](Index a, Index b) {
+    return patches_.pieces[a].size() > patches_.pieces[b].size();
+  });
+  return connected;
+}
+
+// Closing borders makes w vary over a patch: a seed is a patch with a piece that is exterior.
+Index Growth::find_open_seed(Index first) {
+  const std::vector<Index> connected = connected_patches(first);
+  std::size_t tries = 0;
+  for (const Index patch : connected) {
+    const std::size_t size = patches_.pieces[patch].size();
+    const std::size_t count = std::min(size, tries_per_patch);
+    for (std::size_t i = 0; i < count; ++i) {
+      cast_ray(patch, i * size / count);
+      if (keeps(patch)) return patch;
+    }
+    front_[patch] = unknown;
+    tries += count;
+    if (tries >= tries_per_seed) break;
+  }
+  cast_ray(connected.front(), 0);
+  return connected.front();
+}
+
+// In an open mesh patches that are kept are surer than others: they go first.
+void Growth::spread(Index seed) {
+  std::vector<Index> kept;
+  std::vector<Index> others;
+  const auto put = [&](Index patch) { (keeps(patch) ? kept : others).push_back(patch); };
+  put(seed);
+  while (!kept.empty() || !others.empty()) {
+    std::vector<Index>& stack = kept.empty() ? others : kept;
+    const Index patch = stack.back();
+    stack.pop_back();
+    for (const Patches::Relation& relation : patches_.relations[patch]) {
+      if (front_[relation.patch] != unknown) continue;
+      front_[relation.patch] = front_[patch] + relation.offset;
+      put(relation.patch);
+    }
+  }
+}
+
+Exterior Growth::grow(const Progress& progress) {
+  progress("exterior", 0.5);
+  for (Index first = 0; first < patches_.size(); ++first) {
+    if (front_[first] != unknown) continue;
+    Index seed = first;
+    if (is_open_) {
+      seed = find_open_seed(first);
+    } else {
+      cast_ray(seed, 0);
+    }
+    spread(seed);
+  }
+
+  Exterior result;
+  result.patches = patches_.size();
+  result.rays = rays_;
+  result.kept.assign(arrangement_.pieces.size(), 0);
+  for (std::size_t p = 0; p < result.kept.size(); ++p) {
+    const Index patch = patches_.patch_of[p];
+    if (patch == no_index) continue;
+    result.kept[p] = is_kept(front_[patch], arrangement_.pieces[p], level_) ? 1 : 0;
+  }
+  return result;
+}
+
+Exterior test_all(const Arrangement& arrangement, int level, const Progress& progress) {
+  const WindingRay ray(arrangement, BorderClosure(), arrangement.pieces.size());
+  progress("exterior", 0.1);
+  Exterior result;
+  result.kept.assign(arrangement.pieces.size(), 0);
+  result.rays = arrangement.pieces.size();
+  for (std::size_t p = 0; p < result.kept.size(); ++p) {
+    const Piece& piece = arrangement.pieces[p];
+    const bool kept = piece.winding != 0 && is_kept(ray.in_front_of(piece), piece, level);
+    result.kept[p] = kept ? 1 : 0;
+  }
+  return result;
+}
+
+std::string nothing_kept(const Arrangement& arrangement, int level, bool is_open) {
+  if (level != 1) {
+    return "no winding number reaches " + std::to_string(level) +
+           ": nothing lies inside that many sheets";
+  }
+  if (is_open) {
+    return "every face of this open mesh lies inside once its borders are closed: it is inside "
+           "out; reverse it with tm-stitch --flip";
+  }
+  const auto counts = [](const Piece& piece) { return piece.winding != 0; };
+  if (std::none_of(arrangement.pieces.begin(), arrangement.pieces.end(), counts)) {
+    return "the faces enclose nothing: they have no area, or lie upon each other and cancel out; "
+           "a shape that is small or far from the origin needs --double, or to be moved there";
+  }
+  return "every winding number is <= 0: the mesh is inside out; reverse it with tm-stitch --flip";
+}
+
+}  // namespace
+
+Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod method,
+                       const BorderClosure& closure, const Progress& progress) {
+  progress("exterior");
+  Exterior result = method == ExteriorMethod::grow
+                        ? Growth(arrangement, level, closure).grow(progress)
+                        : test_all(arrangement, level, progress);
+  if (std::find(result.kept.begin(), result.kept.end(), 1) == result.kept.end()) {
+    throw GoalError(nothing_kept(arrangement, level, !closure.empty()));
+  }
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,27 @@
+/// The kept pieces of an arrangement as a mesh (paper 3.3). What no intersection touched keeps its
+/// vertices, its faces and their order; new vertices and faces follow. Singular vertices and edges
+/// are duplicated; where copies of its ends would leave four faces on one edge, each sheet gets a
+/// midpoint of its own. Columns: new vertices interpolate in the face that they lie on, pieces
+/// inherit from the face that they are cut from.
+#pragma once
+
+#include <vector>
+
+#include "tm/clean/arrange/arrange.h"
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+struct Assembly {
+  Mesh mesh;
+  std::vector<Index> input_vertex;  ///< per vertex: the input vertex in its place, or no_index
+  std::vector<char> vertex_is_new;  ///< not a vertex of the input, nor a copy of one
+  std::vector<char> face_is_new;    ///< not a whole face of the input
+  std::vector<Index> source_face;   ///< per face: the input face that it is, or is cut from
+  std::size_t copies = 0;           ///< vertices duplicated at singular vertices and edges
+  std::size_t split_edges = 0;      ///< singular edges split in the middle
+};
+
+Assembly assemble(const Mesh& input, const Arrangement& arrangement, const std::vector<char>& kept);
+
+}  // namespace transformesh

@@ -1,0 +1,128 @@
+#include "tm/step/displace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tm/mesh/digits.h"
+#include "tm/mesh/place.h"
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t vertices_per_task = 4096;
+
+void check(const Mesh& mesh, std::span<const Vec3> velocities, const DisplaceOptions& options) {
+  if (!std::isfinite(options.time_step)) throw UsageError("the time step is not a finite number");
+  if (!(options.alpha >= 0)) throw UsageError("alpha is to be at least 0");
+  if (velocities.size() != mesh.positions.size()) {
+    throw UsageError("one velocity is needed for each vertex");
+  }
+  for (std::size_t v = 0; v < velocities.size(); ++v) {
+    if (velocities[v].allFinite()) continue;
+    throw InputError("the velocity of " + vertex_text(mesh, static_cast<Index>(v)) +
+                     " is not a finite number");
+  }
+}
+
+struct LocalEdges {
+  std::vector<double> mean;  ///< per vertex; 0 without edges
+  double overall = 0;
+};
+
+/// Every face hands the lengths of its edges to their ends: an inner edge comes twice.
+LocalEdges measure_edges(const Mesh& mesh) {
+  std::vector<double> sums(mesh.positions.size(), 0);
+  std::vector<Index> counts(mesh.positions.size(), 0);
+  double total = 0;
+  for (const Face& face : mesh.faces) {
+    for (int i = 0; i < 3; ++i) {
+      const Index a = face[i];
+      const Index b = face[(i + 1) % 3];
+      const double length = (mesh.positions[b] - mesh.positions[a]).norm();
+      total += length;
+      for (const Index end : {a, b}) {
+        sums[end] += length;
+        ++counts[end];
+      }
+    }
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    if (counts[v] > 0) sums[v] /= counts[v];
+  }
+  const double halfedges = 3 * static_cast<double>(mesh.faces.size());
+  return {std::move(sums), mesh.faces.empty() ? 0 : total / halfedges};
+}
+
+struct Step {
+  Vec3 displacement = Vec3::Zero();
+  bool is_clamped = false;
+};
+
+/// Scaled by its largest coordinate first, so that no square overflows.
+Step clamped_step(const Vec3& velocity, double time_step, double limit) {
+  const double scale = velocity.cwiseAbs().maxCoeff();
+  if (scale == 0 || time_step == 0) return {};
+  const Vec3 direction = velocity / scale;
+  const double length = std::abs(time_step) * scale * direction.norm();
+  if (length <= limit) return {time_step * velocity, false};
+  return {std::copysign(limit, time_step) * direction.normalized(), true};
+}
+
+/// Where coordinates are farther apart than the edges were, faces collapse or become flat.
+void check_digits(const Mesh& mesh, const LocalEdges& edges, const std::vector<char>& is_moved) {
+  std::size_t lost = 0;
+  for (std::size_t v = 0; v < is_moved.size(); ++v) {
+    lost += is_moved[v] != 0 && spacing_at(mesh.positions[v].cwiseAbs().maxCoeff()) > edges.mean[v];
+  }
+  if (2 * lost > is_moved.size()) {
+    throw GoalError(
+        "most vertices would go so far that coordinates have no digits for their edges any more");
+  }
+}
+
+}  // namespace
+
+DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
+                        const DisplaceOptions& options) {
+  check(mesh, velocities, options);
+  const std::size_t count = mesh.positions.size();
+  const LocalEdges edges = measure_edges(mesh);
+
+  // Move, and note for each vertex how far and how close to its clamp.
+  std::vector<double> lengths(count, 0);
+  std::vector<double> shares(count, 0);
+  std::vector<char> is_clamped(count, 0);
+  std::vector<char> is_moved(count, 0);
+  parallel_for(count, vertices_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      const double limit = options.alpha * edges.mean[v];
+      const Step step = clamped_step(velocities[v], options.time_step, limit);
+      const Vec3 goal = mesh.positions[v] + step.displacement;
+      lengths[v] = step.displacement.norm();
+      shares[v] = limit > 0 ? lengths[v] / limit : 0;
+      is_clamped[v] = step.is_clamped;
+      is_moved[v] = goal != mesh.positions[v];
+      mesh.positions[v] = goal;
+    }
+  });
+
+  check_digits(mesh, edges, is_moved);
+
+  // Sum up in the order of the vertices.
+  DisplaceResult result;
+  double squares = 0;
+  for (std::size_t v = 0; v < count; ++v) {
+    result.moved += is_moved[v] != 0;
+    result.clamped += is_clamped[v] != 0;
+    result.max_displacement = std::max(result.max_displacement, lengths[v]);
+    result.max_clamp_share = std::max(result.max_clamp_share, shares[v]);
+    squares += lengths[v] * lengths[v];
+  }
+  if (count > 0) result.rms_displacement = std::sqrt(squares / static_cast<double>(count));
+  result.mean_edge = edges.overall;
+  return result;
+}
+
+}  // namespace transformesh

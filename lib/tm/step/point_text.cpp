@@ -1,0 +1,78 @@
+#include "tm/step/point_text.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tm/io/text_rows.h"
+
+namespace transformesh {
+namespace {
+
+constexpr TextRows::Rules rules{'#', false};
+constexpr std::array<const char*, 6> value_names{"x", "y", "z", "nx", "ny", "nz"};
+
+bool has_off_name(const Source& source) {
+  return source.name.ends_with(".off") || source.name.ends_with(".OFF");
+}
+
+bool is_number(std::string_view word) {
+  const char* first = word.data();
+  const char* last = first + word.size();
+  double value = 0;
+  return parse_number(first, last, value) == Parsed::ok && first == last;
+}
+
+// Three or six; throws for any other length.
+std::size_t row_length(const TextRows& rows) {
+  const std::size_t length = rows.words_left();
+  if (length != 3 && length != 6) {
+    rows.fail("a point has 3 numbers (x y z) or 6 (and nx ny nz), but this line has " +
+              std::to_string(length));
+  }
+  return length;
+}
+
+std::array<double, 6> read_row(TextRows& rows, std::size_t length, std::size_t point) {
+  std::array<double, 6> values{};
+  for (std::size_t i = 0; i < length; ++i) {
+    values[i] = rows.finite_number<double>(
+        [&] { return std::string(value_names[i]) + " of point " + std::to_string(point); });
+  }
+  rows.end_row([&] { return "point " + std::to_string(point); });
+  return values;
+}
+
+}  // namespace
+
+bool is_point_text(const Source& source) {
+  if (source.bytes.substr(0, 4096).find('\0') != std::string_view::npos) return false;
+  TextRows rows(source, 0, rules);
+  if (!rows.next_row()) return false;
+  const std::size_t length = rows.words_left();
+  if (length != 6 && (length != 3 || has_off_name(source))) return false;
+  while (rows.has_more()) {
+    if (!is_number(rows.word())) return false;
+  }
+  return true;
+}
+
+Mesh read_point_text(const Source& source) {
+  Mesh mesh;
+  std::array<std::vector<double>, 3> normals;
+  TextRows rows(source, 0, rules);
+  std::size_t length = 0;
+  while (rows.next_row()) {
+    if (length == 0) length = row_length(rows);
+    const auto values = read_row(rows, length, mesh.positions.size());
+    mesh.positions.emplace_back(values[0], values[1], values[2]);
+    for (std::size_t i = 0; i < 3 && length == 6; ++i) normals[i].push_back(values[3 + i]);
+  }
+  for (std::size_t i = 0; i < 3 && length == 6; ++i) {
+    Column& column = mesh.vertex_columns.get(value_names[3 + i], Scalar::float64, 0);
+    column.values = std::move(normals[i]);
+  }
+  return mesh;
+}
+
+}  // namespace transformesh

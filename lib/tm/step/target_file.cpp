@@ -1,0 +1,57 @@
+#include "tm/step/target_file.h"
+
+#include <algorithm>
+
+#include "tm/io/mesh_io.h"
+#include "tm/step/point_text.h"
+
+namespace transformesh {
+namespace {
+
+constexpr const char* spatial_order = "tm:faces in spatial order";
+constexpr const char* measured_gaps = "tm:gaps measured";
+constexpr const char* gap_column = "gap";
+
+bool has_comment(const Document& document, const char* comment) {
+  const std::vector<std::string>& comments = document.style.comments;
+  return std::find(comments.begin(), comments.end(), comment) != comments.end();
+}
+
+}  // namespace
+
+Target read_target(std::string_view bytes, const std::string& name) {
+  const Source source{bytes, name};
+  if (is_point_text(source)) return make_target(read_point_text(source));
+  Document document = read_mesh(bytes, name).document;
+  Target target = make_target(std::move(document.mesh));
+  if (has_comment(document, spatial_order)) target.face_order = FaceOrder::spatial;
+  const Column* gaps = target.mesh.vertex_columns.find(gap_column);
+  if (has_comment(document, measured_gaps) && gaps != nullptr) target.gaps = gaps->values;
+  return target;
+}
+
+Mesh read_mesh_or_points(std::string_view bytes, const std::string& name) {
+  const Source source{bytes, name};
+  return is_point_text(source) ? read_point_text(source) : read_mesh(bytes, name).document.mesh;
+}
+
+std::string write_target(const Target& target) {
+  Document document;
+  document.mesh.positions = target.mesh.positions;
+  if (target.is_mesh()) {
+    for (const Index face : spatial_face_order(target.mesh))
+      document.mesh.faces.push_back(target.mesh.faces[face]);
+    document.style.comments.emplace_back(spatial_order);
+  } else {
+    document.style.element_order = {"vertex"};
+    set_normal_columns(document.mesh, target.normals);
+  }
+  if (!target.gaps.empty()) {
+    Columns& columns = document.mesh.vertex_columns;
+    columns.get(gap_column, Scalar::float64, target.gaps.size()).values = target.gaps;
+    document.style.comments.emplace_back(measured_gaps);
+  }
+  return write_mesh(document).bytes;
+}
+
+}  // namespace transformesh

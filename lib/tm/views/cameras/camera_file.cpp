@@ -1,0 +1,204 @@
+#include "tm/views/cameras/camera_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "tm/support/error.h"
+#include "tm/views/cameras/camera_formats.h"
+#include "tm/views/cameras/file_list.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::string_view known_formats =
+    "Middlebury parameters, COLMAP text, Bundler and 3x4 matrices are read";
+
+// The first row that is not a comment.
+bool first_row(TextRows& rows) {
+  while (rows.next_row()) {
+    if (!rows.peek().starts_with('#')) return true;
+  }
+  return false;
+}
+
+bool are_numbers(TextRows rows) {
+  while (rows.has_more()) {
+    if (!is_number(rows.word())) return false;
+  }
+  return true;
+}
+
+// What a row begins that has words other than numbers, or a number of numbers that tells nothing.
+std::optional<CameraFormat> format_of_words(TextRows rows) {
+  if (colmap_part(rows) != ColmapPart::none) return CameraFormat::colmap;
+  if (rows.peek() == "CONTOUR") return CameraFormat::matrices;
+  if (rows.words_left() < 20) return {};
+  // Middlebury parameters without their first line, which the reader will miss.
+  rows.word();
+  return are_numbers(rows) ? std::optional(CameraFormat::middlebury) : std::nullopt;
+}
+
+void check_names(const CameraList& list) {
+  std::set<std::string_view> names;
+  for (const CameraRecord& record : list.cameras) {
+    if (!names.insert(record.name).second) {
+      throw InputError("a second camera is called " + transformesh::quoted(record.name) + " (" +
+                       record.place + ")");
+    }
+  }
+}
+
+void check_complete(const CameraList& list) {
+  for (const CameraRecord& record : list.cameras) {
+    if (!record.is_centered) continue;
+    throw InputError("the principal point of " + transformesh::quoted(record.name) +
+                     " is the center of an image of unknown size (" + record.place +
+                     "): name the images");
+  }
+}
+
+CameraList parse(const Source& source, CameraFormat format, const std::string& stem) {
+  switch (format) {
+    case CameraFormat::middlebury:
+      return read_middlebury(source);
+    case CameraFormat::colmap:
+      return read_colmap(source);
+    case CameraFormat::bundler:
+      return read_bundler(source);
+    case CameraFormat::matrices:
+      break;
+  }
+  return read_matrices(source, stem);
+}
+
+CameraFormat known_format(const Source& source) {
+  if (source.bytes.empty()) source.fail("the input is empty: not a single camera");
+  if (const auto format = camera_format(source.bytes)) return *format;
+  source.fail("not a camera file, starting with " + quoted(source.bytes.substr(0, 16)) + ": " +
+              std::string(known_formats));
+}
+
+// COLMAP's two files, when the one named is one of them.
+bool is_colmap_part(const std::string& path) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  return name == "cameras.txt" || name == "images.txt";
+}
+
+CameraList read_colmap_folder(const std::filesystem::path& folder) {
+  const std::string cameras = (folder / "cameras.txt").string();
+  const std::string images = (folder / "images.txt").string();
+  const std::string camera_bytes = file_bytes(cameras);
+  const std::string image_bytes = file_bytes(images);
+  return read_colmap({camera_bytes, cameras}, {image_bytes, images});
+}
+
+bool has_colmap_files(const std::filesystem::path& folder) {
+  return is_file((folder / "cameras.txt").string()) && is_file((folder / "images.txt").string());
+}
+
+// Those files of a folder that look like camera files.
+std::vector<std::string> camera_files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  std::optional<CameraFormat> format;
+  for (const std::string& path : files_at(folder)) {
+    const auto found = camera_format(file_bytes(path, 4096));
+    if (!found) continue;
+    if (format && *format != *found) {
+      throw InputError(std::string(folder)
+                           .append(": camera files of different formats are in this folder, ")
+                           .append(files.back())
+                           .append(" and ")
+                           .append(path)
+                           .append(": name one, or a quoted pattern"));
+    }
+    format = found;
+    files.push_back(path);
+  }
+  if (files.empty() && is_file(folder + "/cameras.bin")) {
+    throw InputError(folder +
+                     ": COLMAP's binary model is not read; write it as text with colmap "
+                     "model_converter --output_type TXT");
+  }
+  if (files.empty()) {
+    throw InputError(folder +
+                     ": there is no camera file in this folder: " + std::string(known_formats));
+  }
+  return files;
+}
+
+void append(CameraList& list, CameraList further) {
+  list.names_images = list.names_images || further.names_images;
+  std::move(further.cameras.begin(), further.cameras.end(), std::back_inserter(list.cameras));
+}
+
+CameraList read_file(const std::string& path) {
+  const std::string bytes = file_bytes(path);
+  const Source source{bytes, path};
+  return parse(source, known_format(source), stem_of(path));
+}
+
+}  // namespace
+
+std::optional<CameraFormat> camera_format(std::string_view bytes) {
+  if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) return {};
+  if (bytes.starts_with("# Bundle file")) return CameraFormat::bundler;
+  const Source source{bytes, ""};
+  TextRows rows(source, 0, {'\0', false});
+  if (!first_row(rows)) return {};
+  const std::size_t words = rows.words_left();
+  if (!are_numbers(rows)) return format_of_words(rows);
+  if (words == 1) return CameraFormat::middlebury;
+  if (words == 4 || words == 12) return CameraFormat::matrices;
+  return {};
+}
+
+CameraList parse_cameras(std::string_view bytes, const std::string& name, const std::string& stem) {
+  const Source source{bytes, name};
+  CameraList list = parse(source, known_format(source), stem.empty() ? stem_of(name) : stem);
+  check_names(list);
+  return list;
+}
+
+CameraList cameras_from(const std::string& where) {
+  const std::filesystem::path folder =
+      is_folder(where) ? std::filesystem::path(where) : std::filesystem::path(where).parent_path();
+  CameraList list;
+  if ((is_folder(where) || is_colmap_part(where)) && has_colmap_files(folder)) {
+    list = read_colmap_folder(folder);
+  } else {
+    const auto files = is_folder(where) ? camera_files_in(where) : files_at(where);
+    for (const std::string& path : files) append(list, read_file(path));
+  }
+  check_names(list);
+  return list;
+}
+
+std::string write_cameras(const CameraList& list, CameraFormat format) {
+  check_complete(list);
+  if (format == CameraFormat::bundler) throw InputError("Bundler's files are read, not written");
+  if (format == CameraFormat::middlebury) return write_middlebury(list);
+  if (format == CameraFormat::colmap) return write_colmap_cameras(list) + write_colmap_images(list);
+  std::string text;
+  for (const CameraRecord& record : list.cameras) {
+    text += "# " + record.name + '\n' + write_matrix(record.camera);
+  }
+  return text;
+}
+
+std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat format) {
+  check_complete(list);
+  if (format == CameraFormat::colmap) {
+    return {{"cameras.txt", write_colmap_cameras(list)},
+            {"images.txt", write_colmap_images(list)},
+            {"points3D.txt", "# No points\n"}};
+  }
+  if (format != CameraFormat::matrices) return {{"cameras_par.txt", write_cameras(list, format)}};
+  std::vector<CameraText> files;
+  for (const CameraRecord& record : list.cameras) {
+    files.push_back({stem_of(record.name) + ".txt", write_matrix(record.camera)});
+  }
+  return files;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,39 @@
+/// The formats of camera files, one source each, and the checks that they share. Internal to
+/// camera_file.
+#pragma once
+
+#include "tm/io/text_buffer.h"
+#include "tm/io/text_rows.h"
+#include "tm/views/cameras/camera_file.h"
+
+namespace transformesh {
+
+CameraList read_middlebury(const Source& source);
+CameraList read_bundler(const Source& source);
+/// Cameras without a name are called after the stem.
+CameraList read_matrices(const Source& source, const std::string& stem);
+/// Cameras and images in one text.
+CameraList read_colmap(const Source& source);
+/// In two texts.
+CameraList read_colmap(const Source& cameras, const Source& images);
+
+/// Which of COLMAP's files begins with this row, or neither.
+enum class ColmapPart { none, cameras, images };
+ColmapPart colmap_part(TextRows rows);
+
+std::string write_middlebury(const CameraList& list);
+std::string write_matrix(const PinholeCamera& camera);
+std::string write_colmap_cameras(const CameraList& list);
+std::string write_colmap_images(const CameraList& list);
+
+bool is_number(std::string_view word);
+
+/// `dino_par.txt line 3`: where rows are now.
+std::string place_of(const TextRows& rows, const Source& source);
+
+/// Each throws InputError at the line of rows, and says what is wrong with `who`.
+void check_intrinsics(const TextRows& rows, const Eigen::Matrix3d& intrinsics,
+                      const std::string& who);
+void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who);
+
+}  // namespace transformesh

@@ -1,0 +1,30 @@
+/// Cameras as camera files hold them: with the names, and perhaps the sizes, of their photographs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tm/views/cameras/pinhole_camera.h"
+
+namespace transformesh {
+
+/// A camera and what its file says of the photograph.
+struct CameraRecord {
+  std::string name;   ///< the image's as written there; else the file's stem
+  std::string place;  ///< `dino_par.txt line 3`, for messages
+  PinholeCamera camera;
+  int width = 0;  ///< of the image; 0: the file does not say
+  int height = 0;
+  bool is_centered = false;  ///< the principal point is the center of an image of unknown size
+
+  /// Checks the image's size, and centers the principal point if that is still to be done. Throws
+  /// InputError where the file says another size; `image` names it there.
+  void set_size(int columns, int rows, const std::string& image);
+};
+
+struct CameraList {
+  std::vector<CameraRecord> cameras;
+  bool names_images = false;  ///< names are those of the images, so that pairing goes by them
+};
+
+}  // namespace transformesh

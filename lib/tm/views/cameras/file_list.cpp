@@ -1,0 +1,128 @@
+#include "tm/views/cameras/file_list.h"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "tm/support/error.h"
+
+namespace transformesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Takes the number at the start of the text, without leading zeros.
+std::string_view take_number(std::string_view& text) {
+  std::string_view digits = text.substr(0, text.find_first_not_of("0123456789"));
+  text.remove_prefix(digits.size());
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  return digits;
+}
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::error_code error;
+  std::vector<std::string> files;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const bool is_hidden = entry->path().filename().string().starts_with('.');
+    std::error_code type_error;
+    const bool is_regular = entry->is_regular_file(type_error);
+    if (!is_hidden && is_regular) files.push_back(entry->path().string());
+  }
+  if (error) throw InputError(folder + ": cannot be read: " + error.message());
+  if (files.empty()) throw InputError(folder + ": there is no file in this folder");
+  return files;
+}
+
+std::vector<std::string> files_matching(const std::string& pattern) {
+  glob_t found{};
+  const std::unique_ptr<glob_t, void (*)(glob_t*)> freed(&found, globfree);
+  std::vector<std::string> files;
+  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) {
+    for (std::size_t i = 0; i < found.gl_pathc; ++i) {
+      if (is_file(found.gl_pathv[i])) files.emplace_back(found.gl_pathv[i]);
+    }
+  }
+  if (files.empty()) throw InputError(pattern + ": no file matches this pattern");
+  return files;
+}
+
+}  // namespace
+
+bool is_folder(const std::string& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+// A pipe is a file here.
+bool is_file(const std::string& path) {
+  std::error_code error;
+  return fs::exists(path, error) && !fs::is_directory(path, error);
+}
+
+bool is_natural_less(std::string_view first, std::string_view second) {
+  const std::string_view whole_first = first;
+  const std::string_view whole_second = second;
+  while (!first.empty() && !second.empty()) {
+    if (is_digit(first[0]) && is_digit(second[0])) {
+      const std::string_view a = take_number(first);
+      const std::string_view b = take_number(second);
+      if (a.size() != b.size()) return a.size() < b.size();
+      if (a != b) return a < b;
+    } else {
+      if (first[0] != second[0]) return first[0] < second[0];
+      first.remove_prefix(1);
+      second.remove_prefix(1);
+    }
+  }
+  // 1 and 01 are equal so far.
+  if (first.empty() && second.empty()) return whole_first < whole_second;
+  return first.empty();
+}
+
+std::vector<std::string> files_at(const std::string& where) {
+  if (where.empty()) throw InputError("an empty name names no file");
+  if (is_file(where)) return {where};
+  std::vector<std::string> files;
+  if (is_folder(where)) {
+    files = files_in(where);
+  } else if (where.find_first_of("*?[") != std::string::npos) {
+    files = files_matching(where);
+  } else {
+    throw InputError(where + ": there is no such file or folder");
+  }
+  std::sort(files.begin(), files.end(), is_natural_less);
+  return files;
+}
+
+std::string file_bytes(const std::string& path, std::size_t limit) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes;
+  constexpr std::size_t block = std::size_t{1} << 16;
+  while (file && bytes.size() < limit) {
+    const std::size_t size = bytes.size();
+    bytes.resize(size + std::min(block, limit - size));
+    file.read(bytes.data() + size, static_cast<std::streamsize>(bytes.size() - size));
+    bytes.resize(size + static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.is_open() || file.bad()) {
+    throw InputError(path + ": cannot be read: " + std::strerror(errno));
+  }
+  return bytes;
+}
+
+std::string stem_of(std::string_view path) {
+  const fs::path name = fs::path(path).filename();
+  const std::string extension = name.extension().string();
+  const bool is_number = extension.size() > 1 && is_digit(extension[1]);
+  return (is_number ? name : name.stem()).string();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,106 @@
+#include "tm/views/hull/agreed_level.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+#include "tm/views/cameras/pyramid.h"
+#include "tm/views/hull/hull.h"
+#include "tm/views/hull/mesh_silhouette.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double largest_side_px = 320;
+constexpr int hull_resolution = 48;
+constexpr double share_to_keep = 0.1;
+constexpr int steps_down = 8;  // four steps halve the level
+constexpr double agreement_tolerance = 0.001;
+
+struct SmallView {
+  View view;
+  double scale = 1;
+};
+
+std::vector<SmallView> shrunk(std::span<const View> views) {
+  std::vector<SmallView> result(views.size());
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const GrayImage& image = views[i].image;
+      if (image.empty()) continue;
+      result[i].scale = std::max(1.0, std::max(image.width, image.height) / largest_side_px);
+      // At its own scale a photograph is not blurred.
+      result[i].view = result[i].scale > 1 ? at_scale(views[i], result[i].scale) : views[i];
+    }
+  });
+  std::erase_if(result, [](const SmallView& small) { return small.view.image.empty(); });
+  return result;
+}
+
+std::vector<View> views_at(double level, const std::vector<SmallView>& small,
+                           const ThresholdOptions& options) {
+  std::vector<View> views(small.size());
+  parallel_for(small.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      views[i] = small[i].view;
+      views[i].silhouette = threshold_silhouette(
+          views[i].image, {level, options.blur / small[i].scale, options.close});
+    }
+  });
+  return views;
+}
+
+/// Nothing where the silhouettes are not those of a bounded object.
+std::optional<double> hull_agreement(const std::vector<View>& views) {
+  Mesh hull;
+  try {
+    hull = visual_hull(views, {.resolution = hull_resolution, .keep = share_to_keep}).mesh;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  double sum = 0;
+  for (const View& view : views) {
+    const Camera camera{view.camera.projection(), view.image.width, view.image.height};
+    sum += silhouette_agreement(mesh_silhouette(hull, camera), view.silhouette);
+  }
+  return sum / static_cast<double>(views.size());
+}
+
+struct Candidate {
+  double level = 0;
+  double agreement = 0;
+};
+
+double highest_of_best(const std::vector<Candidate>& candidates) {
+  double best = 0;
+  for (const Candidate& candidate : candidates) best = std::max(best, candidate.agreement);
+  double level = 0;
+  for (const Candidate& candidate : candidates)
+    if (candidate.agreement >= best - agreement_tolerance) level = std::max(level, candidate.level);
+  return level;
+}
+
+}  // namespace
+
+double agreed_level(std::span<const View> views, const ThresholdOptions& options,
+                    const Progress& progress) {
+  const std::vector<SmallView> small = shrunk(views);
+  if (small.empty()) throw UsageError("without photographs there is no level that divides them");
+  std::vector<GrayImage> images;
+  for (const SmallView& view : small) images.push_back(view.view.image);
+  const double dividing = dividing_level(images);
+
+  std::vector<Candidate> candidates;
+  for (int step = 0; step <= steps_down; ++step) {
+    progress("level", static_cast<double>(step) / (steps_down + 1));
+    const double level = dividing * std::exp2(-step / 4.0);
+    const std::optional<double> agreement = hull_agreement(views_at(level, small, options));
+    if (agreement) candidates.push_back({level, *agreement});
+  }
+  return candidates.empty() ? dividing : highest_of_best(candidates);
+}
+
+}  // namespace transformesh

@@ -1,0 +1,25 @@
+/// Photographs and silhouettes from files: PNG, PNM (P2, P3, P5, P6), and what else OpenCV reads
+/// (JPEG, TIFF, ...). The format is told by the first bytes, not by the name.
+///
+/// Pixels stay where the file has them: a camera is calibrated for those, so that a wish to show
+/// the photograph rotated (Exif) is ignored. Transparency is ignored too.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tm/views/images/gray_image.h"
+
+namespace transformesh {
+
+/// Whether the bytes begin like an image file of a kind that is read.
+bool is_image(std::string_view bytes);
+
+/// Grey levels 0.299 R + 0.587 G + 0.114 B from 0 to 255, without gamma; deeper samples are scaled.
+/// Throws InputError naming the file (`name`) where the bytes are no image, incomplete or damaged.
+GrayImage decode_photograph(std::string_view bytes, const std::string& name);
+
+/// 255 where any sample is not zero, else 0. Throws as decode_photograph does.
+GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
+
+}  // namespace transformesh

@@ -1,0 +1,35 @@
+#include "tm/views/photo/photo_scene.h"
+
+#include "tm/support/counted.h"
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+#include "tm/views/cameras/pyramid.h"
+#include "tm/views/cameras/scene_scale.h"
+#include "tm/views/hull/silhouette.h"
+
+namespace transformesh {
+
+PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs) {
+  PhotoScene scene;
+  std::vector<PinholeCamera> cameras;
+  for (const View& view : views) cameras.push_back(view.camera);
+  const Vec3 center = viewed_point(cameras);
+  scene.pairs = choose_pairs(cameras, center, pairs);
+  if (scene.pairs.empty()) {
+    throw InputError("no two of " + counted(views.size(), "view") +
+                     " are as far apart as views that are compared must be");
+  }
+  scene.pixel = scale * pixel_size(cameras, center);
+  scene.views.resize(views.size());
+  scene.distances.resize(views.size());
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      scene.views[i] = at_scale(views[i], scale);
+      if (!scene.views[i].silhouette.empty())
+        scene.distances[i] = signed_distance(scene.views[i].silhouette);
+    }
+  });
+  return scene;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,24 @@
+/// Calibrated photographs at one scale, made ready for steps of a surface towards them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tm/views/cameras/view.h"
+#include "tm/views/cameras/view_pairs.h"
+
+namespace transformesh {
+
+struct PhotoScene {
+  std::vector<View> views;
+  std::vector<GrayImage> distances;  ///< to the silhouettes; empty where there is none
+  std::vector<ViewPair> pairs;
+  double pixel = 0;  ///< length of a pixel's side where the cameras look
+};
+
+/// Views at a smaller scale (pyramid.h), and which of them to compare (view_pairs.h). Throws
+/// InputError where there is no such pair, UsageError as at_scale does. O(pixels), in parallel over
+/// views; the same for any number of threads.
+PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});
+
+}  // namespace transformesh

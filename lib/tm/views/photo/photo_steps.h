@@ -1,0 +1,30 @@
+/// Several steps towards photographs in a row, photo_step.h, on the same faces.
+#pragma once
+
+#include "tm/views/photo/photo_step.h"
+
+namespace transformesh {
+
+struct PhotoStepsOptions {
+  PhotoStepOptions step;
+  int iterations = 1;  ///< >= 1
+  /// Compare a pair of views in one order only, the lower index first, and in the next step the
+  /// other way round: half the work, and as good after a few steps.
+  bool alternate = false;
+};
+
+struct PhotoStepsResult {
+  PhotoStepResult first;
+  PhotoStepResult last;
+  /// A surface may also look consistent because little of it is compared. Set where, from the first
+  /// to the last step of the same order of pairs, the share of the visible pixels that are compared
+  /// fell by a tenth or more, or the number of those compared by half. The share does not mind that
+  /// a surface becomes smaller.
+  bool lost_coverage = false;
+};
+
+/// Throws as photo_step() does, and UsageError for less than one iteration.
+PhotoStepsResult photo_steps(Mesh& mesh, const PhotoScene& scene,
+                             const PhotoStepsOptions& options = {}, const Progress& progress = {});
+
+}  // namespace transformesh

@@ -1,0 +1,165 @@
+#include "tm/views/photo/photoconsistency.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <string>
+
+#include "tm/mesh/measure.h"
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+#include "tm/views/photo/warp.h"
+
+namespace transformesh {
+namespace {
+
+/// What the pairs with the same reference view add up to, per pixel of its box.
+struct ReferenceSums {
+  GrayImage gradient;  ///< derivative of the energy by the depth of the pixel
+  GrayImage curvature;
+  GrayImage count;  ///< pairs that see the pixel
+  CorrelationSums sums;
+  std::size_t visible = 0;
+};
+
+/// The same per face: by its movement along its normal, for each corner its barycentric share.
+struct FaceSums {
+  std::array<double, 3> gradient{};
+  std::array<double, 3> curvature{};
+  std::array<double, 3> count{};
+};
+
+void check(std::span<const View> views, std::span<const ViewPair> pairs,
+           const PhotoconsistencyOptions& options) {
+  if (!(options.depth_tolerance >= 0)) throw UsageError("the depth tolerance is to be at least 0");
+  for (const ViewPair& pair : pairs) {
+    if (pair.first < views.size() && pair.second < views.size()) continue;
+    throw UsageError("views " + std::to_string(pair.first) + " and " + std::to_string(pair.second) +
+                     " are to be compared, of " + std::to_string(views.size()));
+  }
+}
+
+void add_row(const CorrelationRow& row, int y, ReferenceSums& sums) {
+  const int width = sums.gradient.width;
+  float* gradient = sums.gradient.row(y);
+  float* curvature = sums.curvature.row(y);
+  float* count = sums.count.row(y);
+  for (int x = 0; x < width; ++x) gradient[x] += row.gradient[x];
+  for (int x = 0; x < width; ++x) curvature[x] += row.curvature[x];
+  for (int x = 0; x < width; ++x) count[x] += row.is_seen[x];
+}
+
+std::size_t count_visible(const SeenSurface& seen) {
+  return static_cast<std::size_t>(std::count_if(seen.depth.pixels.begin(), seen.depth.pixels.end(),
+                                                [](float depth) { return depth > 0; }));
+}
+
+void add_pair(const Warp& warp, const SeenSurface& seen, const PhotoconsistencyOptions& options,
+              ReferenceSums& sums) {
+  const CorrelationSums pair = correlate(
+      sums.gradient.width, seen.first_row, seen.end_row, options.correlation,
+      [&](int y, const ComparedRow& row) {
+        const WarpedRow out{row.is_seen, row.first, row.second, row.slope};
+        if (options.interpolation == Interpolation::bilinear)
+          warp.row<Interpolation::bilinear>(y, out);
+        else
+          warp.row<Interpolation::catmull_rom>(y, out);
+      },
+      [&](int y, const CorrelationRow& row) { add_row(row, y - seen.first_row, sums); });
+  sums.sums.energy += pair.energy;
+  sums.sums.loss += pair.loss;
+  sums.sums.weight += pair.weight;
+  sums.sums.pixels += pair.pixels;
+}
+
+ReferenceSums compare_with_others(std::size_t reference, std::span<const View> views,
+                                  std::span<const SeenSurface> seen,
+                                  std::span<const ViewPair> pairs,
+                                  const PhotoconsistencyOptions& options) {
+  const SeenSurface& from = seen[reference];
+  ReferenceSums sums;
+  if (from.first_row >= from.end_row) return sums;
+  sums.gradient = sums.curvature = sums.count =
+      GrayImage(from.end_column - from.first_column, from.end_row - from.first_row);
+  const std::size_t visible = count_visible(from);
+  for (const ViewPair& pair : pairs) {
+    if (pair.first != reference) continue;
+    sums.visible += visible;
+    const Warp warp(views[reference], from, views[pair.second], seen[pair.second],
+                    options.depth_tolerance);
+    add_pair(warp, from, options, sums);
+  }
+  return sums;
+}
+
+/// Pixels hand their sums to the corners of their faces.
+void add_to_faces(const ReferenceSums& sums, const SeenSurface& seen,
+                  std::vector<FaceSums>& faces) {
+  for (int y = 0; y < sums.count.height; ++y) {
+    for (int x = 0; x < sums.count.width; ++x) {
+      const double count = sums.count.at(x, y);
+      if (count == 0) continue;
+      const FacePixel& pixel = seen.faces.at(x + seen.first_column, y + seen.first_row);
+      const double inverse = seen.inverse_facing.at(x + seen.first_column, y + seen.first_row);
+      const double gradient = sums.gradient.at(x, y) * inverse;
+      const double curvature = sums.curvature.at(x, y) * inverse * inverse;
+      const std::array<double, 3> share{pixel.weight[0], pixel.weight[1],
+                                        1.0 - pixel.weight[0] - pixel.weight[1]};
+      FaceSums& face = faces[pixel.face];
+      for (std::size_t i = 0; i < 3; ++i) {
+        face.gradient[i] += share[i] * gradient;
+        face.curvature[i] += share[i] * curvature;
+        face.count[i] += share[i] * count;
+      }
+    }
+  }
+}
+
+void add_to_vertices(const Mesh& mesh, const std::vector<FaceSums>& faces,
+                     Photoconsistency& result) {
+  result.gradient.assign(mesh.positions.size(), Vec3::Zero());
+  result.curvature.assign(mesh.positions.size(), 0);
+  result.coverage.assign(mesh.positions.size(), 0);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (faces[f].count == std::array<double, 3>{}) continue;
+    const Vec3 normal = face_normal(mesh, static_cast<Index>(f)).normalized();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index vertex = mesh.faces[f][i];
+      result.gradient[vertex] += faces[f].gradient[i] * normal;
+      result.curvature[vertex] += faces[f].curvature[i];
+      result.coverage[vertex] += faces[f].count[i];
+    }
+  }
+}
+
+}  // namespace
+
+Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
+                                  std::span<const SeenSurface> seen,
+                                  std::span<const ViewPair> pairs,
+                                  const PhotoconsistencyOptions& options,
+                                  const Progress& progress) {
+  check(views, pairs, options);
+  progress("compare");
+  std::vector<ReferenceSums> sums(views.size());
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v)
+      sums[v] = compare_with_others(v, views, seen, pairs, options);
+  });
+
+  // In the order of the views.
+  progress("add up");
+  Photoconsistency result;
+  std::vector<FaceSums> faces(mesh.faces.size());
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    result.energy += sums[v].sums.energy;
+    result.loss += sums[v].sums.loss;
+    result.weight += sums[v].sums.weight;
+    result.pixels += sums[v].sums.pixels;
+    result.visible += sums[v].visible;
+    add_to_faces(sums[v], seen[v], faces);
+  }
+  add_to_vertices(mesh, faces, result);
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,42 @@
+/// One view seen through another: for a pixel of the reference view, what the other view shows at
+/// the same point of the surface (the reprojection of Pons, Keriven & Faugeras, IJCV 72, 2007).
+#pragma once
+
+#include "tm/views/images/interpolation.h"
+#include "tm/views/photo/seen_surface.h"
+
+namespace transformesh {
+
+/// One row, from the first to the last compared column of the reference view. Where the other view
+/// does not show the point, all are 0.
+struct WarpedRow {
+  float* is_seen = nullptr;    ///< 1 or 0
+  float* reference = nullptr;  ///< level of the reference image, less `middle_level`
+  float* other = nullptr;      ///< level of the other image, less `middle_level`
+  float* slope = nullptr;      ///< derivative of `other` by the depth of the point
+};
+
+/// Taken off the levels, so that sums of their squares keep their digits.
+inline constexpr float middle_level = 128;
+
+class Warp {
+ public:
+  /// A point is hidden where it is farther than the surface by more than `depth_tolerance` of its
+  /// depth. What is passed must outlive the warp.
+  Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
+       const SeenSurface& seen_by_other, double depth_tolerance);
+
+  template <Interpolation interpolation>
+  void row(int y, const WarpedRow& out) const;
+
+ private:
+  const GrayImage& reference_;
+  const SeenSurface& seen_;
+  const GrayImage& other_;
+  const GrayImage& reach_;
+  Eigen::Matrix3d turn_;  ///< from pixels of the reference to rays in pixels of the other
+  Vec3 shift_;            ///< the reference's centre in pixels of the other
+  double nearer_;
+};
+
+}  // namespace transformesh
