@@ -13,7 +13,7 @@
 #include "exit_code.h"
 #include "output.h"
 #include "signals.h"
-#include "streams.h"
+#include "tm/io/streams.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 

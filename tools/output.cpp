@@ -1,147 +1,39 @@
 #include "output.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <optional>
 
-#include "signals.h"
-#include "streams.h"
-#include "tm/support/error.h"
+#include "tm/io/streams.h"
 
 namespace transformesh::tool {
 namespace {
 
-[[noreturn]] void throw_failed(const std::string& path) {
-  const std::string name = path == "-" ? "standard output" : "'" + path + "'";
-  throw OutputError("cannot write " + name + ": " + std::strerror(errno));
-}
-
-void write_and_close(int descriptor, const std::string& path, std::string_view bytes) {
-  const bool is_written = write_all(descriptor, bytes);
-  const int write_error = errno;
-  const bool is_closed = close(descriptor) == 0;
-  if (!is_written) errno = write_error;
-  if (!is_written || !is_closed) throw_failed(path);
-}
-
-// Where a symbolic link leads, be it to a file or to where none is yet, so that the link itself
-// stays.
-std::string resolved(const std::string& path) {
-  const std::filesystem::path named = path;
-  std::error_code error;
-  const std::filesystem::path real = std::filesystem::canonical(named, error);
-  if (!error) return real;
-  const std::filesystem::path link = std::filesystem::read_symlink(named, error);
-  return error ? named : named.parent_path() / link;
-}
-
-bool is_same_place(const std::filesystem::path& first, const std::filesystem::path& second) {
-  std::error_code error;
-  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(first), error);
-  return !error &&
-         place == std::filesystem::weakly_canonical(std::filesystem::absolute(second), error);
-}
-
-std::string folder_of(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  if (slash == std::string::npos) return ".";
-  return slash == 0 ? "/" : path.substr(0, slash);
-}
-
-std::optional<mode_t> existing_mode(const std::string& path) {
-  struct stat status {};
-  if (stat(path.c_str(), &status) != 0) return std::nullopt;
-  return status.st_mode;
-}
-
-// Devices, FIFOs, and names like /dev/stdout and /dev/fd/63 that stand for an open descriptor.
-bool is_written_directly(const std::string& path) {
-  for (const char* prefix : {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"}) {
-    if (path.starts_with(prefix)) return true;
-  }
-  const auto mode = existing_mode(path);
-  return mode && !S_ISREG(*mode);
-}
-
-std::string temporary_name(const std::string& target, int attempt) {
-  const std::size_t slash = target.rfind('/');
-  const std::size_t begin = slash == std::string::npos ? 0 : slash + 1;
-  // Long names are cut, as 255 bytes is what file systems allow.
-  return target.substr(0, begin) + "." + target.substr(begin, 200) + "." +
-         std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp";
-}
-
-// Creates the temporary file; its name is known to the signal handler before it exists.
-int open_temporary(const std::string& target, std::string& name) {
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    name = temporary_name(target, attempt);
-    remove_on_signal(name);
-    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) return descriptor;
-    keep_on_signal(name);
-    if (errno != EEXIST) break;
-  }
-  throw_failed(target);
+void write_standard_output(std::string_view bytes) {
+  if (!write_all(STDOUT_FILENO, bytes) || close(STDOUT_FILENO) != 0)
+    throw OutputError(std::string("cannot write standard output: ") + std::strerror(errno));
 }
 
 }  // namespace
 
-void check_writable(const std::string& path) {
-  if (path.empty()) throw OutputError("cannot write a file without a name");
-  if (path == "-") return;
-  const std::string target = resolved(path);
-  if (is_written_directly(target)) {
-    if (S_ISDIR(existing_mode(target).value_or(0))) {
-      errno = EISDIR;
-      throw_failed(path);
-    }
-  } else if (access(folder_of(target).c_str(), W_OK | X_OK) != 0) {
-    throw_failed(path);
-  }
-}
-
-Outputs::~Outputs() {
-  for (const Staged& file : staged_) {
-    unlink(file.temporary.c_str());
-    keep_on_signal(file.temporary);
-  }
+void check_output(const std::string& path) {
+  if (path != "-") check_writable(path);
 }
 
 void Outputs::stage(const std::string& path, std::string_view bytes) {
-  if (path == "-") return write_and_close(STDOUT_FILENO, path, bytes);
-  if (is_written_directly(path)) {
-    const int descriptor = open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
-    if (descriptor < 0) throw_failed(path);
-    return write_and_close(descriptor, path, bytes);
-  }
-  stage_file(resolved(path), bytes);
-}
-
-void Outputs::stage_file(const std::string& target, std::string_view bytes) {
-  for (const Staged& other : staged_) {
-    if (is_same_place(other.target, target))
-      throw UsageError("two outputs are called '" + target + "': give each its own file");
-  }
-  Staged file{"", target};
-  const int descriptor = open_temporary(target, file.temporary);
-  staged_.push_back(file);
-  if (const auto mode = existing_mode(target)) fchmod(descriptor, *mode & 07777);
-  write_and_close(descriptor, target, bytes);
+  if (path == "-") return write_standard_output(bytes);
+  AtomicFile file(path, bytes);
+  if (std::any_of(staged_.begin(), staged_.end(),
+                  [&](const AtomicFile& other) { return other.has_target_of(file); }))
+    throw UsageError("two outputs are called '" + file.target() + "': give each its own file");
+  staged_.push_back(std::move(file));
 }
 
 void Outputs::commit() {
-  while (!staged_.empty()) {
-    const Staged& file = staged_.front();
-    if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0) throw_failed(file.target);
-    keep_on_signal(file.temporary);
-    staged_.erase(staged_.begin());
-  }
+  for (AtomicFile& file : staged_) file.commit();
+  staged_.clear();
 }
 
 }  // namespace transformesh::tool

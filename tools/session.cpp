@@ -8,9 +8,9 @@
 
 #include "comments.h"
 #include "output_style.h"
-#include "streams.h"
 #include "suggestion.h"
 #include "tm/io/mesh_io.h"
+#include "tm/io/streams.h"
 #include "tm/support/counted.h"
 
 namespace transformesh::tool {
@@ -61,8 +61,8 @@ Session::Session(const Description& program, OptionTable& table, const CommonOpt
         terminal_.progress(phase, fraction);
         return true;
       }) {
-  check_writable(options_.output);
-  if (!options_.report.empty()) check_writable(options_.report);
+  check_output(options_.output);
+  if (!options_.report.empty()) check_output(options_.report);
 }
 
 Bytes Session::read_once(const std::string& path) {
@@ -242,7 +242,7 @@ void Session::write(const std::string& path, std::string bytes) {
   if (path == "-" && options_.output == "-") {
     throw UsageError("two outputs on standard output: name a file for one of them");
   }
-  check_writable(path);
+  check_output(path);
   further_files_.emplace_back(path, std::move(bytes));
 }
 

@@ -12,8 +12,8 @@
 #include "output.h"
 #include "phases.h"
 #include "report.h"
-#include "streams.h"
 #include "terminal.h"
+#include "tm/io/streams.h"
 #include "tool.h"
 
 namespace transformesh::tool {

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "exit_code.h"
+#include "tm/io/atomic_file.h"
 
 namespace transformesh::tool {
 namespace {
@@ -37,6 +38,20 @@ void end_process(int signal_number) {
   _exit(exit_signal + signal_number);
 }
 
+void remove_on_signal(const std::string& path) {
+  // A loop writes the same few names again and again.
+  for (TemporaryFile* file = temporary_files; file != nullptr; file = file->next) {
+    if (file->path == path) return file->exists.store(true);
+  }
+  temporary_files = new TemporaryFile{path, temporary_files};
+}
+
+void keep_on_signal(const std::string& path) {
+  for (TemporaryFile* file = temporary_files; file != nullptr; file = file->next) {
+    if (file->exists && file->path == path) file->exists = false;
+  }
+}
+
 }  // namespace
 
 void occupy_standard_descriptors() {
@@ -57,16 +72,7 @@ void install_signal_handlers() {
   sigaction(SIGHUP, nullptr, &inherited);
   if (inherited.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);
-}
-
-void remove_on_signal(const std::string& path) {
-  temporary_files = new TemporaryFile{path, temporary_files};
-}
-
-void keep_on_signal(const std::string& path) {
-  for (TemporaryFile* file = temporary_files; file != nullptr; file = file->next) {
-    if (file->exists && file->path == path) file->exists = false;
-  }
+  set_temporary_file_hook({remove_on_signal, keep_on_signal});
 }
 
 void set_bar_is_visible(bool is_visible) { bar_is_visible = is_visible; }

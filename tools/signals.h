@@ -2,20 +2,15 @@
 /// exit code says which signal it was. Everything here is async-signal-safe where it has to be.
 #pragma once
 
-#include <string>
-
 namespace transformesh::tool {
 
 /// Opens unusable descriptors in place of closed standard ones, so that no file takes their number.
 void occupy_standard_descriptors();
 
 /// SIGINT, SIGTERM, SIGPIPE, SIGXCPU and, unless nohup has it ignored, SIGHUP end the process at
-/// once with 128 + their number. SIGXFSZ is ignored: the write that grew too large fails and tells.
+/// once with 128 + their number and remove its temporary files (tm/io/atomic_file.h). SIGXFSZ is
+/// ignored: the write that grew too large fails and tells.
 void install_signal_handlers();
-
-/// Files that a signal removes; any number of them.
-void remove_on_signal(const std::string& path);
-void keep_on_signal(const std::string& path);
 
 /// Whether a progress bar stands on the terminal's current line.
 void set_bar_is_visible(bool is_visible);

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "signals.h"
-#include "streams.h"
+#include "tm/io/streams.h"
 
 namespace transformesh::tool {
 namespace {

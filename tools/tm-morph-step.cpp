@@ -1,6 +1,6 @@
 /// tm-morph-step: one step of a surface towards a target (paper 5.2).
 #include "displacement_report.h"
-#include "streams.h"
+#include "tm/io/streams.h"
 #include "tm/step/gaps.h"
 #include "tm/step/morph_step.h"
 #include "tm/step/target_file.h"
@@ -24,7 +24,7 @@ const char* name_of(MorphDistance distance) {
 
 Target target_of(const Options& options, tool::Run& run) {
   run.progress()("read target");
-  Target target = read_target(run.read_bytes(options.target), tool::input_name(options.target));
+  Target target = read_target(run.read_bytes(options.target), input_name(options.target));
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }

@@ -2,7 +2,7 @@
 #include <optional>
 #include <utility>
 
-#include "streams.h"
+#include "tm/io/streams.h"
 #include "tm/step/target_file.h"
 #include "tm/support/error.h"
 #include "tm/views/wrap/unit_scale.h"
@@ -30,7 +30,7 @@ Mesh wrap_positions(const std::vector<Vec3>& positions, const Options& options, 
 
 Document wrap(const std::string& input, const Options& options, tool::Run& run) {
   run.progress()("read");
-  const std::string name = tool::input_name(input);
+  const std::string name = input_name(input);
   const Mesh cloud = read_mesh_or_points(run.read_bytes(input), name);
   const std::vector<Vec3> normals =
       cloud.faces.empty() ? stored_normals(cloud) : std::vector<Vec3>();

@@ -1,4 +1,4 @@
-#include "streams.h"
+#include "tm/io/streams.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -12,7 +12,7 @@
 
 #include "tm/support/error.h"
 
-namespace transformesh::tool {
+namespace transformesh {
 namespace {
 
 constexpr std::size_t block = std::size_t{1} << 20;
@@ -107,4 +107,4 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-}  // namespace transformesh::tool
+}  // namespace transformesh

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace transformesh::tool {
+namespace transformesh {
 
 /// A block of bytes that grows without being cleared or, where it is large, copied.
 class Bytes {
@@ -34,4 +34,4 @@ std::string input_name(const std::string& path);
 /// Writes all bytes; false with errno set on failure.
 bool write_all(int descriptor, std::string_view bytes);
 
-}  // namespace transformesh::tool
+}  // namespace transformesh

@@ -1,0 +1,166 @@
+#include "tm/io/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "tm/io/streams.h"
+
+namespace transformesh {
+namespace {
+
+TemporaryFileHook hook;
+
+void tell(void (*told)(const std::string&), const std::string& path) {
+  if (told != nullptr) told(path);
+}
+
+[[noreturn]] void throw_failed(const std::string& path) {
+  throw OutputError("cannot write '" + path + "': " + std::strerror(errno));
+}
+
+void write_and_close(int descriptor, const std::string& path, std::string_view bytes) {
+  const bool is_written = write_all(descriptor, bytes);
+  const int write_error = errno;
+  const bool is_closed = close(descriptor) == 0;
+  if (!is_written) errno = write_error;
+  if (!is_written || !is_closed) throw_failed(path);
+}
+
+// Where a symbolic link leads, be it to a file or to where none is yet, so that the link itself
+// stays.
+std::string resolved(const std::string& path) {
+  const std::filesystem::path named = path;
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::canonical(named, error);
+  if (!error) return real;
+  const std::filesystem::path link = std::filesystem::read_symlink(named, error);
+  return error ? named : named.parent_path() / link;
+}
+
+bool is_same_place(const std::filesystem::path& first, const std::filesystem::path& second) {
+  std::error_code error;
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(first), error);
+  return !error &&
+         place == std::filesystem::weakly_canonical(std::filesystem::absolute(second), error);
+}
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  if (slash == std::string::npos) return ".";
+  return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+std::optional<mode_t> existing_mode(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return std::nullopt;
+  return status.st_mode;
+}
+
+// Devices, FIFOs, and names like /dev/stdout and /dev/fd/63 that stand for an open descriptor.
+bool is_written_directly(const std::string& path) {
+  for (const char* prefix : {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"}) {
+    if (path.starts_with(prefix)) return true;
+  }
+  const auto mode = existing_mode(path);
+  return mode && !S_ISREG(*mode);
+}
+
+void write_directly(const std::string& path, std::string_view bytes) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  if (descriptor < 0) throw_failed(path);
+  write_and_close(descriptor, path, bytes);
+}
+
+std::string temporary_name(const std::string& target, int attempt) {
+  const std::size_t slash = target.rfind('/');
+  const std::size_t begin = slash == std::string::npos ? 0 : slash + 1;
+  // Long names are cut, as 255 bytes is what file systems allow.
+  return target.substr(0, begin) + "." + target.substr(begin, 200) + "." +
+         std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp";
+}
+
+// Creates the temporary file; the hook knows its name before it exists.
+int open_temporary(const std::string& target, std::string& name) {
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    name = temporary_name(target, attempt);
+    tell(hook.created, name);
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0) return descriptor;
+    tell(hook.gone, name);
+    if (errno != EEXIST) break;
+  }
+  name.clear();
+  throw_failed(target);
+}
+
+void remove_temporary(const std::string& path) {
+  if (path.empty()) return;
+  unlink(path.c_str());
+  tell(hook.gone, path);
+}
+
+}  // namespace
+
+void set_temporary_file_hook(TemporaryFileHook new_hook) { hook = new_hook; }
+
+AtomicFile::AtomicFile(const std::string& path, std::string_view bytes) : target_(path) {
+  if (is_written_directly(path)) {
+    write_directly(path, bytes);
+  } else {
+    target_ = resolved(path);
+    write_temporary(bytes);
+  }
+}
+
+void AtomicFile::write_temporary(std::string_view bytes) {
+  const int descriptor = open_temporary(target_, temporary_);
+  if (const auto mode = existing_mode(target_)) fchmod(descriptor, *mode & 07777);
+  try {
+    write_and_close(descriptor, target_, bytes);
+  } catch (const OutputError&) {
+    remove_temporary(std::exchange(temporary_, ""));
+    throw;
+  }
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : target_(std::move(other.target_)), temporary_(std::exchange(other.temporary_, "")) {}
+
+AtomicFile::~AtomicFile() { remove_temporary(temporary_); }
+
+void AtomicFile::commit() {
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw_failed(target_);
+  tell(hook.gone, std::exchange(temporary_, ""));
+}
+
+bool AtomicFile::has_target_of(const AtomicFile& other) const {
+  return !temporary_.empty() && !other.temporary_.empty() && is_same_place(target_, other.target_);
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+  AtomicFile(path, bytes).commit();
+}
+
+void check_writable(const std::string& path) {
+  if (path.empty()) throw OutputError("cannot write a file without a name");
+  const std::string target = resolved(path);
+  if (is_written_directly(target)) {
+    if (S_ISDIR(existing_mode(target).value_or(0))) {
+      errno = EISDIR;
+      throw_failed(path);
+    }
+  } else if (access(folder_of(target).c_str(), W_OK | X_OK) != 0) {
+    throw_failed(path);
+  }
+}
+
+}  // namespace transformesh

@@ -1,0 +1,54 @@
+/// Files that appear under their names complete or not at all. The bytes are written to a temporary
+/// file in the same folder, which is then renamed: a reader sees the old file or the new one, also
+/// where the process is killed in between. A symbolic link stays and its target is replaced; the
+/// permissions of a file replaced stay. What is not a regular file (/dev/null, a FIFO, /dev/fd/3)
+/// is written directly and never replaced. Nothing is flushed to the disk itself, so a failure of
+/// the machine may lose what a failure of the process does not.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tm/support/error.h"
+
+namespace transformesh {
+
+class AtomicFile {
+ public:
+  /// Writes all bytes to where they wait for commit(). Throws OutputError.
+  AtomicFile(const std::string& path, std::string_view bytes);
+  /// Removes what was not committed.
+  ~AtomicFile();
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Gives the file its name. Throws OutputError.
+  void commit();
+  /// Where the file will be: the end of the path's symbolic links.
+  const std::string& target() const { return target_; }
+  /// Whether both wait for the same name.
+  bool has_target_of(const AtomicFile& other) const;
+
+ private:
+  void write_temporary(std::string_view bytes);
+
+  std::string target_;
+  std::string temporary_;  ///< empty once there is none
+};
+
+/// The whole file at once. Throws OutputError.
+void write_file(const std::string& path, std::string_view bytes);
+
+/// Throws OutputError at once where writing this file cannot work: for before a long computation.
+void check_writable(const std::string& path);
+
+/// Told of each temporary file, before it exists and when it is gone, so that a program that a
+/// signal ends can remove it. One for the process; set it before anything is written.
+struct TemporaryFileHook {
+  void (*created)(const std::string& path) = nullptr;
+  void (*gone)(const std::string& path) = nullptr;
+};
+void set_temporary_file_hook(TemporaryFileHook hook);
+
+}  // namespace transformesh

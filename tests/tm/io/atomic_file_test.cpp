@@ -1,0 +1,141 @@
+#include "tm/io/atomic_file.h"
+
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "helpers/folder.h"
+
+using namespace transformesh;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+mode_t mode_of(const std::string& path) {
+  struct stat status {};
+  stat(path.c_str(), &status);
+  return status.st_mode & 07777;
+}
+
+std::string message_of(const std::string& path) {
+  try {
+    write_file(path, "bytes");
+    return {};
+  } catch (const OutputError& error) {
+    return error.what();
+  }
+}
+
+std::size_t waiting = 0;
+
+}  // namespace
+
+TEST_CASE("a file keeps its old content until the new one is committed") {
+  const Folder folder;
+  make_file(folder / "a", "old");
+  AtomicFile file(folder / "a", "new");
+  CHECK(content(folder / "a") == "old");
+  CHECK(folder.count() == 2);
+  file.commit();
+  CHECK(content(folder / "a") == "new");
+  CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a file that is not committed leaves nothing behind, wherever it was moved") {
+  const Folder folder;
+  make_file(folder / "a", "old");
+  {
+    AtomicFile file(folder / "a", "new");
+    const AtomicFile moved(std::move(file));
+  }
+  CHECK(content(folder / "a") == "old");
+  CHECK(folder.count() == 1);
+}
+
+TEST_CASE("permissions and symbolic links of a target stay") {
+  const Folder folder;
+  make_file(folder / "a", "old");
+  chmod((folder / "a").c_str(), 0640);
+  fs::create_symlink("a", folder / "link");
+  write_file(folder / "link", "new");
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(content(folder / "a") == "new");
+  CHECK(mode_of(folder / "a") == 0640);
+}
+
+TEST_CASE("a link to where no file is yet stays a link") {
+  const Folder folder;
+  fs::create_symlink("a", folder / "link");
+  write_file(folder / "link", "new");
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(content(folder / "a") == "new");
+}
+
+TEST_CASE("a new file has the permissions that the mask leaves") {
+  const Folder folder;
+  const mode_t mask = umask(027);
+  write_file(folder / "a", "new");
+  umask(mask);
+  CHECK(mode_of(folder / "a") == 0640);
+}
+
+TEST_CASE("a temporary file of another run is not touched") {
+  const Folder folder;
+  const std::string other = folder / (".a." + std::to_string(getpid()) + "-0.tmp");
+  make_file(other, "other");
+  write_file(folder / "a", "new");
+  CHECK(content(folder / "a") == "new");
+  CHECK(content(other) == "other");
+}
+
+TEST_CASE("what cannot be written is refused, at once where that can be known") {
+  const Folder folder;
+  CHECK_THROWS_AS(check_writable(""), OutputError);
+  CHECK_THROWS_AS(check_writable(folder / "none/a"), OutputError);
+  CHECK_THROWS_AS(check_writable(folder / "."), OutputError);
+  CHECK_NOTHROW(check_writable(folder / "a"));
+  CHECK(message_of("/dev/full") == "cannot write '/dev/full': No space left on device");
+  CHECK(message_of(folder / "none/a") ==
+        "cannot write '" + folder / "none/a" + "': No such file or directory");
+}
+
+TEST_CASE("devices and pipes are written directly and stay what they are") {
+  const Folder folder;
+  write_file("/dev/null", "bytes");
+  CHECK(fs::is_character_file("/dev/null"));
+  mkfifo((folder / "pipe").c_str(), 0600);
+  const int reader = open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  const AtomicFile file(folder / "pipe", "bytes");
+  std::string bytes(5, ' ');
+  CHECK(read(reader, bytes.data(), 5) == 5);
+  CHECK(bytes == "bytes");
+  CHECK(folder.count() == 1);
+  close(reader);
+}
+
+TEST_CASE("two files have the same target, however it is named") {
+  const Folder folder;
+  fs::create_symlink("a", folder / "link");
+  const AtomicFile file(folder / "a", "one");
+  CHECK(file.has_target_of(AtomicFile(folder / "link", "two")));
+  CHECK_FALSE(file.has_target_of(AtomicFile(folder / "b", "two")));
+}
+
+TEST_CASE("the hook knows of temporary files as long as there are any") {
+  const Folder folder;
+  set_temporary_file_hook(
+      {[](const std::string&) { ++waiting; }, [](const std::string&) { --waiting; }});
+  {
+    AtomicFile first(folder / "a", "new");
+    const AtomicFile second(folder / "b", "new");
+    CHECK(waiting == 2);
+    first.commit();
+    CHECK(waiting == 1);
+  }
+  CHECK(waiting == 0);
+  CHECK_THROWS_AS(write_file(folder / "none/a", "bytes"), OutputError);
+  CHECK(waiting == 0);
+  set_temporary_file_hook({});
+}
