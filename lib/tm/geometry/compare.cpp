@@ -69,23 +69,35 @@ std::vector<Vec3> used_vertices(const Mesh& mesh) {
 struct OneWay {
   std::vector<double> by_area;
   double largest = 0;
+  Vec3 farthest = Vec3::Zero();
   double mean = 0;
   double mean_square = 0;
 };
+
+void take_farthest(const std::vector<Vec3>& points, const std::vector<double>& distances,
+                   OneWay& result) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_first = i == 0 && result.largest == 0;
+    if (!is_first && !(distances[i] > result.largest)) continue;
+    result.largest = distances[i];
+    result.farthest = points[i];
+  }
+}
 
 OneWay measure(const Mesh& from, const Mesh& to, const CompareOptions& options,
                const Progress& progress, const char* phase) {
   progress(phase);
   const Distance distance(to);
   OneWay result;
-  result.by_area =
-      distances(surface_samples(from, options.samples, options.seed), distance, progress, phase);
-  const std::vector<double> at_vertices = distances(used_vertices(from), distance, progress, phase);
-  if (result.by_area.empty()) result.by_area = at_vertices;
+  const std::vector<Vec3> samples = surface_samples(from, options.samples, options.seed);
+  result.by_area = distances(samples, distance, progress, phase);
+  const std::vector<Vec3> vertices = used_vertices(from);
+  const std::vector<double> at_vertices = distances(vertices, distance, progress, phase);
 
-  for (const double d : at_vertices) result.largest = std::max(result.largest, d);
+  take_farthest(vertices, at_vertices, result);
+  take_farthest(samples, result.by_area, result);
+  if (result.by_area.empty()) result.by_area = at_vertices;
   for (const double d : result.by_area) {
-    result.largest = std::max(result.largest, d);
     result.mean += d;
     result.mean_square += d * d;
   }
@@ -140,6 +152,8 @@ Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions
   result.hausdorff_to_reference = there.largest;
   result.hausdorff_from_reference = back.largest;
   result.hausdorff = std::max(there.largest, back.largest);
+  result.farthest_of_mesh = there.farthest;
+  result.farthest_of_reference = back.farthest;
   result.volume_difference = volume(mesh) - volume(reference);
   return result;
 }

@@ -32,7 +32,9 @@ struct Comparison {
   double hausdorff = 0;     ///< the larger of the following two
   double hausdorff_to_reference = 0;    ///< largest distance from the mesh to the reference
   double hausdorff_from_reference = 0;  ///< largest distance from the reference to the mesh
-  double volume_difference = 0;         ///< of the mesh minus that of the reference
+  /// The points of the two that are so far away, input units.
+  Vec3 farthest_of_mesh = Vec3::Zero(), farthest_of_reference = Vec3::Zero();
+  double volume_difference = 0;  ///< of the mesh minus that of the reference
 };
 
 /// Throws InputError where one of them has no vertices, or distances are beyond about 1e154.

@@ -5,6 +5,7 @@
 #include "tm/io/obj.h"
 #include "tm/io/off.h"
 #include "tm/io/ply.h"
+#include "tm/io/scalar.h"
 #include "tm/io/sniff.h"
 #include "tm/io/stl.h"
 #include "tm/mesh/digits.h"
@@ -54,6 +55,18 @@ void check_float_range(const Mesh& mesh) {
     if (fits) continue;
     throw GoalError("vertex " + std::to_string(i) +
                     " has a coordinate too large for float: write double");
+  }
+}
+
+void round_columns(Columns& columns) {
+  for (Column& column : columns.columns) {
+    if (column.type == Scalar::float64) continue;
+    with_scalar(column.type, [&](auto zero) {
+      for (double& value : column.values) {
+        const volatile auto written = to_scalar<decltype(zero)>(value);  // as in single.h
+        value = static_cast<double>(written);
+      }
+    });
   }
 }
 
@@ -127,6 +140,17 @@ std::size_t round_positions(Mesh& mesh, Scalar coordinate) {
         "PLY, OFF or OBJ, or move it to the origin before");
   }
   return loss.collapsed;
+}
+
+void round_as_written(Document& document) {
+  check_writable(document);
+  if (document.style.coordinate == Scalar::float32) {
+    check_float_range(document.mesh);
+    for (Vec3& position : document.mesh.positions) position = position.unaryExpr(&round_to_single);
+  }
+  round_columns(document.mesh.vertex_columns);
+  round_columns(document.mesh.face_columns);
+  for (OtherElement& other : document.other_elements) round_columns(other.columns);
 }
 
 }  // namespace transformesh

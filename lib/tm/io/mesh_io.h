@@ -44,4 +44,9 @@ bool format_of_name(std::string_view name, Format encoding_like, Format& format)
 /// where most do, or turn.
 std::size_t round_positions(Mesh& mesh, Scalar coordinate);
 
+/// Makes of a document what reading gives after write_mesh() in a PLY format: coordinates and
+/// columns rounded to their types. Stages that follow each other in one process then make the same
+/// bytes as programs on pipes. Throws GoalError as write_mesh() does.
+void round_as_written(Document& document);
+
 }  // namespace transformesh

@@ -17,6 +17,18 @@ bool has_comment(const Document& document, const char* comment) {
   return std::find(comments.begin(), comments.end(), comment) != comments.end();
 }
 
+// Of faces at the same distance the first one wins, so the order of a target decides on last
+// digits: it must not depend on whether the target was written in between.
+void order_spatially(Target& target) {
+  if (!target.is_mesh() || target.face_order == FaceOrder::spatial) return;
+  std::vector<Face> faces;
+  faces.reserve(target.mesh.faces.size());
+  for (const Index face : spatial_face_order(target.mesh)) faces.push_back(target.mesh.faces[face]);
+  target.mesh.faces = std::move(faces);
+  target.mesh.face_columns = {};
+  target.face_order = FaceOrder::spatial;
+}
+
 }  // namespace
 
 Target read_target(std::string_view bytes, const std::string& name) {
@@ -25,6 +37,7 @@ Target read_target(std::string_view bytes, const std::string& name) {
   Document document = read_mesh(bytes, name).document;
   Target target = make_target(std::move(document.mesh));
   if (has_comment(document, spatial_order)) target.face_order = FaceOrder::spatial;
+  order_spatially(target);
   const Column* gaps = target.mesh.vertex_columns.find(gap_column);
   if (has_comment(document, measured_gaps) && gaps != nullptr) target.gaps = gaps->values;
   return target;
@@ -39,8 +52,11 @@ std::string write_target(const Target& target) {
   Document document;
   document.mesh.positions = target.mesh.positions;
   if (target.is_mesh()) {
-    for (const Index face : spatial_face_order(target.mesh))
-      document.mesh.faces.push_back(target.mesh.faces[face]);
+    Target ordered;
+    ordered.mesh = target.mesh;
+    ordered.face_order = target.face_order;
+    order_spatially(ordered);
+    document.mesh.faces = std::move(ordered.mesh.faces);
     document.style.comments.emplace_back(spatial_order);
   } else {
     document.style.element_order = {"vertex"};

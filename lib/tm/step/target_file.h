@@ -9,7 +9,8 @@
 
 namespace transformesh {
 
-/// Throws InputError as read_mesh, read_point_text and make_target do.
+/// The faces of a mesh come in spatial order, without their columns. Throws InputError as
+/// read_mesh, read_point_text and make_target do.
 Target read_target(std::string_view bytes, const std::string& name);
 
 /// The mesh or the points of such a file, for what is no target.

@@ -175,3 +175,28 @@ TEST_CASE("coordinates that are not finite are not written, in any format") {
     }
   }
 }
+
+TEST_CASE("rounding as written gives what writing and reading gives, in float and in double") {
+  for (const Scalar coordinate : {Scalar::float32, Scalar::float64}) {
+    Document document;
+    document.mesh = tetrahedron();
+    for (Vec3& position : document.mesh.positions) position = position / 3 + Vec3(0.1, 0.2, 1e-9);
+    document.style.coordinate = coordinate;
+    document.mesh.vertex_columns.get("heat", Scalar::float32, 4).values = {0.1, -2.7, 1e-40, 3};
+    document.mesh.vertex_columns.get("red", Scalar::uint8, 4).values = {0.6, 300, -1, 17};
+    document.mesh.face_columns.get("size", Scalar::float64, 4).values = {0.1, 0.2, 0.3, 0.4};
+    const Document read = read_mesh(write_mesh(document).bytes, "mesh").document;
+    round_as_written(document);
+    CHECK(document.mesh.positions == read.mesh.positions);
+    for (const char* name : {"heat", "red"})
+      CHECK(document.mesh.vertex_columns.find(name)->values ==
+            read.mesh.vertex_columns.find(name)->values);
+    CHECK(document.mesh.face_columns.find("size")->values ==
+          read.mesh.face_columns.find("size")->values);
+  }
+  Document infinite;
+  infinite.mesh = tetrahedron();
+  infinite.mesh.positions[2].y() = 1e300;
+  infinite.style.coordinate = Scalar::float32;
+  CHECK_THROWS_AS(round_as_written(infinite), GoalError);
+}

@@ -6,6 +6,7 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "tm/io/mesh_io.h"
 #include "tm/mesh/measure.h"
 
 using namespace transformesh;
@@ -46,4 +47,14 @@ TEST_CASE("points read back with the normals that were estimated for them") {
 TEST_CASE("text and meshes are told apart") {
   CHECK(read_target("1 0 0 1 0 0\n0 1 0 0 2 0\n", "a.P3D").normals[1] == Vec3(0, 1, 0));
   CHECK(read_target("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off").is_mesh());
+}
+
+TEST_CASE("a target read has its faces in one order, whether it was written in between or not") {
+  Document document;
+  document.mesh = test::torus(1, 0.4, 20, 10);
+  const Target direct = read_target(write_mesh(document).bytes, "a.ply");
+  const Target again = read_target(write_target(direct), "b.ply");
+  CHECK(direct.mesh.faces != document.mesh.faces);
+  CHECK(direct.mesh.faces == again.mesh.faces);
+  CHECK(direct.face_order == FaceOrder::spatial);
 }

@@ -1,0 +1,63 @@
+/// The evolution of paper 5.1 (Fig. 8) with any velocity: step, clean, remesh, again and again. A
+/// whole evolution with a velocity of one's own:
+///
+///     Mesh mesh = ...;
+///     evolve(mesh, step_along([](const Mesh& now, const Progress&) {
+///       std::vector<Vec3> velocities(now.positions.size(), Vec3(0, 0, 1));
+///       return velocities;
+///     }), {.until = moved_less_than(1e-4)});
+///
+/// Guarantees of the result: iteration.h. The start is cleaned first. Throws what the stages throw,
+/// a failure of an iteration with its number; the mesh is then that of the last good one.
+/// Deterministic where the step is; the record of a run that was ended in any way continues to the
+/// same bytes.
+#pragma once
+
+#include "tm/evolution/iteration.h"
+#include "tm/evolution/loop.h"
+#include "tm/evolution/stop_rules.h"
+
+namespace transformesh {
+
+/// When an evolution has come to its end, given how far the vertices moved.
+class UntilRule {
+ public:
+  UntilRule() = default;  ///< never: the limit of iterations ends it
+  /// Returns whether it ends here.
+  bool add(const DisplaceResult& displaced);
+  Values values() const;
+  void restore(const Values& values) { stalled_.restore(values); }
+
+ private:
+  friend UntilRule moved_less_than(double length);
+  friend UntilRule stalled();
+  enum class Kind { never, moved, stalled } kind_ = Kind::never;
+  double length_ = 0;
+  StalledRule stalled_;
+};
+
+/// No vertex moved by as much as this, in input units.
+UntilRule moved_less_than(double length);
+/// The root mean square of the movements got no smaller by a hundredth in 20 iterations, or nothing
+/// moved.
+UntilRule stalled();
+
+struct EvolveOptions {
+  IterationOptions iteration = {};
+  UntilRule until = {};
+};
+
+struct EvolveResult {
+  std::size_t iterations = 0;  ///< earlier runs included
+  bool is_done = false;        ///< by the rule, not by the limit of iterations
+  IterationResult last;        ///< of the last iteration of this run
+};
+
+EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options,
+                    const LoopOptions& loop, Record& record, const Progress& progress = Progress());
+
+/// In double precision, without a record.
+EvolveResult evolve(Mesh& mesh, const Step& step, const EvolveOptions& options = {},
+                    const LoopOptions& loop = {}, const Progress& progress = Progress());
+
+}  // namespace transformesh

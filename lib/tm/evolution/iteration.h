@@ -1,0 +1,73 @@
+/// One iteration of an evolution (paper 5.1, Fig. 8): every vertex takes a step, clean() removes
+/// the self-intersections that this makes, remesh() keeps the surface well sampled.
+///
+/// Guarantees: after each of the three, coordinates and columns are rounded as they would be
+/// written, so that an evolution in one process makes the same bytes as the filters on pipes, and
+/// can be continued from a file. The result is an oriented manifold without self-intersections as
+/// far as remesh() promises; columns are carried as by clean() and remesh().
+/// Throws what the three throw. Deterministic for any number of threads.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "tm/io/document.h"
+#include "tm/remesh/remesh.h"
+#include "tm/step/displace.h"
+#include "tm/support/length.h"
+#include "tm/support/progress.h"
+
+namespace transformesh {
+
+/// One vector per vertex.
+using Velocity = std::function<std::vector<Vec3>(const Mesh& mesh, const Progress& progress)>;
+/// Moves the vertices and nothing else.
+using Step = std::function<DisplaceResult(Mesh& mesh, const Progress& progress)>;
+
+/// The step that displace() makes of a velocity.
+Step step_along(Velocity velocity, const DisplaceOptions& options = {});
+
+/// Smoothing by a factor of the Laplace-Beltrami operator (paper 5.1.2); else remesh()'s defaults.
+RemeshOptions smoothed_by(double factor);
+
+struct IterationOptions {
+  Length min_edge{0.7, Length::Unit::reference_edge};
+  Length max_edge{1.5, Length::Unit::reference_edge};
+  double reference_edge = 0;  ///< input units; 0: the mean edge when the evolution begins
+  double edge_factor = 1;     ///< both lengths are so many times as long
+  /// All but its lengths and its coordinate type, which come from above and from the document. With
+  /// a size column the lengths are factors of it.
+  RemeshOptions remesh = smoothed_by(0.1);
+};
+
+struct Topology {
+  std::size_t components = 0;
+  long genus = 0;  ///< of all components
+  bool operator==(const Topology&) const = default;
+};
+
+struct IterationResult {
+  std::size_t vertices = 0;  ///< that took the step
+  std::size_t faces = 0;     ///< of the mesh afterwards
+  std::size_t pairs = 0;     ///< intersecting pairs of faces that were removed
+  Topology topology;         ///< of the mesh afterwards
+  DisplaceResult displaced;
+  double seconds_step = 0, seconds_clean = 0, seconds_remesh = 0;
+};
+
+IterationResult iterate(Document& document, const Step& step, const IterationOptions& options,
+                        const Progress& progress = Progress());
+
+struct CleanedTopology {
+  Topology topology;
+  bool changed = false;
+  std::size_t pairs = 0;
+};
+
+/// clean() with `outermost`, rounded as written.
+CleanedTopology clean_in_place(Document& document, const Progress& progress = Progress());
+
+/// The mean edge; throws InputError where it is no positive finite length.
+double measured_reference_edge(const Mesh& mesh);
+
+}  // namespace transformesh

@@ -1,0 +1,53 @@
+/// Evolves a surface until it lies on a target (paper 5.2): morph_step(), clean(), remesh(), again
+/// and again, from coarse to fine where asked for. The surface merges and splits where it has to,
+/// and finds the components of the target that it overlaps.
+///
+/// Ends as converged where no vertex moves by more than half its clamp, or nothing gets better any
+/// more, and mesh and target agree (agreement.h); as stalled where nothing gets better and they do
+/// not (stop_rules.h). The result is cleaned once more. Columns are carried. Deterministic; the
+/// record of a run that was ended in any way continues to the same bytes.
+///
+/// Throws what the stages throw, a failure of an iteration with its number; the document is then
+/// that of the last good one.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "tm/evolution/agreement.h"
+#include "tm/evolution/loop.h"
+#include "tm/step/morph_step.h"
+
+namespace transformesh {
+
+struct MorphingOptions {
+  /// With `gap_edges` the target's gaps have to be measured (prepare_target), and edges are factors
+  /// of the size that the step writes.
+  MorphStepOptions step;
+  /// `edge_factor` is what the scale makes of it; `reference_edge` 0 is the source's mean edge.
+  IterationOptions iteration;
+  int scales = 1;  ///< begin with edges 2^(scales - 1) times as long; 1 to 10
+};
+
+enum class MorphingStop { iteration_limit, stalled, converged };
+const char* name_of(MorphingStop stop);
+
+struct MorphingResult {
+  MorphingStop stop = MorphingStop::iteration_limit;
+  std::size_t iterations = 0;  ///< earlier runs included
+  Topology topology;
+  std::optional<Topology> expected;  ///< that of the target, where it is known
+  MorphStepResult distances;         ///< of the result; nothing moved
+  Agreement agreement;
+};
+
+/// Measures the gaps of the target where the options need them and nobody has.
+void prepare_target(Target& target, const MorphingOptions& options,
+                    const Progress& progress = Progress());
+
+MorphingResult morph(Document& document, const Target& target, const MorphingOptions& options,
+                     const LoopOptions& loop, Record& record,
+                     const Progress& progress = Progress());
+
+}  // namespace transformesh
