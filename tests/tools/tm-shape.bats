@@ -1,4 +1,4 @@
-# Shapes without input; what they are is tested in tests/tm/evolve/shapes_test.cpp.
+# Shapes without input; what they are is tested in tests/tm/shapes.
 
 load ../helpers/common
 
@@ -41,8 +41,8 @@ end_header" ] || fail "$output"
 }
 
 @test "every kind of the manual works with its default, into a pipe too" {
-  for kind in sphere dented ellipsoid box torus genus torus-knot two-spheres tori dumbbell bowl folded \
-    tangle many-spheres boxes pinch; do
+  for kind in sphere dented ellipsoid box torus genus torus-knot two-spheres tori dumbbell bowl figure \
+    folded tangle many-spheres boxes pinch; do
     grep -qE "^\*\*$kind\*\*" "$tm_root/man/tm-shape.1.md" || fail "$kind is not in the manual"
     pipe "tm-shape $kind --faces 1200 | tm-convert --format off | head -n 1"
     [ "$output" = OFF ] || fail "$kind: $output"
@@ -85,6 +85,7 @@ end_header" ] || fail "$output"
   refused "2 parameters" tm-shape torus-knot 2
   refused "'0' is not an integer" tm-shape genus 0
   refused "too few" tm-shape genus 8 --faces 500
+  refused "'2' is not a number from 0 to 1" tm-shape figure 2
   refused "--radius" tm-shape sphere --radius -1
   refused "--radius must be positive" tm-shape sphere --radius 0
   refused "dumbbell" tm-shape sphere --neck 0.1
@@ -177,4 +178,11 @@ end_header" ] || fail "$output"
     one_line "$stderr"
     [ ! -e out.ply ] && [ ! -e out.stl ]
   done
+}
+
+@test "the frames of a figure: arms that cross and let go are a handle for that time" {
+  for time in 0 0.24 0.25 0.5 0.73 0.74 1; do tm-shape figure $time --faces 6000 -o "$time.ply"; done
+  for time in 0 0.24 0.74 1; do [ "$(tm-info --get genus $time.ply)" -eq 0 ]; done
+  for time in 0.25 0.5 0.73; do [ "$(tm-info --get genus $time.ply)" -eq 1 ]; done
+  for frame in *.ply; do tm-checkmanifold --closed --intersections "$frame"; done
 }

@@ -78,6 +78,11 @@ class MarchSearch {
 
 }  // namespace
 
+double smooth_minimum(double a, double b, double width) {
+  const double overlap = std::max(width - std::abs(a - b), 0.0) / width;
+  return std::min(a, b) - overlap * overlap * width / 4;
+}
+
 Vec3 projected(const ImplicitSolid& solid, const Vec3& point, int iterations) {
   const double step = 1e-5 * solid.half_width;
   Vec3 foot = point;

@@ -19,6 +19,9 @@ struct ImplicitSolid {
   long genus = 0;           ///< of its surface
 };
 
+/// The minimum, rounded where the two differ by less than `width`. No steeper than they are.
+double smooth_minimum(double a, double b, double width);
+
 /// About `faces` triangles. Throws UsageError where that is too few for the genus, naming a number
 /// that is enough. O(faces).
 Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress& progress);

@@ -7,6 +7,7 @@
 
 #include "tm/shapes/assembly.h"
 #include "tm/shapes/boxes.h"
+#include "tm/shapes/figure.h"
 #include "tm/shapes/pinch.h"
 #include "tm/shapes/solids.h"
 #include "tm/shapes/spheres.h"
@@ -30,6 +31,16 @@ long integer_parameter(const ShapeOptions& options, std::size_t i, long highest)
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || rest != end || value < 1 || value > highest)
     refuse(options, quoted(text) + " is not an integer from 1 to " + std::to_string(highest));
+  return value;
+}
+
+double share_parameter(const ShapeOptions& options, std::size_t i) {
+  const std::string& text = options.parameters[i];
+  double value = -1;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end || !(value >= 0 && value <= 1))
+    refuse(options, quoted(text) + " is not a number from 0 to 1");
   return value;
 }
 
@@ -130,6 +141,10 @@ Mesh make_bowl(const ShapeOptions&, std::size_t faces, const Progress& progress)
   return bowl(faces, progress);
 }
 
+Mesh make_figure(const ShapeOptions& options, std::size_t faces, const Progress& progress) {
+  return figure(share_parameter(options, 0), faces, progress);
+}
+
 Mesh make_folded(const ShapeOptions& options, std::size_t faces, const Progress&) {
   const std::string& base = options.parameters[0];
   const double radius = options.radius.value_or(1);
@@ -172,6 +187,7 @@ const std::vector<Kind>& kinds() {
       {"tori", {"gap"}, {}, 0, make_tori},
       {"dumbbell", {"neck"}, {}, 0, make_dumbbell},
       {"bowl", {}, {}, 0, make_bowl},
+      {"figure", {}, {"0"}, 0, make_figure},
       {"folded", {"radius"}, {"sphere"}, 0.38, make_folded},
       {"tangle", {"radius", "tube"}, {"2", "3"}, 0, make_tangle},
       {"many-spheres", {"count"}, {}, 0, make_many_spheres},

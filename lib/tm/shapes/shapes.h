@@ -2,11 +2,11 @@
 /// one is closed, consistently oriented, without isolated vertices or columns, and its signed
 /// volume is positive. Lengths are in the units of the mesh. Most shapes are about 2.4 wide.
 ///
-/// sphere dented ellipsoid box torus genus torus-knot bowl are free of crossings; so are dumbbell
-/// for neck > 0, two-spheres and tori for gap > 0. The others cross themselves: two-spheres folded
-/// tangle many-spheres, tori and dumbbell (gap, neck < 0) in general position, boxes and pinch as
-/// degenerately as they can.
-/// Deterministic: the same options give the same bytes for any number of threads.
+/// sphere dented ellipsoid box torus genus torus-knot bowl figure are free of crossings; so are
+/// dumbbell for neck > 0, two-spheres and tori for gap > 0. The others cross themselves:
+/// two-spheres folded tangle many-spheres, tori and dumbbell (gap, neck < 0) in general position,
+/// boxes and pinch as degenerately as they can. Deterministic: the same options give the same bytes
+/// for any number of threads.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace transformesh {
 
 struct ShapeOptions {
   std::string kind;  ///< one of shape_kinds()
-  /// genus: N; torus-knot, tangle: P Q; ellipsoid, box: A B C; folded: sphere or torus.
+  /// genus: N; torus-knot, tangle: P Q; ellipsoid, box: A B C; figure: T; folded: sphere or torus.
   std::vector<std::string> parameters;
   std::optional<std::size_t> faces;  ///< how many, about; default 10000
   std::optional<double> edge;        ///< or the mean edge length, about; > 0

@@ -12,12 +12,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 using Vec2 = Eigen::Vector2d;
 
-/// The minimum, rounded where the two differ by less than `width`. No steeper than they are.
-double smooth_minimum(double a, double b, double width) {
-  const double overlap = std::max(width - std::abs(a - b), 0.0) / width;
-  return std::min(a, b) - overlap * overlap * width / 4;
-}
-
 /// The outline of a plate with holes, as a signed distance in the plane, nearly.
 struct PerforatedPlate {
   std::vector<Vec2> holes;
