@@ -1,5 +1,6 @@
 #include "common_options.h"
 
+#include "command.h"
 #include "tm/support/error.h"
 
 namespace transformesh::tool {
@@ -21,38 +22,35 @@ class CommonSection {
   OptionTable& table_;
 };
 
-void add_mesh_output(CommonSection& section, CommonOptions& values) {
+void add_mesh_output(CommonSection& section, const Command& command, CommonOptions& values) {
   section.add(choice_option("format", &values.format, {"ply", "ply-ascii", "ply-be", "off"},
-                            "format of the output instead of the input's"));
-  section.add(flag_option("float", &values.as_float, "write coordinates as 32-bit floats"), true);
-  section.add(flag_option("double", &values.as_double, "write coordinates as 64-bit floats"), true);
+                            command.is_evolution()
+                                ? "format of the output (default ply)"
+                                : "format of the output instead of the input's"));
+  if (!command.is_evolution()) {
+    section.add(flag_option("float", &values.as_float, "write coordinates as 32-bit floats"), true);
+    section.add(flag_option("double", &values.as_double, "write coordinates as 64-bit floats"),
+                true);
+  }
   section.add(
       flag_option("no-provenance", &values.no_provenance, "add no comment with the options used"));
 }
 
-void add_reference_edge(CommonSection& section, CommonOptions& values) {
-  const auto assign = [&values](const std::string& text) {
-    if (text != "auto" && parse_length(text).value <= 0) {
-      throw UsageError("'" + text + "' must be positive, or auto to measure it");
-    }
-    values.reference_edge = text;
-  };
-  section.add({"reference-edge", 0, "auto|LENGTH",
-               "length that x refers to: measured anew, or set (default: the mesh's "
-               "tm:reference-edge comment, else measured)",
-               &values.reference_edge, assign},
-              true);
-}
-
 }  // namespace
 
-void add_common_options(OptionTable& table, const Kind& kind, CommonOptions& values) {
-  CommonSection section(table);
+void add_common_options(Command& command) {
+  CommonOptions& values = command.common;
+  CommonSection section(command.table);
   Option output = text_option("output", &values.output, "FILE", "where to write; - is stdout");
   section.add(output, false, 'o');
-  if (kind.writes_mesh) add_mesh_output(section, values);
-  if (kind.reads_mesh && kind.writes_mesh && !kind.makes_mesh) add_reference_edge(section, values);
-  if (kind.prints_report) {
+  if (command.may_write_mesh()) add_mesh_output(section, command, values);
+  if (command.may_write_mesh() && command.reads_mesh()) {
+    section.add(reference_edge_option(&values.reference_edge,
+                                      "length that x refers to: measured anew, or set (default: "
+                                      "the mesh's tm:reference-edge comment, else measured)"),
+                true);
+  }
+  if (command.may_print_report()) {
     section.add(flag_option("json", &values.json, "print the report as JSON"));
   }
   section.add(text_option("report", &values.report, "FILE", "also write a JSON report there"));

@@ -1,21 +1,11 @@
-/// The options that all programs of a kind share: one spelling everywhere.
+/// The options that programs share: one spelling everywhere.
 #pragma once
 
 #include <string>
 
-#include "option_table.h"
-
 namespace transformesh::tool {
 
-/// What a program reads and writes, which decides the common options that it has.
-struct Kind {
-  bool reads_mesh = true;
-  bool many_inputs = false;
-  bool writes_mesh = true;
-  bool makes_mesh = false;     ///< what it reads is no mesh whose edges could be a reference
-  bool prints_report = false;  ///< on stdout
-  bool is_predicate = false;   ///< may answer no
-};
+struct Command;
 
 struct CommonOptions {
   std::string output = "-";
@@ -35,8 +25,8 @@ struct CommonOptions {
   bool version = false;
 };
 
-/// Adds those that apply to a program of this kind.
-void add_common_options(OptionTable& table, const Kind& kind, CommonOptions& values);
+/// Adds those that apply to what the command reads and writes.
+void add_common_options(Command& command);
 
 /// Throws UsageError where two of the options given contradict each other.
 void check_common_options(const CommonOptions& values);

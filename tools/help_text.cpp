@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "command.h"
+
 namespace transformesh::tool {
 namespace {
 
@@ -56,43 +58,48 @@ std::string option_entries(const OptionTable& table, bool is_common) {
   return entries;
 }
 
-std::string exit_code_lines(bool is_predicate) {
-  return wrapped(std::string("Exit codes: 0 ") + (is_predicate ? "done or yes, 1 no" : "done") +
+std::string exit_code_lines(const Command& command) {
+  const std::string answers = command.writes == Writes::answer ? "done or yes, 1 no"
+                              : command.is_evolution()
+                                  ? "done, 1 not converged where that is required"
+                                  : "done";
+  return wrapped("Exit codes: 0 " + answers +
                      ", 2 usage, 3 bad input, 4 goal not reached, 5 output failed, 6 out of "
                      "memory.",
                  0, 12);
 }
 
 // A program that reads no mesh has no reference edge.
-std::string length_lines(const Kind& kind) {
+std::string length_lines(bool has_reference_edge) {
   const std::string units = "A LENGTH is 0.02 (input units)";
   const std::string diagonal = "1% (of the bounding box's diagonal)";
-  const std::string rest = kind.reads_mesh ? ", " + diagonal + " or 0.7x (of the reference edge)."
-                                           : " or " + diagonal + ".";
+  const std::string rest = has_reference_edge
+                               ? ", " + diagonal + " or 0.7x (of the reference edge)."
+                               : " or " + diagonal + ".";
   return wrapped(units + rest, 0, 0);
 }
 
-std::string usage_line(const Description& program) {
-  return wrapped("Usage: " + program.name + " " + program.synopsis, 0, 8 + program.name.size());
+std::string usage_line(const Command& command) {
+  return wrapped("Usage: " + command.name + " " + command.synopsis, 0, 8 + command.name.size());
 }
 
 }  // namespace
 
-std::string help_text(const Description& program, const OptionTable& table, const Kind& kind) {
-  std::string text = usage_line(program) + '\n' + wrapped(program.summary + '.', 0, 0);
-  if (!program.words.empty()) {
-    text += "\nArguments:\n" + entry(program.words, program.words_help);
+std::string help_text(const Command& command) {
+  std::string text = usage_line(command) + '\n' + wrapped(command.summary + '.', 0, 0);
+  if (!command.words_placeholder.empty()) {
+    text += "\nArguments:\n" + entry(command.words_placeholder, command.words_help);
   }
-  const std::string own = option_entries(table, false);
+  const std::string own = option_entries(command.table, false);
   if (!own.empty()) text += "\nOptions:\n" + own;
-  text += "\nCommon options:\n" + option_entries(table, true);
-  if (table.has_lengths()) text += '\n' + length_lines(kind);
-  for (const std::string& epilog : program.epilogs) text += '\n' + epilog + '\n';
-  return text + '\n' + exit_code_lines(kind.is_predicate);
+  text += "\nCommon options:\n" + option_entries(command.table, true);
+  if (command.table.has_lengths()) text += '\n' + length_lines(command.reads != Reads::nothing);
+  for (const std::string& epilog : command.epilogs) text += '\n' + epilog + '\n';
+  return text + '\n' + exit_code_lines(command);
 }
 
-std::string short_help_text(const Description& program) {
-  return usage_line(program) + wrapped(program.summary + '.', 0, 0) + "Try '" + program.name +
+std::string short_help_text(const Command& command) {
+  return usage_line(command) + wrapped(command.summary + '.', 0, 0) + "Try '" + command.name +
          " --help'.\n";
 }
 

@@ -65,6 +65,8 @@ Option text_option(const std::string& name, std::string* value, const std::strin
                    const std::string& help);
 Option choice_option(const std::string& name, std::string* value, std::vector<std::string> names,
                      const std::string& help);
+/// `auto` or a positive length.
+Option reference_edge_option(std::string* value, const std::string& help);
 Option numbers_option(const std::string& name, std::vector<double>* value,
                       const std::string& placeholder, const std::string& help);
 

@@ -147,6 +147,14 @@ Option choice_option(const std::string& name, std::string* value, std::vector<st
       }};
 }
 
+Option reference_edge_option(std::string* value, const std::string& help) {
+  return {"reference-edge", 0, "auto|LENGTH", help, value, [value](const std::string& text) {
+            if (text != "auto" && parse_length(text).value <= 0)
+              throw UsageError(quoted(text) + " must be positive, or auto to measure it");
+            *value = text;
+          }};
+}
+
 Option numbers_option(const std::string& name, std::vector<double>* value,
                       const std::string& placeholder, const std::string& help) {
   const auto commas = std::count(placeholder.begin(), placeholder.end(), ',');

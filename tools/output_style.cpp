@@ -12,6 +12,14 @@ bool is_pipe_format(Format format) {
 
 bool is_stl(Format format) { return format == Format::stl_ascii || format == Format::stl_binary; }
 
+Scalar output_coordinate(const Style& style, const CommonOptions& options) {
+  if (options.as_float || is_stl(style.format)) return Scalar::float32;
+  const bool is_always_double = style.format == Format::off || style.format == Format::obj;
+  return options.as_double || is_always_double ? Scalar::float64 : style.coordinate;
+}
+
+}  // namespace
+
 Format output_format(Format input, const CommonOptions& options) {
   if (options.format == "ply") return Format::ply_little;
   if (options.format == "ply-ascii") return Format::ply_ascii;
@@ -21,14 +29,6 @@ Format output_format(Format input, const CommonOptions& options) {
   if (format_of_name(options.output, input, named)) return named;
   return is_pipe_format(input) ? input : Format::ply_little;
 }
-
-Scalar output_coordinate(const Style& style, const CommonOptions& options) {
-  if (options.as_float || is_stl(style.format)) return Scalar::float32;
-  const bool is_always_double = style.format == Format::off || style.format == Format::obj;
-  return options.as_double || is_always_double ? Scalar::float64 : style.coordinate;
-}
-
-}  // namespace
 
 std::size_t apply_output_style(Document& document, const CommonOptions& options) {
   Style& style = document.style;

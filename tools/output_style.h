@@ -6,6 +6,9 @@
 
 namespace transformesh::tool {
 
+/// As --format or the name given with -o says, else that of the input.
+Format output_format(Format input, const CommonOptions& options);
+
 /// Changes the style as -o, --format, --float and --double ask, and rounds the coordinates where
 /// the output will hold floats: what is computed is what will be read back. Returns how many
 /// faces collapse by that; throws GoalError where most do.

@@ -30,11 +30,28 @@ void write_text(int descriptor, std::string_view text) {
   [[maybe_unused]] const ssize_t written = write(descriptor, text.data(), text.size());
 }
 
+// Written once, before the handler may read it.
+std::string interruption_start;
+std::string interruption_end;
+std::atomic<bool> interruption_is_told{false};
+
+void tell(int signal_number) {
+  const std::string_view name = signal_number == SIGINT    ? "SIGINT"
+                                : signal_number == SIGTERM ? "SIGTERM"
+                                : signal_number == SIGHUP  ? "SIGHUP"
+                                                           : "";
+  if (name.empty() || !interruption_is_told) return;
+  for (const std::string_view part :
+       {std::string_view(interruption_start), name, std::string_view(interruption_end)})
+    write_text(STDERR_FILENO, part);
+}
+
 void end_process(int signal_number) {
   for (TemporaryFile* file = temporary_files; file != nullptr; file = file->next) {
     if (file->exists) unlink(file->path.c_str());
   }
   if (bar_is_visible) write_text(STDERR_FILENO, "\r\033[K");
+  tell(signal_number);
   _exit(exit_signal + signal_number);
 }
 
@@ -73,6 +90,13 @@ void install_signal_handlers() {
   if (inherited.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);
   set_temporary_file_hook({remove_on_signal, keep_on_signal});
+}
+
+void tell_interruption(const std::string& program, const std::string& advice) {
+  interruption_is_told = false;
+  interruption_start = program + ": interrupted by ";
+  interruption_end = advice + '\n';
+  interruption_is_told = true;
 }
 
 void set_bar_is_visible(bool is_visible) { bar_is_visible = is_visible; }

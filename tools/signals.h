@@ -2,6 +2,8 @@
 /// exit code says which signal it was. Everything here is async-signal-safe where it has to be.
 #pragma once
 
+#include <string>
+
 namespace transformesh::tool {
 
 /// Opens unusable descriptors in place of closed standard ones, so that no file takes their number.
@@ -11,6 +13,10 @@ void occupy_standard_descriptors();
 /// once with 128 + their number and remove its temporary files (tm/io/atomic_file.h). SIGXFSZ is
 /// ignored: the write that grew too large fails and tells.
 void install_signal_handlers();
+
+/// From now on SIGINT, SIGTERM and SIGHUP are told: `tm-morph: interrupted by SIGINT` and the
+/// advice.
+void tell_interruption(const std::string& program, const std::string& advice);
 
 /// Whether a progress bar stands on the terminal's current line.
 void set_bar_is_visible(bool is_visible);

@@ -14,6 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr int bar_width = 30;
 constexpr auto bar_delay = 500ms;  // a quick run shows no bar
 constexpr auto bar_interval = 100ms;
 constexpr auto line_interval = 5s;
@@ -56,6 +57,11 @@ void Terminal::configure(bool quiet, bool verbose, bool progress, bool no_progre
 
 void Terminal::error(std::string_view message) { print(message); }
 
+void Terminal::out_of_memory() {
+  write_all(STDERR_FILENO, name_);
+  write_all(STDERR_FILENO, ": out of memory\n");
+}
+
 void Terminal::note(std::string_view message) {
   if (!is_quiet_) print(message);
 }
@@ -80,23 +86,25 @@ void Terminal::progress(std::string_view phase, double fraction, Clock::time_poi
   if (progress_style_ == ProgressStyle::none || now < next_progress_) return;
   if (progress_style_ == ProgressStyle::bar) {
     next_progress_ = now + bar_interval;
-    draw_bar(phase, fraction);
+    const auto filled = static_cast<std::size_t>(percent(fraction) * bar_width / 100);
+    draw_bar('[' + std::string(filled, '#') + std::string(bar_width - filled, '-') + "] " +
+             std::to_string(percent(fraction)) + "% " + std::string(phase));
   } else {
     next_progress_ = now + line_interval;
     print(std::string(phase) + ' ' + std::to_string(percent(fraction)) + '%');
   }
 }
 
-void Terminal::draw_bar(std::string_view phase, double fraction) {
-  constexpr int width = 30;
-  const int filled = percent(fraction) * width / 100;
-  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
-                          std::string(static_cast<std::size_t>(width - filled), '-');
-  const std::string name(phase);
+void Terminal::progress_line(std::string_view text) {
+  if (is_quiet_ || progress_style_ == ProgressStyle::none) return;
+  if (progress_style_ == ProgressStyle::bar) return draw_bar(text);
+  print(text);
+}
+
+void Terminal::draw_bar(std::string_view text) {
   set_bar_is_visible(true);
   bar_stands_ = true;
-  print_raw("\r\033[K" + name_ + ": [" + bar + "] " + std::to_string(percent(fraction)) + "% " +
-            name);
+  print_raw("\r\033[K" + name_ + ": " + std::string(text));
 }
 
 void Terminal::clear_bar() {

@@ -22,6 +22,7 @@ class Terminal {
   void configure(bool quiet, bool verbose, bool progress, bool no_progress);
 
   void error(std::string_view message);
+  void out_of_memory();                   ///< takes none
   void note(std::string_view message);    ///< unless -q
   void detail(std::string_view message);  ///< with -v
   bool is_verbose() const { return is_verbose_; }
@@ -29,6 +30,8 @@ class Terminal {
   using Clock = std::chrono::steady_clock;
   /// Draws the bar or prints a line when the time for it has come.
   void progress(std::string_view phase, double fraction, Clock::time_point now = Clock::now());
+  /// Text in the place of the bar, or a line of its own; nothing with -q.
+  void progress_line(std::string_view text);
   /// To be called before anything else writes to the terminal.
   void clear_bar();
 
@@ -37,7 +40,7 @@ class Terminal {
 
  private:
   void print(std::string_view message);
-  void draw_bar(std::string_view phase, double fraction);
+  void draw_bar(std::string_view text);
 
   std::string name_;
   bool is_quiet_ = false;

@@ -63,7 +63,8 @@ std::string convert(const CameraList& list, const Options& options, tool::Run& r
 int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-cameras", "[OPTION]... [WHERE]",
-                        "Converts the camera files of calibrated photographs, or lists them");
+                        "Converts the camera files of calibrated photographs, or lists them",
+                        tool::Reads::file, tool::Writes::text);
   program.choice("format", &options.format, {"middlebury", "colmap", "matrices"},
                  "format of the output; the input's is told by its content");
   program.text("folder", &options.folder, "FOLDER",
@@ -75,9 +76,9 @@ int main(int argc, char** argv) {
   program.numbers("center", &options.center, "X,Y,Z",
                   "the scene's center for the table (default: nearest to all viewing axes)");
   program.epilog("WHERE is a file, a folder or a quoted pattern; stdin is one file.");
-  return program.converter(argc, argv, [&](const std::string& where, tool::Run& run) {
-    CameraList list = read(where, options, run);
+  return program.run(argc, argv, [&](tool::Run& run) {
+    CameraList list = read(run.input(), options, run);
     const bool is_table = options.list || options.json;
-    return is_table ? table(std::move(list), options, run) : convert(list, options, run);
+    run.write_output(is_table ? table(std::move(list), options, run) : convert(list, options, run));
   });
 }

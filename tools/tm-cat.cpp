@@ -59,17 +59,17 @@ void append(Document& all, const Document& other, tool::Run& run) {
   if (other.style.coordinate == Scalar::float64) all.style.coordinate = Scalar::float64;
 }
 
-Document concatenate(std::vector<Document> documents, tool::Run& run) {
-  Document all = std::move(documents[0]);
-  for (std::size_t i = 1; i < documents.size(); ++i) append(all, documents[i], run);
+void concatenate(tool::Run& run) {
+  std::vector<Document>& documents = run.documents();
+  for (std::size_t i = 1; i < documents.size(); ++i) append(documents[0], documents[i], run);
   run.report("meshes", documents.size());
-  return all;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  tool::Program program("tm-cat", "[OPTION]... [INPUT]...", "Concatenates meshes");
+  tool::Program program("tm-cat", "[OPTION]... [INPUT]...", "Concatenates meshes",
+                        tool::Reads::meshes);
   program.epilog("The union of overlapping bodies: tm-cat a.ply b.ply | tm-clean > union.ply");
-  return program.combine(argc, argv, concatenate);
+  return program.run(argc, argv, concatenate);
 }

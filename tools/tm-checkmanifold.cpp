@@ -70,7 +70,7 @@ Certificate certify_document(const Document& document, const Mesh& input, const 
   return certificate;
 }
 
-bool check(const Document& document, const Options& options, tool::Run& run) {
+void check(const Document& document, const Options& options, tool::Run& run) {
   const Mesh& mesh = document.mesh;
   const bool certifies = !options.certify.empty();
   if (options.level && !certifies) throw UsageError("--level needs --certify INPUT");
@@ -93,7 +93,8 @@ bool check(const Document& document, const Options& options, tool::Run& run) {
   std::erase(problems, "");
   if (!problems.empty()) run.report("problem", problems.front());
   if (!problems.empty() && options.pass) run.note(problems.front());
-  return problems.empty();
+  if (!problems.empty()) run.write_nothing();
+  run.answer(problems.empty());
 }
 
 }  // namespace
@@ -101,7 +102,8 @@ bool check(const Document& document, const Options& options, tool::Run& run) {
 int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-checkmanifold", "[OPTION]... [INPUT]",
-                        "Checks that a mesh is an oriented manifold, and says where it is not");
+                        "Checks that a mesh is an oriented manifold, and says where it is not",
+                        tool::Reads::mesh, tool::Writes::answer);
   program.flag("closed", &options.closed, "a border is a problem too");
   program.flag("intersections", &options.intersections, "faces that intersect are a problem too");
   program.text("certify", &options.certify, "FILE",
@@ -109,7 +111,6 @@ int main(int argc, char** argv) {
   program.integer("level", &options.level, 1, 1000000, "the level of --certify (default: 1)");
   program.flag("pass", &options.pass,
                "pass the mesh on; on a problem write nothing and exit with 1");
-  return program.predicate_or_filter(
-      argc, argv, &options.pass,
-      [&](Document& document, tool::Run& run) { return check(document, options, run); });
+  program.write_mesh_if([&] { return options.pass; });
+  return program.run(argc, argv, [&](tool::Run& run) { check(run.document(), options, run); });
 }

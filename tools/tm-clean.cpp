@@ -68,7 +68,6 @@ int main(int argc, char** argv) {
   program.flag("refuse", &options.clean.refuse, "exit 4 rather than change anything");
   program.flag("source-face", &options.source_faces,
                "write the input face of each face as the face property source_face");
-  return program.filter(argc, argv, [&](Document& document, tool::Run& run) {
-    clean_document(document, options, run);
-  });
+  return program.run(argc, argv,
+                     [&](tool::Run& run) { clean_document(run.document(), options, run); });
 }

@@ -15,14 +15,14 @@ struct Options {
   long seed = static_cast<long>(CompareOptions().seed);
 };
 
-bool compare_with_reference(const Document& document, const Options& options, tool::Run& run) {
+void compare_with_reference(const Options& options, tool::Run& run) {
   const Mesh reference = run.read(options.reference).mesh;
   run.set_basis(bounding_box(reference).diagonal());
   CompareOptions library_options;
   library_options.samples = static_cast<std::size_t>(options.samples);
   library_options.seed = static_cast<std::uint64_t>(options.seed);
   library_options.distance = run.length(options.distance);
-  const Comparison found = compare(document.mesh, reference, library_options, run.progress());
+  const Comparison found = compare(run.document().mesh, reference, library_options, run.progress());
 
   run.report("accuracy", found.accuracy);
   run.report("completeness", found.completeness);
@@ -32,7 +32,7 @@ bool compare_with_reference(const Document& document, const Options& options, to
   run.report("hausdorff_to_reference", found.hausdorff_to_reference);
   run.report("hausdorff_from_reference", found.hausdorff_from_reference);
   run.report("volume_difference", found.volume_difference);
-  return !options.within || found.hausdorff <= run.length(*options.within);
+  run.answer(!options.within || found.hausdorff <= run.length(*options.within));
 }
 
 }  // namespace
@@ -40,7 +40,8 @@ bool compare_with_reference(const Document& document, const Options& options, to
 int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-compare", "--reference FILE [OPTION]... [INPUT]",
-                        "Measures the distances between a mesh and a reference");
+                        "Measures the distances between a mesh and a reference", tool::Reads::mesh,
+                        tool::Writes::answer);
   program.text("reference", &options.reference, "FILE", "the mesh or points to compare with");
   program.require("reference");
   program.length("distance", &options.distance,
@@ -49,7 +50,5 @@ int main(int argc, char** argv) {
   program.integer("samples", &options.samples, 0, 1000000000,
                   "points by area on each surface; vertices are measured too");
   program.seed(&options.seed);
-  return program.predicate(argc, argv, [&](Document& document, tool::Run& run) {
-    return compare_with_reference(document, options, run);
-  });
+  return program.run(argc, argv, [&](tool::Run& run) { compare_with_reference(options, run); });
 }

@@ -7,5 +7,5 @@ int main(int argc, char** argv) {
   program.epilog(
       "The output's format is that of --format, else of the name given with -o (.ply .off .obj\n"
       ".stl), else of the input.");
-  return program.filter(argc, argv, [](Document&, tool::Run&) {});
+  return program.run(argc, argv, [](tool::Run&) {});
 }

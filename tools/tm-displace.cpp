@@ -66,6 +66,5 @@ int main(int argc, char** argv) {
   program.epilog(
       "Velocities are the vertex properties vx vy vz. Any program may compute them:\n"
       "  my-velocities < a.ply | tm-displace | tm-clean | tm-remesh > b.ply");
-  return program.filter(argc, argv,
-                        [&](Document& document, tool::Run& run) { move(document, options, run); });
+  return program.run(argc, argv, [&](tool::Run& run) { move(run.document(), options, run); });
 }

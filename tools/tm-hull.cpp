@@ -41,7 +41,7 @@ double share_to_keep(const std::string& keep) {
   return share.value;
 }
 
-Document make(const Options& options, tool::Run& run) {
+void make(const Options& options, tool::Run& run) {
   HullOptions hull;
   hull.resolution = static_cast<int>(options.resolution);
   hull.keep = share_to_keep(options.keep);
@@ -57,9 +57,7 @@ Document make(const Options& options, tool::Run& run) {
   run.report("cell", result.cell);
   run.report("dropped_components", result.dropped_components);
   if (!options.outlines.empty()) tool::write_outlines(result.mesh, views, options.outlines, run);
-  Document document;
-  document.mesh = std::move(result.mesh);
-  return document;
+  run.document().mesh = std::move(result.mesh);
 }
 
 }  // namespace
@@ -67,7 +65,7 @@ Document make(const Options& options, tool::Run& run) {
 int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-hull", "[OPTION]... --cameras WHERE --silhouettes WHERE",
-                        "Makes the visual hull of calibrated silhouettes");
+                        "Makes the visual hull of calibrated silhouettes", tool::Reads::nothing);
   declare(program, options);
-  return program.source(argc, argv, [&](tool::Run& run) { return make(options, run); });
+  return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

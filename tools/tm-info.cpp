@@ -25,8 +25,8 @@ void report_topology(const Mesh& mesh, std::size_t edges, tool::Run& run) {
   run.report("boundary_loops", boundary_loops);
 }
 
-void describe(const Document& document, tool::Run& run) {
-  const Mesh& mesh = document.mesh;
+void describe(tool::Run& run) {
+  const Mesh& mesh = run.document().mesh;
   run.progress()("measuring");
   const EdgeLengths lengths = edge_lengths(mesh);
   report_topology(mesh, lengths.count, run);
@@ -51,12 +51,13 @@ void describe(const Document& document, tool::Run& run) {
 int main(int argc, char** argv) {
   std::string key;
   tool::Program program("tm-info", "[OPTION]... [INPUT]",
-                        "Describes a mesh: counts, topology, sizes, triangle quality");
+                        "Describes a mesh: counts, topology, sizes, triangle quality",
+                        tool::Reads::mesh, tool::Writes::report);
   program.choice("get", &key,
                  {"vertices", "faces", "edges", "components", "genus", "boundary_loops", "area",
                   "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min", "edge_max",
                   "angle_min", "angle_min_mean", "valence6"},
                  "print the value of this key only");
   program.print_only(&key);
-  return program.description(argc, argv, describe);
+  return program.run(argc, argv, describe);
 }

@@ -44,7 +44,7 @@ void count_per_face(Mesh& mesh, const std::vector<FacePair>& pairs) {
   }
 }
 
-bool intersect(Document& document, const Options& options, tool::Run& run) {
+void intersect(Document& document, const Options& options, tool::Run& run) {
   const std::vector<FacePair> pairs = find_intersections(document.mesh, run.progress());
   run.report("pairs", pairs.size());
   if (!options.pairs.empty()) run.write(options.pairs, pair_lines(pairs));
@@ -53,7 +53,7 @@ bool intersect(Document& document, const Options& options, tool::Run& run) {
   }
   count_per_face(document.mesh, pairs);
   if (options.refine) document.mesh = refine(document.mesh, run.progress());
-  return pairs.empty() || !options.check;
+  run.answer(pairs.empty() || !options.check);
 }
 
 }  // namespace
@@ -61,7 +61,8 @@ bool intersect(Document& document, const Options& options, tool::Run& run) {
 int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-intersect", "[OPTION]... [INPUT]",
-                        "Finds the pairs of faces that intersect");
+                        "Finds the pairs of faces that intersect", tool::Reads::mesh,
+                        tool::Writes::answer);
   program.flag("check", &options.check,
                "print the number of pairs; exit 1 where there are any, write no mesh");
   program.text("pairs", &options.pairs, "FILE", "write the pairs of face numbers as text");
@@ -70,7 +71,6 @@ int main(int argc, char** argv) {
                "split faces along the intersections; source_face tells where they come from");
   program.keep_out_of_provenance("pairs");
   program.keep_out_of_provenance("segments");
-  return program.filter_or_predicate(
-      argc, argv, &options.check,
-      [&](Document& document, tool::Run& run) { return intersect(document, options, run); });
+  program.write_mesh_if([&] { return !options.check; });
+  return program.run(argc, argv, [&](tool::Run& run) { intersect(run.document(), options, run); });
 }

@@ -75,6 +75,5 @@ int main(int argc, char** argv) {
   program.epilog(
       "One iteration of an evolution, which tm-morph repeats:\n"
       "  tm-morph-step --target b.ply < a.ply | tm-clean | tm-remesh > next.ply");
-  return program.filter(argc, argv,
-                        [&](Document& document, tool::Run& run) { step(document, options, run); });
+  return program.run(argc, argv, [&](tool::Run& run) { step(run.document(), options, run); });
 }

@@ -42,6 +42,5 @@ int main(int argc, char** argv) {
       "One iteration of a reconstruction, which goes on from coarse to fine:\n"
       "  tm-photo-step --cameras par.txt --images photos --scale 4 < a.ply |\n"
       "    tm-clean | tm-remesh > next.ply");
-  return program.filter(argc, argv,
-                        [&](Document& document, tool::Run& run) { step(document, options, run); });
+  return program.run(argc, argv, [&](tool::Run& run) { step(run.document(), options, run); });
 }

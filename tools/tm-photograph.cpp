@@ -49,8 +49,8 @@ void declare(tool::Program& program, Options& options) {
   program.seed(&options.seed);
 }
 
-std::string photograph(const std::string& input, Options& options, tool::Run& run) {
-  const Mesh mesh = run.read(input).mesh;
+void photograph(Options& options, tool::Run& run) {
+  const Mesh mesh = run.read(run.input()).mesh;
   if (!(bounding_box(mesh).diagonal() > 0)) throw InputError("the mesh is empty or a single point");
   run.set_basis(bounding_box(mesh).diagonal());
   CameraRing ring;
@@ -65,7 +65,7 @@ std::string photograph(const std::string& input, Options& options, tool::Run& ru
   options.files.texture = {static_cast<int>(options.files.waves), run.length(options.finest),
                            run.length(options.coarsest), static_cast<std::uint64_t>(options.seed)};
   options.files.sensor.seed = static_cast<std::uint64_t>(options.seed);
-  return tool::write_photographs(mesh, ring, options.files, run);
+  run.write_output(tool::write_photographs(mesh, ring, options.files, run));
 }
 
 }  // namespace
@@ -73,9 +73,8 @@ std::string photograph(const std::string& input, Options& options, tool::Run& ru
 int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-photograph", "[OPTION]... [INPUT]",
-                        "Takes photographs of a mesh, and writes their cameras");
+                        "Takes photographs of a mesh, and writes their cameras", tool::Reads::file,
+                        tool::Writes::text);
   declare(program, options);
-  return program.converter(argc, argv, [&](const std::string& input, tool::Run& run) {
-    return photograph(input, options, run);
-  });
+  return program.run(argc, argv, [&](tool::Run& run) { photograph(options, run); });
 }

@@ -26,7 +26,6 @@ int main(int argc, char** argv) {
                         "Keeps edges between two lengths and triangles round");
   tool::declare_remeshing(program, choices);
   program.epilog("After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply");
-  return program.filter(argc, argv, [&](Document& document, tool::Run& run) {
-    remesh_document(document, choices, run);
-  });
+  return program.run(argc, argv,
+                     [&](tool::Run& run) { remesh_document(run.document(), choices, run); });
 }

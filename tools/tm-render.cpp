@@ -45,7 +45,7 @@ void declare(tool::Program& program, Options& options) {
   program.flag("edges", &picture.shade.draw_edges, "draw the edges of the faces");
 }
 
-std::string render(const std::vector<Document>& documents, const Options& options, tool::Run& run) {
+void render(const Options& options, tool::Run& run) {
   PictureOptions picture = options.picture;
   std::tie(picture.width, picture.height) = parse_size(options.size);
   std::tie(picture.orbit.azimuth_deg, picture.orbit.elevation_deg) = parse_orbit(options.orbit);
@@ -59,20 +59,18 @@ std::string render(const std::vector<Document>& documents, const Options& option
   const Mesh around = options.around.empty() ? Mesh{} : run.read(options.around).mesh;
   if (!options.around.empty()) picture.around = &around;
   std::vector<const Mesh*> meshes;
-  meshes.reserve(documents.size());
-  for (const Document& document : documents) meshes.push_back(&document.mesh);
+  for (const Document& document : run.documents()) meshes.push_back(&document.mesh);
   run.report("meshes", meshes.size());
-  return write_png(draw_picture(meshes, picture, run.progress()));
+  run.write_output(write_png(draw_picture(meshes, picture, run.progress())));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-render", "[OPTION]... [INPUT]...", "Draws meshes as a PNG picture");
+  tool::Program program("tm-render", "[OPTION]... [INPUT]...", "Draws meshes as a PNG picture",
+                        tool::Reads::meshes, tool::Writes::picture);
   declare(program, options);
   program.epilog("Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png");
-  return program.picture(argc, argv, [&](const std::vector<Document>& documents, tool::Run& run) {
-    return render(documents, options, run);
-  });
+  return program.run(argc, argv, [&](tool::Run& run) { render(options, run); });
 }

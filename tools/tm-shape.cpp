@@ -50,19 +50,18 @@ void resolve_lengths(ShapeOptions& shape, const Options& options, tool::Run& run
   resolve(options.edge, shape.edge);
 }
 
-Document make(const Options& options, tool::Run& run) {
+void make(const Options& options, tool::Run& run) {
   ShapeOptions shape = plain_options(options, run);
   resolve_lengths(shape, options, run);
-  Document document;
-  document.mesh = make_shape(shape, run.progress());
-  return document;
+  run.document().mesh = make_shape(shape, run.progress());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh");
+  tool::Program program("tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh",
+                        tool::Reads::nothing);
   program.words(&options.words, "KIND [PARAMETER]...", "what to make, see below");
   program.integer("faces", &options.faces, 1, 1000000000, "how many, about (default 10000)");
   program.length("edge", &options.edge, "or how long their edges are on average, about");
@@ -79,5 +78,5 @@ int main(int argc, char** argv) {
       "Kinds: sphere, dented, ellipsoid A B C, box A B C, torus, genus N, torus-knot P Q,\n"
       "two-spheres, tori, dumbbell, bowl, figure T; crossing themselves: folded\n"
       "sphere|torus, tangle P Q, many-spheres, boxes, pinch. Every parameter has a default.");
-  return program.source(argc, argv, [&](tool::Run& run) { return make(options, run); });
+  return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   program.flag("orient", &options.orient,
                "turn faces so that neighbors agree; closed components then look outwards");
   program.flag("flip", &options.flip, "reverse all faces");
-  return program.filter(argc, argv, [&](Document& document, tool::Run& run) {
-    stitch_document(document, options, tolerance, run);
+  return program.run(argc, argv, [&](tool::Run& run) {
+    stitch_document(run.document(), options, tolerance, run);
   });
 }

@@ -28,10 +28,10 @@ Mesh wrap_positions(const std::vector<Vec3>& positions, const Options& options, 
   return std::move(result.mesh);
 }
 
-Document wrap(const std::string& input, const Options& options, tool::Run& run) {
+void wrap(const Options& options, tool::Run& run) {
   run.progress()("read");
-  const std::string name = input_name(input);
-  const Mesh cloud = read_mesh_or_points(run.read_bytes(input), name);
+  const std::string name = input_name(run.input());
+  const Mesh cloud = read_mesh_or_points(run.read_bytes(run.input()), name);
   const std::vector<Vec3> normals =
       cloud.faces.empty() ? stored_normals(cloud) : std::vector<Vec3>();
   if (options.method == "poisson" && normals.empty())
@@ -42,17 +42,16 @@ Document wrap(const std::string& input, const Options& options, tool::Run& run) 
   run.report("method", is_poisson ? "poisson" : "alpha");
 
   run.progress()("wrap");
-  Document document;
-  document.mesh = is_poisson ? poisson_wrap(cloud.positions, normals)
-                             : wrap_positions(cloud.positions, options, run);
-  return document;
+  run.document().mesh = is_poisson ? poisson_wrap(cloud.positions, normals)
+                                   : wrap_positions(cloud.positions, options, run);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-wrap", "[OPTION]... [POINTS]", "Wraps points in a rough closed mesh");
+  tool::Program program("tm-wrap", "[OPTION]... [POINTS]", "Wraps points in a rough closed mesh",
+                        tool::Reads::file);
   program.choice("method", &options.method, {"auto", "poisson", "alpha"},
                  "poisson needs normals; auto: poisson where there are normals, else alpha");
   program.length(
@@ -61,7 +60,5 @@ int main(int argc, char** argv) {
       "not get in between the points)");
   program.length("offset", &options.offset, "of alpha: how far from the points");
   program.epilog("POINTS are PLY, OFF or lines of x y z [nx ny nz]; of a mesh, its vertices.");
-  return program.maker(argc, argv, [&](const std::string& input, tool::Run& run) {
-    return wrap(input, options, run);
-  });
+  return program.run(argc, argv, [&](tool::Run& run) { wrap(options, run); });
 }

@@ -1,6 +1,6 @@
 /// The frame around every program: the only place that touches argv, the standard streams, signals
-/// and exit codes. A program declares its options, hands over one function, and returns what the
-/// frame returns. CLI.md is the contract that the frame keeps for all of them.
+/// and exit codes. A program says what it reads and writes, declares its options, and hands over
+/// one function. CLI.md is the contract that the frame keeps for all of them.
 #pragma once
 
 #include <functional>
@@ -9,53 +9,29 @@
 #include <string>
 #include <vector>
 
-#include "tm/io/document.h"
+#include "run.h"
 #include "tm/support/length.h"
-#include "tm/support/progress.h"
 
 namespace transformesh::tool {
 
-/// What a program's function may ask for and say while it runs.
-class Run {
- public:
-  virtual ~Run() = default;
-  /// Input units. 1% is of the diagonal of the mesh read (or of `set_basis`), 0.7x of the reference
-  /// edge: the tm:reference-edge comment, else the mean edge, which is then written as that
-  /// comment.
-  virtual double length(const Length& length) = 0;
-  /// The mean edge length that `x` refers to.
-  virtual double reference_edge() = 0;
-  /// For programs that make a mesh: what 1% refers to.
-  virtual void set_basis(double diagonal) = 0;
+struct Command;
 
-  /// Reads a further mesh named by an option.
-  virtual Document read(const std::string& path) = 0;
-  /// Reads a further file as bytes.
-  virtual std::string read_bytes(const std::string& path) = 0;
-  /// Writes a further file, complete or not at all, once the program has succeeded.
-  virtual void write(const std::string& path, std::string bytes) = 0;
-  /// The same in a folder, which is made where it is missing.
-  virtual void write_into(const std::string& folder, const std::string& name,
-                          std::string bytes) = 0;
+/// What the words are that are no options.
+enum class Reads {
+  nothing,
+  mesh,    ///< one at most, and stdin where none is named
+  meshes,  ///< any number, likewise
+  file     ///< one file at most, likewise, which the body reads
+};
 
-  /// One line on stderr unless -q.
-  virtual void note(const std::string& message) = 0;
-  /// One line on stderr with -v.
-  virtual void detail(const std::string& message) = 0;
-
-  /// Entries of --report (and of stdout for predicates), in this order. Names are lower case with
-  /// underscores. Points are three numbers.
-  virtual void report(const std::string& key, double value) = 0;
-  virtual void report(const std::string& key, long value) = 0;
-  virtual void report(const std::string& key, bool value) = 0;
-  virtual void report(const std::string& key, const std::string& value) = 0;
-  virtual void report(const std::string& key, const std::vector<double>& values) = 0;
-  void report(const std::string& key, std::size_t value) { report(key, static_cast<long>(value)); }
-  void report(const std::string& key, int value) { report(key, static_cast<long>(value)); }
-  void report(const std::string& key, const char* value) { report(key, std::string(value)); }
-
-  /// Hand this to the library; phases are timed for the report.
-  virtual const Progress& progress() = 0;
+/// What goes to -o, which is stdout by default.
+enum class Writes {
+  mesh,
+  evolved_mesh,  ///< the end of an evolution: PLY, whatever the format of the input
+  picture,       ///< bytes that are nothing for a terminal
+  text,
+  report,  ///< `key: value` lines, or JSON with --json
+  answer   ///< the same, and the exit code is 1 for a no
 };
 
 /// A program's name, description and options. Options are named without dashes and bound to
@@ -64,7 +40,8 @@ class Run {
 class Program {
  public:
   /// `summary` is one line without full stop; `synopsis` the usage without the program's name.
-  Program(std::string name, std::string synopsis, std::string summary);
+  Program(std::string name, std::string synopsis, std::string summary, Reads reads = Reads::mesh,
+          Writes writes = Writes::mesh);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -93,6 +70,8 @@ class Program {
   /// Positional words before the input (tm-shape KIND PARAMETERS...): all words are these.
   void words(std::vector<std::string>* values, const std::string& placeholder,
              const std::string& help);
+  /// --reference-edge as an option of an evolution's own: `value` is auto or a length.
+  void reference_edge(const std::string& value, const std::string& help);
   /// --seed, one spelling everywhere.
   void seed(long* value);
 
@@ -105,40 +84,18 @@ class Program {
   /// Paragraphs shown after the options by --help: examples, formulas.
   void epilog(std::string text);
 
-  /// Each runs the program and returns the exit code.
-  /// One mesh in, the same document out as changed by `body`.
-  int filter(int argc, char** argv, const std::function<void(Document&, Run&)>& body);
-  /// No mesh in.
-  int source(int argc, char** argv, const std::function<Document(Run&)>& body);
-  /// Any number of meshes in (stdin where none is named), one out.
-  int combine(int argc, char** argv,
-              const std::function<Document(std::vector<Document>, Run&)>& body);
-  /// One mesh in, the report on stdout as `key: value` lines, or JSON with --json; exit 0 for true
-  /// and 1 for false.
-  int predicate(int argc, char** argv, const std::function<bool(Document&, Run&)>& body);
-  /// The same without an answer: exit 0.
-  int description(int argc, char** argv, const std::function<void(Document&, Run&)>& body);
-  /// A filter that becomes a predicate while *is_predicate holds after parsing. As a filter it
-  /// writes no mesh and exits with 1 where the body returns false.
-  int filter_or_predicate(int argc, char** argv, const bool* is_predicate,
-                          const std::function<bool(Document&, Run&)>& body);
-  /// The same, a filter while *is_filter holds after parsing.
-  int predicate_or_filter(int argc, char** argv, const bool* is_filter,
-                          const std::function<bool(Document&, Run&)>& body);
-  /// Any number of meshes in (stdin where none is named), bytes that are not a mesh out.
-  int picture(int argc, char** argv,
-              const std::function<std::string(std::vector<Document>, Run&)>& body);
-  /// A file that is no mesh in: what the user named, or `-` for stdin; bytes out.
-  int converter(int argc, char** argv,
-                const std::function<std::string(const std::string& input, Run&)>& body);
+  /// While this holds after parsing, a mesh is written and not the answer.
+  void write_mesh_if(std::function<bool()> condition);
 
-  /// The same with a mesh out, which is written as a program without input writes it.
-  int maker(int argc, char** argv,
-            const std::function<Document(const std::string& input, Run&)>& body);
+  /// Runs the program and returns its exit code.
+  int run(int argc, char** argv, const std::function<void(Run&)>& body);
 
  private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  int run_unguarded(const std::vector<std::string>& arguments,
+                    const std::function<void(Run&)>& body);
+
+  std::unique_ptr<Command> command_;
+  Terminal terminal_;
 };
 
 }  // namespace transformesh::tool

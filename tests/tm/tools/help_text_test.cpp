@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "command.h"
+
 using namespace transformesh;
 using namespace transformesh::tool;
 
@@ -9,7 +11,11 @@ TEST_CASE("help is made from the table") {
   Length edge{0.01, Length::Unit::diagonal};
   bool keep = false;
   std::string kind = "sphere";
-  OptionTable table;
+  Command command{"tm-x", "[OPTION]... KIND", "Does it"};
+  command.words_placeholder = "KIND";
+  command.words_help = "which";
+  command.epilogs = {"Once more."};
+  OptionTable& table = command.table;
   table.add(length_option("edge", &edge, "mean edge length", false));
   table.add(flag_option("keep-border", &keep,
                         "leave every border as it is, which means that no vertex of it moves and "
@@ -18,8 +24,7 @@ TEST_CASE("help is made from the table") {
   common.is_common = true;
   common.short_name = 'k';
   table.add(common);
-  const Description program{"tm-x", "[OPTION]... KIND", "Does it", "KIND", "which", {"Once more."}};
-  CHECK(help_text(program, table, Kind{}) == R"(Usage: tm-x [OPTION]... KIND
+  CHECK(help_text(command) == R"(Usage: tm-x [OPTION]... KIND
 
 Does it.
 

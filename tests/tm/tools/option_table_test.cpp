@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "common_options.h"
+#include "command.h"
 #include "tm/support/error.h"
 
 using namespace transformesh;
@@ -116,9 +116,10 @@ TEST_CASE("missing and superfluous values are told") {
 }
 
 TEST_CASE("short options of the common section") {
-  CommonOptions values;
-  OptionTable table;
-  add_common_options(table, Kind{}, values);
+  Command command{"tm-x", "", ""};
+  add_common_options(command);
+  const CommonOptions& values = command.common;
+  OptionTable& table = command.table;
   table.parse({"-qo", "a.ply", "--threads", "2", "--reference-edge", "auto"});
   CHECK(values.quiet);
   CHECK(values.output == "a.ply");

@@ -84,3 +84,21 @@ TEST_CASE("a bar appears after a while, is redrawn at most ten times a second, a
   for (std::size_t at = 0; (at = text.find("flipping", at)) != std::string::npos; ++at) ++redraws;
   CHECK(redraws == 3);
 }
+
+TEST_CASE("lines of progress are shown as asked for, one each, and never with -q") {
+  const auto calls = [](bool quiet, bool progress) {
+    return printed([=](Terminal& terminal) {
+      terminal.configure(quiet, false, progress, false);
+      terminal.progress_line("iteration 1");
+      terminal.progress_line("iteration 2");
+    });
+  };
+  CHECK(calls(false, false) == "");
+  CHECK(calls(true, true) == "");
+  CHECK(calls(false, true) == "tm-x: iteration 1\ntm-x: iteration 2\n");
+  CHECK(printed([](Terminal& terminal) {
+          terminal.set_progress_style(ProgressStyle::bar);
+          terminal.progress_line("iteration 1");
+          terminal.error("broken");
+        }) == "\r\033[Ktm-x: iteration 1\r\033[Ktm-x: broken\n");
+}

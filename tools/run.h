@@ -1,0 +1,149 @@
+/// One run of a program, as its body sees it: what was read, what relative lengths amount to, what
+/// to say, and what to write.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "length_basis.h"
+#include "output.h"
+#include "phases.h"
+#include "report.h"
+#include "terminal.h"
+#include "tm/io/document.h"
+#include "tm/io/streams.h"
+#include "tm/support/length.h"
+#include "tm/support/progress.h"
+
+namespace transformesh::tool {
+
+struct Command;
+struct Option;
+
+class Run {
+ public:
+  Run(Command& command, Terminal& terminal);
+
+  /// The mesh read, which a program that writes a mesh changes; empty where none was read.
+  Document& document() { return documents_.front(); }
+  std::vector<Document>& documents() { return documents_; }
+  /// What the user named, or `-` for stdin.
+  const std::string& input() const;
+  const std::string& output() const;
+  /// Reads a further mesh or file named by an option.
+  Document read(const std::string& path);
+  std::string read_bytes(const std::string& path);
+
+  /// Input units. 1% is of the diagonal of the mesh read (or of `set_basis`), 0.7x of the reference
+  /// edge: the tm:reference-edge comment, else the mean edge, which is then written as that
+  /// comment.
+  double length(const Length& length) { return basis_.resolve(length); }
+  /// The mean edge length that `x` refers to.
+  double reference_edge() { return basis_.reference_edge(); }
+  /// For programs that read no mesh: what 1% refers to.
+  void set_basis(double diagonal) { basis_.set_diagonal(diagonal); }
+
+  /// One line on stderr unless -q.
+  void note(const std::string& message) { terminal_.note(message); }
+  /// One line on stderr with -v.
+  void detail(const std::string& message) { terminal_.detail(message); }
+  /// Hand this to the library; phases are timed for the report.
+  const Progress& progress() const { return progress_; }
+
+  /// Entries of --report (and of stdout for predicates), in this order. Names are lower case with
+  /// underscores. Points are three numbers.
+  template <typename Value>
+  void report(const std::string& key, const Value& value) {
+    constexpr bool is_integer = std::is_integral_v<Value> && !std::is_same_v<Value, bool>;
+    if constexpr (is_integer) {
+      report_.set(key, static_cast<long>(value));
+    } else {
+      report_.set(key, value);
+    }
+  }
+  /// A no is exit code 1.
+  void answer(bool is_yes) { answer_ = is_yes; }
+
+  /// What goes to -o of a program that writes no mesh.
+  void write_output(std::string bytes) { bytes_ = std::move(bytes); }
+  /// Nothing goes to -o.
+  void write_nothing() { writes_nothing_ = true; }
+  /// Writes a further file, complete or not at all, once the program has succeeded.
+  void write(const std::string& path, std::string bytes);
+  /// The same in a folder, which is made where it is missing.
+  void write_into(const std::string& folder, const std::string& name, std::string bytes);
+
+  /// For an evolution, which may run for hours and be continued:
+  /// Throws UsageError where two of these options (names without dashes) name the same file, and
+  /// OutputError where one of the files cannot be written.
+  void check_outputs(const std::vector<std::string>& options);
+  /// The mesh named as input, to be changed; relative lengths refer to it from now on.
+  Document& read_input();
+  /// Instead: a mesh whose comments hold the reference edge and the provenance already.
+  Document& continue_from(Document document);
+  /// Adds the comments that the output will have, so that all meshes on the way have the same.
+  void stamp(Document& document);
+  /// A signal is told from now on, with the advice to --resume where that can be done.
+  void resumable(bool is_resumable);
+  /// Shown in the place of the progress bar, or as a line of its own with --progress.
+  void progress_line(const std::string& text) { terminal_.progress_line(text); }
+  /// The failure that the body is about to throw leaves something: document() is written to -o all
+  /// the same. After its message comes `stopped; 'OUT' holds what`, or `is not written`.
+  void keep(const std::string& stopped, const std::string& what) { kept_ = {stopped, what}; }
+  /// Called when all outputs have their names. The body has ended by then.
+  void when_written(std::function<void()> hook) { when_written_ = std::move(hook); }
+
+ private:
+  friend class Program;
+  struct Counts {
+    void add(const Mesh& mesh);
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+  };
+
+  /// What the frame does before the body, and after it; returns the exit code.
+  void start();
+  int finish();
+  /// Instead of finish() where the body has failed and kept something.
+  void write_kept();
+
+  Bytes read_once(const std::string& path);
+  void read_meshes();
+  void set_output_style(Document& document);
+  void refuse_binary_on_terminal(Format format) const;
+  void refer_to(const Document& document);
+  std::optional<double> resolved(const Option& option);
+  void show_settings();
+  void show_report();
+  void write_mesh();
+  std::string report_text() const;
+  void write_bytes(std::string_view bytes);
+  nlohmann::ordered_json full_report();
+
+  Command& command_;
+  Terminal& terminal_;
+  LengthBasis basis_;
+  Phases phases_;
+  Progress progress_;
+  Report report_;
+  std::vector<Document> documents_;
+  std::string bytes_;
+  std::optional<Counts> input_counts_;
+  std::optional<Counts> output_counts_;
+  std::vector<std::pair<std::string, std::string>> further_files_;
+  std::optional<std::pair<std::string, std::string>> kept_;
+  std::function<void()> when_written_;
+  Outputs outputs_;
+  bool stdin_is_read_ = false;
+  bool settings_are_shown_ = false;
+  bool has_output_style_ = false;
+  bool is_stamped_ = false;
+  bool writes_nothing_ = false;
+  bool answer_ = true;
+};
+
+}  // namespace transformesh::tool
