@@ -1,6 +1,7 @@
 #include "photograph_files.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "tm/picture/png.h"
 #include "tm/picture/shade.h"
@@ -8,7 +9,6 @@
 #include "tm/views/cameras/file_list.h"
 #include "tm/views/cameras/view_files.h"
 #include "tm/views/hull/mesh_silhouette.h"
-#include "tm/views/hull/silhouette.h"
 #include "tm/views/images/gray_picture.h"
 
 namespace transformesh::tool {
@@ -25,18 +25,13 @@ CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
 
 void compare_silhouettes(const Mesh& mesh, const PhotographFiles& files, Run& run) {
   if (files.cameras.empty()) throw UsageError("--compare-silhouettes needs --cameras");
-  double sum = 0;
-  double least = 1;
   const std::vector<View> views = views_from({files.cameras, "", files.masks});
-  for (const View& view : views) {
-    const Camera camera{view.camera.projection(), view.silhouette.width, view.silhouette.height};
-    const double agreement = silhouette_agreement(mesh_silhouette(mesh, camera), view.silhouette);
-    run.detail(view.name + ": silhouettes agree by " + shortest_text(agreement));
-    sum += agreement;
-    least = std::min(least, agreement);
-  }
+  const std::vector<double> agreements = silhouette_agreements(mesh, views);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    run.detail(views[i].name + ": silhouettes agree by " + shortest_text(agreements[i]));
+  const double sum = std::accumulate(agreements.begin(), agreements.end(), 0.0);
   run.report("silhouette_agreement", sum / static_cast<double>(views.size()));
-  run.report("least_silhouette_agreement", least);
+  run.report("least_silhouette_agreement", *std::min_element(agreements.begin(), agreements.end()));
 }
 
 }  // namespace

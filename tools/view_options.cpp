@@ -18,12 +18,6 @@ std::optional<double> level_of(const std::string& threshold) {
   return level.value;
 }
 
-void add_silhouettes(std::vector<View>& views, ThresholdOptions threshold, Run& run) {
-  if (!threshold.level) threshold.level = agreed_level(views, threshold, run.progress());
-  run.report("threshold", *threshold.level);
-  for (View& view : views) view.silhouette = threshold_silhouette(view.image, threshold);
-}
-
 }  // namespace
 
 void declare_silhouettes(Program& program, SilhouetteOptions& options) {
@@ -49,7 +43,8 @@ std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& 
     throw UsageError("either --silhouettes or --images is needed");
   const ThresholdOptions threshold{level_of(options.threshold), options.blur, options.close};
   std::vector<View> views = views_from(options.sources);
-  if (!options.sources.images.empty()) add_silhouettes(views, threshold, run);
+  if (!options.sources.images.empty())
+    run.report("threshold", threshold_silhouettes(views, threshold, run.progress()));
   for (const View& view : views) {
     if (options.masks.empty()) break;
     const GrayImage mask = two_levels(view.silhouette);
@@ -60,11 +55,8 @@ std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& 
 
 void write_outlines(const Mesh& hull, const std::vector<View>& views, const std::string& folder,
                     Run& run) {
-  for (const View& view : views) {
-    const Camera camera{view.camera.projection(), view.silhouette.width, view.silhouette.height};
-    run.write_into(folder, view.name + ".png",
-                   write_png(picture_of(mesh_silhouette(hull, camera))));
-  }
+  for (const View& view : views)
+    run.write_into(folder, view.name + ".png", write_png(picture_of(mesh_silhouette(hull, view))));
 }
 
 }  // namespace transformesh::tool

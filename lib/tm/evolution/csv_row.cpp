@@ -22,4 +22,10 @@ std::string fixed(double value, int decimals) {
   return converted(value, std::chars_format::fixed, decimals);
 }
 
+double read_back(const std::string& text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
 }  // namespace transformesh

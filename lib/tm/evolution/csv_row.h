@@ -1,4 +1,4 @@
-/// One row of a CSV file of numbers, independent of the locale; and numbers in messages.
+/// One row of a CSV file of numbers, independent of the locale; and numbers as text and back.
 #pragma once
 
 #include <concepts>
@@ -10,6 +10,8 @@ namespace transformesh {
 std::string significant(double value, int digits);
 /// As printf's %f with so many decimals.
 std::string fixed(double value, int decimals);
+/// The number that either of them wrote.
+double read_back(const std::string& text);
 
 class CsvRow {
  public:

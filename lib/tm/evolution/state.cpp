@@ -65,6 +65,11 @@ void make_folder(const std::string& path) {
 
 }  // namespace
 
+double value_or(const Values& values, const std::string& key, double otherwise) {
+  const auto found = values.find(key);
+  return found == values.end() ? otherwise : found->second;
+}
+
 std::string text_of(const Values& values) {
   std::string text;
   for (const auto& [key, value] : values)

@@ -18,6 +18,7 @@ namespace transformesh {
 
 /// What a loop remembers between two iterations, by name: words without spaces.
 using Values = std::map<std::string, double>;
+double value_or(const Values& values, const std::string& key, double otherwise);
 
 struct State {
   std::string settings;  ///< in one line

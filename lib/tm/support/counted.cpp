@@ -6,7 +6,7 @@ std::string counted(std::size_t count, const std::string& noun) {
   const std::string number = std::to_string(count) + ' ';
   if (count == 1) return number + noun;
   if (noun.ends_with("vertex")) return number + noun.substr(0, noun.size() - 2) + "ices";
-  return number + noun + 's';
+  return number + noun + (noun.ends_with('s') ? "es" : "s");
 }
 
 std::string there_are(std::size_t count, const std::string& noun) {

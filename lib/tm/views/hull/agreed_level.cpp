@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -61,12 +62,9 @@ std::optional<double> hull_agreement(const std::vector<View>& views) {
   } catch (const InputError&) {
     return std::nullopt;
   }
-  double sum = 0;
-  for (const View& view : views) {
-    const Camera camera{view.camera.projection(), view.image.width, view.image.height};
-    sum += silhouette_agreement(mesh_silhouette(hull, camera), view.silhouette);
-  }
-  return sum / static_cast<double>(views.size());
+  const std::vector<double> agreements = silhouette_agreements(hull, views);
+  return std::accumulate(agreements.begin(), agreements.end(), 0.0) /
+         static_cast<double>(agreements.size());
 }
 
 struct Candidate {
@@ -101,6 +99,13 @@ double agreed_level(std::span<const View> views, const ThresholdOptions& options
     if (agreement) candidates.push_back({level, *agreement});
   }
   return candidates.empty() ? dividing : highest_of_best(candidates);
+}
+
+double threshold_silhouettes(std::vector<View>& views, ThresholdOptions options,
+                             const Progress& progress) {
+  if (!options.level) options.level = agreed_level(views, options, progress);
+  for (View& view : views) view.silhouette = threshold_silhouette(view.image, options);
+  return *options.level;
 }
 
 }  // namespace transformesh

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "tm/support/progress.h"
 #include "tm/views/cameras/view.h"
@@ -25,5 +26,10 @@ namespace transformesh {
 /// same for any number of threads.
 double agreed_level(std::span<const View> views, const ThresholdOptions& options = {},
                     const Progress& progress = {});
+
+/// Gives every view, which has an image, the silhouette of what is brighter than the level, or than
+/// the agreed one where options have none. Returns that level; throws as both functions do.
+double threshold_silhouettes(std::vector<View>& views, ThresholdOptions options = {},
+                             const Progress& progress = {});
 
 }  // namespace transformesh

@@ -24,6 +24,14 @@ void check(const PhotoStepOptions& options) {
     throw UsageError("the smoothing is to be from 0 to 1");
 }
 
+std::vector<ViewPair> compared_pairs(const std::vector<ViewPair>& pairs, PairOrder order) {
+  if (order == PairOrder::both) return pairs;
+  std::vector<ViewPair> result;
+  for (const ViewPair& pair : pairs)
+    if ((pair.first < pair.second) == (order == PairOrder::rising)) result.push_back(pair);
+  return result;
+}
+
 /// Curvatures with what damps them, so that none is 0 where anything is compared.
 std::vector<double> damped_curvature(const Photoconsistency& measured, double damping) {
   std::vector<double> result(measured.curvature);
@@ -120,7 +128,8 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
   const std::vector<SeenSurface> seen =
       see_surface(mesh, face_unit_normals(mesh), scene.views, options.least_cosine);
   const Photoconsistency measured =
-      photoconsistency(mesh, scene.views, seen, scene.pairs, options.photographs, progress);
+      photoconsistency(mesh, scene.views, seen, compared_pairs(scene.pairs, options.order),
+                       options.photographs, progress);
   if (measured.pixels == 0) throw InputError("no two views see the same part of the mesh");
   progress("move");
   const ContourGaps gaps = contour_gaps(mesh, scene.views, seen, scene.distances, options.meaning);

@@ -20,6 +20,9 @@
 namespace transformesh {
 
 enum class PhotoStepRule { gauss_newton, gradient };
+/// Of the pairs of views that are compared: those whose first index is the lower one, or the
+/// higher.
+enum class PairOrder { both, rising, falling };
 
 struct PhotoStepOptions {
   PhotoStepRule rule = PhotoStepRule::gauss_newton;
@@ -30,6 +33,7 @@ struct PhotoStepOptions {
   double smoothing = 0.1;    ///< of `gradient`; in [0, 1]
   double silhouettes = 1;    ///< pull of silhouettes; 1 is that of photographs; >= 0
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
+  PairOrder order = PairOrder::both;
   double least_cosine = 0.1;  ///< of ray and normal: faces seen more flatly are not compared; >= 0
   PhotoconsistencyOptions photographs;
 };

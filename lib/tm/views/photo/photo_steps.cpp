@@ -15,26 +15,18 @@ bool is_lost(const PhotoStepResult& before, const PhotoStepResult& after) {
          static_cast<double>(after.pixels) < least_pixels_kept * static_cast<double>(before.pixels);
 }
 
-std::vector<ViewPair> one_order(const std::vector<ViewPair>& pairs, bool lower_first) {
-  std::vector<ViewPair> result;
-  for (const ViewPair& pair : pairs) {
-    if ((pair.first < pair.second) == lower_first) result.push_back(pair);
-  }
-  return result;
-}
-
 }  // namespace
 
 PhotoStepsResult photo_steps(Mesh& mesh, const PhotoScene& scene, const PhotoStepsOptions& options,
                              const Progress& progress) {
   if (options.iterations < 1) throw UsageError("at least one iteration is needed");
-  PhotoScene compared = scene;
+  PhotoStepOptions step = options.step;
   PhotoStepsResult result;
   std::array<PhotoStepResult, 2> first_of_order;
   for (int i = 0; i < options.iterations; ++i) {
     const int order = options.alternate ? i % 2 : 0;
-    if (options.alternate) compared.pairs = one_order(scene.pairs, order == 0);
-    result.last = photo_step(mesh, compared, options.step, progress);
+    if (options.alternate) step.order = order == 0 ? PairOrder::rising : PairOrder::falling;
+    result.last = photo_step(mesh, scene, step, progress);
     if (i == 0) result.first = result.last;
     PhotoStepResult& before = first_of_order[static_cast<std::size_t>(order)];
     if (i == order) before = result.last;

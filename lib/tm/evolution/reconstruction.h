@@ -1,0 +1,63 @@
+/// From calibrated photographs to a closed surface without self-intersection (paper 5.3): from the
+/// visual hull, or a mesh given, towards agreement of the photographs, from coarse to fine. A pass
+/// is remesh(), photo_steps(), clean(). Its topology is what the photographs show: what the hull
+/// joins comes apart.
+///
+/// A coarse scale sees large errors, but its edges are long: where the first one fails or tears
+/// thin parts off, and was not asked for, the loop begins anew with the next finer one. At last,
+/// where the surface is at rest, windows that disagree pull less (robust_loss).
+///
+/// The result is converged where it has no fault (reconstruction_rules.h). Deterministic for any
+/// number of threads; the record of a run that was ended in any way continues to the same bytes.
+/// Throws what the stages throw, a failure of a pass with its number; the document is then that of
+/// the last good one.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tm/evolution/iteration.h"
+#include "tm/evolution/loop.h"
+#include "tm/evolution/reconstruction_start.h"
+#include "tm/evolution/scales.h"
+#include "tm/views/photo/photo_steps.h"
+
+namespace transformesh {
+
+struct ReconstructionOptions {
+  StartOptions start;
+  ScaleOptions scales;
+  std::size_t passes = 4;  ///< at a scale, at most; twice while the topology changes
+  int iterations = 5;      ///< steps in a pass
+  PairOptions pairs;
+  int window = 3;                               ///< radius in pixels
+  std::optional<double> robust = std::nullopt;  ///< the factor of robust_loss
+  double stiffness = 1;
+  double pull = 0.5;  ///< of masks; outlines of the hull, which are as if only the least was shown,
+                      ///< pull by a fifth of it
+  std::function<void(const std::string& message)> on_pass = {};
+  std::function<void(const std::string& message)> on_detail = {};
+};
+
+struct ReconstructionResult {
+  std::size_t passes = 0;  ///< earlier runs included
+  std::string fault;       ///< why it is not converged; empty where it is
+  Topology topology;
+  double pixel = 0;  ///< length of a pixel's side where the cameras look
+  std::size_t faces = 0;
+  PhotoStepResult first, last;  ///< of the start and of the result, at full scale; nothing moved
+};
+
+/// `views` have photographs and, where there are masks, silhouettes; else they get some, but for
+/// StartOptions. Of a document without a mesh given the comments count. In the record's folder
+/// `start.ply` and `hull.ply` are kept as well.
+ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
+                                 const ReconstructionOptions& options, Record& record,
+                                 const Progress& progress = Progress());
+
+/// For the log: "2 passes, 812 faces, components 1, genus 0; ...".
+std::string summary_of(const ReconstructionResult& result);
+
+}  // namespace transformesh

@@ -1,0 +1,100 @@
+/// What the passes of a reconstruction (paper 5.3) decide: plain values in, a verdict out.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "tm/evolution/iteration.h"
+#include "tm/evolution/state.h"
+
+namespace transformesh {
+
+struct PassMeasures {
+  double scale = 1;
+  std::size_t vertices = 0;
+  std::size_t outside = 0;   ///< of these, outside of a silhouette
+  double mean_share = 0;     ///< mean movement as a fraction of the local mean edge
+  double dissimilarity = 0;  ///< of photographs
+  /// Pixels compared, and their share in those that see the surface: in the last step of the pass,
+  /// and in its first one.
+  double coverage = 0, first_coverage = 0;
+  std::size_t pixels = 0, first_pixels = 0;
+  Topology topology;  ///< after the pass
+};
+
+struct PassVerdict {
+  bool is_done = false;     ///< go on with the next level
+  bool is_at_rest = false;  ///< hardly moves, and neither enters silhouettes nor changes topology
+  /// Since the level began the share of pixels that are compared fell by a tenth, or their number
+  /// by half: a surface that photographs agree on because less of it is compared.
+  bool is_lost = false;
+  /// Components or holes came or went at a scale below 2: films and necks do, and photographs hold
+  /// none.
+  bool is_late = false;
+};
+
+/// When a level of coarse to fine is done: where vertices move by less than 1.5 % of an edge or
+/// photographs agree by less than a hundredth better than after the pass before, or after so many
+/// passes; but while vertices come in from outside of silhouettes or the topology changes, not
+/// before twice as many.
+class LevelRule {
+ public:
+  explicit LevelRule(std::size_t passes = 4) : passes_(passes) {}
+
+  PassVerdict add(const PassMeasures& measures);
+  /// A level begins.
+  void begin() { *this = LevelRule(passes_); }
+  /// After the last pass, with the six digits that the rule remembers.
+  double dissimilarity() const { return before_.dissimilarity; }
+
+  Values values() const;
+  void restore(const Values& values);
+
+ private:
+  std::size_t passes_;
+  std::size_t done_ = 0;
+  struct {
+    double dissimilarity = 0;
+    std::size_t outside = 0;
+    Topology topology;
+  } before_;             ///< the last pass
+  double coverage_ = 0;  ///< that the level began with
+  std::size_t pixels_ = 0;
+};
+
+/// Whether edges were too long, so that thin parts of the object are gone, and with them a
+/// twentieth of the pixels that are compared. A start that was only too large loses fewer.
+bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now);
+
+/// Disagreement at which windows pull by a quarter, at last: `factor` times the mean, which is
+/// the dissimilarity. Without a factor it is 1 below a dissimilarity of 0.25 and 0 above, as there
+/// not a few windows are wrong. 0: all pull alike.
+double robust_loss(std::optional<double> factor, double dissimilarity);
+
+/// What keeps the end of a reconstruction from being converged.
+struct ReconstructionFaults {
+  double lost_at = 0;  ///< scale after which less of the surface was compared than before; 0: none
+  double late_at = 0;  ///< scale at which the topology changed late; 0: none
+  bool is_at_rest = false;
+};
+/// In words, empty where there is none.
+std::string fault_of(const ReconstructionFaults& faults);
+
+/// How good the surface of a time step is.
+struct SurfaceQuality {
+  double dissimilarity = 3;  ///< no surface has more than 2: one that was lost has all faults
+  double coverage = 0;
+  double least_agreement = 0;  ///< with a silhouette, over the views
+};
+
+/// What is worse than in the last surface that did not begin with the one before: `dissimilarity`
+/// by 1.3 times, `coverage` by a tenth, `silhouettes` by 0.03; joined by +.
+std::string tracking_faults(const SurfaceQuality& surface, const SurfaceQuality& reference);
+
+/// Whether a surface made anew is better than the one that was tracked: fewer faults, or as many
+/// and less dissimilarity.
+bool is_better(const SurfaceQuality& anew, const SurfaceQuality& tracked,
+               const SurfaceQuality& reference);
+
+}  // namespace transformesh

@@ -1,0 +1,57 @@
+#include "tm/evolution/scales.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tm/evolution/csv_row.h"
+#include "tm/io/mesh_io.h"
+#include "tm/mesh/measure.h"
+#include "tm/remesh/remesh.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double coarsest_pixels = 28.5;
+constexpr double largest_scale = 11.3;
+/// Of a scale or an edge that is nearly the one wanted.
+constexpr double tolerance = 0.999;
+
+double scale_after(int steps) { return std::exp(steps / 2.0 * std::log(2.0)); }
+
+Level rounded(double scale, double edge) {
+  return {read_back(fixed(scale, 4)), read_back(significant(edge, 9))};
+}
+
+}  // namespace
+
+std::vector<Level> coarse_to_fine(const ScaleOptions& options, int image_width, double pixel) {
+  const double coarsest =
+      options.coarsest.value_or(std::min(image_width / coarsest_pixels, largest_scale));
+  int steps = 0;
+  while (scale_after(steps) < coarsest * tolerance) ++steps;
+  std::vector<Level> levels;
+  for (; steps >= 0; --steps)
+    levels.push_back(rounded(scale_after(steps), options.edge * scale_after(steps) * pixel));
+  for (double edge = options.edge / std::numbers::sqrt2; edge > options.last_edge * tolerance;
+       edge /= std::numbers::sqrt2)
+    levels.push_back(rounded(1, edge * pixel));
+  return levels;
+}
+
+double edge_times(double factor, double edge) { return read_back(significant(factor * edge, 9)); }
+
+void coarsen(Document& document, double edge, const Progress& progress) {
+  double mean = edge_lengths(document.mesh).mean;
+  while (2 * mean < edge) {
+    mean = read_back(significant(2 * mean, 6));
+    RemeshOptions options;
+    options.min_edge = edge_times(0.7, mean);
+    options.max_edge = edge_times(1.4, mean);
+    options.coordinate = document.style.coordinate;
+    remesh(document.mesh, options, progress);
+    round_as_written(document);
+  }
+}
+
+}  // namespace transformesh

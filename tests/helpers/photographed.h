@@ -1,0 +1,42 @@
+/// Views of a textured mesh, as tm-photograph takes them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tm/views/cameras/camera_ring.h"
+#include "tm/views/cameras/view.h"
+#include "tm/views/photo/photograph.h"
+
+namespace transformesh::test {
+
+/// A ring around the origin, from where objects of radius 1 fill most of an image of 96x72.
+inline CameraRing small_ring(int count = 10) {
+  CameraRing ring;
+  ring.count = count;
+  ring.width = 96;
+  ring.height = 72;
+  ring.focal_length = 330;
+  ring.distance = 10.5;
+  return ring;
+}
+
+/// With photographs and masks.
+inline std::vector<View> photographed(const Mesh& mesh, const CameraRing& ring = small_ring()) {
+  const SolidTexture texture({.waves = 40, .finest = 0.2, .coarsest = 1});
+  std::vector<View> views;
+  for (const CameraRecord& record : camera_ring(ring).cameras) {
+    const Camera camera{record.camera.projection(), record.width, record.height};
+    Photograph photograph = take_photograph(mesh, camera, texture, views.size());
+    views.push_back({record.name, record.camera, std::move(photograph.image),
+                     std::move(photograph.silhouette)});
+  }
+  return views;
+}
+
+inline std::vector<View> without_masks(std::vector<View> views) {
+  for (View& view : views) view.silhouette = GrayImage();
+  return views;
+}
+
+}  // namespace transformesh::test

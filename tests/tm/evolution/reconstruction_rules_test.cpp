@@ -1,0 +1,172 @@
+#include "tm/evolution/reconstruction_rules.h"
+
+#include <doctest/doctest.h>
+
+using namespace transformesh;
+
+namespace {
+
+/// A surface that moves, agrees better and better, and loses nothing.
+PassMeasures moving(double dissimilarity) {
+  PassMeasures measures;
+  measures.scale = 4;
+  measures.vertices = 1000;
+  measures.mean_share = 0.1;
+  measures.dissimilarity = dissimilarity;
+  measures.coverage = measures.first_coverage = 0.8;
+  measures.pixels = measures.first_pixels = 900;
+  measures.topology = {1, 0};
+  return measures;
+}
+
+PassMeasures with_topology(PassMeasures measures, Topology topology) {
+  measures.topology = topology;
+  return measures;
+}
+
+PassMeasures with_outside(PassMeasures measures, std::size_t outside) {
+  measures.outside = outside;
+  return measures;
+}
+
+}  // namespace
+
+TEST_CASE("a level is done where vertices hardly move, or photographs agree hardly better") {
+  LevelRule rule;
+  PassMeasures slow = moving(0.5);
+  slow.mean_share = 0.014;
+  CHECK(rule.add(slow).is_done);
+  rule.begin();
+  CHECK_FALSE(rule.add(moving(0.5)).is_done);
+  CHECK_FALSE(rule.add(moving(0.49)).is_done);
+  const PassVerdict verdict = rule.add(moving(0.486));
+  CHECK(verdict.is_done);
+  CHECK(verdict.is_at_rest);
+}
+
+TEST_CASE("a level ends after so many passes, and does not count as at rest") {
+  LevelRule rule(2);
+  CHECK_FALSE(rule.add(moving(0.5)).is_done);
+  const PassVerdict verdict = rule.add(moving(0.4));
+  CHECK(verdict.is_done);
+  CHECK_FALSE(verdict.is_at_rest);
+}
+
+TEST_CASE("while the topology changes a level has twice as many passes, and no rest") {
+  LevelRule rule(2);
+  rule.add(moving(0.5));
+  CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 0})).is_done);
+  CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 1})).is_done);
+  const PassVerdict verdict = rule.add(with_topology(moving(0.5), {1, 1}));
+  CHECK(verdict.is_done);
+  CHECK_FALSE(verdict.is_at_rest);
+}
+
+TEST_CASE("while vertices come in from outside of silhouettes a level goes on") {
+  LevelRule rule(2);
+  CHECK_FALSE(rule.add(with_outside(moving(0.5), 100)).is_done);
+  CHECK_FALSE(rule.add(with_outside(moving(0.5), 80)).is_done);
+  // Those that stay outside do not come in; and a few are none.
+  CHECK(rule.add(with_outside(moving(0.5), 79)).is_done);
+  rule.begin();
+  rule.add(moving(0.5));
+  CHECK(rule.add(with_outside(moving(0.5), 2)).is_at_rest);
+}
+
+TEST_CASE("a surface of which less is compared than when the level began is lost, not at rest") {
+  for (const bool is_share : {true, false}) {
+    LevelRule rule;
+    CHECK_FALSE(rule.add(moving(0.5)).is_lost);
+    PassMeasures lost = moving(0.5);
+    if (is_share) lost.coverage = 0.71;
+    if (!is_share) lost.pixels = 449;
+    const PassVerdict verdict = rule.add(lost);
+    CHECK(verdict.is_lost);
+    CHECK_FALSE(verdict.is_at_rest);
+    CHECK_FALSE(verdict.is_done);
+  }
+  // What the level began with counts, not the pass.
+  LevelRule rule;
+  rule.add(moving(0.5));
+  PassMeasures later = moving(0.4);
+  later.first_coverage = 0.6;
+  later.coverage = 0.6;
+  CHECK(rule.add(later).is_lost);
+}
+
+TEST_CASE("a topology that changes within a late scale is told from one that changes before") {
+  const auto is_late = [](double scale, Topology before) {
+    LevelRule rule;
+    rule.add(with_topology(moving(0.5), before));
+    PassMeasures measures = with_topology(moving(0.3), {1, 5});
+    measures.scale = scale;
+    return rule.add(measures).is_late;
+  };
+  CHECK(is_late(1.4142, {1, 6}));
+  CHECK(is_late(1, {2, 5}));
+  CHECK_FALSE(is_late(1.4142, {1, 5}));
+  CHECK_FALSE(is_late(2, {1, 6}));
+  // From level to level it may change.
+  LevelRule rule;
+  PassMeasures first = with_topology(moving(0.3), {1, 5});
+  first.scale = 1;
+  CHECK_FALSE(rule.add(first).is_late);
+}
+
+TEST_CASE("the rule of a level goes on from its values as if nothing had happened") {
+  LevelRule whole(6), parts(6);
+  for (int i = 0; i < 6; ++i) {
+    PassMeasures measures = with_outside(moving(0.123456789 / (1 + i)), 100 - 5 * (i / 2));
+    measures.coverage = 0.8123456789 - 0.03 * i;
+    measures.topology = {1, -i / 3};
+    LevelRule next(6);
+    next.restore(values_of(text_of(parts.values())));
+    parts = next;
+    const PassVerdict expected = whole.add(measures);
+    const PassVerdict found = parts.add(measures);
+    CHECK(expected.is_done == found.is_done);
+    CHECK(expected.is_lost == found.is_lost);
+    CHECK(expected.is_at_rest == found.is_at_rest);
+    CHECK(expected.is_late == found.is_late);
+  }
+}
+
+TEST_CASE("a start is torn where a twentieth of what is compared is gone") {
+  CHECK(is_torn(1000, 949));
+  CHECK_FALSE(is_torn(1000, 950));
+}
+
+TEST_CASE("windows that disagree as much as the mean pull less where photographs agree well") {
+  CHECK(robust_loss({}, 0.2) == 0.2);
+  CHECK(robust_loss({}, 0.25) == 0);
+  CHECK(robust_loss(0.5, 0.4) == 0.2);
+  CHECK(robust_loss(0, 0.1) == 0);
+  CHECK(robust_loss(1e-9, 0.1) == 0.001);
+  CHECK(robust_loss(1e9, 0.1) == 1000);
+}
+
+TEST_CASE("what was lost comes before what moves, and that before what changed late") {
+  CHECK(fault_of({0, 0, true}).empty());
+  CHECK(fault_of({1.4142, 1, false}).find("after scale 1.4142 than before") != std::string::npos);
+  CHECK(fault_of({0, 1, false}) == "the surface was not at rest after the last pass");
+  CHECK(fault_of({0, 1, true}).find("as late as at scale 1.0000") != std::string::npos);
+}
+
+TEST_CASE("a tracked surface is measured by the last one that was made anew") {
+  const SurfaceQuality reference{0.2, 0.8, 0.95};
+  CHECK(tracking_faults({0.259, 0.721, 0.921}, reference).empty());
+  CHECK(tracking_faults({0.27, 0.8, 0.95}, reference) == "dissimilarity");
+  CHECK(tracking_faults({0.2, 0.71, 0.91}, reference) == "coverage+silhouettes");
+  // One that was lost altogether has all faults.
+  CHECK(tracking_faults({}, reference) == "dissimilarity+coverage+silhouettes");
+}
+
+TEST_CASE("of two surfaces fewer faults count first, then the agreement of the photographs") {
+  const SurfaceQuality reference{0.2, 0.8, 0.95};
+  const SurfaceQuality crumpled{0.19, 0.5, 0.95};
+  const SurfaceQuality good{0.25, 0.8, 0.95};
+  CHECK(is_better(good, crumpled, reference));
+  CHECK_FALSE(is_better(crumpled, good, reference));
+  CHECK(is_better({0.3, 0.8, 0.95}, {0.31, 0.8, 0.95}, reference));
+  CHECK_FALSE(is_better({0.31, 0.8, 0.95}, {0.31, 0.8, 0.95}, reference));
+}
