@@ -174,10 +174,7 @@ bool is_exact(const ExactPoint& point) { return point.radius == Vec3::Zero(); }
 
 }  // namespace
 
-Triangle ExactGeometry::triangle(Index face) const {
-  const Face& f = faces_[face];
-  return {positions_[f[0]], positions_[f[1]], positions_[f[2]]};
-}
+Triangle ExactGeometry::triangle(Index face) const { return triangle_of(positions_, faces_[face]); }
 
 ExactPoint ExactGeometry::given(Index vertex) const {
   ExactPoint point = free(positions_[vertex]);

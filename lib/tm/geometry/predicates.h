@@ -7,13 +7,9 @@
 /// microsecond when it does not.
 #pragma once
 
-#include <array>
-
-#include "tm/mesh/mesh.h"
+#include "tm/mesh/triangle.h"
 
 namespace transformesh {
-
-using Triangle = std::array<Vec3, 3>;
 
 /// The two coordinates kept when a plane is looked at along an axis.
 struct PlaneProjection {

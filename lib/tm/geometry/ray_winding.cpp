@@ -22,11 +22,6 @@ bool has_two_sides(const Triangle& t) { return !collinear(t[0], t[1], t[2]); }
 
 RayWinding::RayWinding(const Mesh& mesh) : mesh_(&mesh), bvh_(mesh) {}
 
-Triangle RayWinding::triangle(Index face) const {
-  const auto& [a, b, c] = mesh_->faces[face];
-  return {mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]};
-}
-
 std::optional<int> RayWinding::cast(const Vec3& point, int axis, bool towards_infinity) const {
   FloatBox ray = float_box(point, point);
   const auto along = static_cast<std::size_t>(axis);
@@ -38,7 +33,7 @@ std::optional<int> RayWinding::cast(const Vec3& point, int axis, bool towards_in
   bool is_certain = true;
   int winding = 0;
   bvh_.visit_overlaps(ray, [&](Index face) {
-    const Triangle t = triangle(face);
+    const Triangle t = triangle_of(*mesh_, face);
     // +1: the line along the axis leaves the face by its front; 0: it meets the border.
     const std::optional<int> turn =
         common_sign(orient2d(t[0], t[1], point, view), orient2d(t[1], t[2], point, view),
@@ -66,7 +61,7 @@ std::optional<int> RayWinding::operator()(const Vec3& point) const {
 bool RayWinding::blocks(const Vec3& from, const Vec3& to) const {
   bool is_blocked = false;
   bvh_.visit_overlaps(float_box(from.cwiseMin(to), from.cwiseMax(to)), [&](Index face) {
-    const Triangle t = triangle(face);
+    const Triangle t = triangle_of(*mesh_, face);
     const int start = orient3d(t[0], t[1], t[2], from);
     const int end = orient3d(t[0], t[1], t[2], to);
     if (start == end && start != 0) return true;

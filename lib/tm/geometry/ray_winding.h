@@ -31,7 +31,6 @@ class RayWinding {
 
  private:
   std::optional<int> cast(const Vec3& point, int axis, bool towards_infinity) const;
-  Triangle triangle(Index face) const;
 
   const Mesh* mesh_;
   Bvh bvh_;

@@ -16,16 +16,11 @@ void for_each_distinct_corner(const Face& face, const Visit& visit) {
 }  // namespace
 
 std::vector<Index> opposite_halfedges(const Mesh& mesh) {
-  const Edges edges(mesh);
-  std::vector<Index> opposite(3 * mesh.faces.size(), no_index);
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    const auto halfedges = edges.halfedges(edge);
-    if (halfedges.size() != 2) continue;
-    const bool run_alike =
-        halfedge_source(mesh, halfedges[0]) == halfedge_source(mesh, halfedges[1]);
-    if (run_alike) continue;
-    opposite[halfedges[0]] = halfedges[1];
-    opposite[halfedges[1]] = halfedges[0];
+  std::vector<Index> opposite = neighbors_across(Edges(mesh), mesh.faces.size());
+  for (Index h = 0; h < opposite.size(); ++h) {
+    const Index other = opposite[h];
+    if (other != no_index && halfedge_source(mesh, h) == halfedge_source(mesh, other))
+      opposite[h] = opposite[other] = no_index;
   }
   return opposite;
 }

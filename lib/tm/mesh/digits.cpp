@@ -9,6 +9,8 @@ namespace transformesh {
 namespace {
 
 constexpr double least_cosine = 0.7071067811865476;
+constexpr int float_digits_fewer =
+    std::numeric_limits<double>::digits - std::numeric_limits<float>::digits;
 
 bool has_collapsed(std::span<const Vec3> positions, const Face& face) {
   const Vec3& a = positions[face[0]];
@@ -27,9 +29,10 @@ Vec3 direction(std::span<const Vec3> positions, const Face& face) {
 
 }  // namespace
 
-double spacing_at(double coordinate) {
+double spacing_at(double coordinate, Scalar type) {
   const double size = std::abs(coordinate);
-  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+  const double spacing = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+  return type == Scalar::float32 ? std::ldexp(spacing, float_digits_fewer) : spacing;
 }
 
 double coordinate_spacing(const Mesh& mesh) {

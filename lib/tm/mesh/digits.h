@@ -8,8 +8,9 @@
 
 namespace transformesh {
 
-/// From a coordinate to the next larger double; infinite where there is none.
-double spacing_at(double coordinate);
+/// From the size of a coordinate to the next larger number of that type, float64 or float32;
+/// infinite where there is no larger double.
+double spacing_at(double coordinate, Scalar type = Scalar::float64);
 /// From the largest coordinate of any vertex.
 double coordinate_spacing(const Mesh& mesh);
 

@@ -4,7 +4,7 @@
 
 #include "tm/mesh/edges.h"
 #include "tm/mesh/fans.h"
-#include "tm/mesh/place.h"
+#include "tm/mesh/location_text.h"
 
 namespace transformesh {
 namespace {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tm/mesh/edges.h"
+#include "tm/mesh/triangle.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -60,9 +61,8 @@ Box bounding_box(const Mesh& mesh) {
 }
 
 Vec3 face_normal(const Mesh& mesh, Index face) {
-  const Face& corners = mesh.faces[face];
-  const Vec3& a = mesh.positions[corners[0]];
-  return (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
+  const auto& [a, b, c] = mesh.faces[face];
+  return normal_of(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
 }
 
 double face_area(const Mesh& mesh, Index face) { return face_normal(mesh, face).norm() / 2; }

@@ -1,7 +1,7 @@
 /// Collapses short edges.
 #pragma once
 
-#include "tm/remesh/edge_limits.h"
+#include "tm/remesh/edge_rules.h"
 #include "tm/remesh/embedding_guard.h"
 #include "tm/remesh/vertex_role.h"
 #include "tm/support/progress.h"

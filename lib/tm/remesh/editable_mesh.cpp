@@ -27,7 +27,7 @@ EditableMesh::EditableMesh(const Mesh& mesh)
   for (const Face& face : mesh.faces) sources_.insert(sources_.end(), face.begin(), face.end());
   std::iota(vertex_rows_.begin(), vertex_rows_.end(), 0U);
   std::iota(face_rows_.begin(), face_rows_.end(), 0U);
-  opposites_ = opposites_of(sources_, positions_.size());
+  opposites_ = manifold_opposites(mesh);
   has_borders_ = std::find(opposites_.begin(), opposites_.end(), no_index) != opposites_.end();
   find_outgoing();
 }
@@ -90,8 +90,8 @@ Mesh EditableMesh::to_mesh() const {
 
 Vec3 EditableMesh::face_normal(Index face) const {
   const std::size_t h = std::size_t{3} * face;
-  const Vec3& a = positions_[sources_[h]];
-  return (positions_[sources_[h + 1]] - a).cross(positions_[sources_[h + 2]] - a);
+  return normal_of(positions_[sources_[h]], positions_[sources_[h + 1]],
+                   positions_[sources_[h + 2]]);
 }
 
 Index EditableMesh::valence(Index vertex) const {

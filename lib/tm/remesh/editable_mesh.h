@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "tm/mesh/mesh.h"
+#include "tm/mesh/triangle.h"
 #include "tm/support/single.h"
 
 namespace transformesh {
@@ -52,6 +52,10 @@ class EditableMesh {
     if (sizes_.empty()) return squared;
     const double size = mean_size(source(halfedge), target(halfedge));
     return squared / (size * size);
+  }
+  Triangle triangle(Index face) const {
+    const Index* corners = sources_.data() + std::size_t{3} * face;
+    return triangle_of(positions_, {corners[0], corners[1], corners[2]});
   }
   /// Twice the area times the unit normal.
   Vec3 face_normal(Index face) const;

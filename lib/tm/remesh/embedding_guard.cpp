@@ -127,16 +127,11 @@ bool EmbeddingGuard::is_certified(const Patch& patch) {
   return (patch.centre_position - centre).squaredNorm() <= radius * radius;
 }
 
-Triangle EmbeddingGuard::triangle_of(Index face) const {
-  return {mesh_.position(mesh_.source(3 * face)), mesh_.position(mesh_.source(3 * face + 1)),
-          mesh_.position(mesh_.source(3 * face + 2))};
-}
-
 /// Around both patches.
 EmbeddingGuard::Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
   Slab slab(direction);
   for (const Triangle& triangle : patch.made) slab.extend(triangle);
-  for (const Index face : patch.replaced) slab.extend(triangle_of(face));
+  for (const Index face : patch.replaced) slab.extend(mesh_.triangle(face));
   return slab;
 }
 
@@ -149,18 +144,19 @@ bool EmbeddingGuard::is_height_field(const Patch& patch) const {
   const Slab slab = slab_of(patch, direction);
   const auto is_seen = [&](Index face) {
     return cells_[mesh_.source(3 * face)].component == component &&
-           sees(direction, triangle_of(face));
+           sees(direction, mesh_.triangle(face));
   };
   return std::all_of(patch.made.begin(), patch.made.end(),
                      [&](const Triangle& triangle) { return sees(direction, triangle); }) &&
          std::all_of(patch.replaced.begin(), patch.replaced.end(), is_seen) &&
-         std::all_of(near_.begin(), near_.end(),
-                     [&](Index face) { return !slab.meets(triangle_of(face)) || is_seen(face); });
+         std::all_of(near_.begin(), near_.end(), [&](Index face) {
+           return !slab.meets(mesh_.triangle(face)) || is_seen(face);
+         });
 }
 
 bool EmbeddingGuard::meets_others(const Patch& patch) const {
   return std::any_of(near_.begin(), near_.end(), [&](Index face) {
-    const Triangle other = triangle_of(face);
+    const Triangle other = mesh_.triangle(face);
     return std::any_of(patch.made.begin(), patch.made.end(), [&](const Triangle& triangle) {
       return boxes_touch(triangle, other) && may_touch(triangle, other);
     });
@@ -175,7 +171,7 @@ void EmbeddingGuard::enclose(const Patch& patch) {
     high_ = high_.cwiseMax(highest(triangle));
   };
   for (const Triangle& triangle : patch.made) extend(triangle);
-  for (const Index face : patch.replaced) extend(triangle_of(face));
+  for (const Index face : patch.replaced) extend(mesh_.triangle(face));
   const Vec3 reach = Vec3::Constant(corner_reach * longest_edge_);
   low_corner_ = low_ - reach;
   high_corner_ = high_ + reach;
@@ -210,7 +206,7 @@ bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& s
   const bool is_mine = cells_[vertex].component == component;
   bool result = true;
   mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
-    const Triangle triangle = triangle_of(halfedge / 3);
+    const Triangle triangle = mesh_.triangle(halfedge / 3);
     result = result && (!meets_box(triangle) || (is_mine && sees(slab.direction(), triangle)) ||
                         !slab.meets(triangle));
   });
@@ -231,7 +227,7 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
     const Index face = halfedge / 3;
     if (stamp_[face] == stamp_now_) return;
     stamp_[face] = stamp_now_;
-    if (meets_box(triangle_of(face))) near_.push_back(face);
+    if (meets_box(mesh_.triangle(face))) near_.push_back(face);
   };
   cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
     for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {

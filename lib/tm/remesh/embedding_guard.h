@@ -60,7 +60,6 @@ class EmbeddingGuard {
   Slab slab_of(const Patch& patch, const Vec3& direction) const;
   bool meets_box(const Triangle& triangle) const;
   bool meets_others(const Patch& patch) const;
-  Triangle triangle_of(Index face) const;
 
   const EditableMesh& mesh_;
   double longest_allowed_;

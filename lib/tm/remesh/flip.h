@@ -1,10 +1,10 @@
 /// Turns edges within their two faces, for valence six or for larger angles.
 #pragma once
 
-#include "tm/remesh/edge_limits.h"
+#include "tm/remesh/edge_rules.h"
 #include "tm/remesh/embedding_guard.h"
-#include "tm/remesh/remesh.h"
 #include "tm/remesh/vertex_role.h"
+#include "tm/support/progress.h"
 
 namespace transformesh {
 

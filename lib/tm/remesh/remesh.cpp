@@ -7,7 +7,7 @@
 
 #include "tm/remesh/collapse.h"
 #include "tm/remesh/degenerate.h"
-#include "tm/remesh/edge_limits.h"
+#include "tm/remesh/edge_rules.h"
 #include "tm/remesh/even_out.h"
 #include "tm/remesh/flip.h"
 #include "tm/remesh/sizing.h"

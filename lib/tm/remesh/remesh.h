@@ -17,11 +17,11 @@
 #include <string>
 
 #include "tm/mesh/mesh.h"
+#include "tm/remesh/edge_rules.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
 
-enum class FlipRule { none, valence, angle };
 enum class Smoothing { none, tangential, laplace, bilaplace };
 
 struct RemeshOptions {
@@ -33,7 +33,7 @@ struct RemeshOptions {
   /// (sizing.h)
   double adaptive_error = 0;
   int iterations = 1;  ///< >= 0; 0: only small components, degenerate faces; 3 or more: even_out.h
-  FlipRule flip = FlipRule::valence;  ///< towards valence 6 (4 on borders), or larger least angles
+  FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< the Laplacians slide vertices as well
   double smooth_first = 0;                      ///< b of v - b dv, or b1; in [0, 1]
   double smooth_second = 0;        ///< b2 of v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]

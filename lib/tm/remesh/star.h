@@ -2,14 +2,12 @@
 /// after.
 #pragma once
 
-#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
-#include "tm/remesh/triangle_contact.h"
+#include "tm/mesh/triangle.h"
 
 namespace transformesh {
-
-inline Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
 /// 1 for equilateral, 0 for degenerate triangles: area over the sum of squared edges, scaled.
 inline double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -11,10 +11,6 @@ namespace {
 constexpr double margin = 1e-12;
 constexpr double nearly_zero = 1e-9;
 
-Vec3 normal_of(const Triangle& triangle) {
-  return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
-}
-
 /// Whether the projections onto the axis leave a gap. Coordinates are relative to a corner.
 bool is_gap(const Vec3& axis, const Triangle& first, const Triangle& second, double size) {
   const std::array<double, 3> s{axis.dot(first[0]), axis.dot(first[1]), axis.dot(first[2])};
@@ -39,8 +35,8 @@ bool are_apart(const Triangle& first, const Triangle& second) {
   const Triangle t = relative_to(second, first[0]);
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) size = std::max({size, s[i].norm(), t[i].norm()});
-  const Vec3 s_normal = normal_of(s);
-  const Vec3 t_normal = normal_of(t);
+  const Vec3 s_normal = normal_of(s[0], s[1], s[2]);
+  const Vec3 t_normal = normal_of(t[0], t[1], t[2]);
   if (is_gap(s_normal, s, t, size) || is_gap(t_normal, s, t, size)) return true;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 edge = edge_of(s, i);

@@ -4,13 +4,9 @@
 /// coordinates are equal.
 #pragma once
 
-#include <array>
-
-#include "tm/mesh/mesh.h"
+#include "tm/mesh/triangle.h"
 
 namespace transformesh {
-
-using Triangle = std::array<Vec3, 3>;
 
 /// False only where the triangles certainly share no point beyond common corners and the edge
 /// between two common corners. True for contact, for near contact within rounding, for faces that

@@ -3,14 +3,13 @@
 #include <Eigen/Geometry>
 
 #include "tm/mesh/adjacency.h"
+#include "tm/mesh/triangle.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh::shapes {
 namespace {
 
 constexpr std::size_t vertices_per_task = 1024;
-
-Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
 /// The cosine of the angle at the apex.
 double cosine_at(const Vec3& apex, const Vec3& a, const Vec3& b) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tm/mesh/digits.h"
-#include "tm/mesh/place.h"
+#include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 

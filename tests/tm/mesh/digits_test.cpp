@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 
 using namespace transformesh;
@@ -24,6 +25,14 @@ TEST_CASE("the spacing of doubles at the largest coordinate") {
   CHECK(coordinate_spacing(tetrahedron({largest, 0, 0})) ==
         std::numeric_limits<double>::infinity());
   CHECK(coordinate_spacing({}) == std::numeric_limits<double>::denorm_min());
+}
+
+TEST_CASE("the spacing of floats") {
+  for (const float size : {1.0F, 1.5F, 3e30F, 1e-30F}) {
+    const double next = std::nextafter(size, 2 * size);
+    CHECK(spacing_at(-size, Scalar::float32) == next - size);
+    CHECK(spacing_at(size) == std::nextafter(double{size}, 1e99) - size);
+  }
 }
 
 TEST_CASE("faces collapse where two corners become one place, and turn where a body becomes flat") {

@@ -4,7 +4,7 @@
 
 #include "tm/clean/arrange/cut_plane.h"
 #include "tm/mesh/disjoint_sets.h"
-#include "tm/mesh/place.h"
+#include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
 #include "tm/support/length.h"
 #include "tm/support/parallel.h"

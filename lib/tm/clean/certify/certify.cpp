@@ -163,16 +163,11 @@ void certify_winding(const Meshes& meshes, const FaceMatch& match, const Certify
   }
 }
 
-Triangle triangle(const Mesh& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-}
-
 /// Whether all corners lie on one face of the input, but for rounding, that looks to the same side.
 bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, const Vec3& margins) {
   bool is_found = false;
   bvh.visit_overlaps(float_box(piece[0] - margins, piece[0] + margins), [&](Index face) {
-    const Triangle t = triangle(input, face);
+    const Triangle t = triangle_of(input, face);
     const auto is_on = [&](const Vec3& corner) { return is_within(margins, corner, t); };
     is_found = std::all_of(piece.begin(), piece.end(), is_on) && normals_dot(piece, t) > 0;
     return !is_found;
@@ -190,13 +185,13 @@ void certify_pieces(const Meshes& meshes, const FaceMatch& match, const CertifyO
   std::vector<char> is_right(faces.size());
   parallel_for(faces.size(), 64, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      is_right[i] = is_piece(triangle(output, faces[i]), input, bvh, margins[i]) ? 1 : 0;
+      is_right[i] = is_piece(triangle_of(output, faces[i]), input, bvh, margins[i]) ? 1 : 0;
   });
   certificate.samples = faces.size();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (is_right[i] || certificate.wrong++ > 0) continue;
     certificate.problem = "face " + std::to_string(faces[i]) + ", at " +
-                          point_text(meshes.unit * triangle(output, faces[i])[0]) +
+                          point_text(meshes.unit * triangle_of(output, faces[i])[0]) +
                           ", is no piece of a face of the input with its orientation";
   }
 }

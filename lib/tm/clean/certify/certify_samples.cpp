@@ -31,11 +31,6 @@ constexpr double beyond_clearance = 1.25;
 /// And no nearer than this share of the least height of their face.
 constexpr double nearest_share = 0x1p-60;
 
-Triangle corners(const Mesh& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-}
-
 struct Plane {
   Vec3 normal = Vec3::Zero();
   double height = 0;  ///< the least of the triangle
@@ -77,7 +72,7 @@ std::optional<WindingSample> SampleFinder::find_above(const Vec3& base, const Ve
 }
 
 std::optional<WindingSample> SampleFinder::find(const Mesh& mesh, Index face, int side) const {
-  const Triangle t = corners(mesh, face);
+  const Triangle t = triangle_of(mesh, face);
   const auto [normal, height] = plane(t);
   if (!(height > 0)) return std::nullopt;
   for (const auto& weights : tried_weights) {

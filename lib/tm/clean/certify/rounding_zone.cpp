@@ -7,36 +7,23 @@
 #include <limits>
 
 #include "tm/geometry/closest_point.h"
+#include "tm/mesh/digits.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
 
-constexpr int double_digits = 53;
-
 /// The spacing of numbers near zero is none: no margin is below this share of the largest. In
 /// doubles margins are alike, because doubles cannot measure a triangle in units that differ.
-constexpr double smallest_share(int digits) { return digits == double_digits ? 1 : 0x1p-20; }
+constexpr double smallest_share(Scalar type) { return type == Scalar::float32 ? 0x1p-20 : 1; }
 
 /// By how much a distance from a triangle may be off, as a share of the triangle's size.
 constexpr double measuring_error = 8 * std::numeric_limits<double>::epsilon();
 
-Triangle corners(const Mesh& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+Vec3 spacings_at(const Vec3& point, Scalar type) {
+  return point.unaryExpr([=](double x) { return x == 0 ? 0 : spacing_at(x, type); });
 }
-
-double spacing_at(double coordinate, int digits) {
-  if (coordinate == 0) return 0;
-  return std::ldexp(1.0, std::ilogb(coordinate) + 1 - digits);
-}
-
-Vec3 spacings_at(const Vec3& point, int digits) {
-  return point.unaryExpr([=](double x) { return spacing_at(std::abs(x), digits); });
-}
-
-int digits_of(Scalar coordinate) { return coordinate == Scalar::float32 ? 24 : double_digits; }
 
 double largest_coordinate(const Mesh& mesh) {
   const Box box = bounding_box(mesh);
@@ -75,10 +62,10 @@ FloatBox box_around(const Triangle& t, const Vec3& margins) {
 }
 
 /// Twice the spacing of numbers at the triangle.
-Vec3 least_margins(const Triangle& t, int digits) {
+Vec3 least_margins(const Triangle& t, Scalar type) {
   const Vec3 size = t[0].cwiseAbs().cwiseMax(t[1].cwiseAbs()).cwiseMax(t[2].cwiseAbs());
-  const Vec3 spacings = spacings_at(size, digits);
-  return 2 * spacings.cwiseMax(smallest_share(digits) * spacings.maxCoeff());
+  const Vec3 spacings = spacings_at(size, type);
+  return 2 * spacings.cwiseMax(smallest_share(type) * spacings.maxCoeff());
 }
 
 Vec3 shift_from(const ClosestPointQuery& surface, const Vec3& point) {
@@ -105,17 +92,16 @@ std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
                                    const std::vector<Index>& faces, Scalar coordinate) {
   const ClosestPointQuery surface(input);
   const std::vector<Vec3> shifts = vertex_shifts(surface, output, faces);
-  const int digits = digits_of(coordinate);
-  const double spacing = spacing_at(largest_coordinate(output), digits);
+  const double spacing = spacing_at(largest_coordinate(output), coordinate);
   std::vector<Vec3> margins(faces.size());
   parallel_for(faces.size(), 64, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const Triangle t = corners(output, faces[i]);
+      const Triangle t = triangle_of(output, faces[i]);
       Vec3 shift = shift_from(surface, (t[0] + t[1] + t[2]) / 3);
       for (std::size_t k = 0; k < 3; ++k)
         shift = shift.cwiseMax(shifts[output.faces[faces[i]][k]])
                     .cwiseMax(shift_from(surface, (t[k] + t[(k + 1) % 3]) / 2));
-      margins[i] = (4 * shift).cwiseMin(1024 * spacing).cwiseMax(least_margins(t, digits));
+      margins[i] = (4 * shift).cwiseMin(1024 * spacing).cwiseMax(least_margins(t, coordinate));
     }
   });
   return margins;
@@ -140,10 +126,11 @@ RoundingZone::RoundingZone(const Mesh& input, const Mesh& output, const FaceMatc
   };
   const std::vector<Index> new_faces = marked_faces(match.output_is_new, 1);
   const std::vector<Vec3> margins = rounding_margins(input, output, new_faces, coordinate);
-  for (std::size_t i = 0; i < new_faces.size(); ++i) add(corners(output, new_faces[i]), margins[i]);
+  for (std::size_t i = 0; i < new_faces.size(); ++i)
+    add(triangle_of(output, new_faces[i]), margins[i]);
   for (const Index face : marked_faces(match.input_vanished, 1)) {
-    const Triangle triangle = corners(input, face);
-    add(triangle, least_margins(triangle, digits_of(coordinate)));
+    const Triangle triangle = triangle_of(input, face);
+    add(triangle, least_margins(triangle, coordinate));
   }
 
   std::vector<FloatBox> boxes;
@@ -162,7 +149,7 @@ bool RoundingZone::contains(const Vec3& point) const {
 }
 
 Vec3 RoundingZone::margins_at(const Vec3& point) const {
-  Vec3 margins = 4 * spacings_at(point, double_digits);
+  Vec3 margins = 4 * spacings_at(point, Scalar::float64);
   bvh_.visit_overlaps(float_box(point, point), [&](Index i) {
     margins = margins.cwiseMax(margins_[i]);
     return true;

@@ -108,12 +108,8 @@ std::vector<Index> sort_around_edge(const Arrangement& arrangement,
 std::vector<Index> sort_around_edge(const Mesh& mesh, std::span<const Index> halfedges) {
   std::vector<Spoke> spokes;
   for (const Index h : halfedges) {
-    const Face& f = mesh.faces[h / 3];
     const bool forward = halfedge_source(mesh, h) < halfedge_target(mesh, h);
-    spokes.push_back({{mesh.positions[f[0]], mesh.positions[f[1]], mesh.positions[f[2]]},
-                      forward,
-                      h,
-                      forward ? 1 : -1});
+    spokes.push_back({triangle_of(mesh, h / 3), forward, h, forward ? 1 : -1});
   }
   const Index h = halfedges.front();
   return sort_spokes(std::move(spokes),

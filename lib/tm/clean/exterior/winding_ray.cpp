@@ -4,7 +4,7 @@
 #include <string>
 
 #include "tm/mesh/disjoint_sets.h"
-#include "tm/mesh/place.h"
+#include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

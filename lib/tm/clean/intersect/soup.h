@@ -18,10 +18,7 @@ struct Soup {
   std::vector<Index> face_of;    ///< the mesh face of each
   BoxFrame frame;                ///< of the points
 
-  Triangle triangle(Index face) const {
-    const Face& f = faces[face];
-    return {points[f[0]], points[f[1]], points[f[2]]};
-  }
+  Triangle triangle(Index face) const { return triangle_of(points, faces[face]); }
   FloatBox box(Index face) const { return box(triangle(face)); }
   FloatBox box(const Triangle& t) const {
     return frame.box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));

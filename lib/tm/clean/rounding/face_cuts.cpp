@@ -14,10 +14,7 @@ FaceCuts::FaceCuts(Assembly& assembly, const Soup& soup, Scalar coordinate)
     corners_.push_back({soup.point_of[f[0]], soup.point_of[f[1]], soup.point_of[f[2]]});
 }
 
-Triangle FaceCuts::triangle(Index face) const {
-  const auto& [a, b, c] = corners_[face];
-  return {points_[a], points_[b], points_[c]};
-}
+Triangle FaceCuts::triangle(Index face) const { return triangle_of(points_, corners_[face]); }
 
 void FaceCuts::add_on_edge(const PointPair& edge, double share, Index point) {
   on_edge_[edge].emplace(point, share);

@@ -9,7 +9,7 @@
 #include "tm/clean/rounding/rounding.h"
 #include "tm/clean/rounding/trouble_spots.h"
 #include "tm/clean/rounding/unite_close.h"
-#include "tm/mesh/place.h"
+#include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
 #include "tm/support/single.h"
 

@@ -188,17 +188,13 @@ bool Uniter::unite(const std::vector<Index>& faces) {
 std::vector<Index> with_near_faces(const Mesh& mesh, const std::vector<Index>& faces,
                                    double distance) {
   const Soup soup = make_soup(mesh);
-  const auto triangle = [&](Index face) {
-    const auto& [a, b, c] = mesh.faces[face];
-    return Triangle{mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-  };
   std::vector<FloatBox> boxes;
   boxes.reserve(faces.size());
-  for (const Index f : faces) boxes.push_back(box_around(soup, triangle(f), distance));
+  for (const Index f : faces) boxes.push_back(box_around(soup, triangle_of(mesh, f), distance));
   const Bvh bvh(boxes);
   std::vector<Index> result;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    bvh.visit_overlaps(soup.box(triangle(f)), [&](Index) {
+    bvh.visit_overlaps(soup.box(triangle_of(mesh, f)), [&](Index) {
       result.push_back(f);
       return false;
     });

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "tm/mesh/edges.h"
-#include "tm/mesh/place.h"
+#include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

@@ -7,7 +7,7 @@
 
 #include "tm/clean/stitch/orient.h"
 #include "tm/mesh/edges.h"
-#include "tm/mesh/place.h"
+#include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

@@ -214,14 +214,9 @@ class Separator {
     return near;
   }
 
-  Triangle triangle(Index f) const {
-    const auto& [a, b, c] = mesh_.faces[f];
-    return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};
-  }
-
   // The face with its corner at the vertex moved.
   Triangle moved(Index f, Index vertex, const Vec3& target) const {
-    Triangle result = triangle(f);
+    Triangle result = triangle_of(mesh_, f);
     for (std::size_t i = 0; i < 3; ++i) {
       if (mesh_.faces[f][i] == vertex) result[i] = target;
     }
@@ -231,7 +226,7 @@ class Separator {
   bool is_sound(Index vertex, const Vec3& target, const std::vector<Index>& near) const {
     if (!target.allFinite()) return false;
     for (const Index f : faces_at_[vertex]) {
-      if (normals_dot(triangle(f), moved(f, vertex, target)) <= 0) return false;
+      if (normals_dot(triangle_of(mesh_, f), moved(f, vertex, target)) <= 0) return false;
     }
     for (const Index f : near) {
       for (const Index v : mesh_.faces[f]) {
@@ -265,7 +260,7 @@ class Separator {
       local.faces.push_back({base, base + 1, base + 2});
     };
     for (const Index f : faces_at_[vertex]) add(moved(f, vertex, target));
-    for (const Index f : near) add(triangle(f));
+    for (const Index f : near) add(triangle_of(mesh_, f));
     const Soup soup = make_soup(local);
     for (Index f = 0; f < faces_at_[vertex].size(); ++f) {
       for (Index g = f + 1; g < soup.faces.size(); ++g) {

@@ -1,4 +1,4 @@
-#include "tm/mesh/place.h"
+#include "tm/mesh/location_text.h"
 
 #include "tm/support/length.h"
 
