@@ -16,19 +16,12 @@ double smoothing_factor(std::string_view text) {
                    "' is not a number; write tangential, none or a factor such as 0.1");
 }
 
-void read_smoothing(const RemeshChoices& options, RemeshOptions& result) {
-  const bool is_tangential = options.smooth == "tangential";
-  if (!options.smooth_twice.empty()) {
-    if (!is_tangential) throw UsageError("--smooth and --smooth2 exclude each other");
-    result.smoothing = Smoothing::bilaplace;
-    result.smooth_first = options.smooth_twice[0];
-    result.smooth_second = options.smooth_twice[1];
-  } else if (options.smooth == "none") {
-    result.smoothing = Smoothing::none;
-  } else if (!is_tangential) {
-    result.smoothing = Smoothing::laplace;
-    result.smooth_first = smoothing_factor(options.smooth);
-  }
+void read_smoothing_twice(const RemeshChoices& options, RemeshOptions& result) {
+  if (options.smooth_twice.empty()) return;
+  if (options.smooth != "tangential") throw UsageError("--smooth and --smooth2 exclude each other");
+  result.smoothing = Smoothing::bilaplace;
+  result.smooth_first = options.smooth_twice[0];
+  result.smooth_second = options.smooth_twice[1];
 }
 
 Length in_reference_edges(double value) { return {value, Length::Unit::reference_edge}; }
@@ -89,6 +82,12 @@ void declare_remeshing(Program& program, RemeshChoices& options) {
                "tangential smoothing puts vertices back onto the input");
 }
 
+void read_smoothing(const std::string& text, RemeshOptions& options) {
+  if (text == "tangential") return;
+  options.smoothing = text == "none" ? Smoothing::none : Smoothing::laplace;
+  if (text != "none") options.smooth_first = smoothing_factor(text);
+}
+
 RemeshOptions remesh_options(RemeshChoices& options, const Document& document, Run& run) {
   set_default_lengths(options);
   RemeshOptions result;
@@ -101,7 +100,8 @@ RemeshOptions remesh_options(RemeshChoices& options, const Document& document, R
   result.keep_border = options.keep_border;
   result.project = options.project;
   result.coordinate = document.style.coordinate;
-  read_smoothing(options, result);
+  read_smoothing(options.smooth, result);
+  read_smoothing_twice(options, result);
   return result;
 }
 

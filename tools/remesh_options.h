@@ -27,6 +27,9 @@ struct RemeshChoices {
 
 void declare_remeshing(Program& program, RemeshChoices& options);
 
+/// --smooth: `tangential`, which is the options' default, `none` or a factor. Throws UsageError.
+void read_smoothing(const std::string& text, RemeshOptions& options);
+
 /// For the document. Fills in the default lengths, so that settings and report show them.
 RemeshOptions remesh_options(RemeshChoices& options, const Document& document, Run& run);
 

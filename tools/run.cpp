@@ -74,7 +74,7 @@ void Run::start() {
     throw UsageError("not writing a picture to a terminal: redirect it or name a file with -o");
   if (command_.is_evolution()) {
     documents_[0].style.format = output_format(Format::ply_little, command_.common);
-    refuse_binary_on_terminal(documents_[0].style.format);
+    if (command_.writes_mesh()) refuse_binary_on_terminal(documents_[0].style.format);
     return;
   }
   check_output(output());
@@ -120,8 +120,24 @@ void Run::refer_to(const Document& document) {
   for (const Option& option : command_.table.options()) resolved(option);
 }
 
-const std::string& Run::input() const { return command_.inputs.at(0); }
+const std::vector<std::string>& Run::inputs() const { return command_.inputs; }
 const std::string& Run::output() const { return command_.common.output; }
+const std::string& Run::program() const { return command_.name; }
+
+std::string Run::value(const std::string& option) const {
+  return command_.table.find(option)->value_text();
+}
+
+std::string Run::settings(const std::vector<std::string>& but) const {
+  std::string text;
+  for (const std::string& input : command_.inputs) text += '\'' + input + "' ";
+  for (const Option& option : command_.table.options()) {
+    if (option.is_common || std::find(but.begin(), but.end(), option.name) != but.end()) continue;
+    text += option.name + " '" + option.value_text() + "' ";
+  }
+  text.pop_back();
+  return text;
+}
 
 Bytes Run::read_once(const std::string& path) {
   if (path == "-" && stdin_is_read_)
@@ -162,7 +178,7 @@ void Run::refuse_binary_on_terminal(Format format) const {
 }
 
 void Run::write(const std::string& path, std::string bytes) {
-  if (path == "-" && output() == "-")
+  if (path == "-" && output() == "-" && !writes_nothing_)
     throw UsageError("two outputs on standard output: name a file for one of them");
   check_output(path);
   further_files_.emplace_back(path, std::move(bytes));
@@ -243,8 +259,10 @@ void Run::write_kept() {
 }
 
 int Run::finish() {
-  if (command_.writes_mesh()) {
-    if (!writes_nothing_) write_mesh();
+  if (writes_nothing_) {
+    // What the body has written is all.
+  } else if (command_.writes_mesh()) {
+    write_mesh();
   } else {
     write_bytes(command_.may_print_report() ? report_text() : bytes_);
   }

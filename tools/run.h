@@ -32,8 +32,14 @@ class Run {
   Document& document() { return documents_.front(); }
   std::vector<Document>& documents() { return documents_; }
   /// What the user named, or `-` for stdin.
-  const std::string& input() const;
+  const std::string& input() const { return inputs().at(0); }
+  const std::vector<std::string>& inputs() const;
   const std::string& output() const;
+  const std::string& program() const;
+  /// The present value of an option, as it would be written on a command line.
+  std::string value(const std::string& option) const;
+  /// The inputs and the values of all of the program's own options but these, in one line.
+  std::string settings(const std::vector<std::string>& but) const;
   /// Reads a further mesh or file named by an option.
   Document read(const std::string& path);
   std::string read_bytes(const std::string& path);

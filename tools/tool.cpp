@@ -60,7 +60,8 @@ std::vector<std::string> inputs_of(const Command& command, const std::vector<std
     if (is_terminal(STDIN_FILENO)) throw ShortHelpWanted();
     return {"-"};
   }
-  if (words.size() > 1 && command.reads != Reads::meshes)
+  const bool takes_many = command.reads == Reads::meshes || command.reads == Reads::files;
+  if (words.size() > 1 && !takes_many)
     throw UsageError("one input at most, but '" + words[1] + "' is a second one");
   return words;
 }

@@ -21,7 +21,8 @@ enum class Reads {
   nothing,
   mesh,    ///< one at most, and stdin where none is named
   meshes,  ///< any number, likewise
-  file     ///< one file at most, likewise, which the body reads
+  file,    ///< one file at most, likewise, which the body reads
+  files    ///< any number, likewise
 };
 
 /// What goes to -o, which is stdout by default.

@@ -2,7 +2,8 @@
 
 # name|kind|arguments beside the input; MESH stands for a file with the mesh itself, SCENE
 # for a folder with par.txt and masks, and with photos.txt and photos of the mesh. The input of a converter is in the file
-# $NAME_input, for example $tm_cameras_input.
+# $NAME_input, for example $tm_cameras_input. A loop is a filter whose output is always PLY, and whose
+# state stays beside a named output.
 contract_programs() {
   cat <<'TABLE'
 tm-cameras|converter|
@@ -12,10 +13,12 @@ tm-clean|filter|
 tm-compare|predicate|--reference MESH
 tm-convert|filter|
 tm-displace|filter|--normal-speed 0.01
+tm-evolve|loop|--step cat --iterations 1
 tm-hull|source|--cameras SCENE/par.txt --silhouettes SCENE/masks --resolution 20
 tm-info|predicate|
 tm-intersect|filter|
 tm-morph-step|filter|--target MESH
+tm-morph|loop|--target MESH --iterations 1
 tm-photo-step|filter|--cameras SCENE/photos.txt --images SCENE/photos --max-angle 60
 tm-photograph|converter|--size 40x30 --ring 3
 tm-remesh|filter|

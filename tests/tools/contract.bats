@@ -37,7 +37,7 @@ help_is_golden() {
   [ ! -s stderr ]
 }
 @test "1: --help prints the golden text" {
-  for_each filter predicate picture source converter -- help_is_golden
+  for_each filter predicate picture source converter loop -- help_is_golden
 }
 
 version_is_printed() {
@@ -47,7 +47,7 @@ version_is_printed() {
   [[ $output =~ ^"$program "[0-9]+\.[0-9]+\.[0-9]+$ ]]
 }
 @test "2: --version prints name and version" {
-  for_each filter predicate picture source converter -- version_is_printed
+  for_each filter predicate picture source converter loop -- version_is_printed
 }
 
 unknown_option_is_refused() {
@@ -58,7 +58,7 @@ unknown_option_is_refused() {
   [[ $stderr == "$program: "*"'--versoin'"*"'--version'"* ]]
 }
 @test "3: an unknown option is exit 2 and one line that names the nearest" {
-  for_each filter predicate picture source converter -- unknown_option_is_refused
+  for_each filter predicate picture source converter loop -- unknown_option_is_refused
 }
 
 stdin_equals_file() {
@@ -70,7 +70,7 @@ stdin_equals_file() {
   cmp named dash
 }
 @test "4: stdin equals the named file, byte for byte" {
-  for_each filter predicate picture converter -- stdin_equals_file
+  for_each filter predicate picture converter loop -- stdin_equals_file
 }
 
 output_option_equals_stdout() {
@@ -81,7 +81,7 @@ output_option_equals_stdout() {
   cmp expected target
 }
 @test "5: -o FILE equals stdout" {
-  for_each filter predicate picture source converter -- output_option_equals_stdout
+  for_each filter predicate picture source converter loop -- output_option_equals_stdout
 }
 
 empty_input_is_refused() {
@@ -93,7 +93,7 @@ empty_input_is_refused() {
   [[ $stderr == "$program: "*empty* ]]
 }
 @test "6: empty input is exit 3 and says so" {
-  for_each filter predicate picture converter -- empty_input_is_refused
+  for_each filter predicate picture converter loop -- empty_input_is_refused
 }
 
 truncated_input_is_refused() {
@@ -106,7 +106,7 @@ truncated_input_is_refused() {
   [[ $stderr == "$program: "* ]]
 }
 @test "7: truncated binary PLY is exit 3, and nothing is written" {
-  for_each filter predicate picture converter -- truncated_input_is_refused
+  for_each filter predicate picture converter loop -- truncated_input_is_refused
 }
 
 closed_pipe_is_silent() {
@@ -118,7 +118,7 @@ closed_pipe_is_silent() {
   [ "$code $(cat stderr)" = "141 " ] || fail "exit code $code, $(cat stderr)"
 }
 @test "8: a closed output pipe ends the program silently" {
-  for_each filter predicate picture source converter -- closed_pipe_is_silent
+  for_each filter predicate picture source converter loop -- closed_pipe_is_silent
 }
 
 failed_output_is_told() {
@@ -131,8 +131,8 @@ failed_output_is_told() {
 full_disk_is_told() { failed_output_is_told >/dev/full; }
 closed_stdout_is_told() { failed_output_is_told >&-; }
 @test "9: a full disk and a closed stdout are exit 5 and told" {
-  for_each filter predicate picture source converter -- full_disk_is_told
-  for_each filter predicate picture source converter -- closed_stdout_is_told
+  for_each filter predicate picture source converter loop -- full_disk_is_told
+  for_each filter predicate picture source converter loop -- closed_stdout_is_told
 }
 
 header_survives() {
@@ -157,7 +157,7 @@ threads_make_no_difference() {
   cmp 1 4
 }
 @test "11: 1, 2 and 4 threads give the same bytes" {
-  for_each filter predicate picture source converter -- threads_make_no_difference
+  for_each filter predicate picture source converter loop -- threads_make_no_difference
 }
 
 # The program waits for the rest of its input, or for a reader of its output, when the signal comes.
@@ -185,6 +185,6 @@ signal_ends_it() {
 interrupt_ends_it() { signal_ends_it INT 130; }
 termination_ends_it() { signal_ends_it TERM 143; }
 @test "12: SIGINT and SIGTERM end it at once, and leave no partial file" {
-  for_each filter predicate picture source converter -- interrupt_ends_it
-  for_each filter predicate picture source converter -- termination_ends_it
+  for_each filter predicate picture source converter loop -- interrupt_ends_it
+  for_each filter predicate picture source converter loop -- termination_ends_it
 }

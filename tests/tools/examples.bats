@@ -87,8 +87,8 @@ setup() {
   run_examples tm-checkmanifold.1 tm-compare.1 tm-info.1 tm-intersect.1 tm-render.1
 }
 
-@test "examples of what makes meshes, and of the loop" {
-  run_examples tm-shape.1 tm-morph.1 tm.7
+@test "examples of what makes meshes, and of the loops" {
+  run_examples tm-shape.1 tm-morph.1 tm-evolve.1 tm.7
 }
 
 @test "examples of photographs and their cameras" {

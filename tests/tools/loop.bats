@@ -1,4 +1,4 @@
-# What tm-morph and tm-reconstruct keep of the contract of all programs: see scripts/loop.bash.
+# What the loops keep of the contract of all programs beyond contract.bats.
 
 load ../helpers/common
 
@@ -53,7 +53,7 @@ setup() {
 }
 
 @test "tm-morph: a hangup is told as an interruption, with 129 and what continues the run" {
-  tm-morph sphere.ply --target torus.ply -o out.ply --csv log.csv 2>messages 3>&- &
+  tm-morph sphere.ply --target torus.ply --alpha 0.01 --smooth tangential -o out.ply --csv log.csv 2>messages 3>&- &
   while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt 4 ]; do sleep 0.01; done
   kill -HUP $!
   wait $! || code=$?

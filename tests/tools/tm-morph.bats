@@ -1,15 +1,13 @@
 load ../helpers/common
 
 setup_file() {
-  PATH=$tm_build/bin:$PATH
   cd "$BATS_FILE_TMPDIR"
   tm-shape torus --faces 1000 -o torus.ply
   tm-shape sphere --around torus.ply --faces 1000 -o sphere.ply
-  "$tm_root/scripts/tm-morph" sphere.ply --target torus.ply -o whole.ply --csv whole.csv -q
+  tm-morph sphere.ply --target torus.ply -o whole.ply --csv whole.csv -q
 }
 
 setup() {
-  PATH=$tm_root/scripts:$PATH
   cd "$BATS_TEST_TMPDIR"
   sphere=$BATS_FILE_TMPDIR/sphere.ply
   torus=$BATS_FILE_TMPDIR/torus.ply
@@ -31,13 +29,12 @@ same_mesh() {
   cmp <(tm-convert --format off "$1" | grep -v '^#') <(tm-convert --format off "$2" | grep -v '^#')
 }
 
-# A folder of filters that are the built ones, but for those that a test puts there.
-own_filters() {
-  mkdir -p filters
-  cp "$tm_root"/scripts/{tm-morph,loop*.bash,morph-*.bash} filters/
-  for filter in tm-morph-step tm-clean tm-remesh tm-convert tm-compare tm-info tm-checkmanifold; do
-    ln -sf "$tm_build/bin/$filter" "filters/$filter"
-  done
+# A run of some seconds with a row for each iteration, in the background; sets $! as usual.
+slow_run() { # OPTION...
+  tm-morph "$sphere" --target "$torus" --alpha 0.02 --smooth tangential --iterations 300 -o out.ply --csv log.csv -q "$@" 3>&- &
+}
+wait_for_rows() { # COUNT
+  while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt "$1" ]; do sleep 0.01; done
 }
 
 @test "a sphere becomes a torus: right topology, on the target, closed, without a crossing" {
@@ -49,6 +46,9 @@ own_filters() {
   [ "$(value converged r.json)" = true ]
   [ "$(value stop r.json)" = converged ]
   [ "$(value target_genus r.json)" -eq 1 ]
+  [ "$(jq -r '.options.alpha' r.json)" = 0.2 ]
+  [ "$(jq '.input.faces' r.json)" -eq "$(tm-info --get faces "$sphere")" ]
+  [ "$(jq '.peak_memory_bytes' r.json)" -gt 1000000 ]
   [ "$(tm-info --get genus out.ply)" -eq 1 ]
   [ "$(tm-info --get components out.ply)" -eq 1 ]
   tm-intersect --check out.ply
@@ -88,19 +88,41 @@ own_filters() {
   [ "$(value stop r.json)" = converged ]
 }
 
-@test "a run that was killed continues to the same result" {
-  tm-morph "$sphere" --target "$torus" -o out.ply --csv log.csv -q 3>&- &
-  while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt 6 ]; do sleep 0.01; done
+@test "a run that was killed at ten random moments continues to the same bytes" {
+  for _ in {1..10}; do
+    slow_run --resume
+    sleep 0."$((RANDOM % 3))$((RANDOM % 10))"
+    # Slower machines have not begun by then.
+    wait_for_rows 1
+    kill -KILL $! 2>/dev/null || true
+    wait $! || true
+  done
+  # As if it had been killed between writing a row and keeping its mesh.
+  echo 9999,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,0 >>log.csv
+  slow_run --resume
+  wait $!
+  cp out.ply killed.ply
+  cut -d, -f1-12 log.csv >killed.csv
+  slow_run
+  wait $!
+  cmp out.ply killed.ply
+  cmp <(cut -d, -f1-12 log.csv) killed.csv
+}
+
+@test "the state of an interrupted run is not thrown away without a word" {
+  slow_run
+  wait_for_rows 4
   kill -KILL $!
   wait $! || true
-  [ ! -e out.ply ]
-  # As if it had been killed between writing a line and keeping its mesh.
-  echo 9999,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,0 >>log.csv
-  printf 'iteration 9999 scale 0 idle 0 che' >>out.ply.tm-morph/state
-  sleep 0.5 # the filters of the killed loop end by themselves
-  tm-morph "$sphere" --target "$torus" -o out.ply --csv log.csv --resume -q
+  run --separate-stderr tm-morph "$sphere" --target "$torus" -o out.ply
+  assert_status 2
+  one_line "$stderr"
+  [[ $stderr == *out.ply.tm-morph*--resume*--restart* ]]
+  run --separate-stderr tm-morph "$sphere" --target "$torus" -o out.ply --resume --restart
+  assert_status 2
+  tm-morph "$sphere" --target "$torus" -o out.ply --restart -q
   cmp out.ply "$whole"
-  cmp <(cut -d, -f1-12 log.csv) <(cut -d, -f1-12 "$BATS_FILE_TMPDIR/whole.csv")
+  [ ! -e out.ply.tm-morph ]
 }
 
 @test "--resume begins where there is nothing to continue, and refuses other settings" {
@@ -112,44 +134,120 @@ own_filters() {
 }
 
 @test "SIGINT ends it within a second, with 130 and no output, ready to be continued" {
-  env --default-signal=INT "$tm_root/scripts/tm-morph" "$sphere" --target "$torus" -o out.ply \
-    --csv log.csv 2>messages 3>&- &
-  while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt 4 ]; do sleep 0.01; done
+  env --default-signal=INT tm-morph "$sphere" --target "$torus" --alpha 0.01 --smooth tangential \
+    -o out.ply --csv log.csv 2>messages 3>&- &
+  wait_for_rows 4
   kill -INT $!
   began=$EPOCHSECONDS
   wait $! || code=$?
   [ "$code" -eq 130 ]
   [ $((EPOCHSECONDS - began)) -le 1 ]
   [ ! -e out.ply ]
-  grep -q -- '--resume' messages
-  tm-morph "$sphere" --target "$torus" -o out.ply --resume -q
-  cmp out.ply "$whole"
+  [ "$(cat messages)" = "tm-morph: interrupted by SIGINT; --resume continues" ]
+  [ "$(ls -A out.ply.tm-morph | tr '\n' ' ')" = "mesh.ply target.ply " ]
 }
 
-@test "a filter that fails ends the loop with its message and code, and the last good mesh" {
-  own_filters
-  rm filters/tm-clean
-  cat >filters/tm-clean <<STUB
-#!/bin/bash
-echo >>$PWD/calls
-if [ "\$(wc -l <$PWD/calls)" -eq 6 ]; then
-  cat >/dev/null
-  echo 'tm-clean: no luck today' >&2
-  exit 4
-fi
-exec $tm_build/bin/tm-clean "\$@"
-STUB
-  chmod +x filters/tm-clean
-  # The first calls are for the source and the target, so the sixth is iteration 4.
-  run --separate-stderr filters/tm-morph "$sphere" --target "$torus" -o out.ply
+@test "an iteration that fails ends the loop with its reason and code, and the last good mesh" {
+  # Beside the target a small ball shrinks to nothing.
+  tm-shape sphere --radius 0.3 --center 9,0,0 --faces 300 -o small.ply
+  run --separate-stderr tm-morph small.ply --target "$torus" -o out.ply
   assert_status 4
-  [ "${stderr_lines[0]}" = "tm-clean: no luck today" ]
-  [[ ${stderr_lines[1]} == "tm-morph: stopped in iteration 4; 'out.ply' holds the mesh of iteration 3"* ]]
   [ "${#stderr_lines[@]}" -eq 2 ]
-  tm-morph "$sphere" --target "$torus" -o three.ply --iterations 3 -q
-  same_mesh out.ply three.ply
-  tm-morph "$sphere" --target "$torus" -o out.ply --resume -q
+  [[ ${stderr_lines[0]} =~ ^tm-morph:\ iteration\ ([0-9]+):\  ]]
+  failed=${BASH_REMATCH[1]}
+  last=$((failed - 1))
+  [ "${stderr_lines[1]}" = "tm-morph: stopped in iteration $failed; 'out.ply' holds the mesh of iteration $last, and --resume continues from there" ]
+  tm-morph small.ply --target "$torus" -o last.ply --iterations "$last" --frames frames --every "$last" -q
+  same_mesh out.ply "frames/frame-$(printf %05d "$last").ply"
+  run --separate-stderr tm-morph small.ply --target "$torus" -o again.ply --resume
+  assert_status 4
+}
+
+@test "--require-convergence tells by the exit code, and writes the result all the same" {
+  tm-morph "$sphere" --target "$torus" -o out.ply --require-convergence -q
   cmp out.ply "$whole"
+  run tm-morph "$sphere" --target "$torus" -o short.ply --iterations 3 --require-convergence \
+    --report r.json -q
+  assert_status 1
+  [ -s short.ply ]
+  [ "$(value converged r.json)" = false ]
+}
+
+# frames_are_piped MORPH-OPTIONS -- STEP-OPTIONS: the frames of tm-morph are, iteration by iteration,
+# the bytes that the filters make on pipes.
+frames_are_piped() {
+  local options=()
+  while [ "$1" != -- ]; do
+    options+=("$1")
+    shift
+  done
+  shift
+  tm-morph "$start" --target "$target" -o out.ply --iterations 12 --frames frames --every 1 \
+    --no-provenance -q "${options[@]}"
+  tm-clean --outermost --no-provenance --reference-edge auto --format ply -o mesh.ply "$start"
+  cmp mesh.ply frames/frame-00000.ply
+  for iteration in {1..12}; do
+    tm-morph-step --no-provenance --target "$target" "$@" mesh.ply |
+      tm-clean --no-provenance --outermost |
+      tm-remesh --no-provenance --smooth 0.1 -o mesh.ply
+    cmp mesh.ply "frames/frame-$(printf %05d "$iteration").ply" || fail "iteration $iteration"
+  done
+  rm -r frames
+}
+
+@test "frames are the bytes of the filters on pipes: three morphs, double and float" {
+  set -o pipefail
+  for type in double float; do
+    tm-convert --"$type" -o start.ply "$sphere"
+    start=start.ply target=$torus frames_are_piped --
+    start=start.ply target=$torus frames_are_piped --alpha 0.5 -- --alpha 0.5
+    tm-shape two-spheres --gap 0.3 --faces 2000 -o target.ply
+    tm-shape sphere --around target.ply --faces 1500 | tm-convert --"$type" -o start.ply
+    start=start.ply target=target.ply frames_are_piped --
+  done
+}
+
+@test "--print-pipeline prints the loop that makes the same mesh" {
+  for options in '' '--gap-edges 1.5' '--alpha 0.4 --smooth tangential --reference-edge 0.1'; do
+    # shellcheck disable=SC2086
+    tm-morph "$sphere" --target "$torus" --iterations 5 $options --print-pipeline -o piped.ply >loop
+    bash loop
+    # shellcheck disable=SC2086
+    tm-morph "$sphere" --target "$torus" --iterations 5 $options --no-provenance -q -o own.ply
+    cmp piped.ply own.ply || fail "$options: $(cat loop)"
+    rm -rf own.ply.tm-morph
+  done
+  run --separate-stderr tm-morph "$sphere" --target "$torus" --scales 2 --print-pipeline
+  assert_status 2
+}
+
+@test "a sequence is followed frame by frame, with a row each, and resumed" {
+  for time in 0.20 0.23 0.26 0.29; do tm-shape figure "$time" --faces 4000 -o "frame $time.ply"; done
+  tm-morph "frame 0.20.ply" --sequence "frame 0.23.ply" "frame 0.26.ply" "frame 0.29.ply" \
+    -o last.ply --csv log.csv --frames followed --report r.json -q
+  [ "$(wc -l <log.csv)" -eq 4 ]
+  [ "$(cut -d, -f3 log.csv | tail -n 3 | sort -u)" = converged ]
+  [ "$(cut -d, -f7 log.csv | tail -n 3 | tr '\n' ' ')" = "0 1 1 " ]
+  [ "$(value converged_frames r.json)" -eq 3 ]
+  cmp <(tm-convert --format off --no-provenance last.ply) \
+    <(tm-convert --format off --no-provenance followed/frame-00003.ply)
+  [ ! -e last.ply.tm-morph ]
+  run --separate-stderr tm-morph "frame 0.20.ply" --sequence "frame 0.23.ply" absent.ply -o two.ply
+  assert_status 3
+  [[ $stderr == *absent.ply* ]]
+  mv "frame 0.26.ply" absent.ply
+  tm-morph "frame 0.20.ply" --sequence "frame 0.23.ply" absent.ply -o two.ply --resume -q
+  same_mesh two.ply followed/frame-00002.ply
+  run --separate-stderr tm-morph "frame 0.20.ply" --sequence "frame 0.23.ply" --target "$torus"
+  assert_status 2
+}
+
+@test "edges keep their length over a chain of runs" {
+  tm-morph "$sphere" --target "$torus" -o first.ply --iterations 20 -q
+  tm-morph first.ply --target "$torus" -o second.ply --iterations 20 -q
+  reference() { sed -nE 's/^comment tm:reference-edge //p;/^end_header/q' "$1"; }
+  [ -n "$(reference first.ply)" ]
+  [ "$(reference first.ply)" = "$(reference second.ply)" ]
 }
 
 @test "without progress on a component that is out of reach it stops by itself" {
@@ -257,7 +355,7 @@ STUB
   run --separate-stderr tm-morph "$sphere" --target "$torus" --iterations 2 -q -o out.ply \
     --csv /dev/full
   assert_status 5
-  [ "$stderr" = "tm-morph: cannot write '/dev/full'" ]
+  [ "$stderr" = "tm-morph: cannot write '/dev/full': No space left on device" ]
 }
 
 @test "frames are kept every N iterations, from the source on" {
@@ -309,6 +407,7 @@ STUB
 2 '$sphere' --target '$torus' -o out.ply --scales 11
 2 '$sphere' '$sphere' --target '$torus' -o out.ply
 2 '$sphere' --target '$torus' --resume
+2 '$sphere' --target '$torus' --sequence
 2 '$sphere' --target '$torus' -o out.ply --smooth much
 3 '$sphere' --target absent.ply -o out.ply
 3 absent.ply --target '$torus' -o out.ply
@@ -316,21 +415,4 @@ LINES
   run tm-morph "$sphere" --targt "$torus"
   [[ $output == *"'--targt'"*"'--target'"* ]]
   [ -z "$(ls)" ] || fail "left behind: $(ls)"
-}
-
-@test "the man page lists exactly the options of --help" {
-  tm-morph --help >help
-  diff "$tm_root/tests/tools/golden/tm-morph.help" help
-  diff <(sed -nE 's/^  (-[a-zA-Z], )?--([a-z0-9-]+).*/\2/p' help | sort) \
-    <(grep -B1 '^:   ' "$tm_root/man/tm-morph.1.md" | grep '^\*\*\\*-' |
-      grep -oE '\*\*\\?--[a-z0-9-]+' | sed -E 's/^\*\*\\?--//' | sort)
-  [[ $(tm-morph --version) =~ ^tm-morph\ [0-9]+\.[0-9]+\.[0-9]+$ ]]
-}
-
-@test "the loop runs from where it is installed, without the project's folders" {
-  cmake --install "$tm_build" --prefix "$PWD/usr" >/dev/null
-  run --separate-stderr env -u TM_BUILD PATH=/usr/bin:/bin usr/bin/tm-morph "$sphere" \
-    --target "$torus" --iterations 2 -o out.ply
-  assert_status 0
-  same_mesh out.ply <(tm-morph "$sphere" --target "$torus" --iterations 2 -q)
 }

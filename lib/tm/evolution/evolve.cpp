@@ -108,6 +108,7 @@ EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& o
   const EvolveOptions complete = completed(options, document.mesh);
   EvolveLoop loop(step, complete);
   const LoopResult result = run_loop(loop, document, loop_options, record, progress);
+  clean_in_place(document, progress);
   if (result.is_done) record.end();
   return {result.iterations, result.is_done, loop.last()};
 }

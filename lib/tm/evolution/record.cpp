@@ -78,6 +78,7 @@ Record::Record(RecordOptions options) : options_(std::move(options)) {
   if (options_.resume) {
     refuse_other_settings(*state, options_);
     resumed_ = std::move(state);
+    iteration_ = resumed_->iteration;
   } else {
     refuse_interrupted(*state, options_);
   }
@@ -110,6 +111,7 @@ void Record::keep(const Document& document, std::size_t iteration, const std::st
   if (!options_.csv.empty()) append_line(options_.csv, row, O_APPEND);
   keep_frame(document, iteration);
   save(document, {options_.settings, iteration, false, values});
+  iteration_ = iteration;
 }
 
 void Record::pause(const Document& document, std::size_t iteration, const Values& values) {

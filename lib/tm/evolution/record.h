@@ -32,6 +32,8 @@ class Record {
   /// other settings, or of an interrupted one that is neither to be continued nor thrown away.
   explicit Record(RecordOptions options = {});
 
+  /// The last iteration that was completed, earlier runs included.
+  std::size_t iteration() const { return iteration_; }
   /// The state from which the run continues, if it does.
   const std::optional<SavedState>& resumed() const { return resumed_; }
   /// A further file of the state: kept from begin() on, found when the run continues.
@@ -56,6 +58,7 @@ class Record {
   RecordOptions options_;
   std::optional<StateFolder> folder_;
   std::optional<SavedState> resumed_;
+  std::size_t iteration_ = 0;
   std::vector<std::pair<std::string, std::string>> added_;
 };
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "tm/io/atomic_file.h"
 #include "tm/io/obj.h"
 #include "tm/io/off.h"
 #include "tm/io/ply.h"
 #include "tm/io/scalar.h"
 #include "tm/io/sniff.h"
 #include "tm/io/stl.h"
+#include "tm/io/streams.h"
 #include "tm/mesh/digits.h"
 #include "tm/support/error.h"
 #include "tm/support/single.h"
@@ -103,6 +105,18 @@ WriteResult write_mesh(const Document& document) {
       if (document.style.coordinate == Scalar::float32) check_float_range(document.mesh);
       return write_ply(document);
   }
+}
+
+Mesh read_mesh_file(const std::string& path) {
+  const Bytes bytes = read_all(path);
+  return read_mesh(bytes.view(), input_name(path)).document.mesh;
+}
+
+void write_mesh_file(const std::string& path, const Mesh& mesh) {
+  Document document;
+  document.mesh = mesh;
+  format_of_name(path, Format::ply_little, document.style.format);
+  write_file(path, write_mesh(document).bytes);
 }
 
 bool format_of_name(std::string_view name, Format encoding_like, Format& format) {

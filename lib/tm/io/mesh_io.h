@@ -35,6 +35,11 @@ ReadResult read_mesh(std::string_view bytes, const std::string& name);
 /// rounding.
 WriteResult write_mesh(const Document& document);
 
+/// The mesh of a file (`-`: stdin), and a file of it in double precision, complete or not at all,
+/// in the format of its name, else PLY. Throw what reading and writing throw, and OutputError.
+Mesh read_mesh_file(const std::string& path);
+void write_mesh_file(const std::string& path, const Mesh& mesh);
+
 /// The format that a file name's extension asks for: .ply .off .obj .stl, any case.
 /// `encoding_like` supplies the encoding of PLY where it is one. False for other extensions.
 bool format_of_name(std::string_view name, Format encoding_like, Format& format);

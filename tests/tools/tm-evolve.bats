@@ -1,0 +1,107 @@
+load ../helpers/common
+
+setup_file() {
+  cd "$BATS_FILE_TMPDIR"
+  tm-shape sphere --faces 1000 -o ball.ply
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  ball=$BATS_FILE_TMPDIR/ball.ply
+}
+
+value() { jq -r ".result.$1" "$2"; }
+
+@test "a step by one of our filters makes the bytes of the loop by hand" {
+  tm-evolve "$ball" --step 'tm-displace --normal-speed 0.02' --iterations 5 -o out.ply \
+    --no-provenance -q
+  tm-clean --no-provenance --outermost --reference-edge auto -o mesh.ply "$ball"
+  for _ in {1..5}; do
+    pipe "tm-displace --no-provenance --normal-speed 0.02 mesh.ply | tm-clean --no-provenance --outermost |
+      tm-remesh --no-provenance --smooth 0.1 -o mesh.ply"
+    assert_status 0
+  done
+  tm-clean --no-provenance --outermost -o mesh.ply mesh.ply
+  cmp out.ply mesh.ply
+}
+
+@test "velocities in another language: vx vy vz out, or vertices moved" {
+  # Awk reads ASCII PLY, and adds velocities away from the axis of z.
+  cat >outwards <<'AWK'
+/^element vertex/ { count = $3 }
+/^element face/ { print "property double vx\nproperty double vy\nproperty double vz" }
+/^end_header/ { body = 1; print; next }
+body && count > 0 { --count; print $0, $1, $2, 0; next }
+{ print }
+AWK
+  tm-evolve "$ball" -o out.ply --iterations 10 -q --report r.json --time-step 0.05 --alpha 1 \
+    --step 'tm-convert --format ply-ascii | awk -f outwards'
+  [ "$(value components r.json)" -eq 1 ]
+  # exp(0.5), but for the smoothing.
+  awk -v x="$(tm-info --get bbox_max out.ply | cut -d' ' -f1)" 'BEGIN { exit !(x > 1.5 && x < 1.7) }'
+  ! sed '/^end_header/q' out.ply | grep -q vx
+  tm-evolve "$ball" -o moved.ply --iterations 3 -q \
+    --step 'tm-convert --format ply-ascii | awk "/^end_header/ { b = 1 } b && NF == 3 { \$1 *= 1.1 } { print }"'
+  awk -v x="$(tm-info --get bbox_max moved.ply | cut -d' ' -f1)" 'BEGIN { exit !(x > 1.2 && x < 1.35) }'
+}
+
+@test "it stops when no vertex moves as far, or when nothing gets better" {
+  step='tm-morph-step --target '$ball
+  tm-shape sphere --radius 1.3 --faces 1000 -o large.ply
+  tm-evolve large.ply -o out.ply --step "$step" --until moved:0.03x --report r.json -q
+  [ "$(value stop r.json)" = converged ]
+  [ "$(value iterations r.json)" -lt 60 ]
+  tm-evolve large.ply -o out.ply --step "$step" --until stalled --report r.json -q
+  [ "$(value stop r.json)" = converged ]
+  run tm-evolve large.ply -o out.ply --step "$step" --iterations 2 --until moved:1e-9 \
+    --require-convergence -q
+  assert_status 1
+}
+
+@test "TM_ITERATION counts, from the first iteration on and over a resumed run" {
+  step='echo $TM_ITERATION >>numbers; cat'
+  tm-evolve "$ball" -o out.ply --step "$step" --iterations 2 -q
+  tm-evolve "$ball" -o out.ply --step "$step" --iterations 4 -q --resume
+  [ "$(tr '\n' ' ' <numbers)" = "1 2 3 4 " ]
+}
+
+@test "a step that fails, that is no mesh, or that changes faces is told with its iteration" {
+  told() { # CODE MESSAGE COMMAND
+    run --separate-stderr tm-evolve "$ball" -o out.ply --step "$3"
+    assert_status "$1"
+    [[ ${stderr_lines[-1]} == "tm-evolve: "*"$2"* ]] || fail "$stderr"
+    [ ! -e out.ply ] && [ ! -e out.ply.tm-evolve ]
+  }
+  told 4 "iteration 1: 'exit 9' ended with exit code 9" 'exit 9'
+  told 3 "ended with exit code 3" 'cat >/dev/null; exit 3'
+  told 4 "was ended by signal 9" 'kill -9 $$'
+  told 3 "the step's output" 'cat >/dev/null'
+  told 3 "a step moves vertices and nothing else" 'tm-remesh --max-edge 0.5x --min-edge 0.2x'
+  told 4 "ended with exit code 127" 'no-such-program-here 2>/dev/null'
+  # A filter that does not read its input fails for what it writes, not by a broken pipe.
+  told 3 "the step's output" 'exec 0<&-; echo no mesh'
+  run --separate-stderr tm-evolve "$ball" -o out.ply
+  assert_status 2
+  [[ $stderr == *--step* ]]
+  run --separate-stderr tm-evolve "$ball" -o out.ply --step cat --until moved
+  assert_status 2
+}
+
+@test "a mesh of megabytes goes through pipes that hold less" {
+  tm-shape sphere --faces 40000 -o large.ply
+  tm-evolve large.ply -o out.ply --step cat --iterations 1 -q
+  [ "$(tm-info --get components out.ply)" -eq 1 ]
+}
+
+@test "a run that was killed continues to the same bytes" {
+  step='tm-displace --normal-speed 0.01'
+  tm-evolve "$ball" -o whole.ply --step "$step" --iterations 60 -q
+  tm-evolve "$ball" -o out.ply --step "$step" --iterations 60 --csv log.csv -q 3>&- &
+  while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt 9 ]; do sleep 0.01; done
+  kill -KILL $!
+  wait $! || true
+  tm-evolve "$ball" -o out.ply --step "$step" --iterations 60 --csv log.csv -q --resume
+  cmp <(tm-convert --no-provenance whole.ply | tail -c 1000) <(tm-convert --no-provenance out.ply | tail -c 1000)
+  cmp whole.ply out.ply
+  [ "$(wc -l <log.csv)" -eq 61 ]
+}

@@ -1,0 +1,94 @@
+#include "loop_options.h"
+
+#include <exception>
+
+#include "tm/support/error.h"
+
+namespace transformesh::tool {
+namespace {
+
+/// What does not change the result, so that a run that continues may have others.
+const std::vector<std::string> of_the_run_alone{
+    "iterations", "resume", "restart", "frames", "every", "csv", "require-convergence"};
+
+}  // namespace
+
+void declare_iterations(Program& program, LoopChoices& choices) {
+  program.integer("iterations", &choices.iterations, 1, 999999999, "stop after so many");
+}
+
+void declare_record(Program& program, LoopChoices& choices, const std::string& every,
+                    const std::string& rows) {
+  program.flag("resume", &choices.resume, "continue a run that was stopped, where there is one");
+  program.flag("restart", &choices.restart, "begin anew where a run was interrupted");
+  program.text("frames", &choices.frames, "FOLDER",
+               "keep meshes there as frame-00000.ply and so on");
+  program.integer("every", &choices.every, 1, 999999999, every);
+  program.text("csv", &choices.csv, "FILE", "write a line per " + rows);
+  program.flag("require-convergence", &choices.require_convergence,
+               "exit 1 where the result did not converge");
+  for (const std::string& option : of_the_run_alone) program.keep_out_of_provenance(option);
+}
+
+Record open_record(const LoopChoices& choices, long every, Run& run) {
+  const bool is_continuable = run.output() != "-";
+  if (choices.resume && !is_continuable)
+    throw UsageError("--resume needs -o OUT: what to continue");
+  if (choices.resume && choices.restart)
+    throw UsageError("give either --resume or --restart, not both");
+  run.check_outputs({"output", "report", "csv"});
+  run.resumable(is_continuable);
+  RecordOptions options;
+  if (is_continuable) options.state = run.output() + '.' + run.program();
+  options.settings = run.settings(of_the_run_alone);
+  options.resume = choices.resume;
+  options.restart = choices.restart;
+  options.frames = choices.frames;
+  options.every = static_cast<std::size_t>(choices.every.value_or(every));
+  options.csv = choices.csv;
+  options.keep_state_at_end = true;
+  Record record(options);
+  if (is_continuable) run.detail("state in " + options.state);
+  if (record.resumed()) run.detail("continuing after " + std::to_string(record.iteration()));
+  return record;
+}
+
+LoopOptions loop_of(const LoopChoices& choices, Run& run) {
+  LoopOptions options;
+  options.iterations = static_cast<std::size_t>(choices.iterations);
+  options.on_iteration = [&run](const std::string& message) { run.progress_line(message); };
+  return options;
+}
+
+Document& begin_document(const Record& record, Run& run) {
+  if (record.resumed()) return run.continue_from(record.resumed()->document);
+  Document& document = run.read_input();
+  run.stamp(document);
+  return document;
+}
+
+void evolve_or_keep(Run& run, const Record& record, const std::string& noun,
+                    const std::function<void()>& evolve) {
+  try {
+    evolve();
+  } catch (const std::exception&) {
+    if (record.iteration() > 0) {
+      const std::string continued =
+          run.output() == "-" ? "" : ", and --resume continues from there";
+      run.keep("stopped in " + noun + ' ' + std::to_string(record.iteration() + 1),
+               "the mesh of " + noun + ' ' + std::to_string(record.iteration()) + continued);
+    }
+    throw;
+  }
+}
+
+void conclude(Run& run, const LoopChoices& choices, const Record& record,
+              const Conclusion& conclusion) {
+  run.when_written([&run, record, conclusion] {
+    if (conclusion.is_done) record.remove_state();
+    run.note(conclusion.summary);
+  });
+  if (choices.require_convergence && !conclusion.is_converged) run.answer(false);
+}
+
+}  // namespace transformesh::tool

@@ -1,0 +1,53 @@
+/// What the programs share that run a loop of evolution (lib/tm/evolution): their options, the
+/// record of the run beside its output, and what becomes of it at the end.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "tm/evolution/loop.h"
+#include "tool.h"
+
+namespace transformesh::tool {
+
+struct LoopChoices {
+  long iterations = 1000;
+  bool resume = false;
+  bool restart = false;
+  std::string frames;
+  std::optional<long> every;
+  std::string csv;
+  bool require_convergence = false;
+};
+
+/// --iterations; then, after the program's own options, the rest.
+void declare_iterations(Program& program, LoopChoices& choices);
+/// `every` says what --every counts and its default.
+void declare_record(Program& program, LoopChoices& choices, const std::string& every,
+                    const std::string& rows);
+
+/// Checks that all outputs can be written, and looks for a state beside the output.
+Record open_record(const LoopChoices& choices, long every, Run& run);
+
+/// The limit, and lines of progress.
+LoopOptions loop_of(const LoopChoices& choices, Run& run);
+
+/// The mesh with which the run begins, or continues, as -o shall hold it.
+Document& begin_document(const Record& record, Run& run);
+
+/// Calls `evolve`. Where that fails after `noun` 1 or later, the output holds the last good mesh,
+/// and the message says so.
+void evolve_or_keep(Run& run, const Record& record, const std::string& noun,
+                    const std::function<void()>& evolve);
+
+struct Conclusion {
+  bool is_done = false;  ///< leaves no state once the outputs are written
+  bool is_converged = false;
+  std::string summary;  ///< said then
+};
+/// Answers --require-convergence as well.
+void conclude(Run& run, const LoopChoices& choices, const Record& record,
+              const Conclusion& conclusion);
+
+}  // namespace transformesh::tool

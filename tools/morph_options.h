@@ -1,0 +1,39 @@
+/// The options of tm-morph, and what they mean to the library.
+#pragma once
+
+#include <string>
+
+#include "loop_options.h"
+#include "tm/evolution/morphing.h"
+#include "tool.h"
+
+namespace transformesh::tool {
+
+/// Options as they are written.
+struct MorphChoices {
+  std::string target;
+  bool sequence = false;
+  double alpha = 0.2;
+  double time_step = 1;
+  std::string distance = "auto";
+  std::string smooth = "0.1";
+  Length min_edge{0.7, Length::Unit::reference_edge};
+  Length max_edge{1.5, Length::Unit::reference_edge};
+  double gap_edges = 0;
+  long scales = 1;
+  bool print_pipeline = false;
+  LoopChoices loop;
+};
+
+void declare_morph(Program& program, MorphChoices& choices);
+
+/// Throws UsageError where source, target and frames do not go together.
+void check_morph(const MorphChoices& choices, const Run& run);
+
+/// With lengths that refer to the mesh of the run.
+MorphingOptions morphing_of(const MorphChoices& choices, Run& run);
+
+/// The shell loop over the filters that makes the same meshes.
+std::string pipeline_of(const MorphChoices& choices, const Run& run);
+
+}  // namespace transformesh::tool

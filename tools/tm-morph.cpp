@@ -1,0 +1,82 @@
+/// tm-morph: evolves a mesh until it lies on a target, or follows a film of them (paper 5.2).
+#include "morph_options.h"
+#include "morph_report.h"
+#include "tm/evolution/tracking.h"
+#include "tm/io/streams.h"
+#include "tm/step/target_file.h"
+
+namespace {
+
+using namespace transformesh;
+
+constexpr const char* state_target = "target.ply";
+
+Target read(const std::string& name, tool::Run& run) {
+  Target target = read_target(run.read_bytes(name), input_name(name));
+  if (target.has_estimated_normals)
+    run.note("the target's points have no normals: estimated from their neighbors");
+  return target;
+}
+
+// As the run that is continued had it, with its gaps measured.
+Target target_of(const tool::MorphChoices& choices, const MorphingOptions& options, Record& record,
+                 tool::Run& run) {
+  if (const auto kept = record.find(state_target)) return read_target(*kept, state_target);
+  Target target = read(choices.target, run);
+  prepare_target(target, options, run.progress());
+  record.add(state_target, write_target(target));
+  return target;
+}
+
+void morph_to_target(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
+  Document& document = tool::begin_document(record, run);
+  const MorphingOptions options = tool::morphing_of(choices, run);
+  const Target target = target_of(choices, options, record, run);
+  MorphingResult result;
+  tool::evolve_or_keep(run, record, "iteration", [&] {
+    result =
+        morph(document, target, options, tool::loop_of(choices.loop, run), record, run.progress());
+  });
+  tool::report_morph(result, run);
+  tool::conclude(run, choices.loop, record,
+                 {result.stop != MorphingStop::iteration_limit,
+                  result.stop == MorphingStop::converged, tool::summary(result, document.mesh)});
+}
+
+void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
+  Document& document = tool::begin_document(record, run);
+  const std::vector<std::string> names(run.inputs().begin() + 1, run.inputs().end());
+  const TrackingOptions options{tool::morphing_of(choices, run),
+                                static_cast<std::size_t>(choices.loop.iterations)};
+  TrackingResult result;
+  tool::evolve_or_keep(run, record, "frame", [&] {
+    result = track(
+        document, names, [&](std::size_t frame) { return read(names[frame], run); }, options,
+        [&](const std::string& message) { run.progress_line(message); }, record, run.progress());
+  });
+  tool::report_tracking(result, document.mesh, run);
+  tool::conclude(run, choices.loop, record,
+                 {true, result.converged == result.frames, tool::summary(result, document.mesh)});
+}
+
+void evolve(const tool::MorphChoices& choices, tool::Run& run) {
+  tool::check_morph(choices, run);
+  if (choices.print_pipeline) {
+    run.write_nothing();
+    return run.write("-", tool::pipeline_of(choices, run));
+  }
+  Record record = tool::open_record(choices.loop, choices.sequence ? 1 : 10, run);
+  choices.sequence ? follow_sequence(choices, record, run) : morph_to_target(choices, record, run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tool::MorphChoices choices;
+  tool::Program program("tm-morph", "[OPTION]... SOURCE --target FILE -o OUT",
+                        "Evolves a mesh until it lies on a target", tool::Reads::files,
+                        tool::Writes::evolved_mesh);
+  tool::declare_morph(program, choices);
+  program.write_mesh_if([&choices] { return !choices.print_pipeline; });
+  return program.run(argc, argv, [&](tool::Run& run) { evolve(choices, run); });
+}
