@@ -53,6 +53,19 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
   awk -F, 'NR > 1 && $2 > 8000 { exit 1 }' breathing/log.csv
 }
 
+@test "a figure is followed through a film while its arms join, cross and let go" {
+  FACES=3000 TM_BUILD=$tm_build "$tm_root/scripts/experiments/film" out 20 >line
+  grep -q '^20 frames, ' line
+  [ "$(tail -n +2 out/log.csv | cut -d, -f7 | uniq | tr '\n' ' ')" = "0 1 0 " ]
+  [ "$(head -c 4 out/sheet.png | tail -c 3)" = PNG ]
+  # One iteration is not enough for any frame.
+  printf '#!/bin/bash\nexec %s "$@" --iterations 1\n' "$tm_build/bin/tm-morph" >tm-morph
+  chmod +x tm-morph
+  mkdir experiments && cp "$tm_root/scripts/experiments/film" experiments/
+  run env FACES=3000 TM_BUILD="$tm_build" experiments/film bad 4
+  assert_status 1
+}
+
 @test "generated scenes are photographed, reconstructed and judged by their truth" {
   [ -x "$tm_build/bin/tm-photo-step" ] || skip "built without OpenCV"
   SIZE=160x120 TM_BUILD=$tm_build "$tm_root/scripts/experiments/synthetic-mvs" out dented gain rough >table
