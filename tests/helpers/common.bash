@@ -31,19 +31,6 @@ needs_command() {
   command -v "$1" >/dev/null || skip "$1 is not installed"
 }
 
-# Programs of multi-view reconstruction, which are built only where OpenCV is.
-is_left_out() {
-  case $1 in
-    tm-cameras | tm-hull | tm-photo-step | tm-photograph | tm-wrap) [ ! -x "$tm_build/bin/$1" ] ;;
-    *) return 1 ;;
-  esac
-}
-
-# needs_program tm-hull: skips and says why where it was left out of the build.
-needs_program() {
-  ! is_left_out "$1" || skip "$1 is not built: OpenCV was not found"
-}
-
 # winding_oracle INPUT OUTPUT [--level K] [--samples N] [--seed S]: whether OUTPUT is the boundary
 # of what INPUT encloses at least K times. Prints `tested N wrong N undecided N`; status 1 if wrong.
 winding_oracle() {

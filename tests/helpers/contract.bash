@@ -79,10 +79,6 @@ for_each() {
       echo "# $program: not for a $kind" >&3
       continue
     fi
-    if is_left_out "$program"; then
-      echo "# $program: not built" >&3
-      continue
-    fi
     mesh=$mesh_input binary=$binary_input crossing=$crossing_input
     if [ "$kind" = converter ]; then
       input=${program//-/_}_input

@@ -67,7 +67,6 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
 }
 
 @test "generated scenes are photographed, reconstructed and judged by their truth" {
-  [ -x "$tm_build/bin/tm-photo-step" ] || skip "built without OpenCV"
   SIZE=160x120 TM_BUILD=$tm_build "$tm_root/scripts/experiments/synthetic-mvs" out dented gain rough >table
   # Brightness and contrast of each photograph hardly matter.
   IFS=, read -r _ _ _ _ even _ <out/dented/row.csv
@@ -84,7 +83,6 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
 }
 
 @test "a film is photographed, reconstructed time step by time step and judged by its truth" {
-  [ -x "$tm_build/bin/tm-photo-step" ] || skip "built without OpenCV"
   SIZE=160x120 TM_BUILD=$tm_build "$tm_root/scripts/experiments/sequence" out >table
   # Two balls meet and part; only the third one is made from its hull.
   [ "$(cut -d, -f2 out/table.csv | tail -n +2 | tr '\n' ' ')" = \
@@ -96,7 +94,6 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
 }
 
 @test "real photographs: where there are none that is said" {
-  [ -x "$tm_build/bin/tm-photo-step" ] || skip "built without OpenCV"
   run --separate-stderr env SHARED_MVS=nowhere TM_BUILD="$tm_build" \
     "$tm_root/scripts/experiments/real-mvs" out
   assert_status 3
@@ -105,7 +102,6 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
 }
 
 @test "from a rough mesh around sparse points: two balls come apart" {
-  [ -x "$tm_build/bin/tm-photo-step" ] || skip "built without OpenCV"
   TM_BUILD=$tm_build "$tm_root/scripts/experiments/rough-start" out balls >table
   IFS=, read -r name points alpha start _ _ result _ _ reference _ <out/balls/row.csv
   [ "$name $points $start $result $reference" = "balls 300 1/0 2/0 2/0" ]

@@ -4,7 +4,6 @@ load ../helpers/common
 load ../helpers/contract
 
 setup() {
-  needs_program tm-cameras
   cd "$BATS_TEST_TMPDIR" || exit
 }
 
@@ -162,7 +161,7 @@ assert max(abs(x - y) for x, y in zip(table['cameras'][1]['center'], [-3, 0, -4]
   sed 's/300 59.5/nan 59.5/' in.txt >nan.txt
   sed 1d in.txt >headless.txt
   head -n 2 in.txt >short.txt
-  printf '1 OPENCV 160 120 300 300 80 60 0.1 0 0 0\n1 1 0 0 0 0 0 5 1 a.png\n\n' >opencv.txt
+  printf '1 RADIAL 160 120 300 300 80 60 0.1 0 0 0\n1 1 0 0 0 0 0 5 1 a.png\n\n' >lens.txt
   printf '1 2 3 4\n2 4 6 8\n0 0 1 1\n' >singular.txt
   printf '# Bundle file v0.3\n1 0\n500 0.01 0\n1 0 0\n0 1 0\n0 0 1\n0 0 5\n' >distorted.out
   printf '# Bundle file v0.3\n1 0\n500 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 5\n' >bundle.out
@@ -176,7 +175,7 @@ assert max(abs(x - y) for x, y in zip(table['cameras'][1]['center'], [-3, 0, -4]
 nan.txt nan.txt line 2
 headless.txt headless.txt line 1
 short.txt short.txt line 3
-opencv.txt opencv.txt line 1
+lens.txt lens.txt line 1
 singular.txt singular.txt line 3
 distorted.out distorted.out line 3
 bundle.out bundle.out line 3
@@ -233,9 +232,30 @@ JPEG
   [[ $stderr == *"not a complete JPEG"*"(a.jpg)"* ]]
 }
 
-@test "tm-cameras: loads no library for images before it needs one" {
-  needs_command readelf
-  run readelf -d "$(command -v tm-cameras)"
-  [[ $output == *libstdc++* ]]
-  [[ $output != *opencv_imgcodecs* ]]
+@test "tm-cameras: an image of another format is refused with the way to convert it" {
+  printf '1\na.webp 300 0 3 0 300 3 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5\n' >in.txt
+  printf 'RIFF\x24\0\0\0WEBPVP8 ' >a.webp
+  run --separate-stderr tm-cameras --images a.webp in.txt
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"JPEG, PNG, TIFF and PNM"*"magick a.webp a.png"* ]]
+}
+
+@test "tm-cameras: an image that claims 20000 x 20000 pixels and has none is refused at once" {
+  while read -r name bytes; do
+    printf '1\n%s 300 0 3 0 300 3 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5\n' "$name" >in.txt
+    base64 -d <<<"$bytes" >"$name"
+    run --separate-stderr timeout 10 tm-cameras --images "$name" in.txt
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr == *"($name)" ]] || fail "$stderr"
+  done <<'IMAGES'
+g4.tif SUkqABIAAAAmoSahJqEmoSahCQAAAQQAAQAAACBOAAABAQQAAQAAACBOAAACAQMAAQAAAAEAAAADAQMAAQAAAAQAAAAGAQMAAQAAAAEAAAARAQQAAQAAAAgAAAAVAQMAAQAAAAEAAAAWAQQAAQAAACBOAAAXAQQAAQAAAAoAAAAAAAAA
+packbits.tif SUkqABIAAACBAIEAgQCBAIEACQAAAQQAAQAAACBOAAABAQQAAQAAACBOAAACAQMAAQAAAAgAAAADAQMAAQAAAAWAAAAGAQMAAQAAAAEAAAARAQQAAQAAAAgAAAAVAQMAAQAAAAEAAAAWAQQAAQAAACBOAAAXAQQAAQAAAAoAAAAAAAAA
+palette.tif SUkqABoAAAB4nGNgGAWjYBQMdwAAA+gAAQAJAAABBAABAAAAIE4AAAEBBAABAAAAIE4AAAIBAwABAAAACAAAAAMBAwABAAAACAAAAAYBAwABAAAAAwAAABEBBAABAAAACAAAABUBAwABAAAAAQAAABYBBAABAAAAIE4AABcBBAABAAAAEQAAAAAAAAA=
+none.tif SUkqABIAAACBAIEAgQCBAIEACQAAAQQAAQAAACBOAAABAQQAAQAAACBOAAACAQMAAQAAAAgAAAADAQMAAQAAAAEAAAAGAQMAAQAAAAEAAAARAQQAAQAAAAgAAAAVAQMAAQAAAAEAAAAWAQQAAQAAACBOAAAXAQQAAQAAAAoAAAAAAAAA
+empty.tif SUkqAAgAAAAAAAgAAAA=
+a.png iVBORw0KGgoAAAANSUhEUgAATiAAAE4gCAIAAABsEtFuAAAADElEQVR4nGNgoD0AAABkAAGGZDw1AAAAAElFTkSuQmCC
+a.jpg /9j/wAALCE4gTiABAREA/9oACAEBAAA/AP/Z
+IMAGES
 }

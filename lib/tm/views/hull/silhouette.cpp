@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <opencv2/imgproc.hpp>
+#include <iterator>
+#include <numeric>
 #include <vector>
 
 #include "tm/support/error.h"
+#include "tm/views/images/gaussian_blur.h"
 
 namespace transformesh {
 namespace {
@@ -150,28 +152,56 @@ GrayImage closed(const GrayImage& silhouette, float radius) {
   return narrow;
 }
 
+/// How many pixels have each level.
+using Histogram = std::array<std::size_t, 256>;
+
+/// The last dark level: where the variance between dark and bright levels, Otsu's equation 14, is
+/// largest. Shares that a float could not tell from none do not divide anything.
+std::ptrdiff_t otsu_level(const Histogram& counts) {
+  const double scale = 1 / std::accumulate(counts.begin(), counts.end(), 0.0);
+  double mean = 0;
+  for (std::size_t level = 0; level < counts.size(); ++level)
+    mean += static_cast<double>(level) * static_cast<double>(counts[level]);
+  mean *= scale;
+
+  std::ptrdiff_t best = 0;
+  double largest = 0;
+  double dark_share = 0;
+  double dark_mean = 0;
+  for (std::size_t level = 0; level < counts.size(); ++level) {
+    const double share = static_cast<double>(counts[level]) * scale;
+    dark_mean *= dark_share;
+    dark_share += share;
+    const double bright_share = 1 - dark_share;
+    if (std::min(dark_share, bright_share) < std::numeric_limits<float>::epsilon()) continue;
+    dark_mean = (dark_mean + static_cast<double>(level) * share) / dark_share;
+    const double bright_mean = (mean - dark_share * dark_mean) / bright_share;
+    const double apart = dark_mean - bright_mean;
+    const double variance = dark_share * bright_share * apart * apart;
+    if (variance <= largest) continue;
+    largest = variance;
+    best = static_cast<std::ptrdiff_t>(level);
+  }
+  return best;
+}
+
 }  // namespace
 
 double dividing_level(std::span<const GrayImage> images) {
-  std::vector<unsigned char> bytes;
+  Histogram counts{};
   for (const GrayImage& image : images)
     for (const float level : image.pixels)
-      bytes.push_back(static_cast<unsigned char>(std::clamp(std::lround(level), 0L, 255L)));
-  if (bytes.empty()) return contour_level;
-  cv::Mat unused;
-  const double darker =
-      cv::threshold(cv::Mat(bytes), unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
+      ++counts[static_cast<std::size_t>(std::clamp(std::lround(level), 0L, 255L))];
+  const auto is_used = [](std::size_t count) { return count > 0; };
+  if (std::none_of(counts.begin(), counts.end(), is_used)) return contour_level;
 
-  // All bytes up to that level are dark. It is the last of them, or one of those that none has.
-  double dark = 0;
-  double bright = 255;
-  for (const unsigned char byte : bytes) {
-    if (byte <= darker)
-      dark = std::max<double>(dark, byte);
-    else
-      bright = std::min<double>(bright, byte);
-  }
-  return std::clamp((dark + bright) / 2, 0.5, 254.5);
+  // It is the last of the dark levels that are used, or one of those after it that are not.
+  const auto first_bright = counts.begin() + otsu_level(counts) + 1;
+  const auto bright = std::find_if(first_bright, counts.end(), is_used);
+  const auto dark = std::find_if(std::make_reverse_iterator(first_bright), counts.rend(), is_used);
+  const auto brightest_dark = std::max<std::ptrdiff_t>(dark.base() - counts.begin() - 1, 0);
+  const auto darkest_bright = std::min<std::ptrdiff_t>(bright - counts.begin(), 255);
+  return std::clamp(static_cast<double>(brightest_dark + darkest_bright) / 2, 0.5, 254.5);
 }
 
 GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options) {
@@ -183,8 +213,7 @@ GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& o
   GrayImage silhouette = image;
   if (image.empty()) return silhouette;
 
-  cv::Mat pixels(image.height, image.width, CV_32F, silhouette.pixels.data());
-  if (options.blur > 0) cv::GaussianBlur(pixels, pixels, {}, options.blur);
+  if (options.blur > 0) silhouette = gaussian_blur(image, options.blur);
   // Steep, but not so steep that the place of the contour between two pixels is lost.
   const auto level =
       static_cast<float>(options.level ? *options.level : dividing_level({&silhouette, 1}));

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-#include "tm/views/images/samples.h"
+#include "tm/views/images/decoders.h"
 
 namespace transformesh {
 namespace {
@@ -27,43 +27,30 @@ void take(png_structp png, png_bytep data, png_size_t size) {
 
 void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
-struct Layout {
-  png_uint_32 width = 0;
-  png_uint_32 height = 0;
-  int channels = 0;
-  int depth = 0;  ///< 8 or 16, of the samples that decode() writes
-};
-
-/// libpng leaves by longjmp: no object with a destructor may be made in here or in decode().
-bool read_layout(png_structp png, png_infop info, Layout& layout) {
+/// What is asked of libpng, which leaves by longjmp where it fails: no object with a destructor
+/// may be made in here.
+template <class Action>
+bool completes(png_structp png, const Action& action) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
+  action();
+  return true;
+}
+
+void read_header(png_structp png, png_infop info) {
   png_read_info(png, info);
   png_set_packing(png);
   png_set_expand_gray_1_2_4_to_8(png);
   png_set_palette_to_rgb(png);
   png_set_strip_alpha(png);
   if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
-  png_set_interlace_handling(png);
-  png_read_update_info(png, info);
-  layout.width = png_get_image_width(png, info);
-  layout.height = png_get_image_height(png, info);
-  layout.channels = png_get_channels(png, info);
-  layout.depth = png_get_bit_depth(png, info);
-  return true;
-}
-
-bool decode(png_structp png, png_infop info, png_bytepp rows) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_read_image(png, rows);
-  png_read_end(png, info);
-  return true;
 }
 
 /// Frees libpng's structures whatever happens.
 class Reader {
  public:
   explicit Reader(const Source& source)
-      : input_{source.bytes, {}},
+      : source_(source),
+        input_{source.bytes, {}},
         png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &input_, fail, ignore_warning)),
         info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
     if (info_ == nullptr) {
@@ -76,51 +63,62 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  bool read_layout(Layout& layout) { return transformesh::read_layout(png_, info_, layout); }
-  bool decode(std::vector<png_bytep>& rows) {
-    return transformesh::decode(png_, info_, rows.data());
+  SampleLayout read_layout() {
+    demand([this] { read_header(png_, info_); });
+    const auto width = png_get_image_width(png_, info_);
+    const auto height = png_get_image_height(png_, info_);
+    // Deflate makes at most 1032 bytes of one.
+    const unsigned bits = png_get_channels(png_, info_) * png_get_bit_depth(png_, info_);
+    check_size(source_, width, height, std::uint64_t{8} * 1032 / bits);
+    demand([this] {
+      passes_ = png_set_interlace_handling(png_);
+      png_read_update_info(png_, info_);
+    });
+    const int channels = png_get_channels(png_, info_);
+    return {static_cast<int>(width), static_cast<int>(height), channels, channels,
+            png_get_bit_depth(png_, info_) == 16 ? 65535.0 : 255.0};
   }
-  const std::string& failure() const { return input_.failure; }
+
+  void read(const SampleLayout& layout, LevelRows& rows) {
+    const auto height = static_cast<std::size_t>(layout.height);
+    const std::size_t row_size = png_get_rowbytes(png_, info_);
+    // Interlaced rows are complete only when all of them are.
+    std::vector<png_byte> samples(passes_ == 1 ? row_size : height * row_size);
+    for (int pass = 1; pass < passes_; ++pass) read_pass(height, row_size, samples);
+    for (std::size_t y = 0; y < height; ++y) {
+      png_bytep row = samples.data() + (passes_ == 1 ? 0 : y * row_size);
+      demand([&] { png_read_row(png_, row, nullptr); });
+      layout.maximum > 255 ? rows.add(reinterpret_cast<const std::uint16_t*>(row)) : rows.add(row);
+    }
+    demand([this] { png_read_end(png_, nullptr); });
+  }
 
  private:
+  template <class Action>
+  void demand(const Action& action) {
+    if (!completes(png_, action)) source_.fail("not a complete PNG image: " + input_.failure);
+  }
+  void read_pass(std::size_t height, std::size_t row_size, std::vector<png_byte>& samples) {
+    demand([&] {
+      for (std::size_t y = 0; y < height; ++y)
+        png_read_row(png_, samples.data() + y * row_size, nullptr);
+    });
+  }
+
+  const Source& source_;
   Input input_;
   png_structp png_;
   png_infop info_;
+  int passes_ = 1;
 };
-
-/// Where each row of the samples starts.
-std::vector<png_bytep> rows_of(Samples& samples) {
-  auto* row =
-      samples.is_deep() ? reinterpret_cast<png_bytep>(samples.deep.data()) : samples.shallow.data();
-  const auto size = static_cast<std::size_t>(samples.width) *
-                    static_cast<std::size_t>(samples.channels) * (samples.is_deep() ? 2U : 1U);
-  std::vector<png_bytep> rows(static_cast<std::size_t>(samples.height));
-  for (png_bytep& start : rows) {
-    start = row;
-    row += size;
-  }
-  return rows;
-}
 
 }  // namespace
 
-Samples decode_png(const Source& source) {
+void decode_png(const Source& source, LevelRows& rows) {
   Reader reader(source);
-  Layout layout;
-  const auto refuse = [&] { source.fail("not a complete PNG image: " + reader.failure()); };
-  if (!reader.read_layout(layout)) refuse();
-  // Deflate makes a byte of at most 1032; a sample has one bit at least.
-  check_size(source, layout.width, layout.height, std::uint64_t{8} * 1032);
-
-  Samples samples;
-  samples.width = static_cast<int>(layout.width);
-  samples.height = static_cast<int>(layout.height);
-  samples.channels = layout.channels;
-  samples.maximum = layout.depth == 16 ? 65535 : 255;
-  samples.allocate();
-  std::vector<png_bytep> rows = rows_of(samples);
-  if (!reader.decode(rows)) refuse();
-  return samples;
+  const SampleLayout layout = reader.read_layout();
+  rows.start(layout);
+  reader.read(layout, rows);
 }
 
 }  // namespace transformesh

@@ -1,8 +1,6 @@
-#include <limits>
-
 #include "tm/io/number_text.h"
 #include "tm/support/counted.h"
-#include "tm/views/images/samples.h"
+#include "tm/views/images/decoders.h"
 
 namespace transformesh {
 namespace {
@@ -40,59 +38,60 @@ class Numbers {
   const char* place_;
 };
 
-void check_sample(const Source& source, const char* place, std::uint64_t sample, double maximum) {
-  if (static_cast<double>(sample) <= maximum) return;
-  source.fail_at_byte(place, "the sample " + std::to_string(sample) + " is above the maximum of " +
-                                 std::to_string(static_cast<int>(maximum)) + " in the header");
-}
+/// Reads the samples of one row, and refuses those above the maximum.
+class SampleReader {
+ public:
+  SampleReader(const Source& source, Numbers& numbers, unsigned maximum)
+      : source_(source), numbers_(numbers), maximum_(maximum) {}
 
-template <class Sample>
-void read_text(const Source& source, Numbers& numbers, double maximum,
-               std::vector<Sample>& samples) {
-  for (Sample& value : samples) {
-    const std::uint64_t sample = numbers.next("last sample");
-    check_sample(source, numbers.place(), sample, maximum);
-    value = static_cast<Sample>(sample);
+  void read_text(std::vector<std::uint16_t>& row) {
+    for (std::uint16_t& sample : row) {
+      const std::uint64_t number = numbers_.next("last sample");
+      sample = checked(number, numbers_.place());
+    }
   }
-}
 
-// The more significant byte comes first.
-template <class Sample>
-void read_binary(const Source& source, const char* place, double maximum,
-                 std::vector<Sample>& samples) {
-  const std::size_t size = samples.size() * sizeof(Sample);
-  const auto available = static_cast<std::size_t>(source.end() - place);
+  /// `place` is that of the row, whose bytes are there; the more significant byte comes first.
+  void read_binary(const char* place, std::vector<std::uint16_t>& row) const {
+    for (std::uint16_t& sample : row) {
+      const char* start = place;
+      unsigned number = static_cast<unsigned char>(*place++);
+      if (maximum_ > 255) number = 256 * number + static_cast<unsigned char>(*place++);
+      sample = checked(number, start);
+    }
+  }
+
+ private:
+  std::uint16_t checked(std::uint64_t sample, const char* place) const {
+    if (sample > maximum_) {
+      source_.fail_at_byte(place, "the sample " + std::to_string(sample) +
+                                      " is above the maximum of " + std::to_string(maximum_) +
+                                      " in the header");
+    }
+    return static_cast<std::uint16_t>(sample);
+  }
+
+  const Source& source_;
+  Numbers& numbers_;
+  unsigned maximum_;
+};
+
+/// Where the binary samples start, all of which must be there.
+const char* start_of_samples(const Source& source, const char* place, std::size_t size) {
+  // One blank ends the header; what follows may look like blanks.
+  const bool has_blank = place != source.end() && is_blank(*place);
+  if (!has_blank) source.fail_at_byte(place, "a blank must follow the maximum");
+  const auto available = static_cast<std::size_t>(source.end() - place) - 1;
   if (available < size) {
     source.fail("the image ends too early: " + counted(size, "byte") + " of samples expected, " +
                 std::to_string(available) + " found");
   }
-  const char* next = place;
-  for (Sample& value : samples) {
-    unsigned sample = static_cast<unsigned char>(*next++);
-    if (sizeof(Sample) == 2) sample = 256 * sample + static_cast<unsigned char>(*next++);
-    value = static_cast<Sample>(sample);
-  }
-  if (maximum == std::numeric_limits<Sample>::max()) return;
-  for (const Sample value : samples) {
-    check_sample(source, place, value, maximum);
-    place += sizeof(Sample);
-  }
-}
-
-template <class Sample>
-void read_samples(const Source& source, Numbers& numbers, double maximum,
-                  std::vector<Sample>& samples) {
-  const char kind = source.bytes[1];
-  if (kind == '2' || kind == '3') return read_text(source, numbers, maximum, samples);
-  // One blank ends the header; what follows may look like blanks.
-  const bool has_blank = numbers.place() != source.end() && is_blank(*numbers.place());
-  if (!has_blank) source.fail_at_byte(numbers.place(), "a blank must follow the maximum");
-  read_binary(source, numbers.place() + 1, maximum, samples);
+  return place + 1;
 }
 
 }  // namespace
 
-Samples decode_pnm(const Source& source) {
+void decode_pnm(const Source& source, LevelRows& rows) {
   const char kind = source.bytes[1];
   Numbers numbers(source);
   const std::uint64_t width = numbers.next("width");
@@ -103,15 +102,19 @@ Samples decode_pnm(const Source& source) {
     source.fail("the image's maximum must be between 1 and 65535, not " + std::to_string(maximum));
   }
 
-  Samples samples;
-  samples.width = static_cast<int>(width);
-  samples.height = static_cast<int>(height);
-  samples.channels = kind == '3' || kind == '6' ? 3 : 1;
-  samples.maximum = static_cast<double>(maximum);
-  samples.allocate();
-  samples.is_deep() ? read_samples(source, numbers, samples.maximum, samples.deep)
-                    : read_samples(source, numbers, samples.maximum, samples.shallow);
-  return samples;
+  const int channels = kind == '3' || kind == '6' ? 3 : 1;
+  std::vector<std::uint16_t> row(width * static_cast<std::size_t>(channels));
+  const std::size_t row_size = row.size() * (maximum > 255 ? 2 : 1);
+  const bool is_text = kind == '2' || kind == '3';
+  const char* place =
+      is_text ? nullptr : start_of_samples(source, numbers.place(), height * row_size);
+  SampleReader reader(source, numbers, static_cast<unsigned>(maximum));
+  rows.start({static_cast<int>(width), static_cast<int>(height), channels, channels,
+              static_cast<double>(maximum)});
+  for (std::uint64_t y = 0; y < height; ++y) {
+    is_text ? reader.read_text(row) : reader.read_binary(place + y * row_size, row);
+    rows.add(row.data());
+  }
 }
 
 }  // namespace transformesh

@@ -3,85 +3,74 @@
 #include <algorithm>
 #include <array>
 
-#include "tm/views/images/samples.h"
+#include "tm/views/images/decoders.h"
 
 namespace transformesh {
 namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view png_start = "\x89PNG\r\n\x1a\n"sv;
-
 bool is_pnm(std::string_view bytes) {
   return bytes.size() > 2 && bytes[0] == 'P' && std::string_view("2356").find(bytes[1]) < 4 &&
          std::string_view(" \t\r\n#").find(bytes[2]) != std::string_view::npos;
 }
 
-Samples decode(std::string_view bytes, const std::string& name) {
+struct Format {
+  std::string_view start;
+  const char* name;
+  void (*decode)(const Source& source, LevelRows& rows) = nullptr;  ///< null: it is not read
+};
+
+constexpr std::array formats{Format{"\x89PNG\r\n\x1a\n"sv, "PNG", decode_png},
+                             Format{"\xff\xd8\xff"sv, "JPEG", decode_jpeg},
+                             Format{"II*\0"sv, "TIFF", decode_tiff},
+                             Format{"MM\0*"sv, "TIFF", decode_tiff},
+                             Format{"II+\0"sv, "TIFF", decode_tiff},
+                             Format{"MM\0+"sv, "TIFF", decode_tiff},
+                             Format{"BM"sv, "BMP"},
+                             Format{"GIF8"sv, "GIF"},
+                             Format{"\x76\x2f\x31\x01"sv, "OpenEXR"},
+                             Format{"#?RADIANCE"sv, "Radiance"},
+                             Format{"\0\0\0\x0cjP  "sv, "JPEG 2000"},
+                             Format{"\xff\x4f\xff\x51"sv, "JPEG 2000"}};
+constexpr Format pnm{"P", "PNM", decode_pnm};
+constexpr Format webp{"RIFF", "WebP"};
+constexpr Format heif{"", "HEIF"};
+
+/// Null where the bytes begin like no image.
+const Format* format_of(std::string_view bytes) {
+  if (is_pnm(bytes)) return &pnm;
+  if (bytes.starts_with(webp.start) && bytes.substr(0, 12).ends_with("WEBP")) return &webp;
+  if (bytes.substr(0, 8).ends_with("ftyp")) return &heif;
+  const auto* format = std::find_if(formats.begin(), formats.end(), [&](const Format& known) {
+    return bytes.starts_with(known.start);
+  });
+  return format == formats.end() ? nullptr : format;
+}
+
+GrayImage decode(std::string_view bytes, const std::string& name, LevelRows::Kind kind) {
   const Source source{bytes, name};
   if (bytes.empty()) source.fail("the file is empty: not a single byte of an image");
-  if (bytes.starts_with(png_start)) return decode_png(source);
-  if (is_pnm(bytes)) return decode_pnm(source);
-  if (!is_image(bytes)) {
+  const Format* format = format_of(bytes);
+  if (format == nullptr) {
     source.fail("not an image of a known format, starting with " + quoted(bytes.substr(0, 16)));
   }
-  return decode_other(source);
-}
-
-// The image of value(pixel's samples).
-template <class Sample, class Value>
-GrayImage image_of(const Samples& samples, const Sample* pixel, const Value& value) {
-  GrayImage image(samples.width, samples.height);
-  for (float& level : image.pixels) {
-    level = value(pixel);
-    pixel += samples.channels;
-  }
-  return image;
-}
-
-template <class Value>
-GrayImage image_of(const Samples& samples, const Value& value) {
-  return samples.is_deep() ? image_of(samples, samples.deep.data(), value)
-                           : image_of(samples, samples.shallow.data(), value);
+  if (format->decode == nullptr) refuse_format(source, format->name);
+  LevelRows rows(kind);
+  format->decode(source, rows);
+  return rows.take();
 }
 
 }  // namespace
 
-bool is_image(std::string_view bytes) {
-  if (is_pnm(bytes)) return true;
-  constexpr std::array<std::string_view, 9> starts{png_start,
-                                                   "\xff\xd8\xff"sv,
-                                                   "II*\0"sv,
-                                                   "MM\0*"sv,
-                                                   "BM"sv,
-                                                   "\x76\x2f\x31\x01"sv,
-                                                   "#?RADIANCE"sv,
-                                                   "\0\0\0\x0cjP  "sv,
-                                                   "\xff\x4f\xff\x51"sv};
-  const bool is_webp = bytes.starts_with("RIFF"sv) && bytes.substr(0, 12).ends_with("WEBP"sv);
-  return is_webp || std::any_of(starts.begin(), starts.end(),
-                                [&](std::string_view start) { return bytes.starts_with(start); });
-}
+bool is_image(std::string_view bytes) { return format_of(bytes) != nullptr; }
 
 GrayImage decode_photograph(std::string_view bytes, const std::string& name) {
-  const Samples samples = decode(bytes, name);
-  const double scale = 255 / samples.maximum;
-  if (samples.channels == 1) {
-    return image_of(samples,
-                    [&](const auto* pixel) { return static_cast<float>(scale * pixel[0]); });
-  }
-  return image_of(samples, [&](const auto* pixel) {
-    return static_cast<float>(scale * (0.299 * pixel[0] + 0.587 * pixel[1] + 0.114 * pixel[2]));
-  });
+  return decode(bytes, name, LevelRows::Kind::photograph);
 }
 
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name) {
-  const Samples samples = decode(bytes, name);
-  return image_of(samples, [&](const auto* pixel) {
-    const bool is_inside =
-        std::any_of(pixel, pixel + samples.channels, [](auto value) { return value != 0; });
-    return is_inside ? 255.0F : 0.0F;
-  });
+  return decode(bytes, name, LevelRows::Kind::silhouette);
 }
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
-/// Photographs and silhouettes from files: PNG, PNM (P2, P3, P5, P6), and what else OpenCV reads
-/// (JPEG, TIFF, ...). The format is told by the first bytes, not by the name.
+/// Photographs and silhouettes from files: JPEG, PNG, TIFF and PNM (P2, P3, P5, P6). The format is
+/// told by the first bytes, not by the name.
 ///
 /// Pixels stay where the file has them: a camera is calibrated for those, so that a wish to show
 /// the photograph rotated (Exif) is ignored. Transparency is ignored too.
@@ -12,11 +12,12 @@
 
 namespace transformesh {
 
-/// Whether the bytes begin like an image file of a kind that is read.
+/// Whether the bytes begin like an image file, be it of a format that is not read.
 bool is_image(std::string_view bytes);
 
 /// Grey levels 0.299 R + 0.587 G + 0.114 B from 0 to 255, without gamma; deeper samples are scaled.
-/// Throws InputError naming the file (`name`) where the bytes are no image, incomplete or damaged.
+/// Throws InputError naming the file (`name`) where the bytes are no image, incomplete, damaged or
+/// of a format that is not read, and then says how to convert it.
 GrayImage decode_photograph(std::string_view bytes, const std::string& name);
 
 /// 255 where any sample is not zero, else 0. Throws as decode_photograph does.

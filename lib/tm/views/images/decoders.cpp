@@ -1,0 +1,73 @@
+#include "tm/views/images/decoders.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tm/support/counted.h"
+
+namespace transformesh {
+namespace {
+
+template <class Sample, class Value>
+void append(const Sample* pixel, const SampleLayout& layout, const Value& value,
+            std::vector<float>& levels) {
+  const std::size_t start = levels.size();
+  levels.resize(start + static_cast<std::size_t>(layout.width));
+  for (auto level = levels.begin() + static_cast<std::ptrdiff_t>(start); level != levels.end();
+       ++level, pixel += layout.stride)
+    *level = value(pixel);
+}
+
+}  // namespace
+
+void LevelRows::start(const SampleLayout& layout) {
+  layout_ = layout;
+  image_.width = layout.width;
+  image_.height = layout.height;
+  // Reserved memory is not touched.
+  image_.pixels.reserve(static_cast<std::size_t>(layout.width) *
+                        static_cast<std::size_t>(layout.height));
+}
+
+template <class Sample>
+void LevelRows::add_row(const Sample* row) {
+  const double scale = 255 / layout_.maximum;
+  const auto gray = [&](const Sample* pixel) { return static_cast<float>(scale * pixel[0]); };
+  const auto luma = [&](const Sample* pixel) {
+    return static_cast<float>(scale * (0.299 * pixel[0] + 0.587 * pixel[1] + 0.114 * pixel[2]));
+  };
+  const auto inside = [&](const Sample* pixel) {
+    const bool is_inside =
+        std::any_of(pixel, pixel + layout_.channels, [](Sample sample) { return sample != 0; });
+    return is_inside ? 255.0F : 0.0F;
+  };
+  if (kind_ == Kind::silhouette) return append(row, layout_, inside, image_.pixels);
+  layout_.channels == 1 ? append(row, layout_, gray, image_.pixels)
+                        : append(row, layout_, luma, image_.pixels);
+}
+
+template void LevelRows::add_row(const std::uint8_t* row);
+template void LevelRows::add_row(const std::uint16_t* row);
+
+void check_size(const Source& source, std::uint64_t width, std::uint64_t height,
+                std::uint64_t pixels_per_byte) {
+  constexpr std::uint64_t largest = 1 << 29;
+  const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  if (width == 0 || height == 0) source.fail("the image has no pixel: " + size);
+  if (width > largest || height > largest || width * height > largest) {
+    source.fail("the image is too large: " + size);
+  }
+  if (width * height / pixels_per_byte > source.bytes.size()) {
+    source.fail("the image cannot have " + size + " in " + counted(source.bytes.size(), "byte"));
+  }
+}
+
+void refuse_format(const Source& source, const std::string& format) {
+  const std::string png = std::filesystem::path(source.name).replace_extension("png").string();
+  source.fail("the format is " + format +
+              "; only JPEG, PNG, TIFF and PNM of 8 or 16 bits are read: convert it first, for "
+              "example with: magick " +
+              source.name + " " + png);
+}
+
+}  // namespace transformesh

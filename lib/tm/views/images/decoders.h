@@ -1,0 +1,63 @@
+/// What decodes the formats of image files, each row by row into levels. Internal to image_file.
+///
+/// Memory is touched only as far as rows are decoded, so a file that claims more than it holds
+/// costs nothing.
+#pragma once
+
+#include <cstdint>
+
+#include "tm/io/source.h"
+#include "tm/views/images/gray_image.h"
+
+namespace transformesh {
+
+/// How the samples of a file lie in its rows.
+struct SampleLayout {
+  int width = 0;
+  int height = 0;
+  int channels = 1;      ///< 1: gray; 3: red, green, blue
+  int stride = 1;        ///< samples from pixel to pixel; those beyond the channels are left out
+  double maximum = 255;  ///< the sample that is full intensity
+};
+
+/// Collects the levels of an image, row by row from the top.
+class LevelRows {
+ public:
+  enum class Kind { photograph, silhouette };
+
+  explicit LevelRows(Kind kind) : kind_(kind) {}
+
+  /// Comes before the first row.
+  void start(const SampleLayout& layout);
+  void add(const std::uint8_t* row) { add_row(row); }
+  void add(const std::uint16_t* row) { add_row(row); }
+  GrayImage take() { return std::move(image_); }
+
+ private:
+  template <class Sample>
+  void add_row(const Sample* row);
+
+  Kind kind_;
+  SampleLayout layout_;
+  GrayImage image_;
+};
+
+/// PNG of any color type and depth, by libpng. These throw InputError.
+void decode_png(const Source& source, LevelRows& rows);
+/// Portable anymaps: P2, P3, P5 and P6.
+void decode_pnm(const Source& source, LevelRows& rows);
+/// JPEG, by libjpeg. What its data lost is damage, although libjpeg would go on with a guess.
+void decode_jpeg(const Source& source, LevelRows& rows);
+/// The first image of a TIFF file, by libtiff: gray and color samples of 8 and 16 bits as they are,
+/// all else that libtiff converts to 8 bits of red, green and blue.
+void decode_tiff(const Source& source, LevelRows& rows);
+
+/// Throws InputError unless width and height are at least 1, their product is at most 2^29, and
+/// the bytes could hold so many pixels: at most `pixels_per_byte` in each.
+void check_size(const Source& source, std::uint64_t width, std::uint64_t height,
+                std::uint64_t pixels_per_byte);
+
+/// Throws InputError that names the format, those that are read, and how to convert.
+[[noreturn]] void refuse_format(const Source& source, const std::string& format);
+
+}  // namespace transformesh

@@ -1,0 +1,59 @@
+/// Image files in memory, by the codec libraries, for tests of what reads them.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace transformesh::test {
+
+/// Rows from the top as the file has them, packed.
+using Rows = std::vector<std::uint8_t>;
+
+/// Random bytes, the same in every run.
+Rows noise(std::size_t count);
+
+struct JpegKind {
+  int channels = 3;  ///< 1: gray, 3: color, 4: inverted inks as Adobe's programs write them
+  bool is_progressive = false;
+  unsigned restart_interval = 0;
+};
+std::string jpeg_of(const JpegKind& kind, int width, int height, const Rows& rows);
+
+struct PngKind {
+  int color_type;
+  int depth;
+  bool is_interlaced = false;
+};
+/// Palettes have the colors (10, 20, 30) and (200, 100, 50).
+std::string png_of(const PngKind& kind, int width, int height, Rows rows);
+
+struct TiffKind {
+  int bits = 8;
+  int samples = 1;  ///< per pixel
+  int photometric =
+      1;  ///< the value of the label; 0: white is 0, 1: black is 0, 2: color, 3: palette
+  int compression = 1;  ///< 1: none
+  int planes = 1;       ///< 2: all red samples come first
+  int tile = 0;         ///< 0: strips of two rows
+  int orientation = 1;
+  int sample_format = 1;
+  const char* mode = "w";  ///< "wb": big-endian; "w8": with offsets of 8 bytes
+};
+/// Palettes map i to (257 i, 0, 0).
+std::string tiff_of(const TiffKind& kind, int width, int height, Rows rows);
+
+/// The message that refuses the bytes, empty where they are an image.
+std::string refusal(const std::string& bytes);
+
+/// Every beginning of the file must be refused by a message that names it.
+void check_beginnings(const std::string& bytes);
+
+/// Bytes changed at random: an image or a refusal that names the file.
+void check_damage(const std::string& bytes);
+
+double gray(double red, double green, double blue);
+
+}  // namespace transformesh::test

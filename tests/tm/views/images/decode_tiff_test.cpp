@@ -1,0 +1,172 @@
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <tiffio.h>
+
+#include <algorithm>
+
+#include "helpers/encoded_images.h"
+#include "tm/views/images/image_file.h"
+
+using namespace transformesh;
+using namespace transformesh::test;
+
+namespace {
+
+constexpr int width = 37;
+constexpr int height = 21;
+constexpr std::size_t pixels = std::size_t{width} * height;
+
+GrayImage decoded(const TiffKind& kind, const Rows& rows) {
+  GrayImage image = decode_photograph(tiff_of(kind, width, height, rows), "a.tif");
+  REQUIRE(image.width == width);
+  REQUIRE(image.height == height);
+  REQUIRE(image.pixels.size() == pixels);
+  return image;
+}
+
+/// The level of 8 bits or, of the machine's order, 16.
+double sample(const Rows& rows, std::size_t index, int bits) {
+  if (bits == 8) return rows[index];
+  return (rows[2 * index] + 256 * rows[2 * index + 1]) / 257.0;
+}
+
+/// The pixels of an image are the samples of the rows, of which each pixel has so many.
+void check_levels(const GrayImage& image, const Rows& rows, const TiffKind& kind) {
+  double largest = 0;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const std::size_t first = i * static_cast<std::size_t>(kind.samples);
+    const double level =
+        kind.photometric == PHOTOMETRIC_RGB
+            ? gray(sample(rows, first, kind.bits), sample(rows, first + 1, kind.bits),
+                   sample(rows, first + 2, kind.bits))
+            : sample(rows, first, kind.bits);
+    largest = std::max(largest, std::abs(level - static_cast<double>(image.pixels[i])));
+  }
+  CHECK(largest < 1e-4);
+}
+
+/// Of this process so far, in kB.
+long peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+}  // namespace
+
+TEST_CASE("TIFF of gray and color, of 8 and 16 bits, in strips and tiles, of every compression") {
+  for (const int bits : {8, 16}) {
+    for (const int samples : {1, 2, 3, 4}) {
+      const Rows rows = noise(pixels * static_cast<std::size_t>(samples * bits / 8));
+      for (const int compression :
+           {COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE, COMPRESSION_PACKBITS}) {
+        for (const int tile : {0, 16}) {
+          TiffKind kind{bits, samples, samples > 2 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK,
+                        compression};
+          kind.tile = tile;
+          CAPTURE(bits);
+          CAPTURE(samples);
+          CAPTURE(compression);
+          CAPTURE(tile);
+          check_levels(decoded(kind, rows), rows, kind);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("TIFF of either byte order, with long offsets, and turned by its label") {
+  const Rows rows = noise(pixels * 6);
+  TiffKind kind{16, 3, PHOTOMETRIC_RGB};
+  for (const char* mode : {"wl", "wb", "w8"}) {
+    kind.mode = mode;
+    CAPTURE(mode);
+    check_levels(decoded(kind, rows), rows, kind);
+  }
+  for (const int orientation : {2, 3, 4, 5, 6, 7, 8}) {
+    kind.orientation = orientation;
+    check_levels(decoded(kind, rows), rows, kind);
+  }
+}
+
+TEST_CASE("TIFF of fewer bits, of white as 0, with a palette and with planes") {
+  const auto level = [](const TiffKind& kind, const Rows& row) {
+    Rows rows;
+    const std::size_t size = (static_cast<std::size_t>(width * kind.bits) + 7) / 8;
+    for (int y = 0; y < height * kind.planes; ++y) {
+      rows.insert(rows.end(), row.begin(), row.end());
+      rows.resize(rows.size() + size - row.size());
+    }
+    const GrayImage image = decoded(kind, rows);
+    CHECK(image.at(1, 0) == image.at(1, height - 1));
+    return static_cast<double>(image.at(1, 7));
+  };
+  CHECK(level({1, 1, PHOTOMETRIC_MINISBLACK}, {0b01000000}) == 255);
+  CHECK(level({1, 1, PHOTOMETRIC_MINISWHITE}, {0b01000000}) == 0);
+  CHECK(level({1, 1, PHOTOMETRIC_MINISWHITE, COMPRESSION_CCITT_T6}, {0b10111111}) == 255);
+  CHECK(level({2, 1, PHOTOMETRIC_MINISBLACK}, {0b11100000}) == 170);
+  CHECK(level({4, 1, PHOTOMETRIC_MINISBLACK}, {0x03}) == 51);
+  CHECK(level({8, 1, PHOTOMETRIC_MINISWHITE}, {1, 2}) == 253);
+  CHECK(level({16, 1, PHOTOMETRIC_MINISWHITE}, {1, 2, 0, 0}) == 255);
+  CHECK(level({8, 1, PHOTOMETRIC_PALETTE}, {0, 100}) == doctest::Approx(29.9));
+  CHECK(level({4, 1, PHOTOMETRIC_PALETTE}, {0x0a}) == doctest::Approx(2.99));
+
+  const Rows together = noise(pixels * 3);
+  Rows apart;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    for (std::size_t i = 0; i < pixels; ++i) apart.push_back(together[3 * i + channel]);
+  TiffKind kind{8, 3, PHOTOMETRIC_RGB};
+  kind.planes = 2;
+  check_levels(decoded(kind, apart), together, kind);
+}
+
+TEST_CASE("a TIFF of other samples is refused with advice") {
+  TiffKind kind{32};
+  kind.sample_format = SAMPLEFORMAT_IEEEFP;
+  const Rows rows(std::size_t{4} * 4);
+  CHECK(refusal(tiff_of(kind, 2, 2, rows)) ==
+        "the format is TIFF of samples that are no unsigned integers; only JPEG, PNG, TIFF and PNM "
+        "of 8 or 16 bits are read: convert it first, for example with: magick a.image a.png "
+        "(a.image)");
+  kind.sample_format = SAMPLEFORMAT_UINT;
+  CHECK(refusal(tiff_of(kind, 2, 2, rows)).find("32-bit samples") != std::string::npos);
+}
+
+TEST_CASE("a TIFF that is cut short is refused, and damage does no harm") {
+  for (const int compression : {COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_CCITT_T6}) {
+    CAPTURE(compression);
+    const bool is_fax = compression == COMPRESSION_CCITT_T6;
+    const std::string bytes = tiff_of({is_fax ? 1 : 8, 1, PHOTOMETRIC_MINISBLACK, compression}, 16,
+                                      13, noise(is_fax ? 26 : 208));
+    check_beginnings(bytes);
+    check_damage(bytes);
+  }
+  TiffKind tiled{16, 3, PHOTOMETRIC_RGB, COMPRESSION_ADOBE_DEFLATE};
+  tiled.tile = 16;
+  check_damage(tiff_of(tiled, 19, 13, noise(19 * 13 * 6)));
+  check_damage(tiff_of({8, 1, PHOTOMETRIC_PALETTE}, 19, 13, noise(19 * 13)));
+}
+
+TEST_CASE("a TIFF that claims what its bytes cannot hold costs nothing") {
+  // Width and height are the first two labels, of 12 bytes each.
+  const auto claim = [](const TiffKind& kind, std::uint32_t size) {
+    std::string bytes = tiff_of(kind, 16, 2, noise(kind.bits == 1 ? 4 : 32));
+    std::size_t labels = 0;
+    for (std::size_t i = 4; i-- > 0;)
+      labels = 256 * labels + static_cast<unsigned char>(bytes[4 + i]);
+    for (const std::size_t label : {labels + 2, labels + 14}) {
+      bytes[label + 2] = 4;  // whole numbers of four bytes
+      for (std::size_t i = 0; i < 4; ++i)
+        bytes[label + 8 + i] = static_cast<char>(size >> 8 * i & 0xff);
+    }
+    return refusal(bytes);
+  };
+  const long before = peak_memory();
+  CHECK(claim({8}, 20000).find("cannot have") != std::string::npos);
+  CHECK(claim({8}, 100000).find("too large") != std::string::npos);
+  CHECK(claim({8}, 0) != "");
+  CHECK(claim({8, 1, 1, COMPRESSION_LZW}, 20000) != "");
+  CHECK(claim({8, 1, 3, COMPRESSION_LZW}, 20000) != "");
+  CHECK(claim({1, 1, 0, COMPRESSION_CCITT_T6}, 20000) != "");
+  CHECK(peak_memory() - before < 500000);
+}
