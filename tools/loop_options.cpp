@@ -1,20 +1,16 @@
 #include "loop_options.h"
 
 #include <exception>
+#include <utility>
 
 #include "tm/support/error.h"
 
 namespace transformesh::tool {
-namespace {
-
-/// What does not change the result, so that a run that continues may have others.
-const std::vector<std::string> of_the_run_alone{
-    "iterations", "resume", "restart", "frames", "every", "csv", "require-convergence"};
-
-}  // namespace
 
 void declare_iterations(Program& program, LoopChoices& choices) {
   program.integer("iterations", &choices.iterations, 1, 999999999, "stop after so many");
+  program.keep_out_of_provenance("iterations");
+  choices.of_the_run_alone.emplace_back("iterations");
 }
 
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
@@ -27,20 +23,27 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
   program.text("csv", &choices.csv, "FILE", "write a line per " + rows);
   program.flag("require-convergence", &choices.require_convergence,
                "exit 1 where the result did not converge");
-  for (const std::string& option : of_the_run_alone) program.keep_out_of_provenance(option);
+  for (const char* option :
+       {"resume", "restart", "frames", "every", "csv", "require-convergence"}) {
+    program.keep_out_of_provenance(option);
+    choices.of_the_run_alone.emplace_back(option);
+  }
 }
 
-Record open_record(const LoopChoices& choices, long every, Run& run) {
+Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
   const bool is_continuable = run.output() != "-";
   if (choices.resume && !is_continuable)
     throw UsageError("--resume needs -o OUT: what to continue");
   if (choices.resume && choices.restart)
     throw UsageError("give either --resume or --restart, not both");
-  run.check_outputs({"output", "report", "csv"});
+  std::vector<std::string> files{"report", "csv"};
+  if (state.empty()) files.insert(files.begin(), "output");
+  run.check_outputs(files);
   run.resumable(is_continuable);
   RecordOptions options;
-  if (is_continuable) options.state = run.output() + '.' + run.program();
-  options.settings = run.settings(of_the_run_alone);
+  if (state.empty() && is_continuable) state = run.output() + '.' + run.program();
+  options.state = std::move(state);
+  options.settings = run.settings(choices.of_the_run_alone);
   options.resume = choices.resume;
   options.restart = choices.restart;
   options.frames = choices.frames;

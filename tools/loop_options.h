@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tm/evolution/loop.h"
 #include "tool.h"
@@ -19,6 +20,8 @@ struct LoopChoices {
   std::optional<long> every;
   std::string csv;
   bool require_convergence = false;
+  /// Options that do not change the result, so that a run that continues may have others.
+  std::vector<std::string> of_the_run_alone = {};
 };
 
 /// --iterations; then, after the program's own options, the rest.
@@ -27,8 +30,9 @@ void declare_iterations(Program& program, LoopChoices& choices);
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
                     const std::string& rows);
 
-/// Checks that all outputs can be written, and looks for a state beside the output.
-Record open_record(const LoopChoices& choices, long every, Run& run);
+/// Checks that all outputs can be written, and looks for a state: beside the output, or in `state`
+/// where the output is a folder.
+Record open_record(const LoopChoices& choices, long every, Run& run, std::string state = {});
 
 /// The limit, and lines of progress.
 LoopOptions loop_of(const LoopChoices& choices, Run& run);

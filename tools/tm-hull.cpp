@@ -1,5 +1,4 @@
 /// tm-hull: the visual hull of calibrated silhouettes.
-#include "tm/support/error.h"
 #include "tm/views/hull/hull.h"
 #include "tm/views/hull/silhouette_box.h"
 #include "tool.h"
@@ -32,19 +31,10 @@ void declare(tool::Program& program, Options& options) {
   program.keep_out_of_provenance("write-outlines");
 }
 
-double share_to_keep(const std::string& keep) {
-  if (keep == "largest") return 1;
-  if (keep == "all") return 0;
-  const Length share = parse_length(keep);
-  if (share.unit != Length::Unit::absolute || share.value < 0 || share.value > 1)
-    throw UsageError("--keep: '" + keep + "' is neither largest, all nor a number from 0 to 1");
-  return share.value;
-}
-
 void make(const Options& options, tool::Run& run) {
   HullOptions hull;
   hull.resolution = static_cast<int>(options.resolution);
-  hull.keep = share_to_keep(options.keep);
+  hull.keep = tool::hull_share(options.keep);
   const std::vector<View> views = tool::views_with_silhouettes(options.silhouettes, run);
   const std::vector<double>& box = options.box;
   hull.box =

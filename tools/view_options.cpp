@@ -7,9 +7,8 @@
 #include "tm/views/images/gray_picture.h"
 
 namespace transformesh::tool {
-namespace {
 
-std::optional<double> level_of(const std::string& threshold) {
+std::optional<double> threshold_level(const std::string& threshold) {
   if (threshold == "auto") return std::nullopt;
   const Length level = parse_length(threshold);
   if (level.unit != Length::Unit::absolute || level.value < 1 || level.value > 254) {
@@ -18,7 +17,14 @@ std::optional<double> level_of(const std::string& threshold) {
   return level.value;
 }
 
-}  // namespace
+double hull_share(const std::string& keep) {
+  if (keep == "largest") return 1;
+  if (keep == "all") return 0;
+  const Length share = parse_length(keep);
+  if (share.unit != Length::Unit::absolute || share.value < 0 || share.value > 1)
+    throw UsageError("--keep: '" + keep + "' is neither largest, all nor a number from 0 to 1");
+  return share.value;
+}
 
 void declare_silhouettes(Program& program, SilhouetteOptions& options) {
   program.text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras");
@@ -41,7 +47,7 @@ void declare_silhouettes(Program& program, SilhouetteOptions& options) {
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run) {
   if (options.sources.silhouettes.empty() == options.sources.images.empty())
     throw UsageError("either --silhouettes or --images is needed");
-  const ThresholdOptions threshold{level_of(options.threshold), options.blur, options.close};
+  const ThresholdOptions threshold{threshold_level(options.threshold), options.blur, options.close};
   std::vector<View> views = views_from(options.sources);
   if (!options.sources.images.empty())
     run.report("threshold", threshold_silhouettes(views, threshold, run.progress()));

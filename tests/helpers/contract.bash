@@ -2,8 +2,8 @@
 
 # name|kind|arguments beside the input; MESH stands for a file with the mesh itself, SCENE
 # for a folder with par.txt and masks, and with photos.txt and photos of the mesh. The input of a converter is in the file
-# $NAME_input, for example $tm_cameras_input. A loop is a filter whose output is always PLY, and whose
-# state stays beside a named output.
+# $NAME_input, for example $tm_cameras_input. A loop is a filter whose output is always PLY; the state of
+# one may stay beside a named output.
 contract_programs() {
   cat <<'TABLE'
 tm-cameras|converter|
@@ -21,6 +21,7 @@ tm-morph-step|filter|--target MESH
 tm-morph|loop|--target MESH --iterations 1
 tm-photo-step|filter|--cameras SCENE/photos.txt --images SCENE/photos --max-angle 60
 tm-photograph|converter|--size 40x30 --ring 3
+tm-reconstruct|source|--cameras SCENE/photos.txt --images SCENE/photos --silhouettes SCENE/outlines --coarsest 1 --edge 5 --passes 1 --iterations 1 --robust 0
 tm-remesh|filter|
 tm-render|picture|
 tm-shape|source|sphere --faces 500

@@ -3,8 +3,6 @@
 # Hausdorff distance below one mean edge.
 load ../helpers/common
 
-PATH=$tm_root/scripts:$PATH
-
 # morphs NAME FACES COMPONENTS GENUS
 morphs() {
   needs_shared "meshes/transformesh/$1.off"

@@ -45,7 +45,6 @@ make_scene_of_photographs() {
 }
 
 setup_file() {
-  export PATH=$PATH:$tm_root/scripts
   cd "$BATS_FILE_TMPDIR"
   mkdir files && cd files
   make_meshes

@@ -3,7 +3,6 @@
 load ../helpers/common
 
 setup() {
-  PATH=$tm_root/scripts:$PATH
   cd "$BATS_TEST_TMPDIR"
   tm-shape torus --faces 1000 -o torus.ply
   tm-shape sphere --around torus.ply --faces 1000 -o sphere.ply

@@ -2,14 +2,8 @@
 
 load ../helpers/common
 
-setup() {
-  PATH=$PATH:$tm_root/scripts
-}
-
-# The programs, and the loops, which are scripts.
 programs() {
   (cd "$tm_root/tools" && printf '%s\n' tm-*.cpp | sed 's/\.cpp$//')
-  (cd "$tm_root/scripts" && printf '%s\n' tm-*)
 }
 
 # The long options that start an entry of the help.

@@ -13,9 +13,9 @@ setup_file() {
   cd "$tm_root"
   readme_lines >"$BATS_FILE_TMPDIR/all.sh"
   # Its first line puts this folder's programs on PATH; the others run in an empty folder.
-  [ "$(head -n 1 "$BATS_FILE_TMPDIR/all.sh")" = 'export PATH=$PWD/build/bin:$PWD/scripts:$PATH' ]
+  [ "$(head -n 1 "$BATS_FILE_TMPDIR/all.sh")" = 'export PATH=$PWD/build/bin:$PATH' ]
   {
-    echo "export PATH=$tm_build/bin:$tm_root/scripts:\$PATH"
+    echo "export PATH=$tm_build/bin:\$PATH"
     tail -n +2 "$BATS_FILE_TMPDIR/all.sh"
   } >"$BATS_FILE_TMPDIR/readme.sh"
   cd "$folder"
@@ -46,7 +46,7 @@ expect() { # EXPRESSION NUMBER...
 
 @test "the README names every program and no other" {
   diff <(grep -oE '^\| `tm-[a-z-]+`' "$tm_root/README.md" | grep -oE 'tm-[a-z-]+' | sort) \
-    <(cd "$tm_root" && ls tools/tm-*.cpp scripts/tm-* | sed 's|.*/||; s/\.cpp$//' | sort)
+    <(cd "$tm_root" && ls tools/tm-*.cpp | sed 's|.*/||; s/\.cpp$//' | sort)
 }
 
 @test "every result is a closed manifold without a crossing" {

@@ -2,18 +2,16 @@ load ../helpers/common
 
 # 16 photographs of 160x120 pixels of a sphere with dents, which the visual hull does not show.
 setup_file() {
-  PATH=$tm_build/bin:$PATH
   cd "$BATS_FILE_TMPDIR"
   mkdir images masks
   tm-shape dented --radius 50 --faces 20000 -o truth.ply
   tm-photograph --size 160x120 --finest 6 --coarsest 30 --write-images images \
     --write-silhouettes masks -o par.txt truth.ply
-  "$tm_root/scripts/tm-reconstruct" --cameras par.txt --images images --silhouettes masks \
+  tm-reconstruct --cameras par.txt --images images --silhouettes masks \
     -o whole.ply --csv whole.csv --report whole.json -q
 }
 
 setup() {
-  PATH=$tm_root/scripts:$PATH
   scene=$BATS_FILE_TMPDIR
   cd "$BATS_TEST_TMPDIR"
   reconstruct=(tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images"
@@ -21,7 +19,7 @@ setup() {
 }
 
 value() { # KEY FILE
-  awk -v key="\"$1\":" '$1 == key { gsub("[\",]", "", $2); print $2; exit }' "$2"
+  awk -v key="\"$1\":" '$1 == "\"result\":" { is_result = 1 } is_result && $1 == key { gsub("[\",]", "", $2); print $2; exit }' "$2"
 }
 
 below() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }' || fail "$1 is not below $2"; }
@@ -74,75 +72,81 @@ compared() { # KEY MESH
   [ ! -e out.ply.tm-reconstruct ]
 }
 
-# The built filters, but tm-photo-step notes how it was called.
-noting_filters() {
-  mkdir filters
-  cp "$tm_root"/scripts/{tm-reconstruct,loop*.bash,reconstruct-*.bash} filters/
-  for filter in tm-hull tm-cameras tm-cat tm-clean tm-remesh tm-convert tm-info; do
-    ln -s "$tm_build/bin/$filter" "filters/$filter"
+@test "a run that was killed at any moment continues to the same result" {
+  for moment in 0.2 0.35 0.5 0.65 0.8; do
+    "${reconstruct[@]}" -o out.ply --csv log.csv --resume -q 3>&- &
+    sleep "$moment"
+    kill -KILL $! || true
+    wait $! || true
   done
-  printf '#!/bin/bash\necho "$@" >>%q\nexec %q "$@"\n' "$PWD/calls" "$tm_build/bin/tm-photo-step" \
-    >filters/tm-photo-step
-  chmod +x filters/tm-photo-step
+  "${reconstruct[@]}" -o out.ply --csv log.csv --resume -q
+  cmp out.ply "$scene/whole.ply"
+  cmp <(cut -d, -f1-12 log.csv) <(cut -d, -f1-12 "$scene/whole.csv")
+  [ ! -e out.ply.tm-reconstruct ]
 }
 
-# pulls LOG: the scale and --robust of each pass, and the dissimilarity after it.
-pulls() {
-  paste -d' ' <(grep -v -e '--alpha 0' calls | sed -E 's/.*--scale ([^ ]*).*--robust ([^ ]*).*/\1 \2/') \
-    <(cut -d, -f8 "$1" | tail -n +2)
+@test "the state of an interrupted run is neither continued nor thrown away unasked" {
+  few=(--coarsest 2 --passes 1 --robust 0)
+  mkdir -p frames/frame-00002.ply
+  # What cannot be written ends the loop; the mesh before is kept, and can be continued from.
+  run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply --frames frames --every 2
+  assert_status 5
+  [[ ${stderr_lines[0]} == "tm-reconstruct: cannot write 'frames/frame-00002.ply': "* ]]
+  [[ ${stderr_lines[1]} == *"stopped in pass 2; 'out.ply' holds the mesh of pass 1, and --resume"* ]]
+  cp out.ply first.ply
+  run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply
+  assert_status 2
+  one_line "$stderr"
+  [[ $stderr == *"'out.ply.tm-reconstruct'"*"--resume"*"--restart"* ]]
+  cmp out.ply first.ply
+  "${reconstruct[@]}" "${few[@]}" -o begun.ply -q
+  "${reconstruct[@]}" "${few[@]}" -o out.ply --resume -q
+  cmp out.ply begun.ply
 }
 
 @test "at last, windows that disagree pull less, and the surface is nearer to the truth" {
-  noting_filters
-  reconstruct[0]=filters/tm-reconstruct
-  "${reconstruct[@]}" --robust 0 -q -o plain.ply --csv log.csv
-  pulls log.csv | awk '$2 != 0 { exit 1 }' || fail "$(pulls log.csv)"
+  "${reconstruct[@]}" --robust 0 -q -o plain.ply --csv plain.csv
   below "$(compared accuracy "$scene/whole.ply")" \
     "$(awk "BEGIN { print 0.75 * $(compared accuracy plain.ply) }")"
   below "$(compared hausdorff "$scene/whole.ply")" "$(compared hausdorff plain.ply)"
-
-  # After a pass at full scale, by half of what was the dissimilarity then.
-  rm calls
-  "${reconstruct[@]}" --robust 0.5 -q -o out.ply --csv log.csv
-  pulls log.csv | awk '
-    $2 == 0 && robust { exit bad = 1 }
-    $2 != 0 && !robust { if (scale != 1 || $2 / before < 0.499 || $2 / before > 0.501) exit bad = 1 }
-    $2 != 0 { ++robust }
-    { scale = $1; before = $3 }
-    END { exit bad || !robust }' || fail "$(pulls log.csv)"
+  # The passes before are the same, and what comes then is at full scale.
+  for log in "$scene/whole.csv" half.csv; do
+    [ -e "$log" ] || "${reconstruct[@]}" --robust 0.5 -q -o half.ply --csv half.csv
+    count=$(wc -l <plain.csv)
+    cmp <(cut -d, -f1-12 plain.csv) <(head -n "$count" "$log" | cut -d, -f1-12)
+    tail -n "+$((count + 1))" "$log" | awk -F, '$2 != 1 { exit 1 } END { exit !NR }' || fail "$(cat "$log")"
+  done
+  run cmp -s half.ply "$scene/whole.ply"
+  [ "$status" -eq 1 ]
   run --separate-stderr "${reconstruct[@]}" --robust some -o out.ply
   assert_status 2
   one_line "$stderr"
 }
 
-@test "a filter that fails ends the loop with its message and code" {
-  noting_filters
-  rm filters/tm-photo-step
-  cat >filters/tm-photo-step <<STUB
-#!/bin/bash
-echo >>$PWD/calls
-if [ "\$(wc -l <$PWD/calls)" -eq 2 ]; then
-  echo 'tm-photo-step: no luck today' >&2
-  exit 4
-fi
-exec $tm_build/bin/tm-photo-step "\$@"
-STUB
-  chmod +x filters/tm-photo-step
-  reconstruct[0]=filters/tm-reconstruct
-  run --separate-stderr "${reconstruct[@]}" -o out.ply --coarsest 2
-  assert_status 4
-  [ "${stderr_lines[0]}" = "tm-photo-step: no luck today" ]
-  [[ ${stderr_lines[1]} == *"stopped in pass 2; 'out.ply' holds the mesh of pass 1"* ]]
+@test "a result that did not converge can be told by the exit code" {
+  few=(--coarsest 2 --passes 1 --iterations 1 --robust 0 -q -o out.ply --report report.json)
+  "${reconstruct[@]}" "${few[@]}"
+  [ "$(value converged report.json)" = false ]
+  mv out.ply whole.ply
+  run --separate-stderr "${reconstruct[@]}" "${few[@]}" --require-convergence
+  assert_status 1
+  cmp out.ply whole.ply
+  "${reconstruct[@]}" -q -o out.ply --require-convergence
 }
 
-@test "the man page lists exactly the options of --help" {
-  tm-reconstruct --help >help
-  diff <(sed -nE 's/^  (-[a-zA-Z], )?--([a-z0-9-]+).*/\2/p' help | sort) \
-    <(grep -B1 '^:   ' "$tm_root/man/tm-reconstruct.1.md" | grep '^\*\*\\*-' |
-      grep -oE '\*\*\\?--[a-z0-9-]+' | sed -E 's/^\*\*\\?--//' | sort)
+@test "the report has what all reports have; the result has one comment of the program, or none" {
+  for key in '"options": {' '"cameras": ' '"coarsest": "auto"' '"peak_memory_bytes": '; do
+    grep -q "^ *$key" "$scene/whole.json" || fail "no $key"
+  done
+  "${reconstruct[@]}" --coarsest 1 --passes 1 --robust 0 --format ply-ascii -o out.ply -q
+  [ "$(sed -n '/^end_header/q; /^comment/p' out.ply)" = \
+    "comment tm-reconstruct $(tm-reconstruct --version | cut -d' ' -f2) --coarsest 1 --passes 1 --robust 0" ]
+  "${reconstruct[@]}" --coarsest 1 --passes 1 --robust 0 --no-provenance --format ply-ascii -o out.ply -q
+  run grep -c ^comment out.ply
+  [ "$output" = 0 ]
 }
 
-@test "the loop runs from where it is installed, without the project's folders" {
+@test "the program runs from where it is installed, without the project's folders" {
   cmake --install "$tm_build" --prefix "$PWD/usr" >/dev/null
   reconstruct[0]=$PWD/usr/bin/tm-reconstruct
   env -u TM_BUILD PATH=/usr/bin:/bin "${reconstruct[@]}" --coarsest 2 --passes 1 -q -o out.ply
@@ -186,15 +190,14 @@ STUB
 }
 
 @test "with a start, outlines come from a threshold that is given, and no background is supposed" {
-  noting_filters
-  few=(filters/tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images" --start "$scene/whole.ply"
-    --coarsest 2 --passes 1 -q -o out.ply)
-  "${few[@]}"
-  run grep -e --silhouettes calls
-  [ "$status" -eq 1 ]
-  rm calls
-  "${few[@]}" --threshold auto
-  run grep -v -e '--silhouettes-show least' calls
+  few=(tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images" --start "$scene/whole.ply"
+    --coarsest 2 --passes 1 --no-provenance -q)
+  # Without outlines it is all one how much they pull.
+  "${few[@]}" -o out.ply
+  "${few[@]}" --pull 3 -o pull.ply
+  cmp out.ply pull.ply
+  "${few[@]}" --threshold auto -o outlined.ply
+  run cmp -s out.ply outlined.ply
   [ "$status" -eq 1 ]
 }
 
@@ -260,7 +263,7 @@ CSV
 
   # Interrupted in the second time step, and continued.
   env --default-signal=INT "${sequence[@]}" --threads 1 -o parts --csv parts.csv -q 2>messages 3>&- &
-  while [ ! -e parts.csv ] || [ ! -e parts/.tm-reconstruct/before.ply.tm-reconstruct/state ]; do
+  while [ ! -e parts.csv ] || [ ! -e parts/.tm-reconstruct/before/mesh.ply ]; do
     sleep 0.05
   done
   kill -INT $!
@@ -321,26 +324,4 @@ CSV
   run --separate-stderr "${sequence[@]}" --sequence names
   assert_status 3
   [[ $stderr == *"missing/images"* ]]
-}
-
-@test "a surface whose topology changes within a late scale is told from one that changes before" {
-  # shellcheck source=scripts/loop.bash
-  . "$tm_root/scripts/loop.bash"
-  # shellcheck source=scripts/reconstruct-judge.bash
-  . "$tm_root/scripts/reconstruct-judge.bash"
-  state=$BATS_TEST_TMPDIR iteration=9 seconds=1 level_edge=1 dissimilarity=0.31 outside=0 of_coverage=0.8 \
-    of_pixels=900 pass=1 passes=4
-  echo '{}' >remesh.json
-  printf '{\n  "result": {\n    "components": 1,\n    "genus": 5\n  }\n}\n' >clean.json
-  printf '{\n  "result": {\n    "last_dissimilarity": 0.3,\n    "last_coverage": 0.8,\n    "last_pixels": 900\n  }\n}\n' >step.json
-  cd "$state"
-  late() { # SCALE TOPOLOGY-BEFORE
-    scale=$1 topology=$2
-    judge | awk 'END { print $NF }'
-  }
-  [ "$(late 1.4142 1/6)" = 1.4142 ]
-  [ "$(late 1.0000 2/5)" = 1.0000 ]
-  [ "$(late 1.4142 1/5)" = no ]
-  [ "$(late 1.4142 none)" = no ]
-  [ "$(late 2.0000 1/6)" = no ]
 }

@@ -5,7 +5,6 @@ load ../helpers/scene
 # it has lines the line, and nothing written: of every program that reads them, and of the loop.
 
 setup() {
-  PATH=$tm_root/scripts:$PATH
   cd "$BATS_TEST_TMPDIR"
   make_scene .
   mkdir photos

@@ -34,17 +34,17 @@ std::size_t begin(Loop& loop, Document& document, Record& record, const Progress
 
 void advance(Loop& loop, Document& document, std::size_t iteration, const LoopOptions& options,
              Record& record, const Progress& progress) {
+  Document next = document;
   try {
-    Document next = document;
     loop.advance(next, iteration, progress);
-    document = std::move(next);
   } catch (const CancelledError&) {
     throw;
   } catch (const std::runtime_error&) {
     if (iteration == 1) record.remove_state();
     rethrow_in(options.noun + ' ' + std::to_string(iteration) + ": ");
   }
-  record.keep(document, iteration, loop.csv_row(iteration), loop.values());
+  record.keep(next, iteration, loop.csv_row(iteration), loop.values());
+  document = std::move(next);
   if (options.on_iteration) options.on_iteration(loop.message(iteration));
 }
 

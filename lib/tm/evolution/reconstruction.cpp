@@ -1,7 +1,6 @@
 #include "tm/evolution/reconstruction.h"
 
 #include <limits>
-#include <utility>
 
 #include "tm/evolution/csv_row.h"
 #include "tm/evolution/reconstruction_rules.h"
@@ -78,9 +77,10 @@ PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
 
 class ReconstructionLoop : public Loop {
  public:
-  ReconstructionLoop(Photographs& photographs, Document start, const ReconstructionOptions& options)
+  ReconstructionLoop(Photographs& photographs, const Document& start,
+                     const ReconstructionOptions& options)
       : photographs_(photographs),
-        start_(std::move(start)),
+        start_(start),
         options_(options),
         levels_(coarse_to_fine(options.scales, photographs.width(), photographs.pixel())),
         rule_(options.passes) {}
@@ -108,7 +108,7 @@ class ReconstructionLoop : public Loop {
   std::size_t pixels_compared(const Document& document, const Progress& progress) const;
 
   Photographs& photographs_;
-  Document start_;
+  const Document& start_;
   const ReconstructionOptions& options_;
   std::vector<Level> levels_;
 
@@ -282,20 +282,24 @@ Document document_of(const std::optional<std::string>& bytes) {
   throw InputError("the state of the run is not that of a reconstruction");
 }
 
-/// The document is the start afterwards. Returns the hull whose outlines take the place of masks.
-std::optional<Mesh> find_or_begin(Document& document, std::vector<View>& views,
-                                  const ReconstructionOptions& options, Record& record,
-                                  const Progress& progress) {
-  if (record.resumed()) {
-    document = document_of(record.find(start_name));
-    const auto hull = record.find(hull_name);
-    return hull ? std::optional(document_of(hull).mesh) : std::nullopt;
-  }
-  std::optional<Mesh> outlined =
-      begin_surface(document, views, options.start, pixel_size(views), progress);
-  record.add(start_name, write_mesh(document).bytes);
-  if (outlined) record.add(hull_name, write_mesh({*outlined, {}, {}}).bytes);
-  return outlined;
+struct Beginning {
+  Document start;
+  std::optional<Mesh> outlined;  ///< the hull whose outlines take the place of masks
+};
+
+Beginning found_in(const Record& record) {
+  Beginning found{document_of(record.find(start_name)), std::nullopt};
+  if (const auto hull = record.find(hull_name)) found.outlined = document_of(hull).mesh;
+  return found;
+}
+
+Beginning begun(const Document& document, std::vector<View>& views,
+                const ReconstructionOptions& options, Record& record, const Progress& progress) {
+  Beginning begun{document, std::nullopt};
+  begun.outlined = begin_surface(begun.start, views, options.start, pixel_size(views), progress);
+  record.add(start_name, write_mesh(begun.start).bytes);
+  if (begun.outlined) record.add(hull_name, write_mesh({*begun.outlined, {}, {}}).bytes);
+  return begun;
 }
 
 }  // namespace
@@ -303,11 +307,11 @@ std::optional<Mesh> find_or_begin(Document& document, std::vector<View>& views,
 ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress) {
-  const std::optional<Mesh> outlined = find_or_begin(document, views, options, record, progress);
-  if (outlined) outline(views, *outlined);
-  Photographs photographs(views, options, outlined.has_value());
-  const Mesh start = document.mesh;
-  ReconstructionLoop loop(photographs, document, options);
+  const Beginning beginning =
+      record.resumed() ? found_in(record) : begun(document, views, options, record, progress);
+  if (beginning.outlined) outline(views, *beginning.outlined);
+  Photographs photographs(views, options, beginning.outlined.has_value());
+  ReconstructionLoop loop(photographs, beginning.start, options);
   const LoopOptions loop_options{std::numeric_limits<std::size_t>::max(), "pass", options.on_pass};
 
   ReconstructionResult result;
@@ -316,14 +320,14 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
   result.topology = clean_in_place(document, progress).topology;
   result.pixel = photographs.pixel();
   result.faces = document.mesh.faces.size();
-  result.first = photographs.look(start, 1, false, progress);
+  result.first = photographs.look(beginning.start.mesh, 1, false, progress);
   result.last = photographs.look(document.mesh, 1, false, progress);
   record.end();
   return result;
 }
 
 std::string summary_of(const ReconstructionResult& result) {
-  return counted(result.passes, "pass") + ", " + counted(result.faces, "face") + ", components " +
+  return counted(result.passes, "pass") + ": " + counted(result.faces, "face") + ", components " +
          std::to_string(result.topology.components) + ", genus " +
          std::to_string(result.topology.genus) + "; dissimilarity from " +
          fixed(result.first.dissimilarity, 4) + " to " + fixed(result.last.dissimilarity, 4) +

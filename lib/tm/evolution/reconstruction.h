@@ -57,7 +57,7 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress = Progress());
 
-/// For the log: "2 passes, 812 faces, components 1, genus 0; ...".
+/// For the log: "2 passes: 812 faces, components 1, genus 0; ...".
 std::string summary_of(const ReconstructionResult& result);
 
 }  // namespace transformesh

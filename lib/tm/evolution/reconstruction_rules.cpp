@@ -95,7 +95,8 @@ std::string fault_of(const ReconstructionFaults& faults) {
 std::string tracking_faults(const SurfaceQuality& surface, const SurfaceQuality& reference) {
   std::string faults;
   const auto add = [&](bool is_fault, const char* name) {
-    if (is_fault) faults += (faults.empty() ? "" : "+") + std::string(name);
+    if (is_fault && !faults.empty()) faults += '+';
+    if (is_fault) faults += name;
   };
   add(surface.dissimilarity > 1.3 * reference.dissimilarity, "dissimilarity");
   add(surface.coverage < 0.9 * reference.coverage, "coverage");

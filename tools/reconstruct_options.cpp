@@ -1,0 +1,154 @@
+#include "reconstruct_options.h"
+
+#include <charconv>
+
+#include "tm/support/error.h"
+#include "view_options.h"
+
+namespace transformesh::tool {
+namespace {
+
+constexpr long no_limit = 999999999;
+
+void declare_places(Program& program, ReconstructChoices& choices) {
+  program.text("cameras", &choices.sources.cameras, "WHERE", "file, folder or pattern of cameras");
+  program.require("cameras");
+  program.text("images", &choices.sources.images, "WHERE", "photographs");
+  program.require("images");
+  program.text("silhouettes", &choices.sources.silhouettes, "WHERE",
+               "masks: not black where the object is");
+  program.choice("silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
+                 "the object, or only some of it: then they pull outwards alone");
+  program.text("threshold", &choices.threshold, "auto|LEVEL",
+               "without masks: grey level above which photographs show the object (default auto; "
+               "with --start, none)");
+}
+
+void declare_start(Program& program, ReconstructChoices& choices) {
+  program.text("keep", &choices.keep, "largest|all|SHARE",
+               "components of the hull: of at least this share of the largest one's volume");
+  program.text("start", &choices.start, "FILE", "begin with this mesh, not with the visual hull");
+  program.choice("clip", &choices.clip, {"hull", "nothing"},
+                 "of that mesh, keep what is within the hull of exact silhouettes, or all");
+  program.text("sequence", &choices.sequence, "WHERE",
+               "reconstruct one time step after the other: a file with a name per line, a folder "
+               "of folders, or a pattern; {} in other places stands for the name");
+  program.number("track", &choices.track, 1, 1e6,
+                 "as --coarsest, for time steps that begin with the surface of the one before");
+  for (const char* place : {"cameras", "images", "silhouettes", "sequence"})
+    program.keep_out_of_provenance(place);
+}
+
+void declare_scales(Program& program, ReconstructChoices& choices) {
+  program.text("coarsest", &choices.coarsest, "auto|NUMBER",
+               "how much smaller photographs are at first; auto: up to 11.3, less where thin "
+               "parts would get lost");
+  program.number("edge", &choices.edge, 1, 1e6, "length of edges, in pixels of the scale");
+  program.text("last-edge", &choices.last_edge, "NUMBER",
+               "then shorten them to this in steps of the square root of 2, at full scale "
+               "(default: as --edge)");
+  program.integer("passes", &choices.passes, 1, no_limit, "at most so many at each scale");
+  program.integer("iterations", &choices.iterations, 1, no_limit, "steps between two cleanings");
+}
+
+void declare_steps(Program& program, ReconstructChoices& choices) {
+  program.integer("pairs", &choices.pairs, 1, 1000, "neighbors with which each view is compared");
+  program.integer("window", &choices.window, 1, 5, "radius of compared windows, 1 to 5 pixels");
+  program.text("robust", &choices.robust, "auto|NUMBER",
+               "at last, windows that disagree this many times as much as the mean pull by a "
+               "quarter, 0: all alike; auto: 1 where photographs agree well, else 0");
+  program.number("stiffness", &choices.stiffness, 0, 1e300, "resistance to bending");
+  program.number("pull", &choices.pull, 0, 1e300, "how much silhouettes pull");
+}
+
+double number_of(const std::string& option, const std::string& text, double minimum) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && rest == end && value >= minimum) return value;
+  throw UsageError("--" + option + ": '" + text + "' is not a number of at least " +
+                   shortest_text(minimum));
+}
+
+std::optional<double> number_or_auto(const std::string& option, const std::string& text,
+                                     double minimum) {
+  if (text == "auto") return std::nullopt;
+  return number_of(option, text, minimum);
+}
+
+// What is read again by a run that continues cannot be a pipe.
+void refuse_standard_input(const ReconstructChoices& choices) {
+  const std::pair<const char*, const std::string&> places[] = {
+      {"cameras", choices.sources.cameras},
+      {"images", choices.sources.images},
+      {"silhouettes", choices.sources.silhouettes},
+      {"start", choices.start},
+      {"sequence", choices.sequence}};
+  for (const auto& [option, place] : places) {
+    if (place == "-")
+      throw UsageError("--" + std::string(option) +
+                       ": name a file: standard input is read once only");
+  }
+}
+
+StartOptions start_of(const ReconstructChoices& choices) {
+  StartOptions start;
+  start.is_given = !choices.start.empty();
+  start.name = choices.start;
+  start.clips_by_hull = choices.clip == "hull";
+  if (choices.silhouettes_show == "least") start.meaning = SilhouetteMeaning::least;
+  if (!choices.threshold.empty()) start.threshold = {.level = threshold_level(choices.threshold)};
+  start.keep = hull_share(choices.keep);
+  return start;
+}
+
+}  // namespace
+
+void declare_reconstruction(Program& program, ReconstructChoices& choices) {
+  declare_places(program, choices);
+  declare_start(program, choices);
+  declare_scales(program, choices);
+  declare_steps(program, choices);
+  declare_record(program, choices.loop, "every how many passes (default 1)", "pass");
+  program.epilog("WHERE is a file, a folder or a quoted pattern, see tm-cameras.");
+}
+
+ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run) {
+  refuse_standard_input(choices);
+  ReconstructionOptions options;
+  options.start = start_of(choices);
+  options.scales.coarsest = number_or_auto("coarsest", choices.coarsest, 1);
+  options.scales.edge = choices.edge;
+  options.scales.last_edge =
+      choices.last_edge.empty() ? choices.edge : number_of("last-edge", choices.last_edge, 1);
+  options.passes = static_cast<std::size_t>(choices.passes);
+  options.iterations = static_cast<int>(choices.iterations);
+  options.pairs.neighbors = static_cast<std::size_t>(choices.pairs);
+  options.window = static_cast<int>(choices.window);
+  options.robust = number_or_auto("robust", choices.robust, 0);
+  options.stiffness = choices.stiffness;
+  options.pull = choices.pull;
+  options.on_detail = [&run](const std::string& text) { run.detail(text); };
+  return options;
+}
+
+void check_sequence(const ReconstructChoices& choices, const Run& run) {
+  if (run.output() == "-")
+    throw UsageError("--sequence needs -o FOLDER: where to write the surfaces");
+  const auto check_place = [](const char* option, const std::string& place) {
+    if (place.find("{}") == std::string::npos)
+      throw UsageError("--" + std::string(option) + " '" + place +
+                       "' holds no {}, which stands for a time step");
+  };
+  check_place("images", choices.sources.images);
+  if (!choices.sources.silhouettes.empty()) check_place("silhouettes", choices.sources.silhouettes);
+  if (!choices.loop.frames.empty())
+    throw UsageError("--frames is not for a --sequence, whose results are its frames");
+}
+
+ViewSources sources_of(const ViewSources& sources, const TimeStep& step) {
+  return {place_of(sources.cameras, step), place_of(sources.images, step),
+          place_of(sources.silhouettes, step)};
+}
+
+}  // namespace transformesh::tool

@@ -1,0 +1,49 @@
+/// The options of tm-reconstruct, and what they mean to the library.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loop_options.h"
+#include "tm/evolution/sequence.h"
+#include "tm/evolution/time_steps.h"
+#include "tm/views/cameras/view_files.h"
+#include "tool.h"
+
+namespace transformesh::tool {
+
+/// Options as they are written.
+struct ReconstructChoices {
+  ViewSources sources;
+  std::string silhouettes_show = "exact";
+  std::string threshold;
+  std::string keep = "largest";
+  std::string start;
+  std::string clip = "hull";
+  std::string sequence;
+  double track = SequenceOptions().track;
+  std::string coarsest = "auto";
+  double edge = ScaleOptions().edge;
+  std::string last_edge;
+  long passes = 4;
+  long iterations = 5;
+  long pairs = 4;
+  long window = 3;
+  std::string robust = "auto";
+  double stiffness = 1;
+  double pull = 0.5;
+  LoopChoices loop;
+};
+
+void declare_reconstruction(Program& program, ReconstructChoices& choices);
+
+/// Throws UsageError for values that are none and for options that do not go together.
+ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run);
+
+/// Throws UsageError where places do not name the time step.
+void check_sequence(const ReconstructChoices& choices, const Run& run);
+
+/// The places of one time step.
+ViewSources sources_of(const ViewSources& sources, const TimeStep& step);
+
+}  // namespace transformesh::tool

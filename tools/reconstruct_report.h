@@ -1,0 +1,38 @@
+/// What tm-reconstruct says at the end.
+#pragma once
+
+#include "tm/evolution/sequence.h"
+#include "tm/support/counted.h"
+#include "tool.h"
+
+namespace transformesh::tool {
+
+inline void report_reconstruction(const ReconstructionResult& result, std::size_t views, Run& run) {
+  run.report("views", views);
+  run.report("pixel_size", result.pixel);
+  run.report("passes", result.passes);
+  run.report("converged", result.fault.empty());
+  run.report("fault", result.fault);
+  run.report("components", result.topology.components);
+  run.report("genus", result.topology.genus);
+  run.report("first_dissimilarity", result.first.dissimilarity);
+  run.report("dissimilarity", result.last.dissimilarity);
+  run.report("first_coverage", result.first.coverage);
+  run.report("coverage", result.last.coverage);
+  run.report("first_pixels", result.first.pixels);
+  run.report("pixels", result.last.pixels);
+  run.report("mean_edge", result.last.displaced.mean_edge);
+}
+
+inline void report_sequence(const SequenceResult& result, Run& run) {
+  run.report("time_steps", result.time_steps);
+  run.report("tracked", result.tracked);
+  run.report("accepted", result.accepted);
+}
+
+inline std::string summary_of(const SequenceResult& result) {
+  return counted(result.time_steps, "time step") + ", " + std::to_string(result.tracked) +
+         " tracked, " + std::to_string(result.accepted) + " as good as from the hull";
+}
+
+}  // namespace transformesh::tool

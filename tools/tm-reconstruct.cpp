@@ -1,0 +1,81 @@
+/// tm-reconstruct: from calibrated photographs to a closed, clean mesh, from coarse to fine (paper
+/// 5.3), or to one for each time step of a film.
+#include "reconstruct_options.h"
+#include "reconstruct_report.h"
+
+namespace {
+
+using namespace transformesh;
+
+// The mesh given, or none, with the comments that the result will have.
+Document beginning(const std::string& start, tool::Run& run) {
+  Document document;
+  if (!start.empty()) document = run.read(start);
+  run.stamp(document);
+  return document;
+}
+
+void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOptions options,
+                     tool::Run& run) {
+  Record record = tool::open_record(choices.loop, 1, run);
+  Document& document = run.document();
+  if (record.resumed()) {
+    run.continue_from(record.resumed()->document);
+  } else {
+    document = beginning(choices.start, run);
+  }
+  run.progress()("read views");
+  std::vector<View> views = views_from(choices.sources);
+  options.on_pass = [&run](const std::string& text) { run.progress_line(text); };
+  ReconstructionResult result;
+  tool::evolve_or_keep(run, record, "pass", [&] {
+    result = reconstruct(document, views, options, record, run.progress());
+  });
+  tool::report_reconstruction(result, views.size(), run);
+  tool::conclude(run, choices.loop, record, {true, result.fault.empty(), summary_of(result)});
+}
+
+void reconstruct_film(const tool::ReconstructChoices& choices,
+                      const ReconstructionOptions& reconstruction, tool::Run& run) {
+  tool::check_sequence(choices, run);
+  const std::vector<TimeStep> steps = time_steps(choices.sequence);
+  std::vector<std::string> names;
+  for (const TimeStep& step : steps) names.push_back(step.name);
+  SequenceOptions options;
+  options.reconstruction = reconstruction;
+  options.track = choices.track;
+  options.folder = run.output();
+  options.format = run.document().style.format;
+  options.states = run.output() + "/." + run.program();
+  options.on_step = [&run](const std::string& text) { run.progress_line(text); };
+  options.on_note = [&run](const std::string& text) { run.note(text); };
+  Record record = tool::open_record(choices.loop, 1, run, options.states);
+  run.write_nothing();
+
+  options.comments = beginning("", run).style.comments;
+  Document document;
+  if (!record.resumed()) document = beginning(choices.start, run);
+  const auto views_of = [&](std::size_t step) {
+    return views_from(tool::sources_of(choices.sources, steps[step]));
+  };
+  const SequenceResult result =
+      reconstruct_sequence(document, names, views_of, options, record, run.progress());
+  tool::report_sequence(result, run);
+  tool::conclude(run, choices.loop, record,
+                 {true, result.accepted == result.time_steps, tool::summary_of(result)});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tool::ReconstructChoices choices;
+  tool::Program program("tm-reconstruct", "[OPTION]... --cameras WHERE --images WHERE -o OUT",
+                        "Reconstructs a closed surface from calibrated photographs",
+                        tool::Reads::nothing, tool::Writes::evolved_mesh);
+  tool::declare_reconstruction(program, choices);
+  return program.run(argc, argv, [&](tool::Run& run) {
+    const ReconstructionOptions options = tool::reconstruction_of(choices, run);
+    choices.sequence.empty() ? reconstruct_one(choices, options, run)
+                             : reconstruct_film(choices, options, run);
+  });
+}
