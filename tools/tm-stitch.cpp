@@ -18,7 +18,7 @@ void stitch_document(Document& document, StitchOptions options, const Length& to
   run.report("copied_vertices", result.copied_vertices);
   run.report("split_edges", result.split_edges);
   run.report("dropped_faces", result.dropped_faces);
-  run.report("turned_faces", result.turned_faces);
+  run.report("turned_faces", result.reversed_faces);
   run.report("misoriented_edges", result.misoriented_edges);
   run.report("border_edges", result.border_edges);
 }

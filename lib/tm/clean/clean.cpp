@@ -3,9 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "tm/clean/exterior/outermost.h"
 #include "tm/clean/pass/clean_pass.h"
-#include "tm/clean/rounding/settle.h"
+#include "tm/clean/rounding/snap_rounding.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -23,15 +22,15 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
   if (pass.unchanged) {
     result.mesh = mesh;
   } else {
-    const SettleOptions how{options.level, options.method, pass.is_open, options.coordinate};
-    Settled settled = settle(mesh, std::move(pass), how, progress);
-    result.cut_faces += settled.cut_faces;
-    result.removed_faces += settled.removed_faces;
-    result.new_vertices = settled.new_vertices;
-    result.copied_vertices = settled.copied_vertices;
-    result.rounding_repairs = settled.repairs;
-    result.grid_steps = settled.grid_steps;
-    result.mesh = std::move(settled.mesh);
+    const SnapRoundingOptions how{options.level, options.method, pass.is_open, options.coordinate};
+    SnapRoundingResult rounded = snap_round(mesh, std::move(pass), how, progress);
+    result.cut_faces += rounded.cut_faces;
+    result.removed_faces += rounded.removed_faces;
+    result.new_vertices = rounded.new_vertices;
+    result.copied_vertices = rounded.copied_vertices;
+    result.rounding_repairs = rounded.repairs;
+    result.grid_steps = rounded.grid_steps;
+    result.mesh = std::move(rounded.mesh);
   }
   // A single patch has nothing inside.
   if (options.outermost && (result.changed || result.patches != 1)) {

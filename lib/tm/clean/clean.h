@@ -7,14 +7,14 @@
 /// intersection keeps its coordinates, columns and order; a manifold with nothing to clean comes
 /// back unchanged. Equal positions are one point, whatever their indices. The output has no
 /// self-intersection in its coordinates as rounded to `coordinate` (coincident duplicates of
-/// vertices and edges may touch), no face without area. Exact throughout; nothing is perturbed.
+/// vertices and edges may touch), and no face without area. Exact throughout; nothing is perturbed.
 /// Deterministic for any number of threads. Open meshes keep their borders (paper 4.6).
 ///
-/// Throws InputError (not oriented: two or more faces left over along an edge, but for
-/// borders of a stitched mesh that lie partly upon each other), UsageError
-/// (static_test on an open mesh), GoalError (nothing has w >= level; rounding could not be
-/// repaired, with the place; `refuse` and there is something to change). Cost: O(n log n + k log k)
-/// for k intersecting pairs on usual meshes; about 250 bytes a face.
+/// Throws InputError (not oriented: two or more faces left over along an edge, but for borders of a
+/// stitched mesh that lie partly upon each other), UsageError (static_test on an open mesh),
+/// GoalError (nothing has w >= level; rounding could not be repaired, with the place; `refuse` and
+/// there is something to change). Cost: O(n log n + k log k) for k intersecting pairs on usual
+/// meshes; about 250 bytes a face.
 #pragma once
 
 #include "tm/clean/exterior/exterior.h"
@@ -26,7 +26,7 @@ namespace transformesh {
 struct CleanOptions {
   ExteriorMethod method = ExteriorMethod::grow;
   int level = 1;                        ///< 1 is the union, 2 the intersection of two operands
-  bool outermost = false;               ///< drop cavities, and what floats in them
+  bool outermost = false;               ///< drop cavities, and components that float in them
   bool refuse = false;                  ///< throw rather than change anything
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
 };
@@ -43,7 +43,8 @@ struct CleanResult {
   std::size_t rays = 0;
   std::size_t dropped_components = 0;  ///< by `outermost`
   std::size_t rounding_repairs = 0;    ///< rounds in which rounding made crossings
-  std::size_t grid_steps = 0;  ///< how often input vertices had to go to a coarser grid (settle.h)
+  std::size_t grid_steps =
+      0;  ///< how often input vertices went to a coarser grid (snap_rounding.h)
 };
 
 CleanResult clean(const Mesh& mesh, const CleanOptions& options = {},

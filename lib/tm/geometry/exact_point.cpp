@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace transformesh {
 
@@ -174,10 +175,16 @@ bool is_exact(const ExactPoint& point) { return point.radius == Vec3::Zero(); }
 
 }  // namespace
 
+bool same_definition(const ExactPoint& a, const ExactPoint& b) {
+  const bool has_definition = a.kind != ExactPoint::Kind::free && a.kind != ExactPoint::Kind::mean;
+  return has_definition && a.kind == b.kind && a.definition == b.definition;
+}
+
 Triangle ExactGeometry::triangle(Index face) const { return triangle_of(positions_, faces_[face]); }
 
 ExactPoint ExactGeometry::given(Index vertex) const {
   ExactPoint point = free(positions_[vertex]);
+  point.kind = ExactPoint::Kind::given;
   point.definition[0] = vertex;
   return point;
 }
@@ -253,6 +260,7 @@ const ExactCoordinates& ExactGeometry::exact(const ExactPoint& point) const {
   ExactCoordinates coordinates;
   switch (point.kind) {
     case ExactPoint::Kind::given:
+    case ExactPoint::Kind::free:
       coordinates = {{Exact(point.center[0]), Exact(point.center[1]), Exact(point.center[2])},
                      Exact(1)};
       break;
@@ -271,6 +279,8 @@ const ExactCoordinates& ExactGeometry::exact(const ExactPoint& point) const {
       coordinates = exact_coordinates(
           three_planes_fraction<Exact>(triangle(d[0]), triangle(d[1]), triangle(d[2])));
       break;
+    case ExactPoint::Kind::mean:
+      throw std::logic_error("a mean carries its exact coordinates from the start");
   }
   point.exact = std::make_shared<const ExactCoordinates>(std::move(coordinates));
   return *point.exact;
@@ -355,7 +365,7 @@ ExactPoint ExactGeometry::mean(const ExactPoint& a, const ExactPoint& b, const E
   const std::array<const ExactPoint*, 3> points{&a, &b, &c};
   const int total = weights[0] + weights[1] + weights[2];
   ExactPoint result;
-  result.kind = ExactPoint::Kind::three_planes;  // anything but given: its exact form is set here
+  result.kind = ExactPoint::Kind::mean;
 
   // The ball.
   for (std::size_t k = 0; k < 3; ++k) {

@@ -1,7 +1,8 @@
-/// Points known by what defines them: a given point, an edge and a face, two coplanar edges, or
-/// three faces. Each carries a ball in doubles that contains it; predicates decide from the balls
-/// and recompute from the definition, in exact arithmetic, only when the sign is not certain. So
-/// every answer is exact at nearly floating-point cost. Nothing is perturbed.
+/// Points known by what defines them: a given point, an edge and a face, two coplanar edges, three
+/// faces, or the mean of three other points. Each carries a ball in doubles that contains it;
+/// predicates decide from the balls and recompute from the definition, in exact arithmetic, only
+/// when the sign is not certain. So every answer is exact at nearly floating-point cost. Nothing is
+/// perturbed.
 /// References: Attene, "Indirect predicates for geometric constructions", CAD 2020; Cherchi et al.,
 /// "Fast and robust mesh arrangements using floating-point arithmetic", ACM TOG 2020.
 /// Thread-safe as long as each thread uses its own copies of points (exact coordinates are cached
@@ -18,14 +19,18 @@ namespace transformesh {
 struct ExactCoordinates;
 
 struct ExactPoint {
-  enum class Kind : std::uint8_t { given, line_plane, line_line, three_planes };
+  enum class Kind : std::uint8_t { given, free, line_plane, line_line, three_planes, mean };
 
-  Kind kind = Kind::given;
-  std::array<Index, 4> definition{};  ///< vertex | u v face | u v x y | three faces, in that order
+  Kind kind = Kind::free;
+  std::array<Index, 4> definition{};  ///< vertex | - | u v face | u v x y | three faces | -
   Vec3 center = Vec3::Zero();         ///< the point is within radius of center, per coordinate
   Vec3 radius = Vec3::Zero();
   mutable std::shared_ptr<const ExactCoordinates> exact;  ///< filled when first needed
 };
+
+/// Whether both have the same definition, and so are equal without any arithmetic. Free points and
+/// means have no definition.
+bool same_definition(const ExactPoint& a, const ExactPoint& b);
 
 class ExactGeometry {
  public:

@@ -35,11 +35,11 @@ double spacing_at(double coordinate, Scalar type) {
   return type == Scalar::float32 ? std::ldexp(spacing, float_digits_fewer) : spacing;
 }
 
-double coordinate_spacing(const Mesh& mesh) {
+double coordinate_spacing(const Mesh& mesh, Scalar type) {
   double largest = 0;
   for (const Vec3& position : mesh.positions)
     largest = std::max(largest, position.cwiseAbs().maxCoeff());
-  return spacing_at(largest);
+  return spacing_at(largest, type);
 }
 
 RoundingLoss rounding_loss(const Mesh& mesh, std::span<const Vec3> before) {

@@ -12,7 +12,7 @@ namespace transformesh {
 /// infinite where there is no larger double.
 double spacing_at(double coordinate, Scalar type = Scalar::float64);
 /// From the largest coordinate of any vertex.
-double coordinate_spacing(const Mesh& mesh);
+double coordinate_spacing(const Mesh& mesh, Scalar type = Scalar::float64);
 
 struct RoundingLoss {
   std::size_t collapsed = 0;  ///< faces of which two corners have become one place

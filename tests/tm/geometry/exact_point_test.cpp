@@ -199,4 +199,24 @@ TEST_CASE("crossing edges and weighted means are where rationals put them") {
         sign(Rational(35) / 100 - Rational(0.35)));
 }
 
+TEST_CASE("only a definition makes points the same: means and free points have none") {
+  const std::vector<Vec3> positions{{0, 0, 0}, {3, 1, 2}, {0, 1, 2}, {3, 0, 0}, {1, 5, 7}};
+  const std::vector<Face> faces{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}};
+  const ExactGeometry geometry(positions, faces);
+  const ExactPoint a = geometry.given(0), b = geometry.given(1), c = geometry.given(2);
+  CHECK(same_definition(geometry.line_line(0, 1, 2, 3), geometry.line_line(3, 2, 1, 0)));
+  CHECK(same_definition(geometry.three_planes(0, 1, 2), geometry.three_planes(2, 0, 1)));
+  CHECK(!same_definition(a, b));
+  CHECK(same_definition(a, geometry.given(0)));
+
+  const ExactPoint first = geometry.mean(a, b, c, {1, 2, 3});
+  const ExactPoint second = geometry.mean(a, b, c, {3, 2, 1});
+  CHECK(first.kind == ExactPoint::Kind::mean);
+  CHECK(geometry.compare(first, second) != 0);
+  CHECK(!same_definition(first, second));
+  CHECK(!same_definition(first, geometry.three_planes(0, 1, 2)));
+  CHECK(!same_definition(ExactGeometry::free({1, 1, 1}), a));
+  CHECK(!same_definition(ExactGeometry::free({1, 1, 1}), ExactGeometry::free({2, 2, 2})));
+}
+
 }  // namespace transformesh

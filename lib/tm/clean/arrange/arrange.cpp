@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tm/clean/arrange/cut_plane.h"
+#include "tm/clean/arrange/planar_triangulation.h"
 #include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
@@ -14,36 +15,36 @@ namespace {
 
 constexpr double largest_coordinate = 1e306;
 
-// The faces that are cut together: coplanar ones that meet.
+// Planes of faces that are cut together, because they are coplanar and meet.
 struct Planes {
-  std::vector<std::vector<Index>> faces;
-  std::vector<std::vector<const Meeting*>> meetings;
-  std::vector<Index> plane_of;  ///< of each soup face; no_index for whole faces
+  std::vector<std::vector<Index>> faces;              ///< of each plane, ascending
+  std::vector<std::vector<const Meeting*>> meetings;  ///< of its faces with faces across it
+  std::vector<Index> plane_of;                        ///< per welded face; no_index if whole
 };
 
-std::vector<Meeting> find_meetings(const Soup& soup, const std::vector<FacePair>& pairs) {
+std::vector<Meeting> find_meetings(const WeldedMesh& welded, const std::vector<FacePair>& pairs) {
   std::vector<Meeting> meetings(pairs.size());
   parallel_for(pairs.size(), 256, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const auto [f, g] = pairs[i];
-      meetings[i] = {f, g, find_contacts(soup, f, g)};
+      meetings[i] = {f, g, find_contacts(welded, f, g)};
     }
   });
   return meetings;
 }
 
-Planes group_planes(const Soup& soup, const std::vector<Meeting>& meetings) {
-  DisjointSets sets(soup.faces.size());
-  std::vector<bool> is_cut(soup.faces.size(), false);
+Planes group_planes(const WeldedMesh& welded, const std::vector<Meeting>& meetings) {
+  DisjointSets sets(welded.faces.size());
+  std::vector<bool> is_cut(welded.faces.size(), false);
   for (const Meeting& meeting : meetings) {
     is_cut[meeting.first] = is_cut[meeting.second] = true;
     if (meeting.contacts.coplanar) sets.join(meeting.first, meeting.second);
   }
 
-  // Planes in order of their first face, which is their root.
+  // The first face of a plane is the root of its set, so planes come in the order of their faces.
   Planes planes;
-  planes.plane_of.assign(soup.faces.size(), no_index);
-  for (Index f = 0; f < soup.faces.size(); ++f) {
+  planes.plane_of.assign(welded.faces.size(), no_index);
+  for (Index f = 0; f < welded.faces.size(); ++f) {
     if (!is_cut[f]) continue;
     const Index root = sets.find(f);
     if (root == f) {
@@ -63,37 +64,34 @@ Planes group_planes(const Soup& soup, const std::vector<Meeting>& meetings) {
   return planes;
 }
 
-std::vector<PlaneCut> cut_planes(const Soup& soup, const Planes& planes) {
+std::vector<PlaneCut> cut_planes(const WeldedMesh& welded, const Planes& planes) {
   std::vector<PlaneCut> cuts(planes.faces.size());
   parallel_for(cuts.size(), 4, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      cuts[i] = cut_plane(soup, planes.faces[i], planes.meetings[i]);
+      cuts[i] = cut_plane(welded, planes.faces[i], planes.meetings[i]);
     }
   });
   return cuts;
 }
 
-bool same_definition(const ExactPoint& a, const ExactPoint& b) {
-  return a.kind == b.kind && a.definition == b.definition;
-}
-
-// Numbers the points of all planes, equal points alike, new ones in order of appearance.
+// Numbers the points of all planes. Equal points get one number; new points are numbered in the
+// order in which the planes list them.
 class PointUnifier {
  public:
-  PointUnifier(const Soup& soup, std::vector<PlaneCut>& cuts);
-  /// The arrangement points of one plane's points.
-  std::vector<std::vector<Index>> ids;
+  PointUnifier(const WeldedMesh& welded, std::vector<PlaneCut>& cuts);
+  std::vector<std::vector<Index>> ids;  ///< per plane and point of it: the arrangement point
   std::vector<ExactPoint> cut_points;
 
  private:
+  // A point of a plane that is no point of the mesh.
   struct Candidate {
     const ExactPoint* point;
     Index plane;
-    Index local;
-    Index order;
+    Index local;  ///< its number in the plane
+    Index order;  ///< its number among all candidates
   };
   std::vector<Candidate> collect(const std::vector<PlaneCut>& cuts);
-  static void sort(const Soup& soup, std::vector<Candidate>& candidates);
+  static void sort(const WeldedMesh& welded, std::vector<Candidate>& candidates);
 };
 
 std::vector<PointUnifier::Candidate> PointUnifier::collect(const std::vector<PlaneCut>& cuts) {
@@ -102,7 +100,7 @@ std::vector<PointUnifier::Candidate> PointUnifier::collect(const std::vector<Pla
   for (Index plane = 0; plane < cuts.size(); ++plane) {
     const auto& points = cuts[plane].points;
     ids[plane].assign(points.size(), no_index);
-    for (Index i = 3; i < points.size(); ++i) {  // the first three are scaffold
+    for (Index i = PlanarTriangulation::scaffold_points; i < points.size(); ++i) {
       if (points[i].kind == ExactPoint::Kind::given) {
         ids[plane][i] = points[i].definition[0];
       } else {
@@ -113,10 +111,10 @@ std::vector<PointUnifier::Candidate> PointUnifier::collect(const std::vector<Pla
   return candidates;
 }
 
-// By position; equal positions in order of appearance. Points of one definition are brought
-// together first, so that exact comparisons are left to points that nearly coincide.
-void PointUnifier::sort(const Soup& soup, std::vector<Candidate>& candidates) {
-  const ExactGeometry geometry(soup.points, soup.faces);
+// Sorts candidates by position, and equal ones by their order. Equal definitions decide without
+// arithmetic, so that exact comparisons are left to points that nearly coincide.
+void PointUnifier::sort(const WeldedMesh& welded, std::vector<Candidate>& candidates) {
+  const ExactGeometry geometry(welded.points, welded.faces);
   std::stable_sort(candidates.begin(), candidates.end(),
                    [&](const Candidate& a, const Candidate& b) {
                      if (same_definition(*a.point, *b.point)) return false;
@@ -124,12 +122,12 @@ void PointUnifier::sort(const Soup& soup, std::vector<Candidate>& candidates) {
                    });
 }
 
-PointUnifier::PointUnifier(const Soup& soup, std::vector<PlaneCut>& cuts) {
+PointUnifier::PointUnifier(const WeldedMesh& welded, std::vector<PlaneCut>& cuts) {
   std::vector<Candidate> candidates = collect(cuts);
-  sort(soup, candidates);
-  const ExactGeometry geometry(soup.points, soup.faces);
+  sort(welded, candidates);
+  const ExactGeometry geometry(welded.points, welded.faces);
 
-  // Each run of equal points is known by its first appearance.
+  // The first of each run of equal points stands for all of them.
   std::vector<Index> first(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const bool equal =
@@ -144,7 +142,7 @@ PointUnifier::PointUnifier(const Soup& soup, std::vector<PlaneCut>& cuts) {
     const Candidate& representative = *by_order[first[order]];
     if (first[order] == order) {
       ids[candidate.plane][candidate.local] =
-          static_cast<Index>(soup.points.size() + cut_points.size());
+          static_cast<Index>(welded.points.size() + cut_points.size());
       cut_points.push_back(*candidate.point);
     } else {
       ids[candidate.plane][candidate.local] = ids[representative.plane][representative.local];
@@ -152,10 +150,10 @@ PointUnifier::PointUnifier(const Soup& soup, std::vector<PlaneCut>& cuts) {
   }
 }
 
-void add_whole_pieces(const Soup& soup, const Planes& planes, Arrangement& result) {
-  for (Index f = 0; f < soup.faces.size(); ++f) {
+void add_whole_pieces(const WeldedMesh& welded, const Planes& planes, Arrangement& result) {
+  for (Index f = 0; f < welded.faces.size(); ++f) {
     if (planes.plane_of[f] != no_index) continue;
-    result.pieces.push_back({soup.faces[f], static_cast<Index>(result.sources.size()), 1, 1});
+    result.pieces.push_back({welded.faces[f], static_cast<Index>(result.sources.size()), 1, 1});
     result.sources.push_back({f, false});
   }
   result.whole_pieces = result.pieces.size();
@@ -172,11 +170,11 @@ void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, Arrangem
                 0};
     for (Index s = begin; s < end; ++s) {
       result.sources.push_back(cut.sources[s]);
-      piece.winding += cut.sources[s].reversed ? -1 : 1;
+      piece.multiplicity += cut.sources[s].reversed ? -1 : 1;
     }
-    // Every piece looks the way most of its sources do.
-    if (piece.winding < 0) {
-      piece.winding = -piece.winding;
+    // A piece is oriented as most of its sources are.
+    if (piece.multiplicity < 0) {
+      piece.multiplicity = -piece.multiplicity;
       std::swap(piece.corners[1], piece.corners[2]);
       for (Index s = piece.first_source; s < result.sources.size(); ++s) {
         result.sources[s].reversed = !result.sources[s].reversed;
@@ -186,9 +184,9 @@ void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, Arrangem
   }
 }
 
-// Coplanar faces are cut within a triangle twelve times their size.
-void refuse_overflow(const Soup& soup) {
-  for (const Vec3& point : soup.points) {
+// Coplanar faces are cut within a triangle twelve times their size, which must not overflow.
+void refuse_overflow(const WeldedMesh& welded) {
+  for (const Vec3& point : welded.points) {
     if (point.cwiseAbs().maxCoeff() <= largest_coordinate) continue;
     throw InputError("the coordinates of " + point_text(point) +
                      " are too large to cut faces there: scale the mesh to below " +
@@ -198,20 +196,20 @@ void refuse_overflow(const Soup& soup) {
 
 }  // namespace
 
-Arrangement arrange(const std::shared_ptr<const Soup>& soup, const std::vector<FacePair>& pairs,
-                    const Progress& progress) {
+Arrangement arrange(const std::shared_ptr<const WeldedMesh>& welded,
+                    const std::vector<FacePair>& pairs, const Progress& progress) {
   progress("arrange");
-  if (!pairs.empty()) refuse_overflow(*soup);
-  const std::vector<Meeting> meetings = find_meetings(*soup, pairs);
-  const Planes planes = group_planes(*soup, meetings);
-  std::vector<PlaneCut> cuts = cut_planes(*soup, planes);
+  if (!pairs.empty()) refuse_overflow(*welded);
+  const std::vector<Meeting> meetings = find_meetings(*welded, pairs);
+  const Planes planes = group_planes(*welded, meetings);
+  std::vector<PlaneCut> cuts = cut_planes(*welded, planes);
   progress("arrange", 0.7);
 
   Arrangement result;
-  result.soup = soup;
-  PointUnifier unifier(*soup, cuts);
+  result.welded = welded;
+  PointUnifier unifier(*welded, cuts);
   result.cut_points = std::move(unifier.cut_points);
-  add_whole_pieces(*soup, planes, result);
+  add_whole_pieces(*welded, planes, result);
   for (std::size_t i = 0; i < cuts.size(); ++i) add_cut_pieces(cuts[i], unifier.ids[i], result);
   return result;
 }

@@ -3,16 +3,15 @@
 #include <algorithm>
 
 #include "tm/clean/arrange/planar_triangulation.h"
-#include "tm/clean/intersect/contact_points.h"
 
 namespace transformesh {
 namespace {
 
-// What a constraint lies on: the plane of a face that crosses, or an edge in the plane.
+// What a constraint lies on: an edge in the plane, or the plane of a face that crosses it.
 struct Line {
   bool is_edge;
-  Index a;  ///< face, or the edge's start
-  Index b;  ///< the edge's end
+  Index a;  ///< the start of the edge, or the face that crosses
+  Index b;  ///< the end of the edge
 };
 
 struct Segment {
@@ -23,7 +22,7 @@ struct Segment {
 
 class PlaneCutter {
  public:
-  PlaneCutter(const Soup& soup, const std::vector<Index>& faces,
+  PlaneCutter(const WeldedMesh& welded, const std::vector<Index>& faces,
               const std::vector<const Meeting*>& meetings);
   PlaneCut cut();
 
@@ -32,37 +31,37 @@ class PlaneCutter {
   ExactPoint crossing(Index first_line, Index second_line) const;
   void insert_faces();
   void insert_meeting(const Meeting& meeting);
-  Index edge_line(Index face, Place place) const;
+  Index edge_line(Index face, FaceSimplex simplex) const;
   void flood(std::size_t k, std::vector<std::vector<PieceSource>>& covers);
   PlaneCut collect(const std::vector<std::vector<PieceSource>>& covers) const;
 
-  const Soup& soup_;
+  const WeldedMesh& welded_;
   const std::vector<Index>& faces_;
   const std::vector<const Meeting*>& meetings_;
   ExactGeometry geometry_;
   PlaneProjection projection_;
-  std::vector<Line> lines_;  ///< three edges of each face, then one for each meeting
+  std::vector<Line> lines_;  ///< of the three edges of each face, then of each meeting
   std::vector<Segment> segments_;
   std::vector<std::array<Index, 3>> corners_;  ///< of each face
   PlanarTriangulation triangulation_;
-  std::vector<Index> border_stamp_;  ///< per edge: the last face that has it as border, plus one
+  std::vector<Index> border_stamp_;  ///< per edge: k + 1 of the last face k that it bounds, or 0
 };
 
-PlaneCutter::PlaneCutter(const Soup& soup, const std::vector<Index>& faces,
+PlaneCutter::PlaneCutter(const WeldedMesh& welded, const std::vector<Index>& faces,
                          const std::vector<const Meeting*>& meetings)
-    : soup_(soup),
+    : welded_(welded),
       faces_(faces),
       meetings_(meetings),
-      geometry_(soup.points, soup.faces),
-      projection_(projection_of(soup.triangle(faces[0]))),
-      triangulation_(geometry_, soup.triangle(faces[0]), box()[0], box()[1],
+      geometry_(welded.points, welded.faces),
+      projection_(projection_of(welded.triangle(faces[0]))),
+      triangulation_(geometry_, welded.triangle(faces[0]), box()[0], box()[1],
                      [this](Index a, Index b) { return crossing(a, b); }) {}
 
 std::array<Vec3, 2> PlaneCutter::box() const {
-  Vec3 low = soup_.points[soup_.faces[faces_[0]][0]];
+  Vec3 low = welded_.points[welded_.faces[faces_[0]][0]];
   Vec3 high = low;
   for (const Index face : faces_) {
-    for (const Vec3& p : soup_.triangle(face)) {
+    for (const Vec3& p : welded_.triangle(face)) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
@@ -81,7 +80,7 @@ ExactPoint PlaneCutter::crossing(Index first_line, Index second_line) const {
 
 void PlaneCutter::insert_faces() {
   for (const Index face : faces_) {
-    const Face& corners = soup_.faces[face];
+    const Face& corners = welded_.faces[face];
     std::array<Index, 3> local{};
     const auto line = static_cast<Index>(lines_.size());
     for (std::size_t i = 0; i < 3; ++i) {
@@ -97,11 +96,11 @@ void PlaneCutter::insert_faces() {
   }
 }
 
-// The line of the edge at a place of a face in this plane; no_index where it is not one edge.
-Index PlaneCutter::edge_line(Index face, Place place) const {
-  if (place < 3 || place == interior) return no_index;
+// The line of a simplex of a face in this plane, where that is an edge; else no_index.
+Index PlaneCutter::edge_line(Index face, FaceSimplex simplex) const {
+  if (simplex < 3 || simplex == interior) return no_index;
   const auto k = std::lower_bound(faces_.begin(), faces_.end(), face) - faces_.begin();
-  return static_cast<Index>(3 * k + place - 3);
+  return static_cast<Index>(3 * k + simplex - 3);
 }
 
 void PlaneCutter::insert_meeting(const Meeting& meeting) {
@@ -115,7 +114,7 @@ void PlaneCutter::insert_meeting(const Meeting& meeting) {
   for (int i = 0; i < meeting.contacts.count; ++i) {
     const Contact contact = meeting.contacts.contacts[static_cast<std::size_t>(i)];
     const ExactPoint point =
-        contact_point(soup_, geometry_, meeting.first, meeting.second, contact);
+        contact_point(welded_, geometry_, meeting.first, meeting.second, contact);
     const Index edge = edge_line(here, first_is_here ? contact.first : contact.second);
     const Index local = edge == no_index ? triangulation_.insert(point, {line})
                                          : triangulation_.insert(point, {line, edge});
@@ -124,17 +123,17 @@ void PlaneCutter::insert_meeting(const Meeting& meeting) {
   if (meeting.contacts.count > 1) segments_.push_back({ends[0], ends[1], line});
 }
 
-// All facets of the k-th face: those that its border encloses.
+// Names the k-th face as a source of all facets that its border encloses.
 void PlaneCutter::flood(std::size_t k, std::vector<std::vector<PieceSource>>& covers) {
   const std::array<Index, 3>& corner = corners_[k];
   const auto& facets = triangulation_.facets();
-  const bool reversed = orient2d(soup_.triangle(faces_[k])[0], soup_.triangle(faces_[k])[1],
-                                 soup_.triangle(faces_[k])[2], projection_) < 0;
+  const bool reversed = orient2d(welded_.triangle(faces_[k])[0], welded_.triangle(faces_[k])[1],
+                                 welded_.triangle(faces_[k])[2], projection_) < 0;
   const auto stamp = static_cast<Index>(k + 1);
   std::vector<Index> stack;
   for (std::size_t i = 0; i < 3; ++i) {
     const Index from = corner[i], to = corner[(i + 1) % 3];
-    // The chain runs so that the face lies to its left.
+    // The chain runs so that the face lies on its left.
     for (const Index edge :
          reversed ? triangulation_.chain(to, from) : triangulation_.chain(from, to)) {
       border_stamp_[edge] = stamp;
@@ -183,9 +182,9 @@ PlaneCut PlaneCutter::cut() {
 
 }  // namespace
 
-PlaneCut cut_plane(const Soup& soup, const std::vector<Index>& faces,
+PlaneCut cut_plane(const WeldedMesh& welded, const std::vector<Index>& faces,
                    const std::vector<const Meeting*>& meetings) {
-  return PlaneCutter(soup, faces, meetings).cut();
+  return PlaneCutter(welded, faces, meetings).cut();
 }
 
 }  // namespace transformesh

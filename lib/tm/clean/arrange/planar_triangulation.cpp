@@ -13,7 +13,7 @@ constexpr Index previous_corner(Index i) { return i == 0 ? 2 : i - 1; }
 constexpr Index next_edge(Index edge) { return edge / 3 * 3 + next_corner(edge % 3); }
 constexpr Index previous_edge(Index edge) { return edge / 3 * 3 + previous_corner(edge % 3); }
 
-// Corners of a triangle far around the box, in the plane as well as doubles allow.
+// The corners of a triangle far around the box; they lie in the plane as nearly as doubles allow.
 std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec3& low,
                              const Vec3& high) {
   const Vec3 middle = low + (high - low) / 2;
@@ -35,7 +35,7 @@ std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec
   return corners;
 }
 
-// Cotangent of the angle at c: negative when it is obtuse.
+// The cotangent of the angle at c, which is negative where that is obtuse.
 double cotangent(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (a - c).dot(b - c) / (a - c).cross(b - c).norm();
 }
@@ -53,12 +53,12 @@ PlanarTriangulation::PlanarTriangulation(const ExactGeometry& geometry, const Tr
   facet_of_.assign(3, 0);
 }
 
-int PlanarTriangulation::turn(Index a, Index b, const ExactPoint& c) const {
+int PlanarTriangulation::orientation(Index a, Index b, const ExactPoint& c) const {
   return geometry_.orient2d(points_[a], points_[b], c, projection_);
 }
 
-// Points known to lie on one line need no arithmetic.
-int PlanarTriangulation::turn(Index a, Index b, Index c) const {
+// Where all three points are known to lie on one line, this needs no arithmetic.
+int PlanarTriangulation::orientation(Index a, Index b, Index c) const {
   const std::vector<Index>* shortest = &lines_[a];
   if (lines_[b].size() < shortest->size()) shortest = &lines_[b];
   if (lines_[c].size() < shortest->size()) shortest = &lines_[c];
@@ -71,7 +71,7 @@ int PlanarTriangulation::turn(Index a, Index b, Index c) const {
   return geometry_.orient2d(points_[a], points_[b], points_[c], projection_);
 }
 
-// For collinear points: whether `through` lies on the same side of `from` as `to`.
+// Whether `through` lies on the same side of `from` as `to`, the three being collinear.
 bool PlanarTriangulation::is_ahead(Index from, Index through, Index to) const {
   for (const int coordinate : {projection_.u, projection_.v}) {
     const int sign = geometry_.compare_coordinate(points_[to], points_[from], coordinate);
@@ -94,8 +94,8 @@ void PlanarTriangulation::add_line(Index point, Index line) {
   if (at == lines.end() || *at != line) lines.insert(at, line);
 }
 
-// Walks towards the point; falls back on trying all facets, as a walk may circle where the
-// triangulation is not Delaunay.
+// Walks towards the point. A walk may circle where the triangulation is not Delaunay; then all
+// facets are tried.
 PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& point) const {
   Location location{static_cast<Index>(facets_.size() - 1), {}};
   const auto leave_by = [&](Index first) {
@@ -103,8 +103,8 @@ PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& poin
     for (Index k = 0; k < 3; ++k) {
       const Index i = (first + k) % 3;
       const Facet& facet = facets_[location.facet];
-      location.turn[i] = turn(facet.v[i], facet.v[next_corner(i)], point);
-      if (location.turn[i] < 0) {
+      location.side[i] = orientation(facet.v[i], facet.v[next_corner(i)], point);
+      if (location.side[i] < 0) {
         exit = i;
         break;
       }
@@ -126,26 +126,26 @@ PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& poin
 Index PlanarTriangulation::insert(const ExactPoint& point, std::initializer_list<Index> lines) {
   const Location location = locate(point);
   const Facet facet = facets_[location.facet];
-  const auto zeros = std::count(location.turn.begin(), location.turn.end(), 0);
+  const auto zeros = std::count(location.side.begin(), location.side.end(), 0);
   Index index = no_index;
   for (Index i = 0; i < 3 && zeros == 2; ++i) {
-    if (location.turn[i] == 0 && location.turn[previous_corner(i)] == 0) index = facet.v[i];
+    if (location.side[i] == 0 && location.side[previous_corner(i)] == 0) index = facet.v[i];
   }
   if (index == no_index) {
     index = add_point(point);
     if (zeros == 0) split_facet(location.facet, index);
     for (Index i = 0; i < 3 && zeros == 1; ++i) {
-      if (location.turn[i] == 0) split_edge(3 * location.facet + i, index);
+      if (location.side[i] == 0) split_edge(3 * location.facet + i, index);
     }
     legalize(index);
   } else if (point.kind == ExactPoint::Kind::given) {
-    points_[index] = point;  // a vertex is known as such in every plane, whatever else meets there
+    points_[index] = point;  // a vertex of the mesh is named as such in every plane
   }
   for (const Index line : lines) add_line(index, line);
   return index;
 }
 
-// Writes a facet and makes its neighbours and points agree.
+// Writes a facet, and makes its neighbors and points refer to it.
 void PlanarTriangulation::set_facet(Index facet, const std::array<Index, 3>& v,
                                     const std::array<Index, 3>& next,
                                     const std::array<Index, 3>& line) {
@@ -176,7 +176,7 @@ void PlanarTriangulation::split_facet(Index facet, Index p) {
             {old.line[2], none, none});
 }
 
-// Both facets at the edge are cut in two. The scaffold's own edges are never split.
+// Cuts both facets at the edge in two. Edges of the scaffold are never split.
 void PlanarTriangulation::split_edge(Index edge, Index p) {
   const Index f = edge / 3, i = edge % 3;
   const Index back = opposite(edge);
@@ -189,7 +189,7 @@ void PlanarTriangulation::split_edge(Index edge, Index p) {
   const Index g2 = f2 + 1;
   facets_.resize(facets_.size() + 2, left);
   const Index none = no_index;
-  // Left: a p c and p b c. Right: p a d and b p d.
+  // The left facet a b c becomes a p c and p b c, the right one b a d becomes p a d and b p d.
   facets_[f] = {{a, p, c},
                 {g, f2, left.next[previous_corner(i)]},
                 {line, none, left.line[previous_corner(i)]}};
@@ -223,7 +223,26 @@ Index PlanarTriangulation::opposite(Index edge) const {
   return no_index;
 }
 
-// Replaces the edge by the other diagonal of its two facets; returns that edge.
+Index PlanarTriangulation::target(Index edge) const {
+  return facets_[edge / 3].v[next_corner(edge % 3)];
+}
+
+// The first edge that leaves the point and is accepted, in order around the point; no_index where
+// there is none. The point is no corner of the scaffold.
+template <class Accept>
+Index PlanarTriangulation::find_edge_from(Index point, const Accept& accept) const {
+  const Index start = facet_of_[point];
+  Index facet = start;
+  do {
+    Index i = 0;
+    while (facets_[facet].v[i] != point) ++i;
+    if (accept(3 * facet + i)) return 3 * facet + i;
+    facet = facets_[facet].next[previous_corner(i)];
+  } while (facet != start);
+  return no_index;
+}
+
+// Replaces the edge by the other diagonal of its two facets, and returns that.
 Index PlanarTriangulation::flip(Index edge) {
   const Index back = opposite(edge);
   const Index f = edge / 3, i = edge % 3, g = back / 3, k = back % 3;
@@ -233,7 +252,7 @@ Index PlanarTriangulation::flip(Index edge) {
   const Index none = no_index;
   const std::array<Index, 3> f_next{right.next[next_corner(k)], g, left.next[previous_corner(i)]};
   const std::array<Index, 3> g_next{left.next[next_corner(i)], f, right.next[previous_corner(k)]};
-  // c a d b: facets a d c and b c d.
+  // The facets a b c and b a d become a d c and b c d.
   facets_[f].v = {a, d, c};
   facets_[g].v = {b, c, d};
   set_facet(f, {a, d, c}, f_next,
@@ -249,7 +268,7 @@ bool PlanarTriangulation::is_convex(Index edge) const {
   const Index b = facets_[back / 3].v[back % 3];
   const Index c = facets_[edge / 3].v[previous_corner(edge % 3)];
   const Index d = facets_[back / 3].v[previous_corner(back % 3)];
-  return turn(a, d, c) > 0 && turn(b, c, d) > 0;
+  return orientation(a, d, c) > 0 && orientation(b, c, d) > 0;
 }
 
 bool PlanarTriangulation::wants_flip(Index edge) const {
@@ -263,7 +282,8 @@ bool PlanarTriangulation::wants_flip(Index edge) const {
   return cotangent(a, b, c) + cotangent(a, b, d) < -1e-9 && is_convex(edge);
 }
 
-// Flips around a new point until its star is Delaunay; bounded, as angles are not exact.
+// Flips edges around a new point until its star is Delaunay. The number of flips is bounded,
+// because inexact angles may ask for a flip and for its reverse.
 void PlanarTriangulation::legalize(Index p) {
   std::vector<Index> stack;
   const auto push_star = [&](Index facet) {
@@ -306,18 +326,10 @@ void PlanarTriangulation::improve() {
   }
 }
 
-// The edge from one point to a neighbour; no_index where they are not neighbours.
+// The edge from one point to another; no_index where there is none.
 Index PlanarTriangulation::edge_between(Index from, Index to) const {
   if (from < scaffold_points) return opposite(edge_between(to, from));
-  const Index start = facet_of_[from];
-  Index facet = start;
-  do {
-    Index i = 0;
-    while (facets_[facet].v[i] != from) ++i;
-    if (facets_[facet].v[next_corner(i)] == to) return 3 * facet + i;
-    facet = facets_[facet].next[previous_corner(i)];
-  } while (facet != start);
-  return no_index;
+  return find_edge_from(from, [&](Index edge) { return target(edge) == to; });
 }
 
 void PlanarTriangulation::mark(Index edge, Index line) {
@@ -334,30 +346,24 @@ void PlanarTriangulation::constrain(Index from, Index to, Index line) {
   while (from != to) from = step_along(from, to, line);
 }
 
-// Constrains the first stretch of the segment; returns the point where it ends.
+// Constrains the segment from its start to the next point on it, which is returned.
 Index PlanarTriangulation::step_along(Index from, Index to, Index line) {
-  const Index start = facet_of_[from];
-  Index facet = start;
-  do {
-    Index i = 0;
-    while (facets_[facet].v[i] != from) ++i;
-    const Index x = facets_[facet].v[next_corner(i)];
-    const Index y = facets_[facet].v[previous_corner(i)];
-    const int turn_x = x == to ? 0 : turn(from, x, to);
-    if (turn_x == 0 && (x == to || is_ahead(from, x, to))) {
-      mark(3 * facet + i, line);
-      return x;
-    }
-    if (turn_x > 0 && y != to && turn(from, to, y) > 0) {
-      return march(3 * facet + next_corner(i), from, to, line);
-    }
-    facet = facets_[facet].next[previous_corner(i)];
-  } while (facet != start);
-  throw std::logic_error("a constraint leaves its plane's scaffold");
+  bool is_along = false;
+  const Index edge = find_edge_from(from, [&](Index e) {
+    const Index x = target(e), y = target(next_edge(e));
+    const int side_of_x = x == to ? 0 : orientation(from, x, to);
+    is_along = side_of_x == 0 && (x == to || is_ahead(from, x, to));
+    return is_along || (side_of_x > 0 && y != to && orientation(from, to, y) > 0);
+  });
+  if (edge == no_index) throw std::logic_error("a constraint leaves its plane's scaffold");
+  if (!is_along) return march(next_edge(edge), from, to, line);
+  mark(edge, line);
+  return target(edge);
 }
 
-// From `from` across the edge and on, up to the first point on the segment. A constrained edge on
-// the way is split where it is crossed, which makes that point.
+// Follows the segment from `from` across the edge to the next point on the segment, and makes that
+// stretch an edge. A constrained edge on the way is split where the segment crosses it, which makes
+// such a point.
 Index PlanarTriangulation::march(Index edge, Index from, Index to, Index line) {
   std::vector<std::array<Index, 2>> crossed;
   Index end = no_index;
@@ -373,9 +379,9 @@ Index PlanarTriangulation::march(Index edge, Index from, Index to, Index line) {
     crossed.push_back({facet.v[edge % 3], facet.v[next_corner(edge % 3)]});
     const Index back = opposite(edge);
     const Index apex = facets_[back / 3].v[previous_corner(back % 3)];
-    const int side = apex == to ? 0 : turn(from, to, apex);
+    const int side = apex == to ? 0 : orientation(from, to, apex);
     if (side == 0) end = apex;
-    // The apex is left of the segment: the way leads out between it and the right end.
+    // Where the apex is on the left, the segment leaves the facet on the right of the apex.
     edge = side > 0 ? next_edge(back) : previous_edge(back);
   }
   clear_way(std::move(crossed), from, end);
@@ -383,7 +389,8 @@ Index PlanarTriangulation::march(Index edge, Index from, Index to, Index line) {
   return end;
 }
 
-// Flips the crossed edges away, so that the segment becomes an edge (Sloan 1993).
+// Flips the crossed edges until none crosses the segment, which then is an edge (Sloan 1993). An
+// edge that cannot be flipped yet waits until others are.
 void PlanarTriangulation::clear_way(std::vector<std::array<Index, 2>> crossed, Index from,
                                     Index to) {
   std::deque<std::array<Index, 2>> queue(crossed.begin(), crossed.end());
@@ -399,26 +406,20 @@ void PlanarTriangulation::clear_way(std::vector<std::array<Index, 2>> crossed, I
     const Index p = facets_[diagonal / 3].v[diagonal % 3];
     const Index q = facets_[diagonal / 3].v[next_corner(diagonal % 3)];
     if (p == from || p == to || q == from || q == to) continue;
-    if (turn(from, to, p) * turn(from, to, q) < 0) queue.push_back({p, q});
+    if (orientation(from, to, p) * orientation(from, to, q) < 0) queue.push_back({p, q});
   }
 }
 
 std::vector<Index> PlanarTriangulation::chain(Index from, Index to) const {
   std::vector<Index> edges;
   while (from != to) {
-    const Index start = facet_of_[from];
-    Index facet = start;
-    Index found = no_index;
-    do {
-      Index i = 0;
-      while (facets_[facet].v[i] != from) ++i;
-      const Index x = facets_[facet].v[next_corner(i)];
-      if (x == to || (turn(from, x, to) == 0 && is_ahead(from, x, to))) found = 3 * facet + i;
-      facet = facets_[facet].next[previous_corner(i)];
-    } while (facet != start && found == no_index);
-    if (found == no_index) throw std::logic_error("a constraint is missing from its plane");
-    edges.push_back(found);
-    from = facets_[found / 3].v[next_corner(found % 3)];
+    const Index edge = find_edge_from(from, [&](Index e) {
+      const Index x = target(e);
+      return x == to || (orientation(from, x, to) == 0 && is_ahead(from, x, to));
+    });
+    if (edge == no_index) throw std::logic_error("a constraint is missing from its plane");
+    edges.push_back(edge);
+    from = target(edge);
   }
   return edges;
 }

@@ -1,10 +1,10 @@
-/// A constrained triangulation of exact points in one plane, inside a large scaffold triangle.
-/// Constraints may cross each other and pass through points: crossings become points, supplied by
-/// the caller from the definitions of both lines. Every decision is exact; only the choice between
-/// two valid diagonals (Delaunay, by angles in doubles) is not, so triangles are well shaped
-/// wherever constraints allow.
-/// References: Sloan, "A fast algorithm for generating constrained Delaunay triangulations",
-/// Computers & Structures 1993 (constraints by flips).
+/// A constrained triangulation of exact points in one plane, inside a large scaffold triangle (the
+/// constrained 2D Delaunay triangulation of paper 3.2.3). Constraints may cross each other and pass
+/// through points: crossings become points, supplied by the caller from the definitions of both
+/// lines. Every decision about topology is exact. The choice between two valid diagonals (Delaunay,
+/// by angles in doubles) is not: it makes triangles well shaped where constraints allow.
+/// Reference for constraints by flips: Sloan, "A fast algorithm for generating constrained Delaunay
+/// triangulations", Computers & Structures 1993.
 #pragma once
 
 #include <functional>
@@ -28,11 +28,12 @@ class PlanarTriangulation {
   PlanarTriangulation(const ExactGeometry& geometry, const Triangle& plane, const Vec3& low,
                       const Vec3& high, Crossing crossing);
 
-  /// The index of the point, which is known to be on the given lines; an equal one is reused.
+  /// Returns the index of the point, or of an equal one that is there. It is known to be on the
+  /// given lines.
   Index insert(const ExactPoint& point, std::initializer_list<Index> lines);
   /// Makes the segment a chain of constrained edges. Both ends are on the line.
   void constrain(Index from, Index to, Index line);
-  /// Improves the diagonals that no constraint holds.
+  /// Flips diagonals that no constraint holds until they are Delaunay.
   void improve();
   /// The edges (facet * 3 + i) from one point straight to another; they must exist.
   std::vector<Index> chain(Index from, Index to) const;
@@ -45,11 +46,11 @@ class PlanarTriangulation {
  private:
   struct Location {
     Index facet;
-    std::array<int, 3> turn;  ///< of the point over each edge; two zeros: at a corner
+    std::array<int, 3> side;  ///< of each edge on which the point is; two zeros: at a corner
   };
 
-  int turn(Index a, Index b, Index c) const;
-  int turn(Index a, Index b, const ExactPoint& c) const;
+  int orientation(Index a, Index b, Index c) const;
+  int orientation(Index a, Index b, const ExactPoint& c) const;
   bool is_ahead(Index from, Index through, Index to) const;
   Location locate(const ExactPoint& point) const;
   Index add_point(const ExactPoint& point);
@@ -68,12 +69,15 @@ class PlanarTriangulation {
   Index march(Index edge, Index from, Index to, Index line);
   void clear_way(std::vector<std::array<Index, 2>> crossed, Index from, Index to);
   Index opposite(Index edge) const;
+  Index target(Index edge) const;
+  template <class Accept>
+  Index find_edge_from(Index point, const Accept& accept) const;
 
   const ExactGeometry& geometry_;
   PlaneProjection projection_;
   Crossing crossing_;
   std::vector<ExactPoint> points_;
-  std::vector<std::vector<Index>> lines_;  ///< of each point, sorted
+  std::vector<std::vector<Index>> lines_;  ///< through each point, ascending
   std::vector<Index> facet_of_;            ///< some facet at each point
   std::vector<Facet> facets_;
 };

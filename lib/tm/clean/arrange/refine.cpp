@@ -1,9 +1,10 @@
 #include "tm/clean/arrange/refine.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <memory>
 
 #include "tm/clean/arrange/arrange.h"
-#include "tm/clean/arrange/face_row.h"
 
 namespace transformesh {
 namespace {
@@ -28,7 +29,7 @@ class Refiner {
 
  private:
   void add_piece(const Piece& piece, const PieceSource& source) {
-    const Index mesh_face = arrangement_.soup->face_of[source.face];
+    const Index mesh_face = arrangement_.welded->face_of[source.face];
     Face face;
     for (std::size_t i = 0; i < 3; ++i) face[i] = vertex(piece.corners[i], mesh_face);
     if (source.reversed) std::swap(face[1], face[2]);
@@ -36,16 +37,17 @@ class Refiner {
     face_rows_.push_back(mesh_face);
   }
 
-  // Corners of the face itself keep their vertex, though others may be at the same place.
+  // The vertex of a piece's corner. A corner of the face itself keeps its own vertex, though others
+  // may be at the same position.
   Index vertex(Index point, Index mesh_face) {
-    const Soup& soup = *arrangement_.soup;
-    if (point < soup.points.size()) {
+    const WeldedMesh& welded = *arrangement_.welded;
+    if (point < welded.points.size()) {
       for (const Index v : mesh_.faces[mesh_face]) {
-        if (soup.point_of[v] == point) return v;
+        if (welded.point_of[v] == point) return v;
       }
-      return soup.vertex_of[point];
+      return welded.vertex_of[point];
     }
-    Index& known = new_vertex_[point - soup.points.size()];
+    Index& known = new_vertex_[point - welded.points.size()];
     if (known == no_index) {
       known = static_cast<Index>(result_.positions.size());
       result_.positions.push_back(arrangement_.position(point));
@@ -71,9 +73,23 @@ class Refiner {
 }  // namespace
 
 Mesh refine(const Mesh& mesh, const Progress& progress) {
-  const auto soup = std::make_shared<const Soup>(make_soup(mesh));
-  const Arrangement arrangement = arrange(soup, find_intersections(*soup, progress), progress);
+  const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
+  const Arrangement arrangement = arrange(welded, find_intersections(*welded, progress), progress);
   return Refiner(mesh, arrangement).refine();
+}
+
+RowBlend row_on_face(const Mesh& mesh, Index face, const Vec3& position) {
+  const Face& f = mesh.faces[face];
+  const Vec3 &a = mesh.positions[f[0]], &b = mesh.positions[f[1]], &c = mesh.positions[f[2]];
+  const Vec3 normal = (b - a).cross(c - a);
+  const double total = normal.squaredNorm();
+  std::array<double, 3> weight{1, 0, 0};
+  if (total > 0) {
+    weight[1] = std::clamp(normal.dot((position - a).cross(c - a)) / total, 0.0, 1.0);
+    weight[2] = std::clamp(normal.dot((b - a).cross(position - a)) / total, 0.0, 1.0 - weight[1]);
+    weight[0] = 1 - weight[1] - weight[2];
+  }
+  return {f, weight};
 }
 
 }  // namespace transformesh

@@ -8,6 +8,7 @@
 #include "tm/geometry/degenerate_faces.h"
 #include "tm/geometry/predicates.h"
 #include "tm/geometry/winding.h"
+#include "tm/mesh/location_text.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 #include "tm/support/length.h"
@@ -18,11 +19,11 @@ namespace {
 
 constexpr std::size_t samples_per_patch = 4;
 constexpr std::size_t other_samples = 2000;
-/// Faces times points that sums of solid angles may cost: a fifth of a second of one core.
+/// How many solid angles may be summed up: these take a fifth of a second of one core.
 constexpr std::size_t most_solid_angles = 20'000'000;
 
-/// A side of a face to be sampled.
-struct Place {
+/// A side of a face to be sampled: the front (1) or the back (-1).
+struct FaceSide {
   bool is_of_input = false;
   Index face = no_index;
   int side = 1;
@@ -31,23 +32,23 @@ struct Place {
 /// The meshes, scaled so that no product of coordinates over- or underflows.
 struct Meshes {
   Mesh input, output;
-  double unit = 1;  ///< of their coordinates, a power of two
+  double unit = 1;  ///< what a coordinate of 1 stands for, a power of two
 };
 
 struct Judgement {
-  Place place;
+  FaceSide face_side;
   std::optional<WindingSample> sample;
   bool is_wrong = false;
 };
 
-void add_places(bool is_of_input, const std::vector<Index>& faces, std::vector<Place>& places) {
+void add_sides(bool is_of_input, const std::vector<Index>& faces, std::vector<FaceSide>& sides) {
   for (const Index face : faces)
-    for (const int side : {1, -1}) places.push_back({is_of_input, face, side});
+    for (const int side : {1, -1}) sides.push_back({is_of_input, face, side});
 }
 
-/// Some faces of every patch: one each in the first round, so that no patch is left out before
-/// every other has its first.
-std::vector<Index> faces_of_patches(const Patches& patches, std::size_t count) {
+/// Some faces of every patch. The first of each count most, so that no patch is left out while
+/// there are two faces of another.
+std::vector<Index> faces_of_patches(const UncutPatches& patches, std::size_t count) {
   std::vector<Index> firsts;
   std::vector<Index> others;
   for (const std::vector<Index>& patch : patches.faces) {
@@ -61,34 +62,31 @@ std::vector<Index> faces_of_patches(const Patches& patches, std::size_t count) {
   return result;
 }
 
-std::vector<Place> choose_places(const Mesh& input, const FaceMatch& match,
-                                 const CertifyOptions& options, const Progress& progress) {
-  const Patches patches = find_patches(input, progress);
+std::vector<FaceSide> choose_sides(const Mesh& input, const FaceMatch& match,
+                                   const CertifyOptions& options, const Progress& progress) {
+  const UncutPatches patches = find_uncut_patches(input, progress);
   const std::size_t count = options.most_faces;
-  std::vector<Place> places;
-  add_places(false, spread(marked_faces(match.output_is_new, 1), count), places);
-  add_places(true, faces_of_patches(patches, count), places);
-  add_places(true, spread(marked_faces(patches.is_cut, 1), count), places);
-  add_places(false, spread(marked_faces(match.output_is_new, 0), other_samples), places);
-  add_places(true, spread(marked_faces(match.input_vanished, 1), other_samples), places);
+  std::vector<FaceSide> sides;
+  add_sides(false, spread(marked_faces(match.output_is_new, 1), count), sides);
+  add_sides(true, faces_of_patches(patches, count), sides);
+  add_sides(true, spread(marked_faces(patches.is_cut, 1), count), sides);
+  add_sides(false, spread(marked_faces(match.output_is_new, 0), other_samples), sides);
+  add_sides(true, spread(marked_faces(match.input_vanished, 1), other_samples), sides);
 
-  // Beside a face without area there is nothing to sample.
+  // There is nothing to sample beside a face without area.
   std::vector<char> has_no_area(input.faces.size(), 0);
   for (const Index face : degenerate_faces(input)) has_no_area[face] = 1;
-  std::erase_if(places, [&](const Place& p) { return p.is_of_input && has_no_area[p.face] != 0; });
-  return places;
-}
-
-std::string point_text(const Vec3& p) {
-  return '(' + shortest_text(p[0]) + ", " + shortest_text(p[1]) + ", " + shortest_text(p[2]) + ')';
+  std::erase_if(sides,
+                [&](const FaceSide& s) { return s.is_of_input && has_no_area[s.face] != 0; });
+  return sides;
 }
 
 std::string describe(const Judgement& judgement, int level, double unit) {
   const WindingSample& sample = *judgement.sample;
   const bool is_inside = sample.input_winding >= level;
-  return std::string(judgement.place.side > 0 ? "in front of" : "behind") + " face " +
-         std::to_string(judgement.place.face) +
-         (judgement.place.is_of_input ? " of the input" : "") + ", at " +
+  return std::string(judgement.face_side.side > 0 ? "in front of" : "behind") + " face " +
+         std::to_string(judgement.face_side.face) +
+         (judgement.face_side.is_of_input ? " of the input" : "") + ", at " +
          point_text(unit * sample.point) + ", the winding number is " +
          std::to_string(sample.output_winding) + " and should be " + (is_inside ? "1" : "0") +
          ": that of the input is " + std::to_string(sample.input_winding);
@@ -96,7 +94,8 @@ std::string describe(const Judgement& judgement, int level, double unit) {
 
 std::string percent(double share) { return shortest_text(std::round(1000 * share) / 10) + " %"; }
 
-/// The first problem; samples that say nothing certify nothing.
+/// Makes a problem of too many undecided samples, if there is no other: what they do not tell is
+/// not certified.
 void finish(Certificate& certificate) {
   if (!certificate.problem.empty() || certificate.undecided_share() <= most_undecided) return;
   certificate.problem = std::to_string(certificate.undecided) + " of " +
@@ -110,19 +109,19 @@ std::vector<Judgement> judge(const Meshes& meshes, const FaceMatch& match,
                              const CertifyOptions& options, const Progress& progress) {
   const Mesh& input = meshes.input;
   const Mesh& output = meshes.output;
-  const std::vector<Place> places = choose_places(input, match, options, progress);
+  const std::vector<FaceSide> sides = choose_sides(input, match, options, progress);
   progress("sample");
   const SampleFinder finder(input, output, match, options.coordinate);
-  std::vector<Judgement> judgements(places.size());
-  parallel_for(places.size(), 16, [&](std::size_t first, std::size_t last) {
+  std::vector<Judgement> judgements(sides.size());
+  parallel_for(sides.size(), 16, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const Place& place = places[i];
-      const Mesh& mesh = place.is_of_input ? input : output;
-      const auto sample = finder.find(mesh, place.face, place.side);
+      const FaceSide& face_side = sides[i];
+      const Mesh& mesh = face_side.is_of_input ? input : output;
+      const auto sample = finder.find(mesh, face_side.face, face_side.side);
       const auto is_wrong = [&] {
         return sample->output_winding != (sample->input_winding >= options.level ? 1 : 0);
       };
-      judgements[i] = {place, sample, sample && is_wrong()};
+      judgements[i] = {face_side, sample, sample && is_wrong()};
     }
   });
   return judgements;
@@ -163,7 +162,8 @@ void certify_winding(const Meshes& meshes, const FaceMatch& match, const Certify
   }
 }
 
-/// Whether all corners lie on one face of the input, but for rounding, that looks to the same side.
+/// Whether all corners lie on one face of the input, but for rounding, that has the same
+/// orientation.
 bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, const Vec3& margins) {
   bool is_found = false;
   bvh.visit_overlaps(float_box(piece[0] - margins, piece[0] + margins), [&](Index face) {

@@ -1,24 +1,24 @@
-/// Whether one mesh is the boundary of { p : w(p) >= level } of another, told by sample points, and
-/// sharing nothing with what computes such boundaries: at every sample the winding number of the
-/// output must be 1 where that of the input is >= level, and 0 elsewhere. It is counted along rays,
-/// exactly, and compared with the sum of solid angles where that is affordable.
+/// Whether one mesh is the boundary of { p : w(p) >= level } of another, told by sample points. At
+/// every sample the winding number of the output must be 1 where that of the input is >= level, and
+/// 0 elsewhere. It is counted along rays, exactly, and compared with the sum of solid angles where
+/// that is affordable: by no code that computes such boundaries.
 ///
-/// Samples lie in front of and behind a face, closer to it than any other face of either mesh.
-/// Sampled are all new faces of the output (those that are not faces of the input, corner by
-/// corner), four faces of every patch of the input (a region of faces that meet no other face but
-/// their neighbours), the faces of the input that were cut, and 4000 others of both meshes. Of each
-/// kind at most `most_faces`, evenly spread. A sample is undecided where no point beside the face
-/// is farther from all new faces, and from the faces that are gone, than rounding may have moved
-/// them: along each axis twice the spacing of `coordinate` at the face; for a new face 4 times as
-/// far as it is seen to be from the input, if that is more, up to 1024 times the spacing at the
-/// largest coordinate. So a vertex moved by more than that is noticed.
+/// Samples lie in front of and behind a face, closer to it than any other face of either mesh. The
+/// faces sampled are all new faces of the output (those that are not faces of the input, corner by
+/// corner), four faces of every uncut patch of the input (certify_faces.h), the faces of the input
+/// that were cut, and 4000 others of both meshes; of each kind at most `most_faces`, evenly spread.
+/// A sample is undecided where no point beside the face is farther from all new faces, and from the
+/// faces that are gone, than rounding may have moved them: along each axis twice the spacing of
+/// `coordinate` at the face; for a new face 4 times as far as it is seen to be from the input, if
+/// that is more, up to 1024 times the spacing at the largest coordinate. So a vertex moved by more
+/// than that is noticed.
 ///
-/// The winding number of an input with a border is no integer. Then each new face is tested to be a
-/// piece of a face of the input, with its orientation, to the same distance, and no more.
+/// The winding number of an input with a border is no integer. Then all that is tested is that each
+/// new face is a piece of a face of the input, with its orientation, to the same distance.
 ///
-/// The input's intersections are searched for; those of the output, and whether it is a manifold,
-/// are for the caller to check. Deterministic for any number of threads. Cost: O(n log n), and
-/// O(log n) a sample on usual meshes.
+/// The input's intersections are searched for. Whether the output has any, and whether it is a
+/// manifold, is for the caller to check. Deterministic for any number of threads. Cost: O(n log n),
+/// and O(log n) a sample on usual meshes.
 #pragma once
 
 #include <string>
@@ -35,8 +35,8 @@ struct CertifyOptions {
 };
 
 struct Certificate {
-  bool input_is_closed = false;  ///< at equal positions: then winding numbers are integers
-  std::size_t samples = 0;       ///< judged, wrong ones included
+  bool input_is_closed = false;  ///< with equal positions joined; so winding numbers are integers
+  std::size_t samples = 0;       ///< how many were judged, wrong ones included
   std::size_t undecided = 0;
   std::size_t wrong = 0;
   std::string problem;  ///< the first wrong sample, or too many undecided ones; empty if none

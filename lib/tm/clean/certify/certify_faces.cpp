@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Equal positions of any of the meshes get one number.
+/// Numbers the positions of all meshes, equal ones alike.
 std::vector<Index> number_positions(const std::vector<const Mesh*>& meshes) {
   std::vector<const Vec3*> positions;
   for (const Mesh* mesh : meshes)
@@ -32,7 +32,7 @@ std::vector<Index> number_positions(const std::vector<const Mesh*>& meshes) {
   return numbers;
 }
 
-/// The faces by numbers, each from its smallest on.
+/// The faces by numbers of positions, each rotated so that its smallest comes first.
 std::vector<Face> numbered_faces(const Mesh& mesh, const std::vector<Index>& numbers,
                                  std::size_t first_vertex) {
   std::vector<Face> faces;
@@ -60,7 +60,7 @@ struct Halfedge {
   int direction;
 };
 
-/// Sorted by edge; without those from a point to itself.
+/// All halfedges, but for those from a point to itself, sorted by their edges.
 std::vector<Halfedge> sorted_halfedges(const std::vector<Face>& faces) {
   std::vector<Halfedge> halfedges;
   halfedges.reserve(3 * faces.size());
@@ -110,8 +110,8 @@ FaceMatch match_faces(const Mesh& input, const Mesh& output) {
           missing(output_faces, input_faces)};
 }
 
-Patches find_patches(const Mesh& input, const Progress& progress) {
-  Patches result;
+UncutPatches find_uncut_patches(const Mesh& input, const Progress& progress) {
+  UncutPatches result;
   result.is_cut.resize(input.faces.size(), 0);
   for (const auto& [f, g] : find_intersections(input, progress))
     result.is_cut[f] = result.is_cut[g] = 1;

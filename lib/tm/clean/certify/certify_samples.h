@@ -18,10 +18,11 @@ struct WindingSample {
 
 class SampleFinder {
  public:
-  /// Keeps references. The input must be closed. The output was stored in numbers of that type.
+  /// The input must be closed. The output was stored in numbers of the type `coordinate`. Keeps
+  /// references.
   SampleFinder(const Mesh& input, const Mesh& output, const FaceMatch& match, Scalar coordinate);
 
-  /// In front of the face (side 1) or behind it (-1); nothing where no point will do.
+  /// A sample in front of the face (side 1) or behind it (-1); nothing where no point will do.
   std::optional<WindingSample> find(const Mesh& mesh, Index face, int side) const;
 
  private:

@@ -5,29 +5,29 @@
 namespace transformesh {
 namespace {
 
-// A face at an edge. Its inward direction and its normal (turned about where it runs backward)
-// differ by a right angle, the same for all: so normals can be sorted instead.
+// A face at an edge. The direction into the face and the normal of the face (reversed where it runs
+// backward) enclose the same right angle for all faces, so the normals can be sorted instead.
 struct Spoke {
   Triangle triangle;
   bool is_forward;
   Index halfedge;
-  int sign;      ///< of the turned normal relative to the triangle's
-  int half = 0;  ///< 0 at the first spoke, 1 before the opposite direction, 2 there, 3 after
+  int sign;      ///< -1 where the normal to sort by is that of the triangle reversed, else 1
+  int half = 0;  ///< 0 in the first spoke's direction, 1 before the opposite one, 2 there, 3 after
 };
 
-// A coordinate in which the edge advances, and which way.
+// A coordinate that changes along the edge, and the sign of its change.
 struct Axis {
   int coordinate;
   int direction;
 };
 
 // The sign of the sine of the angle from one spoke to the other.
-int turn(const Spoke& a, const Spoke& b, Axis axis) {
+int sine_sign(const Spoke& a, const Spoke& b, Axis axis) {
   return normals_cross(a.triangle, b.triangle, axis.coordinate) * a.sign * b.sign * axis.direction;
 }
 
 int half_of(const Spoke& first, const Spoke& s, Axis axis) {
-  const int sine = turn(first, s, axis);
+  const int sine = sine_sign(first, s, axis);
   if (sine != 0) return sine > 0 ? 1 : 3;
   return normals_dot(first.triangle, s.triangle) * first.sign * s.sign > 0 ? 0 : 2;
 }
@@ -37,7 +37,7 @@ std::vector<Index> sort_spokes(std::vector<Spoke> spokes, Axis axis) {
   for (Spoke& spoke : spokes) spoke.half = half_of(first, spoke, axis);
   std::sort(spokes.begin(), spokes.end(), [&](const Spoke& a, const Spoke& b) {
     if (a.half != b.half) return a.half < b.half;
-    const int sine = a.half % 2 == 0 ? 0 : turn(a, b, axis);
+    const int sine = a.half % 2 == 0 ? 0 : sine_sign(a, b, axis);
     if (sine != 0) return sine > 0;
     return a.is_forward != b.is_forward ? a.is_forward : a.halfedge < b.halfedge;
   });
@@ -97,8 +97,8 @@ std::vector<Index> sort_around_edge(const Arrangement& arrangement,
   for (const Index h : halfedges) {
     const PieceSource source = arrangement.sources_of(pieces[h / 3]).front();
     const bool forward = is_forward(pieces, h);
-    spokes.push_back(
-        {arrangement.soup->triangle(source.face), forward, h, forward == source.reversed ? -1 : 1});
+    spokes.push_back({arrangement.welded->triangle(source.face), forward, h,
+                      forward == source.reversed ? -1 : 1});
   }
   const Index h = halfedges.front();
   return sort_spokes(std::move(spokes), axis_between(arrangement, halfedge_source(pieces, h),
@@ -108,7 +108,7 @@ std::vector<Index> sort_around_edge(const Arrangement& arrangement,
 std::vector<Index> sort_around_edge(const Mesh& mesh, std::span<const Index> halfedges) {
   std::vector<Spoke> spokes;
   for (const Index h : halfedges) {
-    const bool forward = halfedge_source(mesh, h) < halfedge_target(mesh, h);
+    const bool forward = is_forward(mesh.faces, h);
     spokes.push_back({triangle_of(mesh, h / 3), forward, h, forward ? 1 : -1});
   }
   const Index h = halfedges.front();

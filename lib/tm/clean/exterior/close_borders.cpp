@@ -10,30 +10,31 @@
 namespace transformesh {
 namespace {
 
-constexpr double sheet_share = 1.0 / 3;  // of the area, that the borders of a sheet span
-constexpr double body_share = 0.05;      // of the volume of a sphere of the same area
+constexpr double sheet_share = 1.0 / 3;  // least area vector of a sheet, per area
+constexpr double body_share = 0.05;      // least volume of a body, per sphere of the same area
 constexpr double far_behind = 10;        // in diagonals of the bounding box
 
 using Loop = std::vector<Index>;
 
-/// What decides how the borders of a component are closed: faces connected over edges of two.
+/// Measures of faces that are connected across edges of two faces.
 struct Component {
   double area = 0;
-  double volume = 0;           ///< six times that within the fans from the middles
-  Vec3 span = Vec3::Zero();    ///< twice the area vector of the faces
-  Vec3 middle = Vec3::Zero();  ///< of the border
+  double volume = 0;                ///< six times that within the faces and the fans of centroids
+  Vec3 area_vector = Vec3::Zero();  ///< twice the sum of the areas times the normals
+  Vec3 border_sum = Vec3::Zero();   ///< of the points of all borders
   std::size_t border_points = 0;
 };
 
 bool is_sheet(const Component& component) {
   const double sphere = std::pow(component.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
-  return component.border_points > 0 && component.span.norm() / 2 >= sheet_share * component.area &&
+  return component.border_points > 0 &&
+         component.area_vector.norm() / 2 >= sheet_share * component.area &&
          component.volume / 6 <= body_share * sphere;
 }
 
 class BorderCloser {
  public:
-  BorderCloser(const Soup& soup, const std::vector<Loop>& loops);
+  BorderCloser(const WeldedMesh& welded, const std::vector<Loop>& loops);
   BorderClosure close() const;
 
  private:
@@ -41,10 +42,10 @@ class BorderCloser {
   void measure_faces();
   void measure_loop(const Loop& loop);
   Index face_of(const Loop& loop) const;
-  Vec3 middle_of(const Loop& loop) const;
+  Vec3 centroid_of(const Loop& loop) const;
   Vec3 added_point(const Loop& loop, const Component& component) const;
 
-  const Soup& soup_;
+  const WeldedMesh& welded_;
   const std::vector<Loop>& loops_;
   std::vector<Index> root_;            ///< per face: the first of its component
   std::vector<Component> components_;  ///< by root
@@ -52,16 +53,16 @@ class BorderCloser {
   double diagonal_ = 0;
 };
 
-BorderCloser::BorderCloser(const Soup& soup, const std::vector<Loop>& loops)
-    : soup_(soup), loops_(loops), components_(soup.faces.size()) {
+BorderCloser::BorderCloser(const WeldedMesh& welded, const std::vector<Loop>& loops)
+    : welded_(welded), loops_(loops), components_(welded.faces.size()) {
   connect_faces();
   measure_faces();
   for (const Loop& loop : loops) measure_loop(loop);
 }
 
 void BorderCloser::connect_faces() {
-  const Edges edges(soup_.faces, soup_.points.size());
-  DisjointSets sets(soup_.faces.size());
+  const Edges edges(welded_.faces, welded_.points.size());
+  DisjointSets sets(welded_.faces.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto halfedges = edges.halfedges(e);
     if (halfedges.size() == 2) {
@@ -69,30 +70,30 @@ void BorderCloser::connect_faces() {
       continue;
     }
     for (const Index h : halfedges) {
-      const Face& face = soup_.faces[h / 3];
+      const Face& face = welded_.faces[h / 3];
       border_faces_.insert({{face[h % 3], face[(h % 3 + 1) % 3]}, h / 3});
     }
   }
-  for (Index f = 0; f < soup_.faces.size(); ++f) root_.push_back(sets.find(f));
+  for (Index f = 0; f < welded_.faces.size(); ++f) root_.push_back(sets.find(f));
 }
 
 void BorderCloser::measure_faces() {
-  Vec3 low = soup_.points.front();
+  Vec3 low = welded_.points.front();
   Vec3 high = low;
-  for (const Vec3& p : soup_.points) {
+  for (const Vec3& p : welded_.points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
   diagonal_ = (high - low).norm();
 
-  // Volumes are taken from a corner of the component, to stay accurate far from the origin.
-  for (Index f = 0; f < soup_.faces.size(); ++f) {
-    const Triangle t = soup_.triangle(f);
+  // Volumes are measured from a corner of the component, to stay accurate far from the origin.
+  for (Index f = 0; f < welded_.faces.size(); ++f) {
+    const Triangle t = welded_.triangle(f);
     const Vec3 twice_area = (t[1] - t[0]).cross(t[2] - t[0]);
     Component& component = components_[root_[f]];
     component.area += twice_area.norm() / 2;
-    component.volume += twice_area.dot(t[0] - soup_.triangle(root_[f])[0]);
-    component.span += twice_area;
+    component.volume += twice_area.dot(t[0] - welded_.triangle(root_[f])[0]);
+    component.area_vector += twice_area;
   }
 }
 
@@ -100,18 +101,19 @@ void BorderCloser::measure_loop(const Loop& loop) {
   const Index face = face_of(loop);
   if (face == no_index) return;
   Component& component = components_[root_[face]];
-  const Vec3 origin = soup_.triangle(root_[face])[0];
-  const Vec3 middle = middle_of(loop) - origin;
+  const Vec3 origin = welded_.triangle(root_[face])[0];
+  const Vec3 centroid = centroid_of(loop) - origin;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec3 from = soup_.points[loop[i]] - origin;
-    const Vec3 to = soup_.points[loop[(i + 1) % loop.size()]] - origin;
-    component.volume += to.cross(from).dot(middle);
+    const Vec3 from = welded_.points[loop[i]] - origin;
+    const Vec3 to = welded_.points[loop[(i + 1) % loop.size()]] - origin;
+    component.volume += to.cross(from).dot(centroid);
   }
-  component.middle += middle_of(loop) * static_cast<double>(loop.size());
+  component.border_sum += centroid_of(loop) * static_cast<double>(loop.size());
   component.border_points += loop.size();
 }
 
-// There is none along a loop of faces without area, which bounds nothing.
+// A welded face along the loop. Faces without area may have a loop of their own, which bounds
+// nothing and has no welded face: then no_index.
 Index BorderCloser::face_of(const Loop& loop) const {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const auto found = border_faces_.find({loop[i], loop[(i + 1) % loop.size()]});
@@ -120,19 +122,19 @@ Index BorderCloser::face_of(const Loop& loop) const {
   return no_index;
 }
 
-Vec3 BorderCloser::middle_of(const Loop& loop) const {
-  Vec3 middle = Vec3::Zero();
-  for (const Index p : loop) middle += soup_.points[p] / static_cast<double>(loop.size());
-  return middle;
+Vec3 BorderCloser::centroid_of(const Loop& loop) const {
+  Vec3 centroid = Vec3::Zero();
+  for (const Index p : loop) centroid += welded_.points[p] / static_cast<double>(loop.size());
+  return centroid;
 }
 
 Vec3 BorderCloser::added_point(const Loop& loop, const Component& component) const {
-  if (!is_sheet(component)) return middle_of(loop);
-  return component.middle / static_cast<double>(component.border_points) -
-         component.span.normalized() * (far_behind * diagonal_);
+  if (!is_sheet(component)) return centroid_of(loop);
+  return component.border_sum / static_cast<double>(component.border_points) -
+         component.area_vector.normalized() * (far_behind * diagonal_);
 }
 
-// A border runs along its faces: the fan runs against it.
+// A border runs along its faces, so its fan runs against it.
 BorderClosure BorderCloser::close() const {
   BorderClosure closure;
   for (const Loop& loop : loops_) {
@@ -141,7 +143,7 @@ BorderClosure BorderCloser::close() const {
     const Vec3 added = added_point(loop, components_[root_[face]]);
     for (std::size_t i = 0; i < loop.size(); ++i) {
       closure.triangles.push_back(
-          {soup_.points[loop[(i + 1) % loop.size()]], soup_.points[loop[i]], added});
+          {welded_.points[loop[(i + 1) % loop.size()]], welded_.points[loop[i]], added});
       closure.face_of.push_back(face);
     }
   }
@@ -153,9 +155,9 @@ BorderClosure BorderCloser::close() const {
 
 }  // namespace
 
-BorderClosure close_borders(const Soup& soup, const std::vector<Loop>& border_loops) {
+BorderClosure close_borders(const WeldedMesh& welded, const std::vector<Loop>& border_loops) {
   if (border_loops.empty()) return {};
-  return BorderCloser(soup, border_loops).close();
+  return BorderCloser(welded, border_loops).close();
 }
 
 }  // namespace transformesh

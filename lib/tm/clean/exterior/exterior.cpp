@@ -6,6 +6,7 @@
 
 #include "tm/clean/exterior/patches.h"
 #include "tm/clean/exterior/winding_ray.h"
+#include "tm/mesh/components.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -16,10 +17,10 @@ constexpr std::size_t tries_per_patch = 8;
 constexpr std::size_t tries_per_seed = 64;
 
 bool is_kept(int front, const Piece& piece, int level) {
-  return front < level && front + piece.winding >= level;
+  return front < level && front + piece.multiplicity >= level;
 }
 
-/// Winding numbers in front of patches, from seeds outwards.
+/// Region growing (paper 3.2): finds the winding number in front of every patch, from seeds on.
 class Growth {
  public:
   Growth(const Arrangement& arrangement, int level, const BorderClosure& closure);
@@ -37,7 +38,7 @@ class Growth {
   bool is_open_;
   Patches patches_;
   WindingRay ray_;
-  std::vector<int> front_;  ///< per patch
+  std::vector<int> front_;  ///< per patch: w in front of it, or unknown
   std::size_t rays_ = 0;
 };
 
@@ -58,7 +59,8 @@ void Growth::cast_ray(Index patch, std::size_t member) {
   ++rays_;
 }
 
-// Largest first, which are the likeliest to be exterior.
+// The patches that are connected with the first, the largest ones first: these are the likeliest to
+// be exterior.
 std::vector<Index> Growth::connected_patches(Index first) const {
   std::vector<Index> connected{first};
   std::vector<char> seen(patches_.size(), 0);
@@ -76,7 +78,8 @@ std::vector<Index> Growth::connected_patches(Index first) const {
   return connected;
 }
 
-// Closing borders makes w vary over a patch: a seed is a patch with a piece that is exterior.
+// A patch with a piece that is exterior, which makes it a seed. Several pieces of it are tried, as
+// closing borders makes w vary in front of a patch. Where none is found, it is the largest patch.
 Index Growth::find_open_seed(Index first) {
   const std::vector<Index> connected = connected_patches(first);
   std::size_t tries = 0;
@@ -95,7 +98,8 @@ Index Growth::find_open_seed(Index first) {
   return connected.front();
 }
 
-// In an open mesh patches that are kept are surer than others: they go first.
+// Carries w from the seed over all patches that are connected with it. In an open mesh a patch that
+// is kept is surer than others, so it goes first.
 void Growth::spread(Index seed) {
   std::vector<Index> kept;
   std::vector<Index> others;
@@ -146,7 +150,7 @@ Exterior test_all(const Arrangement& arrangement, int level, const Progress& pro
   result.rays = arrangement.pieces.size();
   for (std::size_t p = 0; p < result.kept.size(); ++p) {
     const Piece& piece = arrangement.pieces[p];
-    const bool kept = piece.winding != 0 && is_kept(ray.in_front_of(piece), piece, level);
+    const bool kept = piece.multiplicity != 0 && is_kept(ray.in_front_of(piece), piece, level);
     result.kept[p] = kept ? 1 : 0;
   }
   return result;
@@ -161,12 +165,38 @@ std::string nothing_kept(const Arrangement& arrangement, int level, bool is_open
     return "every face of this open mesh lies inside once its borders are closed: it is inside "
            "out; reverse it with tm-stitch --flip";
   }
-  const auto counts = [](const Piece& piece) { return piece.winding != 0; };
+  const auto counts = [](const Piece& piece) { return piece.multiplicity != 0; };
   if (std::none_of(arrangement.pieces.begin(), arrangement.pieces.end(), counts)) {
     return "the faces enclose nothing: they have no area, or lie upon each other and cancel out; "
            "a shape that is small or far from the origin needs --double, or to be moved there";
   }
   return "every winding number is <= 0: the mesh is inside out; reverse it with tm-stitch --flip";
+}
+
+// Whether each component of a mesh lies within others: whether w > 0 in front of its first face.
+std::vector<char> find_enclosed(const Mesh& mesh, const Components& components) {
+  const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
+  const Arrangement arrangement = arrange(welded, {}, Progress());
+  const WindingRay ray(arrangement, BorderClosure(), components.components.size());
+  std::vector<char> enclosed(components.components.size(), 0);
+  std::vector<char> seen(components.components.size(), 0);
+  for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
+    const Index component = components.of_face[welded->face_of[p]];
+    if (seen[component]) continue;
+    seen[component] = 1;
+    enclosed[component] = ray.in_front_of(arrangement.pieces[p]) > 0;
+  }
+  return enclosed;
+}
+
+std::size_t drop_components(Mesh& mesh, const Components& components,
+                            const std::vector<char>& dropped) {
+  const auto count = static_cast<std::size_t>(std::count(dropped.begin(), dropped.end(), 1));
+  if (count == 0) return 0;
+  std::vector<bool> keep(mesh.faces.size());
+  for (std::size_t f = 0; f < keep.size(); ++f) keep[f] = !dropped[components.of_face[f]];
+  mesh = select_faces(mesh, keep);
+  return count;
 }
 
 }  // namespace
@@ -181,6 +211,19 @@ Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod
     throw GoalError(nothing_kept(arrangement, level, !closure.empty()));
   }
   return result;
+}
+
+std::size_t drop_enclosed_components(Mesh& mesh) {
+  // Nothing lies inside a clean mesh but cavities and what floats in them.
+  const Components components = connected_components(mesh);
+  std::vector<char> is_cavity;
+  for (const Component& c : components.components) {
+    is_cavity.push_back(c.boundary_loops == 0 && c.volume < 0);
+  }
+  const std::size_t cavities = drop_components(mesh, components, is_cavity);
+  if (cavities == 0) return 0;
+  const Components solids = connected_components(mesh);
+  return cavities + drop_components(mesh, solids, find_enclosed(mesh, solids));
 }
 
 }  // namespace transformesh

@@ -10,7 +10,7 @@ namespace transformesh {
 Patches::Patches(const Arrangement& arrangement) : arrangement_(arrangement) {
   std::vector<char> counts(arrangement.pieces.size());
   for (std::size_t p = 0; p < counts.size(); ++p) {
-    counts[p] = arrangement.pieces[p].winding != 0 ? 1 : 0;
+    counts[p] = arrangement.pieces[p].multiplicity != 0 ? 1 : 0;
   }
   const Edges edges = piece_edges(arrangement, counts);
   number_patches(edges);
@@ -20,11 +20,11 @@ Patches::Patches(const Arrangement& arrangement) : arrangement_(arrangement) {
   }
 }
 
-// An edge that a surface simply passes.
+// Whether the surface goes on across the edge, and nothing else meets it there.
 bool Patches::is_inner_edge(std::span<const Index> halfedges) const {
   const auto& all = arrangement_.pieces;
   return halfedges.size() == 2 && is_forward(all, halfedges[0]) != is_forward(all, halfedges[1]) &&
-         all[halfedges[0] / 3].winding == all[halfedges[1] / 3].winding;
+         all[halfedges[0] / 3].multiplicity == all[halfedges[1] / 3].multiplicity;
 }
 
 void Patches::number_patches(const Edges& edges) {
@@ -38,7 +38,7 @@ void Patches::number_patches(const Edges& edges) {
   }
   patch_of.assign(all.size(), no_index);
   for (Index first = 0; first < all.size(); ++first) {
-    if (patch_of[first] == no_index && all[first].winding != 0) collect_patch(first, neighbor);
+    if (patch_of[first] == no_index && all[first].multiplicity != 0) collect_patch(first, neighbor);
   }
 }
 
@@ -57,22 +57,23 @@ void Patches::collect_patch(Index first, const std::vector<Index>& neighbor) {
   pieces.push_back(std::move(members));
 }
 
-// Where a border ends at other faces, one piece around the edge has no partner behind it.
+// Whether the i-th piece around an edge has no partner behind it: one that runs the other way.
+// Where a border lies on other faces, there is such a piece.
 bool Patches::is_loose(const std::vector<Index>& sorted, std::size_t i) const {
   const bool forward = is_forward(arrangement_.pieces, sorted[i]);
   const std::size_t behind = forward ? i + sorted.size() - 1 : i + 1;
   return is_forward(arrangement_.pieces, sorted[behind % sorted.size()]) == forward;
 }
 
-// In an open mesh a curve may end within a patch, which then lies on both of its sides: where w in
-// front of the patch differs between them, the curve tells nothing.
+// Whether w in front of one patch differs around the edge. In an open mesh a curve may end within a
+// patch, which then lies on both of its sides.
 bool Patches::is_ambiguous(const std::vector<Index>& sorted) const {
   std::vector<std::pair<Index, int>> fronts;
   int w = 0;
   for (const Index h : sorted) {
     const bool forward = is_forward(arrangement_.pieces, h);
-    const int winding = arrangement_.pieces[h / 3].winding;
-    const int beyond = w + (forward ? -winding : winding);
+    const int multiplicity = arrangement_.pieces[h / 3].multiplicity;
+    const int beyond = w + (forward ? -multiplicity : multiplicity);
     fronts.emplace_back(patch_of[h / 3], forward ? beyond : w);
     w = beyond;
   }
@@ -82,13 +83,13 @@ bool Patches::is_ambiguous(const std::vector<Index>& sorted) const {
          }) != fronts.end();
 }
 
-// Between neighbours in angular order lies one region: its w seen from both must agree. A border
-// tells nothing about what lies on its two sides.
+// Relates the patches of neighbors in angular order, as between them lies one region. A border
+// tells nothing about the regions on its two sides, and an ambiguous edge nothing at all.
 void Patches::relate_around(std::span<const Index> halfedges) {
   if (halfedges.size() < 2) return;
   const auto& all = arrangement_.pieces;
   int sum = 0;
-  for (const Index h : halfedges) sum += (is_forward(all, h) ? 1 : -1) * all[h / 3].winding;
+  for (const Index h : halfedges) sum += (is_forward(all, h) ? 1 : -1) * all[h / 3].multiplicity;
   const std::vector<Index> sorted = sort_around_edge(arrangement_, halfedges);
   if (sum == 0 && is_ambiguous(sorted)) return;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -102,8 +103,8 @@ void Patches::relate(Index a, Index b) {
   const auto& all = arrangement_.pieces;
   const Index patch_a = patch_of[a / 3], patch_b = patch_of[b / 3];
   if (patch_a == patch_b) return;
-  const int beyond_a = is_forward(all, a) ? 0 : all[a / 3].winding;
-  const int before_b = is_forward(all, b) ? all[b / 3].winding : 0;
+  const int beyond_a = is_forward(all, a) ? 0 : all[a / 3].multiplicity;
+  const int before_b = is_forward(all, b) ? all[b / 3].multiplicity : 0;
   relations[patch_a].push_back({patch_b, beyond_a - before_b});
   relations[patch_b].push_back({patch_a, before_b - beyond_a});
 }

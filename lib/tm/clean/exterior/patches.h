@@ -1,6 +1,8 @@
-/// Patches: pieces of an arrangement that hang together across edges which a surface simply passes,
-/// so between intersection curves and borders. What lies in front of one piece of a closed mesh
-/// lies in front of all pieces of its patch (paper 3.2). Cost: O(n log n). Exact; deterministic.
+/// The patches of an arrangement: pieces connected across edges at which nothing else meets them,
+/// so the parts of the surface between intersection curves and borders (paper 3.2.2). Across a
+/// patch of a closed mesh the winding number w in front is constant; around an intersection curve
+/// it passes from patch to patch (paper 3.2.3). Cost: O(n log n). Exact; deterministic. Reference:
+/// Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016.
 #pragma once
 
 #include <span>
@@ -15,15 +17,15 @@ class Patches {
  public:
   explicit Patches(const Arrangement& arrangement);
 
-  /// Across a curve, w behind or before one patch equals w before or behind the next.
+  /// Two patches that bound one region beside a common curve, where w must agree.
   struct Relation {
     Index patch;
     int offset;  ///< w in front of that patch, less w in front of this one
   };
 
-  std::vector<Index> patch_of;             ///< per piece; no_index for pieces that cancel out
-  std::vector<std::vector<Index>> pieces;  ///< of each patch
-  std::vector<std::vector<Relation>> relations;
+  std::vector<Index> patch_of;                   ///< per piece; no_index for multiplicity 0
+  std::vector<std::vector<Index>> pieces;        ///< of each patch
+  std::vector<std::vector<Relation>> relations;  ///< of each patch with others
 
   std::size_t size() const { return pieces.size(); }
 

@@ -10,18 +10,19 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_attempts = 20000;  // the squares fit into integers
+constexpr int most_attempts = 20000;  // whose squares fit into an int
 constexpr std::size_t few_rays = 4;
 
-Bvh build_bvh(const Soup& soup, const std::vector<Triangle>& closure) {
+Bvh build_bvh(const WeldedMesh& welded, const std::vector<Triangle>& closure) {
   std::vector<FloatBox> boxes;
-  boxes.reserve(soup.faces.size() + closure.size());
-  for (Index f = 0; f < soup.faces.size(); ++f) boxes.push_back(soup.box(f));
-  for (const Triangle& t : closure) boxes.push_back(soup.box(t));
+  boxes.reserve(welded.faces.size() + closure.size());
+  for (Index f = 0; f < welded.faces.size(); ++f) boxes.push_back(welded.box(f));
+  for (const Triangle& t : closure) boxes.push_back(welded.box(t));
   return Bvh(boxes);
 }
 
-// Weights of ever new points inside a triangle, the first in the middle. They lie on a conic.
+// The weights of a point inside a triangle, another one for each attempt. The first is its
+// centroid, and all lie on a conic.
 std::array<int, 3> weights(int attempt) { return {1, attempt, attempt * attempt}; }
 
 }  // namespace
@@ -29,20 +30,20 @@ std::array<int, 3> weights(int attempt) { return {1, attempt, attempt * attempt}
 WindingRay::WindingRay(const Arrangement& arrangement, const BorderClosure& closure,
                        std::size_t rays)
     : arrangement_(arrangement), closure_(closure.triangles) {
-  if (rays > few_rays) bvh_ = build_bvh(*arrangement.soup, closure_);
+  if (rays > few_rays) bvh_ = build_bvh(*arrangement.welded, closure_);
   if (!closure.empty()) limit_sheets(closure);
 }
 
 Triangle WindingRay::triangle(Index i) const {
-  const Soup& soup = *arrangement_.soup;
-  return i < soup.faces.size() ? soup.triangle(i) : closure_[i - soup.faces.size()];
+  const WeldedMesh& welded = *arrangement_.welded;
+  return i < welded.faces.size() ? welded.triangle(i) : closure_[i - welded.faces.size()];
 }
 
 void WindingRay::visit_overlaps(const Vec3& low, const Vec3& high,
                                 const std::function<bool(Index)>& visit) const {
-  const Soup& soup = *arrangement_.soup;
-  if (!bvh_.empty()) return bvh_.visit_overlaps(soup.frame.box(low, high), visit);
-  const auto count = static_cast<Index>(soup.faces.size() + closure_.size());
+  const WeldedMesh& welded = *arrangement_.welded;
+  if (!bvh_.empty()) return bvh_.visit_overlaps(welded.frame.box(low, high), visit);
+  const auto count = static_cast<Index>(welded.faces.size() + closure_.size());
   for (Index i = 0; i < count; ++i) {
     const Triangle t = triangle(i);
     if ((t[0].cwiseMin(t[1]).cwiseMin(t[2]).array() <= high.array()).all() &&
@@ -51,28 +52,28 @@ void WindingRay::visit_overlaps(const Vec3& low, const Vec3& high,
   }
 }
 
-// Sheets count only for what they meet, directly or through others.
+// A sheet counts only for pieces of its own component, as it bounds nothing but what it meets.
 void WindingRay::limit_sheets(const BorderClosure& closure) {
   DisjointSets sets(arrangement_.point_count());
   for (const Piece& piece : arrangement_.pieces) {
     sets.join(piece.corners[0], piece.corners[1]);
     sets.join(piece.corners[0], piece.corners[2]);
   }
-  cluster_of_.resize(arrangement_.point_count());
-  for (Index p = 0; p < cluster_of_.size(); ++p) cluster_of_[p] = sets.find(p);
+  component_of_.resize(arrangement_.point_count());
+  for (Index p = 0; p < component_of_.size(); ++p) component_of_[p] = sets.find(p);
 
   const auto limit = [&](Index face) {
-    const Index point = arrangement_.soup->faces[face][0];
-    only_for_.push_back(closure.in_sheet[face] ? cluster_of_[point] : no_index);
+    const Index point = arrangement_.welded->faces[face][0];
+    only_for_.push_back(closure.in_sheet[face] ? component_of_[point] : no_index);
   };
-  for (Index f = 0; f < arrangement_.soup->faces.size(); ++f) limit(f);
+  for (Index f = 0; f < arrangement_.welded->faces.size(); ++f) limit(f);
   for (const Index face : closure.face_of) limit(face);
 }
 
 int WindingRay::in_front_of(const Piece& piece) const {
-  // Along the axis nearest to the normal, to the front.
+  // The ray runs to the front, along the axis that is nearest to the normal.
   const PieceSource source = arrangement_.sources_of(piece).front();
-  const PlaneProjection projection = projection_of(arrangement_.soup->triangle(source.face));
+  const PlaneProjection projection = projection_of(arrangement_.welded->triangle(source.face));
   const bool even = projection.v == (projection.u + 1) % 3;
   const int axis = 3 - projection.u - projection.v;
   const int direction = even != source.reversed ? 1 : -1;
@@ -81,11 +82,11 @@ int WindingRay::in_front_of(const Piece& piece) const {
   const ExactPoint a = arrangement_.point(piece.corners[0]);
   const ExactPoint b = arrangement_.point(piece.corners[1]);
   const ExactPoint c = arrangement_.point(piece.corners[2]);
-  // A ray grazes where its origin lies on the shadow of an edge: a segment, which has at most two
-  // points on the conic.
-  const Index cluster = cluster_of_.empty() ? no_index : cluster_of_[piece.corners[0]];
+  // A ray grazes an edge where its origin lies on the projection of that edge to the piece: a
+  // segment, which has at most two points on the conic. So every edge spoils at most two attempts.
+  const Index component = component_of_.empty() ? no_index : component_of_[piece.corners[0]];
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
-    const Count count = cast(geometry.mean(a, b, c, weights(attempt)), axis, direction, cluster);
+    const Count count = cast(geometry.mean(a, b, c, weights(attempt)), axis, direction, component);
     if (!count.grazes) return count.winding;
   }
   throw GoalError("more than " + std::to_string(most_attempts / 2) + " edges line up along the " +
@@ -94,7 +95,7 @@ int WindingRay::in_front_of(const Piece& piece) const {
 }
 
 WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direction,
-                                   Index cluster) const {
+                                   Index component) const {
   const PlaneProjection projection{(axis + 1) % 3, (axis + 2) % 3};
   const ExactGeometry geometry = arrangement_.geometry();
   Vec3 low = origin.center - origin.radius;
@@ -103,15 +104,15 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
 
   Count count;
   const auto cross = [&](Index i) {
-    if (!only_for_.empty() && only_for_[i] != no_index && only_for_[i] != cluster) return true;
+    if (!only_for_.empty() && only_for_[i] != no_index && only_for_[i] != component) return true;
     const Triangle t = triangle(i);
     bool left = false, right = false, on = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const int turn = geometry.orient2d(ExactGeometry::free(t[k]),
-                                         ExactGeometry::free(t[(k + 1) % 3]), origin, projection);
-      left |= turn > 0;
-      right |= turn < 0;
-      on |= turn == 0;
+      const int side_of_edge = geometry.orient2d(
+          ExactGeometry::free(t[k]), ExactGeometry::free(t[(k + 1) % 3]), origin, projection);
+      left |= side_of_edge > 0;
+      right |= side_of_edge < 0;
+      on |= side_of_edge == 0;
     }
     if (left && right) return true;
     if (on) {

@@ -1,4 +1,5 @@
-/// Winding numbers by rays whose every crossing is decided exactly (paper 2).
+/// Winding numbers by rays of which every crossing is decided exactly (paper 2), as for the seeds
+/// of growing (paper 3.2.1) and for the static strategy (paper 4.5).
 #pragma once
 
 #include <functional>
@@ -12,12 +13,14 @@ namespace transformesh {
 
 class WindingRay {
  public:
-  /// The faces of the soup, and what closes its borders. About so many `rays` will be cast: where
-  /// they are few, all faces are asked each time, which costs less than ordering them.
+  /// Rays meet the faces of the arrangement's mesh and the triangles that close its borders. `rays`
+  /// is about how many will be cast: where they are few, each is tested with all faces, which costs
+  /// less than building a hierarchy. Keeps a reference to the arrangement.
   WindingRay(const Arrangement& arrangement, const BorderClosure& closure, std::size_t rays);
 
-  /// w just in front of a piece. A ray that would graze an edge or a corner is replaced by one from
-  /// another point of the piece, until one crosses faces in their interiors only.
+  /// The winding number just in front of a piece. A ray that grazes an edge or a corner is replaced
+  /// by one from another point of the piece, until one crosses faces in their interiors only.
+  /// Throws GoalError where there is none among 20000.
   int in_front_of(const Piece& piece) const;
 
  private:
@@ -25,17 +28,17 @@ class WindingRay {
     bool grazes = false;
     int winding = 0;
   };
-  Count cast(const ExactPoint& origin, int axis, int direction, Index cluster) const;
+  Count cast(const ExactPoint& origin, int axis, int direction, Index component) const;
   Triangle triangle(Index i) const;
   void visit_overlaps(const Vec3& low, const Vec3& high,
                       const std::function<bool(Index)>& visit) const;
   void limit_sheets(const BorderClosure& closure);
 
   const Arrangement& arrangement_;
-  std::vector<Triangle> closure_;  ///< triangles that follow the soup's
-  std::vector<Index> cluster_of_;  ///< per point: what hangs together with it; only for sheets
-  std::vector<Index> only_for_;    ///< per triangle: the one cluster that it counts for, if any
-  Bvh bvh_;                        ///< empty where all are asked
+  std::vector<Triangle> closure_;    ///< they are numbered behind the faces of the mesh
+  std::vector<Index> component_of_;  ///< per point of the arrangement; empty without sheets
+  std::vector<Index> only_for_;  ///< per triangle: the one component for which it counts, if any
+  Bvh bvh_;                      ///< of all triangles; empty where rays are few
 };
 
 }  // namespace transformesh

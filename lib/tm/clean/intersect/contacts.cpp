@@ -5,18 +5,18 @@
 namespace transformesh {
 namespace {
 
-constexpr Place outside = 255;
+constexpr FaceSimplex outside = 255;
 
 // One of the two faces together with what is known about it relative to the other.
 struct Side {
   std::array<const Vec3*, 3> p{};
-  std::array<int, 3> sign{};    // of each corner over the plane of the other face
-  std::array<int, 3> shared{};  // the corner of the other face that is this point, or -1
+  std::array<int, 3> sign{};    ///< the side of the other face's plane on which each corner lies
+  std::array<int, 3> shared{};  ///< the corner of the other face that is this point, or -1
 };
 
-Side make_side(const Soup& soup, Index face) {
+Side make_side(const WeldedMesh& welded, Index face) {
   Side side;
-  for (std::size_t i = 0; i < 3; ++i) side.p[i] = &soup.points[soup.faces[face][i]];
+  for (std::size_t i = 0; i < 3; ++i) side.p[i] = &welded.points[welded.faces[face][i]];
   side.shared.fill(-1);
   return side;
 }
@@ -40,7 +40,7 @@ void compute_signs(Side& a, const Side& b) {
   }
 }
 
-// Whether the face can reach the other's plane beyond shared corners.
+// Whether the face has points in the other's plane beyond shared corners.
 bool reaches_plane(const Side& a) {
   bool above = false;
   bool below = false;
@@ -52,39 +52,40 @@ bool reaches_plane(const Side& a) {
   return above && below;
 }
 
-// The place on a triangle, given on which side of each of its edges a point lies.
-Place place_by_edges(std::array<int, 3> turn) {
-  const bool left = turn[0] > 0 || turn[1] > 0 || turn[2] > 0;
-  const bool right = turn[0] < 0 || turn[1] < 0 || turn[2] < 0;
+// The simplex of a triangle in which a point lies, given the side of each edge on which it is.
+FaceSimplex simplex_by_sides(std::array<int, 3> side) {
+  const bool left = side[0] > 0 || side[1] > 0 || side[2] > 0;
+  const bool right = side[0] < 0 || side[1] < 0 || side[2] < 0;
   if (left && right) return outside;
-  for (Place k = 0; k < 3; ++k) {
-    if (turn[k] == 0 && turn[(k + 2) % 3] == 0) return k;
+  for (FaceSimplex k = 0; k < 3; ++k) {
+    if (side[k] == 0 && side[(k + 2) % 3] == 0) return k;
   }
-  for (Place k = 0; k < 3; ++k) {
-    if (turn[k] == 0) return static_cast<Place>(3 + k);
+  for (FaceSimplex k = 0; k < 3; ++k) {
+    if (side[k] == 0) return static_cast<FaceSimplex>(3 + k);
   }
   return interior;
 }
 
-// Where the edge from corner i of a, which crosses the plane of b, passes b.
-Place place_of_edge(const Side& a, std::size_t i, const Side& b) {
-  std::array<int, 3> turn{};
+// The simplex of b through which the edge from corner i of a passes; that edge crosses the plane of
+// b.
+FaceSimplex simplex_at_edge(const Side& a, std::size_t i, const Side& b) {
+  std::array<int, 3> side{};
   for (std::size_t k = 0; k < 3; ++k) {
-    turn[k] = orient3d(*a.p[i], *a.p[(i + 1) % 3], *b.p[k], *b.p[(k + 1) % 3]);
+    side[k] = orient3d(*a.p[i], *a.p[(i + 1) % 3], *b.p[k], *b.p[(k + 1) % 3]);
   }
-  return place_by_edges(turn);
+  return simplex_by_sides(side);
 }
 
-// Where a point in the plane of b lies on b.
-Place place_of_point(const Vec3& point, const Side& b, PlaneProjection projection) {
-  std::array<int, 3> turn{};
+// The simplex of b in which a point of its plane lies.
+FaceSimplex simplex_at_point(const Vec3& point, const Side& b, PlaneProjection projection) {
+  std::array<int, 3> side{};
   for (std::size_t k = 0; k < 3; ++k) {
-    turn[k] = orient2d(*b.p[k], *b.p[(k + 1) % 3], point, projection);
+    side[k] = orient2d(*b.p[k], *b.p[(k + 1) % 3], point, projection);
   }
-  return place_by_edges(turn);
+  return simplex_by_sides(side);
 }
 
-void add(Contacts& result, Place first, Place second) {
+void add(Contacts& result, FaceSimplex first, FaceSimplex second) {
   for (int i = 0; i < result.count; ++i) {
     const Contact& known = result.contacts[static_cast<std::size_t>(i)];
     if (known.first == first && known.second == second) return;
@@ -92,9 +93,10 @@ void add(Contacts& result, Place first, Place second) {
   if (result.count < 4) result.contacts[static_cast<std::size_t>(result.count++)] = {first, second};
 }
 
-// Contacts of a's corners and edges with b. `swapped` tells that a is the second face.
+// Adds the contacts of the corners and edges of a with b. `swapped` tells that a is the second
+// face.
 void add_contacts(const Side& a, const Side& b, bool swapped, Contacts& result) {
-  const auto record = [&](Place on_a, Place on_b) {
+  const auto record = [&](FaceSimplex on_a, FaceSimplex on_b) {
     if (on_b == outside) return;
     result.meet = true;
     if (swapped) {
@@ -106,10 +108,10 @@ void add_contacts(const Side& a, const Side& b, bool swapped, Contacts& result) 
   for (std::size_t i = 0; i < 3; ++i) {
     if (a.sign[i] == 0 && a.shared[i] < 0) {
       const PlaneProjection projection = projection_of({*b.p[0], *b.p[1], *b.p[2]});
-      record(static_cast<Place>(i), place_of_point(*a.p[i], b, projection));
+      record(static_cast<FaceSimplex>(i), simplex_at_point(*a.p[i], b, projection));
     }
     if (a.sign[i] * a.sign[(i + 1) % 3] < 0) {
-      record(static_cast<Place>(3 + i), place_of_edge(a, i, b));
+      record(static_cast<FaceSimplex>(3 + i), simplex_at_edge(a, i, b));
     }
   }
 }
@@ -121,7 +123,7 @@ bool edges_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, Pla
 
 bool has_corner_in(const Side& a, const Side& b, PlaneProjection projection) {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (a.shared[i] < 0 && place_of_point(*a.p[i], b, projection) != outside) return true;
+    if (a.shared[i] < 0 && simplex_at_point(*a.p[i], b, projection) != outside) return true;
   }
   return false;
 }
@@ -140,15 +142,22 @@ bool coplanar_faces_meet(const Side& a, const Side& b, int shared) {
   return false;
 }
 
+// The edge at a simplex of a face, the smaller point first.
+std::array<Index, 2> edge_at(const WeldedMesh& welded, Index face, FaceSimplex simplex) {
+  const Index u = welded.faces[face][simplex - 3U];
+  const Index v = welded.faces[face][(simplex - 2U) % 3];
+  return {std::min(u, v), std::max(u, v)};
+}
+
 }  // namespace
 
-Contacts find_contacts(const Soup& soup, Index first, Index second) {
+Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
   Contacts result;
-  Side a = make_side(soup, first);
-  Side b = make_side(soup, second);
-  const int shared = match_shared_corners(soup.faces[first], soup.faces[second], a, b);
+  Side a = make_side(welded, first);
+  Side b = make_side(welded, second);
+  const int shared = match_shared_corners(welded.faces[first], welded.faces[second], a, b);
 
-  // Most neighbours and most faces whose boxes overlap part here.
+  // Most pairs of neighbors and most pairs whose boxes overlap are decided by these signs.
   compute_signs(a, b);
   if (shared < 3 && !reaches_plane(a)) return result;
   if (a.sign == std::array<int, 3>{}) {
@@ -163,9 +172,24 @@ Contacts find_contacts(const Soup& soup, Index first, Index second) {
   add_contacts(b, a, true, result);
   if (!result.meet) return result;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (a.shared[i] >= 0) add(result, static_cast<Place>(i), static_cast<Place>(a.shared[i]));
+    if (a.shared[i] >= 0)
+      add(result, static_cast<FaceSimplex>(i), static_cast<FaceSimplex>(a.shared[i]));
   }
   return result;
+}
+
+ExactPoint contact_point(const WeldedMesh& welded, const ExactGeometry& geometry, Index first,
+                         Index second, Contact contact) {
+  if (contact.first < 3) return geometry.given(welded.faces[first][contact.first]);
+  if (contact.second < 3) return geometry.given(welded.faces[second][contact.second]);
+  if (contact.second == interior) {
+    const auto [u, v] = edge_at(welded, first, contact.first);
+    return geometry.line_plane(u, v, second);
+  }
+  const auto [x, y] = edge_at(welded, second, contact.second);
+  if (contact.first == interior) return geometry.line_plane(x, y, first);
+  const auto [u, v] = edge_at(welded, first, contact.first);
+  return geometry.line_line(u, v, x, y);
 }
 
 }  // namespace transformesh

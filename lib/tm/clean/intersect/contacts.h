@@ -1,35 +1,42 @@
 /// Where two faces meet, told by their vertices, edges and interiors: the exact triangle-triangle
-/// test behind detection and arrangement. Reference for the sign tests: Guigue & Devillers, "Fast
-/// and robust triangle-triangle overlap test using orientation predicates", JGT 2003; here every
-/// contact is classified, so that touching counts.
+/// test behind detection and arrangement (paper 3.1). Reference for the sign tests: Guigue &
+/// Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", JGT
+/// 2003; here every contact is classified, so that touching counts.
 #pragma once
 
 #include <array>
 
-#include "tm/clean/intersect/soup.h"
+#include "tm/clean/intersect/welded_mesh.h"
+#include "tm/geometry/exact_point.h"
 
 namespace transformesh {
 
-/// A place on a face: 0 1 2 its corners, 3 4 5 the edges that start there, 6 its interior.
-using Place = std::uint8_t;
-inline constexpr Place interior = 6;
+/// One of the seven open simplices of a face: 0, 1 and 2 are its corners, 3, 4 and 5 the edges that
+/// start there, and 6 is its interior.
+using FaceSimplex = std::uint8_t;
+inline constexpr FaceSimplex interior = 6;
 
+/// A common point of two faces: the simplex of each in which it lies.
 struct Contact {
-  Place first;
-  Place second;
+  FaceSimplex first;
+  FaceSimplex second;
 };
 
 struct Contacts {
   bool coplanar = false;  ///< the faces lie in one plane and meet beyond shared corners and edges
   bool meet = false;      ///< they meet anywhere but in shared corners and edges
   /// The ends of the common segment of faces in different planes (or its only point), shared
-  /// corners included. Two entries may be needed for one end only when they are equal points of
-  /// different places, which does not happen.
+  /// corners included. One end never takes two entries: equal points lie in equal simplices.
   std::array<Contact, 4> contacts{};
   int count = 0;
 };
 
 /// Exact. Faces that share a corner share the point index.
-Contacts find_contacts(const Soup& soup, Index first, Index second);
+Contacts find_contacts(const WeldedMesh& welded, Index first, Index second);
+
+/// The exact point of a contact, known by what defines it: a given point, an edge and a face, or
+/// two edges. The definition is the same from whichever faces it is seen.
+ExactPoint contact_point(const WeldedMesh& welded, const ExactGeometry& geometry, Index first,
+                         Index second, Contact contact);
 
 }  // namespace transformesh

@@ -2,54 +2,53 @@
 
 #include <memory>
 
-#include "tm/clean/intersect/contact_points.h"
 #include "tm/clean/intersect/contacts.h"
 #include "tm/geometry/bvh.h"
 
 namespace transformesh {
 namespace {
 
-// The soup face of each mesh face; no_index where it has no area.
-std::vector<Index> soup_faces(const Soup& soup, std::size_t mesh_faces) {
+// The welded face of each mesh face; no_index where it has no area.
+std::vector<Index> welded_faces(const WeldedMesh& welded, std::size_t mesh_faces) {
   std::vector<Index> result(mesh_faces, no_index);
-  for (Index f = 0; f < soup.faces.size(); ++f) result[soup.face_of[f]] = f;
+  for (Index f = 0; f < welded.faces.size(); ++f) result[welded.face_of[f]] = f;
   return result;
 }
 
 }  // namespace
 
-std::vector<FacePair> find_intersections(const Soup& soup, const Progress& progress) {
+std::vector<FacePair> find_intersections(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
   std::vector<FloatBox> boxes;
-  boxes.reserve(soup.faces.size());
-  for (Index f = 0; f < soup.faces.size(); ++f) boxes.push_back(soup.box(f));
+  boxes.reserve(welded.faces.size());
+  for (Index f = 0; f < welded.faces.size(); ++f) boxes.push_back(welded.box(f));
   const Bvh bvh(boxes);
-  return bvh.overlapping_pairs([&](Index f, Index g) { return find_contacts(soup, f, g).meet; });
+  return bvh.overlapping_pairs([&](Index f, Index g) { return find_contacts(welded, f, g).meet; });
 }
 
 std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress) {
-  const Soup soup = make_soup(mesh);
-  std::vector<FacePair> pairs = find_intersections(soup, progress);
-  // Soup faces are in mesh order, so the pairs stay sorted.
+  const WeldedMesh welded = weld(mesh);
+  std::vector<FacePair> pairs = find_intersections(welded, progress);
+  // Welded faces are in the order of the mesh, so the pairs stay sorted.
   for (auto& [f, g] : pairs) {
-    f = soup.face_of[f];
-    g = soup.face_of[g];
+    f = welded.face_of[f];
+    g = welded.face_of[g];
   }
   return pairs;
 }
 
 std::vector<std::pair<Vec3, Vec3>> intersection_segments(const Mesh& mesh,
                                                          const std::vector<FacePair>& pairs) {
-  const Soup soup = make_soup(mesh);
-  const std::vector<Index> of_mesh = soup_faces(soup, mesh.faces.size());
-  const ExactGeometry geometry(soup.points, soup.faces);
+  const WeldedMesh welded = weld(mesh);
+  const std::vector<Index> of_mesh = welded_faces(welded, mesh.faces.size());
+  const ExactGeometry geometry(welded.points, welded.faces);
   std::vector<std::pair<Vec3, Vec3>> segments;
   for (const auto& [f, g] : pairs) {
     const Index a = of_mesh[f], b = of_mesh[g];
-    const Contacts contacts = find_contacts(soup, a, b);
+    const Contacts contacts = find_contacts(welded, a, b);
     if (!contacts.meet || contacts.coplanar) continue;
     const auto at = [&](int i) {
-      return contact_point(soup, geometry, a, b, contacts.contacts[static_cast<std::size_t>(i)])
+      return contact_point(welded, geometry, a, b, contacts.contacts[static_cast<std::size_t>(i)])
           .center;
     };
     segments.emplace_back(at(0), at(contacts.count - 1));

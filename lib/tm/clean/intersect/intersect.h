@@ -1,8 +1,8 @@
 /// Self-intersections (paper 3.1): all pairs of faces that meet anywhere but in corners and edges
 /// that they share. Sharing means equal coordinates, not equal indices. Touching counts: a corner
 /// on a face or an edge, two edges that cross or overlap, coplanar overlaps, coincident faces.
-/// Faces without area take no part. Exact for any finite coordinates.
-/// Differs from the paper: a bounding volume hierarchy instead of a box sweep, and no perturbation.
+/// Faces without area take no part. Exact for any finite coordinates. Where the paper sweeps boxes
+/// and perturbs what touches (4.3), this searches a bounding volume hierarchy and perturbs nothing.
 /// Cost: O(n log n + k) for k pairs on usual meshes; parallel; the result is sorted and does not
 /// depend on the number of threads.
 #pragma once
@@ -15,18 +15,18 @@
 
 namespace transformesh {
 
-struct Soup;
+struct WeldedMesh;
 
 using FacePair = std::pair<Index, Index>;
 
 /// Pairs of face indices, first < second, sorted.
 std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress = Progress());
 
-/// The same for the faces of a soup.
-std::vector<FacePair> find_intersections(const Soup& soup, const Progress& progress);
+/// The same for the faces of a welded mesh.
+std::vector<FacePair> find_intersections(const WeldedMesh& welded, const Progress& progress);
 
-/// The common segments of the intersecting pairs, as end points; where two faces only touch in a
-/// point both ends are equal. Coplanar pairs contribute none. In the order of the pairs.
+/// The common segments of the intersecting pairs as end points, in the order of the pairs. Where
+/// two faces only touch in a point both ends are equal. Coplanar pairs contribute none.
 std::vector<std::pair<Vec3, Vec3>> intersection_segments(const Mesh& mesh,
                                                          const std::vector<FacePair>& pairs);
 

@@ -1,7 +1,9 @@
 #include "tm/clean/open/enclosed_sheets.h"
 
 #include <algorithm>
+#include <memory>
 
+#include "tm/clean/exterior/angular_order.h"
 #include "tm/clean/exterior/patches.h"
 #include "tm/clean/open/space_cells.h"
 #include "tm/mesh/disjoint_sets.h"
@@ -10,39 +12,38 @@
 namespace transformesh {
 namespace {
 
-/// The faces of a soup that hang together across edges of two, and the edges.
+/// The sheets of a welded mesh, which are faces connected across edges of two faces, and the edges.
 class Sheets {
  public:
-  explicit Sheets(const Soup& soup);
+  explicit Sheets(const WeldedMesh& welded);
 
   std::vector<Index> sheet_of;  ///< per face: the first face of its sheet
-  /// How many faces more run up than down along an edge, the marked ones left out.
+  /// How many more faces run forward than backward along an edge, the marked ones left out.
   int sum_along(std::size_t edge, const std::vector<char>& left_out) const;
-  /// Restores marked sheets until those still marked leave no border where they were.
+  /// Unmarks sheets until those that are still marked leave no border where they were.
   void restore_needed(std::vector<char>& marks) const;
 
  private:
-  const Soup& soup_;
+  const WeldedMesh& welded_;
   Edges edges_;
 };
 
-Sheets::Sheets(const Soup& soup) : soup_(soup), edges_(soup.faces, soup.points.size()) {
-  DisjointSets sets(soup.faces.size());
-  const std::vector<Index> across = neighbors_across(edges_, soup.faces.size());
-  const auto runs_up = [&](Index h) {
-    return soup.faces[h / 3][h % 3] < soup.faces[h / 3][(h % 3 + 1) % 3];
-  };
+Sheets::Sheets(const WeldedMesh& welded)
+    : welded_(welded), edges_(welded.faces, welded.points.size()) {
+  DisjointSets sets(welded.faces.size());
+  const std::vector<Index> across = neighbors_across(edges_, welded.faces.size());
+  const auto runs_forward = [&](Index h) { return is_forward(welded.faces, h); };
   for (Index h = 0; h < across.size(); ++h) {
-    if (across[h] != no_index && runs_up(h) != runs_up(across[h])) sets.join(h / 3, across[h] / 3);
+    if (across[h] != no_index && runs_forward(h) != runs_forward(across[h]))
+      sets.join(h / 3, across[h] / 3);
   }
-  for (Index f = 0; f < soup.faces.size(); ++f) sheet_of.push_back(sets.find(f));
+  for (Index f = 0; f < welded.faces.size(); ++f) sheet_of.push_back(sets.find(f));
 }
 
 int Sheets::sum_along(std::size_t edge, const std::vector<char>& left_out) const {
   int sum = 0;
   for (const Index h : edges_.halfedges(edge)) {
-    const Face& face = soup_.faces[h / 3];
-    if (!left_out[h / 3]) sum += face[h % 3] < face[(h % 3 + 1) % 3] ? 1 : -1;
+    if (!left_out[h / 3]) sum += is_forward(welded_.faces, h) ? 1 : -1;
   }
   return sum;
 }
@@ -65,8 +66,8 @@ void Sheets::restore_needed(std::vector<char>& marks) const {
   }
 }
 
-// Marks patches that contradict the cells beside them, deep within the body. Cells that they no
-// longer part may show more of them.
+// Marks patches that contradict the cells on both of their sides, which are within the body. Cells
+// that these no longer part become one, in which others may show.
 std::vector<char> find_contradictions(const Arrangement& arrangement, const Patches& patches,
                                       int level) {
   std::vector<char> contradicts(patches.size(), 0);
@@ -76,7 +77,7 @@ std::vector<char> find_contradictions(const Arrangement& arrangement, const Patc
     for (Index patch = 0; patch < patches.size(); ++patch) {
       const int front = cells.winding_in_front_of(patch);
       const int behind = cells.winding_behind(patch);
-      const int step = arrangement.pieces[patches.pieces[patch].front()].winding;
+      const int step = arrangement.pieces[patches.pieces[patch].front()].multiplicity;
       if (contradicts[patch] || std::min(front, behind) < level || behind == front + step) continue;
       contradicts[patch] = 1;
       is_stable = false;
@@ -85,14 +86,15 @@ std::vector<char> find_contradictions(const Arrangement& arrangement, const Patc
   return contradicts;
 }
 
-// Marks the faces of sheets that consist of such patches. Pieces that cancel out say nothing.
+// Marks the faces of sheets of which all patches contradict their cells. Pieces of multiplicity 0
+// say nothing.
 std::vector<char> mark_contradictions(const Arrangement& arrangement, int level) {
-  const Soup& soup = *arrangement.soup;
+  const WeldedMesh& welded = *arrangement.welded;
   const Patches patches(arrangement);
   const std::vector<char> contradicts = find_contradictions(arrangement, patches, level);
-  const Sheets sheets(soup);
-  std::vector<char> seen(soup.faces.size(), 0);
-  std::vector<char> agrees(soup.faces.size(), 0);
+  const Sheets sheets(welded);
+  std::vector<char> seen(welded.faces.size(), 0);
+  std::vector<char> agrees(welded.faces.size(), 0);
   for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
     if (patches.patch_of[p] == no_index) continue;
     for (const PieceSource& source : arrangement.sources_of(arrangement.pieces[p])) {
@@ -100,7 +102,7 @@ std::vector<char> mark_contradictions(const Arrangement& arrangement, int level)
       (contradicts[patches.patch_of[p]] ? seen : agrees)[sheet] = 1;
     }
   }
-  std::vector<char> marks(soup.faces.size());
+  std::vector<char> marks(welded.faces.size());
   for (Index f = 0; f < marks.size(); ++f) {
     const Index sheet = sheets.sheet_of[f];
     marks[f] = seen[sheet] && !agrees[sheet] ? 1 : 0;
@@ -112,36 +114,54 @@ bool any(const std::vector<char>& marks) {
   return std::find(marks.begin(), marks.end(), 1) != marks.end();
 }
 
-}  // namespace
-
-Soup without_faces(const Soup& soup, const std::vector<char>& marks) {
-  Soup rest = soup;
+WeldedMesh without_faces(const WeldedMesh& welded, const std::vector<char>& marks) {
+  WeldedMesh rest = welded;
   rest.faces.clear();
   rest.face_of.clear();
-  for (Index f = 0; f < soup.faces.size(); ++f) {
+  for (Index f = 0; f < welded.faces.size(); ++f) {
     if (marks[f]) continue;
-    rest.faces.push_back(soup.faces[f]);
-    rest.face_of.push_back(soup.face_of[f]);
+    rest.faces.push_back(welded.faces[f]);
+    rest.face_of.push_back(welded.face_of[f]);
   }
   return rest;
 }
 
-// Where faces lie upon each other, what contradicts may show only when others are gone.
+Arrangement arrange_without(const WeldedMesh& welded, const std::vector<char>& marks,
+                            const Progress& progress) {
+  const auto rest = std::make_shared<const WeldedMesh>(without_faces(welded, marks));
+  return arrange(rest, find_intersections(*rest, progress), progress);
+}
+
+// Marks the faces of enclosed sheets. Where faces lie upon each other, the contradictions of some
+// show only once others are gone.
 std::vector<char> find_enclosed_sheets(const Arrangement& arrangement, int level,
                                        const Progress& progress) {
-  const Soup& soup = *arrangement.soup;
-  std::vector<char> marks(soup.faces.size(), 0);
+  const WeldedMesh& welded = *arrangement.welded;
+  std::vector<char> marks(welded.faces.size(), 0);
   std::vector<char> found = mark_contradictions(arrangement, level);
   while (any(found)) {
     for (Index f = 0, i = 0; f < marks.size(); ++f) {
       if (!marks[f]) marks[f] = found[i++];
     }
-    const auto rest = std::make_shared<const Soup>(without_faces(soup, marks));
-    found =
-        mark_contradictions(arrange(rest, find_intersections(*rest, progress), progress), level);
+    found = mark_contradictions(arrange_without(welded, marks, progress), level);
   }
-  if (any(marks)) Sheets(soup).restore_needed(marks);
+  if (any(marks)) Sheets(welded).restore_needed(marks);
   return marks;
+}
+
+}  // namespace
+
+std::size_t drop_enclosed_sheets(const Mesh& mesh, int level, Arrangement& arrangement,
+                                 Borders& borders, const Progress& progress) {
+  const std::vector<char> marks = find_enclosed_sheets(arrangement, level, progress);
+  const auto count = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
+  if (count == 0) return 0;
+  std::vector<char> left_out(mesh.faces.size(), 0);
+  for (std::size_t f = 0; f < marks.size(); ++f)
+    left_out[arrangement.welded->face_of[f]] = marks[f];
+  arrangement = arrange_without(*arrangement.welded, marks, progress);
+  borders = find_borders(*arrangement.welded, mesh, left_out);
+  return count;
 }
 
 }  // namespace transformesh

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int unknown = std::numeric_limits<int>::min();
 
-// Relative to the first point and to the mesh's size, so that nothing over- or underflows.
+// Positions relative to the first point and to the size of the mesh, so that nothing over- or
+// underflows.
 std::vector<Vec3> normalized_positions(const Arrangement& arrangement) {
   std::vector<Vec3> positions(arrangement.point_count());
   double size = 0;
@@ -35,7 +36,8 @@ SpaceCells::SpaceCells(const Arrangement& arrangement, const Patches& patches,
   spread_winding(arrangement, patches);
 }
 
-// Between neighbours in angular order lies one cell; around a free border its two sides are one.
+// Joins the facing sides of neighbors in angular order, as between them lies one cell. So the two
+// sides of a patch become one around a free border.
 void SpaceCells::join_around_edges(const Arrangement& arrangement, const Patches& patches,
                                    DisjointSets& sides) const {
   std::vector<char> counts(arrangement.pieces.size());
@@ -58,7 +60,7 @@ void SpaceCells::join_around_edges(const Arrangement& arrangement, const Patches
   }
 }
 
-// Of the cells as their patches bound them: positive where these lie around the cell.
+// The volume of each cell as its patches bound it: positive where these lie around the cell.
 std::vector<double> SpaceCells::volumes(const Arrangement& arrangement,
                                         const Patches& patches) const {
   const std::vector<Vec3> positions = normalized_positions(arrangement);
@@ -75,7 +77,8 @@ std::vector<double> SpaceCells::volumes(const Arrangement& arrangement,
   return volumes;
 }
 
-// The one of negative volume in every connected set of cells: its patches do not lie around it.
+// The cell of the least volume in every connected set of cells. That is negative, as the patches of
+// an unbounded cell do not lie around it.
 std::vector<Index> SpaceCells::unbounded_cells(const std::vector<double>& volumes) const {
   DisjointSets sets(cell_of_.size());
   for (Index side = 0; side < cell_of_.size(); side += 2) {
@@ -101,7 +104,7 @@ void SpaceCells::spread_winding(const Arrangement& arrangement, const Patches& p
     for (const Index side : sides[queue[i]]) {
       const Index beyond = cell_of_[side ^ 1U];
       if (distance[beyond] <= distance[queue[i]]) continue;
-      const int step = arrangement.pieces[patches.pieces[side / 2].front()].winding;
+      const int step = arrangement.pieces[patches.pieces[side / 2].front()].multiplicity;
       const int winding = winding_[queue[i]] + (side % 2 == 0 ? step : -step);
       winding_[beyond] = std::max(winding_[beyond], winding);
       if (distance[beyond] != no_index) continue;

@@ -1,5 +1,6 @@
-/// One pass of TransforMesh (paper 3): intersect, arrange, find the exterior, stitch. Exact but for
-/// the positions of new vertices, which are in doubles. Throws as clean.h says.
+/// One pass of TransforMesh (paper 3, Fig. 3): weld, intersect (3.1), arrange (3.2.3), find the
+/// exterior (3.2), stitch (3.3). Exact but for the positions of new vertices, which are in doubles.
+/// Throws as clean.h says.
 #pragma once
 
 #include <limits>
@@ -12,7 +13,7 @@
 namespace transformesh {
 
 struct CleanPass {
-  std::size_t pairs = 0;          ///< intersecting face pairs; all there is, where that is too many
+  std::size_t pairs = 0;  ///< intersecting face pairs; where they are too many, all else is empty
   std::size_t cut_faces = 0;      ///< faces that were cut
   std::size_t removed_faces = 0;  ///< whole faces that were dropped
   Exterior exterior;
@@ -25,7 +26,8 @@ struct PassOptions {
   int level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
   bool check_orientation = true;  ///< refuse a mesh that is not oriented
-  std::size_t most_pairs = std::numeric_limits<std::size_t>::max();  ///< more are too many
+  /// Where more pairs intersect, the pass ends there.
+  std::size_t most_pairs = std::numeric_limits<std::size_t>::max();
 };
 
 CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Progress& progress);

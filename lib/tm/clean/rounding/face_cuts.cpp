@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "tm/clean/arrange/face_row.h"
+#include "tm/clean/arrange/refine.h"
 #include "tm/clean/rounding/face_splitter.h"
 #include "tm/support/single.h"
 
 namespace transformesh {
 
-FaceCuts::FaceCuts(Assembly& assembly, const Soup& soup, Scalar coordinate)
-    : assembly_(assembly), soup_(soup), coordinate_(coordinate), points_(soup.points) {
+FaceCuts::FaceCuts(Assembly& assembly, const WeldedMesh& welded, Scalar coordinate)
+    : assembly_(assembly), welded_(welded), coordinate_(coordinate), points_(welded.points) {
   for (const Face& f : assembly.mesh.faces)
-    corners_.push_back({soup.point_of[f[0]], soup.point_of[f[1]], soup.point_of[f[2]]});
+    corners_.push_back({welded.point_of[f[0]], welded.point_of[f[1]], welded.point_of[f[2]]});
 }
 
 Triangle FaceCuts::triangle(Index face) const { return triangle_of(points_, corners_[face]); }
@@ -33,7 +33,8 @@ Index FaceCuts::point_between(const PointPair& first, const PointPair& second,
   return entry->second;
 }
 
-// In their order along the edge, which all its faces must share.
+// The points of an edge with their shares, in order along it. The order must be the same for all
+// faces of the edge.
 std::vector<std::pair<double, Index>> FaceCuts::cuts_of(const PointPair& edge) const {
   std::vector<std::pair<double, Index>> cuts;
   const auto found = on_edge_.find(edge);
@@ -71,8 +72,8 @@ void FaceCuts::constrain(Index face, Index other) {
   }
 }
 
-// Faces without area too, as their edges are those of others. Of those that name a point twice the
-// edges cancel out.
+// Whether the face has points. A face without area is split as well, as others have its edges; but
+// not one that names a point twice, as its edges cancel out.
 bool FaceCuts::is_split(Index face) const {
   if (is_collapsed(corners_[face])) return false;
   if (inside_.contains(face)) return true;
@@ -101,13 +102,14 @@ std::vector<Face> FaceCuts::split(Index face, double distance) const {
   return splitter.triangles();
 }
 
-// With the columns of a face that they split. What no piece needs takes those of the first vertex.
+// Appends the new points as vertices, with the columns of a face that they split. A point that no
+// piece needs takes those of the first vertex.
 void FaceCuts::add_vertices(const std::vector<Face>& pieces, const std::vector<Index>& rows) {
   Mesh& mesh = assembly_.mesh;
   std::vector<Index> face_at(points_.size(), no_index);
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (const Index point : pieces[i]) face_at[point] = std::min(face_at[point], rows[i]);
-  for (std::size_t p = soup_.points.size(); p < points_.size(); ++p) {
+  for (std::size_t p = welded_.points.size(); p < points_.size(); ++p) {
     mesh.positions.push_back(points_[p]);
     mesh.vertex_columns.append(face_at[p] == no_index ? RowBlend{}
                                                       : row_on_face(mesh, face_at[p], points_[p]));
@@ -116,7 +118,8 @@ void FaceCuts::add_vertices(const std::vector<Face>& pieces, const std::vector<I
   }
 }
 
-// The rows of the mesh's faces that they are or come from; pieces are new.
+// Replaces the faces of the mesh. `rows` are the faces that they are or are cut from; those from
+// `first_piece` on are new.
 void FaceCuts::replace_faces(std::vector<Face> faces, const std::vector<Index>& rows,
                              std::size_t first_piece) {
   std::vector<Index> sources;
@@ -149,10 +152,10 @@ void FaceCuts::split_faces(double distance) {
   }
 
   const auto first_new = static_cast<Index>(mesh.positions.size());
-  const auto old_points = static_cast<Index>(soup_.points.size());
+  const auto old_points = static_cast<Index>(welded_.points.size());
   add_vertices(pieces, piece_rows);
   for (Face& piece : pieces)
-    for (Index& v : piece) v = v < old_points ? soup_.vertex_of[v] : first_new + (v - old_points);
+    for (Index& v : piece) v = v < old_points ? welded_.vertex_of[v] : first_new + (v - old_points);
   const std::size_t first_piece = faces.size();
   faces.insert(faces.end(), pieces.begin(), pieces.end());
   rows.insert(rows.end(), piece_rows.begin(), piece_rows.end());

@@ -1,6 +1,6 @@
-/// Points at which faces of a mesh are to be split, and their splitting: those on an edge split all
-/// its faces, so that what is closed stays closed. Equal positions are one point.
-/// Cost: O(n) for n faces, and that of FaceSplitter for each face with points. Deterministic.
+/// Splits faces of a mesh at points that are close to them (paper 4.3). A point on an edge splits
+/// all faces of the edge, so that what is closed stays closed. Equal positions are one point. Cost:
+/// O(n) for n faces, and that of FaceSplitter for each face with points. Deterministic.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "tm/clean/intersect/soup.h"
+#include "tm/clean/intersect/welded_mesh.h"
 #include "tm/clean/stitch/assemble.h"
 
 namespace transformesh {
@@ -25,25 +25,26 @@ inline PointPair edge_of(const Face& corners, std::size_t i) {
 
 class FaceCuts {
  public:
-  /// The soup is that of the assembly's mesh; new positions are in numbers of that type. Keeps
-  /// references to both.
-  FaceCuts(Assembly& assembly, const Soup& soup, Scalar coordinate);
+  /// `welded` is the welded mesh of the assembly. New positions are rounded to numbers of the type
+  /// `coordinate`. Keeps references to both.
+  FaceCuts(Assembly& assembly, const WeldedMesh& welded, Scalar coordinate);
 
   std::size_t faces() const { return corners_.size(); }
-  const Face& corners(Index face) const { return corners_[face]; }  ///< as points
+  /// The points at the corners of a face.
+  const Face& corners(Index face) const { return corners_[face]; }
   const Vec3& position(Index point) const { return points_[point]; }
   Triangle triangle(Index face) const;
 
-  /// A point that is close to the edge, at that share of its length.
+  /// Notes a point that is close to the edge, at that share of its length.
   void add_on_edge(const PointPair& edge, double share, Index point);
-  /// A point that is close to the inside of the face.
+  /// Notes a point that is close to the interior of the face.
   void add_inside(Index face, Index point);
-  /// A new point where two edges pass each other; the same for the same two.
+  /// A new point at which two edges pass each other. For the same edges it is always the same.
   Index point_between(const PointPair& first, const PointPair& second, const Vec3& position);
-  /// Edges of the other face whose ends are then on the face become edges there.
+  /// Makes edges of the face from those edges of the other one of which both ends are noted there.
   void constrain(Index face, Index other);
-  /// Whole faces keep their order, pieces follow. Points inside a face that are closer than the
-  /// distance to its other cuts go on them. What was added is spent.
+  /// Splits all faces with points. Whole faces keep their order, and pieces follow. Points inside a
+  /// face that are closer than the distance to another cut of it split that cut. To be called once.
   void split_faces(double distance);
 
  private:
@@ -57,14 +58,14 @@ class FaceCuts {
                      std::size_t first_piece);
 
   Assembly& assembly_;
-  const Soup& soup_;
+  const WeldedMesh& welded_;
   const Scalar coordinate_;
-  std::vector<Face> corners_;                             ///< of all faces, as points
-  std::vector<Vec3> points_;                              ///< of the soup, then new ones
-  std::map<PointPair, std::map<Index, double>> on_edge_;  ///< points, and at which share
-  std::map<Index, std::set<Index>> inside_;               ///< points, per face
-  std::map<Index, std::set<PointPair>> constraints_;      ///< per face
-  std::map<std::array<PointPair, 2>, Index> between_;     ///< new points
+  std::vector<Face> corners_;                             ///< the points of all faces
+  std::vector<Vec3> points_;                              ///< of the welded mesh, then new ones
+  std::map<PointPair, std::map<Index, double>> on_edge_;  ///< per edge: its points and their shares
+  std::map<Index, std::set<Index>> inside_;               ///< per face: the points in its interior
+  std::map<Index, std::set<PointPair>> constraints_;      ///< per face: the edges that it must have
+  std::map<std::array<PointPair, 2>, Index> between_;     ///< the new point of two edges
 };
 
 }  // namespace transformesh

@@ -7,7 +7,8 @@
 namespace transformesh {
 namespace {
 
-/// Angles this close to those of four points on a circle leave the choice to the ids.
+/// Where the sums of two opposite cotangents are closer to zero than this, as for four points on a
+/// circle, ids choose the diagonal.
 constexpr long double alike = 1e-4L;
 
 }  // namespace
@@ -26,7 +27,7 @@ FaceSplitter::PlanePoint FaceSplitter::flat(const Vec3& position) const {
   return {from.dot(x_axis_), from.dot(y_axis_)};
 }
 
-// Of the point over the line, which it has on its left.
+// The distance of the point from the line, positive on the left of it.
 long double FaceSplitter::height(const PlanePoint& point, Index from, Index to) const {
   const PlanePoint along = positions_[to] - positions_[from], up = point - positions_[from];
   const long double length = along.norm();
@@ -44,7 +45,7 @@ Index FaceSplitter::add_vertex(const PlanePoint& position, Index id) {
   return static_cast<Index>(ids_.size() - 1);
 }
 
-// The face keeps the first half of the edge.
+// Splits the face at the halfedge. It keeps the first half of that, and a new face gets the second.
 void FaceSplitter::split_edge(Index halfedge, Index vertex) {
   Face second = faces_[halfedge / 3];
   second[halfedge % 3] = vertex;
@@ -81,7 +82,7 @@ std::size_t FaceSplitter::face_around(const PlanePoint& point) const {
   return best;
 }
 
-// A cut that the point, in the face, is close to; no_index if there is none.
+// An edge between two faces to which the point in the face is close; no_index where there is none.
 Index FaceSplitter::near_edge(std::size_t face, const PlanePoint& point,
                               const Halfedges& halfedges) const {
   for (Index i = 0; i < 3; ++i) {
@@ -168,11 +169,12 @@ bool FaceSplitter::crosses(Index from, Index to, Index a, Index b) const {
   return is_left(a, from, to) != is_left(b, from, to) && is_left(from, a, b) != is_left(to, a, b);
 }
 
-// Flips one edge that crosses the segment: one that then does not, where there is one; else another
-// in every step, so that none flips to and fro.
+// Flips one edge that crosses the segment, and returns whether there was one to flip. Edges whose
+// flip clears the segment go first. Where there is none, the choice depends on the step, so that no
+// edge is flipped back and forth.
 bool FaceSplitter::step_towards(Index from, Index to, std::size_t step) {
   const Halfedges halfedges = find_halfedges();
-  std::vector<std::pair<Index, Index>> turning, clearing;
+  std::vector<std::pair<Index, Index>> crossing, clearing;
   for (const auto& [ends, h] : halfedges) {
     const auto across = halfedges.find({ends.second, ends.first});
     if (ends.first > ends.second || across == halfedges.end()) continue;
@@ -180,9 +182,9 @@ bool FaceSplitter::step_towards(Index from, Index to, std::size_t step) {
     if (constrained_.contains(ends)) return false;
     const Quad quad = quad_at(h, across->second);
     if (!is_convex(quad)) continue;
-    (crosses(from, to, quad.c, quad.d) ? turning : clearing).emplace_back(h, across->second);
+    (crosses(from, to, quad.c, quad.d) ? crossing : clearing).emplace_back(h, across->second);
   }
-  const auto& candidates = clearing.empty() ? turning : clearing;
+  const auto& candidates = clearing.empty() ? crossing : clearing;
   if (candidates.empty()) return false;
   const auto& [h, across] = candidates[step % candidates.size()];
   flip(h, across, quad_at(h, across));

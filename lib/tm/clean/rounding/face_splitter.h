@@ -1,41 +1,48 @@
-/// Splits one face at points on its edges and near its inside, into triangles that hang together as
-/// the face does whatever the points are; how well shaped they are is told in extended precision.
-/// Reference for constraints by flips: Sloan, "A fast algorithm for generating constrained Delaunay
-/// triangulations", Computers & Structures 47(3), 1993.
-/// Cost: O(n^2) for n points. Deterministic.
+/// Splits one face at points on its edges and near its interior, into triangles that are connected
+/// as a triangulation of the face is, whatever the points are. Their shapes are compared in
+/// extended precision. Reference for constraints by flips: Sloan, "A fast algorithm for generating
+/// constrained Delaunay triangulations", Computers & Structures 47(3), 1993. Cost: O(n^2) for n
+/// points. Deterministic.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <map>
 #include <set>
 #include <vector>
 
-#include "tm/clean/rounding/wide_point.h"
 #include "tm/geometry/predicates.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
 
+/// A position in extended precision, for measures of parts that are as close as doubles are apart.
+using WidePoint = Eigen::Matrix<long double, 3, 1>;
+
+inline WidePoint wide(const Vec3& p) { return p.cast<long double>(); }
+
 class FaceSplitter {
  public:
-  /// `ids` name the corners. Points inside that are closer than `distance` to a cut go on it.
+  /// `ids` name the corners. A point inside that is closer than `distance` to an edge between
+  /// triangles splits that edge.
   FaceSplitter(const Triangle& triangle, const Face& ids, double distance);
 
-  /// Point `id` on the edge from corner `edge` to the next, at that share of its length; in their
-  /// order along the edge, and before all inside.
+  /// Adds a point on the edge from corner `edge` to the next, at that share of its length. Points
+  /// of an edge are to be added in their order along it, and before all points inside.
   void add_on_edge(std::size_t edge, double share, Index id);
-  /// Nothing where the id is there already.
+  /// Adds a point inside, unless its id is there already.
   void add_inside(const Vec3& position, Index id);
-  /// Makes the segment between two of the points an edge, where flips can.
+  /// Makes the segment between two of the points an edge, where flips can do that.
   void constrain(Index from_id, Index to_id);
-  /// Flips other diagonals so that triangles are well shaped (Delaunay; of two diagonals that are
-  /// alike that with the lowest id, so that equal points give equal triangles).
+  /// Flips other diagonals until they are Delaunay. Of two diagonals that are alike it takes that
+  /// with the lowest id, so that equal points give equal triangles.
   void improve();
-  /// As ids; what names one twice is left out.
+  /// The triangles by ids. Those that name one twice are left out.
   std::vector<Face> triangles() const;
 
  private:
   using PlanePoint = Eigen::Matrix<long double, 2, 1>;
-  using Halfedges = std::map<std::pair<Index, Index>, Index>;  // by their ends: 3 * face + corner
+  /// The halfedge 3 * face + corner from one vertex to another.
+  using Halfedges = std::map<std::pair<Index, Index>, Index>;
   /// The two triangles at an edge: from a to b with c on its left and d on its right.
   struct Quad {
     Index a, b, c, d;
@@ -63,7 +70,7 @@ class FaceSplitter {
   WidePoint x_axis_, y_axis_;
   std::vector<Index> ids_;
   std::vector<PlanePoint> positions_;
-  std::array<Index, 3> last_ = {0, 1, 2};  ///< per edge: the last vertex added
+  std::array<Index, 3> last_ = {0, 1, 2};  ///< per edge: the vertex that was added last
   std::vector<Face> faces_;
   std::set<std::pair<Index, Index>> constrained_;
 };

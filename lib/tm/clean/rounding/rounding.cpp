@@ -4,54 +4,56 @@
 #include <cmath>
 
 #include "tm/clean/intersect/contacts.h"
-#include "tm/clean/intersect/soup.h"
-#include "tm/clean/rounding/crowds.h"
+#include "tm/clean/intersect/welded_mesh.h"
+#include "tm/clean/rounding/clusters.h"
 #include "tm/clean/rounding/unite_close.h"
 #include "tm/clean/stitch/weld.h"
 #include "tm/geometry/bvh.h"
 #include "tm/geometry/predicates.h"
+#include "tm/mesh/digits.h"
 #include "tm/support/single.h"
 
 namespace transformesh {
 namespace {
 
-// The new faces of the soup, and a hierarchy over them.
+// The new faces of a welded mesh, and a hierarchy over them.
 struct NewFaces {
   std::vector<Index> faces;
   Bvh bvh;
 };
 
-NewFaces collect_new_faces(const Assembly& assembly, const Soup& soup) {
+NewFaces collect_new_faces(const Assembly& assembly, const WeldedMesh& welded) {
   NewFaces result;
   std::vector<FloatBox> boxes;
-  for (Index f = 0; f < soup.faces.size(); ++f) {
-    if (!assembly.face_is_new[soup.face_of[f]]) continue;
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (!assembly.face_is_new[welded.face_of[f]]) continue;
     result.faces.push_back(f);
-    boxes.push_back(soup.box(f));
+    boxes.push_back(welded.box(f));
   }
   result.bvh = Bvh(boxes);
   return result;
 }
 
-void mark_faces_without_area(const Mesh& mesh, const Soup& soup, std::vector<char>& broken) {
+void mark_faces_without_area(const Mesh& mesh, const WeldedMesh& welded,
+                             std::vector<char>& broken) {
   std::vector<char> has_area(mesh.faces.size(), 0);
-  for (const Index f : soup.face_of) has_area[f] = 1;
+  for (const Index f : welded.face_of) has_area[f] = 1;
   for (std::size_t f = 0; f < has_area.size(); ++f) broken[f] |= has_area[f] == 0;
 }
 
-void mark_crossings(const Assembly& assembly, const Soup& soup, const NewFaces& news,
+void mark_crossings(const Assembly& assembly, const WeldedMesh& welded, const NewFaces& news,
                     std::vector<char>& broken) {
   const auto mark = [&](Index f, Index g) {
-    broken[soup.face_of[f]] = broken[soup.face_of[g]] = 1;
+    broken[welded.face_of[f]] = broken[welded.face_of[g]] = 1;
   };
   const auto meet = [&](Index i, Index k) {
-    return find_contacts(soup, news.faces[i], news.faces[k]).meet;
+    return find_contacts(welded, news.faces[i], news.faces[k]).meet;
   };
   for (const auto& [i, k] : news.bvh.overlapping_pairs(meet)) mark(news.faces[i], news.faces[k]);
-  for (Index f = 0; f < soup.faces.size(); ++f) {
-    if (assembly.face_is_new[soup.face_of[f]]) continue;
-    news.bvh.visit_overlaps(soup.box(f), [&](Index i) {
-      if (find_contacts(soup, f, news.faces[i]).meet) mark(f, news.faces[i]);
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (assembly.face_is_new[welded.face_of[f]]) continue;
+    news.bvh.visit_overlaps(welded.box(f), [&](Index i) {
+      if (find_contacts(welded, f, news.faces[i]).meet) mark(f, news.faces[i]);
       return true;
     });
   }
@@ -59,11 +61,11 @@ void mark_crossings(const Assembly& assembly, const Soup& soup, const NewFaces& 
 
 bool is_before(const Vec3& a, const Vec3& b) { return compare_positions(a, b) < 0; }
 
-// The distinct positions of corners, those of input vertices first. What is at one position moves
-// together, whatever faces it is of: else the surface would tear.
-class Places {
+// The distinct positions of the corners of some faces, those of input vertices first. All vertices
+// at one position move together, even those of other faces: else the surface would tear.
+class DistinctPositions {
  public:
-  Places(const Assembly& assembly, const std::vector<Index>& faces);
+  DistinctPositions(const Assembly& assembly, const std::vector<Index>& faces);
   const std::vector<Vec3>& positions() const { return positions_; }
   std::size_t inputs() const { return inputs_; }
   void move(Mesh& mesh, const std::vector<Vec3>& to) const;
@@ -73,40 +75,40 @@ class Places {
 
   std::vector<Vec3> positions_;
   std::vector<Vec3> sorted_;
-  std::vector<Index> place_of_;  ///< of those in sorted_
-  std::size_t inputs_ = 0;
+  std::vector<Index> number_of_;  ///< of the sorted positions among positions_
+  std::size_t inputs_ = 0;        ///< how many are of input vertices
 };
 
-Places::Places(const Assembly& assembly, const std::vector<Index>& faces) {
+DistinctPositions::DistinctPositions(const Assembly& assembly, const std::vector<Index>& faces) {
   const Mesh& mesh = assembly.mesh;
   for (const Index face : faces)
     for (const Index v : mesh.faces[face]) sorted_.push_back(mesh.positions[v]);
   std::sort(sorted_.begin(), sorted_.end(), is_before);
   sorted_.erase(std::unique(sorted_.begin(), sorted_.end()), sorted_.end());
 
-  place_of_.assign(sorted_.size(), no_index);
+  number_of_.assign(sorted_.size(), no_index);
   for (const bool is_new : {false, true}) {
     for (Index v = 0; v < mesh.positions.size(); ++v) {
       if ((assembly.vertex_is_new[v] != 0) != is_new) continue;
       const Index found = find(mesh.positions[v]);
-      if (found == no_index || place_of_[found] != no_index) continue;
-      place_of_[found] = static_cast<Index>(positions_.size());
+      if (found == no_index || number_of_[found] != no_index) continue;
+      number_of_[found] = static_cast<Index>(positions_.size());
       positions_.push_back(mesh.positions[v]);
     }
     if (!is_new) inputs_ = positions_.size();
   }
 }
 
-Index Places::find(const Vec3& position) const {
+Index DistinctPositions::find(const Vec3& position) const {
   const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), position, is_before);
   if (found == sorted_.end() || *found != position) return no_index;
   return static_cast<Index>(found - sorted_.begin());
 }
 
-void Places::move(Mesh& mesh, const std::vector<Vec3>& to) const {
+void DistinctPositions::move(Mesh& mesh, const std::vector<Vec3>& to) const {
   for (Vec3& position : mesh.positions) {
     const Index found = find(position);
-    if (found != no_index) position = to[place_of_[found]];
+    if (found != no_index) position = to[number_of_[found]];
   }
 }
 
@@ -117,30 +119,25 @@ Index nearest(const std::vector<Vec3>& positions, const std::vector<Index>& amon
   });
 }
 
-// Where those of a crowd go: the first positions stay.
-void unite_crowd(const std::vector<Index>& crowd, std::size_t inputs,
-                 const std::vector<Vec3>& positions, std::vector<Vec3>& moved) {
-  const auto first_new = std::lower_bound(crowd.begin(), crowd.end(), inputs);
-  std::vector<Index> fixed(crowd.begin(), first_new);
-  if (fixed.empty()) fixed = {nearest(positions, crowd, box_around(positions, crowd).center())};
-  std::for_each(first_new, crowd.end(),
+// Moves the positions of a cluster to one of them, or to those of input vertices, which come first.
+void merge_cluster(const std::vector<Index>& cluster, std::size_t inputs,
+                   const std::vector<Vec3>& positions, std::vector<Vec3>& moved) {
+  const auto first_new = std::lower_bound(cluster.begin(), cluster.end(), inputs);
+  std::vector<Index> fixed(cluster.begin(), first_new);
+  if (fixed.empty())
+    fixed = {nearest(positions, cluster, box_of_group(positions, cluster).center())};
+  std::for_each(first_new, cluster.end(),
                 [&](Index i) { moved[i] = positions[nearest(positions, fixed, positions[i])]; });
-}
-
-double largest_coordinate(const Mesh& mesh) {
-  double largest = 0;
-  for (const Vec3& p : mesh.positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return largest;
 }
 
 }  // namespace
 
 std::vector<Index> find_broken_faces(const Assembly& assembly) {
-  const Soup soup = make_soup(assembly.mesh);
+  const WeldedMesh welded = weld(assembly.mesh);
   std::vector<char> broken(assembly.mesh.faces.size(), 0);
-  mark_faces_without_area(assembly.mesh, soup, broken);
-  const NewFaces news = collect_new_faces(assembly, soup);
-  if (!news.faces.empty()) mark_crossings(assembly, soup, news, broken);
+  mark_faces_without_area(assembly.mesh, welded, broken);
+  const NewFaces news = collect_new_faces(assembly, welded);
+  if (!news.faces.empty()) mark_crossings(assembly, welded, news, broken);
   std::vector<Index> result;
   for (Index f = 0; f < broken.size(); ++f) {
     if (broken[f]) result.push_back(f);
@@ -156,11 +153,6 @@ std::vector<Index> find_new_faces(const Assembly& assembly) {
   return result;
 }
 
-double merge_distance(const Mesh& mesh, Scalar coordinate, int doublings) {
-  const int digits = coordinate == Scalar::float32 ? 24 : 53;
-  return std::ldexp(1.0, std::ilogb(largest_coordinate(mesh)) + 1 - digits + doublings);
-}
-
 std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces) {
   std::vector<char> is_corner(mesh.positions.size(), 0);
   for (const Index face : faces)
@@ -174,46 +166,47 @@ std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>&
 }
 
 void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance) {
-  const Places places(assembly, faces);
+  const DistinctPositions distinct(assembly, faces);
   std::vector<Vec3> moved;
-  for (const Index i : gather(places.positions(), places.inputs(), distance))
-    moved.push_back(places.positions()[i]);
-  places.move(assembly.mesh, moved);
+  for (const Index i : snap_positions(distinct.positions(), distinct.inputs(), distance))
+    moved.push_back(distinct.positions()[i]);
+  distinct.move(assembly.mesh, moved);
 }
 
-void merge_crowds(Assembly& assembly, const std::vector<Index>& faces, Scalar coordinate) {
-  const double spacing = merge_distance(assembly.mesh, coordinate, 0);
-  const Places places(assembly, with_near_faces(assembly.mesh, faces, widest_crowd * spacing));
-  std::vector<Vec3> moved = places.positions();
-  for (const std::vector<Index>& crowd : find_crowds(places.positions(), spacing))
-    unite_crowd(crowd, places.inputs(), places.positions(), moved);
-  places.move(assembly.mesh, moved);
+void merge_clusters(Assembly& assembly, const std::vector<Index>& faces, Scalar coordinate) {
+  const double spacing = coordinate_spacing(assembly.mesh, coordinate);
+  const DistinctPositions distinct(assembly,
+                                   with_near_faces(assembly.mesh, faces, widest_cluster * spacing));
+  std::vector<Vec3> moved = distinct.positions();
+  for (const std::vector<Index>& cluster : find_clusters(distinct.positions(), spacing))
+    merge_cluster(cluster, distinct.inputs(), distinct.positions(), moved);
+  distinct.move(assembly.mesh, moved);
 }
 
 Mesh snap_to_grid(const Mesh& mesh, const std::vector<char>& marked_faces, double spacing,
                   Scalar coordinate) {
-  const Soup soup = make_soup(mesh);
-  std::vector<char> is_marked(soup.points.size(), 0);
+  const WeldedMesh welded = weld(mesh);
+  std::vector<char> is_marked(welded.points.size(), 0);
   for (std::size_t f = 0; f < marked_faces.size(); ++f) {
     if (!marked_faces[f]) continue;
-    for (const Index v : mesh.faces[f]) is_marked[soup.point_of[v]] = 1;
+    for (const Index v : mesh.faces[f]) is_marked[welded.point_of[v]] = 1;
   }
   std::vector<Vec3> points;
   for (std::size_t p = 0; p < is_marked.size(); ++p) {
-    if (is_marked[p]) points.push_back(soup.points[p]);
+    if (is_marked[p]) points.push_back(welded.points[p]);
   }
-  const std::vector<Index> representative = weld(points, spacing / 8);
+  const std::vector<Index> representative = weld_positions(points, spacing / 8);
 
   Mesh snapped = mesh;
-  std::vector<Vec3> moved = soup.points;
+  std::vector<Vec3> moved = welded.points;
   for (std::size_t p = 0, i = 0; p < is_marked.size(); ++p) {
     if (!is_marked[p]) continue;
     moved[p] = points[representative[i++]];
     for (double& x : moved[p]) x = std::round(x / spacing) * spacing;
   }
-  for (std::size_t v = 0; v < soup.point_of.size(); ++v) {
-    if (!is_marked[soup.point_of[v]]) continue;
-    snapped.positions[v] = moved[soup.point_of[v]];
+  for (std::size_t v = 0; v < welded.point_of.size(); ++v) {
+    if (!is_marked[welded.point_of[v]]) continue;
+    snapped.positions[v] = moved[welded.point_of[v]];
     if (coordinate != Scalar::float32) continue;
     for (double& x : snapped.positions[v]) x = round_to_single(x);
   }

@@ -1,5 +1,5 @@
-/// What rounding of exact points to stored coordinates breaks, and the means to mend it: close
-/// vertices merge, or go to a grid (settle.h).
+/// What rounding of exact points to stored coordinates breaks (paper 4.3), and means to mend it:
+/// close vertices merge, or go to a grid. When they are used says snap_rounding.h.
 #pragma once
 
 #include <vector>
@@ -8,28 +8,26 @@
 
 namespace transformesh {
 
-/// Faces that take part in a crossing with a new face, or have no area, in the coordinates as they
-/// are. Whole input faces do not cross each other.
+/// Faces that intersect a new face, or have no area, in the coordinates as they are; ascending.
+/// Whole input faces are known not to intersect each other.
 std::vector<Index> find_broken_faces(const Assembly& assembly);
 
-/// The spacing of floats (or doubles) at the mesh's largest coordinate times 2^doublings.
-double merge_distance(const Mesh& mesh, Scalar coordinate, int doublings);
-
+/// The faces that are no whole faces of the input; ascending.
 std::vector<Index> find_new_faces(const Assembly& assembly);
 
-/// The faces, and all at their corners.
+/// The faces, and all others that have a corner in common with them; ascending.
 std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces);
 
-/// Gives new vertices of the faces that are this close to others the position of those: that of an
-/// input vertex where there is one. Input vertices stay.
+/// Moves new vertices of the faces that are this close to other vertices of them to the position of
+/// those, as snap_positions does. Input vertices stay, and attract new ones.
 void merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces, double distance);
 
-/// Gives the new vertices of each crowd (crowds.h) near the faces one position: that of the input
-/// vertex in it that is nearest, if there is one, else that of the one nearest to its middle.
-void merge_crowds(Assembly& assembly, const std::vector<Index>& faces, Scalar coordinate);
+/// Moves the new vertices of each cluster (clusters.h) near the faces to one position: to the
+/// nearest input vertex of the cluster if there is one, else to the vertex nearest to its center.
+void merge_clusters(Assembly& assembly, const std::vector<Index>& faces, Scalar coordinate);
 
-/// The mesh with the vertices of marked faces on a grid, and what is at their positions too. Those
-/// that are within a small part of the spacing of each other go to the same place.
+/// The mesh with the vertices of marked faces on a grid, together with all vertices at the same
+/// positions. Positions within a small part of the spacing of each other go to one grid point.
 Mesh snap_to_grid(const Mesh& mesh, const std::vector<char>& marked_faces, double spacing,
                   Scalar coordinate);
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "tm/clean/intersect/soup.h"
+#include "tm/clean/intersect/welded_mesh.h"
 
 namespace transformesh {
 
 TroubleSpots::TroubleSpots(const Mesh& mesh)
-    : frame_(make_soup(mesh).frame), failures_of_input_(mesh.faces.size(), 0) {}
+    : frame_(weld(mesh).frame), failures_of_input_(mesh.faces.size(), 0) {}
 
 FloatBox TroubleSpots::box(const Mesh& mesh, Index face) const {
   const auto& [a, b, c] = mesh.faces[face];

@@ -1,5 +1,5 @@
-/// Where repair after rounding failed, and how often: such places are treated otherwise at the next
-/// start, while the rest of the mesh keeps what settles it (settle.h).
+/// Where repair after rounding failed, and how often (paper 4.3). At the next start such places are
+/// repaired in other ways, while the rest of the mesh keeps those that worked (snap_rounding.h).
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@ class TroubleSpots {
  public:
   explicit TroubleSpots(const Mesh& mesh);
 
-  /// Repair failed at these faces once more.
+  /// Notes that repair failed at these faces once more.
   void add(const Assembly& assembly, const std::vector<Index>& faces);
-  /// How often it failed where the face is.
+  /// How often repair failed in places that the box of the face touches; the most counts.
   int failures_at(const Mesh& mesh, Index face) const;
-  /// At most how often it failed at faces that come from that face of the input.
+  /// Per face of the input: how often repair failed at a face that is cut from it; the most counts.
   const std::vector<int>& failures_of_input() const { return failures_of_input_; }
   int most_failures() const { return most_failures_; }
 
@@ -26,7 +26,7 @@ class TroubleSpots {
 
   BoxFrame frame_;
   std::vector<FloatBox> boxes_;
-  std::vector<int> failures_;  ///< per box
+  std::vector<int> failures_;  ///< of each box
   Bvh bvh_;
   std::vector<int> failures_of_input_;
   int most_failures_ = 0;

@@ -3,27 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tm/clean/intersect/soup.h"
+#include "tm/clean/intersect/welded_mesh.h"
 #include "tm/clean/rounding/face_cuts.h"
-#include "tm/clean/rounding/wide_point.h"
+#include "tm/clean/rounding/face_splitter.h"
 #include "tm/geometry/bvh.h"
 
 namespace transformesh {
 namespace {
 
-// Of close faces, for each of them. Where more pass one place, uniting each with each makes more
-// slivers than it mends.
+// The most pairs of close faces, per face. Where more pass one place, uniting each with each makes
+// more slivers than it mends.
 constexpr std::size_t most_pairs = 30;
 
-bool is_within(const WidePoint& step, const Vec3& reach) {
+bool is_short(const WidePoint& step, const Vec3& reach) {
   return (step.cwiseAbs().array() <= wide(reach).array()).all();
 }
 
-// Whether the point is that close to the inside of the triangle.
+// Whether the point is that close to the interior of the triangle.
 bool is_over(const Triangle& t, const Vec3& point, const Vec3& reach) {
   const WidePoint a = wide(t[0]), p = wide(point);
   const WidePoint normal = (wide(t[1]) - a).cross(wide(t[2]) - a).stableNormalized();
-  if (!is_within((p - a).dot(normal) * normal, reach)) return false;
+  if (!is_short((p - a).dot(normal) * normal, reach)) return false;
   for (std::size_t i = 0; i < 3; ++i) {
     const WidePoint from = wide(t[i]), to = wide(t[(i + 1) % 3]);
     if (!((to - from).cross(p - from).dot(normal) > 0)) return false;
@@ -31,7 +31,8 @@ bool is_over(const Triangle& t, const Vec3& point, const Vec3& reach) {
   return true;
 }
 
-// Where two segments come closest, as shares of their lengths; not inside them if parallel.
+// Where two segments come closest, as shares of their lengths. If they are parallel, at their
+// starts.
 std::array<long double, 2> closest_shares(const Vec3& a, const Vec3& b, const Vec3& c,
                                           const Vec3& d) {
   const WidePoint u = wide(b) - wide(a), v = wide(d) - wide(c), w = wide(a) - wide(c);
@@ -41,10 +42,10 @@ std::array<long double, 2> closest_shares(const Vec3& a, const Vec3& b, const Ve
   return {(uv * vw - vv * uw) / determinant, (uu * vw - uv * uw) / determinant};
 }
 
-FloatBox box_around(const Soup& soup, const Triangle& t, double distance) {
+FloatBox box_with_reach(const WeldedMesh& welded, const Triangle& t, double distance) {
   const Vec3 reach = Vec3::Constant(distance);
-  return soup.frame.box(t[0].cwiseMin(t[1]).cwiseMin(t[2]) - reach,
-                        t[0].cwiseMax(t[1]).cwiseMax(t[2]) + reach);
+  return welded.frame.box(t[0].cwiseMin(t[1]).cwiseMin(t[2]) - reach,
+                          t[0].cwiseMax(t[1]).cwiseMax(t[2]) + reach);
 }
 
 class Uniter {
@@ -62,31 +63,32 @@ class Uniter {
   void unite_edges(const PointPair& first, const PointPair& second);
   void unite_faces(Index face, Index other);
 
-  const Soup soup_;
+  const WeldedMesh welded_;
   const Closeness closeness_;
   const double distance_;
-  int largest_ = 0;  ///< exponent of the largest coordinate
+  int largest_ = 0;  ///< the exponent of the largest coordinate
   FaceCuts cuts_;
 };
 
 Uniter::Uniter(Assembly& assembly, const Closeness& closeness, Scalar coordinate)
-    : soup_(make_soup(assembly.mesh)),
+    : welded_(weld(assembly.mesh)),
       closeness_(closeness),
       distance_(closeness.distance),
-      cuts_(assembly, soup_, coordinate) {
+      cuts_(assembly, welded_, coordinate) {
   double largest = 0;
-  for (const Vec3& p : soup_.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  for (const Vec3& p : welded_.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   largest_ = std::ilogb(largest);
 }
 
 std::vector<Bvh::Pair> Uniter::close_pairs(const std::vector<Index>& faces) const {
   std::vector<FloatBox> boxes;
   boxes.reserve(faces.size());
-  for (const Index f : faces) boxes.push_back(box_around(soup_, cuts_.triangle(f), distance_));
+  for (const Index f : faces)
+    boxes.push_back(box_with_reach(welded_, cuts_.triangle(f), distance_));
   return Bvh(boxes).overlapping_pairs([](Index, Index) { return true; });
 }
 
-// Along each axis, for parts whose coordinates are of that size: numbers near zero are closer.
+// How close parts must be along each axis to be united, given the size of their coordinates there.
 Vec3 Uniter::reach_of(const Vec3& size) const {
   if (!closeness_.is_local) return Vec3::Constant(distance_);
   return size.unaryExpr([&](double x) {
@@ -101,7 +103,7 @@ Vec3 Uniter::reach_at(std::initializer_list<Index> points) const {
   return reach_of(size);
 }
 
-// Whether the point is close to the inside of the edge, and where.
+// Whether the point is close to the interior of the edge, and at which share of its length.
 bool Uniter::is_beside(const PointPair& edge, Index point, double& share) const {
   if (point == edge[0] || point == edge[1]) return false;
   const WidePoint from = wide(cuts_.position(edge[0]));
@@ -109,7 +111,7 @@ bool Uniter::is_beside(const PointPair& edge, Index point, double& share) const 
                   to = wide(cuts_.position(point)) - from;
   const long double at = to.dot(along) / along.dot(along);
   share = static_cast<double>(at);
-  return at > 0 && at < 1 && is_within(to - at * along, reach_at({edge[0], edge[1], point}));
+  return at > 0 && at < 1 && is_short(to - at * along, reach_at({edge[0], edge[1], point}));
 }
 
 void Uniter::unite_corner(Index point, Index face) {
@@ -127,7 +129,8 @@ void Uniter::unite_corner(Index point, Index face) {
   if (is_over(cuts_.triangle(face), cuts_.position(point), reach)) cuts_.add_inside(face, point);
 }
 
-// Then it is up to that end.
+// Whether an end of one edge is close to the other edge. Then that end splits the edge, and no new
+// point is needed.
 bool Uniter::touches_end(const PointPair& first, const PointPair& second) const {
   double share = 0;
   const auto is_near = [&](const PointPair& edge, Index point) {
@@ -146,7 +149,7 @@ void Uniter::unite_edges(const PointPair& first, const PointPair& second) {
   const WidePoint p = wide(a) + s * (wide(b) - wide(a)), q = wide(c) + t * (wide(d) - wide(c));
   const Vec3 reach = reach_at({first[0], first[1], second[0], second[1]});
   const auto is_near = [&](const WidePoint& x, const WidePoint& y) {
-    return is_within(x - y, reach);
+    return is_short(x - y, reach);
   };
   if (!is_near(p, q) || is_near(p, wide(a)) || is_near(p, wide(b)) || is_near(q, wide(c)) ||
       is_near(q, wide(d)))
@@ -166,8 +169,8 @@ void Uniter::unite_faces(Index face, Index other) {
 bool Uniter::unite(const std::vector<Index>& faces) {
   std::vector<char> is_named(cuts_.faces(), 0);
   for (const Index f : faces) is_named[f] = 1;
-  std::vector<Index> named;  // those with area
-  for (const Index f : soup_.face_of)
+  std::vector<Index> named;  // without those that have no area
+  for (const Index f : welded_.face_of)
     if (is_named[f]) named.push_back(f);
   const std::vector<Bvh::Pair> pairs = close_pairs(named);
   if (pairs.size() > most_pairs * named.size()) return false;
@@ -187,14 +190,15 @@ bool Uniter::unite(const std::vector<Index>& faces) {
 
 std::vector<Index> with_near_faces(const Mesh& mesh, const std::vector<Index>& faces,
                                    double distance) {
-  const Soup soup = make_soup(mesh);
+  const WeldedMesh welded = weld(mesh);
   std::vector<FloatBox> boxes;
   boxes.reserve(faces.size());
-  for (const Index f : faces) boxes.push_back(box_around(soup, triangle_of(mesh, f), distance));
+  for (const Index f : faces)
+    boxes.push_back(box_with_reach(welded, triangle_of(mesh, f), distance));
   const Bvh bvh(boxes);
   std::vector<Index> result;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    bvh.visit_overlaps(soup.box(triangle_of(mesh, f)), [&](Index) {
+    bvh.visit_overlaps(welded.box(triangle_of(mesh, f)), [&](Index) {
       result.push_back(f);
       return false;
     });

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tm/clean/arrange/face_row.h"
+#include "tm/clean/arrange/refine.h"
 #include "tm/clean/exterior/angular_order.h"
 #include "tm/clean/stitch/pair_across_inside.h"
 #include "tm/clean/stitch/split_singular_edges.h"
@@ -54,17 +54,17 @@ Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
   fans_ = find_fans(faces_, opposite_, kept);
 }
 
-// The mesh face that a piece is cut from and looks the same way as.
+// The input face that a piece is cut from, and by which it is oriented.
 Index Assembler::piece_face(const Piece& piece) const {
   for (const PieceSource& source : arrangement_.sources_of(piece)) {
-    if (!source.reversed) return arrangement_.soup->face_of[source.face];
+    if (!source.reversed) return arrangement_.welded->face_of[source.face];
   }
-  return arrangement_.soup->face_of[arrangement_.sources_of(piece).front().face];
+  return arrangement_.welded->face_of[arrangement_.sources_of(piece).front().face];
 }
 
-// A fan keeps the smallest input vertex among its corners, unless another one did before.
+// Every fan keeps the smallest input vertex among its corners, unless a fan before it keeps that.
 void Assembler::choose_old_vertices() {
-  const Soup& soup = *arrangement_.soup;
+  const WeldedMesh& welded = *arrangement_.welded;
   old_vertex_.assign(fans_.vertex_of.size(), no_index);
   example_.assign(fans_.vertex_of.size(), no_index);
   for (Index h = 0; h < fans_.of_corner.size(); ++h) {
@@ -72,9 +72,9 @@ void Assembler::choose_old_vertices() {
     if (fan == no_index) continue;
     if (example_[fan] == no_index) example_[fan] = h;
     const Index point = fans_.vertex_of[fan];
-    if (point >= soup.points.size()) continue;
+    if (point >= welded.points.size()) continue;
     for (const Index vertex : input_.faces[piece_face(arrangement_.pieces[h / 3])]) {
-      if (soup.point_of[vertex] == point) {
+      if (welded.point_of[vertex] == point) {
         old_vertex_[fan] = std::min(old_vertex_[fan], vertex);
       }
     }
@@ -87,7 +87,8 @@ void Assembler::choose_old_vertices() {
   }
 }
 
-// Input vertices first, in their order; then the others in order of their fans.
+// Numbers the input vertices that are kept first, in their order; then others in that of their
+// fans.
 void Assembler::number_vertices() {
   choose_old_vertices();
   std::vector<Index> fan_of(input_.positions.size(), no_index);
@@ -104,12 +105,12 @@ void Assembler::number_vertices() {
 }
 
 void Assembler::add_vertex_row(Index fan) {
-  const Soup& soup = *arrangement_.soup;
+  const WeldedMesh& welded = *arrangement_.welded;
   const Index point = fans_.vertex_of[fan];
-  const bool is_new = point >= soup.points.size();
+  const bool is_new = point >= welded.points.size();
   vertex_of_[fan] = static_cast<Index>(result_.mesh.positions.size());
   result_.vertex_is_new.push_back(is_new ? 1 : 0);
-  result_.input_vertex.push_back(is_new ? no_index : soup.vertex_of[point]);
+  result_.input_vertex.push_back(is_new ? no_index : welded.vertex_of[point]);
   if (old_vertex_[fan] != no_index) {
     result_.mesh.positions.push_back(input_.positions[old_vertex_[fan]]);
     vertex_rows_.push_back({{old_vertex_[fan], 0, 0}, {1, 0, 0}});
@@ -143,15 +144,15 @@ void Assembler::add_faces() {
   }
 }
 
-// Where copies of the ends still leave more than two faces on an edge, every sheet gets a midpoint.
+// Splits edges on which copies of the ends still leave more than two faces.
 void Assembler::split_edges() {
   const EdgeSplits splits = split_singular_edges(result_.mesh, output_opposite_);
   result_.split_edges = splits.edges;
-  for (const EdgeSplits::Middle& middle : splits.vertices) {
+  for (const EdgeSplits::Midpoint& midpoint : splits.vertices) {
     result_.vertex_is_new.push_back(1);
     result_.input_vertex.push_back(no_index);
-    vertex_rows_.push_back(
-        row_on_face(input_, face_rows_[middle.face], result_.mesh.positions[vertex_rows_.size()]));
+    vertex_rows_.push_back(row_on_face(input_, face_rows_[midpoint.face],
+                                       result_.mesh.positions[vertex_rows_.size()]));
   }
   for (const Index face : splits.cut_faces) {
     result_.face_is_new[face] = 1;

@@ -7,6 +7,7 @@
 #include <queue>
 #include <string>
 
+#include "tm/clean/exterior/angular_order.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
@@ -14,35 +15,38 @@
 namespace transformesh {
 namespace {
 
+/// Faces connected across edges of two faces.
 struct Sheet {
   std::vector<Index> faces;
-  bool agreed = true;              ///< with itself, and at its ends with others
-  bool has_border = false;         ///< an edge of one face
-  double volume = 0;               ///< six times that of the cone from the middle of the group
-  std::map<Index, int> agreement;  ///< with sheets that end at the same edges: by how many pairs of
-                                   ///< faces more it would like both to turn, or none, than one
+  bool agreed = true;       ///< within itself, and with others at their common edges
+  bool has_border = false;  ///< it has an edge of one face
+  double volume = 0;        ///< six times that of the cone over it from the group's centroid
+  /// For each sheet that ends at the same edges: the pairs of their faces that run opposite ways
+  /// there, less the pairs that run alike. It is negative where one of the two is to be reversed.
+  std::map<Index, int> agreement;
 };
 
-/// Relative to how the faces of a sheet agree with its first.
+/// A step to a sheet of a group: the link with the sheet before it, and whether it is to be
+/// reversed, its faces having been made to agree with its first.
 struct Step {
   int strength;
   Index sheet;
-  char turn;
+  char is_reversed;
   bool operator<(const Step& other) const {
     if (strength != other.strength) return strength < other.strength;
-    return sheet != other.sheet ? sheet > other.sheet : turn > other.turn;
+    return sheet != other.sheet ? sheet > other.sheet : is_reversed > other.is_reversed;
   }
 };
 
 class Orienter {
  public:
   explicit Orienter(const Mesh& mesh);
-  std::vector<char> find_turns();
+  std::vector<char> find_reversed();
 
  private:
   void collect_sheet(Index first);
   [[noreturn]] void refuse(Index halfedge, Index across) const;
-  bool runs_up(Index halfedge) const;
+  bool runs_forward(Index halfedge) const;
   void link_sheets();
   void link_sheets_at_edge(const std::map<Index, int>& sums, bool agreed);
   std::vector<Index> align_group(Index first);
@@ -54,15 +58,15 @@ class Orienter {
   void try_outwards(const std::vector<Index>& group);
   void face_outwards(const std::vector<Index>& group);
   void face_as_most(const std::vector<Index>& group);
-  void turn_group(const std::vector<Index>& group);
+  void reverse_group(const std::vector<Index>& group);
 
   const Mesh& mesh_;
   const Edges edges_;
-  std::vector<Index> across_;    ///< per halfedge of an edge of two: the other one
-  std::vector<Index> sheet_of_;  ///< per face
-  std::vector<char> turned_;     ///< per face: to agree with the first of its sheet
+  std::vector<Index> across_;      ///< per halfedge of an edge of two: the other one
+  std::vector<Index> sheet_of_;    ///< per face
+  std::vector<char> is_reversed_;  ///< per face: it must be, to agree with its sheet's first
   std::vector<Sheet> sheets_;
-  std::vector<char> sheet_turned_;
+  std::vector<char> sheet_is_reversed_;
   std::vector<char> is_aligned_;
 };
 
@@ -71,18 +75,18 @@ Orienter::Orienter(const Mesh& mesh)
       edges_(without_collapsed(mesh.faces), mesh.positions.size()),
       across_(neighbors_across(edges_, mesh.faces.size())),
       sheet_of_(mesh.faces.size(), no_index),
-      turned_(mesh.faces.size(), 0) {
+      is_reversed_(mesh.faces.size(), 0) {
   for (Index first = 0; first < mesh.faces.size(); ++first) {
     if (sheet_of_[first] == no_index) collect_sheet(first);
   }
-  sheet_turned_.assign(sheets_.size(), 0);
+  sheet_is_reversed_.assign(sheets_.size(), 0);
   is_aligned_.assign(sheets_.size(), 0);
   link_sheets();
 }
 
-// As the face is to be turned.
-bool Orienter::runs_up(Index h) const {
-  return (halfedge_source(mesh_, h) < halfedge_target(mesh_, h)) != (turned_[h / 3] != 0);
+// Whether the halfedge runs forward once its face agrees with the first of its sheet.
+bool Orienter::runs_forward(Index h) const {
+  return is_forward(mesh_.faces, h) != (is_reversed_[h / 3] != 0);
 }
 
 void Orienter::collect_sheet(Index first) {
@@ -96,10 +100,10 @@ void Orienter::collect_sheet(Index first) {
       if (across == no_index) continue;
       if (sheet_of_[across / 3] == no_index) {
         sheet_of_[across / 3] = number;
-        turned_[across / 3] = runs_up(h) == runs_up(across);
-        if (turned_[across / 3]) sheet.agreed = false;
+        is_reversed_[across / 3] = runs_forward(h) == runs_forward(across);
+        if (is_reversed_[across / 3]) sheet.agreed = false;
         sheet.faces.push_back(across / 3);
-      } else if (runs_up(h) == runs_up(across)) {
+      } else if (runs_forward(h) == runs_forward(across)) {
         refuse(h, across);
       }
     }
@@ -114,7 +118,7 @@ void Orienter::refuse(Index halfedge, Index across) const {
                    "strip; cut it open or remove that part");
 }
 
-// Sheets that end at the same edge are to run opposite ways there.
+// Finds by how much sheets that end at the same edges agree there.
 void Orienter::link_sheets() {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto halfedges = edges_.halfedges(e);
@@ -123,8 +127,8 @@ void Orienter::link_sheets() {
     std::map<Index, int> sums;
     int sum_before = 0;
     for (const Index h : halfedges) {
-      sums[sheet_of_[h / 3]] += runs_up(h) ? 1 : -1;
-      sum_before += runs_up(h) != (turned_[h / 3] != 0) ? 1 : -1;
+      sums[sheet_of_[h / 3]] += runs_forward(h) ? 1 : -1;
+      sum_before += runs_forward(h) != (is_reversed_[h / 3] != 0) ? 1 : -1;
     }
     link_sheets_at_edge(sums, std::abs(sum_before) <= 1);
   }
@@ -140,7 +144,8 @@ void Orienter::link_sheets_at_edge(const std::map<Index, int>& sums, bool agreed
   }
 }
 
-// Visits the sheets that are linked with the first, along the strongest links first.
+// The group of a sheet: all that are linked with it. Along the strongest links first, each sheet is
+// reversed so that it agrees with the one before it.
 std::vector<Index> Orienter::align_group(Index first) {
   std::vector<Index> group;
   std::priority_queue<Step> steps;
@@ -150,11 +155,11 @@ std::vector<Index> Orienter::align_group(Index first) {
     steps.pop();
     if (is_aligned_[step.sheet]) continue;
     is_aligned_[step.sheet] = 1;
-    sheet_turned_[step.sheet] = step.turn;
+    sheet_is_reversed_[step.sheet] = step.is_reversed;
     group.push_back(step.sheet);
     for (const auto& [next, agreement] : sheets_[step.sheet].agreement) {
-      const char turn = agreement < 0 ? !step.turn : step.turn;
-      steps.push({std::abs(agreement), next, turn});
+      const char is_reversed = agreement < 0 ? !step.is_reversed : step.is_reversed;
+      steps.push({std::abs(agreement), next, is_reversed});
     }
   }
   return group;
@@ -175,25 +180,25 @@ void Orienter::measure_volumes(const std::vector<Index>& group) {
       const auto& [i, j, k] = mesh_.faces[f];
       const Vec3 a = mesh_.positions[i] - middle, b = mesh_.positions[j] - middle;
       const double part = a.cross(b).dot(mesh_.positions[k] - middle);
-      sheets_[sheet].volume += turned_[f] ? -part : part;
+      sheets_[sheet].volume += is_reversed_[f] ? -part : part;
     }
   }
 }
 
 double Orienter::volume(Index sheet) const {
-  return sheet_turned_[sheet] ? -sheets_[sheet].volume : sheets_[sheet].volume;
+  return sheet_is_reversed_[sheet] ? -sheets_[sheet].volume : sheets_[sheet].volume;
 }
 
 int Orienter::agreement(Index sheet) const {
   int sum = 0;
   for (const auto& [other, agreement] : sheets_[sheet].agreement) {
-    sum += sheet_turned_[sheet] == sheet_turned_[other] ? agreement : -agreement;
+    sum += sheet_is_reversed_[sheet] == sheet_is_reversed_[other] ? agreement : -agreement;
   }
   return sum;
 }
 
-// Turns sheets, small ones first, while that makes more of them agree, or as many and the volume
-// larger: so it ends.
+// Reverses sheets, small ones first, while that makes more of them agree, or as many with a larger
+// volume. As both only grow, this ends.
 void Orienter::improve(std::vector<Index> group, bool has_border) {
   std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
     return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);
@@ -203,13 +208,13 @@ void Orienter::improve(std::vector<Index> group, bool has_border) {
     for (const Index sheet : group) {
       const int agree = agreement(sheet);
       if (agree > 0 || (agree == 0 && (has_border || volume(sheet) >= 0))) continue;
-      sheet_turned_[sheet] = !sheet_turned_[sheet];
+      sheet_is_reversed_[sheet] = !sheet_is_reversed_[sheet];
       changed = true;
     }
   }
 }
 
-// From where all look outwards one by one, if that leads further than from where they are.
+// Starts again with every sheet looking outwards on its own, and keeps the result if it is better.
 void Orienter::try_outwards(const std::vector<Index>& group) {
   const auto score = [&] {
     long agree = 0;
@@ -220,37 +225,38 @@ void Orienter::try_outwards(const std::vector<Index>& group) {
     }
     return std::pair(agree, std::abs(sum));
   };
-  const std::vector<char> before = sheet_turned_;
+  const std::vector<char> before = sheet_is_reversed_;
   const auto score_before = score();
-  for (const Index sheet : group) sheet_turned_[sheet] = sheets_[sheet].volume < 0;
+  for (const Index sheet : group) sheet_is_reversed_[sheet] = sheets_[sheet].volume < 0;
   improve(group, false);
-  if (score() < score_before) sheet_turned_ = before;
+  if (score() < score_before) sheet_is_reversed_ = before;
 }
 
-void Orienter::turn_group(const std::vector<Index>& group) {
-  for (const Index sheet : group) sheet_turned_[sheet] = !sheet_turned_[sheet];
+void Orienter::reverse_group(const std::vector<Index>& group) {
+  for (const Index sheet : group) sheet_is_reversed_[sheet] = !sheet_is_reversed_[sheet];
 }
 
 void Orienter::face_outwards(const std::vector<Index>& group) {
   double sum = 0;
   for (const Index sheet : group) sum += volume(sheet);
-  if (sum < 0) turn_group(group);
+  if (sum < 0) reverse_group(group);
 }
 
 void Orienter::face_as_most(const std::vector<Index>& group) {
-  std::size_t turns = 0, count = 0;
+  std::size_t reversed = 0, count = 0;
   for (const Index sheet : group) {
-    for (const Index f : sheets_[sheet].faces) turns += turned_[f] != sheet_turned_[sheet] ? 1 : 0;
+    for (const Index f : sheets_[sheet].faces)
+      reversed += is_reversed_[f] != sheet_is_reversed_[sheet] ? 1 : 0;
     count += sheets_[sheet].faces.size();
   }
-  if (2 * turns > count) turn_group(group);
+  if (2 * reversed > count) reverse_group(group);
 }
 
 void Orienter::orient_group(const std::vector<Index>& group) {
   const auto has_border = [&](Index sheet) { return sheets_[sheet].has_border; };
   const auto agreed = [&](Index sheet) { return sheets_[sheet].agreed; };
   if (std::all_of(group.begin(), group.end(), agreed)) {
-    for (const Index sheet : group) sheet_turned_[sheet] = 0;
+    for (const Index sheet : group) sheet_is_reversed_[sheet] = 0;
     return;
   }
   measure_volumes(group);
@@ -264,25 +270,25 @@ void Orienter::orient_group(const std::vector<Index>& group) {
   }
 }
 
-std::vector<char> Orienter::find_turns() {
+std::vector<char> Orienter::find_reversed() {
   for (Index first = 0; first < sheets_.size(); ++first) {
     if (!is_aligned_[first]) orient_group(align_group(first));
   }
-  std::vector<char> turns(mesh_.faces.size());
-  for (std::size_t f = 0; f < turns.size(); ++f) {
-    turns[f] = turned_[f] != sheet_turned_[sheet_of_[f]];
+  std::vector<char> is_reversed(mesh_.faces.size());
+  for (std::size_t f = 0; f < is_reversed.size(); ++f) {
+    is_reversed[f] = is_reversed_[f] != sheet_is_reversed_[sheet_of_[f]];
   }
-  return turns;
+  return is_reversed;
 }
 
 }  // namespace
 
 std::size_t orient_faces(Mesh& mesh) {
-  const std::vector<char> turns = Orienter(mesh).find_turns();
-  for (std::size_t f = 0; f < turns.size(); ++f) {
-    if (turns[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+  const std::vector<char> is_reversed = Orienter(mesh).find_reversed();
+  for (std::size_t f = 0; f < is_reversed.size(); ++f) {
+    if (is_reversed[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
   }
-  return static_cast<std::size_t>(std::count(turns.begin(), turns.end(), 1));
+  return static_cast<std::size_t>(std::count(is_reversed.begin(), is_reversed.end(), 1));
 }
 
 }  // namespace transformesh

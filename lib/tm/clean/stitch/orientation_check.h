@@ -1,35 +1,24 @@
-/// Whether faces agree which side is outside, and where their surface ends. What counts is the sum
-/// of the faces along an edge, those that run one way less those that run the other: 0 where the
-/// surface goes on, however many sheets meet there; 1 at the border of an open surface, be it free
-/// or where a sheet ends on another surface; more where faces are misoriented.
-/// Cost: O(n log n). Deterministic.
+/// Whether faces agree which side is outside.
+///
+/// What counts is their sum along an edge, those that run one way less those that run the other: 0
+/// where the surface goes on, however many sheets meet there; 1 at the border of an open surface,
+/// be it free or where a sheet ends on another surface; more where faces are misoriented. Vertices
+/// are the same when their indices are. Deterministic.
 #pragma once
 
+#include <span>
 #include <string>
-#include <vector>
 
-#include "tm/clean/intersect/soup.h"
+#include "tm/mesh/mesh.h"
 
 namespace transformesh {
 
-struct Borders {
-  std::vector<std::vector<Index>> loops;  ///< of soup points, each running along its faces
-  bool is_oriented = true;
-};
+/// How many more of the halfedges run forward than backward. Halfedges are 3 * face + corner; the
+/// forward ones run from the smaller vertex to the larger.
+int sum_along(std::span<const Face> faces, std::span<const Index> halfedges);
 
-/// A closed mesh has no loops. Where n faces are left over at an edge, it is in n loops. The mesh
-/// faces marked in `left_out`, if any are, do not count.
-Borders find_borders(const Soup& soup, const Mesh& mesh, const std::vector<char>& left_out = {});
-
-/// In words the first misoriented edge, with faces and place; empty if there is none. Equal
-/// vertices are one index.
+/// The first misoriented edge in words, with its faces and its place; empty where there is none.
+/// Cost: O(n log n).
 std::string describe_misorientation(const Mesh& mesh);
-
-/// Whether tm-stitch --orient mends a mesh that is not oriented.
-bool can_be_oriented(const Soup& soup, const Mesh& mesh);
-
-/// Throws InputError for a mesh that is not oriented, saying where and what mends it: tm-stitch
-/// --orient only where it does.
-[[noreturn]] void refuse_orientation(const Soup& soup, const Mesh& mesh);
 
 }  // namespace transformesh

@@ -1,22 +1,19 @@
 #include "tm/clean/stitch/pair_across_inside.h"
 
+#include "tm/clean/exterior/angular_order.h"
+
 namespace transformesh {
 namespace {
 
-bool runs_forward(std::span<const Face> faces, Index h) {
-  const Face& face = faces[h / 3];
-  return face[h % 3] < face[(h % 3 + 1) % 3];
-}
-
-// The inside lies behind both pieces, between a backward one and a forward one that follows: so
-// they match like brackets, cyclically.
+// Between a backward piece and a forward one that follows lies the inside, behind both. So pieces
+// pair as brackets do, cyclically.
 void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& sorted,
                         std::vector<Index>& opposite) {
   std::vector<Index> open;
   for (std::size_t i = 0; i < 2 * sorted.size(); ++i) {
     const Index h = sorted[i % sorted.size()];
     if (opposite[h] != no_index) continue;
-    if (!runs_forward(faces, h)) {
+    if (!is_forward(faces, h)) {
       if (i < sorted.size()) open.push_back(h);
     } else if (!open.empty()) {
       opposite[h] = open.back();
@@ -36,7 +33,7 @@ std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& 
     if (halfedges.size() > 2) {
       pair_singular_edge(faces, sort(halfedges), opposite);
     } else if (halfedges.size() == 2 &&
-               runs_forward(faces, halfedges[0]) != runs_forward(faces, halfedges[1])) {
+               is_forward(faces, halfedges[0]) != is_forward(faces, halfedges[1])) {
       opposite[halfedges[0]] = halfedges[1];
       opposite[halfedges[1]] = halfedges[0];
     }

@@ -17,12 +17,12 @@ constexpr int most_halvings = 10;
 // The faces around a vertex as directions: a cone with its apex at the vertex.
 struct Cone {
   struct Side {
-    Vec3 first, second;  // unit vectors along the two edges
-    Vec3 normal;         // unit
+    Vec3 first, second;  ///< unit vectors along the two edges
+    Vec3 normal;         ///< a unit vector
   };
   std::vector<Side> sides;
-  Vec3 normal = Vec3::Zero();  // unit, weighted by angle
-  Vec3 axis = Vec3::Zero();    // unit, the mean of the sides, weighted by angle
+  Vec3 normal = Vec3::Zero();  ///< the unit mean of the normals, weighted by angle
+  Vec3 axis = Vec3::Zero();    ///< the unit mean of the directions into the sides, likewise
 };
 
 Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
@@ -44,7 +44,7 @@ Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
   return cone;
 }
 
-// The point nearest to a unit vector among the positive combinations of two others.
+// The point of a side, which extends without end, that is nearest to a unit vector.
 Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
   Vec3 in_plane = direction - direction.dot(side.normal) * side.normal;
   const bool is_left = side.normal.dot(side.first.cross(in_plane)) >= 0;
@@ -60,7 +60,7 @@ Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
 // the cone rounding may decide; a wrong answer costs a refusal and breaks nothing.
 double side_of(const Cone& cone, const Vec3& direction) {
   constexpr double same = 1e-12;
-  double least = 1 - same;  // the apex itself is that far
+  double least = 1 - same;  // the distance of the apex
   Vec3 nearest = Vec3::Zero();
   Vec3 normal = cone.normal;
   for (const Cone::Side& side : cone.sides) {
@@ -123,7 +123,7 @@ class Separator {
   }
 
  private:
-  // The vertices of every place that holds more than one.
+  // The vertices at every position that has more than one.
   std::vector<std::vector<Index>> find_groups() const {
     std::vector<Index> order;
     for (Index v = 0; v < mesh_.positions.size(); ++v) {
@@ -143,7 +143,7 @@ class Separator {
     return groups;
   }
 
-  // Tells where to before any of the copies moves.
+  // Moves the copies of one vertex. All directions are chosen before any of them moves.
   bool move_apart(const std::vector<Index>& copies) {
     std::vector<std::vector<Vec3>> directions;
     directions.reserve(copies.size());
@@ -158,11 +158,12 @@ class Separator {
     return any;
   }
 
-  // The unit vector away from the other copies; none where they lie on both sides.
+  // The unit vectors along which to try: away from the other copies, and none where they lie on
+  // both sides.
   std::vector<Vec3> ways_out(Index vertex, const std::vector<Index>& copies) const {
     if (is_border_[vertex]) return {};
     const Cone cone = cone_at(mesh_, vertex, faces_at_[vertex]);
-    // The normals of a blade cancel out: only its axis leads into it.
+    // The normals of a blade cancel out, so that only its axis leads into it.
     if (tries_all_) return {-cone.normal, cone.normal, cone.axis, -cone.axis};
     bool in_front = false;
     bool behind = false;
@@ -193,7 +194,7 @@ class Separator {
     return false;
   }
 
-  // The faces that are not of the vertex but may be in its way.
+  // The faces of other vertices that the faces of this one may reach.
   std::vector<Index> faces_near(Index vertex) const {
     Vec3 low = mesh_.positions[vertex];
     Vec3 high = low;
@@ -236,8 +237,8 @@ class Separator {
     return !passes_any(vertex, target, near) && !meets_any(vertex, target, near);
   }
 
-  // Whether a face lies within what the step sweeps. One that meets neither the old faces nor the
-  // new ones does so with every point of it, or with none.
+  // Whether a face lies within what the step sweeps. As it meets neither the old faces nor the new
+  // ones, one point of it tells.
   bool passes_any(Index vertex, const Vec3& target, const std::vector<Index>& near) const {
     for (const Index f : faces_at_[vertex]) {
       const Face& face = mesh_.faces[f];
@@ -261,10 +262,10 @@ class Separator {
     };
     for (const Index f : faces_at_[vertex]) add(moved(f, vertex, target));
     for (const Index f : near) add(triangle_of(mesh_, f));
-    const Soup soup = make_soup(local);
+    const WeldedMesh welded = weld(local);
     for (Index f = 0; f < faces_at_[vertex].size(); ++f) {
-      for (Index g = f + 1; g < soup.faces.size(); ++g) {
-        if (find_contacts(soup, f, g).meet) return true;
+      for (Index g = f + 1; g < welded.faces.size(); ++g) {
+        if (find_contacts(welded, f, g).meet) return true;
       }
     }
     return false;
@@ -275,9 +276,9 @@ class Separator {
   VertexFaces faces_at_;
   std::vector<char> is_border_;
   std::vector<char> was_moved_;
-  Bvh bvh_;                 // over the faces as they were
-  bool tries_all_ = false;  // when sides no longer tell
-  double reach_ = 0;        // at least how far any vertex is from there, the next step included
+  Bvh bvh_;                 ///< of the faces as they were at first
+  bool tries_all_ = false;  ///< whether all ways are tried, since no side could be told
+  double reach_ = 0;  ///< no vertex is farther than this from where it was, the next step included
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ class Splitter {
   Mesh& mesh_;
   std::vector<Index>& opposite_;
   const std::size_t old_faces_;
-  std::map<Index, Index> moved_;  ///< halfedges that went to a new face
+  std::map<Index, Index> moved_;  ///< where halfedges are that went to a new face
   EdgeSplits result_;
 };
 
@@ -36,7 +36,8 @@ void Splitter::pair(Index first, Index second) {
   if (second != no_index) opposite_[second] = first;
 }
 
-// The face keeps the first half of the edge, a new face gets the second, which is returned.
+// Cuts a face in two. It keeps the first half of the edge; a new face gets the second half, which
+// is returned.
 Index Splitter::split_face(Index h, Index vertex) {
   const Index face = h / 3, next = next_halfedge(h), before = previous_halfedge(h);
   const auto added = static_cast<Index>(mesh_.faces.size());
@@ -48,7 +49,7 @@ Index Splitter::split_face(Index h, Index vertex) {
   result_.face_source.push_back(source(face));
   result_.cut_faces.push_back(source(face));
 
-  // The edge behind the split one moves to the new face; the cut takes its place.
+  // The edge that follows the split one moves to the new face, and the cut replaces it.
   pair(3 * added + next % 3, opposite_[next]);
   moved_[next] = 3 * added + next % 3;
   pair(next, 3 * added + before % 3);
@@ -56,19 +57,19 @@ Index Splitter::split_face(Index h, Index vertex) {
 }
 
 void Splitter::split_sheet(Index h) {
-  const auto middle = static_cast<Index>(mesh_.positions.size());
+  const auto midpoint = static_cast<Index>(mesh_.positions.size());
   const Index from = halfedge_source(mesh_, h), to = halfedge_target(mesh_, h);
   mesh_.positions.emplace_back(0.5 * (mesh_.positions[from] + mesh_.positions[to]));
   result_.vertices.push_back({source(h / 3), {from, to}});
   const Index across = opposite_[h];
-  const Index second = split_face(h, middle);
+  const Index second = split_face(h, midpoint);
   if (across == no_index) return;
-  const Index second_across = split_face(across, middle);
+  const Index second_across = split_face(across, midpoint);
   pair(h, second_across);
   pair(across, second);
 }
 
-// One halfedge of each sheet at an edge of more than two.
+// One halfedge of each sheet at every edge of more than two faces.
 std::vector<Index> Splitter::find_singular() {
   const Edges edges(mesh_);
   std::vector<Index> singular;
@@ -82,7 +83,8 @@ std::vector<Index> Splitter::find_singular() {
   return singular;
 }
 
-// A sheet of two faces with the same corners is cut along one edge twice, so there is a next round.
+// Splits until no edge is singular. Two faces with the same corners that are one sheet are cut
+// along one edge twice, and the cuts coincide: that takes another round.
 EdgeSplits Splitter::split() {
   for (auto singular = find_singular(); !singular.empty(); singular = find_singular()) {
     for (Index h : singular) {

@@ -13,9 +13,9 @@
 namespace transformesh {
 namespace {
 
-// Replaces vertices by those that they are joined with.
+// Replaces each vertex in faces by that with which it is joined. Returns how many are replaced.
 std::size_t join_vertices(Mesh& mesh, double tolerance) {
-  const std::vector<Index> representative = weld(mesh.positions, tolerance);
+  const std::vector<Index> representative = weld_positions(mesh.positions, tolerance);
   for (Face& face : mesh.faces) {
     for (Index& v : face) v = representative[v];
   }
@@ -38,7 +38,7 @@ std::size_t drop_collapsed_faces(Mesh& mesh) {
   return dropped;
 }
 
-// Those that stay open along one edge all run the same way.
+// Counts edges at which faces are left over; those that several leave open all run the same way.
 void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
                       StitchResult& result) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -50,7 +50,8 @@ void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
   }
 }
 
-// Keeps what faces use of the vertices and of the copies behind them, in order.
+// Keeps, in their order, those of the vertices and of the copies numbered behind them that faces
+// use.
 void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
   std::vector<Index> renumbered(mesh.positions.size() + copies.size(), no_index);
   for (const Face& face : mesh.faces) {
@@ -71,8 +72,9 @@ void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
   }
 }
 
-// One vertex for each fan: the first at a position keeps the vertex, others get copies behind all.
-std::size_t part_fans(Mesh& mesh, const Fans& fans) {
+// Gives each fan a vertex of its own (paper 3.3.1): the first at a vertex keeps it, and others get
+// copies, which are numbered behind all vertices. Returns the number of copies.
+std::size_t separate_fans(Mesh& mesh, const Fans& fans) {
   std::vector<char> is_taken(mesh.positions.size(), 0);
   std::vector<Index> vertex_of = fans.vertex_of;
   std::vector<Index> copies;
@@ -91,7 +93,7 @@ std::size_t part_fans(Mesh& mesh, const Fans& fans) {
   return copies.size();
 }
 
-// Midpoints and pieces inherit from what they are made of.
+// Splits edges that are still singular. Midpoints and pieces inherit from what they are made of.
 std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
   const EdgeSplits splits = split_singular_edges(mesh, opposite);
   for (const auto& [face, ends] : splits.vertices) {
@@ -108,7 +110,7 @@ std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
 StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   StitchResult result;
   result.joined_vertices = join_vertices(mesh, options.tolerance);
-  if (options.orient) result.turned_faces = orient_faces(mesh);
+  if (options.orient) result.reversed_faces = orient_faces(mesh);
   const std::vector<Face> all_faces = mesh.faces;
   result.dropped_faces = drop_collapsed_faces(mesh);
 
@@ -120,7 +122,7 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   if (result.misoriented_edges > 0) {
     result.misorientation = describe_misorientation({mesh.positions, all_faces, {}, {}});
   }
-  result.copied_vertices = part_fans(mesh, find_fans(mesh.faces, opposite));
+  result.copied_vertices = separate_fans(mesh, find_fans(mesh.faces, opposite));
   result.split_edges = split_edges(mesh, opposite);
   if (options.flip) {
     for (Face& face : mesh.faces) std::swap(face[1], face[2]);

@@ -5,11 +5,11 @@
 /// order; an edge that copies of its ends cannot take apart is split in the middle.
 /// References: the paper, 3.3; Gueziec, Taubin, Lazarus & Horn, "Cutting and stitching", TVCG 2001.
 ///
-/// The first vertex of each position survives, with its columns; faces keep their order, and what
+/// The first vertex of each position survives, with its columns. Faces keep their order, and what
 /// is cut off them follows. Faces that name a position twice are dropped. Faces that run the same
-/// way along an edge stay apart there: `orient` turns them (see orient.h). Throws InputError where
-/// a surface cannot be oriented (a Moebius strip), naming the place. Cost: O(n log n).
-/// Deterministic.
+/// way along an edge stay apart there, unless `orient` reverses some (orient.h). Throws InputError
+/// where a surface that is to be oriented has one side only (a Moebius strip), naming the place.
+/// Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@
 namespace transformesh {
 
 struct StitchOptions {
-  double tolerance = 0;  ///< join positions within this distance, input units; 0: equal ones
-  bool orient = false;   ///< turn faces so that neighbours agree; what is closed and needed it then
-                         ///< looks outwards, what is open the way most faces did
-  bool flip = false;     ///< reverse all faces, at the end
+  double tolerance = 0;  ///< join positions within this distance, input units; 0: only equal ones
+  bool orient = false;  ///< reverse faces so that neighbors agree; closed parts that needed it then
+                        ///< look outwards, open ones the way most of their faces did
+  bool flip = false;    ///< reverse all faces, at the end
 };
 
 struct StitchResult {
@@ -30,9 +30,9 @@ struct StitchResult {
   std::size_t copied_vertices = 0;  ///< duplicates made at singular vertices, edges, triangles
   std::size_t split_edges = 0;      ///< singular edges split in the middle
   std::size_t dropped_faces = 0;
-  std::size_t turned_faces = 0;       ///< by `orient`
-  std::size_t misoriented_edges = 0;  ///< where faces are left over that run the same way
-  std::size_t border_edges = 0;       ///< where one face is left over
+  std::size_t reversed_faces = 0;     ///< by `orient`
+  std::size_t misoriented_edges = 0;  ///< edges at which several are, which run the same way
+  std::size_t border_edges = 0;       ///< edges at which one face is left over
   std::string misorientation;         ///< the first misoriented edge in words: faces and place
 };
 

@@ -2,47 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
+#include "tm/geometry/point_grid.h"
 #include "tm/geometry/predicates.h"
 #include "tm/mesh/disjoint_sets.h"
 
 namespace transformesh {
-namespace {
-
-// Points by cells of a grid. None is missed in the cells around that of a query.
-class PointGrid {
- public:
-  explicit PointGrid(double spacing) : spacing_(spacing) {}
-
-  void add(const Vec3& position, Index index) { cells_[cell(position)].push_back(index); }
-  template <class Visit>
-  void visit_around(const Vec3& position, const Visit& visit) const {
-    const Cell middle = cell(position);
-    constexpr std::array<double, 3> steps = {-1, 0, 1};
-    for (std::size_t i = 0; i < 27; ++i) {
-      const Cell around = {middle[0] + steps[i % 3], middle[1] + steps[i / 3 % 3],
-                           middle[2] + steps[i / 9]};
-      const auto found = cells_.find(around);
-      if (found == cells_.end()) continue;
-      for (const Index index : found->second) visit(index);
-    }
-  }
-
- private:
-  using Cell = std::array<double, 3>;  // whole numbers, however many
-  Cell cell(const Vec3& p) const {
-    return {std::floor(p[0] / spacing_), std::floor(p[1] / spacing_), std::floor(p[2] / spacing_)};
-  }
-
-  double spacing_;
-  std::map<Cell, std::vector<Index>> cells_;
-};
-
-}  // namespace
-
-std::vector<Index> weld(const std::vector<Vec3>& positions, double tolerance) {
+std::vector<Index> weld_positions(const std::vector<Vec3>& positions, double tolerance) {
   std::vector<Index> order(positions.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
@@ -50,7 +17,7 @@ std::vector<Index> weld(const std::vector<Vec3>& positions, double tolerance) {
     return sign != 0 ? sign < 0 : a < b;
   });
 
-  // Sweep along x: candidates lie within the tolerance there.
+  // A sweep along x: what is joined lies within the tolerance there.
   DisjointSets sets(positions.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (std::size_t k = i + 1; k < order.size(); ++k) {
@@ -65,8 +32,10 @@ std::vector<Index> weld(const std::vector<Vec3>& positions, double tolerance) {
   return representative;
 }
 
-std::vector<Index> gather(const std::vector<Vec3>& positions, std::size_t fixed, double distance) {
-  // Cells wide enough that doubles tell neighbours apart, though the distance be but their spacing.
+std::vector<Index> snap_positions(const std::vector<Vec3>& positions, std::size_t fixed,
+                                  double distance) {
+  // In cells this wide doubles tell neighboring cells apart, even where the distance is as small as
+  // the spacing of doubles.
   PointGrid grid(16 * distance);
   std::vector<Index> representative(positions.size());
   for (Index i = 0; i < positions.size(); ++i) {

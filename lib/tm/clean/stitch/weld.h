@@ -1,4 +1,5 @@
-/// Joins positions that are equal or close.
+/// Joins positions that are equal or close: the first step of stitching (paper 3.3), and of merging
+/// what rounding all but unites (paper 4.3).
 #pragma once
 
 #include <vector>
@@ -8,13 +9,15 @@
 namespace transformesh {
 
 /// For each position the smallest index of those that it is joined with: equal positions, or all
-/// that a chain of steps of at most `tolerance` connects. O(n) on usual data; deterministic.
-std::vector<Index> weld(const std::vector<Vec3>& positions, double tolerance);
+/// that a chain of steps of at most `tolerance` connects. O(n log n) on usual data; deterministic.
+std::vector<Index> weld_positions(const std::vector<Vec3>& positions, double tolerance);
 
-/// For each position the index of one no farther than `distance` (positive) that it may take: of
-/// the nearest of those that keep theirs. The first `fixed` positions do; of the others those that
-/// are far from all before. Unlike chains, this moves nothing by more than the distance.
-/// O(n) on usual data; deterministic.
-std::vector<Index> gather(const std::vector<Vec3>& positions, std::size_t fixed, double distance);
+/// Snaps positions to others nearby: for each position the index of the one that it takes. The
+/// first `fixed` positions keep theirs, and so does each of the others that is farther than
+/// `distance` (positive) from all before it that do. The rest take the nearest position that is
+/// kept. Unlike welding, which follows chains, this moves nothing by more than the distance. O(n
+/// log n) on usual data; deterministic.
+std::vector<Index> snap_positions(const std::vector<Vec3>& positions, std::size_t fixed,
+                                  double distance);
 
 }  // namespace transformesh

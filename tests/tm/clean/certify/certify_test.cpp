@@ -228,7 +228,7 @@ TEST_CASE("of an open input the new faces must be pieces of its faces") {
 
 TEST_CASE("patches are bounded by the faces that meet others") {
   const Mesh balls = two_balls();
-  const Patches patches = find_patches(balls, Progress());
+  const UncutPatches patches = find_uncut_patches(balls, Progress());
   // Outer and inner part of either ball.
   CHECK(patches.faces.size() == 4);
   std::size_t cut = 0;

@@ -31,16 +31,17 @@ struct Answer {
 };
 
 // Meeting in a shared corner or along a shared edge is no intersection.
-Answer by_cgal(const Soup& soup, Index f, Index g) {
-  const int shared = count_shared(soup.faces[f], soup.faces[g]);
-  const auto result = CGAL::intersection(triangle(soup.triangle(f)), triangle(soup.triangle(g)));
+Answer by_cgal(const WeldedMesh& welded, Index f, Index g) {
+  const int shared = count_shared(welded.faces[f], welded.faces[g]);
+  const auto result =
+      CGAL::intersection(triangle(welded.triangle(f)), triangle(welded.triangle(g)));
   if (!result) return {false, false};
   if (boost::get<Point>(&*result)) return {shared == 0, false};
   if (const auto* segment = boost::get<Kernel::Segment_3>(&*result)) {
     if (shared < 2) return {true, false};
     const auto is_corner = [&](const Point& p) {
-      for (const Index v : soup.faces[f]) {
-        if (point(soup.points[v]) == p) return true;
+      for (const Index v : welded.faces[f]) {
+        if (point(welded.points[v]) == p) return true;
       }
       return false;
     };
@@ -49,7 +50,7 @@ Answer by_cgal(const Soup& soup, Index f, Index g) {
   return {true, true};
 }
 
-Soup random_pair(test::Random& random, double size) {
+WeldedMesh random_pair(test::Random& random, double size) {
   Mesh mesh;
   for (int i = 0; i < 6; ++i) {
     const double x = std::floor(random.uniform(0, size)), y = std::floor(random.uniform(0, size)),
@@ -57,7 +58,7 @@ Soup random_pair(test::Random& random, double size) {
     mesh.positions.emplace_back(x, y, z);
   }
   mesh.faces = {{0, 1, 2}, {3, 4, 5}};
-  return make_soup(mesh);
+  return weld(mesh);
 }
 
 }  // namespace
@@ -66,16 +67,16 @@ TEST_CASE("two triangles on a lattice meet exactly where CGAL says") {
   test::Random random(11);
   int tested = 0, met = 0, overlaps = 0, neighbors = 0;
   for (int i = 0; i < 30000; ++i) {
-    const Soup soup = random_pair(random, i % 2 == 0 ? 3 : 4);
-    if (soup.faces.size() < 2) continue;
-    const Contacts contacts = find_contacts(soup, 0, 1);
-    const Answer answer = by_cgal(soup, 0, 1);
+    const WeldedMesh welded = random_pair(random, i % 2 == 0 ? 3 : 4);
+    if (welded.faces.size() < 2) continue;
+    const Contacts contacts = find_contacts(welded, 0, 1);
+    const Answer answer = by_cgal(welded, 0, 1);
     REQUIRE(contacts.meet == answer.meet);
     if (answer.coplanar_overlap) REQUIRE(contacts.coplanar);
     ++tested;
     met += answer.meet ? 1 : 0;
     overlaps += answer.coplanar_overlap ? 1 : 0;
-    neighbors += count_shared(soup.faces[0], soup.faces[1]) > 0 && answer.meet ? 1 : 0;
+    neighbors += count_shared(welded.faces[0], welded.faces[1]) > 0 && answer.meet ? 1 : 0;
   }
   CHECK(tested > 20000);
   CHECK(met > 5000);
@@ -86,9 +87,9 @@ TEST_CASE("two triangles on a lattice meet exactly where CGAL says") {
 TEST_CASE("faces in different planes meet in at most one segment") {
   test::Random random(12);
   for (int i = 0; i < 10000; ++i) {
-    const Soup soup = random_pair(random, 4);
-    if (soup.faces.size() < 2) continue;
-    const Contacts contacts = find_contacts(soup, 0, 1);
+    const WeldedMesh welded = random_pair(random, 4);
+    if (welded.faces.size() < 2) continue;
+    const Contacts contacts = find_contacts(welded, 0, 1);
     if (contacts.meet && !contacts.coplanar) {
       REQUIRE(contacts.count >= 1);
       REQUIRE(contacts.count <= 2);

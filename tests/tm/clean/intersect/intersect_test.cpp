@@ -14,12 +14,12 @@ TEST_CASE("the search finds the pairs that testing all pairs finds") {
   for (const char* kind : {"two-spheres", "folded", "tangle", "boxes", "pinch", "torus"}) {
     CAPTURE(kind);
     const Mesh mesh = test::workload(kind, 800);
-    const Soup soup = make_soup(mesh);
+    const WeldedMesh welded = weld(mesh);
     std::vector<FacePair> expected;
-    for (Index f = 0; f < soup.faces.size(); ++f) {
-      for (Index g = f + 1; g < soup.faces.size(); ++g) {
-        if (find_contacts(soup, f, g).meet) {
-          expected.emplace_back(soup.face_of[f], soup.face_of[g]);
+    for (Index f = 0; f < welded.faces.size(); ++f) {
+      for (Index g = f + 1; g < welded.faces.size(); ++g) {
+        if (find_contacts(welded, f, g).meet) {
+          expected.emplace_back(welded.face_of[f], welded.face_of[g]);
         }
       }
     }

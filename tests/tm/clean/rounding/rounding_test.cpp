@@ -23,7 +23,7 @@ Assembly three_faces() {
 }
 
 /// Faces each with a corner of their own near the origin, in a row a spacing apart; all is new.
-Assembly crowd_of_faces(int count) {
+Assembly cluster_of_faces(int count) {
   Assembly assembly;
   for (int i = 0; i < count; ++i) {
     const double angle = 6.28 * i / count;
@@ -72,12 +72,12 @@ TEST_CASE("new vertices at the place of an input vertex stay there") {
   CHECK(assembly.mesh.positions[3] == Vec3(0, 0, 0));
 }
 
-TEST_CASE("new vertices of a crowd go to its input vertex, whatever is at the same position") {
-  Assembly assembly = crowd_of_faces(40);
+TEST_CASE("new vertices of a cluster go to its input vertex, whatever is at the same position") {
+  Assembly assembly = cluster_of_faces(40);
   const Vec3 input = assembly.mesh.positions[0];
   assembly.vertex_is_new[0] = 0;
   assembly.mesh.positions[3] = input;  // a copy of it
-  merge_crowds(assembly, {5}, Scalar::float32);
+  merge_clusters(assembly, {5}, Scalar::float32);
   for (std::size_t v = 0; v < assembly.mesh.positions.size(); ++v) {
     if (v % 3 == 0)
       CHECK(assembly.mesh.positions[v] == input);
@@ -86,14 +86,14 @@ TEST_CASE("new vertices of a crowd go to its input vertex, whatever is at the sa
   }
 }
 
-TEST_CASE("a crowd without an input vertex goes to the one in its middle; a smaller one stays") {
-  Assembly assembly = crowd_of_faces(41);
-  merge_crowds(assembly, {5}, Scalar::float32);
+TEST_CASE("a cluster without an input vertex goes to the one in its middle; a smaller one stays") {
+  Assembly assembly = cluster_of_faces(41);
+  merge_clusters(assembly, {5}, Scalar::float32);
   for (std::size_t v = 0; v < assembly.mesh.positions.size(); v += 3)
     CHECK(assembly.mesh.positions[v] == Vec3(20 * 0x1p-24, 0, 0));
-  Assembly few = crowd_of_faces(29);
+  Assembly few = cluster_of_faces(29);
   const std::vector<Vec3> before = few.mesh.positions;
-  merge_crowds(few, {5}, Scalar::float32);
+  merge_clusters(few, {5}, Scalar::float32);
   CHECK(few.mesh.positions == before);
 }
 

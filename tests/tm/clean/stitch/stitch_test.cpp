@@ -191,7 +191,7 @@ TEST_CASE("orient turns faces until neighbours agree, and closed parts outwards"
   Mesh unturned = mesh;
   CHECK(stitch(unturned).misoriented_edges > 0);
   const StitchResult result = orient(mesh);
-  CHECK(result.turned_faces > 0);
+  CHECK(result.reversed_faces > 0);
   CHECK(result.misoriented_edges == 0);
   CHECK(is_closed_manifold(mesh));
   for (const double v : volumes(mesh)) CHECK(v > 0);
@@ -275,7 +275,7 @@ TEST_CASE("three faces on an edge: two become a sheet, one another") {
   CHECK(stitch(apart).misoriented_edges == 1);
   CHECK(stitch(apart).misorientation.empty() == false);
   const StitchResult result = orient(mesh);
-  CHECK(result.turned_faces == 1);
+  CHECK(result.reversed_faces == 1);
   CHECK(result.misoriented_edges == 0);
   CHECK(result.border_edges == 7);
   CHECK(mesh.positions.size() == 7);
@@ -295,7 +295,7 @@ TEST_CASE("the pages of a book pair up, but for one of an odd number") {
       const StitchResult result = orient(mesh);
       CHECK(result.misoriented_edges == 0);
       CHECK(result.border_edges == 2 * pages + pages % 2);
-      CHECK(2 * result.turned_faces <= pages);
+      CHECK(2 * result.reversed_faces <= pages);
     }
   }
 }

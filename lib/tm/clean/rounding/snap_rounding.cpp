@@ -1,7 +1,8 @@
-#include "tm/clean/rounding/settle.h"
+#include "tm/clean/rounding/snap_rounding.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
@@ -9,6 +10,7 @@
 #include "tm/clean/rounding/rounding.h"
 #include "tm/clean/rounding/trouble_spots.h"
 #include "tm/clean/rounding/unite_close.h"
+#include "tm/mesh/digits.h"
 #include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
 #include "tm/support/single.h"
@@ -19,25 +21,25 @@ namespace {
 constexpr int most_rounds = 20;
 constexpr int most_rounds_of_repair = 12;
 constexpr int most_equal_rounds = 3;
-constexpr std::size_t few = 30;  // broken faces that may come and go
+constexpr std::size_t few = 30;  // by so many the broken faces may grow in number
 constexpr std::size_t few_pairs = 1000;
-// New vertices this close become one from the start, in doublings of the spacing of floats or
+// How close new vertices become one from the start, in doublings of the spacing of floats or
 // doubles. More would close films that can be kept.
 constexpr int doublings_of_new = -1;
 constexpr int most_doublings_of_merging = 8;
 constexpr int most_grid_steps = 5;
 constexpr int most_starts = 20;
 
-// How parts close to what is broken are united: over how many doublings of the spacing at first,
-// whether all there are or only those that are broken, and which vertices of them become one.
+// One way to unite parts close to what is broken. Distances are in doublings of the spacing of
+// floats or doubles.
 struct Attempt {
-  int doublings;
-  bool is_wide;
-  bool is_local;  ///< see Closeness; doubles cannot measure that
-  int doublings_of_merging = 1;
+  int doublings;  ///< the distance in the first rounds
+  bool is_wide;   ///< takes all faces near the broken ones, not only these
+  bool is_local;  ///< as in Closeness, for floats; doubles cannot be measured in finer units
+  int doublings_of_merging = 1;  ///< the least distance within which vertices become one
 };
-// None settles every place, and what one leaves another mends: their order is that which left the
-// fewest places in trials with the corpus and with shapes turned at random.
+// No attempt mends every place, and what one leaves broken another mends. This order left the
+// fewest places broken in trials with the corpus and with shapes rotated at random.
 constexpr std::array attempts = {Attempt{-2, true, true},   Attempt{0, true, false},
                                  Attempt{-2, false, false}, Attempt{2, true, false},
                                  Attempt{-1, false, false}, Attempt{-3, false, false},
@@ -52,13 +54,14 @@ int grid_step_after(int failures) {
   return std::max(0, failures - static_cast<int>(attempts.size()) + 1);
 }
 
-// Turning in doubles moves what was coplanar by a few of their spacings; what was turned in doubles
-// and stored in floats is off by one.
+// The distance of an attempt in a round. Rotating in doubles moves what was coplanar by a few
+// spacings of doubles; what was rotated in doubles and stored in floats is off by one spacing of
+// floats.
 int doublings_in(int round, const Attempt& attempt, Scalar coordinate) {
   return attempt.doublings + round / 3 + (coordinate == Scalar::float32 ? 0 : 2);
 }
 
-// The spacing of the grid at each step, in doublings of the spacing of floats and of doubles.
+// The spacing of the grid at each step, in doublings of the spacing of floats or doubles.
 int grid_doublings(Scalar coordinate, int step) {
   return (coordinate == Scalar::float32 ? 2 : 5) * step;
 }
@@ -67,17 +70,17 @@ std::string place_of(const Mesh& mesh, Index face) {
   return point_text(mesh.positions[mesh.faces[face][0]]);
 }
 
-class Settler {
+class SnapRounder {
  public:
-  Settler(const Mesh& mesh, const SettleOptions& options, const Progress& progress)
+  SnapRounder(const Mesh& mesh, const SnapRoundingOptions& options, const Progress& progress)
       : mesh_(mesh), options_(options), progress_(progress), spots_(mesh) {}
 
-  Settled settle(CleanPass pass);
+  SnapRoundingResult snap_round(CleanPass pass);
 
  private:
   bool repair(Assembly& assembly);
   double distance(int doublings) const {
-    return merge_distance(mesh_, options_.coordinate, doublings);
+    return std::ldexp(coordinate_spacing(mesh_, options_.coordinate), doublings);
   }
   void round_new_positions(Assembly& assembly) const;
   void round_and_merge(Assembly& assembly) const;
@@ -89,15 +92,15 @@ class Settler {
   [[noreturn]] void give_up() const;
 
   const Mesh& mesh_;
-  const SettleOptions& options_;
+  const SnapRoundingOptions& options_;
   const Progress& progress_;
   TroubleSpots spots_;
-  std::size_t most_pairs_ = 0;  ///< of a pass; what makes more than the input had is in vain
-  std::string place_;
-  Settled result_;
+  std::size_t most_pairs_ = 0;  ///< with more than these, repair is hopeless
+  std::string place_;           ///< the first place that was broken
+  SnapRoundingResult result_;
 };
 
-void Settler::round_new_positions(Assembly& assembly) const {
+void SnapRounder::round_new_positions(Assembly& assembly) const {
   if (options_.coordinate != Scalar::float32) return;
   for (std::size_t v = 0; v < assembly.mesh.positions.size(); ++v) {
     if (!assembly.vertex_is_new[v]) continue;
@@ -105,14 +108,14 @@ void Settler::round_new_positions(Assembly& assembly) const {
   }
 }
 
-void Settler::give_up() const {
+void SnapRounder::give_up() const {
   const std::string place = place_.empty() ? place_of(mesh_, 0) : place_;
   throw GoalError("rounding leaves faces that cross near " + place +
                   "; write doubles (--double), or move and scale the mesh to the origin");
 }
 
-// Where nothing is left of what rounding broke, the shape is too small for its coordinates.
-CleanPass Settler::run_pass(const Mesh& mesh, const PassOptions& options) const {
+// Cleans what was rounded. Where nothing is left of it, the shape is too small for its coordinates.
+CleanPass SnapRounder::run_pass(const Mesh& mesh, const PassOptions& options) const {
   try {
     return run_clean_pass(mesh, options, progress_);
   } catch (const GoalError&) {
@@ -120,7 +123,8 @@ CleanPass Settler::run_pass(const Mesh& mesh, const PassOptions& options) const 
   }
 }
 
-// What was new before a further pass is not a vertex of the input, and sources are input faces.
+// Expresses what a further pass tells about its input by that of the first pass: which vertices are
+// new, and the sources of faces.
 void inherit(const Assembly& before, Assembly& after) {
   for (std::size_t v = 0; v < after.input_vertex.size(); ++v) {
     const Index source = after.input_vertex[v];
@@ -129,7 +133,8 @@ void inherit(const Assembly& before, Assembly& after) {
   for (Index& source : after.source_face) source = before.source_face[source];
 }
 
-void Settler::unite(Assembly& assembly, std::vector<Index> broken, int failures, int round) const {
+void SnapRounder::unite(Assembly& assembly, std::vector<Index> broken, int failures,
+                        int round) const {
   const Attempt& attempt = attempt_after(failures);
   const double reach = distance(doublings_in(round, attempt, options_.coordinate));
   const bool is_local = attempt.is_local && options_.coordinate == Scalar::float32;
@@ -137,13 +142,14 @@ void Settler::unite(Assembly& assembly, std::vector<Index> broken, int failures,
                        std::max(reach, distance(attempt.doublings_of_merging)));
   if (attempt.is_wide) broken = with_near_faces(assembly.mesh, broken, reach);
   if (unite_close_parts(assembly, broken, {reach, is_local}, options_.coordinate)) return;
-  // Too many pass one place: through one point, or in a mess of slivers.
-  merge_crowds(assembly, broken, options_.coordinate);
+  // Too many faces pass one place, through one point or in a mess of slivers.
+  merge_clusters(assembly, broken, options_.coordinate);
   merge_close_vertices(assembly, broken, distance(std::min(failures, most_doublings_of_merging)));
 }
 
-// Each spot by the attempt that it is at.
-void Settler::unite_broken(Assembly& assembly, const std::vector<Index>& broken, int round) const {
+// Unites parts near the broken faces, in each place by the attempt that follows those that failed.
+void SnapRounder::unite_broken(Assembly& assembly, const std::vector<Index>& broken,
+                               int round) const {
   std::set<int> all_failures;
   for (const Index face : broken) all_failures.insert(spots_.failures_at(assembly.mesh, face));
   for (const int failures : all_failures) {
@@ -155,7 +161,8 @@ void Settler::unite_broken(Assembly& assembly, const std::vector<Index>& broken,
   }
 }
 
-// Whether repair brings less and less: what is broken grows beyond a few, or stays as much.
+// The number of broken faces from round to round. Repair is hopeless when it grows by more than a
+// few, stays the same, or takes too long.
 class Trend {
  public:
   bool is_fewest(std::size_t broken) const { return broken <= fewest_; }
@@ -174,16 +181,17 @@ class Trend {
   int equal_rounds_ = 0;
 };
 
-void Settler::round_and_merge(Assembly& assembly) const {
+void SnapRounder::round_and_merge(Assembly& assembly) const {
   round_new_positions(assembly);
-  // Points that rounding all but unites would only make slivers.
+  // Vertices that rounding all but unites would only make slivers.
   merge_close_vertices(assembly, find_new_faces(assembly), distance(doublings_of_new));
 }
 
-// Rounds, checks what was rounded and cleans that again, until cleaning changes nothing; what is
-// whole at once need not be cleaned, but for an open mesh, whose borders need other fans now.
-// If that is in vain, notes where it was when least was broken.
-bool Settler::repair(Assembly& assembly) {
+// Rounds, and then repairs and cleans what rounding broke, until cleaning changes nothing. What is
+// whole at once need not be cleaned again, unless the mesh is open: then other fans close its
+// borders now. Returns whether it succeeded; if not, notes the faces that were broken when they
+// were fewest.
+bool SnapRounder::repair(Assembly& assembly) {
   Trend trend;
   TroubleSpots spots = spots_;
   for (int round = 0; round < most_rounds; ++round) {
@@ -208,7 +216,7 @@ bool Settler::repair(Assembly& assembly) {
   return false;
 }
 
-// The input faces that are whole faces of it.
+// Marks the faces of the mesh that are whole faces of the assembly.
 std::vector<char> whole_faces(const Mesh& mesh, const Assembly& assembly) {
   std::vector<char> is_whole(mesh.faces.size(), 0);
   const auto at = [](const Mesh& of, Index face, std::size_t i) {
@@ -223,7 +231,7 @@ std::vector<char> whole_faces(const Mesh& mesh, const Assembly& assembly) {
   return is_whole;
 }
 
-void Settler::count_faces(const std::vector<char>& was_whole, const Assembly& assembly) {
+void SnapRounder::count_faces(const std::vector<char>& was_whole, const Assembly& assembly) {
   const std::vector<char> is_whole = whole_faces(mesh_, assembly);
   std::vector<char> is_left(mesh_.faces.size(), 0);
   for (const Index source : assembly.source_face) is_left[source] = 1;
@@ -231,8 +239,8 @@ void Settler::count_faces(const std::vector<char>& was_whole, const Assembly& as
     if (was_whole[f] && !is_whole[f]) ++(is_left[f] ? result_.cut_faces : result_.removed_faces);
 }
 
-// Where all attempts failed, on grids that are coarser with every step.
-Mesh Settler::snapped_input() const {
+// The input with vertices on a grid where all attempts failed, coarser the more often they did.
+Mesh SnapRounder::snapped_input() const {
   Mesh mesh = mesh_;
   for (int step = 1; step <= grid_step_after(spots_.most_failures()); ++step) {
     std::vector<char> is_marked;
@@ -244,7 +252,7 @@ Mesh Settler::snapped_input() const {
   return mesh;
 }
 
-Settled Settler::settle(CleanPass pass) {
+SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
   most_pairs_ = 2 * pass.pairs + few_pairs;
   for (int start = 1; !repair(pass.assembly); ++start) {
@@ -267,9 +275,9 @@ Settled Settler::settle(CleanPass pass) {
 
 }  // namespace
 
-Settled settle(const Mesh& mesh, CleanPass pass, const SettleOptions& options,
-               const Progress& progress) {
-  return Settler(mesh, options, progress).settle(std::move(pass));
+SnapRoundingResult snap_round(const Mesh& mesh, CleanPass pass, const SnapRoundingOptions& options,
+                              const Progress& progress) {
+  return SnapRounder(mesh, options, progress).snap_round(std::move(pass));
 }
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
-/// Crowds: found however wide they are, told from fine meshes and from what lies about them.
-#include "tm/clean/rounding/crowds.h"
+/// Clusters: found however wide they are, told from fine meshes and from what lies about them.
+#include "tm/clean/rounding/clusters.h"
 
 #include <doctest/doctest.h>
 
@@ -23,14 +23,14 @@ std::vector<Vec3> points_about(const Vec3& middle, double extent, std::size_t co
 }
 
 /// By brute force: whether all are nearer to each other, along each axis, than to any other.
-bool is_told_apart(const std::vector<Vec3>& points, const std::vector<Index>& crowd) {
+bool is_told_apart(const std::vector<Vec3>& points, const std::vector<Index>& cluster) {
   const auto distance = [&](Index i, Index k) {
     return (points[i] - points[k]).cwiseAbs().maxCoeff();
   };
   double extent = 0, gap = 1e300;
-  for (const Index i : crowd) {
+  for (const Index i : cluster) {
     for (Index k = 0; k < points.size(); ++k) {
-      if (std::binary_search(crowd.begin(), crowd.end(), k))
+      if (std::binary_search(cluster.begin(), cluster.end(), k))
         extent = std::max(extent, distance(i, k));
       else
         gap = std::min(gap, distance(i, k));
@@ -42,7 +42,7 @@ bool is_told_apart(const std::vector<Vec3>& points, const std::vector<Index>& cr
 }  // namespace
 
 TEST_CASE(
-    "a crowd is found whatever its extent and place, and what lies far from it is not in it") {
+    "a cluster is found whatever its extent and place, and what lies far from it is not in it") {
   for (const double extent : {1.0, 5.0, 40.0, 300.0, 2000.0}) {
     for (const Vec3& middle : {Vec3(0, 0, 0), Vec3(0.3, -0.7, 0.9), Vec3(-0.5, 0.25, 0)}) {
       CAPTURE(extent);
@@ -50,47 +50,47 @@ TEST_CASE(
       std::vector<Vec3> points = points_about(middle, extent * spacing, count);
       for (const Vec3& p : points_about(middle, 1, 100))
         if ((p - middle).norm() > 0.1) points.push_back(p);
-      const std::vector<std::vector<Index>> crowds = find_crowds(points, spacing);
-      REQUIRE(crowds.size() == 1);
-      CHECK(crowds[0].size() == count);
-      CHECK(crowds[0].back() == count - 1);
-      CHECK(is_told_apart(points, crowds[0]));
+      const std::vector<std::vector<Index>> clusters = find_clusters(points, spacing);
+      REQUIRE(clusters.size() == 1);
+      CHECK(clusters[0].size() == count);
+      CHECK(clusters[0].back() == count - 1);
+      CHECK(is_told_apart(points, clusters[0]));
     }
   }
 }
 
-TEST_CASE("fewer than thirty, or wider than the widest, is no crowd") {
-  CHECK(find_crowds(points_about(Vec3(0, 0, 0), 4 * spacing, 29), spacing).empty());
-  CHECK(find_crowds(points_about(Vec3(0, 0, 0), 4 * spacing, 30), spacing).size() == 1);
-  CHECK(find_crowds(points_about(Vec3(0, 0, 0), 5000 * spacing, 6000), spacing).empty());
-  CHECK(find_crowds({}, spacing).empty());
+TEST_CASE("fewer than thirty, or wider than the widest, is no cluster") {
+  CHECK(find_clusters(points_about(Vec3(0, 0, 0), 4 * spacing, 29), spacing).empty());
+  CHECK(find_clusters(points_about(Vec3(0, 0, 0), 4 * spacing, 30), spacing).size() == 1);
+  CHECK(find_clusters(points_about(Vec3(0, 0, 0), 5000 * spacing, 6000), spacing).empty());
+  CHECK(find_clusters({}, spacing).empty());
 }
 
-TEST_CASE("a small part of a mesh is no crowd: its points are farther apart") {
-  CHECK(find_crowds(points_about(Vec3(0, 0, 0), 400 * spacing, 99), spacing).empty());
-  CHECK(find_crowds(points_about(Vec3(0, 0, 0), 400 * spacing, 101), spacing).size() == 1);
+TEST_CASE("a small part of a mesh is no cluster: its points are farther apart") {
+  CHECK(find_clusters(points_about(Vec3(0, 0, 0), 400 * spacing, 99), spacing).empty());
+  CHECK(find_clusters(points_about(Vec3(0, 0, 0), 400 * spacing, 101), spacing).size() == 1);
 }
 
-TEST_CASE("where the next points are as near as a crowd is wide there is none") {
+TEST_CASE("where the next points are as near as a cluster is wide there is none") {
   std::vector<Vec3> line;  // a fine mesh: as dense everywhere
   for (int i = 0; i < 3000; ++i) line.push_back(Vec3(4 * i * spacing, 0, 0));
-  CHECK(find_crowds(line, spacing).empty());
+  CHECK(find_clusters(line, spacing).empty());
   std::vector<Vec3> near = points_about(Vec3(0, 0, 0), 1000 * spacing, 1100);
   for (int i = 0; i < 8; ++i) near.push_back(Vec3(1000 * i * spacing, 0, 0));
-  CHECK(find_crowds(near, spacing).empty());
+  CHECK(find_clusters(near, spacing).empty());
 }
 
-TEST_CASE("crowds beside each other are told apart") {
+TEST_CASE("clusters beside each other are told apart") {
   std::vector<Vec3> points = points_about(Vec3(0, 0, 0), 10 * spacing, 50);
   for (const Vec3& p : points_about(Vec3(200 * spacing, 0, 0), 10 * spacing, 60))
     points.push_back(p);
-  const std::vector<std::vector<Index>> crowds = find_crowds(points, spacing);
-  REQUIRE(crowds.size() == 2);
-  CHECK(crowds[0].size() + crowds[1].size() == 110);
-  for (const std::vector<Index>& crowd : crowds) CHECK(is_told_apart(points, crowd));
+  const std::vector<std::vector<Index>> clusters = find_clusters(points, spacing);
+  REQUIRE(clusters.size() == 2);
+  CHECK(clusters[0].size() + clusters[1].size() == 110);
+  for (const std::vector<Index>& cluster : clusters) CHECK(is_told_apart(points, cluster));
 }
 
-TEST_CASE("crowds of random points at many scales are told apart from the rest") {
+TEST_CASE("clusters of random points at many scales are told apart from the rest") {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
     test::Random random(seed);
@@ -101,9 +101,9 @@ TEST_CASE("crowds of random points at many scales are told apart from the rest")
                                         static_cast<std::size_t>(20 + random.below(40))))
         points.push_back(p);
     }
-    for (const std::vector<Index>& crowd : find_crowds(points, spacing)) {
-      CHECK(crowd.size() >= 30);
-      CHECK(is_told_apart(points, crowd));
+    for (const std::vector<Index>& cluster : find_clusters(points, spacing)) {
+      CHECK(cluster.size() >= 30);
+      CHECK(is_told_apart(points, cluster));
     }
   }
 }

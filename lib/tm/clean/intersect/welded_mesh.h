@@ -1,5 +1,5 @@
-/// The mesh as geometry sees it: equal positions are one point, whatever their indices, and faces
-/// without area are left out (what touches them still meets, as equal or touching edges).
+/// A mesh as geometry sees it: equal positions are one point, whatever their indices, and faces
+/// without area are left out. What touched such a face still meets, in equal or touching edges.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace transformesh {
 
-struct Soup {
+struct WeldedMesh {
   std::vector<Vec3> points;      ///< all different
   std::vector<Index> vertex_of;  ///< the first mesh vertex at each point
   std::vector<Index> point_of;   ///< the point of each mesh vertex
   std::vector<Face> faces;       ///< corners as points; none is degenerate
-  std::vector<Index> face_of;    ///< the mesh face of each
+  std::vector<Index> face_of;    ///< the mesh face of each face; ascending
   BoxFrame frame;                ///< of the points
 
   Triangle triangle(Index face) const { return triangle_of(points, faces[face]); }
@@ -25,7 +25,8 @@ struct Soup {
   }
 };
 
-/// O(n); exact; deterministic.
-Soup make_soup(const Mesh& mesh);
+/// Points come in the order of their first vertex, faces in that of the mesh. O(n); exact;
+/// deterministic.
+WeldedMesh weld(const Mesh& mesh);
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-#include "tm/clean/stitch/orientation_check.h"
+#include "tm/clean/open/borders.h"
 
 #include <doctest/doctest.h>
 
@@ -7,13 +7,14 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 #include "tm/clean/clean.h"
+#include "tm/clean/stitch/orientation_check.h"
 #include "tm/clean/stitch/stitch.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
 namespace {
 
-Borders borders_of(const Mesh& mesh) { return find_borders(make_soup(mesh), mesh); }
+Borders borders_of(const Mesh& mesh) { return find_borders(weld(mesh), mesh); }
 
 std::string refusal(const Mesh& mesh) {
   try {
@@ -54,15 +55,15 @@ TEST_CASE("a closed chain of faces has no borders, whatever its indices") {
     for (const Mesh& each : {mesh, soup}) {
       CHECK(borders_of(each).is_oriented);
       CHECK(borders_of(each).loops.empty());
-      CHECK(describe_misorientation(mesh).empty());
+      CHECK(describe_misorientation(each).empty());
     }
   }
 }
 
 TEST_CASE("the border of an open mesh is a loop along its faces") {
   const Mesh mesh = test::grid(5);
-  const Soup soup = make_soup(mesh);
-  const Borders borders = find_borders(soup, mesh);
+  const WeldedMesh welded = weld(mesh);
+  const Borders borders = find_borders(welded, mesh);
   CHECK(borders.is_oriented);
   REQUIRE(borders.loops.size() == 1);
   const std::vector<Index>& loop = borders.loops[0];
@@ -70,7 +71,7 @@ TEST_CASE("the border of an open mesh is a loop along its faces") {
   // Counter-clockwise, so the area that it encloses is positive: one, by the shoelace formula.
   double area = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec3 &a = soup.points[loop[i]], &b = soup.points[loop[(i + 1) % loop.size()]];
+    const Vec3 &a = welded.points[loop[i]], &b = welded.points[loop[(i + 1) % loop.size()]];
     CHECK((b - a).norm() == doctest::Approx(0.2));
     area += (a.x() * b.y() - a.y() * b.x()) / 2;
   }
