@@ -30,16 +30,15 @@ std::string topology_fault(const Topology& topology, const Topology& expected, c
          at(place);
 }
 
-std::string distance_fault(const Comparison& found, double longest) {
-  if (found.hausdorff_to_reference > longest / 2) {
-    return "up to " + significant(found.hausdorff_to_reference, 3) +
-           " away from the target, more than half the longest edge," + at(found.farthest_of_mesh) +
+std::string distance_fault(const Farthest& of_mesh, const Farthest& of_target, double longest) {
+  if (of_mesh.distance > longest / 2) {
+    return "up to " + significant(of_mesh.distance, 3) +
+           " away from the target, more than half the longest edge," + at(of_mesh.point) +
            ": take shorter edges";
   }
-  if (found.hausdorff_from_reference > longest) {
-    return "parts of the target are missed by up to " +
-           significant(found.hausdorff_from_reference, 3) + ", more than the longest edge," +
-           at(found.farthest_of_reference) +
+  if (of_target.distance > longest) {
+    return "parts of the target are missed by up to " + significant(of_target.distance, 3) +
+           ", more than the longest edge," + at(of_target.point) +
            ": take shorter edges, and a source that overlaps all of the target";
   }
   return {};
@@ -64,14 +63,16 @@ std::optional<Topology> topology_of_target(const Target& target, const Progress&
 Agreement agreement(const Mesh& mesh, const Topology& topology, const Target& target,
                     const std::optional<Topology>& expected, const Progress& progress) {
   if (!target.is_mesh()) return {};
-  const Comparison found = compare(mesh, target.mesh, {.samples = samples}, progress);
-  Agreement result{{}, found.hausdorff_to_reference, found.hausdorff_from_reference};
-  const bool goes_out = found.hausdorff_to_reference > found.hausdorff_from_reference;
+  const CompareOptions options{.samples = samples};
+  const Farthest of_mesh = farthest_from(target.mesh, mesh, options, progress);
+  const Farthest of_target = farthest_from(mesh, target.mesh, options, progress);
+  Agreement result{{}, of_mesh.distance, of_target.distance};
   if (expected && *expected != topology) {
-    result.fault = topology_fault(topology, *expected,
-                                  goes_out ? found.farthest_of_mesh : found.farthest_of_reference);
+    const bool is_outside = of_mesh.distance > of_target.distance;
+    result.fault =
+        topology_fault(topology, *expected, is_outside ? of_mesh.point : of_target.point);
   } else {
-    result.fault = distance_fault(found, edge_lengths(mesh).maximum);
+    result.fault = distance_fault(of_mesh, of_target, edge_lengths(mesh).maximum);
   }
   return result;
 }

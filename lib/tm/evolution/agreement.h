@@ -26,7 +26,7 @@ struct Agreement {
 /// Points all over the mesh have to be at most half its longest edge away from the target, which a
 /// sharp edge can be cut off by; no point of the target may be missed by more than that edge, as a
 /// thin tip can be; and the topology has to be the one expected, where there is one. Of points
-/// nothing can be said: no fault. Cost: that of compare() with 40 000 samples.
+/// nothing can be said: no fault. Cost: that of farthest_from() with 40 000 samples.
 Agreement agreement(const Mesh& mesh, const Topology& topology, const Target& target,
                     const std::optional<Topology>& expected, const Progress& progress = Progress());
 

@@ -110,6 +110,21 @@ ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrin
   return best;
 }
 
+bool ClosestPointQuery::is_within(const Vec3& query, double distance) const {
+  const double bound = distance * distance;
+  bool is_found = false;
+  tree_.visit_nearest(
+      query, [&] { return is_found ? -1 : bound; },
+      [&](std::size_t place) {
+        if (is_found) return;
+        const auto& [a, b, c] = mesh_->faces[tree_.order()[place]];
+        const TrianglePoint nearest = closest_point_of_triangle(
+            query, mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]);
+        is_found = squared_distance(nearest.point, query) <= bound;
+      });
+  return is_found;
+}
+
 Vec3 ClosestPointQuery::nearby(const Vec3& query, double tolerance) const {
   return search(query, 1 / ((1 + tolerance) * (1 + tolerance))).place.point;
 }

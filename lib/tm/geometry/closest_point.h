@@ -47,6 +47,8 @@ class ClosestPointQuery {
   /// Keeps a reference to the mesh. Throws InputError for a mesh without faces.
   explicit ClosestPointQuery(const Mesh& mesh, FaceOrder order = FaceOrder::any);
   ClosestPoint operator()(const Vec3& query) const;
+  /// Whether the mesh comes at least as near as that; stops at the first face that does.
+  bool is_within(const Vec3& query, double distance) const;
   /// A point of the mesh that is farther than the closest by no more than that share of the
   /// distance. Much faster far from the mesh, where many points are almost the closest.
   Vec3 nearby(const Vec3& query, double tolerance) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "tm/geometry/closest_point.h"
 #include "tm/geometry/kd_tree.h"
@@ -18,6 +19,8 @@ constexpr double accuracy_share = 0.9;
 constexpr double default_distance_share = 0.01;  ///< of the reference's diagonal
 constexpr std::size_t points_per_task = 256;
 constexpr std::size_t points_per_report = 16384;
+/// Less than what rounding adds to a distance.
+constexpr double certainly = 1 - 1e-12;
 
 /// Distance to the faces of a mesh; to its vertices where there are no faces.
 class Distance {
@@ -69,35 +72,23 @@ std::vector<Vec3> used_vertices(const Mesh& mesh) {
 struct OneWay {
   std::vector<double> by_area;
   double largest = 0;
-  Vec3 farthest = Vec3::Zero();
   double mean = 0;
   double mean_square = 0;
 };
-
-void take_farthest(const std::vector<Vec3>& points, const std::vector<double>& distances,
-                   OneWay& result) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool is_first = i == 0 && result.largest == 0;
-    if (!is_first && !(distances[i] > result.largest)) continue;
-    result.largest = distances[i];
-    result.farthest = points[i];
-  }
-}
 
 OneWay measure(const Mesh& from, const Mesh& to, const CompareOptions& options,
                const Progress& progress, const char* phase) {
   progress(phase);
   const Distance distance(to);
   OneWay result;
-  const std::vector<Vec3> samples = surface_samples(from, options.samples, options.seed);
-  result.by_area = distances(samples, distance, progress, phase);
-  const std::vector<Vec3> vertices = used_vertices(from);
-  const std::vector<double> at_vertices = distances(vertices, distance, progress, phase);
-
-  take_farthest(vertices, at_vertices, result);
-  take_farthest(samples, result.by_area, result);
+  result.by_area =
+      distances(surface_samples(from, options.samples, options.seed), distance, progress, phase);
+  const std::vector<double> at_vertices = distances(used_vertices(from), distance, progress, phase);
   if (result.by_area.empty()) result.by_area = at_vertices;
+
+  for (const double d : at_vertices) result.largest = std::max(result.largest, d);
   for (const double d : result.by_area) {
+    result.largest = std::max(result.largest, d);
     result.mean += d;
     result.mean_square += d * d;
   }
@@ -129,7 +120,38 @@ double share_within(const std::vector<double>& values, double distance) {
   return static_cast<double>(count) / static_cast<double>(values.size());
 }
 
+// In blocks that grow, so that most points know of a far one; of each block the points are tested
+// at the same time, so that the result depends on no order.
+void take_farthest(std::span<const Vec3> points, const ClosestPointQuery& closest,
+                   Farthest& farthest) {
+  std::vector<double> beyond;
+  for (std::size_t begin = 0, size = points_per_task; begin < points.size(); begin += size) {
+    size = std::min(std::max(begin, points_per_task), points.size() - begin);
+    beyond.assign(size, 0);
+    parallel_for(size, points_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Vec3& point = points[begin + i];
+        if (!closest.is_within(point, certainly * farthest.distance))
+          beyond[i] = closest(point).distance;
+      }
+    });
+    const auto largest = std::max_element(beyond.begin(), beyond.end());
+    if (*largest <= farthest.distance) continue;
+    farthest = {*largest, points[begin + static_cast<std::size_t>(largest - beyond.begin())]};
+  }
+}
+
 }  // namespace
+
+Farthest farthest_from(const Mesh& reference, const Mesh& mesh, const CompareOptions& options,
+                       const Progress& progress) {
+  progress("farthest point");
+  const ClosestPointQuery closest(reference);
+  Farthest farthest;
+  take_farthest(used_vertices(mesh), closest, farthest);
+  take_farthest(surface_samples(mesh, options.samples, options.seed), closest, farthest);
+  return farthest;
+}
 
 Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options,
                    const Progress& progress) {
@@ -152,8 +174,6 @@ Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions
   result.hausdorff_to_reference = there.largest;
   result.hausdorff_from_reference = back.largest;
   result.hausdorff = std::max(there.largest, back.largest);
-  result.farthest_of_mesh = there.farthest;
-  result.farthest_of_reference = back.farthest;
   result.volume_difference = volume(mesh) - volume(reference);
   return result;
 }

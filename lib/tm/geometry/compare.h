@@ -32,13 +32,21 @@ struct Comparison {
   double hausdorff = 0;     ///< the larger of the following two
   double hausdorff_to_reference = 0;    ///< largest distance from the mesh to the reference
   double hausdorff_from_reference = 0;  ///< largest distance from the reference to the mesh
-  /// The points of the two that are so far away, input units.
-  Vec3 farthest_of_mesh = Vec3::Zero(), farthest_of_reference = Vec3::Zero();
-  double volume_difference = 0;  ///< of the mesh minus that of the reference
+  double volume_difference = 0;         ///< of the mesh minus that of the reference
 };
 
 /// Throws InputError where one of them has no vertices, or distances are beyond about 1e154.
 Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options = {},
                    const Progress& progress = {});
+
+/// One way of a Hausdorff distance: how far away the farthest point is, and where.
+struct Farthest {
+  double distance = 0;
+  Vec3 point = Vec3::Zero();
+};
+/// The farthest of the same points from the faces of another mesh; several times faster than
+/// compare(), as a point that is nearer than one before is not searched to the end.
+Farthest farthest_from(const Mesh& reference, const Mesh& mesh, const CompareOptions& options = {},
+                       const Progress& progress = {});
 
 }  // namespace transformesh

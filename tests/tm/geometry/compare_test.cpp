@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "helpers/shapes.h"
+#include "tm/geometry/closest_point.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 
@@ -110,4 +111,18 @@ TEST_CASE("meshes too large to compare are refused") {
   CHECK_THROWS_AS(compare(test::scaled(mesh, 1e200), mesh), InputError);
   CHECK_THROWS_AS(compare(mesh, test::moved(mesh, {1e200, 0, 0})), InputError);
   CHECK(std::isfinite(compare(test::scaled(mesh, 1e100), mesh, {.samples = 10}).rms));
+}
+
+TEST_CASE("the farthest point is as far as compare() finds it, and lies there") {
+  const Mesh sphere = test::icosphere(3);
+  for (const Mesh& mesh : {test::torus(1, 0.4, 40, 20), test::moved(sphere, Vec3(0.1, 0, 3)),
+                           test::scaled(sphere, 1.01), sphere}) {
+    const CompareOptions options{.samples = 5000};
+    const Comparison found = compare(mesh, sphere, options);
+    const Farthest there = farthest_from(sphere, mesh, options);
+    const Farthest back = farthest_from(mesh, sphere, options);
+    CHECK(there.distance == found.hausdorff_to_reference);
+    CHECK(back.distance == found.hausdorff_from_reference);
+    CHECK(ClosestPointQuery(sphere)(there.point).distance == there.distance);
+  }
 }
