@@ -26,10 +26,8 @@ inline void report_cleaning(const CleanResult& result, const SeparateResult& sep
 
 inline void report_topology(const Mesh& mesh, Run& run) {
   const Components components = connected_components(mesh);
-  long genus = 0;
-  for (const Component& component : components.components) genus += component.genus();
   run.report("components", components.components.size());
-  run.report("genus", genus);
+  run.report("genus", components.genus());
 }
 
 }  // namespace transformesh::tool

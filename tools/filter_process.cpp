@@ -11,8 +11,8 @@
 #include <csignal>
 #include <cstring>
 
-#include "exit_code.h"
 #include "tm/support/error.h"
+#include "tool.h"
 
 namespace transformesh::tool {
 namespace {

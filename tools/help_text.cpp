@@ -1,5 +1,4 @@
-#include "help_text.h"
-
+#include <algorithm>
 #include <sstream>
 
 #include "command.h"
@@ -41,20 +40,18 @@ std::string entry(const std::string& left, const std::string& help) {
 }
 
 std::string option_entry(const Option& option) {
-  std::string left;
-  if (option.short_name != 0) left = std::string("-") + option.short_name + ", ";
-  left += "--" + option.name;
-  if (!option.is_flag()) left += ' ' + option.placeholder;
-  std::string help = option.help;
-  if (!option.default_text.empty()) help += " (default " + option.default_text + ")";
-  return entry(left, help);
+  const std::string name = option.name();
+  const bool has_short_name = name != option.names;
+  const std::string left = (has_short_name ? std::string("-") + option.names.back() + ", " : "") +
+                           "--" + name + (option.is_flag() ? "" : ' ' + option.placeholder);
+  const std::string value = option.is_flag() ? "" : option.text();
+  return entry(left, option.help + (value.empty() ? "" : " (default " + value + ")"));
 }
 
-std::string option_entries(const OptionTable& table, bool is_common) {
+std::string option_entries(const Command& command, bool is_common) {
   std::string entries;
-  for (const Option& option : table.options()) {
-    if (option.is_common == is_common) entries += option_entry(option);
-  }
+  for (const Option* option : command.options)
+    if (option->is_common == is_common) entries += option_entry(*option);
   return entries;
 }
 
@@ -69,14 +66,17 @@ std::string exit_code_lines(const Command& command) {
                  0, 12);
 }
 
+bool has_lengths(const Command& command) {
+  return std::any_of(command.options.begin(), command.options.end(),
+                     [](const Option* option) { return option->placeholder == "LENGTH"; });
+}
+
 // A program that reads no mesh has no reference edge.
 std::string length_lines(bool has_reference_edge) {
-  const std::string units = "A LENGTH is 0.02 (input units)";
-  const std::string diagonal = "1% (of the bounding box's diagonal)";
-  const std::string rest = has_reference_edge
-                               ? ", " + diagonal + " or 0.7x (of the reference edge)."
-                               : " or " + diagonal + ".";
-  return wrapped(units + rest, 0, 0);
+  const std::string rest =
+      has_reference_edge ? ", 1% (of the bounding box's diagonal) or 0.7x (of the reference edge)."
+                         : " or 1% (of the bounding box's diagonal).";
+  return wrapped("A LENGTH is 0.02 (input units)" + rest, 0, 0);
 }
 
 std::string usage_line(const Command& command) {
@@ -90,10 +90,10 @@ std::string help_text(const Command& command) {
   if (!command.words_placeholder.empty()) {
     text += "\nArguments:\n" + entry(command.words_placeholder, command.words_help);
   }
-  const std::string own = option_entries(command.table, false);
+  const std::string own = option_entries(command, false);
   if (!own.empty()) text += "\nOptions:\n" + own;
-  text += "\nCommon options:\n" + option_entries(command.table, true);
-  if (command.table.has_lengths()) text += '\n' + length_lines(command.reads != Reads::nothing);
+  text += "\nCommon options:\n" + option_entries(command, true);
+  if (has_lengths(command)) text += '\n' + length_lines(command.reads != Reads::nothing);
   for (const std::string& epilog : command.epilogs) text += '\n' + epilog + '\n';
   return text + '\n' + exit_code_lines(command);
 }

@@ -1,13 +1,61 @@
+// The kinds of options: what each reads, checks and shows.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
 
-#include "option_table.h"
-#include "suggestion.h"
+#include "command.h"
+#include "report.h"
 #include "tm/support/error.h"
+#include "tm/support/suggestion.h"
 
 namespace transformesh::tool {
 namespace {
+
+template <typename Value>
+Json json_of(const Value& value) {
+  return value;
+}
+Json json_of(const Length& length) { return length.text(); }
+template <typename Value>
+Json json_of(const std::optional<Value>& value) {
+  return value ? json_of(*value) : Json("");
+}
+
+template <typename Value>
+const Length* length_of(const Value&) {
+  return nullptr;
+}
+const Length* length_of(const Length& length) { return &length; }
+const Length* length_of(const std::optional<Length>& length) { return length ? &*length : nullptr; }
+
+template <typename Value>
+class Bound : public Option {
+ public:
+  /// Throws UsageError with a phrase that completes `--name: `.
+  using Read = std::function<Value(const std::string& text)>;
+
+  Bound(Value* value, Read read, const auto&... description)
+      : Option(description...), value_(value), read_(std::move(read)) {}
+
+  Json value() const override { return json_of(*value_); }
+  const Length* length() const override { return length_of(*value_); }
+  void parse(boost::any& parsed, const std::vector<std::string>& words, bool) const override {
+    try {
+      parsed = read_(words.empty() ? "" : words[0]);
+    } catch (const UsageError& error) {
+      throw UsageError("--" + name() + ": " + error.what());
+    }
+  }
+  void notify(const boost::any& parsed) const override {
+    *value_ = boost::any_cast<const Value&>(parsed);
+  }
+
+ private:
+  Value* value_;
+  Read read_;
+};
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
@@ -26,41 +74,23 @@ double parse_number(const std::string& text) {
   return number;
 }
 
-std::string text_of(double number) { return shortest_text(number); }
-std::string text_of(long number) { return std::to_string(number); }
-
 template <typename Number>
-void check_range(Number number, const std::string& text, Number minimum, Number maximum) {
+Number in_range(Number number, const std::string& text, Number minimum, Number maximum) {
   if (number < minimum)
     throw UsageError(quoted(text) + " is too small: at least " + text_of(minimum));
   if (number > maximum)
     throw UsageError(quoted(text) + " is too large: at most " + text_of(maximum));
-}
-
-long parse_integer(const std::string& text, long minimum, long maximum) {
-  const auto number = parse_whole<long>(text, "a whole number");
-  check_range(number, text, minimum, maximum);
   return number;
 }
 
-Length parse_checked_length(const std::string& text, bool may_be_negative) {
-  const Length length = parse_length(text);
-  if (length.value < 0 && !may_be_negative) {
-    throw UsageError(quoted(text) + " is too small: a length of at least 0");
-  }
-  return length;
-}
-
-std::vector<double> parse_numbers(const std::string& text, std::size_t count) {
+std::vector<double> parse_numbers(const std::string& text) {
   std::vector<double> numbers;
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
+  for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     numbers.push_back(parse_number(text.substr(begin, end - begin)));
     begin = end + 1;
   }
-  if (numbers.size() == count) return numbers;
-  throw UsageError(quoted(text) + " is not " + std::to_string(count) + " numbers with commas");
+  return numbers;
 }
 
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
@@ -71,96 +101,87 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 
 }  // namespace
 
-Option flag_option(const std::string& name, bool* value, const std::string& help) {
-  return {name, 0, "", help, value, [value](const std::string&) { *value = true; }};
+template <typename Value>
+void Program::add(const std::string& option, const std::string& placeholder,
+                  const std::string& help, Value* value,
+                  std::function<Value(const std::string&)> read) {
+  command_->add(std::make_unique<Bound<Value>>(value, std::move(read), option, placeholder, help));
 }
 
-Option number_option(const std::string& name, double* value, double minimum, double maximum,
+void Program::flag(const std::string& option, bool* value, const std::string& help) {
+  add<bool>(option, "", help, value, [](const std::string&) { return true; });
+}
+
+void Program::number(const std::string& option, double* value, double minimum, double maximum,
                      const std::string& help) {
-  return {name, 0, "NUMBER", help, value, [=](const std::string& text) {
-            const double number = parse_number(text);
-            check_range(number, text, minimum, maximum);
-            *value = number;
-          }};
+  add<double>(option, "NUMBER", help, value, [=](const std::string& text) {
+    return in_range(parse_number(text), text, minimum, maximum);
+  });
 }
 
-Option integer_option(const std::string& name, long* value, long minimum, long maximum,
+template <typename Integer>
+void Program::integer(const std::string& option, Integer* value, long minimum, long maximum,
                       const std::string& help) {
-  return {name,  0,
-          "N",   help,
-          value, [=](const std::string& text) {
-            *value = parse_integer(text, minimum, maximum); }};
+  add<Integer>(option, "N", help, value, [=](const std::string& text) {
+    const auto number = parse_whole<long>(text, "a whole number");
+    return static_cast<Integer>(in_range(number, text, minimum, maximum));
+  });
 }
+template void Program::integer(const std::string&, int*, long, long, const std::string&);
+template void Program::integer(const std::string&, long*, long, long, const std::string&);
+template void Program::integer(const std::string&, std::size_t*, long, long, const std::string&);
+template void Program::integer(const std::string&, std::optional<long>*, long, long,
+                               const std::string&);
 
-Option integer_option(const std::string& name, std::optional<long>* value, long minimum,
-                      long maximum, const std::string& help) {
-  return {name,  0,
-          "N",   help,
-          value, [=](const std::string& text) {
-            *value = parse_integer(text, minimum, maximum); }};
-}
-
-Option length_option(const std::string& name, Length* value, const std::string& help,
+template <typename LengthOrNone>
+void Program::length(const std::string& option, LengthOrNone* value, const std::string& help,
                      bool may_be_negative) {
-  return {name,
-          0,
-          "LENGTH",
-          help,
-          value,
-          [=](const std::string& text) {
-            *value = parse_checked_length(text, may_be_negative); }};
+  add<LengthOrNone>(option, "LENGTH", help, value, [=](const std::string& text) {
+    const Length length = parse_length(text);
+    if (length.value < 0 && !may_be_negative)
+      throw UsageError(quoted(text) + " is too small: a length of at least 0");
+    return length;
+  });
 }
+template void Program::length(const std::string&, Length*, const std::string&, bool);
+template void Program::length(const std::string&, std::optional<Length>*, const std::string&, bool);
 
-Option length_option(const std::string& name, std::optional<Length>* value, const std::string& help,
-                     bool may_be_negative) {
-  return {name,
-          0,
-          "LENGTH",
-          help,
-          value,
-          [=](const std::string& text) {
-            *value = parse_checked_length(text, may_be_negative); }};
-}
-
-Option text_option(const std::string& name, std::string* value, const std::string& placeholder,
+void Program::text(const std::string& option, std::string* value, const std::string& placeholder,
                    const std::string& help) {
-  Option option{name, 0,     placeholder,
-                help, value, [value](const std::string& text) { *value = text; }};
-  // File names never enter the provenance comment: they would differ between equal results.
-  option.affects_result = placeholder.find("FILE") == std::string::npos;
-  return option;
+  add<std::string>(option, placeholder, help, value, [](const std::string& text) { return text; });
 }
 
-Option choice_option(const std::string& name, std::string* value, std::vector<std::string> names,
-                     const std::string& help) {
-  const std::string placeholder = join(names, "|");
-  return {
-      name, 0, placeholder, help, value, [=, names = std::move(names)](const std::string& text) {
-        for (const std::string& candidate : names) {
-          if (candidate == text) {
-            *value = text;
-            return;
-          }
-        }
-        throw UsageError(quoted(text) + " is not known; did you mean " +
-                         quoted(nearest_name(text, names)) + "? (" + join(names, ", ") + ")");
-      }};
+void Program::choice(const std::string& option, std::string* value,
+                     const std::vector<std::string>& names, const std::string& help) {
+  add<std::string>(option, join(names, "|"), help, value, [=](const std::string& text) {
+    if (std::find(names.begin(), names.end(), text) != names.end()) return text;
+    throw UsageError(quoted(text) + " is not known; did you mean " +
+                     quoted(nearest_name(text, names)) + "? (" + join(names, ", ") + ")");
+  });
 }
 
-Option reference_edge_option(std::string* value, const std::string& help) {
-  return {"reference-edge", 0, "auto|LENGTH", help, value, [value](const std::string& text) {
-            if (text != "auto" && parse_length(text).value <= 0)
-              throw UsageError(quoted(text) + " must be positive, or auto to measure it");
-            *value = text;
-          }};
-}
-
-Option numbers_option(const std::string& name, std::vector<double>* value,
+void Program::numbers(const std::string& option, std::vector<double>* value,
                       const std::string& placeholder, const std::string& help) {
   const auto commas = std::count(placeholder.begin(), placeholder.end(), ',');
   const auto count = static_cast<std::size_t>(commas) + 1;
-  return {name, 0,     placeholder,
-          help, value, [=](const std::string& text) { *value = parse_numbers(text, count); }};
+  add<std::vector<double>>(option, placeholder, help, value, [=](const std::string& text) {
+    std::vector<double> numbers = parse_numbers(text);
+    if (numbers.size() == count) return numbers;
+    throw UsageError(quoted(text) + " is not " + std::to_string(count) + " numbers with commas");
+  });
+}
+
+void Program::seed(long* value) {
+  integer("seed", value, 0, std::numeric_limits<long>::max(), "seed of the random numbers");
+}
+
+void Program::reference_edge(const std::string& value, const std::string& help) {
+  command_->common.reference_edge = value;
+  add<std::string>("reference-edge", "auto|LENGTH", help, &command_->common.reference_edge,
+                   [](const std::string& text) {
+                     if (text == "auto" || parse_length(text).value > 0) return text;
+                     throw UsageError(quoted(text) + " must be positive, or auto to measure it");
+                   });
 }
 
 }  // namespace transformesh::tool

@@ -13,8 +13,6 @@ void declare_sources(Program& program, ViewSources& sources) {
   program.require("images");
   program.text("silhouettes", &sources.silhouettes, "WHERE",
                "masks, not black where the object is, that pull the surface");
-  for (const char* place : {"cameras", "images", "silhouettes"})
-    program.keep_out_of_provenance(place);
 }
 
 void declare_comparison(Program& program, PhotoOptions& options) {

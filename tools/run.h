@@ -3,18 +3,18 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "length_basis.h"
-#include "output.h"
-#include "phases.h"
-#include "report.h"
 #include "terminal.h"
+#include "tm/io/atomic_file.h"
 #include "tm/io/document.h"
+#include "tm/io/length_basis.h"
 #include "tm/io/streams.h"
 #include "tm/support/length.h"
 #include "tm/support/progress.h"
@@ -22,11 +22,15 @@
 namespace transformesh::tool {
 
 struct Command;
-struct Option;
+struct Report;
+class Option;
 
 class Run {
  public:
   Run(Command& command, Terminal& terminal);
+  ~Run();
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   /// The mesh read, which a program that writes a mesh changes; empty where none was read.
   Document& document() { return documents_.front(); }
@@ -64,11 +68,10 @@ class Run {
   /// underscores. Points are three numbers.
   template <typename Value>
   void report(const std::string& key, const Value& value) {
-    constexpr bool is_integer = std::is_integral_v<Value> && !std::is_same_v<Value, bool>;
-    if constexpr (is_integer) {
-      report_.set(key, static_cast<long>(value));
+    if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>) {
+      set(key, static_cast<long>(value));
     } else {
-      report_.set(key, value);
+      set(key, value);
     }
   }
   /// A no is exit code 1.
@@ -105,11 +108,7 @@ class Run {
 
  private:
   friend class Program;
-  struct Counts {
-    void add(const Mesh& mesh);
-    std::size_t vertices = 0;
-    std::size_t faces = 0;
-  };
+  using Value = std::variant<bool, long, double, std::string, std::vector<double>>;
 
   /// What the frame does before the body, and after it; returns the exit code.
   void start();
@@ -117,36 +116,34 @@ class Run {
   /// Instead of finish() where the body has failed and kept something.
   void write_kept();
 
+  void set(const std::string& key, const Value& value);
   Bytes read_once(const std::string& path);
-  void read_meshes();
-  void set_output_style(Document& document);
-  void refuse_binary_on_terminal(Format format) const;
   void refer_to(const Document& document);
+  /// In input units, where the option is a length and there is what it refers to.
   std::optional<double> resolved(const Option& option);
   void show_settings();
-  void show_report();
+  void set_output_style(Document& document);
   void write_mesh();
-  std::string report_text() const;
   void write_bytes(std::string_view bytes);
-  nlohmann::ordered_json full_report();
+  std::string report_text() const;
+  std::string full_report();
+  /// Writes a file that gets its name with all others by commit().
+  void stage(const std::string& path, std::string_view bytes);
+  void commit();
 
   Command& command_;
   Terminal& terminal_;
   LengthBasis basis_;
-  Phases phases_;
+  std::unique_ptr<Report> report_;
   Progress progress_;
-  Report report_;
-  std::vector<Document> documents_;
+  std::vector<Document> documents_ = std::vector<Document>(1);
   std::string bytes_;
-  std::optional<Counts> input_counts_;
-  std::optional<Counts> output_counts_;
   std::vector<std::pair<std::string, std::string>> further_files_;
+  std::vector<AtomicFile> staged_;
   std::optional<std::pair<std::string, std::string>> kept_;
   std::function<void()> when_written_;
-  Outputs outputs_;
   bool stdin_is_read_ = false;
   bool settings_are_shown_ = false;
-  bool has_output_style_ = false;
   bool is_stamped_ = false;
   bool writes_nothing_ = false;
   bool answer_ = true;

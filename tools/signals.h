@@ -10,12 +10,11 @@ namespace transformesh::tool {
 void occupy_standard_descriptors();
 
 /// SIGINT, SIGTERM, SIGPIPE, SIGXCPU and, unless nohup has it ignored, SIGHUP end the process at
-/// once with 128 + their number and remove its temporary files (tm/io/atomic_file.h). SIGXFSZ is
-/// ignored: the write that grew too large fails and tells.
+/// once with 128 + their number and remove its temporary files. SIGXFSZ is ignored: the write that
+/// grew too large fails and tells.
 void install_signal_handlers();
 
-/// From now on SIGINT, SIGTERM and SIGHUP are told: `tm-morph: interrupted by SIGINT` and the
-/// advice.
+/// From now on SIGINT, SIGTERM and SIGHUP are told: `tm-x: interrupted by SIGINT` and the advice.
 void tell_interruption(const std::string& program, const std::string& advice);
 
 /// Whether a progress bar stands on the terminal's current line.

@@ -28,7 +28,6 @@ void declare(tool::Program& program, Options& options) {
                "which components: of at least this share of the largest one's volume");
   program.text("write-outlines", &options.outlines, "FOLDER",
                "also write there, as NAME.png, what the hull covers in each view");
-  program.keep_out_of_provenance("write-outlines");
 }
 
 void make(const Options& options, tool::Run& run) {

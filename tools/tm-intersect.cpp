@@ -69,8 +69,6 @@ int main(int argc, char** argv) {
   program.text("segments", &options.segments, "FILE", "write the common segments as PLY edges");
   program.flag("refine", &options.refine,
                "split faces along the intersections; source_face tells where they come from");
-  program.keep_out_of_provenance("pairs");
-  program.keep_out_of_provenance("segments");
   program.write_mesh_if([&] { return !options.check; });
   return program.run(argc, argv, [&](tool::Run& run) { intersect(run.document(), options, run); });
 }

@@ -1,6 +1,6 @@
 /// tm-shape: closed meshes out of nothing, as sources, targets and workloads.
-#include "suggestion.h"
 #include "tm/shapes/shapes.h"
+#include "tm/support/suggestion.h"
 #include "tool.h"
 
 namespace {
@@ -21,7 +21,7 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   if (options.words.empty()) throw UsageError("no KIND given: sphere, for example; see --help");
   ShapeOptions shape;
   shape.kind = options.words[0];
-  const std::string nearest = tool::nearest_name(shape.kind, shape_kinds());
+  const std::string nearest = nearest_name(shape.kind, shape_kinds());
   if (nearest != shape.kind) {
     throw UsageError("unknown kind of shape '" + shape.kind + "'; did you mean '" + nearest + "'?");
   }

@@ -7,13 +7,10 @@
 #endif
 
 #include <iostream>
-#include <limits>
 #include <new>
 #include <stdexcept>
 
 #include "command.h"
-#include "exit_code.h"
-#include "help_text.h"
 #include "signals.h"
 #include "tm/io/streams.h"
 #include "tm/support/error.h"
@@ -26,7 +23,7 @@ namespace {
 struct ShortHelpWanted {};
 
 int print(std::string_view text) {
-  Outputs().stage("-", text);
+  write_file("-", text);
   return exit_done;
 }
 
@@ -66,13 +63,9 @@ std::vector<std::string> inputs_of(const Command& command, const std::vector<std
   return words;
 }
 
-void check_required(Command& command) {
-  for (const std::string& name : command.required) {
-    const Option* option = command.table.find(name);
-    if (option == nullptr || option->given) continue;
-    throw UsageError("--" + option->name + " " + option->placeholder +
-                     " is needed: " + option->help);
-  }
+void refuse_together(const Command& command, const std::string& first, const std::string& second) {
+  if (command.is_given(first) && command.is_given(second))
+    throw UsageError("give either --" + first + " or --" + second + ", not both");
 }
 
 /// Tells the failure that is being handled, and returns its exit code.
@@ -105,55 +98,15 @@ int tell_failure(Terminal& terminal) {
 
 Program::Program(std::string name, std::string synopsis, std::string summary, Reads reads,
                  Writes writes)
-    : command_(std::make_unique<Command>(
-          Command{name, std::move(synopsis), std::move(summary), reads, writes})),
-      terminal_(std::move(name)) {}
+    : command_(std::make_unique<Command>()), terminal_(name) {
+  command_->name = std::move(name);
+  command_->synopsis = std::move(synopsis);
+  command_->summary = std::move(summary);
+  command_->reads = reads;
+  command_->writes = writes;
+}
 
 Program::~Program() = default;
-
-void Program::flag(const std::string& option, bool* value, const std::string& help) {
-  command_->table.add(flag_option(option, value, help));
-}
-
-void Program::number(const std::string& option, double* value, double minimum, double maximum,
-                     const std::string& help) {
-  command_->table.add(number_option(option, value, minimum, maximum, help));
-}
-
-void Program::integer(const std::string& option, long* value, long minimum, long maximum,
-                      const std::string& help) {
-  command_->table.add(integer_option(option, value, minimum, maximum, help));
-}
-
-void Program::integer(const std::string& option, std::optional<long>* value, long minimum,
-                      long maximum, const std::string& help) {
-  command_->table.add(integer_option(option, value, minimum, maximum, help));
-}
-
-void Program::length(const std::string& option, Length* value, const std::string& help,
-                     bool may_be_negative) {
-  command_->table.add(length_option(option, value, help, may_be_negative));
-}
-
-void Program::length(const std::string& option, std::optional<Length>* value,
-                     const std::string& help, bool may_be_negative) {
-  command_->table.add(length_option(option, value, help, may_be_negative));
-}
-
-void Program::text(const std::string& option, std::string* value, const std::string& placeholder,
-                   const std::string& help) {
-  command_->table.add(text_option(option, value, placeholder, help));
-}
-
-void Program::choice(const std::string& option, std::string* value, std::vector<std::string> names,
-                     const std::string& help) {
-  command_->table.add(choice_option(option, value, std::move(names), help));
-}
-
-void Program::numbers(const std::string& option, std::vector<double>* value,
-                      const std::string& placeholder, const std::string& help) {
-  command_->table.add(numbers_option(option, value, placeholder, help));
-}
 
 void Program::words(std::vector<std::string>* values, const std::string& placeholder,
                     const std::string& help) {
@@ -162,27 +115,47 @@ void Program::words(std::vector<std::string>* values, const std::string& placeho
   command_->words_help = help;
 }
 
-void Program::seed(long* value) {
-  integer("seed", value, 0, std::numeric_limits<long>::max(), "seed of the random numbers");
-}
-
-void Program::reference_edge(const std::string& value, const std::string& help) {
-  command_->common.reference_edge = value;
-  command_->table.add(reference_edge_option(&command_->common.reference_edge, help));
-}
-
 void Program::keep_out_of_provenance(const std::string& option) {
-  if (Option* found = command_->table.find(option)) found->affects_result = false;
+  command_->find(option)->affects_result = false;
 }
 
-void Program::require(const std::string& option) { command_->required.push_back(option); }
+void Program::require(const std::string& option) { command_->find(option)->is_needed = true; }
 
 void Program::print_only(const std::string* key) { command_->only_key = key; }
 
-void Program::epilog(std::string text) { command_->epilogs.push_back(std::move(text)); }
-
 void Program::write_mesh_if(std::function<bool()> condition) {
   command_->writes_mesh_if = std::move(condition);
+}
+
+void Program::epilog(std::string text) { command_->epilogs.push_back(std::move(text)); }
+
+void Program::declare_common() {
+  CommonValues& values = command_->common;
+  command_->declares_common = true;
+  text("output,o", &values.output, "FILE", "where to write; - is stdout");
+  if (command_->may_write_mesh()) {
+    choice("format", &values.format, {"ply", "ply-ascii", "ply-be", "off"},
+           command_->is_evolution() ? "format of the output (default ply)"
+                                    : "format of the output instead of the input's");
+    if (!command_->is_evolution()) {
+      flag("float", &values.as_float, "write coordinates as 32-bit floats");
+      flag("double", &values.as_double, "write coordinates as 64-bit floats");
+    }
+    flag("no-provenance", &values.no_provenance, "add no comment with the options used");
+    if (command_->reads_mesh())
+      reference_edge("",
+                     "length that x refers to: measured anew, or set (default: the mesh's "
+                     "tm:reference-edge comment, else measured)");
+  }
+  if (command_->may_print_report()) flag("json", &values.json, "print the report as JSON");
+  text("report", &values.report, "FILE", "also write a JSON report there");
+  integer("threads", &values.threads, 0, 1024, "threads to use, 0: one per core");
+  flag("progress", &values.progress, "report progress on stderr, also where it is not a terminal");
+  flag("no-progress", &values.no_progress, "never report progress");
+  flag("quiet,q", &values.quiet, "print errors only");
+  flag("verbose,v", &values.verbose, "print the settings and what was done");
+  flag("help,h", &values.help, "print this text");
+  flag("version", &values.version, "print the version");
 }
 
 int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
@@ -200,17 +173,21 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
 int Program::run_unguarded(const std::vector<std::string>& arguments,
                            const std::function<void(Run&)>& body) {
   Command& command = *command_;
-  add_common_options(command);
-  const std::vector<std::string> words = command.table.parse(arguments);
-  if (command.common.help) return print(help_text(command));
-  if (command.common.version) return print(command.name + " " TM_VERSION "\n");
-  check_common_options(command.common);
-  terminal_.configure(command.common.quiet, command.common.verbose, command.common.progress,
-                      command.common.no_progress);
+  declare_common();
+  const std::vector<std::string> words = command.parse(arguments);
+  if (command.is_given("help")) return print(help_text(command));
+  if (command.is_given("version")) return print(command.name + " " TM_VERSION "\n");
+  refuse_together(command, "float", "double");
+  refuse_together(command, "quiet", "verbose");
+  refuse_together(command, "progress", "no-progress");
   if (command.words != nullptr) *command.words = words;
   command.inputs = inputs_of(command, words);
-  check_required(command);
-  const ThreadLimit limit(static_cast<int>(command.common.threads));
+  command.assign();
+  const CommonValues& values = command.common;
+  if (!values.report.empty() && values.output == values.report)
+    throw UsageError("give either --output or --report its own file, not both");
+  terminal_.configure(values.quiet, values.verbose, values.progress, values.no_progress);
+  const ThreadLimit limit(static_cast<int>(values.threads));
   Run run(command, terminal_);
   try {
     run.start();

@@ -14,7 +14,17 @@
 
 namespace transformesh::tool {
 
-struct Command;
+/// The exit codes of every program; a signal's is 128 and its number. 124 to 127 and 137 stay free
+/// for timeout and the shell.
+enum ExitCode {
+  exit_done = 0,  ///< for a predicate: yes
+  exit_no = 1,    ///< predicates, and evolutions that must converge
+  exit_usage = 2,
+  exit_input = 3,
+  exit_goal = 4,
+  exit_output = 5,
+  exit_memory = 6
+};
 
 /// What the words are that are no options.
 enum class Reads {
@@ -35,9 +45,9 @@ enum class Writes {
   answer   ///< the same, and the exit code is 1 for a no
 };
 
-/// A program's name, description and options. Options are named without dashes and bound to
-/// variables, whose values are the defaults that --help shows. Declaration order is the order of
-/// the help text; help is a phrase without capital and full stop.
+/// A program's name, description and options. Options are named without dashes, `name,n` with a
+/// short name, and bound to variables, whose values are the defaults that --help shows. Declaration
+/// order is the order of the help text; help is a phrase without capital and full stop.
 class Program {
  public:
   /// `summary` is one line without full stop; `synopsis` the usage without the program's name.
@@ -50,48 +60,52 @@ class Program {
   void flag(const std::string& option, bool* value, const std::string& help);
   void number(const std::string& option, double* value, double minimum, double maximum,
               const std::string& help);
-  void integer(const std::string& option, long* value, long minimum, long maximum,
+  /// An int, a long, a std::size_t or a std::optional<long>.
+  template <typename Integer>
+  void integer(const std::string& option, Integer* value, long minimum, long maximum,
                const std::string& help);
-  void integer(const std::string& option, std::optional<long>* value, long minimum, long maximum,
-               const std::string& help);
-  /// A length must be >= 0 unless `may_be_negative`.
-  void length(const std::string& option, Length* value, const std::string& help,
+  /// A Length or a std::optional<Length>, which must be >= 0 unless `may_be_negative`.
+  template <typename LengthOrNone>
+  void length(const std::string& option, LengthOrNone* value, const std::string& help,
               bool may_be_negative = false);
-  void length(const std::string& option, std::optional<Length>* value, const std::string& help,
-              bool may_be_negative = false);
-  /// A placeholder that contains FILE keeps the value out of the provenance comment.
+  /// A placeholder FILE, FOLDER or WHERE keeps the value out of the provenance comment.
   void text(const std::string& option, std::string* value, const std::string& placeholder,
             const std::string& help);
   /// One of the names given; anything else is a usage error that names the nearest.
-  void choice(const std::string& option, std::string* value, std::vector<std::string> names,
+  void choice(const std::string& option, std::string* value, const std::vector<std::string>& names,
               const std::string& help);
   /// As many numbers as the placeholder has, comma separated: `X,Y,Z`. No default where empty.
   void numbers(const std::string& option, std::vector<double>* value,
                const std::string& placeholder, const std::string& help);
+  /// --seed, one spelling everywhere.
+  void seed(long* value);
+  /// --reference-edge as an option of an evolution's own: `value` is auto or a length.
+  void reference_edge(const std::string& value, const std::string& help);
   /// Positional words before the input (tm-shape KIND PARAMETERS...): all words are these.
   void words(std::vector<std::string>* values, const std::string& placeholder,
              const std::string& help);
-  /// --reference-edge as an option of an evolution's own: `value` is auto or a length.
-  void reference_edge(const std::string& value, const std::string& help);
-  /// --seed, one spelling everywhere.
-  void seed(long* value);
 
   /// Options affect the result, and so go into the provenance comment, unless named here.
   void keep_out_of_provenance(const std::string& option);
   /// The option must be given; otherwise a usage error says what it is for.
   void require(const std::string& option);
-  /// While *key is not empty after parsing, a predicate prints only that entry's value.
+  /// While *key is not empty after parsing, only that entry of the report is printed.
   void print_only(const std::string* key);
+  /// While this holds after parsing, a mesh is written and not the answer.
+  void write_mesh_if(std::function<bool()> condition);
   /// Paragraphs shown after the options by --help: examples, formulas.
   void epilog(std::string text);
 
-  /// While this holds after parsing, a mesh is written and not the answer.
-  void write_mesh_if(std::function<bool()> condition);
-
   /// Runs the program and returns its exit code.
   int run(int argc, char** argv, const std::function<void(Run&)>& body);
+  /// As it was declared.
+  Command& command() { return *command_; }
 
  private:
+  template <typename Value>
+  void add(const std::string& option, const std::string& placeholder, const std::string& help,
+           Value* value, std::function<Value(const std::string&)> read);
+  void declare_common();
   int run_unguarded(const std::vector<std::string>& arguments,
                     const std::function<void(Run&)>& body);
 

@@ -40,8 +40,6 @@ void declare_silhouettes(Program& program, SilhouetteOptions& options) {
                  "share of the image's larger side: narrower marks belong to the object");
   program.text("write-silhouettes", &options.masks, "FOLDER",
                "also write the silhouettes there, as NAME.png");
-  for (const char* place : {"cameras", "silhouettes", "images", "write-silhouettes"})
-    program.keep_out_of_provenance(place);
 }
 
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run) {

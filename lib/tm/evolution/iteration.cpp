@@ -1,6 +1,5 @@
 #include "tm/evolution/iteration.h"
 
-#include <cmath>
 #include <utility>
 
 #include "tm/clean/clean.h"
@@ -14,9 +13,7 @@ namespace {
 
 Topology topology_of(const Mesh& mesh) {
   const Components found = connected_components(mesh);
-  Topology topology{found.components.size(), 0};
-  for (const Component& component : found.components) topology.genus += component.genus();
-  return topology;
+  return {found.components.size(), found.genus()};
 }
 
 RemeshOptions remesh_options(const Document& document, const IterationOptions& options) {
@@ -78,13 +75,6 @@ IterationResult iterate(Document& document, const Step& step, const IterationOpt
   result.faces = document.mesh.faces.size();
   result.seconds_remesh = watch.lap();
   return result;
-}
-
-double measured_reference_edge(const Mesh& mesh) {
-  const double mean = edge_lengths(mesh).mean;
-  if (mean > 0 && std::isfinite(mean)) return mean;
-  throw InputError("the mean edge of the mesh is " + shortest_text(mean) +
-                   ", so there is no reference edge that lengths could refer to");
 }
 
 }  // namespace transformesh

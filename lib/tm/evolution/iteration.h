@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tm/io/document.h"
+#include "tm/io/length_basis.h"
 #include "tm/remesh/remesh.h"
 #include "tm/step/displace.h"
 #include "tm/support/length.h"
@@ -66,8 +67,5 @@ struct CleanedTopology {
 
 /// clean() with `outermost`, rounded as written.
 CleanedTopology clean_in_place(Document& document, const Progress& progress = Progress());
-
-/// The mean edge; throws InputError where it is no positive finite length.
-double measured_reference_edge(const Mesh& mesh);
 
 }  // namespace transformesh

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -16,14 +17,24 @@
 namespace transformesh {
 namespace {
 
-TemporaryFileHook hook;
+// A list that a handler of signals may walk at any time: an entry is complete before it can be
+// seen, and none is ever taken out. A loop writes the same few names again and again.
+struct TemporaryFile {
+  const std::string path;
+  TemporaryFile* const next;
+  std::atomic<bool> exists{true};
+};
+std::atomic<TemporaryFile*> temporary_files{nullptr};
 
-void tell(void (*told)(const std::string&), const std::string& path) {
-  if (told != nullptr) told(path);
+void note_temporary(const std::string& path, bool exists) {
+  for (TemporaryFile* file = temporary_files; file != nullptr; file = file->next)
+    if (file->path == path) return file->exists.store(exists);
+  if (exists) temporary_files = new TemporaryFile{path, temporary_files};
 }
 
 [[noreturn]] void throw_failed(const std::string& path) {
-  throw OutputError("cannot write '" + path + "': " + std::strerror(errno));
+  throw OutputError("cannot write " + (path == "-" ? "standard output" : "'" + path + "'") + ": " +
+                    std::strerror(errno));
 }
 
 void write_and_close(int descriptor, const std::string& path, std::string_view bytes) {
@@ -64,8 +75,10 @@ std::optional<mode_t> existing_mode(const std::string& path) {
   return status.st_mode;
 }
 
-// Devices, FIFOs, and names like /dev/stdout and /dev/fd/63 that stand for an open descriptor.
+// Stdout, devices, FIFOs, and names like /dev/stdout and /dev/fd/63 that stand for an open
+// descriptor.
 bool is_written_directly(const std::string& path) {
+  if (path == "-") return true;
   for (const char* prefix : {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"}) {
     if (path.starts_with(prefix)) return true;
   }
@@ -74,7 +87,8 @@ bool is_written_directly(const std::string& path) {
 }
 
 void write_directly(const std::string& path, std::string_view bytes) {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  const int descriptor =
+      path == "-" ? STDOUT_FILENO : open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
   if (descriptor < 0) throw_failed(path);
   write_and_close(descriptor, path, bytes);
 }
@@ -87,14 +101,14 @@ std::string temporary_name(const std::string& target, int attempt) {
          std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp";
 }
 
-// Creates the temporary file; the hook knows its name before it exists.
+// Creates the temporary file; its name is noted before it exists.
 int open_temporary(const std::string& target, std::string& name) {
   for (int attempt = 0; attempt < 100; ++attempt) {
     name = temporary_name(target, attempt);
-    tell(hook.created, name);
+    note_temporary(name, true);
     const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) return descriptor;
-    tell(hook.gone, name);
+    note_temporary(name, false);
     if (errno != EEXIST) break;
   }
   name.clear();
@@ -104,12 +118,10 @@ int open_temporary(const std::string& target, std::string& name) {
 void remove_temporary(const std::string& path) {
   if (path.empty()) return;
   unlink(path.c_str());
-  tell(hook.gone, path);
+  note_temporary(path, false);
 }
 
 }  // namespace
-
-void set_temporary_file_hook(TemporaryFileHook new_hook) { hook = new_hook; }
 
 AtomicFile::AtomicFile(const std::string& path, std::string_view bytes) : target_(path) {
   if (is_written_directly(path)) {
@@ -139,7 +151,7 @@ AtomicFile::~AtomicFile() { remove_temporary(temporary_); }
 void AtomicFile::commit() {
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw_failed(target_);
-  tell(hook.gone, std::exchange(temporary_, ""));
+  note_temporary(std::exchange(temporary_, ""), false);
 }
 
 bool AtomicFile::has_target_of(const AtomicFile& other) const {
@@ -152,7 +164,7 @@ void write_file(const std::string& path, std::string_view bytes) {
 
 void check_writable(const std::string& path) {
   if (path.empty()) throw OutputError("cannot write a file without a name");
-  const std::string target = resolved(path);
+  const std::string target = path == "-" ? path : resolved(path);
   if (is_written_directly(target)) {
     if (S_ISDIR(existing_mode(target).value_or(0))) {
       errno = EISDIR;
@@ -161,6 +173,11 @@ void check_writable(const std::string& path) {
   } else if (access(folder_of(target).c_str(), W_OK | X_OK) != 0) {
     throw_failed(path);
   }
+}
+
+void remove_temporary_files() noexcept {
+  for (const TemporaryFile* file = temporary_files; file != nullptr; file = file->next)
+    if (file->exists) unlink(file->path.c_str());
 }
 
 }  // namespace transformesh

@@ -2,8 +2,8 @@
 /// file in the same folder, which is then renamed: a reader sees the old file or the new one, also
 /// where the process is killed in between. A symbolic link stays and its target is replaced; the
 /// permissions of a file replaced stay. What is not a regular file (/dev/null, a FIFO, /dev/fd/3)
-/// is written directly and never replaced. Nothing is flushed to the disk itself, so a failure of
-/// the machine may lose what a failure of the process does not.
+/// is written directly and never replaced; `-` is stdout, which is closed. Nothing is flushed to
+/// the disk itself, so a failure of the machine may lose what a failure of the process does not.
 #pragma once
 
 #include <string>
@@ -43,12 +43,8 @@ void write_file(const std::string& path, std::string_view bytes);
 /// Throws OutputError at once where writing this file cannot work: for before a long computation.
 void check_writable(const std::string& path);
 
-/// Told of each temporary file, before it exists and when it is gone, so that a program that a
-/// signal ends can remove it. One for the process; set it before anything is written.
-struct TemporaryFileHook {
-  void (*created)(const std::string& path) = nullptr;
-  void (*gone)(const std::string& path) = nullptr;
-};
-void set_temporary_file_hook(TemporaryFileHook hook);
+/// Removes all files that wait for their commit: for a handler of signals that ends the process,
+/// and async-signal-safe. Files are written by one thread at a time.
+void remove_temporary_files() noexcept;
 
 }  // namespace transformesh

@@ -1,6 +1,7 @@
 #include "tm/io/mesh_io.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "tm/io/atomic_file.h"
 #include "tm/io/obj.h"
@@ -72,6 +73,17 @@ void round_columns(Columns& columns) {
   }
 }
 
+bool is_stl(Format format) { return format == Format::stl_ascii || format == Format::stl_binary; }
+
+// In lower case, with the dot; empty without one.
+std::string extension_of(std::string_view name) {
+  std::string extension(name.substr(std::min(name.rfind('.'), name.size())));
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return extension;
+}
+
 }  // namespace
 
 ReadResult read_mesh(std::string_view bytes, const std::string& name) {
@@ -115,29 +127,55 @@ Mesh read_mesh_file(const std::string& path) {
 void write_mesh_file(const std::string& path, const Mesh& mesh) {
   Document document;
   document.mesh = mesh;
-  format_of_name(path, Format::ply_little, document.style.format);
+  document.style.format = format_for(Format::ply_little, "", path);
   write_file(path, write_mesh(document).bytes);
 }
 
-bool format_of_name(std::string_view name, Format encoding_like, Format& format) {
-  const std::size_t dot = std::min(name.rfind('.'), name.size());
-  std::string extension(name.substr(dot));
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  if (extension == ".ply") {
-    const bool is_ply = encoding_like == Format::ply_ascii || encoding_like == Format::ply_big;
-    format = is_ply ? encoding_like : Format::ply_little;
-  } else if (extension == ".off") {
-    format = Format::off;
-  } else if (extension == ".obj") {
-    format = Format::obj;
-  } else if (extension == ".stl") {
-    format = encoding_like == Format::stl_ascii ? Format::stl_ascii : Format::stl_binary;
-  } else {
-    return false;
+Format format_for(Format input, std::string_view wanted, std::string_view name) {
+  if (wanted == "ply") return Format::ply_little;
+  if (wanted == "ply-ascii") return Format::ply_ascii;
+  if (wanted == "ply-be") return Format::ply_big;
+  if (wanted == "off") return Format::off;
+  const std::string extension = extension_of(name);
+  if (extension == ".off") return Format::off;
+  if (extension == ".obj") return Format::obj;
+  const bool is_text_stl = input == Format::stl_ascii;
+  if (extension == ".stl") return is_text_stl ? Format::stl_ascii : Format::stl_binary;
+  const bool is_ply = input == Format::ply_ascii || input == Format::ply_big;
+  if (extension == ".ply") return is_ply ? input : Format::ply_little;
+  return is_ply || input == Format::off ? input : Format::ply_little;
+}
+
+std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate) {
+  Style& style = document.style;
+  style.format = format;
+  if (is_stl(format)) coordinate = Scalar::float32;
+  if (!coordinate && (format == Format::off || format == Format::obj)) coordinate = Scalar::float64;
+  const Scalar before = std::exchange(style.coordinate, coordinate.value_or(style.coordinate));
+  return before == style.coordinate ? 0 : round_positions(document.mesh, style.coordinate);
+}
+
+const char* name_of(Format format) {
+  switch (format) {
+    case Format::ply_ascii:
+      return "ply-ascii";
+    case Format::ply_big:
+      return "ply-be";
+    case Format::off:
+      return "off";
+    case Format::obj:
+      return "obj";
+    case Format::stl_ascii:
+    case Format::stl_binary:
+      return "stl";
+    default:
+      return "ply";
   }
-  return true;
+}
+
+bool is_text(Format format) {
+  return format == Format::ply_ascii || format == Format::off || format == Format::obj ||
+         format == Format::stl_ascii;
 }
 
 std::size_t round_positions(Mesh& mesh, Scalar coordinate) {

@@ -9,6 +9,7 @@
 /// ASCII numbers are the shortest that read back the same.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,9 +41,21 @@ WriteResult write_mesh(const Document& document);
 Mesh read_mesh_file(const std::string& path);
 void write_mesh_file(const std::string& path, const Mesh& mesh);
 
-/// The format that a file name's extension asks for: .ply .off .obj .stl, any case.
-/// `encoding_like` supplies the encoding of PLY where it is one. False for other extensions.
-bool format_of_name(std::string_view name, Format encoding_like, Format& format);
+/// The format in which to write: `wanted` says ply, ply-ascii, ply-be or off; where it is empty the
+/// extension of the name decides, .ply .off .obj or .stl in any case; else it is the input's, or
+/// PLY for what comes as OBJ or STL. The encoding is the input's where the formats are the same.
+Format format_for(Format input, std::string_view wanted, std::string_view name);
+
+/// Makes the document one of that format, with coordinates of the type wanted: by default floats
+/// for STL, doubles for OFF and OBJ, as they are for PLY. Rounds as round_positions() does, so that
+/// what is computed is what will be read back, and returns what that returns.
+std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate = {});
+
+/// For messages and reports: ply, ply-ascii, ply-be, off, obj, stl.
+const char* name_of(Format format);
+
+/// Whether the format is text, which may go to a terminal.
+bool is_text(Format format);
 
 /// Rounds coordinates to the scalar type in which they will be written, so that what is computed is
 /// what is read back. Returns how many faces collapse by that; throws GoalError

@@ -70,6 +70,12 @@ Components connected_components(const Mesh& mesh) {
   return result;
 }
 
+long Components::genus() const {
+  long sum = 0;
+  for (const Component& component : components) sum += component.genus();
+  return sum;
+}
+
 Mesh select_faces(const Mesh& mesh, const std::vector<bool>& keep) {
   // Rows to keep, and the new number of each vertex.
   std::vector<Index> kept_faces;

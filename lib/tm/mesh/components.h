@@ -23,6 +23,7 @@ struct Component {
 struct Components {
   std::vector<Component> components;  ///< in order of their first face
   std::vector<Index> of_face;         ///< component of each face
+  long genus() const;                 ///< of all components
 };
 
 Components connected_components(const Mesh& mesh);

@@ -28,8 +28,6 @@ std::string message_of(const std::string& path) {
   }
 }
 
-std::size_t waiting = 0;
-
 }  // namespace
 
 TEST_CASE("a file keeps its old content until the new one is committed") {
@@ -96,6 +94,7 @@ TEST_CASE("what cannot be written is refused, at once where that can be known") 
   CHECK_THROWS_AS(check_writable(folder / "none/a"), OutputError);
   CHECK_THROWS_AS(check_writable(folder / "."), OutputError);
   CHECK_NOTHROW(check_writable(folder / "a"));
+  CHECK_NOTHROW(check_writable("-"));
   CHECK(message_of("/dev/full") == "cannot write '/dev/full': No space left on device");
   CHECK(message_of(folder / "none/a") ==
         "cannot write '" + folder / "none/a" + "': No such file or directory");
@@ -123,19 +122,13 @@ TEST_CASE("two files have the same target, however it is named") {
   CHECK_FALSE(file.has_target_of(AtomicFile(folder / "b", "two")));
 }
 
-TEST_CASE("the hook knows of temporary files as long as there are any") {
+TEST_CASE("what waits for its commit is removed when the process has to end") {
   const Folder folder;
-  set_temporary_file_hook(
-      {[](const std::string&) { ++waiting; }, [](const std::string&) { --waiting; }});
-  {
-    AtomicFile first(folder / "a", "new");
-    const AtomicFile second(folder / "b", "new");
-    CHECK(waiting == 2);
-    first.commit();
-    CHECK(waiting == 1);
-  }
-  CHECK(waiting == 0);
-  CHECK_THROWS_AS(write_file(folder / "none/a", "bytes"), OutputError);
-  CHECK(waiting == 0);
-  set_temporary_file_hook({});
+  AtomicFile first(folder / "a", "new");
+  write_file(folder / "b", "new");
+  const AtomicFile third(folder / "c", "new");
+  remove_temporary_files();
+  CHECK(folder.count() == 1);
+  CHECK(content(folder / "b") == "new");
+  CHECK_THROWS_AS(first.commit(), OutputError);
 }

@@ -94,23 +94,36 @@ TEST_CASE("mesh io: the decimal comma of a locale changes nothing") {
   std::setlocale(LC_NUMERIC, "C");
 }
 
-TEST_CASE("mesh io: the name of a file chooses its format") {
-  Format format = Format::ply_ascii;
-  CHECK(format_of_name("a.PLY", Format::ply_big, format));
-  CHECK(format == Format::ply_big);
-  CHECK(format_of_name("a.ply", Format::off, format));
-  CHECK(format == Format::ply_little);
-  CHECK(format_of_name("dir.ply/a.Off", Format::ply_ascii, format));
-  CHECK(format == Format::off);
-  CHECK(format_of_name("a.b.obj", Format::ply_ascii, format));
-  CHECK(format == Format::obj);
-  CHECK(format_of_name("a.stl", Format::stl_ascii, format));
-  CHECK(format == Format::stl_ascii);
-  CHECK(format_of_name("a.stl", Format::ply_ascii, format));
-  CHECK(format == Format::stl_binary);
-  for (const char* name : {"", "ply", "a.plyx", "a.ply/b", "-", "a."}) {
-    CHECK_FALSE(format_of_name(name, Format::ply_ascii, format));
+TEST_CASE("mesh io: what is wanted, else the name of a file, else the input chooses the format") {
+  CHECK(format_for(Format::off, "ply-be", "a.stl") == Format::ply_big);
+  CHECK(format_for(Format::ply_big, "", "a.PLY") == Format::ply_big);
+  CHECK(format_for(Format::off, "", "a.ply") == Format::ply_little);
+  CHECK(format_for(Format::ply_ascii, "", "dir.ply/a.Off") == Format::off);
+  CHECK(format_for(Format::ply_ascii, "", "a.b.obj") == Format::obj);
+  CHECK(format_for(Format::stl_ascii, "", "a.stl") == Format::stl_ascii);
+  CHECK(format_for(Format::ply_ascii, "", "a.stl") == Format::stl_binary);
+  for (const char* name : {"", "ply", "a.plyx", "a.off/b", "-", "a."}) {
+    CHECK(format_for(Format::ply_ascii, "", name) == Format::ply_ascii);
+    CHECK(format_for(Format::off, "", name) == Format::off);
+    CHECK(format_for(Format::obj, "", name) == Format::ply_little);
+    CHECK(format_for(Format::stl_ascii, "", name) == Format::ply_little);
   }
+}
+
+TEST_CASE("mesh io: a format takes the coordinates that it holds") {
+  Document document;
+  document.mesh = tetrahedron();
+  document.mesh.positions[0] = {0.1, 0, 0};
+  CHECK(set_format(document, Format::ply_big) == 0);
+  CHECK(document.style.coordinate == Scalar::float64);
+  CHECK(document.mesh.positions[0].x() == 0.1);
+  set_format(document, Format::stl_binary, Scalar::float64);
+  CHECK(document.style.coordinate == Scalar::float32);
+  CHECK(document.mesh.positions[0].x() == 0.1F);
+  set_format(document, Format::off);
+  CHECK(document.style.coordinate == Scalar::float64);
+  set_format(document, Format::off, Scalar::float32);
+  CHECK(document.style.coordinate == Scalar::float32);
 }
 
 TEST_CASE("mesh io: rounding to float") {

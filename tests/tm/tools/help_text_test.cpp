@@ -1,5 +1,3 @@
-#include "help_text.h"
-
 #include <doctest/doctest.h>
 
 #include "command.h"
@@ -7,24 +5,21 @@
 using namespace transformesh;
 using namespace transformesh::tool;
 
-TEST_CASE("help is made from the table") {
+TEST_CASE("help is made from the options") {
   Length edge{0.01, Length::Unit::diagonal};
   bool keep = false;
   std::string kind = "sphere";
-  Command command{"tm-x", "[OPTION]... KIND", "Does it"};
-  command.words_placeholder = "KIND";
-  command.words_help = "which";
-  command.epilogs = {"Once more."};
-  OptionTable& table = command.table;
-  table.add(length_option("edge", &edge, "mean edge length", false));
-  table.add(flag_option("keep-border", &keep,
-                        "leave every border as it is, which means that no vertex of it moves and "
-                        "that no edge of it is split"));
-  Option common = choice_option("kind-of-a-long-name", &kind, {"sphere", "box"}, "a choice");
-  common.is_common = true;
-  common.short_name = 'k';
-  table.add(common);
-  CHECK(help_text(command) == R"(Usage: tm-x [OPTION]... KIND
+  std::vector<std::string> words;
+  Program program("tm-x", "[OPTION]... KIND", "Does it");
+  program.words(&words, "KIND", "which");
+  program.epilog("Once more.");
+  program.length("edge", &edge, "mean edge length");
+  program.flag("keep-border", &keep,
+               "leave every border as it is, which means that no vertex of it moves and that no "
+               "edge of it is split");
+  program.choice("kind-of-a-long-name,k", &kind, {"sphere", "box"}, "a choice");
+  program.command().find("kind-of-a-long-name")->is_common = true;
+  CHECK(help_text(program.command()) == R"(Usage: tm-x [OPTION]... KIND
 
 Does it.
 

@@ -1,11 +1,10 @@
-#include "length_basis.h"
+#include "tm/io/length_basis.h"
 
 #include <doctest/doctest.h>
 
 #include "tm/support/error.h"
 
 using namespace transformesh;
-using namespace transformesh::tool;
 
 namespace {
 

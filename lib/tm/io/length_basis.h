@@ -7,7 +7,10 @@
 #include "tm/io/document.h"
 #include "tm/support/length.h"
 
-namespace transformesh::tool {
+namespace transformesh {
+
+/// The mean edge; throws InputError where it is no positive finite length.
+double measured_reference_edge(const Mesh& mesh);
 
 class LengthBasis {
  public:
@@ -29,7 +32,6 @@ class LengthBasis {
   bool is_reference_edge_chosen() const { return !choice_.empty(); }
 
  private:
-  double measured_edge() const;
   double inherited_edge() const;
 
   std::string choice_;
@@ -38,4 +40,4 @@ class LengthBasis {
   std::optional<double> reference_edge_;
 };
 
-}  // namespace transformesh::tool
+}  // namespace transformesh

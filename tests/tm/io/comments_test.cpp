@@ -1,31 +1,10 @@
-#include "comments.h"
+#include "tm/io/comments.h"
 
 #include <doctest/doctest.h>
 
 #include "tm/support/error.h"
 
 using namespace transformesh;
-using namespace transformesh::tool;
-
-TEST_CASE("provenance holds the words and options given that affect the result") {
-  Length edge{0.7, Length::Unit::reference_edge};
-  std::string target;
-  std::string axis = "z";
-  bool keep = false;
-  bool quiet = false;
-  OptionTable table;
-  table.add(length_option("min-edge", &edge, "", false));
-  table.add(text_option("target", &target, "FILE", ""));
-  table.add(text_option("axis", &axis, "AXIS", ""));
-  table.add(flag_option("keep-border", &keep, ""));
-  table.add(flag_option("quiet", &quiet, "")).affects_result = false;
-  CHECK(provenance("tm-remesh", "0.1.0", {}, table) == "tm-remesh 0.1.0");
-  table.parse({"--keep-border", "--min-edge", "0.70x", "--target", "t.ply", "--quiet"});
-  CHECK(provenance("tm-remesh", "0.1.0", {"torus-knot", "2"}, table) ==
-        "tm-remesh 0.1.0 torus-knot 2 --min-edge 0.7x --keep-border");
-  table.parse({"--axis", "a b\nend_header"});
-  CHECK(provenance("tm", "1", {}, table).ends_with("--axis 'a b?end_header' --keep-border"));
-}
 
 TEST_CASE("the last twenty provenance lines stay, and all other comments") {
   std::vector<std::string> comments = {"made by hand", "tm-shape 0.1.0 sphere",

@@ -1,8 +1,8 @@
-#include "suggestion.h"
+#include "tm/support/suggestion.h"
 
 #include <doctest/doctest.h>
 
-using transformesh::tool::nearest_name;
+using transformesh::nearest_name;
 
 TEST_CASE("the nearest name by edits") {
   const std::vector<std::string> names = {"output", "min-edge", "max-edge", "format", "float"};

@@ -1,4 +1,4 @@
-#include "comments.h"
+#include "tm/io/comments.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,8 +6,9 @@
 #include <string_view>
 
 #include "tm/support/error.h"
+#include "tm/support/length.h"
 
-namespace transformesh::tool {
+namespace transformesh {
 namespace {
 
 constexpr std::size_t provenance_lines_kept = 20;
@@ -32,28 +33,7 @@ bool is_reference_edge(const std::string& comment) {
          comment.starts_with(std::string(reference_edge_key) + ' ');
 }
 
-// A word as a shell would need it; control characters could end the comment's line.
-std::string quoted(std::string word) {
-  for (char& character : word) {
-    if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
-  }
-  const bool is_plain = !word.empty() && word.find_first_of(" '\"\\$`*?") == std::string::npos;
-  return is_plain ? word : "'" + word + "'";
-}
-
 }  // namespace
-
-std::string provenance(const std::string& program, const std::string& version,
-                       const std::vector<std::string>& words, const OptionTable& table) {
-  std::string line = program + ' ' + version;
-  for (const std::string& word : words) line += ' ' + quoted(word);
-  for (const Option& option : table.options()) {
-    if (!option.given || !option.affects_result) continue;
-    line += " --" + option.name;
-    if (!option.is_flag()) line += ' ' + quoted(option.value_text());
-  }
-  return line;
-}
 
 void add_provenance(std::vector<std::string>& comments, const std::string& line) {
   comments.push_back(line);
@@ -92,4 +72,4 @@ void set_reference_edge(std::vector<std::string>& comments, double length) {
   comments.erase(std::remove_if(first + 1, comments.end(), is_reference_edge), comments.end());
 }
 
-}  // namespace transformesh::tool
+}  // namespace transformesh

@@ -1,9 +1,9 @@
-#include "suggestion.h"
+#include "tm/support/suggestion.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace transformesh::tool {
+namespace transformesh {
 namespace {
 
 // Optimal string alignment distance, three rows at a time.
@@ -40,4 +40,4 @@ std::string nearest_name(std::string_view text, const std::vector<std::string>& 
   return nearest;
 }
 
-}  // namespace transformesh::tool
+}  // namespace transformesh

@@ -1,5 +1,4 @@
-#include "option_table.h"
-
+// The kinds of options (option_types.cpp) and how they are parsed (command.cpp).
 #include <doctest/doctest.h>
 
 #include "command.h"
@@ -13,7 +12,8 @@ namespace {
 struct Values {
   bool flag = false;
   double number = 0.5;
-  long integer = 3;
+  int integer = 3;
+  std::optional<long> count;
   Length length{0.7, Length::Unit::reference_edge};
   std::optional<Length> gap;
   std::string kind = "valence";
@@ -21,25 +21,34 @@ struct Values {
   std::vector<double> point;
 };
 
-OptionTable make_table(Values& values) {
-  OptionTable table;
-  table.add(flag_option("flag", &values.flag, "a flag"));
-  table.add(number_option("number", &values.number, 0, 1, "a number"));
-  table.add(integer_option("integer", &values.integer, 1, 9, "an integer"));
-  table.add(length_option("length", &values.length, "a length", false));
-  table.add(length_option("gap", &values.gap, "a signed length", true));
-  table.add(choice_option("kind", &values.kind, {"valence", "angle"}, "a kind"));
-  table.add(text_option("file", &values.file, "FILE", "a file"));
-  table.add(numbers_option("point", &values.point, "X,Y,Z", "a point"));
-  return table;
-}
+// A program with an option of each kind.
+struct Sample {
+  Sample() {
+    program.flag("flag", &values.flag, "a flag");
+    program.number("number", &values.number, 0, 1, "a number");
+    program.integer("integer", &values.integer, 1, 9, "an integer");
+    program.integer("count", &values.count, 0, 9, "a count");
+    program.length("length", &values.length, "a length");
+    program.length("gap", &values.gap, "a signed length", true);
+    program.choice("kind", &values.kind, {"valence", "angle"}, "a kind");
+    program.text("file", &values.file, "FILE", "a file");
+    program.numbers("point", &values.point, "X,Y,Z", "a point");
+  }
+  std::vector<std::string> parse(const std::vector<std::string>& arguments) {
+    const auto words = program.command().parse(arguments);
+    program.command().assign();
+    return words;
+  }
+  std::string text(const std::string& option) { return program.command().find(option)->text(); }
 
-// The message with which parsing these arguments is refused.
-std::string refusal(const std::vector<std::string>& arguments) {
   Values values;
-  OptionTable table = make_table(values);
+  Program program{"tm-x", "", ""};
+};
+
+// The message with which these arguments are refused.
+std::string refusal(const std::vector<std::string>& arguments) {
   try {
-    table.parse(arguments);
+    Sample().parse(arguments);
   } catch (const UsageError& error) {
     return error.what();
   }
@@ -49,11 +58,11 @@ std::string refusal(const std::vector<std::string>& arguments) {
 }  // namespace
 
 TEST_CASE("options set their variables, and the other words are returned in order") {
-  Values values;
-  OptionTable table = make_table(values);
-  const auto words = table.parse({"one", "--flag", "--number=0.25", "--integer", "9", "-", "--gap",
-                                  "-2%", "--kind", "angle", "--point", "1,-2.5,3e2", "--file",
-                                  "a b.ply", "--", "--number"});
+  Sample sample;
+  const Values& values = sample.values;
+  const auto words = sample.parse({"one", "--flag", "--number=0.25", "--integer", "9", "-", "--gap",
+                                   "-2%", "--kind", "angle", "--point", "1,-2.5,3e2", "--count",
+                                   "0", "--file", "a b.ply", "--", "--number"});
   CHECK(words == std::vector<std::string>{"one", "-", "--number"});
   CHECK(values.flag);
   CHECK(values.number == 0.25);
@@ -61,27 +70,32 @@ TEST_CASE("options set their variables, and the other words are returned in orde
   CHECK(values.gap->value == -0.02);
   CHECK(values.gap->unit == Length::Unit::diagonal);
   CHECK(values.kind == "angle");
+  CHECK(values.count == 0);
   CHECK(values.file == "a b.ply");
   CHECK(values.point == std::vector<double>{1, -2.5, 300});
   CHECK(values.length.text() == "0.7x");
-  CHECK(table.find("number")->given);
-  CHECK_FALSE(table.find("--length")->given);
+  CHECK(sample.program.command().is_given("number"));
+  CHECK_FALSE(sample.program.command().is_given("length"));
 }
 
 TEST_CASE("the last of several values counts") {
-  Values values;
-  OptionTable table = make_table(values);
-  table.parse({"--integer", "2", "--integer", "4"});
+  Sample sample;
+  const Values& values = sample.values;
+  sample.parse({"--integer", "2", "--integer", "4"});
   CHECK(values.integer == 4);
 }
 
-TEST_CASE("defaults are what the variables hold") {
-  Values values;
-  OptionTable table = make_table(values);
-  CHECK(table.find("number")->default_text == "0.5");
-  CHECK(table.find("length")->default_text == "0.7x");
-  CHECK(table.find("gap")->default_text == "");
-  CHECK(table.find("flag")->default_text == "");
+TEST_CASE("the text of an option is that of its variable, until values are assigned") {
+  Sample sample;
+  CHECK(sample.text("number") == "0.5");
+  CHECK(sample.text("--length") == "0.7x");
+  CHECK(sample.text("gap") == "");
+  CHECK(sample.text("count") == "");
+  sample.program.command().parse({"--number", "0.25", "--point", "1,2.5,3"});
+  CHECK(sample.text("number") == "0.5");
+  sample.program.command().assign();
+  CHECK(sample.text("number") == "0.25");
+  CHECK(sample.text("point") == "1,2.5,3");
 }
 
 TEST_CASE("an unknown option names the nearest") {
@@ -113,31 +127,4 @@ TEST_CASE("missing and superfluous values are told") {
   CHECK(refusal({"--number", "--flag"}) == "--number needs a value");
   CHECK(refusal({"--number="}) == "--number needs a value");
   CHECK(refusal({"--flag=1"}) == "--flag takes no value");
-}
-
-TEST_CASE("short options of the common section") {
-  Command command{"tm-x", "", ""};
-  add_common_options(command);
-  const CommonOptions& values = command.common;
-  OptionTable& table = command.table;
-  table.parse({"-qo", "a.ply", "--threads", "2", "--reference-edge", "auto"});
-  CHECK(values.quiet);
-  CHECK(values.output == "a.ply");
-  CHECK(values.threads == 2);
-  CHECK(values.reference_edge == "auto");
-  CHECK_THROWS_AS(table.parse({"--reference-edge", "0"}), UsageError);
-  CHECK_THROWS_AS(table.parse({"--reference-edge", "often"}), UsageError);
-}
-
-TEST_CASE("options that contradict each other are refused") {
-  CommonOptions values;
-  CHECK_NOTHROW(check_common_options(values));
-  values.as_float = values.as_double = true;
-  CHECK_THROWS_AS(check_common_options(values), UsageError);
-  values = {};
-  values.quiet = values.verbose = true;
-  CHECK_THROWS_AS(check_common_options(values), UsageError);
-  values = {};
-  values.output = values.report = "same.json";
-  CHECK_THROWS_AS(check_common_options(values), UsageError);
 }

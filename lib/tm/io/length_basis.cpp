@@ -1,12 +1,12 @@
-#include "length_basis.h"
+#include "tm/io/length_basis.h"
 
 #include <cmath>
 
-#include "comments.h"
+#include "tm/io/comments.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 
-namespace transformesh::tool {
+namespace transformesh {
 
 double LengthBasis::diagonal() {
   if (!diagonal_) {
@@ -16,8 +16,8 @@ double LengthBasis::diagonal() {
   return *diagonal_;
 }
 
-double LengthBasis::measured_edge() const {
-  const EdgeLengths edges = edge_lengths(document_->mesh);
+double measured_reference_edge(const Mesh& mesh) {
+  const EdgeLengths edges = edge_lengths(mesh);
   if (edges.mean > 0 && std::isfinite(edges.mean)) return edges.mean;
   if (edges.count == 0)
     throw InputError("the mesh has no edges, so there is no reference edge that x could refer to");
@@ -28,7 +28,7 @@ double LengthBasis::measured_edge() const {
 
 double LengthBasis::inherited_edge() const {
   const auto inherited = reference_edge_of(document_->style.comments);
-  return inherited ? *inherited : measured_edge();
+  return inherited ? *inherited : measured_reference_edge(document_->mesh);
 }
 
 double LengthBasis::reference_edge() {
@@ -37,7 +37,7 @@ double LengthBasis::reference_edge() {
   if (choice_.empty()) {
     reference_edge_ = inherited_edge();
   } else if (choice_ == "auto") {
-    reference_edge_ = measured_edge();
+    reference_edge_ = measured_reference_edge(document_->mesh);
   } else {
     const Length length = parse_length(choice_);
     const bool is_relative = length.unit == Length::Unit::reference_edge;
@@ -59,4 +59,4 @@ double LengthBasis::resolve(const Length& length) {
   }
 }
 
-}  // namespace transformesh::tool
+}  // namespace transformesh

@@ -1,0 +1,21 @@
+/// The two kinds of comments that go with a mesh through an evolution: which programs made it, and
+/// the mean edge length at its start.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace transformesh {
+
+/// Appends a line such as `tm-remesh 0.1.0 --min-edge 0.7x` and keeps only the last 20, so that a
+/// loop's header does not grow.
+void add_provenance(std::vector<std::string>& comments, const std::string& line);
+
+/// The length in the last `tm:reference-edge` comment. Throws InputError where it is no length.
+std::optional<double> reference_edge_of(const std::vector<std::string>& comments);
+
+/// Replaces all `tm:reference-edge` comments by one.
+void set_reference_edge(std::vector<std::string>& comments, double length);
+
+}  // namespace transformesh
