@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "report.h"
-#include "tm/views/cameras/scene_scale.h"
+#include "tm/views/cameras/pinhole_camera.h"
 
 namespace transformesh::tool {
 namespace {

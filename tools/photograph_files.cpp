@@ -8,8 +8,8 @@
 #include "tm/support/error.h"
 #include "tm/views/cameras/file_list.h"
 #include "tm/views/cameras/view_files.h"
-#include "tm/views/hull/mesh_silhouette.h"
-#include "tm/views/images/gray_picture.h"
+#include "tm/views/hull/silhouette.h"
+#include "tm/views/images/image_file.h"
 
 namespace transformesh::tool {
 namespace {

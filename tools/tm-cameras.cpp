@@ -2,7 +2,7 @@
 
 #include "camera_table.h"
 #include "tm/support/error.h"
-#include "tm/views/cameras/scene_scale.h"
+#include "tm/views/cameras/pinhole_camera.h"
 #include "tm/views/cameras/view_files.h"
 #include "tool.h"
 

@@ -1,6 +1,5 @@
 /// tm-hull: the visual hull of calibrated silhouettes.
 #include "tm/views/hull/hull.h"
-#include "tm/views/hull/silhouette_box.h"
 #include "tool.h"
 #include "view_options.h"
 

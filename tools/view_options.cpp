@@ -3,8 +3,8 @@
 #include "tm/picture/png.h"
 #include "tm/support/error.h"
 #include "tm/views/hull/agreed_level.h"
-#include "tm/views/hull/mesh_silhouette.h"
-#include "tm/views/images/gray_picture.h"
+#include "tm/views/hull/silhouette.h"
+#include "tm/views/images/image_file.h"
 
 namespace transformesh::tool {
 

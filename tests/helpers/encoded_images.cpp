@@ -191,7 +191,7 @@ std::string tiff_of(const TiffKind& kind, int width, int height, Rows rows) {
   return file.bytes;
 }
 
-std::string refusal(const std::string& bytes) {
+std::string image_refusal(const std::string& bytes) {
   try {
     decode_photograph(bytes, "a.image");
   } catch (const InputError& error) {
@@ -203,7 +203,7 @@ std::string refusal(const std::string& bytes) {
 void check_beginnings(const std::string& bytes) {
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     CAPTURE(size);
-    CHECK(refusal(bytes.substr(0, size)).find("a.image") != std::string::npos);
+    CHECK(image_refusal(bytes.substr(0, size)).find("a.image") != std::string::npos);
   }
 }
 
@@ -214,7 +214,7 @@ void check_damage(const std::string& bytes) {
     for (int i = 0; i < 3; ++i) {
       damaged[random.below(damaged.size())] = static_cast<char>(random.below(256));
     }
-    const std::string message = refusal(damaged);
+    const std::string message = image_refusal(damaged);
     CHECK((message.empty() || message.find("a.image") != std::string::npos));
   }
 }

@@ -46,7 +46,7 @@ struct TiffKind {
 std::string tiff_of(const TiffKind& kind, int width, int height, Rows rows);
 
 /// The message that refuses the bytes, empty where they are an image.
-std::string refusal(const std::string& bytes);
+std::string image_refusal(const std::string& bytes);
 
 /// Every beginning of the file must be refused by a message that names it.
 void check_beginnings(const std::string& bytes);

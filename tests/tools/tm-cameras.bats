@@ -218,7 +218,7 @@ CASES
 
 @test "tm-cameras: a JPEG gives its size, a broken one is refused" {
   printf '1\na.jpg 300 0 3 0 300 3 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5\n' >in.txt
-  # 8 x 6 pixels of grey.
+  # 8 x 6 pixels of gray.
   base64 -d >a.jpg <<'JPEG'
 /9j/4AAQSkZJRgABAQAAAQABAAD/2wBDABALDA4MChAODQ4SERATGCgaGBYWGDEjJR0oOjM9PDkz
 ODdASFxOQERXRTc4UG1RV19iZ2hnPk1xeXBkeFxlZ2P/wAALCAAGAAgBAREA/8QAFAABAAAAAAAA

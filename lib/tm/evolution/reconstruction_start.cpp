@@ -5,11 +5,10 @@
 #include "tm/evolution/scales.h"
 #include "tm/io/mesh_io.h"
 #include "tm/support/error.h"
-#include "tm/views/cameras/scene_scale.h"
+#include "tm/views/cameras/pinhole_camera.h"
 #include "tm/views/hull/agreed_level.h"
 #include "tm/views/hull/hull.h"
-#include "tm/views/hull/mesh_silhouette.h"
-#include "tm/views/hull/silhouette_box.h"
+#include "tm/views/hull/silhouette.h"
 
 namespace transformesh {
 namespace {

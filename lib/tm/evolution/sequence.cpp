@@ -13,7 +13,7 @@
 #include "tm/io/mesh_io.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
-#include "tm/views/hull/mesh_silhouette.h"
+#include "tm/views/hull/silhouette.h"
 
 namespace transformesh {
 namespace {

@@ -20,7 +20,7 @@ Vec3 read_vector(TextRows& rows, const std::string& what) {
   return vector;
 }
 
-// Bundler's cameras look along -z with y up.
+/// Bundler's cameras look along -z with y up, these along z with y down.
 CameraRecord read_camera(TextRows& rows, const Source& source, std::size_t number) {
   CameraRecord record;
   record.name = "camera" + std::to_string(number);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view known_formats =
     "Middlebury parameters, COLMAP text, Bundler and 3x4 matrices are read";
 
-// The first row that is not a comment.
+/// Goes to the first row that is not a comment; false where there is none.
 bool first_row(TextRows& rows) {
   while (rows.next_row()) {
     if (!rows.peek().starts_with('#')) return true;
@@ -29,12 +29,13 @@ bool are_numbers(TextRows rows) {
   return true;
 }
 
-// What a row begins that has words other than numbers, or a number of numbers that tells nothing.
+/// The format of a file by its first row, where the number of numbers in that does not tell.
 std::optional<CameraFormat> format_of_words(TextRows rows) {
   if (colmap_part(rows) != ColmapPart::none) return CameraFormat::colmap;
   if (rows.peek() == "CONTOUR") return CameraFormat::matrices;
   if (rows.words_left() < 20) return {};
-  // Middlebury parameters without their first line, which the reader will miss.
+  // Middlebury's parameters without the number of cameras are its format too: their reader says
+  // what is missing.
   rows.word();
   return are_numbers(rows) ? std::optional(CameraFormat::middlebury) : std::nullopt;
 }
@@ -79,7 +80,7 @@ CameraFormat known_format(const Source& source) {
               std::string(known_formats));
 }
 
-// COLMAP's two files, when the one named is one of them.
+/// Whether the file is one of the two that COLMAP needs together.
 bool is_colmap_part(const std::string& path) {
   const std::string name = std::filesystem::path(path).filename().string();
   return name == "cameras.txt" || name == "images.txt";
@@ -97,7 +98,7 @@ bool has_colmap_files(const std::filesystem::path& folder) {
   return is_file((folder / "cameras.txt").string()) && is_file((folder / "images.txt").string());
 }
 
-// Those files of a folder that look like camera files.
+/// The files of a folder that look like camera files, which must be of one format.
 std::vector<std::string> camera_files_in(const std::string& folder) {
   std::vector<std::string> files;
   std::optional<CameraFormat> format;

@@ -8,16 +8,17 @@
 
 namespace transformesh {
 
+/// Each throws InputError for what camera_file.h refuses.
 CameraList read_middlebury(const Source& source);
 CameraList read_bundler(const Source& source);
 /// Cameras without a name are called after the stem.
 CameraList read_matrices(const Source& source, const std::string& stem);
 /// Cameras and images in one text.
 CameraList read_colmap(const Source& source);
-/// In two texts.
+/// Cameras and images in two texts.
 CameraList read_colmap(const Source& cameras, const Source& images);
 
-/// Which of COLMAP's files begins with this row, or neither.
+/// Which of COLMAP's files has such a row.
 enum class ColmapPart { none, cameras, images };
 ColmapPart colmap_part(TextRows rows);
 
@@ -28,7 +29,7 @@ std::string write_colmap_images(const CameraList& list);
 
 bool is_number(std::string_view word);
 
-/// `dino_par.txt line 3`: where rows are now.
+/// Where rows are now, as in `dino_par.txt line 3`.
 std::string place_of(const TextRows& rows, const Source& source);
 
 /// Each throws InputError at the line of rows, and says what is wrong with `who`.

@@ -47,7 +47,7 @@ void check_intrinsics(const TextRows& rows, const Eigen::Matrix3d& intrinsics,
 }
 
 void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who) {
-  // Files round to six digits, and to fewer.
+  // Files hold rounded numbers, some of three digits.
   constexpr double rounding = 1e-3;
   const Eigen::Matrix3d product = rotation * rotation.transpose();
   if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= rounding)) {

@@ -13,7 +13,7 @@ struct CameraRecord {
   std::string name;   ///< the image's as written there; else the file's stem
   std::string place;  ///< `dino_par.txt line 3`, for messages
   PinholeCamera camera;
-  int width = 0;  ///< of the image; 0: the file does not say
+  int width = 0;  ///< of the image, or 0 where the file does not say
   int height = 0;
   bool is_centered = false;  ///< the principal point is the center of an image of unknown size
 
@@ -24,7 +24,7 @@ struct CameraRecord {
 
 struct CameraList {
   std::vector<CameraRecord> cameras;
-  bool names_images = false;  ///< names are those of the images, so that pairing goes by them
+  bool names_images = false;  ///< names are those of the images, which pair by them
 };
 
 }  // namespace transformesh

@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-constexpr double filled_share = 0.88;  // of the image's shorter side
+/// Share of the image's shorter side that a ball at distance_for() fills.
+constexpr double filled_share = 0.88;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 

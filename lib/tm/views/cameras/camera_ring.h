@@ -9,12 +9,13 @@
 namespace transformesh {
 
 struct CameraRing {
-  int count = 16;                                  ///< >= 1
-  std::vector<double> elevations_deg = {18, -12};  ///< above the horizon, taken in turn; |e| < 90
-  Vec3 center = Vec3::Zero();                      ///< what all of them look at
-  double distance = 1;                             ///< > 0, from there
-  int width = 320;                                 ///< >= 1, of the images in pixels
-  int height = 240;
+  int count = 16;  ///< >= 1
+  std::vector<double> elevations_deg = {
+      18, -12};                ///< above the horizon, < 90 either way, taken in turn
+  Vec3 center = Vec3::Zero();  ///< the point that all cameras look at
+  double distance = 1;         ///< > 0, from the center
+  int width = 320;             ///< >= 1, of the images, in pixels
+  int height = 240;            ///< >= 1
   double focal_length = 1090;  ///< > 0, in pixels
 };
 

@@ -8,10 +8,10 @@
 namespace transformesh {
 namespace {
 
-// A # in an image's name is no comment.
+/// No character begins a comment within a row: an image's name may hold a #.
 constexpr TextRows::Rules rules{'\0', false};
 
-/// K and the size of the images that were taken with it.
+/// What cameras.txt knows: K, and the size of the images that were taken with it.
 struct Lens {
   Eigen::Matrix3d intrinsics = Eigen::Matrix3d::Identity();
   int width = 0;
@@ -42,7 +42,7 @@ int read_side(TextRows& rows, const char* name, const std::string& who) {
   return side;
 }
 
-// The center of the first pixel is 0.5, 0.5 for COLMAP, and 0, 0 here.
+/// COLMAP has the center of the first pixel at 0.5, 0.5, where it is 0, 0 here.
 void read_lens(TextRows& rows, Lenses& lenses) {
   const std::string id(rows.word());
   const std::string who = "camera " + quoted(id);
@@ -101,7 +101,8 @@ CameraRecord read_image(TextRows& rows, const Source& source, const Lenses& lens
   return record;
 }
 
-// A second line holds the points seen; it may be empty, or be missing at the end.
+/// Skips the second line of an image, which holds the points seen; it may be empty, or be missing
+/// at the end of the file.
 void skip_points(TextRows& rows, const Source& source, const std::string& name) {
   const char* line = rows.rest();
   const char* end = std::find(line, source.end(), '\n');
@@ -126,7 +127,7 @@ CameraList read_images(TextRows& rows, const Source& source, const Lenses& lense
   return list;
 }
 
-// True where the row that rows is at describes a camera.
+/// Whether the row that rows is at describes a camera.
 bool at_lens(const TextRows& rows) { return colmap_part(rows) == ColmapPart::cameras; }
 
 [[noreturn]] void fail_without_images(const TextRows& rows) {

@@ -11,7 +11,7 @@ bool is_same_lens(const CameraRecord& a, const CameraRecord& b) {
   return a.camera.intrinsics == b.camera.intrinsics && a.width == b.width && a.height == b.height;
 }
 
-/// The first camera of the list with this one's lens: its index is the lens's.
+/// The index of a lens: that of the first camera of the list that has it.
 std::size_t lens_of(const CameraList& list, const CameraRecord& record) {
   const auto first =
       std::find_if(list.cameras.begin(), list.cameras.end(),

@@ -21,7 +21,8 @@ Stems stems_of(const NamedFiles& files) {
   return stems;
 }
 
-// `-mask` of `dinoR0000-mask`: from the last separator, unless it holds a digit.
+/// What follows the last separator, with it, unless that holds a digit: `-mask` of
+/// `dinoR0000-mask`.
 std::string_view suffix_of(std::string_view stem) {
   const std::size_t separator = stem.find_last_of("-_. ");
   if (separator == std::string_view::npos || separator == 0) return {};
@@ -67,7 +68,7 @@ std::string counts_text(const NamedFiles& first, const NamedFiles& second) {
                                    : counts_text(files, others)));
 }
 
-/// The partners of `first`; none where no name has one. Some that have one are an error.
+/// The partners of `first`; none where no name has one. Throws InputError where only some have one.
 std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Stems& second_stems,
                                                    const NamedFiles& first,
                                                    const NamedFiles& second) {

@@ -6,7 +6,7 @@
 
 namespace transformesh {
 
-/// Names with what messages call them.
+/// Files of one kind, with the words that messages have for them.
 struct NamedFiles {
   std::string kind;                 ///< `image`, `silhouette`: with an s for several
   std::string where;                ///< as the user wrote it

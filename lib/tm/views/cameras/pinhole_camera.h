@@ -2,9 +2,11 @@
 /// Reference: Hartley & Zisserman, "Multiple View Geometry in Computer Vision", chapter 6.
 ///
 /// With q = K (R X + t) the pixel is (q1 / q3, q2 / q3), x to the right and y down, integers at
-/// pixel centres; q3 is the depth in units of the world. The ray of a pixel is scaled so that
+/// pixel centers; q3 is the depth in units of the world. The ray of a pixel is scaled so that
 /// X = center() + depth * ray(x, y).
 #pragma once
+
+#include <span>
 
 #include "tm/picture/camera.h"
 
@@ -23,5 +25,13 @@ struct PinholeCamera {
   /// The camera of the image made `factor` times smaller each way (> 0): pixel areas stay aligned.
   PinholeCamera shrunk(double factor) const;
 };
+
+/// The point nearest to all viewing axes, in the sense of least squares; where that leaves it open
+/// (one camera, parallel axes), the nearest such point to the mean of the cameras' centers.
+Vec3 viewed_point(std::span<const PinholeCamera> cameras);
+
+/// The length of a pixel's side at the point, in input units: depth by focal length, the median
+/// over the cameras that have the point in front of them. Throws InputError where none has.
+double pixel_size(std::span<const PinholeCamera> cameras, const Vec3& point);
 
 }  // namespace transformesh

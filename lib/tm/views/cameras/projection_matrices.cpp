@@ -27,14 +27,14 @@ PinholeCamera decomposed(Projection projection) {
   return camera;
 }
 
-/// Whether the left half has no inverse, as far as doubles can tell.
+/// Whether the left three columns have no inverse, as far as doubles can tell.
 bool is_singular(const Projection& projection) {
   const Eigen::Matrix3d left = projection.leftCols<3>();
   const double size = left.row(0).norm() * left.row(1).norm() * left.row(2).norm();
   return !(std::abs(left.determinant()) > 1e-12 * size);
 }
 
-/// Twelve numbers in one row, or in three rows of four.
+/// Reads twelve numbers in one row, or in three rows of four.
 Projection read_projection(TextRows& rows, const std::string& who) {
   const std::size_t row_size = rows.words_left() == 12 ? 12 : 4;
   Projection projection;
@@ -57,7 +57,7 @@ CameraList read_matrices(const Source& source, const std::string& stem) {
   TextRows rows(source, 0, rules);
   CameraList list;
   while (rows.next_row()) {
-    // Furukawa's files begin with this word.
+    // Files of Furukawa's data sets begin with this word.
     if (rows.peek() == "CONTOUR" && list.cameras.empty()) {
       rows.skip_row();
       continue;
@@ -74,7 +74,7 @@ CameraList read_matrices(const Source& source, const std::string& stem) {
     list.cameras.push_back(std::move(record));
   }
   if (list.cameras.empty()) rows.fail("there is no camera in the file");
-  // A comment in each of many files is a title, not a name.
+  // In a file of its own a matrix has the file's name; a comment before it is a title.
   if (list.cameras.size() == 1) list.cameras[0].name = stem;
   return list;
 }

@@ -31,7 +31,7 @@ NamedFiles names_of(const CameraList& cameras, const std::string& where) {
   return files;
 }
 
-/// The paths in the order of `names`.
+/// The paths of `files` in the order of their partners among `names`.
 std::vector<std::string> ordered(const NamedFiles& names, const NamedFiles& files,
                                  bool names_must_agree) {
   std::vector<std::string> paths;
@@ -43,7 +43,8 @@ std::vector<std::string> ordered(const NamedFiles& names, const NamedFiles& file
 
 using Decode = GrayImage (*)(std::string_view bytes, const std::string& name);
 
-/// Where several files are bad, the first of them is the one to be told of.
+/// Decodes all files into a member of their views. Where several files are bad, the first of them
+/// is named, for any number of threads.
 void decode_all(const std::vector<std::string>& paths, Decode decode, GrayImage View::*member,
                 std::vector<View>& views) {
   std::vector<std::exception_ptr> failures(paths.size());
@@ -93,7 +94,7 @@ struct SizedCamera {
   std::string path;  ///< of the image
 };
 
-/// One camera's pixels cannot be two images' of different sizes.
+/// Images of different sizes cannot have the same intrinsics.
 void check_sizes(const std::vector<SizedCamera>& cameras) {
   for (const SizedCamera& camera : cameras) {
     const auto same_lens = std::find_if(
@@ -115,7 +116,8 @@ std::vector<View> views_from(const ViewSources& sources) {
   std::vector<std::string> silhouettes;
   std::vector<View> views(list.cameras.size());
 
-  // Silhouettes follow the images, whose names may say more than the cameras'.
+  // Silhouettes pair with the images, if there are any, rather than with the cameras: files of
+  // matrices name no images, and then pair by their order.
   NamedFiles leaders = names;
   if (!sources.images.empty()) {
     images = ordered(names, image_files("image", sources.images), list.names_images);

@@ -8,9 +8,9 @@
 
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
-#include "tm/views/cameras/pyramid.h"
+#include "tm/views/cameras/view.h"
 #include "tm/views/hull/hull.h"
-#include "tm/views/hull/mesh_silhouette.h"
+#include "tm/views/hull/silhouette.h"
 
 namespace transformesh {
 namespace {
@@ -18,7 +18,8 @@ namespace {
 constexpr double largest_side_px = 320;
 constexpr int hull_resolution = 48;
 constexpr double share_to_keep = 0.1;
-constexpr int steps_down = 8;  // four steps halve the level
+/// Four steps halve the level.
+constexpr int steps_down = 8;
 constexpr double agreement_tolerance = 0.001;
 
 struct SmallView {
@@ -33,7 +34,7 @@ std::vector<SmallView> shrunk(std::span<const View> views) {
       const GrayImage& image = views[i].image;
       if (image.empty()) continue;
       result[i].scale = std::max(1.0, std::max(image.width, image.height) / largest_side_px);
-      // At its own scale a photograph is not blurred.
+      // at_scale() would blur even a photograph that keeps its size.
       result[i].view = result[i].scale > 1 ? at_scale(views[i], result[i].scale) : views[i];
     }
   });
@@ -54,7 +55,8 @@ std::vector<View> views_at(double level, const std::vector<SmallView>& small,
   return views;
 }
 
-/// Nothing where the silhouettes are not those of a bounded object.
+/// How well the silhouettes agree with those of their hull, the mean over the views; none where
+/// they are not those of a bounded object.
 std::optional<double> hull_agreement(const std::vector<View>& views) {
   Mesh hull;
   try {

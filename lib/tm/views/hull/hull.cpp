@@ -10,19 +10,19 @@
 #include "tm/mesh/components.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
+#include "tm/views/hull/contour_distance.h"
 #include "tm/views/hull/marching_tetrahedra.h"
-#include "tm/views/hull/silhouette.h"
-#include "tm/views/hull/silhouette_box.h"
 
 namespace transformesh {
 namespace {
 
 constexpr double most_nodes = 1 << 28;
-constexpr std::size_t block_nodes = 8;  // each way
-/// Distances between pixels may be off by that much: they are interpolated.
+/// Side of the blocks of nodes that a single look at the silhouettes may carve or keep.
+constexpr std::size_t block_nodes = 8;
+/// By how much an interpolated distance between pixels may be off.
 constexpr double distance_slack_px = 1;
 
-/// A silhouette as a field in space.
+/// Reads at points in space how far they are from the contour of a silhouette.
 struct Carver {
   Projection projection;
   double focal_length = 1;
@@ -70,7 +70,7 @@ double field(const std::vector<Carver>& carvers, const Vec3& point) {
 
 enum class Verdict { carved, kept, open };
 
-/// Where a box projects to in an image: a rectangle around it and how far that reaches.
+/// The rectangle around the image of a box.
 struct Footprint {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
@@ -99,7 +99,8 @@ struct Footprint {
   }
 };
 
-/// What one view says of all points of a box: a distance changes by at most a pixel a pixel.
+/// What one view says of all points of a box. From pixel to pixel a distance changes by at most
+/// one, so that the distance in the middle bounds all others.
 Verdict verdict_of(const Carver& carver, const Box& box) {
   const Footprint footprint(carver.projection, box);
   if (!footprint.is_before_camera) return Verdict::open;
@@ -156,10 +157,11 @@ class Sampler {
       low[axis] = block[axis] * block_nodes;
       high[axis] = std::min(low[axis] + block_nodes, grid_.nodes[axis]);
     }
-    // One cell wider: then no edge that leaves the block crosses the surface either.
+    // The box is one cell wider than the block, so that no edge that leaves a carved or kept block
+    // crosses the surface.
     const Vec3 cell = Vec3::Constant(grid_.spacing);
     const Verdict verdict = verdict_of(carvers_, Box{place(low) - cell, place(high)});
-    if (verdict == Verdict::carved) return;  // as all nodes are from the start
+    if (verdict == Verdict::carved) return;  // nodes are outside from the start
     for (std::size_t z = low[2]; z < high[2]; ++z)
       for (std::size_t y = low[1]; y < high[1]; ++y)
         for (std::size_t x = low[0]; x < high[0]; ++x) measure({x, y, z}, verdict);
@@ -176,7 +178,7 @@ class Sampler {
 
   const std::vector<Carver>& carvers_;
   ValueGrid& grid_;
-  float far_;  // beyond it only the sign counts
+  float far_;  ///< values are cut off at this distance, beyond which only their sign counts
   Site blocks_{};
 };
 
@@ -190,7 +192,7 @@ void check(const HullOptions& options) {
     throw UsageError("the box of a hull must have its smaller corner first");
 }
 
-/// Nodes on the boundary are outside, so the box lies within them.
+/// The box lies within the outermost nodes, which are always outside.
 ValueGrid make_grid(const Box& box, const HullOptions& options) {
   const Vec3 size = box.maximum - box.minimum;
   ValueGrid grid;

@@ -16,11 +16,19 @@
 
 namespace transformesh {
 
+/// The smallest box around all points that lie before every camera and project into the bounding
+/// rectangle of every silhouette, one pixel wider: a linear program, solved exactly. A side of a
+/// rectangle that lies on the border of its image bounds nothing, as the object may go on beyond
+/// it. Views without silhouette count as cameras that have the object before them. Throws
+/// InputError, with the name of the view, for a silhouette without a pixel inside; where no point
+/// is left, and where the silhouettes do not bound the object on all sides.
+Box silhouette_box(std::span<const View> views);
+
 struct HullOptions {
-  std::optional<Box> box = std::nullopt;  ///< where to look; default: silhouette_box
+  std::optional<Box> box = std::nullopt;  ///< that is searched; default: silhouette_box
   int resolution = 100;                   ///< [4, 4096] cells along the longest side of the box
-  std::optional<double> edge =
-      std::nullopt;  ///< or the size of a cell, > 0; faces are about as large
+  /// Size of a cell, > 0, instead of a resolution; faces are about as large.
+  std::optional<double> edge = std::nullopt;
   /// [0, 1]: components of less than this share of the largest one's volume are dropped. Few views
   /// leave phantoms: places that every camera takes for the object.
   double keep = 1;
@@ -35,9 +43,9 @@ struct HullResult {
 
 /// Views without silhouette are passed over. Throws UsageError for options out of range and for
 /// more than 2^28 cells, InputError as silhouette_box does, where no view has a silhouette and
-/// where nothing is inside all of them (the object may be smaller than a cell). Cost: a quarter of
-/// a second for 16 views of 640x480 and 100^3 cells: only cells near the surface are measured; 4
-/// bytes a cell. Parallel; the same mesh for any number of threads.
+/// where nothing is inside all of them (the object may be smaller than a cell). Only cells near the
+/// surface are measured: a quarter of a second for 16 views of 640x480 and 100^3 cells, and 4 bytes
+/// a cell. Parallel; the same mesh for any number of threads.
 HullResult visual_hull(std::span<const View> views, const HullOptions& options = {},
                        const Progress& progress = {});
 

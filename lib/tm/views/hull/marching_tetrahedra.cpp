@@ -11,7 +11,8 @@ namespace {
 
 constexpr double least_share = 0.05;
 
-/// An edge of the grid: eight times the node where it starts, plus its direction, one bit an axis.
+/// Names an edge of the grid: eight times the node where it starts, plus a bit for each axis along
+/// which it leads.
 using EdgeKey = std::uint64_t;
 using KeyFace = std::array<EdgeKey, 3>;
 
@@ -58,7 +59,7 @@ class Cube {
     if (inside == 2) cut_across(t, faces);
   }
 
-  // One corner is on its own: a triangle around it.
+  /// Adds the triangle around the one corner that is on its own side.
   void cut_off(const Tetrahedron& t, bool side, std::vector<KeyFace>& faces) const {
     for (const auto& order : one_first) {
       if (is_inside_[t[order[0]]] != side) continue;
@@ -69,7 +70,7 @@ class Cube {
     }
   }
 
-  // Two and two: a quadrilateral between them.
+  /// Adds the quadrilateral between the two corners inside and the two outside.
   void cut_across(const Tetrahedron& t, std::vector<KeyFace>& faces) const {
     for (const auto& order : two_first) {
       const std::array<unsigned, 4> c = {t[order[0]], t[order[1]], t[order[2]], t[order[3]]};
@@ -81,7 +82,8 @@ class Cube {
     }
   }
 
-  // Of two corners of a Kuhn tetrahedron, the bits of one are among those of the other.
+  /// Of two corners of a Kuhn tetrahedron, the bits of one are among those of the other, so that
+  /// the edge leads from one to the other along the axes of the bits that differ.
   EdgeKey key(unsigned a, unsigned b) const { return node_[a & b] * 8 + (a ^ b); }
 
   std::array<std::size_t, 8> node_{};
@@ -136,7 +138,7 @@ Mesh march_tetrahedra(const ValueGrid& grid) {
   if (*std::min_element(grid.nodes.begin(), grid.nodes.end()) < 2) return mesh;
   const std::vector<KeyFace> faces = all_faces(grid);
 
-  // Vertices in the order of the edges that they lie on.
+  // Vertices come in the order of the edges that they lie on.
   std::vector<EdgeKey> keys;
   keys.reserve(3 * faces.size());
   for (const KeyFace& face : faces) keys.insert(keys.end(), face.begin(), face.end());

@@ -12,10 +12,10 @@
 namespace transformesh {
 
 struct ValueGrid {
-  Vec3 origin = Vec3::Zero();          ///< of node 0, 0, 0
-  double spacing = 1;                  ///< > 0, between neighbours
-  std::array<std::size_t, 3> nodes{};  ///< how many along x, y and z
-  std::vector<float> values;           ///< finite, x runs fastest; negative inside
+  Vec3 origin = Vec3::Zero();          ///< position of node 0, 0, 0
+  double spacing = 1;                  ///< > 0, between neighbors
+  std::array<std::size_t, 3> nodes{};  ///< their number along x, y and z
+  std::vector<float> values;           ///< finite, negative inside; x runs fastest
 
   std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
     return (z * nodes[1] + y) * nodes[0] + x;

@@ -1,137 +1,19 @@
 #include "tm/views/hull/silhouette.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <numeric>
-#include <vector>
 
 #include "tm/support/error.h"
-#include "tm/views/images/gaussian_blur.h"
+#include "tm/views/hull/contour_distance.h"
 
 namespace transformesh {
 namespace {
 
-constexpr float contour_level = 127.5F;
-constexpr std::int32_t no_segment = -1;
-
-using Point = Eigen::Vector2f;
-
-struct Segment {
-  Point start, end;
-
-  float squared_distance(const Point& point) const {
-    const Point along = end - start;
-    const float squared_length = along.squaredNorm();
-    float share = squared_length > 0 ? (point - start).dot(along) / squared_length : 0.0F;
-    share = std::clamp(share, 0.0F, 1.0F);
-    return (start + share * along - point).squaredNorm();
-  }
-};
-
 bool is_inside(float level) { return level > contour_level; }
-
-/// The nearest piece of the contour of each pixel, where that is nearer than `limit`: of all others
-/// the distance is said to be that.
-class ContourDistance {
- public:
-  explicit ContourDistance(const GrayImage& silhouette,
-                           float limit = std::numeric_limits<float>::infinity())
-      : silhouette_(silhouette),
-        squared_(silhouette.width, silhouette.height, limit * limit),
-        nearest_(silhouette.pixels.size(), no_segment) {}
-
-  GrayImage compute() {
-    for (int y = 0; y + 1 < silhouette_.height; ++y)
-      for (int x = 0; x + 1 < silhouette_.width; ++x) trace_cell(x, y);
-    sweep_down();
-    sweep_up();
-    return signed_roots();
-  }
-
- private:
-  // Marching squares: the contour leaves and enters the square of four pixel centres.
-  void trace_cell(int x, int y) {
-    static constexpr std::array<std::array<int, 2>, 4> corners = {
-        {{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
-    std::array<Point, 4> crossings;
-    std::size_t count = 0;
-    for (std::size_t side = 0; side < 4; ++side) {
-      const auto [ax, ay] = corners[side];
-      const auto [bx, by] = corners[(side + 1) % 4];
-      const float a = silhouette_.at(x + ax, y + ay);
-      const float b = silhouette_.at(x + bx, y + by);
-      if (is_inside(a) == is_inside(b)) continue;
-      const float share = (contour_level - a) / (b - a);
-      const Point start(static_cast<float>(x + ax), static_cast<float>(y + ay));
-      const Point end(static_cast<float>(x + bx), static_cast<float>(y + by));
-      crossings[count++] = start + share * (end - start);
-    }
-    for (std::size_t i = 0; i + 1 < count; i += 2)
-      add_segment({crossings[i], crossings[i + 1]}, x, y);
-  }
-
-  void add_segment(const Segment& segment, int x, int y) {
-    const auto index = static_cast<std::int32_t>(segments_.size());
-    segments_.push_back(segment);
-    for (int dy = 0; dy <= 1; ++dy)
-      for (int dx = 0; dx <= 1; ++dx) offer(index, x + dx, y + dy);
-  }
-
-  void offer(std::int32_t segment, int x, int y) {
-    if (segment == no_segment) return;
-    const Point pixel(static_cast<float>(x), static_cast<float>(y));
-    const float squared = segments_[static_cast<std::size_t>(segment)].squared_distance(pixel);
-    if (squared >= squared_.at(x, y)) return;
-    squared_.at(x, y) = squared;
-    nearest(x, y) = segment;
-  }
-
-  void offer_from(int from_x, int from_y, int x, int y) {
-    if (from_x < 0 || from_x >= silhouette_.width || from_y < 0 || from_y >= silhouette_.height)
-      return;
-    const std::int32_t segment = nearest(from_x, from_y);
-    if (segment != nearest(x, y)) offer(segment, x, y);
-  }
-
-  void sweep_row(int y, int from_y) {
-    const int width = silhouette_.width;
-    for (int x = 0; x < width; ++x) {
-      for (int dx = -1; dx <= 1; ++dx) offer_from(x + dx, from_y, x, y);
-      offer_from(x - 1, y, x, y);
-    }
-    for (int x = width - 1; x >= 0; --x) offer_from(x + 1, y, x, y);
-  }
-
-  void sweep_down() {
-    for (int y = 0; y < silhouette_.height; ++y) sweep_row(y, y - 1);
-  }
-  void sweep_up() {
-    for (int y = silhouette_.height - 1; y >= 0; --y) sweep_row(y, y + 1);
-  }
-
-  GrayImage signed_roots() const {
-    GrayImage distances = squared_;
-    for (std::size_t i = 0; i < distances.pixels.size(); ++i) {
-      const float root = std::sqrt(squared_.pixels[i]);
-      distances.pixels[i] = is_inside(silhouette_.pixels[i]) ? -root : root;
-    }
-    return distances;
-  }
-
-  std::int32_t& nearest(int x, int y) {
-    return nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(silhouette_.width) +
-                    static_cast<std::size_t>(x)];
-  }
-
-  const GrayImage& silhouette_;
-  GrayImage squared_;
-  std::vector<std::int32_t> nearest_;
-  std::vector<Segment> segments_;
-};
 
 /// The silhouette whose contour is `offset` pixels outside of the one with these distances.
 GrayImage offset_silhouette(GrayImage distances, float offset) {
@@ -140,12 +22,13 @@ GrayImage offset_silhouette(GrayImage distances, float offset) {
   return distances;
 }
 
-/// As the border of the image is no contour, nothing is eroded from there.
+/// Dilates by a disc and erodes by it again. The border of the image is no contour, so that nothing
+/// is eroded from there.
 GrayImage closed(const GrayImage& silhouette, float radius) {
-  // Only distances around the radius count, and what they are propagated through.
+  // Only distances near the radius count; four pixels more carry them past their neighbors.
   const float limit = radius + 4;
-  const GrayImage wide = offset_silhouette(ContourDistance(silhouette, limit).compute(), radius);
-  GrayImage narrow = offset_silhouette(ContourDistance(wide, limit).compute(), -radius);
+  const GrayImage wide = offset_silhouette(signed_distance(silhouette, limit), radius);
+  GrayImage narrow = offset_silhouette(signed_distance(wide, limit), -radius);
   // Where nothing was closed the contour stays exactly where it was.
   for (std::size_t i = 0; i < narrow.pixels.size(); ++i)
     narrow.pixels[i] = std::max(narrow.pixels[i], silhouette.pixels[i]);
@@ -195,7 +78,7 @@ double dividing_level(std::span<const GrayImage> images) {
   const auto is_used = [](std::size_t count) { return count > 0; };
   if (std::none_of(counts.begin(), counts.end(), is_used)) return contour_level;
 
-  // It is the last of the dark levels that are used, or one of those after it that are not.
+  // Otsu's level may be any of those without a pixel that follow the brightest dark one.
   const auto first_bright = counts.begin() + otsu_level(counts) + 1;
   const auto bright = std::find_if(first_bright, counts.end(), is_used);
   const auto dark = std::find_if(std::make_reverse_iterator(first_bright), counts.rend(), is_used);
@@ -214,7 +97,8 @@ GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& o
   if (image.empty()) return silhouette;
 
   if (options.blur > 0) silhouette = gaussian_blur(image, options.blur);
-  // Steep, but not so steep that the place of the contour between two pixels is lost.
+  // The levels become as steep as the range allows without a cut between dark and bright, which
+  // keeps the place of the contour between two pixels.
   const auto level =
       static_cast<float>(options.level ? *options.level : dividing_level({&silhouette, 1}));
   const float slope = contour_level / std::min(level, 255 - level);
@@ -251,29 +135,24 @@ double silhouette_agreement(const GrayImage& first, const GrayImage& second) {
   return any == 0 ? 1.0 : static_cast<double>(both) / static_cast<double>(any);
 }
 
-GrayImage signed_distance(const GrayImage& silhouette) {
-  return ContourDistance(silhouette).compute();
+GrayImage mesh_silhouette(const Mesh& mesh, const Camera& camera) {
+  const FaceBuffer faces = rasterize(mesh, camera);
+  GrayImage silhouette(camera.width, camera.height);
+  for (std::size_t i = 0; i < faces.pixels.size(); ++i)
+    silhouette.pixels[i] = faces.pixels[i].face == no_index ? 0.0F : 255.0F;
+  return silhouette;
 }
 
-float distance_at(const GrayImage& distances, double x, double y) {
-  const int width = distances.width;
-  const int height = distances.height;
-  if (!(x >= -0.5 && y >= -0.5 && x <= width - 0.5 && y <= height - 0.5)) return unknown_distance;
-  const double inner_x = std::clamp(x, 0.0, width - 1.0);
-  const double inner_y = std::clamp(y, 0.0, height - 1.0);
-  const int left = std::min(static_cast<int>(inner_x), std::max(width - 2, 0));
-  const int top = std::min(static_cast<int>(inner_y), std::max(height - 2, 0));
-  const int right = std::min(left + 1, width - 1);
-  const int bottom = std::min(top + 1, height - 1);
+GrayImage mesh_silhouette(const Mesh& mesh, const View& view) {
+  const GrayImage& image = view.image.empty() ? view.silhouette : view.image;
+  return mesh_silhouette(mesh, {view.camera.projection(), image.width, image.height});
+}
 
-  const float upper_left = distances.at(left, top);
-  if (std::isinf(upper_left)) return upper_left;  // and so are all others
-  const auto across = static_cast<float>(inner_x - left);
-  const auto down = static_cast<float>(inner_y - top);
-  const float upper = upper_left + across * (distances.at(right, top) - upper_left);
-  const float lower = distances.at(left, bottom) +
-                      across * (distances.at(right, bottom) - distances.at(left, bottom));
-  return upper + down * (lower - upper);
+std::vector<double> silhouette_agreements(const Mesh& mesh, std::span<const View> views) {
+  std::vector<double> agreements;
+  for (const View& view : views)
+    agreements.push_back(silhouette_agreement(mesh_silhouette(mesh, view), view.silhouette));
+  return agreements;
 }
 
 }  // namespace transformesh

@@ -1,5 +1,3 @@
-#include "tm/views/hull/silhouette_box.h"
-
 #include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
@@ -9,16 +7,18 @@
 #include <vector>
 
 #include "tm/support/error.h"
+#include "tm/views/hull/contour_distance.h"
+#include "tm/views/hull/hull.h"
 
 namespace transformesh {
 namespace {
 
-/// What satisfies it has row * (X, 1) <= 0.
+/// The points X with row * (X, 1) <= 0.
 using HalfSpace = Eigen::RowVector4d;
 using LinearProgram = CGAL::Quadratic_program<double>;
 using Solution = CGAL::Quadratic_program_solution<CGAL::Gmpzf>;
 
-/// Columns or rows of an image: the first and the last with a pixel inside.
+/// The first and the last column, or row, of an image that has a pixel inside.
 struct Range {
   int first = 0;
   int last = -1;
@@ -38,7 +38,7 @@ Rectangle bounding_rectangle(const View& view) {
   Rectangle rectangle;
   for (int y = 0; y < view.silhouette.height; ++y) {
     for (int x = 0; x < view.silhouette.width; ++x) {
-      if (view.silhouette.at(x, y) <= 127.5F) continue;
+      if (view.silhouette.at(x, y) <= contour_level) continue;
       rectangle.columns.add(x);
       rectangle.rows.add(y);
     }
@@ -79,7 +79,7 @@ LinearProgram program_of(const std::vector<HalfSpace>& bounds) {
   return program;
 }
 
-/// The least value of a coordinate, or of its negative.
+/// The least value of the coordinate for sign 1, the largest one for sign -1.
 double least(LinearProgram program, int axis, double sign) {
   program.set_c(axis, sign);
   const Solution solution = CGAL::solve_linear_program(program, CGAL::Gmpzf());

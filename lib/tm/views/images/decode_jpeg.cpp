@@ -13,7 +13,8 @@
 namespace transformesh {
 namespace {
 
-/// Each scan goes through the whole image, and cameras make ten at most.
+/// Each scan goes through the whole image: a file of few bytes may ask for hours. Progressive
+/// images have ten or so.
 constexpr int most_scans = 100;
 
 struct ErrorManager {
@@ -34,7 +35,7 @@ struct ErrorManager {
   std::longjmp(errors->escape, 1);
 }
 
-/// Warnings tell of damage that libjpeg would fill by a guess, but for some about labels.
+/// Warnings tell of damage that libjpeg would fill by a guess, except a few that are about labels.
 void take_message(j_common_ptr jpeg, int level) {
   constexpr int warning = -1;
   if (level != warning) return;
@@ -82,7 +83,8 @@ class Reader {
                    source_.bytes.size());
       jpeg_read_header(&jpeg_, TRUE);
     });
-    // Each block of 64 pixels has a bit or more; uneven sampling may halve the blocks.
+    // Every block of 64 pixels takes at least a bit; where components are sampled unevenly, there
+    // is a block for 128 pixels.
     check_size(source_, jpeg_.image_width, jpeg_.image_height, std::uint64_t{8} * 128);
     if (jpeg_.num_components == 4)
       jpeg_.out_color_space = JCS_CMYK;
@@ -120,7 +122,7 @@ class Reader {
     source_.fail("not a complete JPEG image: " + std::string(errors_.reason.data()) + row);
   }
 
-  /// The inks are inverted, as Adobe's programs write them.
+  /// Inks are taken as inverted, which is how Adobe's programs write them.
   static void convert_from_cmyk(std::vector<JSAMPLE>& row) {
     for (auto pixel = row.begin(); pixel != row.end(); pixel += 4) {
       const int black = pixel[3];

@@ -27,8 +27,8 @@ void take(png_structp png, png_bytep data, png_size_t size) {
 
 void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
-/// What is asked of libpng, which leaves by longjmp where it fails: no object with a destructor
-/// may be made in here.
+/// Whether libpng does what it is asked to. Where it fails it leaves by longjmp, so that no object
+/// with a destructor may be made in the action.
 template <class Action>
 bool completes(png_structp png, const Action& action) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
@@ -67,7 +67,7 @@ class Reader {
     demand([this] { read_header(png_, info_); });
     const auto width = png_get_image_width(png_, info_);
     const auto height = png_get_image_height(png_, info_);
-    // Deflate makes at most 1032 bytes of one.
+    // Deflate makes at most 1032 bytes of one byte.
     const unsigned bits = png_get_channels(png_, info_) * png_get_bit_depth(png_, info_);
     check_size(source_, width, height, std::uint64_t{8} * 1032 / bits);
     demand([this] {
@@ -82,7 +82,7 @@ class Reader {
   void read(const SampleLayout& layout, LevelRows& rows) {
     const auto height = static_cast<std::size_t>(layout.height);
     const std::size_t row_size = png_get_rowbytes(png_, info_);
-    // Interlaced rows are complete only when all of them are.
+    // Interlaced images need room for all rows, none of which is complete before the last pass.
     std::vector<png_byte> samples(passes_ == 1 ? row_size : height * row_size);
     for (int pass = 1; pass < passes_; ++pass) read_pass(height, row_size, samples);
     for (std::size_t y = 0; y < height; ++y) {

@@ -7,7 +7,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Goes through the header, and through samples written as text.
+/// Reads the whole numbers of the header, and of samples written as text, past blanks and comments.
 class Numbers {
  public:
   explicit Numbers(const Source& source) : source_(source), place_(source.begin() + 2) {}
@@ -76,7 +76,7 @@ class SampleReader {
   unsigned maximum_;
 };
 
-/// Where the binary samples start, all of which must be there.
+/// The place of the first binary sample. Fails unless all of them are there.
 const char* start_of_samples(const Source& source, const char* place, std::size_t size) {
   // One blank ends the header; what follows may look like blanks.
   const bool has_blank = place != source.end() && is_blank(*place);

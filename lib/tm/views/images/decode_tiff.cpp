@@ -13,12 +13,12 @@
 namespace transformesh {
 namespace {
 
-/// The bytes as libtiff sees them: as a file.
+/// The bytes, which libtiff reads as a file.
 struct Input {
   std::string_view bytes;
   std::uint64_t place = 0;
   bool are_warnings_failures = false;
-  std::string failure;  ///< the first
+  std::string failure;  ///< the first message
 };
 
 Input& input_of(thandle_t handle) { return *static_cast<Input*>(handle); }
@@ -52,7 +52,7 @@ int keep_failure(TIFF* /*tiff*/, void* input, const char* /*module*/, const char
   std::vsnprintf(text.data(), text.size(), format, values);
   std::string& failure = static_cast<Input*>(input)->failure;
   if (failure.empty()) failure = text.data();
-  return 1;  // and libtiff prints nothing
+  return 1;  // tells libtiff to print nothing
 }
 
 /// Where a file is opened, warnings tell of labels that libtiff does not know; later, of damage
@@ -111,7 +111,7 @@ class Converter {
   bool is_ready_;
 };
 
-/// One row of gray samples of 1, 2 or 4 bits, the first in the highest bits of a byte.
+/// Unpacks a row of gray samples of 1, 2 or 4 bits, the first in the highest bits of a byte.
 template <class Sample>
 void unpack(const Sample* packed, unsigned bits, std::vector<Sample>& row) {
   const unsigned per_byte = 8 / bits;
@@ -121,7 +121,7 @@ void unpack(const Sample* packed, unsigned bits, std::vector<Sample>& row) {
   }
 }
 
-/// One row of red, green and blue.
+/// Unpacks a row of pixels into samples of red, green and blue.
 void unpack(const std::uint32_t* pixel, std::vector<std::uint8_t>& row) {
   for (auto sample = row.begin(); sample != row.end(); sample += 3, ++pixel) {
     sample[0] = static_cast<std::uint8_t>(TIFFGetR(*pixel));
@@ -141,7 +141,7 @@ class Reader {
     stride_ = field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
     photometric_ = field<std::uint16_t>(TIFFTAG_PHOTOMETRIC);
     is_tiled_ = TIFFIsTiled(tiff_.get()) != 0;
-    // Whether compressed data hold so many pixels shows when they are decoded.
+    // No bound is known for compressed data, which show what they hold when they are decoded.
     constexpr std::uint64_t any = std::numeric_limits<std::uint32_t>::max();
     const bool is_compressed = field<std::uint16_t>(TIFFTAG_COMPRESSION) != COMPRESSION_NONE;
     check_size(source, width_, height_, is_compressed ? any : 8);
@@ -246,7 +246,7 @@ class Reader {
   }
 
   void read_converted(LevelRows& rows) {
-    std::array<char, 1024> reason{};  // of libtiff's size
+    std::array<char, 1024> reason{};  // libtiff asks for this size
     if (TIFFRGBAImageOK(tiff_.get(), reason.data()) == 0)
       refuse_format(source_, "TIFF (" + std::string(reason.data()) + ")");
     Converter converter(tiff_.get(), reason);

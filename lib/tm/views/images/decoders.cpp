@@ -24,7 +24,7 @@ void LevelRows::start(const SampleLayout& layout) {
   layout_ = layout;
   image_.width = layout.width;
   image_.height = layout.height;
-  // Reserved memory is not touched.
+  // Reserving does not touch the memory.
   image_.pixels.reserve(static_cast<std::size_t>(layout.width) *
                         static_cast<std::size_t>(layout.height));
 }

@@ -1,23 +1,23 @@
-#include "tm/views/images/gaussian_blur.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
 
+#include "tm/views/images/gray_image.h"
+
 namespace transformesh {
 namespace {
 
-/// Levels of a row, followed by room for the rest of a block.
+/// The levels of a row, with room for whole blocks.
 using Row = std::vector<double>;
 
-/// Sums are kept in registers for so many pixels at once.
+/// So many pixels are summed at once, in registers.
 constexpr std::size_t block = 16;
 
 Row make_row(int width) { return Row(static_cast<std::size_t>(width) + block); }
 
-/// Weights of an odd number of pixels, of which the middle one is that in question; floats.
+/// The weights of an odd number of pixels around the one in question, as floats have them.
 std::vector<double> gaussian_weights(double deviation) {
   const auto reach = static_cast<int>(std::lrint(8 * deviation + 1)) / 2;
   std::vector<double> weights;
@@ -28,7 +28,7 @@ std::vector<double> gaussian_weights(double deviation) {
   return weights;
 }
 
-/// Where pixel i lies in a row of so many that is mirrored at its ends.
+/// The pixel that stands for pixel i in a row of `count` that is mirrored at its ends.
 int mirrored(int i, int count) {
   if (count == 1) return 0;
   const int period = 2 * (count - 1);
@@ -36,8 +36,9 @@ int mirrored(int i, int count) {
   return std::min(place, period - place);
 }
 
-/// Sums of weights[i] * rows[i][x]. Products are exact in double precision, so that each sum is
-/// rounded once, to a float: what fused multiply-adds of floats make, on machines without them.
+/// Writes the sum over i of weights[i] * rows[i][x] for each x. Products are exact in double
+/// precision, so that each sum is rounded once, to a float: this is what fused multiply-adds of
+/// floats make, on machines without them too.
 void weigh(const std::vector<double>& weights, const std::vector<const double*>& rows, int width,
            float* result) {
   for (std::size_t x = 0; x < static_cast<std::size_t>(width); x += block) {

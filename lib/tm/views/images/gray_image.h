@@ -1,6 +1,6 @@
-/// A grey image in memory: rows from the top, one float a pixel, pixel centres at integers.
-/// Photographs hold the grey levels of their file, 0 to 255, without gamma; silhouettes hold 0
-/// outside and 255 inside, and levels between along soft edges (silhouette.h).
+/// A gray image in memory: rows from the top, one float a pixel, pixel centers at integers.
+/// Photographs hold the gray levels of their file, 0 to 255, without gamma; silhouettes hold 0
+/// outside and 255 inside, and levels between along soft edges (contour_distance.h).
 #pragma once
 
 #include <cstddef>
@@ -31,5 +31,10 @@ struct GrayImage {
            static_cast<std::size_t>(x);
   }
 };
+
+/// The image under a Gaussian of this `deviation` in pixels, > 0, that is cut off at four
+/// deviations. Beyond the outermost pixels the image goes on mirrored at them. O(pixels *
+/// deviation); the same bytes on every machine.
+GrayImage gaussian_blur(const GrayImage& image, double deviation);
 
 }  // namespace transformesh

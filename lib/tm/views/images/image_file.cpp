@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "tm/views/images/decoders.h"
 
@@ -71,6 +72,16 @@ GrayImage decode_photograph(std::string_view bytes, const std::string& name) {
 
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name) {
   return decode(bytes, name, LevelRows::Kind::silhouette);
+}
+
+Image picture_of(const GrayImage& image) {
+  Image picture(image.width, image.height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const float level = std::clamp(std::round(image.pixels[i]), 0.0F, 255.0F);
+    const auto byte = static_cast<std::uint8_t>(level);
+    picture.pixels[i] = {byte, byte, byte, 255};
+  }
+  return picture;
 }
 
 }  // namespace transformesh

@@ -1,5 +1,6 @@
-/// Photographs and silhouettes from files: JPEG, PNG, TIFF and PNM (P2, P3, P5, P6). The format is
-/// told by the first bytes, not by the name.
+/// Photographs and silhouettes from files, JPEG, PNG, TIFF and PNM (P2, P3, P5, P6), and as
+/// pictures that can be written (picture/png.h). The format is told by the first bytes, not by the
+/// name.
 ///
 /// Pixels stay where the file has them: a camera is calibrated for those, so that a wish to show
 /// the photograph rotated (Exif) is ignored. Transparency is ignored too.
@@ -8,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "tm/picture/image.h"
 #include "tm/views/images/gray_image.h"
 
 namespace transformesh {
@@ -15,12 +17,15 @@ namespace transformesh {
 /// Whether the bytes begin like an image file, be it of a format that is not read.
 bool is_image(std::string_view bytes);
 
-/// Grey levels 0.299 R + 0.587 G + 0.114 B from 0 to 255, without gamma; deeper samples are scaled.
+/// Gray levels 0.299 R + 0.587 G + 0.114 B from 0 to 255, without gamma; deeper samples are scaled.
 /// Throws InputError naming the file (`name`) where the bytes are no image, incomplete, damaged or
 /// of a format that is not read, and then says how to convert it.
 GrayImage decode_photograph(std::string_view bytes, const std::string& name);
 
 /// 255 where any sample is not zero, else 0. Throws as decode_photograph does.
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
+
+/// Levels from 0 to 255, rounded to whole ones and cut off beyond; opaque.
+Image picture_of(const GrayImage& image);
 
 }  // namespace transformesh

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tm/views/hull/silhouette.h"
+#include "tm/views/hull/contour_distance.h"
 
 namespace transformesh {
 namespace {
 
 constexpr double pixels_of_curvature = 20;
 
-/// Faces around a vertex that look towards the eye and away from it.
+/// Whether the faces around a vertex are seen from outside, from inside, or both; bits unite.
 enum Facing : char { unseen = 0, front = 1, back = 2, both = 3 };
 
 std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
@@ -26,8 +26,9 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
   return result;
 }
 
-/// Whether background can be seen from within a pixel or two, and not behind a nearer part of the
-/// surface: next to the background a surface curves away from the eye, but only by so many pixels.
+/// Whether a pixel beside the place shows background, and no other part of the surface lies so much
+/// nearer to the eye that it is that part which borders on it. Where a surface meets the background
+/// it curves away from the eye, by `pixels_of_curvature` at most.
 bool borders_on_background(const FaceBuffer& faces, double x, double y, double depth,
                            double pixel) {
   const int column = static_cast<int>(std::lround(x));

@@ -12,7 +12,7 @@ namespace {
 
 using Row = Eigen::ArrayXf;
 
-/// The last rows of several images, and zeros to either side of each.
+/// Keeps the last rows of several images, with zeros to either side of each.
 class RowRing {
  public:
   RowRing(int rows, int width, int planes, int padding)
@@ -90,7 +90,7 @@ class Correlation {
 
   using Rows = std::array<const float*, rows>;
 
-  /// The rows of an image that windows around row y reach.
+  /// The rows of an image that windows around row y cover.
   Rows reach(const RowRing& ring, int plane, int y) const {
     Rows result;
     for (int k = 0; k < rows; ++k)
@@ -98,7 +98,7 @@ class Correlation {
     return result;
   }
 
-  /// out = sums over windows of a term of their pixels.
+  /// Sums a term of the pixels over the window around each pixel of a row.
   template <typename Term>
   void sum_windows(const Term& term, Row& out) {
     float* __restrict column = column_.data() + radius;
@@ -122,7 +122,7 @@ class Correlation {
     sum_windows([&](std::size_t k, int x) { return a[k][x] * b[k][x]; }, sums_[sum12]);
   }
 
-  /// weight = rho, 0 where less than half of the window is seen.
+  /// Weights are rho, and 0 where less than half of the window is seen.
   void find_weights(int y) {
     constexpr float half = 0.5F * rows * rows;
     const float* __restrict seen = compared_.row(is_seen, y);
@@ -133,7 +133,8 @@ class Correlation {
     weight_ *= least_ / (least_ + static_cast<float>(options_.contrast));
   }
 
-  /// The energy and the loss of each window, and how much it pulls: the derivative by 1 - cc.
+  /// Finds the energy and the loss of each window, and its pull: the derivative of the loss by 1 -
+  /// cc.
   void find_loss() {
     energy_ = weight_ * (1 - correlation_);
     loss_ = energy_;
@@ -145,7 +146,8 @@ class Correlation {
     pull_ *= share_.square();
   }
 
-  /// The energy of row y, and what its windows contribute to the derivative at their pixels.
+  /// Adds the energy of row y, and keeps what its windows contribute to the derivative at their
+  /// pixels.
   void compare(int y) {
     find_moments(y);
     const auto noise = static_cast<float>(options_.noise_variance);

@@ -22,21 +22,21 @@ namespace transformesh {
 
 struct CorrelationOptions {
   int radius = 3;              ///< of the window, in pixels; 1 to 5
-  double noise_variance = 25;  ///< added to the variances, in squared grey levels; > 0
+  double noise_variance = 25;  ///< added to the variances, in squared gray levels; > 0
   double contrast = 25;        ///< variance at which rho is 1/2; 0: rho is 1
   double robust = 0;  ///< s, 1 - cc at which a window pulls by a quarter; 0.001 to 1000, or
                       ///< 0: the loss is 1 - cc
 };
 
-/// What a row of both images holds; 0 where nothing is seen.
+/// A row of both images, to be filled; 0 where nothing is seen.
 struct ComparedRow {
   float* is_seen = nullptr;
   float* first = nullptr;
   float* second = nullptr;
-  float* slope = nullptr;  ///< handed on
+  float* slope = nullptr;  ///< derivative of `second` by the coordinate in question
 };
 
-/// The derivative of the energy by a point's own coordinate along which `second` has that slope.
+/// Derivatives of the energy by the coordinate of each point along which `second` has its slope.
 struct CorrelationRow {
   const float* is_seen = nullptr;
   const float* gradient = nullptr;   ///< first derivative
@@ -44,8 +44,8 @@ struct CorrelationRow {
 };
 
 struct CorrelationSums {
-  double energy = 0;       ///< whatever the loss is
-  double loss = 0;         ///< what is differentiated: the energy, if not robust
+  double energy = 0;       ///< without regard to the loss
+  double loss = 0;         ///< the sum that is differentiated: the energy, if not robust
   double weight = 0;       ///< sum of rho
   std::size_t pixels = 0;  ///< windows compared
 };

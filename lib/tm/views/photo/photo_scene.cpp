@@ -3,9 +3,9 @@
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
-#include "tm/views/cameras/pyramid.h"
-#include "tm/views/cameras/scene_scale.h"
-#include "tm/views/hull/silhouette.h"
+#include "tm/views/cameras/pinhole_camera.h"
+#include "tm/views/cameras/view.h"
+#include "tm/views/hull/contour_distance.h"
 
 namespace transformesh {
 

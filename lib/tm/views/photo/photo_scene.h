@@ -1,4 +1,5 @@
-/// Calibrated photographs at one scale, made ready for steps of a surface towards them.
+/// Calibrated photographs at one scale, made ready for steps of a surface towards them
+/// (paper 5.3.1).
 #pragma once
 
 #include <span>
@@ -16,7 +17,7 @@ struct PhotoScene {
   double pixel = 0;  ///< length of a pixel's side where the cameras look
 };
 
-/// Views at a smaller scale (pyramid.h), and which of them to compare (view_pairs.h). Throws
+/// Views at a smaller scale (at_scale), and which of them to compare (choose_pairs). Throws
 /// InputError where there is no such pair, UsageError as at_scale does. O(pixels), in parallel over
 /// views; the same for any number of threads.
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});

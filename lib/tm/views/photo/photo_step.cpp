@@ -32,14 +32,14 @@ std::vector<ViewPair> compared_pairs(const std::vector<ViewPair>& pairs, PairOrd
   return result;
 }
 
-/// Curvatures with what damps them, so that none is 0 where anything is compared.
+/// Curvatures plus damping, so that none is 0 where anything is compared.
 std::vector<double> damped_curvature(const Photoconsistency& measured, double damping) {
   std::vector<double> result(measured.curvature);
   for (std::size_t v = 0; v < result.size(); ++v) result[v] += damping * measured.coverage[v];
   return result;
 }
 
-/// The median over the vertices that are seen, of which there are some.
+/// The median of the curvatures over the vertices that are seen, one at least.
 double usual_curvature(const Photoconsistency& measured, std::span<const double> curvature) {
   std::vector<double> seen;
   for (std::size_t v = 0; v < curvature.size(); ++v) {
@@ -70,7 +70,7 @@ std::vector<double> newton_movements(const Mesh& mesh, const Umbrella& umbrella,
   return thin_plate_step(mesh, umbrella, problem);
 }
 
-/// A third of the faces around each vertex.
+/// A third of the area of the faces around each vertex.
 std::vector<double> vertex_areas(const Mesh& mesh) {
   std::vector<double> areas(mesh.positions.size(), 0);
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -100,7 +100,7 @@ double mean_edge(const Mesh& mesh, const Umbrella& umbrella, Index vertex) {
   return around.empty() ? 0 : sum / static_cast<double>(around.size());
 }
 
-/// The mean movement as a fraction of the local mean edge, before the step.
+/// The mean movement as a fraction of the local mean edge before it.
 double mean_share(const Mesh& before, const Mesh& after, const Umbrella& umbrella) {
   double sum = 0;
   std::size_t count = 0;
@@ -134,7 +134,7 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
   progress("move");
   const ContourGaps gaps = contour_gaps(mesh, scene.views, seen, scene.distances, options.meaning);
 
-  // Movements along the normals, then clamped.
+  // Vertices move along their normals; displace() clamps.
   const Umbrella umbrella(mesh);
   const std::vector<Vec3> normals = vertex_normals(mesh);
   const bool is_gradient = options.rule == PhotoStepRule::gradient;

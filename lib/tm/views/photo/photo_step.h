@@ -6,7 +6,7 @@
 /// (thin_plate.h) and a quadratic pull towards silhouettes. Free of units, contrast and scale.
 /// gradient: the paper's d = -t (gradient of the energy per unit of area), in length^-3: t is in
 /// length^4, so that it depends on the units of the mesh. Silhouettes pull by their share of the
-/// gap, and vertices move by `smoothing` of the way to the mean of their neighbours.
+/// gap, and vertices move by `smoothing` of the way to the mean of their neighbors.
 ///
 /// Positions change, nothing else does. The result may intersect itself; that is what clean() is
 /// for. Cost: see photoconsistency.h. The same bytes for any number of threads.
@@ -38,7 +38,7 @@ struct PhotoStepOptions {
   PhotoconsistencyOptions photographs;
 };
 
-/// All but `displaced` is before the movement.
+/// All but `displaced` and `mean_share` is measured before the movement.
 struct PhotoStepResult {
   double energy = 0;
   double dissimilarity = 0;  ///< energy by weight: mean of 1 - cc

@@ -1,4 +1,4 @@
-/// Several steps towards photographs in a row, photo_step.h, on the same faces.
+/// Several steps towards photographs (photo_step.h) in a row, on the same faces.
 #pragma once
 
 #include "tm/views/photo/photo_step.h"

@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// What the pairs with the same reference view add up to, per pixel of its box.
+/// Sums over the pairs with the same reference view, per pixel of its box.
 struct ReferenceSums {
   GrayImage gradient;  ///< derivative of the energy by the depth of the pixel
   GrayImage curvature;
@@ -21,7 +21,8 @@ struct ReferenceSums {
   std::size_t visible = 0;
 };
 
-/// The same per face: by its movement along its normal, for each corner its barycentric share.
+/// Sums per face, for each corner its barycentric share; derivatives are by the movement of the
+/// face along its normal.
 struct FaceSums {
   std::array<double, 3> gradient{};
   std::array<double, 3> curvature{};
@@ -91,7 +92,7 @@ ReferenceSums compare_with_others(std::size_t reference, std::span<const View> v
   return sums;
 }
 
-/// Pixels hand their sums to the corners of their faces.
+/// Adds the sums of each pixel to those of the corners of its face.
 void add_to_faces(const ReferenceSums& sums, const SeenSurface& seen,
                   std::vector<FaceSums>& faces) {
   for (int y = 0; y < sums.count.height; ++y) {
@@ -146,7 +147,7 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
       sums[v] = compare_with_others(v, views, seen, pairs, options);
   });
 
-  // In the order of the views.
+  // Sums go by the order of the views, for the same bytes with any number of threads.
   progress("add up");
   Photoconsistency result;
   std::vector<FaceSums> faces(mesh.faces.size());

@@ -31,18 +31,18 @@ struct PhotoconsistencyOptions {
   double depth_tolerance = 0.005;  ///< share of the depth by which hidden points are behind; >= 0
 };
 
-/// Per vertex, with l its barycentric weight in a pixel: sums over the compared pixels of all
-/// pairs.
+/// Sums over the compared pixels of all pairs; those of a vertex by its barycentric weight l in
+/// each.
 struct Photoconsistency {
   double energy = 0;
-  double loss = 0;             ///< what is differentiated: the energy, if not robust
+  double loss = 0;             ///< the sum that is differentiated: the energy, if not robust
   double weight = 0;           ///< sum of rho
   std::size_t pixels = 0;      ///< compared, over all pairs
-  std::size_t visible = 0;     ///< that see the surface, over all pairs, compared or not
+  std::size_t visible = 0;     ///< pixels that see the surface, over all pairs, compared or not
   std::vector<Vec3> gradient;  ///< derivative of the loss by the position
-  std::vector<double>
-      curvature;  ///< by a movement along the normals, after Gauss and Newton, halved
-  std::vector<double> coverage;  ///< sum of l
+  /// Second derivative by a movement along the normals, after Gauss and Newton, halved.
+  std::vector<double> curvature;
+  std::vector<double> coverage;  ///< sums of l
 };
 
 /// `seen` is see_surface() of mesh and views. Throws UsageError for options out of range and for a

@@ -21,7 +21,7 @@ void check(const PhotographOptions& options) {
     throw UsageError("the spread of the gain must be at least 0 and less than 1");
 }
 
-/// Normal, by Box and Muller.
+/// A normal deviate, by Box and Muller.
 double deviate(Random& random) {
   const double radius = std::sqrt(-2 * std::log(1 - random.uniform(0, 1)));
   return radius * std::cos(2 * std::numbers::pi * random.uniform(0, 1));
@@ -52,7 +52,7 @@ class Exposure {
 
  private:
   void expose_row(int y) {
-    // Noise of its own for every row: rows may come in any order.
+    // Every row has noise of its own, because threads expose rows in any order.
     Random random(mixed(seed_) + static_cast<std::uint64_t>(y));
     const int all = options_.samples * options_.samples;
     for (int x = 0; x < photograph_.image.width; ++x) {

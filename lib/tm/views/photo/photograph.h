@@ -12,9 +12,9 @@ namespace transformesh {
 
 struct PhotographOptions {
   int samples = 3;           ///< [1, 8] each way in a pixel: pixels are averages, as in a camera
-  double noise = 2;          ///< >= 0: deviation of the sensor's noise, in grey levels
-  double gain_spread = 0;    ///< [0, 1): each photograph's levels are multiplied by 1 -+ that
-  double offset_spread = 0;  ///< >= 0: and moved by at most that many levels
+  double noise = 2;          ///< >= 0: deviation of the sensor's noise, in gray levels
+  double gain_spread = 0;    ///< [0, 1): levels of a photograph are scaled by 1, give or take this
+  double offset_spread = 0;  ///< >= 0: and shifted by at most so many levels
   std::uint64_t seed = 1;    ///< of noise, gain and offset
 };
 

@@ -42,7 +42,7 @@ void compare_row(SeenSurface& seen, std::span<const Vec3f> normals, const Pinhol
   }
 }
 
-/// Pixels without a face have depth 0.
+/// Pixels without a face have depth 0, and so extend no reach.
 void find_reach(SeenSurface& seen) {
   const FaceBuffer& faces = seen.faces;
   for (int y = 0; y + 1 < faces.height; ++y) {

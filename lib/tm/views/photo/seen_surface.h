@@ -1,4 +1,4 @@
-/// The surface as one view sees it: what a comparison of photographs needs per pixel.
+/// The surface as one view sees it, with what a comparison of photographs needs per pixel.
 #pragma once
 
 #include "tm/picture/rasterize.h"
@@ -9,7 +9,7 @@ namespace transformesh {
 /// Images are of the view's size, 0 where there is nothing.
 struct SeenSurface {
   FaceBuffer faces;
-  /// Depth of the pixels that are compared: those that see the outside of a face and not too flatly
+  /// Depth of the pixels that are compared, which see the outside of a face, and not too flatly
   /// along it.
   GrayImage depth;
   /// 1 / (r N) of these, r the pixel's PinholeCamera::ray and N the unit normal of the face: < 0.

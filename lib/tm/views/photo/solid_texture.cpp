@@ -10,9 +10,10 @@ namespace transformesh {
 namespace {
 
 constexpr double middle_level = 128;
-constexpr double deviation = 40;  // of the levels
+/// Standard deviation of the levels.
+constexpr double deviation = 40;
 
-/// Uniform on the sphere (Archimedes).
+/// A direction uniform on the sphere: by Archimedes, heights are uniform.
 Vec3 random_direction(Random& random) {
   const double height = random.uniform(-1, 1);
   const double angle = random.uniform(0, 2 * std::numbers::pi);
@@ -35,7 +36,7 @@ SolidTexture::SolidTexture(const TextureOptions& options) {
     waves_.push_back(
         {2 * std::numbers::pi / wavelength * direction, random.uniform(0, 2 * std::numbers::pi)});
   }
-  // The mean square of a sine is a half.
+  // The mean square of a sine is a half, so that the waves together have the deviation.
   amplitude_ = deviation * std::sqrt(2.0 / options.waves);
 }
 

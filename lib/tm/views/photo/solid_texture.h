@@ -1,4 +1,4 @@
-/// A grey texture that fills space, so that surfaces cut from it need no coordinates of their own:
+/// A gray texture that fills space, so that surfaces cut from it need no coordinates of their own:
 /// the sum of waves in random directions (Peachey, "Solid texturing of complex surfaces", SIGGRAPH
 /// 1985).
 #pragma once
@@ -22,7 +22,7 @@ class SolidTexture {
   /// Throws UsageError for options out of range.
   explicit SolidTexture(const TextureOptions& options);
 
-  /// Grey levels around 128 that rarely leave 20 to 236. O(waves).
+  /// Gray levels around 128 that rarely leave 20 to 236. O(waves).
   float level_at(const Vec3& point) const;
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_iterations = 20;
 constexpr double residual_share = 0.05;
-constexpr double bending_diagonal = 7.0 / 6;  ///< of L^T L at a vertex with six neighbours
+constexpr double bending_diagonal = 7.0 / 6;  ///< of L^T L at a vertex with six neighbors
 constexpr std::size_t vertices_per_task = 4096;
 
 void for_vertices(std::size_t count, const std::function<void(std::size_t)>& body) {
@@ -23,7 +23,7 @@ double dot(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// (H + stiffness N^T L^T L N), H the diagonal of the curvatures.
+/// The matrix H + stiffness N^T L^T L N, with H the diagonal of the curvatures and N the normals.
 class Plate {
  public:
   Plate(const Umbrella& umbrella, const ThinPlateProblem& problem)
@@ -41,7 +41,7 @@ class Plate {
     }
   }
 
-  /// What the energy falls by per movement, at rest.
+  /// The negative derivative of the energy by the movements, where they are 0.
   std::vector<double> force(std::span<const Vec3> positions) {
     umbrella_.apply_bending(positions, bent_);
     std::vector<double> result(positions.size());
@@ -67,7 +67,7 @@ class Plate {
 }  // namespace
 
 Umbrella::Umbrella(const Mesh& mesh) : offsets_(mesh.positions.size() + 1, 0) {
-  // Each edge is a neighbour at both of its ends.
+  // Each edge makes its ends neighbors of each other.
   const Edges edges(mesh);
   std::vector<char> is_border(mesh.positions.size(), 0);
   const auto for_ends = [&](const auto& body) {

@@ -2,9 +2,9 @@
 ///
 /// The energy is a sum over vertices, g d + h d^2 / 2 for a movement by d along the normal, plus
 /// that of a thin plate, stiffness / 2 |L x|^2, with L x the way from a vertex to the mean of its
-/// neighbours (the umbrella of Kobbelt, Campagna, Vorsatz & Seidel, "Interactive multi-resolution
-/// modeling on arbitrary meshes", SIGGRAPH 1998). Where h is large data decide, where it is small
-/// the plate goes on smoothly. Borders are free.
+/// neighbors (the umbrella of Kobbelt, Campagna, Vorsatz & Seidel, "Interactive multi-resolution
+/// modeling on arbitrary meshes", SIGGRAPH 1998). Where h is large the data decide, where it is
+/// small the plate goes on smoothly. Borders are free.
 #pragma once
 
 #include <span>
@@ -14,12 +14,12 @@
 
 namespace transformesh {
 
-/// The neighbours of every vertex along edges, and the umbrella over them.
+/// The neighbors of every vertex along edges, and the umbrella over them.
 class Umbrella {
  public:
   explicit Umbrella(const Mesh& mesh);
 
-  /// The way to the mean of the neighbours; 0 at vertices without any.
+  /// The way to the mean of the neighbors; 0 at vertices without any.
   void apply(std::span<const Vec3> values, std::vector<Vec3>& result) const;
   /// L^T L with L zero at borders.
   void apply_bending(std::span<const Vec3> values, std::vector<Vec3>& result) const;
@@ -30,7 +30,7 @@ class Umbrella {
  private:
   std::vector<Index> offsets_;
   std::vector<Index> ids_;
-  std::vector<double> share_;  ///< 1 / number of neighbours, 0 at borders and without neighbours
+  std::vector<double> share_;  ///< 1 / number of neighbors, 0 at borders and without neighbors
 };
 
 struct ThinPlateProblem {

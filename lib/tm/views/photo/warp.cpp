@@ -2,13 +2,13 @@
 
 #include <Eigen/LU>
 
-#include "tm/views/images/bilinear_sample.h"
-#include "tm/views/images/cubic_sample.h"
+#include "tm/views/images/interpolation.h"
 
 namespace transformesh {
 namespace {
 
-/// Where a point lands in the other view, and how that moves with its depth.
+/// The pixel and the depth at which the other view has a point, and how the pixel moves as the
+/// point goes along its ray.
 struct Landing {
   double x, y, depth;
   double along_x, along_y;

@@ -16,7 +16,7 @@ struct WarpedRow {
   float* slope = nullptr;      ///< derivative of `other` by the depth of the point
 };
 
-/// Taken off the levels, so that sums of their squares keep their digits.
+/// Levels are less this one, so that sums of their squares keep their digits.
 inline constexpr float middle_level = 128;
 
 class Warp {
@@ -35,7 +35,7 @@ class Warp {
   const GrayImage& other_;
   const GrayImage& reach_;
   Eigen::Matrix3d turn_;  ///< from pixels of the reference to rays in pixels of the other
-  Vec3 shift_;            ///< the reference's centre in pixels of the other
+  Vec3 shift_;            ///< the reference's center in pixels of the other
   double nearer_;
 };
 

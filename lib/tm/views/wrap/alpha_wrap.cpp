@@ -15,21 +15,20 @@
 #include "tm/support/length.h"
 #include "tm/views/wrap/unit_scale.h"
 #include "tm/views/wrap/wrap.h"
-#include "tm/views/wrap/wrap_result.h"
 
 namespace transformesh {
 namespace {
 
 constexpr double offset_by_diagonal = 1.0 / 300;
 
-/// Where alpha is looked for, and in which steps.
+/// The range in which alpha is looked for, and the ratio of its steps, four of which halve it.
 constexpr double largest_alpha_by_diagonal = 1.0 / 5;
 constexpr double least_alpha_by_diagonal = 1.0 / 100;
-constexpr double alpha_ratio = 0.8408964152537145;  // four of them halve it
+constexpr double alpha_ratio = 0.8408964152537145;
 
-/// A wrap has about so many faces by its area in squares of alpha, and takes a minute and a
-/// gigabyte for a million. The area is that of a coarse wrap, or of all the balls around points on
-/// their own; but twice that of the coarse one where alpha gets in between the points.
+/// A wrap has about so many faces for each square of alpha in its area, and takes a minute and a
+/// gigabyte for a million of them. Its area is at most twice that of a coarse wrap, whose inside it
+/// covers too where alpha gets in between the points, and at most that of balls around all points.
 constexpr double faces_by_area = 1.3;
 constexpr double most_faces = 2e6;
 constexpr double coarse_alpha_by_size = 1.0 / 50;
@@ -73,7 +72,7 @@ double expected_faces(const Cloud& cloud, double alpha, double offset, double di
   return faces_of_unit_area * std::min(balls, 2 * surface_area(wrap(cloud, coarse, offset).mesh));
 }
 
-/// With two digits, rounded up.
+/// The length with two digits, rounded up.
 std::string rounded_up(double length) {
   const double power = std::floor(std::log10(length)) - 1;
   const double digits = std::ceil(length / std::pow(10, power));
@@ -91,7 +90,7 @@ void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal
       rounded_up(least) + " or more it would not");
 }
 
-/// The share of the area behind which the wrap soon ends.
+/// The share of the wrap's area behind which it soon ends.
 double hollow_share(const Mesh& mesh, double offset) {
   const RayWinding winding(mesh);
   double hollow = 0;
@@ -107,7 +106,7 @@ double hollow_share(const Mesh& mesh, double offset) {
   return all > 0 ? hollow / all : 0;
 }
 
-/// The last one, from large balls to small ones, that none got into.
+/// Goes from large balls to small ones, and returns the wrap before the first hollow one.
 AlphaWrap tightest_wrap(const Cloud& cloud, double diagonal, double offset) {
   double alpha = largest_alpha_by_diagonal * diagonal;
   AlphaWrap best = wrap(cloud, alpha, offset);

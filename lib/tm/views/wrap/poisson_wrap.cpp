@@ -16,7 +16,6 @@
 #include "tm/views/hull/marching_tetrahedra.h"
 #include "tm/views/wrap/unit_scale.h"
 #include "tm/views/wrap/wrap.h"
-#include "tm/views/wrap/wrap_result.h"
 
 namespace transformesh {
 namespace {
@@ -27,8 +26,9 @@ using Function = CGAL::Poisson_reconstruction_function<Kernel>;
 using PointMap = CGAL::First_of_pair_property_map<Oriented>;
 using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
 
-constexpr unsigned neighbors = 6;  // that the spacing is measured to
-/// Cells along the diagonal of the points' box: one for the spacing of the points, but within this.
+/// The spacing of the points is the mean distance to so many neighbors.
+constexpr unsigned neighbors = 6;
+/// A cell is as large as the spacing, but the diagonal of the points' box has so many of them.
 constexpr double least_cells = 16;
 constexpr double most_cells = 160;
 constexpr double shaken_by_spacing = 0.03;
@@ -79,7 +79,8 @@ float value_at(const Function& function, const ValueGrid& grid,
   return std::isfinite(value) ? static_cast<float>(value) : outside;
 }
 
-/// The function rises along the normals, or most of them are turned the wrong way.
+/// Whether the function rises along at least half of the normals, as it does along normals that
+/// point outwards.
 bool rises_outwards(const Function& function, const std::vector<Oriented>& cloud, double step) {
   const auto rises = [&](const Oriented& oriented) {
     const auto& [point, normal] = oriented;
@@ -89,7 +90,7 @@ bool rises_outwards(const Function& function, const std::vector<Oriented>& cloud
   return 2 * static_cast<std::size_t>(rising) >= cloud.size();
 }
 
-/// Each point moved by up to `reach` along each axis, always the same way.
+/// The points, each moved at random by up to `reach` along each axis; the same in every run.
 std::vector<Oriented> shaken(std::vector<Oriented> cloud, double reach) {
   Random random(1);
   const auto way = [&] { return random.uniform(-reach, reach); };
@@ -100,14 +101,14 @@ std::vector<Oriented> shaken(std::vector<Oriented> cloud, double reach) {
   return cloud;
 }
 
-/// Null where there is no such function.
+/// Null where CGAL finds no such function.
 std::unique_ptr<Function> function_of(const std::vector<Oriented>& cloud) {
   auto function = std::make_unique<Function>(cloud.begin(), cloud.end(), PointMap(), NormalMap());
   if (!function->compute_implicit_function()) return nullptr;
   return function;
 }
 
-/// The cells between points on one sphere have one circumcentre, at which CGAL's refinement of its
+/// The cells between points on one sphere have one circumcenter, at which CGAL's refinement of its
 /// triangulation ends before the space around is divided: the function is flat there, and what is
 /// inside a guess. Points that are shaken are on no sphere. Null where there is no function.
 std::unique_ptr<Function> rising_function(const std::vector<Oriented>& cloud, double spacing) {
@@ -118,7 +119,7 @@ std::unique_ptr<Function> rising_function(const std::vector<Oriented>& cloud, do
   throw GoalError("no surface has these normals: most point inwards, or they do not agree");
 }
 
-/// The function at the nodes of a grid around the points, with a margin for what bulges.
+/// The function at the nodes of a grid around the points, with a margin for a surface that bulges.
 ValueGrid sampled(const Function& function, const Box& box, double cell) {
   ValueGrid grid;
   grid.spacing = cell;
@@ -127,7 +128,7 @@ ValueGrid sampled(const Function& function, const Box& box, double cell) {
   const Vec3 size = box.maximum + margin - grid.origin;
   for (int axis = 0; axis < 3; ++axis)
     grid.nodes[axis] = static_cast<std::size_t>(std::ceil(size[axis] / cell)) + 1;
-  // One by one: the function remembers where it was, and begins to search there.
+  // Nodes are visited in a row, because the function begins its search where the last one ended.
   for (std::size_t z = 0; z < grid.nodes[2]; ++z)
     for (std::size_t y = 0; y < grid.nodes[1]; ++y)
       for (std::size_t x = 0; x < grid.nodes[0]; ++x)
@@ -135,7 +136,7 @@ ValueGrid sampled(const Function& function, const Box& box, double cell) {
   return grid;
 }
 
-/// Empty where there is no such function.
+/// Empty where CGAL finds no function.
 Mesh unit_wrap(const std::vector<Oriented>& cloud) {
   Mesh points;
   points.positions = positions_of(cloud);

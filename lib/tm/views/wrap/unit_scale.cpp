@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 #include "tm/support/length.h"
@@ -13,7 +15,7 @@ namespace {
 
 constexpr double least_size = 1e-290;
 constexpr double largest_size = 1e290;
-/// Thousands of rounding errors.
+/// A detail is at least thousands of rounding errors, relative to the coordinates.
 constexpr double least_detail = 1e-12;
 
 Vec3 scaled(const Vec3& point, int exponent) {
@@ -65,6 +67,17 @@ void check_detail(std::span<const Vec3> points, double detail, double largest) {
     throw InputError("details of " + shortest_text(detail) + " are lost against lengths of " +
                      shortest_text(largest) + ": give lengths that differ less");
   }
+}
+
+void check_wrap(Mesh& mesh) {
+  const ManifoldReport report = check_manifold(mesh);
+  const bool is_sound = report.is_manifold() && report.is_oriented() && report.is_closed();
+  if (mesh.faces.empty() || !is_sound)
+    throw GoalError(
+        "no closed surface fits these points: do their normals point outwards, or are some far "
+        "off?");
+  if (volume(mesh) >= 0) return;
+  for (Face& face : mesh.faces) std::swap(face[1], face[2]);
 }
 
 }  // namespace transformesh

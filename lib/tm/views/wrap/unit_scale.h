@@ -1,5 +1,5 @@
-/// Points brought to about unit size, for algorithms whose squares and products would overflow or
-/// vanish elsewhere.
+/// What both ways of wrapping points do before and after: bring points to about unit size, because
+/// squares and products would overflow or vanish elsewhere, and judge the result. Internal to wrap.
 #pragma once
 
 #include <span>
@@ -13,8 +13,7 @@ namespace transformesh {
 /// same result.
 class UnitScale {
  public:
-  /// From the size of what is to become between 1 and 2. Throws InputError unless that is between
-  /// 1e-290 and 1e290.
+  /// Brings this size to between 1 and 2. Throws InputError unless it is between 1e-290 and 1e290.
   explicit UnitScale(double size);
 
   double to_unit(double length) const;
@@ -26,11 +25,14 @@ class UnitScale {
   int exponent_;
 };
 
-/// Of the points' bounding box; finite wherever a double can hold it.
+/// The diagonal of the points' bounding box; finite wherever a double can hold it.
 double diagonal_of(std::span<const Vec3> points);
 
 /// Throws InputError where a detail of that length is lost in the rounding of the points'
 /// coordinates, or of the largest length.
 void check_detail(std::span<const Vec3> points, double detail, double largest);
+
+/// Turns a mesh that is inside out. Throws GoalError unless it is a closed, oriented 2-manifold.
+void check_wrap(Mesh& mesh);
 
 }  // namespace transformesh

@@ -15,13 +15,13 @@
 namespace transformesh {
 
 struct AlphaWrapOptions {
-  double alpha = 0;   ///< > 0: smallest ball that is kept out; 0: found, see below
+  double alpha = 0;   ///< > 0: radius of the smallest ball that is kept out; 0: see alpha_wrap
   double offset = 0;  ///< > 0: of the surface from the points; 0: a 300th of the box's diagonal
 };
 
 struct AlphaWrap {
   Mesh mesh;
-  double alpha = 0;  ///< that was used
+  double alpha = 0;  ///< the one that was used
 };
 
 /// Closed, oriented 2-manifold that contains all points; one component where the points are dense

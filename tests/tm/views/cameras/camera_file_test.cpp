@@ -7,31 +7,14 @@
 #include <cmath>
 #include <cstdio>
 
+#include "helpers/camera_texts.h"
 #include "helpers/random.h"
-#include "tm/support/error.h"
 
 using namespace transformesh;
+using test::is_refused;
+using test::refusal;
 
 namespace {
-
-std::string refusal(const std::string& text) {
-  try {
-    parse_cameras(text, "some.txt");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-// The message says `what` and ends with the line.
-bool is_refused(const std::string& text, const std::string& what, int line) {
-  const std::string message = refusal(text);
-  INFO(message);
-  const std::string place = "(some.txt line " + std::to_string(line) + ")";
-  CHECK(message.ends_with(place));
-  CHECK(message.find(what) != std::string::npos);
-  return message.ends_with(place) && message.find(what) != std::string::npos;
-}
 
 PinholeCamera random_camera(test::Random& random) {
   PinholeCamera camera;
@@ -78,93 +61,9 @@ std::string exact(double value) {
   return text.data();
 }
 
-const std::string identity = "1 0 0 0 1 0 0 0 1";
-const std::string lens = "300 0 160 0 310 120 0 0 1";
-
-std::string middlebury(const std::string& line) { return "1\n" + line + "\n"; }
-
-const std::string colmap_lens = "# a comment\n1 PINHOLE 320 240 300 310 160.5 120.5\n";
 const std::string bundle = "# Bundle file v0.3\n1 0\n";
 
 }  // namespace
-
-TEST_CASE("Middlebury: K, R and t as they stand there") {
-  const auto list = parse_cameras("2\n\na.png " + lens + " " + identity + " 1 2 3\n" +
-                                      "b.png 600 0 320 0 620 240 0 0 2 0 -1 0 1 0 0 0 0 1 0 0 4\n",
-                                  "some.txt");
-  REQUIRE(list.cameras.size() == 2);
-  CHECK(list.names_images);
-  CHECK(list.cameras[0].name == "a.png");
-  CHECK(list.cameras[0].place == "some.txt line 3");
-  CHECK(list.cameras[0].camera.intrinsics(1, 2) == 120);
-  CHECK(list.cameras[0].camera.translation == Vec3(1, 2, 3));
-  CHECK(list.cameras[1].camera.intrinsics(1, 1) == 310);
-  CHECK(list.cameras[1].camera.rotation(0, 1) == -1);
-}
-
-TEST_CASE("Middlebury: every mistake is refused with its line") {
-  const std::string good = "a.png " + lens + " " + identity + " 0 0 5";
-  CHECK(refusal(middlebury(good)).empty());
-  CHECK(is_refused("2\n" + good + "\n", "promises 2 cameras, but there are only 1", 3));
-  CHECK(is_refused("1\n" + good + "\n" + good + "\n", "but there are more", 3));
-  CHECK(is_refused("0\n", "no camera", 1));
-  CHECK(is_refused(good + "\n", "first line", 1));
-  CHECK(is_refused(middlebury("a.png " + lens + " " + identity + " 0 0"), "t3 of 'a.png'", 2));
-  CHECK(is_refused(middlebury(good + " 7"), "more values", 2));
-  CHECK(is_refused(middlebury("a.png " + lens + " 1 0 0 0 1 0 0 x 1 0 0 5"), "r32 of 'a.png'", 2));
-  CHECK(is_refused(middlebury("a.png nan 0 160 0 310 120 0 0 1 " + identity + " 0 0 5"),
-                   "k11 of 'a.png'", 2));
-  CHECK(is_refused(middlebury("a.png " + lens + " " + identity + " 0 inf 5"), "t2 of 'a.png'", 2));
-  CHECK(is_refused(middlebury("a.png 0 0 160 0 310 120 0 0 1 " + identity + " 0 0 5"),
-                   "focal lengths", 2));
-  CHECK(is_refused(middlebury("a.png 300 0 160 4 310 120 0 0 1 " + identity + " 0 0 5"), "k21", 2));
-  CHECK(is_refused(middlebury("a.png " + lens + " 1 0 0 0 1 0 0 0 1.1 0 0 5"), "orthonormal", 2));
-  CHECK(is_refused(middlebury("a.png " + lens + " 1 0 0 0 1 0 0 0 -1 0 0 5"), "reflection", 2));
-  CHECK(refusal("2\n" + good + "\n" + good + "\n").find("line 3") != std::string::npos);
-}
-
-TEST_CASE("COLMAP: quaternions turn from the world, and pixels are half a pixel less") {
-  const double half_angle = 0.35;
-  const std::string turn =
-      std::to_string(std::cos(half_angle)) + " 0 0 " + std::to_string(std::sin(half_angle));
-  const auto list = parse_cameras(colmap_lens + "2 SIMPLE_PINHOLE 64 48 50 32 24\n" + "7 " + turn +
-                                      " 1 2 3 1 a b.png\n\n" + "8 1 0 0 0 0 0 0 2 c.png\n1 2 -1\n",
-                                  "some.txt");
-  REQUIRE(list.cameras.size() == 2);
-  const CameraRecord& first = list.cameras[0];
-  CHECK(first.name == "a b.png");
-  CHECK(first.width == 320);
-  CHECK(first.height == 240);
-  CHECK(first.camera.intrinsics(0, 2) == 160);
-  CHECK(first.camera.intrinsics(1, 2) == 120);
-  CHECK(first.camera.intrinsics(1, 1) == 310);
-  CHECK(first.camera.rotation(0, 0) == doctest::Approx(std::cos(0.7)).epsilon(1e-5));
-  CHECK(first.camera.rotation(0, 1) == doctest::Approx(-std::sin(0.7)).epsilon(1e-5));
-  CHECK(first.camera.rotation(2, 2) == doctest::Approx(1));
-  CHECK(first.camera.translation == Vec3(1, 2, 3));
-  CHECK(list.cameras[1].camera.intrinsics(0, 0) == 50);
-  CHECK(list.cameras[1].camera.intrinsics(1, 1) == 50);
-  CHECK(list.cameras[1].camera.intrinsics(1, 2) == 23.5);
-}
-
-TEST_CASE("COLMAP: every mistake is refused with its line") {
-  const std::string image = "1 1 0 0 0 0 0 5 1 a.png\n\n";
-  CHECK(refusal(colmap_lens + image).empty());
-  CHECK(refusal(colmap_lens + "1 1 0 0 0 0 0 5 1 a.png").empty());
-  CHECK(is_refused("1 FOV 320 240 300 310 160 120 0 0 0 0\n" + image, "'FOV'", 1));
-  CHECK(is_refused("1 SIMPLE_RADIAL 320 240 300 160 120 0\n" + image, "undistort", 1));
-  CHECK(is_refused(colmap_lens + colmap_lens + image, "camera '1' is there twice", 4));
-  CHECK(is_refused("1 PINHOLE 0 240 300 310 160 120\n" + image, "width", 1));
-  CHECK(is_refused("1 PINHOLE 320 240 300 310 160\n" + image, "cy of camera '1'", 1));
-  CHECK(is_refused("1 PINHOLE 320 240 300 nan 160 120\n" + image, "second focal length", 1));
-  CHECK(is_refused("1 PINHOLE 320 240 -300 310 160 120\n" + image, "positive", 1));
-  CHECK(is_refused(colmap_lens, "no image", 3));
-  CHECK(is_refused(colmap_lens + "1 1 0 0 0 0 0 5 2 a.png\n\n", "no camera '2'", 3));
-  CHECK(is_refused(colmap_lens + "1 0 0 0 0 0 0 5 1 a.png\n\n", "quaternion", 3));
-  CHECK(is_refused(colmap_lens + "1 1 0 0 0 0 0 5 1 \n\n", "name of image '1'", 3));
-  CHECK(is_refused(colmap_lens + "1 1 0 0 0 0 0 5 1 a.png\n2 1 0 0 0 0 0 5 1 b.png\n",
-                   "line of points", 4));
-}
 
 TEST_CASE("Bundler: looks along -z with y up, around the image's center") {
   const double f = 500;

@@ -37,7 +37,7 @@ std::string numbered(const std::string& start, int number, const std::string& en
   return start + std::to_string(number) + end;
 }
 
-// A grey image whose pixels all have one level.
+// A gray image whose pixels all have one level.
 std::string image(int width, int height, int level) {
   return "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n" +
          std::string(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),

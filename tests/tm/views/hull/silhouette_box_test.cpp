@@ -1,9 +1,8 @@
-#include "tm/views/hull/silhouette_box.h"
-
 #include <doctest/doctest.h>
 
 #include "helpers/view_maker.h"
 #include "tm/support/error.h"
+#include "tm/views/hull/hull.h"
 
 using namespace transformesh;
 using namespace view_maker;

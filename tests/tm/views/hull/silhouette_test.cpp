@@ -2,118 +2,16 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "helpers/disc_mask.h"
+#include "helpers/random.h"
 #include "tm/support/error.h"
+#include "tm/views/hull/contour_distance.h"
 
 using namespace transformesh;
-
-namespace {
-
-constexpr int width = 64;
-constexpr int height = 48;
-
-/// An image whose levels are those of a function of the place, positive outside, cut off.
-template <typename Function>
-GrayImage soft_mask(const Function& distance) {
-  GrayImage mask(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      mask.at(x, y) = std::clamp(127.5F - 80 * static_cast<float>(distance(x, y)), 0.0F, 255.0F);
-  return mask;
-}
-
-double disc(double x, double y) { return std::hypot(x - 30.3, y - 22.6) - 11.7; }
-/// Inside is left of a slanted line that crosses the whole image.
-double half_plane(double x, double y) { return 0.8 * (x - 20.4) + 0.6 * (y - 10.2); }
-
-template <typename Function>
-double worst_error(const GrayImage& distances, const Function& exact) {
-  double worst = 0;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      worst = std::max(worst, std::abs(distances.at(x, y) - exact(x, y)));
-  return worst;
-}
-
-}  // namespace
-
-TEST_CASE("a soft disc: the distance is that to the circle") {
-  CHECK(worst_error(signed_distance(soft_mask(disc)), disc) < 0.05);
-}
-
-TEST_CASE("a disc of two levels: within half a pixel") {
-  const GrayImage distances = signed_distance(two_levels(soft_mask(disc)));
-  const double worst = worst_error(distances, disc);
-  CHECK(worst < 0.5);
-  CHECK(worst > 0.05);  // the stairs are there
-}
-
-TEST_CASE("a straight contour, as far as it stays in the image") {
-  // Beyond its ends the nearest point of the line is outside the image: the distance is larger.
-  const GrayImage distances = signed_distance(soft_mask(half_plane));
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const double exact = half_plane(x, y);
-      CHECK(std::abs(distances.at(x, y)) >= std::abs(exact) - 1e-4);
-      const double foot_x = x - 0.8 * exact;
-      const double foot_y = y - 0.6 * exact;
-      if (foot_x < 0 || foot_y < 0 || foot_x > width - 1 || foot_y > height - 1) continue;
-      CHECK(std::abs(distances.at(x, y) - exact) < 0.02);
-    }
-  }
-}
-
-TEST_CASE("every distance is that of the nearest crossing, found by looking at all") {
-  // Two discs, a frame and a thin line, so that contours compete.
-  GrayImage mask(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      if (std::hypot(x - 15, y - 15) < 9 || std::hypot(x - 44, y - 30) < 7 || y == 40 ||
-          (x > 55 && x < 60 && y > 3 && y < 9))
-        mask.at(x, y) = 255;
-  const GrayImage distances = signed_distance(mask);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      // Crossings of the grid lines: the contour joins neighbours, at most 1 apart.
-      double nearest = 1e9;
-      for (int v = 0; v < height; ++v)
-        for (int u = 0; u < width; ++u) {
-          if (u + 1 < width && mask.at(u, v) != mask.at(u + 1, v))
-            nearest = std::min(nearest, std::hypot(u + 0.5 - x, v - y));
-          if (v + 1 < height && mask.at(u, v) != mask.at(u, v + 1))
-            nearest = std::min(nearest, std::hypot(u - x, v + 0.5 - y));
-        }
-      const double found = std::abs(distances.at(x, y));
-      CHECK(found <= nearest + 0.05);
-      CHECK(found >= std::sqrt(std::max(0.0, nearest * nearest - 0.25)) - 0.15);
-      CHECK((distances.at(x, y) < 0) == (mask.at(x, y) > 0));
-    }
-  }
-}
-
-TEST_CASE("the border of the image is no contour") {
-  GrayImage mask(width, height, 255);
-  const GrayImage all = signed_distance(mask);
-  CHECK(all.at(0, 0) == -std::numeric_limits<float>::infinity());
-  CHECK(distance_at(all, 3.2, 4.1) == -std::numeric_limits<float>::infinity());
-
-  for (int y = 0; y < height; ++y) mask.at(width - 1, y) = 0;
-  CHECK(signed_distance(mask).at(0, 20) == doctest::Approx(-(width - 1.5)));
-}
-
-TEST_CASE("distances between pixels, and beyond them") {
-  GrayImage distances(3, 2);
-  distances.pixels = {0, 1, 2, 10, 11, 12};
-  CHECK(distance_at(distances, 1.25, 0.5) == doctest::Approx(6.25));
-  CHECK(distance_at(distances, 2, 1) == 12);
-  CHECK(distance_at(distances, -0.4, 0) == 0);
-  CHECK(distance_at(distances, 2.4, 1.4) == 12);
-  CHECK(std::isnan(distance_at(distances, -0.6, 0)));
-  CHECK(std::isnan(distance_at(distances, 1, 1.6)));
-  CHECK(std::isnan(distance_at(distances, NAN, 0)));
-}
+using namespace transformesh::test;
 
 TEST_CASE("a threshold finds the contour between pixels") {
   // A bright disc with an edge as soft as a camera's: it crosses level 60 at a radius that is
@@ -145,6 +43,50 @@ TEST_CASE("without a level, that between dark and bright pixels is found") {
       photograph.at(x, y) = static_cast<float>((disc(x, y) < 0 ? 180 : 40) + (7 * x + 3 * y) % 31);
   const GrayImage mask = two_levels(threshold_silhouette(photograph, {std::nullopt, 0, 0}));
   CHECK(mask.pixels == two_levels(soft_mask(disc)).pixels);
+}
+
+TEST_CASE("the dividing level leaves the largest variance between dark and bright") {
+  Random random(6);
+  for (int round = 0; round < 50; ++round) {
+    // Two heaps of levels, and others anywhere.
+    std::array<GrayImage, 2> images{GrayImage(30, 20), GrayImage(17, 9)};
+    const double dark = random.uniform(0, 120);
+    const double bright = random.uniform(130, 250);
+    for (GrayImage& image : images) {
+      for (float& level : image.pixels) {
+        const std::uint64_t heap = random.below(5);
+        const double middle = heap == 0 ? random.uniform(0, 255) : heap < 3 ? dark : bright;
+        level = std::clamp(static_cast<float>(std::round(middle + random.uniform(-9, 9))), 0.0F,
+                           255.0F);
+      }
+    }
+    const auto variance_at = [&](double level) {
+      std::array<double, 2> counts{};
+      std::array<double, 2> sums{};
+      for (const GrayImage& image : images) {
+        for (const float pixel : image.pixels) {
+          const std::size_t side = static_cast<double>(pixel) > level ? 1 : 0;
+          ++counts[side];
+          sums[side] += static_cast<double>(pixel);
+        }
+      }
+      if (counts[0] == 0 || counts[1] == 0) return 0.0;
+      return counts[0] * counts[1] * std::pow(sums[1] / counts[1] - sums[0] / counts[0], 2);
+    };
+    const double found = variance_at(dividing_level(images));
+    for (int level = 0; level < 255; ++level) CHECK(variance_at(level + 0.5) <= found * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("the dividing level lies in the middle of the levels that no pixel has") {
+  GrayImage image(4, 1);
+  image.pixels = {10, 10, 20, 90};
+  CHECK(dividing_level({&image, 1}) == 55);
+  image.pixels = {0, 0, 0, 255};
+  CHECK(dividing_level({&image, 1}) == 127.5);
+  image.pixels = {7, 7, 7, 7};
+  CHECK(dividing_level({&image, 1}) == doctest::Approx(3.5));
+  CHECK(dividing_level({}) == 127.5);
 }
 
 TEST_CASE("dark marks on the object become part of it, wide gaps do not") {

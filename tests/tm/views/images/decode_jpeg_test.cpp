@@ -68,7 +68,7 @@ TEST_CASE("a JPEG that is cut short is refused, and damage does no harm") {
     const std::string bytes = jpeg_of({3, is_progressive, 0}, 19, 13, noise(19 * 13 * 3));
     check_beginnings(bytes);
     check_damage(bytes);
-    CHECK(refusal(bytes.substr(0, bytes.size() - 40)) ==
+    CHECK(image_refusal(bytes.substr(0, bytes.size() - 40)) ==
           "not a complete JPEG image: the file ends too early (a.image)");
   }
 }
@@ -81,7 +81,8 @@ TEST_CASE("a JPEG with a complete thumbnail in it is still incomplete") {
                       std::string{static_cast<char>(size / 256), static_cast<char>(size % 256)} +
                       thumbnail);
   CHECK(decode_photograph(bytes, "a.jpg").width == 33);
-  CHECK(refusal(bytes.substr(0, bytes.size() - 40)).find("ends too early") != std::string::npos);
+  CHECK(image_refusal(bytes.substr(0, bytes.size() - 40)).find("ends too early") !=
+        std::string::npos);
 }
 
 TEST_CASE("damage that libjpeg would fill by a guess is refused with its row") {
@@ -89,7 +90,7 @@ TEST_CASE("damage that libjpeg would fill by a guess is refused with its row") {
   const std::size_t restart = bytes.find("\xff\xd3");
   REQUIRE(restart != std::string::npos);
   bytes[restart + 1] = '\xd6';
-  CHECK(refusal(bytes) ==
+  CHECK(image_refusal(bytes) ==
         "not a complete JPEG image: Corrupt JPEG data: found marker 0xd6 instead of RST3, in row "
         "33 (a.image)");
 }
@@ -100,18 +101,18 @@ TEST_CASE("a JPEG that claims what its bytes cannot hold, or scans without end, 
   REQUIRE(frame != std::string::npos);
   std::string claim = bytes;
   claim.replace(frame + 5, 4, "\x4e\x20\x4e\x20");
-  CHECK(refusal(claim).find("cannot have 20000 x 20000 pixels") != std::string::npos);
+  CHECK(image_refusal(claim).find("cannot have 20000 x 20000 pixels") != std::string::npos);
   claim.replace(frame + 5, 4, "\xff\xdc\xff\xdc");
-  CHECK(refusal(claim).find("too large") != std::string::npos);
+  CHECK(image_refusal(claim).find("too large") != std::string::npos);
   claim.replace(frame + 5, 4, std::string(4, '\0'));
-  CHECK(refusal(claim) != "");
+  CHECK(image_refusal(claim) != "");
 
   const std::size_t scan = bytes.find("\xff\xda");
   const std::size_t end = bytes.find("\xff\xc4", scan);
   REQUIRE(end != std::string::npos);
   const std::string again = bytes.substr(scan, end - scan);
   for (int i = 0; i < 50; ++i) bytes.insert(scan, again);
-  CHECK(refusal(bytes) == "");
+  CHECK(image_refusal(bytes) == "");
   for (int i = 0; i < 50; ++i) bytes.insert(scan, again);
-  CHECK(refusal(bytes).find("more than 100 scans") != std::string::npos);
+  CHECK(image_refusal(bytes).find("more than 100 scans") != std::string::npos);
 }

@@ -124,12 +124,12 @@ TEST_CASE("a TIFF of other samples is refused with advice") {
   TiffKind kind{32};
   kind.sample_format = SAMPLEFORMAT_IEEEFP;
   const Rows rows(std::size_t{4} * 4);
-  CHECK(refusal(tiff_of(kind, 2, 2, rows)) ==
+  CHECK(image_refusal(tiff_of(kind, 2, 2, rows)) ==
         "the format is TIFF of samples that are no unsigned integers; only JPEG, PNG, TIFF and PNM "
         "of 8 or 16 bits are read: convert it first, for example with: magick a.image a.png "
         "(a.image)");
   kind.sample_format = SAMPLEFORMAT_UINT;
-  CHECK(refusal(tiff_of(kind, 2, 2, rows)).find("32-bit samples") != std::string::npos);
+  CHECK(image_refusal(tiff_of(kind, 2, 2, rows)).find("32-bit samples") != std::string::npos);
 }
 
 TEST_CASE("a TIFF that is cut short is refused, and damage does no harm") {
@@ -159,7 +159,7 @@ TEST_CASE("a TIFF that claims what its bytes cannot hold costs nothing") {
       for (std::size_t i = 0; i < 4; ++i)
         bytes[label + 8 + i] = static_cast<char>(size >> 8 * i & 0xff);
     }
-    return refusal(bytes);
+    return image_refusal(bytes);
   };
   const long before = peak_memory();
   CHECK(claim({8}, 20000).find("cannot have") != std::string::npos);

@@ -34,15 +34,16 @@ TEST_CASE("an image of another format is refused with the way to convert it") {
        {"v/1\x01\x02\0\0\0"s, "OpenEXR"}}};
   for (const auto& [bytes, format] : others) {
     CHECK(is_image(bytes));
-    CHECK(refusal(bytes) == "the format is " + format +
-                                "; only JPEG, PNG, TIFF and PNM of 8 or 16 bits are read: convert "
-                                "it first, for example with: magick a.image a.png (a.image)");
+    CHECK(image_refusal(bytes) ==
+          "the format is " + format +
+              "; only JPEG, PNG, TIFF and PNM of 8 or 16 bits are read: convert "
+              "it first, for example with: magick a.image a.png (a.image)");
   }
 }
 
 TEST_CASE("what is no image is refused with its first bytes") {
-  CHECK(refusal("").find("empty") != std::string::npos);
-  CHECK(refusal("hello, world").find("'hello, world'") != std::string::npos);
+  CHECK(image_refusal("").find("empty") != std::string::npos);
+  CHECK(image_refusal("hello, world").find("'hello, world'") != std::string::npos);
 }
 
 TEST_CASE("inside a silhouette is what has any sample above zero") {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "helpers/shapes.h"
-#include "tm/views/hull/silhouette.h"
+#include "tm/views/hull/contour_distance.h"
 
 using namespace transformesh;
 using doctest::Approx;

@@ -9,7 +9,7 @@
 #include "tm/picture/rasterize.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
-#include "tm/views/cameras/pyramid.h"
+#include "tm/views/cameras/view.h"
 
 using namespace transformesh;
 using doctest::Approx;

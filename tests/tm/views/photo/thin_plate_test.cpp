@@ -64,7 +64,7 @@ Eigen::VectorXd dense_step(const Mesh& mesh, const ThinPlateProblem& problem) {
 
 }  // namespace
 
-TEST_CASE("the umbrella is the way to the mean of the neighbours, one for each edge") {
+TEST_CASE("the umbrella is the way to the mean of the neighbors, one for each edge") {
   const Mesh mesh = test::icosphere(1);
   const Umbrella umbrella(mesh);
   std::vector<Vec3> ways;

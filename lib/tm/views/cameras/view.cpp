@@ -1,4 +1,4 @@
-#include "tm/views/cameras/pyramid.h"
+#include "tm/views/cameras/view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ struct Blend {
 };
 
 /// A Gaussian, spread over the area of a pixel of the smaller image where that is larger than one.
-/// Taken at pixel centres its sums are as good as integrals: its deviation is above half a pixel.
+/// Its deviation is above half a pixel, so that sums over pixel centers are as good as integrals.
 class Kernel {
  public:
   explicit Kernel(double scale, double deviation)
@@ -63,7 +63,7 @@ std::vector<Blend> blends(int size, double scale, const Kernel& kernel) {
   return result;
 }
 
-/// One row of the smaller image is at first a blend of rows, then of columns.
+/// Blends rows of the larger image into one, of which blend_columns() then makes pixels.
 void blend_rows(const GrayImage& image, const Blend& blend, std::vector<float>& sum) {
   std::fill(sum.begin(), sum.end(), 0.0F);
   for (std::size_t k = 0; k < blend.weights.size(); ++k) {

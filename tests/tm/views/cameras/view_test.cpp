@@ -1,4 +1,4 @@
-#include "tm/views/cameras/pyramid.h"
+#include "tm/views/cameras/view.h"
 
 #include <doctest/doctest.h>
 
