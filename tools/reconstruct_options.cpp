@@ -78,17 +78,15 @@ std::optional<double> number_or_auto(const std::string& option, const std::strin
 
 // What is read again by a run that continues cannot be a pipe.
 void refuse_standard_input(const ReconstructChoices& choices) {
-  const std::pair<const char*, const std::string&> places[] = {
-      {"cameras", choices.sources.cameras},
-      {"images", choices.sources.images},
-      {"silhouettes", choices.sources.silhouettes},
-      {"start", choices.start},
-      {"sequence", choices.sequence}};
-  for (const auto& [option, place] : places) {
+  const auto refuse = [](const std::string& option, const std::string& place) {
     if (place == "-")
-      throw UsageError("--" + std::string(option) +
-                       ": name a file: standard input is read once only");
-  }
+      throw UsageError("--" + option + ": name a file: standard input is read once only");
+  };
+  refuse("cameras", choices.sources.cameras);
+  refuse("images", choices.sources.images);
+  refuse("silhouettes", choices.sources.silhouettes);
+  refuse("start", choices.start);
+  refuse("sequence", choices.sequence);
 }
 
 StartOptions start_of(const ReconstructChoices& choices) {
@@ -100,6 +98,20 @@ StartOptions start_of(const ReconstructChoices& choices) {
   if (!choices.threshold.empty()) start.threshold = {.level = threshold_level(choices.threshold)};
   start.keep = hull_share(choices.keep);
   return start;
+}
+
+void check_sequence(const ReconstructChoices& choices, const Run& run) {
+  if (run.output() == "-")
+    throw UsageError("--sequence needs -o FOLDER: where to write the surfaces");
+  const auto check_place = [](const char* option, const std::string& place) {
+    if (place.find("{}") == std::string::npos)
+      throw UsageError("--" + std::string(option) + " '" + place +
+                       "' holds no {}, which stands for a time step");
+  };
+  check_place("images", choices.sources.images);
+  if (!choices.sources.silhouettes.empty()) check_place("silhouettes", choices.sources.silhouettes);
+  if (!choices.loop.frames.empty())
+    throw UsageError("--frames is not for a --sequence, whose results are its frames");
 }
 
 }  // namespace
@@ -132,18 +144,18 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   return options;
 }
 
-void check_sequence(const ReconstructChoices& choices, const Run& run) {
-  if (run.output() == "-")
-    throw UsageError("--sequence needs -o FOLDER: where to write the surfaces");
-  const auto check_place = [](const char* option, const std::string& place) {
-    if (place.find("{}") == std::string::npos)
-      throw UsageError("--" + std::string(option) + " '" + place +
-                       "' holds no {}, which stands for a time step");
-  };
-  check_place("images", choices.sources.images);
-  if (!choices.sources.silhouettes.empty()) check_place("silhouettes", choices.sources.silhouettes);
-  if (!choices.loop.frames.empty())
-    throw UsageError("--frames is not for a --sequence, whose results are its frames");
+SequenceOptions sequence_of(const ReconstructChoices& choices,
+                            const ReconstructionOptions& reconstruction, Run& run) {
+  check_sequence(choices, run);
+  SequenceOptions options;
+  options.reconstruction = reconstruction;
+  options.track = choices.track;
+  options.folder = run.output();
+  options.format = run.document().style.format;
+  options.states = run.output() + "/." + run.program();
+  options.on_step = [&run](const std::string& text) { run.progress_line(text); };
+  options.on_note = [&run](const std::string& text) { run.note(text); };
+  return options;
 }
 
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step) {

@@ -40,8 +40,9 @@ void declare_reconstruction(Program& program, ReconstructChoices& choices);
 /// Throws UsageError for values that are none and for options that do not go together.
 ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run);
 
-/// Throws UsageError where places do not name the time step.
-void check_sequence(const ReconstructChoices& choices, const Run& run);
+/// All but the comments. Throws UsageError where places do not name the time step.
+SequenceOptions sequence_of(const ReconstructChoices& choices,
+                            const ReconstructionOptions& reconstruction, Run& run);
 
 /// The places of one time step.
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step);

@@ -37,18 +37,8 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
 
 void reconstruct_film(const tool::ReconstructChoices& choices,
                       const ReconstructionOptions& reconstruction, tool::Run& run) {
-  tool::check_sequence(choices, run);
+  SequenceOptions options = tool::sequence_of(choices, reconstruction, run);
   const std::vector<TimeStep> steps = time_steps(choices.sequence);
-  std::vector<std::string> names;
-  for (const TimeStep& step : steps) names.push_back(step.name);
-  SequenceOptions options;
-  options.reconstruction = reconstruction;
-  options.track = choices.track;
-  options.folder = run.output();
-  options.format = run.document().style.format;
-  options.states = run.output() + "/." + run.program();
-  options.on_step = [&run](const std::string& text) { run.progress_line(text); };
-  options.on_note = [&run](const std::string& text) { run.note(text); };
   Record record = tool::open_record(choices.loop, 1, run, options.states);
   run.write_nothing();
 
@@ -59,7 +49,7 @@ void reconstruct_film(const tool::ReconstructChoices& choices,
     return views_from(tool::sources_of(choices.sources, steps[step]));
   };
   const SequenceResult result =
-      reconstruct_sequence(document, names, views_of, options, record, run.progress());
+      reconstruct_sequence(document, names_of(steps), views_of, options, record, run.progress());
   tool::report_sequence(result, run);
   tool::conclude(run, choices.loop, record,
                  {true, result.accepted == result.time_steps, tool::summary_of(result)});

@@ -57,10 +57,10 @@ std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& 
   return views;
 }
 
-void write_outlines(const Mesh& hull, const std::vector<View>& views, const std::string& folder,
+void write_outlines(const Mesh& mesh, const std::vector<View>& views, const std::string& folder,
                     Run& run) {
   for (const View& view : views)
-    run.write_into(folder, view.name + ".png", write_png(picture_of(mesh_silhouette(hull, view))));
+    run.write_into(folder, view.name + ".png", write_png(picture_of(mesh_silhouette(mesh, view))));
 }
 
 }  // namespace transformesh::tool

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tm/evolution/state.h"
@@ -37,7 +38,9 @@ class Record {
   /// The state from which the run continues, if it does.
   const std::optional<SavedState>& resumed() const { return resumed_; }
   /// A further file of the state: kept from begin() on, found when the run continues.
-  void add(const std::string& name, std::string bytes) { added_.emplace_back(name, bytes); }
+  void add(const std::string& name, std::string bytes) {
+    added_.emplace_back(name, std::move(bytes));
+  }
   std::optional<std::string> find(const std::string& name) const;
 
   /// To be called once, before the first iteration, with the header of the CSV file and the values

@@ -33,9 +33,11 @@ std::vector<Level> coarse_to_fine(const ScaleOptions& options, int image_width, 
   std::vector<Level> levels;
   for (; steps >= 0; --steps)
     levels.push_back(rounded(scale_after(steps), options.edge * scale_after(steps) * pixel));
-  for (double edge = options.edge / std::numbers::sqrt2; edge > options.last_edge * tolerance;
-       edge /= std::numbers::sqrt2)
+  double edge = options.edge / std::numbers::sqrt2;
+  while (edge > options.last_edge * tolerance) {
     levels.push_back(rounded(1, edge * pixel));
+    edge /= std::numbers::sqrt2;
+  }
   return levels;
 }
 

@@ -5,6 +5,8 @@
 #include "helpers/view_maker.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
+#include "tm/views/hull/hull.h"
+#include "tm/views/hull/mesh_silhouette.h"
 
 using namespace transformesh;
 using namespace view_maker;
@@ -95,4 +97,18 @@ TEST_CASE("where there is no hull the level is the dividing one; without photogr
   CHECK(agreed_level(views) == doctest::Approx(105));
   for (View& view : views) view.image = GrayImage();
   CHECK_THROWS_AS(agreed_level(views), UsageError);
+}
+
+TEST_CASE("views get the silhouettes of one level, which the hull agrees with") {
+  std::vector<View> views = photographs(35);
+  const double level = threshold_silhouettes(views);
+  CHECK(level == agreed_level(photographs(35)));
+  Mesh hull = visual_hull(views, {.resolution = 40}).mesh;
+  for (const double agreement : silhouette_agreements(hull, views)) CHECK(agreement > 0.97);
+  for (Vec3& point : hull.positions) point *= 0.8;
+  for (const double agreement : silhouette_agreements(hull, views)) {
+    CHECK(agreement > 0.55);
+    CHECK(agreement < 0.7);
+  }
+  CHECK(threshold_silhouettes(views, {.level = 100}) == 100);
 }
