@@ -97,4 +97,35 @@ TEST_CASE("faces in different planes meet in at most one segment") {
   }
 }
 
+TEST_CASE("the point of a contact lies on both faces, and is CGAL's end of their segment") {
+  test::Random random(13);
+  int segments = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const WeldedMesh welded = random_pair(random, 5);
+    if (welded.faces.size() < 2) continue;
+    const Contacts contacts = find_contacts(welded, 0, 1);
+    if (!contacts.meet || contacts.coplanar) continue;
+    const ExactGeometry geometry(welded.points, welded.faces);
+    std::vector<Vec3> ends;
+    for (int k = 0; k < contacts.count; ++k) {
+      const Contact contact = contacts.contacts[static_cast<std::size_t>(k)];
+      ends.push_back(geometry.position(contact_point(welded, geometry, 0, 1, contact)));
+    }
+    const auto common =
+        CGAL::intersection(triangle(welded.triangle(0)), triangle(welded.triangle(1)));
+    const auto* segment = boost::get<Kernel::Segment_3>(&*common);
+    if (segment == nullptr) continue;
+    REQUIRE(ends.size() == 2);
+    const auto is_at = [](const Vec3& p, const Point& q) {
+      return (p - Vec3(CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z())))
+                 .norm() < 1e-14;
+    };
+    const bool is_same = is_at(ends[0], segment->source()) && is_at(ends[1], segment->target());
+    const bool is_swapped = is_at(ends[1], segment->source()) && is_at(ends[0], segment->target());
+    REQUIRE((is_same || is_swapped));
+    ++segments;
+  }
+  CHECK(segments > 500);
+}
+
 }  // namespace transformesh

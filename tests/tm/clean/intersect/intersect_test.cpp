@@ -4,9 +4,7 @@
 
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
-#include "tm/clean/arrange/refine.h"
 #include "tm/clean/intersect/contacts.h"
-#include "tm/mesh/measure.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -38,23 +36,6 @@ TEST_CASE("segments of two balls lie on both") {
   for (const auto& [a, b] : segments) {
     CHECK(a.norm() == doctest::Approx(1).epsilon(0.01));
     CHECK((b - center).norm() == doctest::Approx(1).epsilon(0.01));
-  }
-}
-
-TEST_CASE("refining splits what crosses and keeps volume, area and columns") {
-  for (const char* kind : {"two-spheres", "folded", "tangle", "pinch"}) {
-    CAPTURE(kind);
-    const Mesh mesh = test::workload(kind, 1500);
-    const Mesh refined = refine(mesh);
-    // Rounding may make slivers cross where hundreds of faces meet in one point.
-    if (kind != std::string("pinch")) CHECK(find_intersections(refined).empty());
-    CHECK(volume(refined) == doctest::Approx(volume(mesh)).epsilon(1e-12));
-    CHECK(surface_area(refined) == doctest::Approx(surface_area(mesh)).epsilon(1e-12));
-    const Column& source = *refined.face_columns.find("source_face");
-    for (Index f = 0; f < refined.faces.size(); ++f) {
-      const auto from = static_cast<Index>(source.values[f]);
-      REQUIRE(face_normal(refined, f).dot(face_normal(mesh, from)) >= 0);
-    }
   }
 }
 
