@@ -32,7 +32,7 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
     result.grid_steps = rounded.grid_steps;
     result.mesh = std::move(rounded.mesh);
   }
-  // A single patch has nothing inside.
+  // A mesh of a single patch has nothing inside.
   if (options.outermost && (result.changed || result.patches != 1)) {
     result.dropped_components = drop_enclosed_components(result.mesh);
     result.changed |= result.dropped_components > 0;

@@ -178,8 +178,8 @@ TEST_CASE("columns: needles") {
     CAPTURE(round);
     const double thin = round % 2 == 0 ? 1e-5 : 1e-9;
     Mesh needle = test::cuboid({-1, -thin, -thin}, {1, thin, 1.3 * thin});
-    const Eigen::AngleAxisd turn(random.uniform(0, 3), random.point(-1, 1).normalized());
-    for (Vec3& p : needle.positions) p = turn * p;
+    const Eigen::AngleAxisd rotation(random.uniform(0, 3), random.point(-1, 1).normalized());
+    for (Vec3& p : needle.positions) p = rotation * p;
     check_columns(test::joined(test::scaled(test::icosphere(1), 0.5), needle));
   }
 }

@@ -21,12 +21,12 @@
 namespace transformesh {
 namespace {
 
-/// Turned at random, then shifted by up to that much along each axis.
+/// Rotated at random, then shifted by up to that much along each axis.
 Mesh placed(Mesh mesh, test::Random& random, double shift) {
   const Vec3 axis = random.point(-1, 1).normalized();
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(random.uniform(0, 3), axis).toRotationMatrix();
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(random.uniform(0, 3), axis).toRotationMatrix();
   const Vec3 by = random.point(-shift, shift);
-  for (Vec3& p : mesh.positions) p = turn * p + by;
+  for (Vec3& p : mesh.positions) p = rotation * p + by;
   return mesh;
 }
 

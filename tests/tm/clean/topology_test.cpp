@@ -130,7 +130,7 @@ const double ball = volume(test::icosphere(3));
 }  // namespace
 
 TEST_CASE("merge: two overlapping balls become one, of the volume of the union") {
-  // Unit balls whose centres are d apart share pi (4 + d) (2 - d)^2 / 12.
+  // Unit balls whose centers are d apart share pi (4 + d) (2 - d)^2 / 12.
   const double d = 1.1;
   const Mesh input =
       test::joined(test::icosphere(4), test::moved(test::icosphere(4), {d, .13, .07}));

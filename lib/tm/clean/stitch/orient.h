@@ -8,15 +8,19 @@
 /// agree before, it then looks outwards where none of its edges has one face only, and the way most
 /// of its faces did otherwise. A group that agreed is left alone, inside out or not.
 ///
+/// Faces that name a vertex twice have no say, and are left alone.
 /// Volumes are in doubles. Cost: O(n log n). Deterministic.
 #pragma once
+
+#include <cstddef>
 
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
 
-/// Vertices are the same when their indices are. Columns stay as they are. Returns the number of
-/// faces reversed. Throws InputError, naming the place, where a sheet has one side only.
+/// Vertices are the same when their indices are. Columns and the order of faces stay as they are.
+/// Returns the number of faces reversed. Throws InputError, naming the place, where a sheet has one
+/// side only; then the mesh is as it was.
 std::size_t orient_faces(Mesh& mesh);
 
 }  // namespace transformesh

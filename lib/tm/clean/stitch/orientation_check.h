@@ -18,7 +18,7 @@ namespace transformesh {
 int sum_along(std::span<const Face> faces, std::span<const Index> halfedges);
 
 /// The first misoriented edge in words, with its faces and its place; empty where there is none.
-/// Cost: O(n log n).
+/// A face that names a vertex twice has no say. Cost: O(n log n).
 std::string describe_misorientation(const Mesh& mesh);
 
 }  // namespace transformesh

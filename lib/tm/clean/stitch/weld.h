@@ -1,5 +1,6 @@
 /// Joins positions that are equal or close: the first step of stitching (paper 3.3), and of merging
-/// what rounding all but unites (paper 4.3).
+/// what rounding all but unites (paper 4.3). Columns and faces are for the caller, who replaces
+/// what takes the position of another. Positions are finite.
 #pragma once
 
 #include <vector>

@@ -55,15 +55,15 @@ TEST_CASE("what clean makes of the seven workloads is certified, in doubles and 
     }
 }
 
-TEST_CASE("turned boxes and moved pinches, whose films rounding closes, are certified") {
+TEST_CASE("rotated boxes and moved pinches, whose films rounding closes, are certified") {
   for (const char* kind : {"boxes", "pinch"})
     for (const double angle : {0.4, 1.3})
       for (const Scalar coordinate : {Scalar::float64, Scalar::float32}) {
         CAPTURE(kind);
         CAPTURE(angle);
         Mesh input = workload(kind, 800, 3);
-        const Eigen::AngleAxisd turn(angle, Vec3(1, 2, 3).normalized());
-        for (Vec3& p : input.positions) p = turn * p + Vec3(31, -7, 190 * angle);
+        const Eigen::AngleAxisd rotation(angle, Vec3(1, 2, 3).normalized());
+        for (Vec3& p : input.positions) p = rotation * p + Vec3(31, -7, 190 * angle);
         if (coordinate == Scalar::float32)
           for (Vec3& p : input.positions)
             for (double& x : p) x = round_to_single(x);

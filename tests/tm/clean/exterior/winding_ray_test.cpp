@@ -91,7 +91,7 @@ TEST_CASE("a ray meets what closes the borders") {
   for (std::size_t p = 0; p < arrangement.pieces.size(); ++p)
     CHECK(ray.in_front_of(arrangement.pieces[p]) == (p < bowl.faces.size() ? 1 : 0));
 
-  // Turned inside out, its faces look into what it encloses, from where w is one less.
+  // Reversed, its faces look into what it encloses, from where w is one less.
   const Mesh reversed = test::joined(test::reversed(bowl), test::scaled(test::icosphere(3), 2));
   const Arrangement inwards = test::arranged(reversed);
   std::vector<Index> loop = border_loop(bowl);

@@ -103,7 +103,7 @@ TEST_CASE("faces that name a point twice say nothing about orientation") {
   CHECK(test::signed_volume(clean(mesh).mesh) == 0);
 }
 
-TEST_CASE("refused: a face turned around, with two faces that run alike and what mends it") {
+TEST_CASE("refused: a reversed face, with two faces that run alike and what mends it") {
   Mesh mesh = test::icosphere(1);
   std::swap(mesh.faces[7][0], mesh.faces[7][1]);
   const std::string message = refusal(mesh);

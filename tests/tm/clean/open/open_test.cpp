@@ -205,8 +205,8 @@ TEST_CASE("static refuses an open mesh") {
 }
 
 TEST_CASE("a patch that is inside out is refused, though only positions join it to the rest") {
-  for (const bool is_turned : {false, true}) {
-    CAPTURE(is_turned);
+  for (const bool is_reversed : {false, true}) {
+    CAPTURE(is_reversed);
     Mesh mesh = test::icosphere(2);
     std::vector<Index> copies(mesh.positions.size(), no_index);
     for (Face& f : mesh.faces) {
@@ -219,9 +219,9 @@ TEST_CASE("a patch that is inside out is refused, though only positions join it 
         }
         v = copies[v];
       }
-      if (is_turned) std::swap(f[0], f[1]);
+      if (is_reversed) std::swap(f[0], f[1]);
     }
-    if (is_turned) {
+    if (is_reversed) {
       CHECK_THROWS_AS(clean(mesh), InputError);
     } else {
       CHECK(clean(mesh).removed_faces == 0);

@@ -67,7 +67,7 @@ std::map<std::array<Index, 2>, int> halfedges_of(const Split& split) {
 
 }  // namespace
 
-TEST_CASE("the triangles cover the face once and meet its neighbours along every piece of edge") {
+TEST_CASE("the triangles cover the face once and meet its neighbors along every piece of edge") {
   test::Random random(5);
   for (int round = 0; round < 50; ++round) {
     CAPTURE(round);

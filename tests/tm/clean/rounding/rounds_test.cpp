@@ -20,7 +20,7 @@
 namespace transformesh {
 namespace {
 
-/// A few waves through space: neighbours move alike.
+/// A few waves through space: neighbors move alike.
 std::vector<Vec3> smooth_velocities(const Mesh& mesh, test::Random random, double speed) {
   std::vector<Vec3> velocities(mesh.positions.size(), Vec3::Zero());
   for (int wave = 0; wave < 4; ++wave) {

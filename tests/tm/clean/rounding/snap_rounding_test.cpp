@@ -1,4 +1,4 @@
-/// Results as they are stored, where rounding hurts most: lattice boxes turned so that coplanar
+/// Results as they are stored, where rounding hurts most: lattice boxes rotated so that coplanar
 /// faces are coplanar but for rounding, shapes far from the origin, tiny and huge ones.
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ Mesh boxes(std::uint64_t seed, std::size_t faces) {
   return make_shape(options);
 }
 
-Mesh turned(Mesh mesh, double angle) {
+Mesh rotated(Mesh mesh, double angle) {
   const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(angle, Vec3::UnitZ()) *
                                     Eigen::AngleAxisd(0.7 * angle, Vec3(1, 2, 3).normalized()))
                                        .toRotationMatrix();
@@ -57,16 +57,16 @@ Mesh check_clean(const Mesh& mesh, Scalar coordinate) {
 
 }  // namespace
 
-TEST_CASE("turned lattice boxes: coplanar faces that rounding has parted still make one solid") {
+TEST_CASE("rotated lattice boxes: coplanar faces that rounding has parted still make one solid") {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     const Mesh straight = boxes(seed, 500);
     const double volume = test::signed_volume(clean(straight).mesh);
     for (const double angle : {0.3, 1.1, 2.9}) {
       CAPTURE(seed);
       CAPTURE(angle);
-      const Mesh result = check_clean(turned(straight, angle), Scalar::float64);
+      const Mesh result = check_clean(rotated(straight, angle), Scalar::float64);
       CHECK(test::signed_volume(result) == doctest::Approx(volume).epsilon(1e-6));
-      const Mesh rough = check_clean(in_singles(turned(straight, angle)), Scalar::float32);
+      const Mesh rough = check_clean(in_singles(rotated(straight, angle)), Scalar::float32);
       CHECK(test::signed_volume(rough) == doctest::Approx(volume).epsilon(1e-2));
     }
   }

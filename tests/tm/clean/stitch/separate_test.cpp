@@ -82,8 +82,8 @@ Mesh check_apart(const Mesh& before, double distance, Scalar coordinate = Scalar
 
 Mesh rotated(Mesh mesh, std::uint64_t seed) {
   test::Random random(seed);
-  const Eigen::AngleAxisd turn(random.uniform(0, 3), random.point(-1, 1).normalized());
-  for (Vec3& p : mesh.positions) p = turn * p;
+  const Eigen::AngleAxisd rotation(random.uniform(0, 3), random.point(-1, 1).normalized());
+  for (Vec3& p : mesh.positions) p = rotation * p;
   return mesh;
 }
 

@@ -58,7 +58,7 @@ bool is_manifold_with_border(const Mesh& mesh, bool is_oriented) {
   });
 }
 
-/// Every face turned by a throw of the dice.
+/// Every face reversed or not by a throw of the dice.
 Mesh shuffled(Mesh mesh, std::uint64_t seed) {
   test::Random random(seed);
   for (Face& face : mesh.faces) {
@@ -183,7 +183,7 @@ TEST_CASE("singular triangle: solids on both sides of a face keep one each") {
   for (const double v : volumes(mesh)) CHECK(v == doctest::Approx(1.0 / 6));
 }
 
-TEST_CASE("orient turns faces until neighbours agree, and closed parts outwards") {
+TEST_CASE("orient reverses faces until neighbors agree, and closed parts outwards") {
   Mesh mesh = test::joined(test::icosphere(2), test::moved(test::icosphere(1), {5, 0, 0}));
   for (std::size_t f = 0; f < mesh.faces.size(); f += 3) {
     std::swap(mesh.faces[f][0], mesh.faces[f][1]);
