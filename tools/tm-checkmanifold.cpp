@@ -1,7 +1,7 @@
 /// tm-checkmanifold: whether a mesh is an oriented manifold, and where it is not.
 #include "tm/clean/certify/certify.h"
 #include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/degenerate_faces.h"
+#include "tm/geometry/predicates.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
 #include "tm/support/counted.h"

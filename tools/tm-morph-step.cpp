@@ -1,7 +1,7 @@
 /// tm-morph-step: one step of a surface towards a target (paper 5.2).
 #include "displacement_report.h"
 #include "tm/io/streams.h"
-#include "tm/step/gaps.h"
+#include "tm/step/local_thickness.h"
 #include "tm/step/morph_step.h"
 #include "tm/step/target_file.h"
 #include "tool.h"
@@ -28,8 +28,9 @@ Target target_of(const Options& options, tool::Run& run) {
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }
-  if (options.step.gap_edges > 0 && target.gaps.empty())
-    target.gaps = gap_widths(target, options.step.gap_edges * run.reference_edge(), run.progress());
+  if (options.step.gap_edges > 0 && target.thickness.empty())
+    target.thickness =
+        local_thickness(target, options.step.gap_edges * run.reference_edge(), run.progress());
   if (!options.written_target.empty()) run.write(options.written_target, write_target(target));
   return target;
 }

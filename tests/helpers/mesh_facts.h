@@ -27,18 +27,18 @@ struct Count {
 struct Halfedges {
   std::map<std::pair<Index, Index>, Index> third;
   std::vector<std::size_t> valence;
-  std::vector<Index> some_neighbour;
+  std::vector<Index> some_neighbor;
   bool are_unique = true;
 
   explicit Halfedges(const Mesh& mesh)
-      : valence(mesh.positions.size(), 0), some_neighbour(mesh.positions.size()) {
+      : valence(mesh.positions.size(), 0), some_neighbor(mesh.positions.size()) {
     for (const Face& face : mesh.faces)
       for (int i = 0; i < 3; ++i) {
         const Index a = face[i];
         const Index b = face[(i + 1) % 3];
         if (!third.try_emplace({a, b}, face[(i + 2) % 3]).second || a == b) are_unique = false;
         ++valence[a];
-        some_neighbour[a] = b;
+        some_neighbor[a] = b;
       }
   }
 
@@ -51,11 +51,11 @@ struct Halfedges {
   /// Whether turning around the vertex meets all of its faces.
   bool is_one_cycle(Index vertex) const {
     std::size_t steps = 0;
-    Index neighbour = some_neighbour[vertex];
+    Index neighbor = some_neighbor[vertex];
     do {
-      neighbour = third.at({vertex, neighbour});
+      neighbor = third.at({vertex, neighbor});
       ++steps;
-    } while (neighbour != some_neighbour[vertex] && steps <= valence[vertex]);
+    } while (neighbor != some_neighbor[vertex] && steps <= valence[vertex]);
     return steps == valence[vertex];
   }
 

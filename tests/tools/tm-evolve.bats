@@ -39,7 +39,8 @@ AWK
   [ "$(value components r.json)" -eq 1 ]
   # exp(0.5), but for the smoothing.
   awk -v x="$(tm-info --get bbox_max out.ply | cut -d' ' -f1)" 'BEGIN { exit !(x > 1.5 && x < 1.7) }'
-  ! sed '/^end_header/q' out.ply | grep -q vx
+  sed '/^end_header/q' out.ply >header
+  run ! grep -q vx header
   tm-evolve "$ball" -o moved.ply --iterations 3 -q \
     --step 'tm-convert --format ply-ascii | awk "/^end_header/ { b = 1 } b && NF == 3 { \$1 *= 1.1 } { print }"'
   awk -v x="$(tm-info --get bbox_max moved.ply | cut -d' ' -f1)" 'BEGIN { exit !(x > 1.2 && x < 1.35) }'

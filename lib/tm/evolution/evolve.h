@@ -7,10 +7,10 @@
 ///       return velocities;
 ///     }), {.until = moved_less_than(1e-4)});
 ///
-/// Guarantees of the result: iteration.h. The start is cleaned first, and the result once more. Throws what the stages throw,
-/// a failure of an iteration with its number; the mesh is then that of the last good one.
-/// Deterministic where the step is; the record of a run that was ended in any way continues to the
-/// same bytes.
+/// Guarantees of the result: iteration.h. The start is cleaned first, and the result once more.
+/// Throws what the stages throw, a failure of an iteration with its number; the mesh is then that
+/// of the last good one. Deterministic where the step is; the record of a run that was ended in any
+/// way continues to the same bytes.
 #pragma once
 
 #include "tm/evolution/iteration.h"

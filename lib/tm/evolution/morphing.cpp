@@ -6,7 +6,7 @@
 #include "tm/evolution/csv_row.h"
 #include "tm/evolution/stop_rules.h"
 #include "tm/evolution/stopwatch.h"
-#include "tm/step/gaps.h"
+#include "tm/step/local_thickness.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 
@@ -198,9 +198,9 @@ const char* name_of(MorphingStop stop) {
 }
 
 void prepare_target(Target& target, const MorphingOptions& options, const Progress& progress) {
-  if (options.step.gap_edges == 0 || !target.gaps.empty()) return;
-  target.gaps =
-      gap_widths(target, options.step.gap_edges * options.iteration.reference_edge, progress);
+  if (options.step.gap_edges == 0 || !target.thickness.empty()) return;
+  target.thickness =
+      local_thickness(target, options.step.gap_edges * options.iteration.reference_edge, progress);
 }
 
 MorphingResult morph(Document& document, const Target& target, const MorphingOptions& options,

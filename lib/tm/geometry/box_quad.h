@@ -1,5 +1,5 @@
-/// Four boxes side by side, to be tested at once: the node of the bounding volume hierarchy. Unused
-/// boxes are NaN, which no comparison accepts.
+/// Four boxes side by side, which are tested at once: a node of the bounding volume hierarchy.
+/// Unused boxes are NaN, which no comparison accepts.
 #pragma once
 
 #include <array>

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t quads_per_task = 1024;
 
-/// More than all levels can hold: each visited quad leaves at most three others waiting.
+/// More than can wait at once: each level leaves at most three quads waiting.
 constexpr std::size_t stack_size = 64;
 
 FloatBox united(const BoxQuad& quad) {
   FloatBox box = quad.box(0);
   for (int axis = 0; axis < 3; ++axis)
     for (int lane = 1; lane < 4; ++lane) {
-      // In this order the comparison with an unused NaN changes nothing.
+      // In this order a comparison with the NaN of an unused box changes nothing.
       box.minimum[axis] = std::min(box.minimum[axis], quad.minimum[axis][lane]);
       box.maximum[axis] = std::max(box.maximum[axis], quad.maximum[axis][lane]);
     }
@@ -53,11 +53,11 @@ Bvh::Bvh(const Mesh& mesh) : Bvh(face_boxes(mesh)) {}
 
 void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit) const {
   if (empty()) return;
-  struct Place {
+  struct Node {
     std::size_t level;
     std::size_t quad;
   };
-  std::array<Place, stack_size> stack;
+  std::array<Node, stack_size> stack;
   std::size_t waiting = 0;
   stack[waiting++] = {levels_.size() - 1, 0};
   while (waiting > 0) {

@@ -1,6 +1,6 @@
-/// A bounding volume hierarchy over boxes, for pairs of overlapping boxes. Boxes
-/// are packed four by four in the order of a Hilbert curve, level upon level, and four are tested
-/// at once; touching counts as overlap. Building and pair searches run on all allowed threads;
+/// A bounding volume hierarchy that finds overlapping boxes; touching counts as overlap. Boxes are
+/// packed four by four in the order of a Hilbert curve, level upon level, and four are tested at
+/// once. Building and pair searches run on all allowed threads;
 /// results do not depend on their number. Every level is as shallow as counting allows, whatever
 /// the boxes: many equal boxes cost pairs, not depth. (MedianTree serves nearest queries.)
 /// Cost: O(n) to build for boxes in distinct places, 40 bytes per box.
@@ -22,7 +22,7 @@ class Bvh {
  public:
   Bvh() = default;
   explicit Bvh(std::span<const FloatBox> boxes);
-  /// Over the faces of a mesh, box i around face i.
+  /// Box i is that of face i.
   explicit Bvh(const Mesh& mesh);
 
   using Pair = std::pair<Index, Index>;

@@ -11,10 +11,10 @@ namespace {
 using Pair = Bvh::Pair;
 using Level = std::vector<BoxQuad>;
 
-/// Enough to keep all threads busy to the end; the same for any number of threads.
+/// Enough tasks to keep all threads busy to the end. Their number does not depend on the threads.
 constexpr std::size_t task_count = 1024;
 
-/// Two quads of one level whose pairs are wanted; the same one twice for the pairs inside it.
+/// Two quads of one level whose pairs are wanted. For the pairs inside a quad it is named twice.
 struct Task {
   std::size_t level;
   Index first;
@@ -54,7 +54,7 @@ class Bvh::PairSearch {
     while (!tasks.empty() && tasks.size() < task_count && tasks[0].level > 0)
       tasks = refined(tasks);
 
-    // One list per task, put together in the order of the tasks.
+    // Each task has its own list, and lists are joined in the order of the tasks.
     std::vector<std::vector<Pair>> found(tasks.size());
     parallel_for(tasks.size(), 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) collect(tasks[i], found[i]);
@@ -69,7 +69,7 @@ class Bvh::PairSearch {
   }
 
  private:
-  /// The roots, or where one tree is higher, its quads on the level of the other's root.
+  /// Pairs of the roots. Of a higher tree the quads on the level of the other's root are taken.
   std::vector<Task> first_tasks() const {
     if (here_.empty() || there_.empty()) return {};
     const std::size_t level = std::min(here_.levels_.size(), there_.levels_.size()) - 1;
@@ -86,7 +86,7 @@ class Bvh::PairSearch {
     const BoxQuad& second = there_.levels_[task.level][task.second];
     unsigned mask = overlap_mask(first, second);
     const bool is_same = is_self_ && task.first == task.second;
-    if (is_same) mask &= task.level == 0 ? 0x08ceU : 0x8cefU;  // columns after the row, or from it
+    if (is_same) mask &= task.level == 0 ? 0x08ceU : 0x8cefU;  // j > i, or j >= i
     for (; mask != 0; mask &= mask - 1) {
       const auto bit = static_cast<Index>(std::countr_zero(mask));
       visit(4 * task.first + bit / 4, 4 * task.second + bit % 4);

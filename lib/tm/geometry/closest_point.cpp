@@ -40,7 +40,7 @@ const Mesh& checked(const Mesh& mesh) {
 
 TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const Vec3& b,
                                         const Vec3& c) {
-  // Barycentric coordinates of the projection, times the squared normal.
+  // These are the barycentric coordinates of the projection, times the squared normal.
   const Vec3 to_a = a - query;
   const Vec3 to_b = b - query;
   const Vec3 to_c = c - query;
@@ -53,7 +53,7 @@ TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const 
     return {a + weight_b / sum * (b - a) + weight_c / sum * (c - a), TrianglePart::inside};
   }
 
-  // Else the closest point lies on the boundary; the first of equals.
+  // Else the closest point lies on the boundary; of equally close ones the first is taken.
   TrianglePoint best = closest_point_of_edge(query, a, b, 0);
   double least = squared_distance(best.point, query);
   const auto offer = [&](const TrianglePoint& candidate) {
@@ -78,19 +78,19 @@ ClosestPointQuery::ClosestPointQuery(const Mesh& mesh, FaceOrder order)
       faces_at_(mesh) {}
 
 struct ClosestPointQuery::Hit {
-  double squared = std::numeric_limits<double>::infinity();  ///< distance
+  double squared = std::numeric_limits<double>::infinity();  ///< distance from the query
   Index face = no_index;
   TrianglePoint place;
-  Vec3 to_query = Vec3::Zero();  ///< from the place
+  Vec3 to_query = Vec3::Zero();  ///< the way from the place to the query
 
-  /// Beyond the plane that touches the ball around the query at the place: no triangle with all
-  /// corners there comes closer. The room is for rounding.
+  /// Whether the corner is beyond the plane that touches the ball around the query at the place,
+  /// with room for rounding. A triangle with all corners there comes no closer.
   bool is_beyond(const Vec3& corner) const {
     return to_query.dot(corner - place.point) < -1e-9 * squared;
   }
 };
 
-/// Cells are left out that are farther than `shrink` times the best so far, in squares.
+/// Leaves out cells whose squared distance is more than `shrink` times the best so far.
 ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink) const {
   Hit best;
   const auto offer = [&](Index face) {

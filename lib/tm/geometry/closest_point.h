@@ -37,8 +37,8 @@ struct ClosestPoint {
   double signed_distance = 0;
 };
 
-/// How the faces of a mesh are ordered: `spatial`, as spatial_face_order() does, saves the sorting.
-/// With other orders it is only slower.
+/// How the faces of a mesh are ordered. `spatial` says that spatial_face_order() did it, which
+/// saves the sorting; where that is not so, queries are right but slow.
 enum class FaceOrder { any, spatial };
 std::vector<Index> spatial_face_order(const Mesh& mesh);
 

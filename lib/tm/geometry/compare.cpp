@@ -22,7 +22,7 @@ constexpr std::size_t points_per_report = 16384;
 /// Less than what rounding adds to a distance.
 constexpr double certainly = 1 - 1e-12;
 
-/// Distance to the faces of a mesh; to its vertices where there are no faces.
+/// The distance to the faces of a mesh, or to its vertices where there are no faces.
 class Distance {
  public:
   explicit Distance(const Mesh& mesh) : mesh_(mesh) {
@@ -68,7 +68,7 @@ std::vector<Vec3> used_vertices(const Mesh& mesh) {
   return points;
 }
 
-/// Distances one way: of the points by area (of the vertices, if there are none) and the largest.
+/// Distances one way. Those of the vertices stand for those by area where there are none.
 struct OneWay {
   std::vector<double> by_area;
   double largest = 0;

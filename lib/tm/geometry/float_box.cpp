@@ -17,8 +17,8 @@ FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-// To the next float where the nearest one is below, without a branch: boxes are made by the
-// thousand, and whether it is below is a coin toss. Adding 0 makes -0 positive.
+// There is no branch, because boxes are made by the thousand and whether the nearest float is below
+// the value is a coin toss. Adding 0 makes -0 positive, so that the bits are in order.
 float float_above(double value) {
   const float nearest = static_cast<float>(value) + 0.0F;
   const auto bits = std::bit_cast<std::int32_t>(nearest);
@@ -33,7 +33,7 @@ FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
           {float_above(maximum.x()), float_above(maximum.y()), float_above(maximum.z())}};
 }
 
-// Rounding keeps the order of numbers, and so overlaps.
+// Rounding keeps the order of numbers, and so boxes that overlap still do.
 BoxFrame::BoxFrame(std::span<const Vec3> points) {
   if (points.empty()) return;
   Vec3 low = points.front();

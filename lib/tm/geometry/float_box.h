@@ -40,16 +40,16 @@ class BoxFrame {
 };
 
 /// The middle of a box along an axis, infinite bounds counted as the largest float.
-inline double centre(const FloatBox& box, std::size_t axis) {
+inline double center(const FloatBox& box, std::size_t axis) {
   constexpr float largest = std::numeric_limits<float>::max();
   const double low = std::clamp(box.minimum[axis], -largest, largest);
   const double high = std::clamp(box.maximum[axis], -largest, largest);
   return (low + high) / 2;
 }
 
-/// One box around each face.
+/// A box around each face.
 std::vector<FloatBox> face_boxes(const Mesh& mesh);
-/// One box around each of the faces named, in that order.
+/// A box around each of the faces named, in that order.
 std::vector<FloatBox> face_boxes(const Mesh& mesh, std::span<const Index> faces);
 
 }  // namespace transformesh

@@ -21,7 +21,7 @@ constexpr unsigned gray(unsigned digit) { return digit ^ digit >> 1; }
 
 constexpr unsigned gray_inverse(unsigned octant) { return octant ^ octant >> 1 ^ octant >> 2; }
 
-/// Number of trailing ones.
+/// The number of trailing ones.
 constexpr unsigned trailing_ones(unsigned digit) {
   return static_cast<unsigned>(std::countr_one(digit));
 }
@@ -33,9 +33,9 @@ constexpr auto make_transitions() {
   for (unsigned entry = 0; entry < 8; ++entry) {
     for (unsigned axis = 0; axis < axes; ++axis) {
       for (unsigned octant = 0; octant < 8; ++octant) {
-        // The octant as the untransformed curve would see it, and its place along that curve.
+        // The octant is seen as by the untransformed curve, which gives its place along the curve.
         const unsigned digit = gray_inverse(rotate_left(octant ^ entry, 2 * axes - axis - 1));
-        // Entry and axis of the curve inside the octant, transformed back.
+        // The entry and the axis of the curve inside the octant are transformed back.
         const unsigned local_entry = digit == 0 ? 0 : gray(2 * ((digit - 1) / 2));
         const unsigned local_axis =
             digit == 0 ? 0 : trailing_ones(digit % 2 == 0 ? digit - 1 : digit) % axes;
@@ -51,7 +51,8 @@ constexpr auto make_transitions() {
 
 constexpr auto transitions = make_transitions();
 
-/// Two levels at once: for two bits of each axis the table holds 64 * (state inside) + two digits.
+/// Steps over two levels at once: for two bits of each axis the table holds 64 * (state inside)
+/// plus two digits.
 constexpr auto make_double_transitions() {
   std::array<std::uint16_t, std::size_t{24} * 64> table{};
   for (unsigned state = 0; state < 24; ++state) {
@@ -78,7 +79,7 @@ struct Key {
   }
 };
 
-/// Maps centres to cells, cubes that fill the box around all centres along its longest side.
+/// Maps centers to cells: cubes that fill the box around all centers along its longest side.
 class Cells {
  public:
   explicit Cells(std::span<const FloatBox> boxes) {
@@ -87,8 +88,8 @@ class Cells {
     high.fill(-std::numeric_limits<double>::infinity());
     for (const FloatBox& box : boxes) {
       for (std::size_t axis = 0; axis < axes; ++axis) {
-        low_[axis] = std::min(low_[axis], centre(box, axis));
-        high[axis] = std::max(high[axis], centre(box, axis));
+        low_[axis] = std::min(low_[axis], center(box, axis));
+        high[axis] = std::max(high[axis], center(box, axis));
       }
     }
     double side = 0;
@@ -99,7 +100,7 @@ class Cells {
   std::array<std::uint32_t, 3> operator()(const FloatBox& box) const {
     std::array<std::uint32_t, 3> cell;
     for (std::size_t axis = 0; axis < axes; ++axis)
-      cell[axis] = static_cast<std::uint32_t>((centre(box, axis) - low_[axis]) * cells_per_length_);
+      cell[axis] = static_cast<std::uint32_t>((center(box, axis) - low_[axis]) * cells_per_length_);
     return cell;
   }
 
@@ -109,13 +110,14 @@ class Cells {
   double cells_per_length_ = 0;
 };
 
-/// Sorts by the leading 36 bits with a radix sort; the few keys that agree in them by comparison.
+/// A radix sort by the leading 36 bits; the few keys that agree in them are then sorted by
+/// comparison.
 void sort_keys(std::vector<Key>& keys) {
   constexpr int digit_bits = 12;
   constexpr std::uint64_t digit_mask = (1U << digit_bits) - 1;
   constexpr int first_bit = axes * hilbert_bits - 3 * digit_bits;
 
-  // Three stable counting sorts, least significant digit first.
+  // Three stable counting sorts, the least significant digit first, make the radix sort.
   std::vector<Key> sorted(keys.size());
   for (int shift = first_bit; shift < static_cast<int>(axes) * hilbert_bits; shift += digit_bits) {
     std::vector<std::size_t> slot(digit_mask + 2, 0);

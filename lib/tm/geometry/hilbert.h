@@ -1,5 +1,5 @@
 /// An order in which boxes that follow each other lie close together: along a Hilbert curve through
-/// their centres. Unlike the Morton curve it never jumps, so that any run of boxes is compact and
+/// their centers. Unlike the Morton curve it never jumps, so that any run of boxes is compact and
 /// a tree can be packed from runs without looking at the boxes again.
 /// Reference: Kamel & Faloutsos, "On packing R-trees", CIKM 1993; the curve after Hamilton &
 /// Rau-Chaplin, "Compact Hilbert indices", Information Processing Letters 105(5), 2008.

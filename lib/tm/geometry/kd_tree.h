@@ -1,5 +1,5 @@
-/// Nearest of many points. Exact: what is returned is what a search over all points with distances
-/// in doubles would return; the lowest index wins ties. Deterministic for any number of threads.
+/// Finds the nearest of many points, exactly as a search over all points with distances in doubles
+/// does; the lowest index wins ties. Deterministic for any number of threads.
 /// Cost: O(n log n) to build on all allowed threads, O(log n) a query on usual data; 35 bytes a
 /// point.
 #pragma once

@@ -17,15 +17,15 @@ void extend(FloatBox& box, const FloatBox& by) {
   }
 }
 
-/// The axis along which the centres spread most.
-template <class Centre>
-std::size_t widest_axis(std::span<const Centre> centres) {
-  std::array<float, 3> low = centres[0].position;
+/// The axis along which the centers spread most.
+template <class Center>
+std::size_t widest_axis(std::span<const Center> centers) {
+  std::array<float, 3> low = centers[0].position;
   std::array<float, 3> high = low;
-  for (const Centre& centre : centres)
+  for (const Center& center : centers)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], centre.position[axis]);
-      high[axis] = std::max(high[axis], centre.position[axis]);
+      low[axis] = std::min(low[axis], center.position[axis]);
+      high[axis] = std::max(high[axis], center.position[axis]);
     }
   std::size_t widest = 0;
   for (std::size_t axis = 1; axis < 3; ++axis)
@@ -62,19 +62,19 @@ MedianTree::MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size,
     enclose(boxes, {0, boxes.size(), 0, 0});
     return;
   }
-  std::vector<Centre> centres(boxes.size());
+  std::vector<Center> centers(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      centres[i].position[axis] = static_cast<float>(centre(boxes[i], axis));
-    centres[i].box = static_cast<Index>(i);
+      centers[i].position[axis] = static_cast<float>(center(boxes[i], axis));
+    centers[i].box = static_cast<Index>(i);
   }
-  build(boxes, centres, {0, boxes.size(), 0, 0});
+  build(boxes, centers, {0, boxes.size(), 0, 0});
 }
 
-FloatBox MedianTree::build(std::span<const FloatBox> boxes, std::vector<Centre>& centres,
+FloatBox MedianTree::build(std::span<const FloatBox> boxes, std::vector<Center>& centers,
                            const Cell& cell) {
   const std::size_t size = cell.last - cell.first;
-  const std::span<Centre> own(centres.data() + cell.first, size);
+  const std::span<Center> own(centers.data() + cell.first, size);
   if (size <= bucket_size_) {
     FloatBox box = boxes[own[0].box];
     for (std::size_t i = 0; i < size; ++i) {
@@ -84,19 +84,19 @@ FloatBox MedianTree::build(std::span<const FloatBox> boxes, std::vector<Centre>&
     return box;
   }
 
-  // Cut at the median of the widest axis; the box of the whole follows from the halves.
-  const std::size_t axis = widest_axis(std::span<const Centre>(own));
+  // The cell is cut at the median of its widest axis, and its box follows from the halves.
+  const std::size_t axis = widest_axis(std::span<const Center>(own));
   const std::size_t child = 2 * cell.node + 1;
   std::nth_element(
       own.begin(), own.begin() + static_cast<std::ptrdiff_t>(size / 2), own.end(),
-      [axis](const Centre& a, const Centre& b) { return a.position[axis] < b.position[axis]; });
+      [axis](const Center& a, const Center& b) { return a.position[axis] < b.position[axis]; });
   FloatBox left_box;
   FloatBox right_box;
   const auto left = [&] {
-    left_box = build(boxes, centres, {cell.first, cell.middle(), child, 0});
+    left_box = build(boxes, centers, {cell.first, cell.middle(), child, 0});
   };
   const auto right = [&] {
-    right_box = build(boxes, centres, {cell.middle(), cell.last, child + 1, 0});
+    right_box = build(boxes, centers, {cell.middle(), cell.last, child + 1, 0});
   };
   if (size > boxes_per_task) {
     parallel_invoke(left, right);

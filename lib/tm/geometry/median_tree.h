@@ -33,11 +33,11 @@ class MedianTree {
   template <class Bound, class Visit>
   void visit_nearest(const Vec3& query, const Bound& bound, const Visit& visit) const;
 
-  /// Always these operations in this order: rounding is monotone.
+  /// All distances are computed by these operations in this order, as rounding is monotone.
   static double squared_length(double x, double y, double z) { return x * x + y * y + z * z; }
 
  private:
-  struct Centre {
+  struct Center {
     std::array<float, 3> position;
     Index box;
   };
@@ -58,8 +58,8 @@ class MedianTree {
     FloatBox both() const;
     Eigen::Array2d squared_distances(const Vec3& query) const;
   };
-  /// These return the box of the cell.
-  FloatBox build(std::span<const FloatBox> boxes, std::vector<Centre>& centres, const Cell& cell);
+  /// Build a cell, and return its box.
+  FloatBox build(std::span<const FloatBox> boxes, std::vector<Center>& centers, const Cell& cell);
   FloatBox enclose(std::span<const FloatBox> boxes, const Cell& cell);
 
   std::size_t bucket_size_;

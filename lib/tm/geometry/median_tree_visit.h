@@ -23,11 +23,11 @@ inline Eigen::Array2d MedianTree::Halves::squared_distances(const Vec3& query) c
 template <class Bound, class Visit>
 void MedianTree::visit_nearest(const Vec3& query, const Bound& bound, const Visit& visit) const {
   if (order_.empty()) return;
-  std::array<Cell, 64> stack;  // deeper than any tree, as every cut halves
+  std::array<Cell, 64> stack;  // deeper than any tree, as every cut halves a cell
   std::size_t waiting = 0;
   stack[waiting++] = {0, order_.size(), 0, 0};
   while (waiting > 0) {
-    // Down the nearer half of each cell; the other half waits.
+    // The search goes down the nearer half of each cell, while the other half waits.
     Cell cell = stack[--waiting];
     while (cell.distance <= bound() && cell.last - cell.first > bucket_size_) {
       const std::size_t child = 2 * cell.node + 1;

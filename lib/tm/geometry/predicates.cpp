@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "tm/support/parallel.h"
+
 namespace transformesh {
 namespace {
 
 using Exact = CGAL::Mpzf;
 
-// Twice Shewchuk's machine epsilon: the bounds then hold in any rounding mode.
+// This is twice Shewchuk's machine epsilon, so that the bounds hold in any rounding mode.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double bound_3d = (7.0 + 64.0 * epsilon) * epsilon;
 constexpr double bound_2d = (3.0 + 16.0 * epsilon) * epsilon;
@@ -123,6 +125,21 @@ int normals_cross(const Triangle& first, const Triangle& second, int coordinate)
   if (sign != 0) return sign;
   return exact_sign(
       exact_cross(exact_normal(first), exact_normal(second))[static_cast<std::size_t>(coordinate)]);
+}
+
+std::vector<Index> degenerate_faces(const Mesh& mesh) {
+  constexpr std::size_t faces_per_task = 4096;
+  std::vector<char> is_degenerate(mesh.faces.size());
+  parallel_for(mesh.faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      const auto& [a, b, c] = mesh.faces[f];
+      is_degenerate[f] = collinear(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    }
+  });
+  std::vector<Index> result;
+  for (std::size_t f = 0; f < is_degenerate.size(); ++f)
+    if (is_degenerate[f]) result.push_back(static_cast<Index>(f));
+  return result;
 }
 
 int compare_positions(const Vec3& a, const Vec3& b) {

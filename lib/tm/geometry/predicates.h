@@ -7,6 +7,8 @@
 /// microsecond when it does not.
 #pragma once
 
+#include <vector>
+
 #include "tm/mesh/triangle.h"
 
 namespace transformesh {
@@ -37,7 +39,10 @@ int normals_dot(const Triangle& first, const Triangle& second);
 /// Sign of one coordinate (0, 1, 2) of the cross product of the normals of two triangles.
 int normals_cross(const Triangle& first, const Triangle& second, int coordinate);
 
-/// Positions are never NaN or infinite; an order by x, then y, then z: -1, 0 or +1.
+/// The faces without area: their corners lie on one line. Ascending; O(n), in parallel.
+std::vector<Index> degenerate_faces(const Mesh& mesh);
+
+/// An order by x, then y, then z: -1, 0 or +1. Positions are never NaN or infinite.
 int compare_positions(const Vec3& a, const Vec3& b);
 
 }  // namespace transformesh

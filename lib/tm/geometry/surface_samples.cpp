@@ -18,7 +18,7 @@ double uniform(std::uint64_t seed, std::uint64_t sample, std::uint64_t draw) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-/// Uniform over the triangle for uniform numbers in the unit square.
+/// A point uniform over the triangle for numbers uniform in the unit square.
 Vec3 point_of_face(const Mesh& mesh, const Face& face, double first, double second) {
   const double root = std::sqrt(first);
   const Vec3& corner = mesh.positions[face[0]];

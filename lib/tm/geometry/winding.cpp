@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::size_t points_per_task = 4;
 
-/// Bounds the rounding error of either part of a face's complex number, which is made of unit
-/// vectors: below 60 roundings of numbers up to 1.
+/// Bounds the rounding error of either part of a face's complex number: unit vectors make it in
+/// fewer than 60 roundings of numbers up to 1.
 constexpr double part_error = 1e-14;
 
-/// The running sum of angles: a complex number for what is within half a turn, and whole turns.
-/// Angles are in (-pi, pi], 0 <= imaginary part meaning [0, pi].
+/// A running sum of angles: a complex number for what is within half a turn, and a count of whole
+/// turns. Angles are in (-pi, pi]; those in [0, pi] have an imaginary part of at least 0.
 struct Turns {
   double real = 1;
   double imaginary = 0;
@@ -54,7 +54,7 @@ WindingQuery::WindingQuery(const Mesh& mesh) : mesh_(&mesh) {
 }
 
 Winding WindingQuery::sum(const Vec3& point, std::vector<Vec3>& directions) const {
-  // Directions to the vertices; not a number where the point is at the vertex.
+  // A direction is not a number where the point is at the vertex.
   const double scale = safe_scale(std::max(largest_coordinate_, point.cwiseAbs().maxCoeff()));
   const Vec3 origin = point * scale;
   directions.resize(mesh_->positions.size());

@@ -33,7 +33,7 @@ class WindingQuery {
   explicit WindingQuery(const Mesh& mesh);
 
   Winding operator()(const Vec3& point) const;
-  /// Of many points, in parallel.
+  /// The same for many points, in parallel.
   std::vector<Winding> operator()(std::span<const Vec3> points) const;
 
  private:

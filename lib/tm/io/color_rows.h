@@ -1,4 +1,4 @@
-/// The colours of rows of text, whose number of channels and type show only at the end of the file.
+/// The colors of rows of text, whose number of channels and type show only at the end of the file.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ class ColorRows {
   static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   static constexpr Color no_color{missing, missing, missing, missing};
 
-  /// Rows in growing order; those left out have no colour.
+  /// Rows in growing order; those left out have no color.
   void set(std::size_t row, const Color& color);
-  /// Shows a number as it is written: a point or an exponent makes all colours floating point.
+  /// Shows a number as it is written: a point or an exponent makes all colors floating point.
   void see_word(std::string_view word);
 
   /// Adds red green blue (alpha), or color_index where rows have one number only. Integers become
-  /// uchar where they fit. Rows without colour get zeros, without alpha are opaque.
+  /// uchar where they fit. Rows without color get zeros, without alpha are opaque.
   void add_columns(std::size_t rows, Columns& columns);
   std::size_t missing_rows() const;
 

@@ -13,7 +13,6 @@
 #include "tm/io/streams.h"
 #include "tm/mesh/digits.h"
 #include "tm/support/error.h"
-#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {
@@ -66,7 +65,7 @@ void round_columns(Columns& columns) {
     if (column.type == Scalar::float64) continue;
     with_scalar(column.type, [&](auto zero) {
       for (double& value : column.values) {
-        const volatile auto written = to_scalar<decltype(zero)>(value);  // as in single.h
+        const volatile auto written = to_scalar<decltype(zero)>(value);  // as in round_to_single()
         value = static_cast<double>(written);
       }
     });

@@ -5,7 +5,7 @@
 namespace transformesh {
 
 bool is_below_one(std::string_view number) {
-  // The sign of an exponent that does not even fit a long decides alone.
+  // Of an exponent that does not fit a long, the sign alone decides.
   const std::size_t exponent_mark = number.find_first_of("eE");
   long exponent = 0;
   if (exponent_mark != std::string_view::npos) {
@@ -14,7 +14,7 @@ bool is_below_one(std::string_view number) {
     if (parse_number(first, number.data() + number.size(), exponent) != Parsed::ok) return negative;
   }
 
-  // Else the place of the first digit that is not zero, moved by the exponent.
+  // Else it is the place of the first digit that is not zero, moved by the exponent, that counts.
   const std::string_view digits = number.substr(0, exponent_mark);
   const std::size_t first_digit = digits.find_first_of("123456789");
   if (first_digit == std::string_view::npos) return true;

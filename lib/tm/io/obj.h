@@ -1,4 +1,4 @@
-/// OBJ, the polygon files of Wavefront: positions with optional colours (0 to 1), and faces.
+/// OBJ, the polygon files of Wavefront: positions with optional colors (0 to 1), and faces.
 /// Normals, texture coordinates, groups and materials are left out, which the notes say.
 #pragma once
 

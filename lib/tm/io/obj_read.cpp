@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// What the format knows besides vertices and faces.
+/// The statements that the format knows besides vertices and faces.
 bool is_other_keyword(std::string_view word) {
   constexpr std::array<std::string_view, 42> words{
       "bevel", "bmat",     "bsp",    "bzp",    "c_interp",   "call",     "cdc",  "cdp",  "con",
@@ -118,7 +118,7 @@ class ObjReader {
            ", but " + there_are(mesh().positions.size(), "vertex");
   }
 
-  /// Colours that are whole 255ths in every vertex come from bytes, and become bytes.
+  /// Colors that are whole 255ths in every vertex come from bytes, and become bytes.
   void add_colors() {
     Columns& columns = mesh().vertex_columns;
     colors_.see_word(".");

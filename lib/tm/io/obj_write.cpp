@@ -43,7 +43,7 @@ void add_faces(const Mesh& mesh, TextBuffer& text) {
 WriteResult write_obj(const Document& document) {
   TextBuffer text;
   add_comments("#", document.style.comments, text);
-  if (document.mesh.positions.empty()) text.add("o empty\n");  // else nothing would tell the format
+  if (document.mesh.positions.empty()) text.add("o empty\n");  // else the format could not be told
   add_vertices(document.mesh, text);
   add_faces(document.mesh, text);
   Keeps keeps{"OBJ", {}, {}};

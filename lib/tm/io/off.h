@@ -1,6 +1,6 @@
-/// OFF, the Object File Format of Geomview, and its variants with colours (COFF), normals (NOFF)
+/// OFF, the Object File Format of Geomview, and its variants with colors (COFF), normals (NOFF)
 /// and texture coordinates (STOFF), as text. Extra values become the columns red green blue alpha,
-/// nx ny nz and s t; the single number of a face colour becomes color_index.
+/// nx ny nz and s t; the single number of a face color becomes color_index.
 #pragma once
 
 #include "tm/io/mesh_io.h"

@@ -9,13 +9,13 @@
 namespace transformesh {
 namespace {
 
-/// The letters in front of OFF.
+/// What the letters in front of OFF announce.
 struct OffVariant {
   bool texture = false;
   bool color = false;
   bool normal = false;
   bool is_known = false;
-  std::string_view rest;  ///< behind the keyword
+  std::string_view rest;  ///< what follows the keyword
 };
 
 bool take_prefix(std::string_view& text, std::string_view prefix) {
@@ -102,7 +102,7 @@ class OffReader {
   }
 
   void read_vertices() {
-    constexpr std::size_t shortest_row = 6;  // 0 0 0 and a line end
+    constexpr std::size_t shortest_row = 6;  // `0 0 0` and a line end
     if (vertex_count_ > source_.bytes.size() / shortest_row + 1 || vertex_count_ >= no_index) {
       rows_.fail("the header announces " + counted(vertex_count_, "vertex") +
                  ", but the file has only " + counted(source_.bytes.size(), "byte") +
@@ -183,7 +183,7 @@ class OffReader {
     polygons_.move_into(mesh, "off", result_.notes);
   }
 
-  /// Geomview: the index of a color, or three or four channels.
+  /// As in Geomview, a face has the index of a color, or three or four channels.
   void read_face_color() {
     const std::size_t words = rows_.words_left();
     if (words == 1 || words == 3 || words == 4) return read_color(words, face_colors_);

@@ -75,7 +75,7 @@ class OffWriter {
     }
   }
 
-  /// Whether colours are floating point shows in their spelling alone.
+  /// Whether colors are floating point shows in their spelling alone.
   void add_colors(const Columns& columns, const std::vector<std::string_view>& names,
                   std::size_t row) {
     for (const std::string_view name : names) {

@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Reads the values of one row after the other from bytes.
+/// Reads row after row from bytes.
 class BinaryCursor {
  public:
   BinaryCursor(const Source& source, const char* place, bool swapped, const PlyTable& table)
@@ -54,7 +54,7 @@ class BinaryCursor {
   std::size_t row_ = 0;
 };
 
-/// The fast path: rows of one size, each property decoded by a loop of its own.
+/// The fast path for rows of one size: a loop of its own decodes each property.
 class FixedRows {
  public:
   FixedRows(const char* first, std::size_t stride, std::size_t count, bool swapped)

@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-/// One property on its way out: a scalar for each row, or a list.
+/// One property as it is written: a scalar for each row, or a list.
 struct OutProperty {
   std::string name;
   Scalar type = Scalar::float64;
@@ -26,7 +26,7 @@ struct OutElement {
   std::vector<OutProperty> properties;
 };
 
-/// A wider count type where a list is longer than the column's own type can say.
+/// The count type of the column, or a wider one where a list is too long for it.
 Scalar count_type_of(const Column& column) {
   std::uint64_t longest = 0;
   for (std::size_t row = 0; row + 1 < column.list_offsets.size(); ++row) {
@@ -228,7 +228,7 @@ void store_faces(const OutProperty& property, char* to, std::size_t stride, std:
   });
 }
 
-/// Rows of one size: a loop for each property.
+/// Writes rows of one size, by a loop for each property.
 void add_fixed_rows(const OutElement& element, bool swapped, std::string& bytes) {
   std::size_t stride = 0;
   for (const OutProperty& property : element.properties) stride += fixed_size(property);

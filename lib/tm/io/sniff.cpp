@@ -29,7 +29,7 @@ bool has_extension(const Source& source, std::string_view extension) {
          std::string_view(name).substr(name.size() - extension.size()) == extension;
 }
 
-/// The first word that is not behind a '#'.
+/// The first word outside of comments, which begin with #.
 std::string_view first_word(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n\v\f";
   std::size_t first = text.find_first_not_of(blanks);
@@ -42,7 +42,7 @@ std::string_view first_word(std::string_view text) {
   return text.substr(first, last - first);
 }
 
-/// The word `ply` alone on the first line.
+/// Whether `ply` stands alone on the first line.
 bool is_ply_start(std::string_view bytes) {
   if (bytes.substr(0, 3) != "ply") return false;
   const std::size_t next = bytes.find_first_not_of(" \t", 3);

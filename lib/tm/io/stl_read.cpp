@@ -118,7 +118,7 @@ class TextReader {
 
 constexpr bool swapped = !host_is_little;
 
-/// The header up to its padding, where it is text.
+/// The header without its padding, where it is text.
 std::string header_text(const Source& source) {
   std::string text(source.bytes.substr(0, header_size));
   text.resize(std::min(text.find('\0'), text.size()));

@@ -7,8 +7,8 @@
 #include "tm/io/source.h"
 #include "tm/io/stl.h"
 #include "tm/io/text_buffer.h"
+#include "tm/mesh/digits.h"
 #include "tm/support/counted.h"
-#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {

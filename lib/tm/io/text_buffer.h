@@ -8,7 +8,6 @@
 
 namespace transformesh {
 
-/// `take` hands the text over.
 class TextBuffer {
  public:
   TextBuffer() { grow(0); }
@@ -28,17 +27,9 @@ class TextBuffer {
     end_ = std::to_chars(end_, end_ + longest_number, value).ptr;
   }
   /// As add_number, with a point or an exponent even where the value is whole.
-  void add_decimal(double value) {
-    const auto start = static_cast<std::size_t>(end_ - text_.data());
-    add_number(value);
-    const std::string_view written(text_.data() + start,
-                                   static_cast<std::size_t>(end_ - text_.data()) - start);
-    if (written.find_first_of(".en") == std::string_view::npos) add(".0");
-  }
-  std::string take() {
-    text_.resize(static_cast<std::size_t>(end_ - text_.data()));
-    return std::move(text_);
-  }
+  void add_decimal(double value);
+  /// Hands the text over.
+  std::string take();
 
  private:
   static constexpr std::size_t longest_number = 32;
@@ -46,11 +37,7 @@ class TextBuffer {
   void ensure(std::size_t size) {
     if (static_cast<std::size_t>(text_.data() + text_.size() - end_) < size) grow(size);
   }
-  void grow(std::size_t size) {
-    const std::size_t used = end_ ? static_cast<std::size_t>(end_ - text_.data()) : 0;
-    text_.resize(used + size + used / 2 + 4096);
-    end_ = text_.data() + used;
-  }
+  void grow(std::size_t size);
 
   std::string text_;
   char* end_ = nullptr;

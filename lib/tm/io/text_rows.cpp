@@ -69,7 +69,7 @@ const char* TextRows::find_line_end(const char* from) const {
   return found ? static_cast<const char*>(found) + 1 : source_->end();
 }
 
-/// A row is a line up to its comment. A backslash joins lines, but not from within a comment.
+/// A row is a line up to its comment. A backslash joins lines, but not inside a comment.
 void TextRows::find_row() {
   line_end_ = next_;
   for (;;) {

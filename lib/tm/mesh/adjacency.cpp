@@ -26,7 +26,7 @@ std::vector<Index> opposite_halfedges(const Mesh& mesh) {
 }
 
 VertexFaces::VertexFaces(const Mesh& mesh) : offsets_(mesh.positions.size() + 2, 0) {
-  // Counting sort; one slot ahead, so that filling leaves the offsets in place.
+  // A counting sort whose counts stand one slot ahead, so that filling leaves the offsets in place.
   for (const Face& face : mesh.faces)
     for_each_distinct_corner(face, [&](Index vertex) { ++offsets_[vertex + 2]; });
   for (std::size_t i = 1; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];

@@ -14,7 +14,7 @@ bool is_color(const Column& column) {
 
 bool is_floating(Scalar type) { return type == Scalar::float32 || type == Scalar::float64; }
 
-/// Whether every value of the other type is one of `type`.
+/// Whether `type` holds every value of the other type.
 bool holds(Scalar type, Scalar other) {
   constexpr std::array<int, 8> bits{7, 8, 15, 16, 31, 32, 24, 53};
   constexpr std::array<bool, 8> is_signed{true, false, true, false, true, false, true, true};
@@ -39,14 +39,14 @@ void append_list(Column& to, const Column& from, std::uint32_t row) {
   const std::size_t first = from.list_offsets[row];
   const std::size_t last = from.list_offsets[row + 1];
   for (std::size_t i = first; i < last; ++i) {
-    const double value = from.values[i];  // a copy: `to` may be `from`
+    const double value = from.values[i];  // a copy, as `to` may be `from`
     to.values.push_back(value);
   }
   to.list_offsets.push_back(to.values.size());
 }
 
 double blended_value(const Column& column, const RowBlend& row) {
-  if (row.weight[0] == 1) return column.values[row.source[0]];  // to the bit: a sum loses -0
+  if (row.weight[0] == 1) return column.values[row.source[0]];  // a sum would lose -0
   const bool rounded = !is_floating(column.type) && is_color(column);
   if (!is_floating(column.type) && !rounded) return column.values[heaviest_source(row)];
   double sum = 0;

@@ -43,7 +43,7 @@ class Columns {
 
   /// The rows named, in that order; rows may repeat.
   Columns select(std::span<const std::uint32_t> rows) const;
-  /// Float columns are interpolated, colours (red green blue alpha) too and rounded to their type;
+  /// Float columns are interpolated, colors (red green blue alpha) too and rounded to their type;
   /// other integer columns and lists take the row of largest weight (the first of equals).
   Columns blend(std::span<const RowBlend> rows) const;
   /// Appends `row` of this table blended as above: for operations that work in place.

@@ -16,7 +16,7 @@ double volume_under_face(const Mesh& mesh, const Face& face, const Vec3& referen
   return a.dot(b.cross(c));
 }
 
-/// Numbers the components in order of their first face, and makes a place for each.
+/// Numbers the components in order of their first face.
 Components numbered_components(const Mesh& mesh) {
   DisjointSets vertices(mesh.positions.size());
   for (const Face& face : mesh.faces) {
@@ -36,7 +36,7 @@ Components numbered_components(const Mesh& mesh) {
   return result;
 }
 
-/// Faces, their volume, and the vertices each seen for the first time.
+/// Counts faces and vertices, and sums up volumes.
 void count_faces(const Mesh& mesh, Components& result) {
   const Box box = bounding_box(mesh);
   const Vec3 reference = box.minimum + (box.maximum - box.minimum) / 2;
@@ -58,7 +58,7 @@ Components connected_components(const Mesh& mesh) {
   Components result = numbered_components(mesh);
   count_faces(mesh, result);
 
-  // Edges and boundary loops belong where one of their faces does.
+  // An edge or a boundary loop belongs to the component of any of its faces.
   const Edges edges(mesh);
   const auto component_of = [&](Index halfedge) -> Component& {
     return result.components[result.of_face[halfedge / 3]];
@@ -77,7 +77,7 @@ long Components::genus() const {
 }
 
 Mesh select_faces(const Mesh& mesh, const std::vector<bool>& keep) {
-  // Rows to keep, and the new number of each vertex.
+  // Find the rows to keep and the new number of each vertex.
   std::vector<Index> kept_faces;
   std::vector<Index> new_vertex(mesh.positions.size(), no_index);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

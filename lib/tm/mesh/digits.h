@@ -11,8 +11,15 @@ namespace transformesh {
 /// From the size of a coordinate to the next larger number of that type, float64 or float32;
 /// infinite where there is no larger double.
 double spacing_at(double coordinate, Scalar type = Scalar::float64);
-/// From the largest coordinate of any vertex.
+/// The spacing at the largest coordinate of any vertex.
 double coordinate_spacing(const Mesh& mesh, Scalar type = Scalar::float64);
+
+/// Rounds to float and back. A pair of casts does not: g++ 12 with optimization drops it where it
+/// handles two coordinates at once, and leaves doubles that no float can hold.
+inline double round_to_single(double value) {
+  const volatile auto single = static_cast<float>(value);  // volatile: the casts must happen
+  return single;
+}
 
 struct RoundingLoss {
   std::size_t collapsed = 0;  ///< faces of which two corners have become one place

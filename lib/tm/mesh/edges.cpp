@@ -6,8 +6,8 @@
 namespace transformesh {
 namespace {
 
-/// A halfedge, filed under the smaller of its two vertices: the larger one, then the halfedge, in
-/// one number that orders them.
+/// A halfedge as filed under the smaller of its two vertices: one number that holds the larger
+/// vertex and then the halfedge, so that numbers sort by both.
 using Entry = std::uint64_t;
 static_assert(2 * sizeof(Index) == sizeof(Entry));
 constexpr int index_bits = 32;
@@ -44,7 +44,7 @@ void sort_bucket(Entry* first, Entry* last) {
 }  // namespace
 
 Edges::Edges(std::span<const Face> faces, std::size_t vertices) {
-  // Counting sort by the smaller vertex.
+  // A counting sort by the smaller vertex comes first.
   std::vector<Index> bucket_end(vertices + 1, 0);
   for_each_halfedge(faces, [&](Index smaller, Index, Index) { ++bucket_end[smaller + 1]; });
   for (std::size_t v = 1; v < bucket_end.size(); ++v) bucket_end[v] += bucket_end[v - 1];
@@ -53,7 +53,7 @@ Edges::Edges(std::span<const Face> faces, std::size_t vertices) {
     entries[bucket_end[smaller]++] = entry_of(larger, halfedge);
   });
 
-  // Each bucket by the larger vertex; a new edge starts where that changes.
+  // Each bucket is sorted by the larger vertex, and a new edge starts where that changes.
   halfedges_.resize(entries.size());
   offsets_.reserve(entries.size() / 2 + 2);
   Index first = 0;

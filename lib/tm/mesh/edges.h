@@ -31,7 +31,7 @@ class Edges {
 /// else no_index.
 std::vector<Index> neighbors_across(const Edges& edges, std::size_t faces);
 
-/// The faces, of which those that name a vertex twice lose the edges that they have.
+/// The same faces, but those that name a vertex twice name one vertex only, and so have no edges.
 std::vector<Face> without_collapsed(std::span<const Face> faces);
 
 }  // namespace transformesh

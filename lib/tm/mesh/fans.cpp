@@ -8,7 +8,8 @@ namespace transformesh {
 
 Fans find_fans(std::span<const Face> faces, std::span<const Index> across,
                std::span<const char> included) {
-  // Halfedges that start at the same vertex have their corners there, others at opposite ends.
+  // Two halfedges that start at the same vertex join their corners there, others their opposite
+  // ends.
   DisjointSets corners(3 * faces.size());
   for (Index h = 0; h < across.size(); ++h) {
     const Index other = across[h];
@@ -18,7 +19,7 @@ Fans find_fans(std::span<const Face> faces, std::span<const Index> across,
     corners.join(next_halfedge(h), run_alike ? next_halfedge(other) : other);
   }
 
-  // The first corner of each fan numbers it.
+  // Fans are numbered by their first corners.
   Fans fans;
   fans.of_corner.assign(3 * faces.size(), no_index);
   for (Index corner = 0; corner < fans.of_corner.size(); ++corner) {
@@ -49,7 +50,7 @@ std::vector<Index> boundary_loops(const Edges& edges, const Fans& fans) {
     loops.join(fans.of_corner[h], fans.of_corner[next_halfedge(h)]);
   }
 
-  // The first halfedge of each set in ascending order.
+  // The lowest halfedge of each set stands for its loop.
   std::sort(border.begin(), border.end());
   std::vector<Index> firsts;
   std::vector<bool> is_counted(fans.vertex_of.size(), false);

@@ -21,7 +21,7 @@ struct Fans {
 Fans find_fans(std::span<const Face> faces, std::span<const Index> across,
                std::span<const char> included = {});
 
-/// Those of a mesh whose surface goes on across edges with exactly two faces, however these run.
+/// The fans of a mesh whose surface goes on across edges with exactly two faces, however these run.
 Fans find_fans(const Mesh& mesh, const Edges& edges);
 
 /// The lowest border halfedge (one on an edge with a single face) of each boundary loop. Where

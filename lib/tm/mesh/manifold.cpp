@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-/// Sorts the edges into border, crowded and misoriented ones.
+/// Lists the edges that have one face, three or more, or two that run alike.
 void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto halfedges = edges.halfedges(edge);
@@ -26,8 +26,7 @@ void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   std::sort(report.misoriented_edges.begin(), report.misoriented_edges.end());
 }
 
-/// A vertex is bad with more than one fan, or where a fan is none because of a crowded
-/// edge.
+/// A vertex is bad with more than one fan, and at an edge of three or more faces.
 void check_vertices(const Mesh& mesh, const Fans& fans, ManifoldReport& report) {
   std::vector<bool> is_bad(mesh.positions.size(), false);
   for (const Index halfedge : report.nonmanifold_edges) {

@@ -1,6 +1,6 @@
 /// Whether a mesh is an oriented 2-manifold, with or without borders, and where it is not.
 /// Vertices are the same when their indices are. Lists ascend. Faces without area are no matter of
-/// topology: geometry/degenerate_faces finds them. Cost: O(n); deterministic.
+/// topology: degenerate_faces() in geometry finds them. Cost: O(n); deterministic.
 #pragma once
 
 #include <string>

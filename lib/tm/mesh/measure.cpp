@@ -75,7 +75,8 @@ double surface_area(const Mesh& mesh) {
 }
 
 double volume(const Mesh& mesh) {
-  // Tetrahedra over a point amid the mesh: far from the origin less would cancel out.
+  // Tetrahedra end in the middle of the mesh, because with the origin far away they would cancel
+  // out.
   const Box box = bounding_box(mesh);
   const Vec3 apex = box.minimum + (box.maximum - box.minimum) / 2;
   double sum = 0;
@@ -105,6 +106,31 @@ EdgeLengths edge_lengths(const Mesh& mesh) {
     result.maximum = std::max(result.maximum, length);
   }
   result.mean = sum / static_cast<double>(result.count);
+  return result;
+}
+
+HalfedgeLengths halfedge_lengths(const Mesh& mesh) {
+  HalfedgeLengths result;
+  result.vertex_mean.assign(mesh.positions.size(), 0);
+  std::vector<Index> counts(mesh.positions.size(), 0);
+  double total = 0;
+  for (const Face& face : mesh.faces) {
+    for (int i = 0; i < 3; ++i) {
+      const Index a = face[i];
+      const Index b = face[(i + 1) % 3];
+      const double length = (mesh.positions[b] - mesh.positions[a]).norm();
+      total += length;
+      result.maximum = std::max(result.maximum, length);
+      for (const Index end : {a, b}) {
+        result.vertex_mean[end] += length;
+        ++counts[end];
+      }
+    }
+  }
+  for (std::size_t v = 0; v < counts.size(); ++v) {
+    if (counts[v] > 0) result.vertex_mean[v] /= counts[v];
+  }
+  if (!mesh.faces.empty()) result.mean = total / (3 * static_cast<double>(mesh.faces.size()));
   return result;
 }
 
@@ -146,7 +172,7 @@ Vec3 vertex_normal(const Mesh& mesh, Index vertex, std::span<const Index> faces)
 }
 
 double valence_six_share(const Mesh& mesh) {
-  // Edges at each vertex, and the vertices on a border.
+  // Count the edges at each vertex, and mark those on a border.
   const Edges edges(mesh);
   std::vector<Index> valence(mesh.positions.size(), 0);
   std::vector<bool> is_border(mesh.positions.size(), false);

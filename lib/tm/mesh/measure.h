@@ -32,6 +32,14 @@ struct EdgeLengths {
 };
 EdgeLengths edge_lengths(const Mesh& mesh);
 
+/// The same over the halfedges, which need no search: an edge of two faces counts twice.
+struct HalfedgeLengths {
+  double mean = 0;
+  double maximum = 0;
+  std::vector<double> vertex_mean;  ///< of the edges at each vertex; 0 where there is none
+};
+HalfedgeLengths halfedge_lengths(const Mesh& mesh);
+
 struct Angles {
   double minimum_deg = 0;       ///< smallest angle of any face
   double minimum_mean_deg = 0;  ///< mean over faces of their smallest angle
@@ -40,7 +48,7 @@ Angles angles(const Mesh& mesh);
 
 /// Unit normals per vertex, weighted by angle (Baerentzen & Aanaes 2005); zero where undefined.
 std::vector<Vec3> vertex_normals(const Mesh& mesh);
-/// The same of one vertex, given its faces in ascending order.
+/// The same for one vertex, given its faces in ascending order.
 Vec3 vertex_normal(const Mesh& mesh, Index vertex, std::span<const Index> faces);
 
 /// Share of interior vertices with six edges.

@@ -26,12 +26,12 @@ EyeAxes front_axes(Axis up) {
   }
 }
 
-/// Pixels per unit of x / depth, without zoom.
+/// Pixels per unit of x / depth, where there is no zoom.
 double focal_length(int width, int height) {
   return 0.5 * std::min(width, height) / std::tan(radians(field_of_view_deg / 2));
 }
 
-/// One direction of the image: the middle of the points, and how far back the eye must be.
+/// Along one direction of the image: the middle of the points, and how far back the eye must be.
 struct Fit {
   double middle = 0;
   double eye_back = 0;
@@ -58,7 +58,7 @@ Vec3 Camera::center() const {
 }
 
 Camera Camera::resampled(int factor) const {
-  // Pixel x becomes factor x + (factor - 1) / 2: half a pixel before the first stays there.
+  // Pixel x becomes factor x + (factor - 1) / 2, so that the border, at -1/2, stays where it is.
   Camera camera{projection, width * factor, height * factor};
   for (int row = 0; row < 2; ++row)
     camera.projection.row(row) =

@@ -1,5 +1,5 @@
 /// A pinhole camera as a 3x4 projection. With q = P (X, 1): the pixel is (q1 / q3, q2 / q3), x to
-/// the right and y down, integers at pixel centres; q3 is the depth along the viewing axis, in
+/// the right and y down, integers at pixel centers; q3 is the depth along the viewing axis, in
 /// input units where the first three numbers of the third row have length 1.
 #pragma once
 

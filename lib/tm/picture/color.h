@@ -1,4 +1,4 @@
-/// Colours as light: linear red, green and blue, 1 being white. Files and screens hold sRGB.
+/// Colors as light: linear red, green and blue, 1 being white. Files and screens hold sRGB.
 /// Reference for the curve: IEC 61966-2-1.
 #pragma once
 
@@ -16,5 +16,18 @@ double srgb_of_light(float light);
 Color color_of_srgb(double red, double green, double blue);
 /// The nearest of 256 levels.
 std::uint8_t srgb_byte(float light);
+
+/// What shows where the surface does not: one color from the top row to the bottom row.
+struct Background {
+  // a quiet light gray, #f7f7f7 to #d6d9de
+  Color top = color_of_srgb(0xf7 / 255.0, 0xf7 / 255.0, 0xf7 / 255.0);
+  Color bottom = color_of_srgb(0xd6 / 255.0, 0xd9 / 255.0, 0xde / 255.0);
+  bool is_transparent = false;
+
+  Color at(int y, int height) const {
+    const float share = (static_cast<float>(y) + 0.5F) / static_cast<float>(height);
+    return top + share * (bottom - top);
+  }
+};
 
 }  // namespace transformesh

@@ -23,7 +23,7 @@ std::vector<Vec3> unit_normals(const Mesh& mesh) {
   return normals;
 }
 
-/// Corners 3 * face + i that share a normal.
+/// Joins the corners 3 * face + i that share a normal.
 DisjointSets smooth_corners(const Mesh& mesh, const std::vector<Vec3>& normals,
                             double crease_angle_deg) {
   const double flattest = std::cos(crease_angle_deg * std::numbers::pi / 180);
@@ -52,7 +52,7 @@ double corner_angle(const Mesh& mesh, const Face& face, std::size_t corner) {
 }  // namespace
 
 std::vector<CornerNormals> corner_normals(const Mesh& mesh, double crease_angle_deg) {
-  // Weighted normals, summed in the corner that stands for its set.
+  // Weighted normals are summed in the corner that stands for its set.
   const std::vector<Vec3> normals = unit_normals(mesh);
   DisjointSets corners = smooth_corners(mesh, normals, crease_angle_deg);
   std::vector<Vec3> sums(3 * mesh.faces.size(), Vec3::Zero());

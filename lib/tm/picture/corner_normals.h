@@ -2,7 +2,7 @@
 /// it has a crease. Around a vertex, faces share a normal (the mean weighted by corner angle) when
 /// a chain of edges leads from one to the other across each of which the surface bends by at most
 /// the crease angle. Borders and edges of more than two faces are creases.
-/// Cost: O(n); deterministic. Faces without area have the normals of their neighbours, or zero.
+/// Cost: O(n); deterministic. Faces without area have the normals of their neighbors, or zero.
 #pragma once
 
 #include <array>

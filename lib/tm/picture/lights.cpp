@@ -10,7 +10,6 @@ const Color sky(0.26F, 0.29F, 0.34F);
 const Color ground(0.10F, 0.09F, 0.08F);
 constexpr float gloss = 0.14F;
 
-/// x^32
 float sharpened(float x) {
   for (int i = 0; i < 5; ++i) x *= x;
   return x;

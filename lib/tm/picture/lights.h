@@ -9,10 +9,10 @@ namespace transformesh {
 
 class Lights {
  public:
-  /// For an eye at the camera's centre; `upright` is the direction of the sky, of length 1.
+  /// For an eye at the camera's center; `upright` is the direction of the sky, of length 1.
   Lights(const Camera& camera, const Vec3& upright);
 
-  /// The light that leaves a surface of that colour towards the eye. The normal and the direction
+  /// The light that leaves a surface of that color towards the eye. The normal and the direction
   /// to the eye have length 1.
   Color reflected(const Color& surface, const Eigen::Vector3f& normal,
                   const Eigen::Vector3f& to_eye) const;

@@ -30,7 +30,7 @@ void check_size(const PictureOptions& options, int columns, int rows) {
                      std::to_string(columns) + "x" + std::to_string(rows) + " panels");
 }
 
-/// Panels whose borders are the nearest whole pixels.
+/// The borders of panels are the nearest whole pixels.
 std::vector<Panel> layout(std::size_t count, const PictureOptions& options) {
   const int all = static_cast<int>(count);
   const int columns = options.columns > 0 ? std::min(options.columns, all) : all;
@@ -63,7 +63,7 @@ std::vector<Vec3> used_points(std::span<const Mesh* const> meshes) {
   return points;
 }
 
-/// One aim per panel.
+/// The aim of each panel.
 std::vector<Aim> find_aims(std::span<const Mesh* const> meshes, const std::vector<Panel>& panels,
                            const PictureOptions& options) {
   const auto aim_in = [&](const std::vector<Vec3>& points, const Panel& panel) {

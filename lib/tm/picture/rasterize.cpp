@@ -13,7 +13,7 @@ constexpr int rows_per_band = 16;
 constexpr int columns_worth_narrowing = 8;
 constexpr std::size_t items_per_task = 4096;
 
-/// Pixels from first to last, both included.
+/// A range of pixels from first to last, both included.
 struct Range {
   int first = 0;
   int last = -1;
@@ -76,7 +76,7 @@ Setup set_up(const Face& face, const std::vector<Vec3>& projected, const Drawn& 
   return setup;
 }
 
-/// Faces by the bands of rows that they touch, in face order.
+/// Sorts faces into the bands of rows that they touch, in face order.
 std::vector<std::vector<Index>> faces_of_bands(const std::vector<Setup>& setups, int height) {
   std::vector<std::vector<Index>> bands(
       static_cast<std::size_t>((height + rows_per_band - 1) / rows_per_band));
@@ -153,7 +153,7 @@ EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides) {
-  // Corners and edge functions.
+  // Project the corners, and find the edge functions.
   std::vector<Vec3> projected(mesh.positions.size());
   parallel_for(projected.size(), items_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) projected[v] = camera.project(mesh.positions[v]);

@@ -2,7 +2,7 @@
 /// Reference: Olano & Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics
 /// Hardware 1997: faces that reach behind the eye need no clipping.
 ///
-/// A pixel sees what its centre sees. Faces that share an edge leave no gap between them; of faces
+/// A pixel sees what its center sees. Faces that share an edge leave no gap between them; of faces
 /// at the same depth the lowest index is seen. Faces on edge to the eye, collapsed or behind it are
 /// not seen, and of a closed surface the backs need not be drawn. Depths are floats, weights are
 /// perspective-correct.

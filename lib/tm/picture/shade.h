@@ -1,7 +1,7 @@
-/// Light and colour for what a camera sees.
+/// Light and color for what a camera sees.
 #pragma once
 
-#include "tm/picture/background.h"
+#include "tm/picture/color.h"
 #include "tm/picture/image.h"
 #include "tm/picture/rasterize.h"
 #include "tm/picture/surface_color.h"

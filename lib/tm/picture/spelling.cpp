@@ -31,7 +31,7 @@ std::pair<std::string_view, std::string_view> halves(std::string_view text, char
   throw UsageError("'" + std::string(text) + "' is not " + what);
 }
 
-/// Three or six hexadecimal digits.
+/// Reads three or six hexadecimal digits.
 std::optional<Color> color_of_digits(std::string_view digits) {
   const auto number = number_of<unsigned>(digits, 16);
   if (!number || (digits.size() != 3 && digits.size() != 6)) return std::nullopt;

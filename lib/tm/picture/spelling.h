@@ -1,11 +1,11 @@
-/// How sizes, angles and colours of pictures are written on a command line. Each throws UsageError
+/// How sizes, angles and colors of pictures are written on a command line. Each throws UsageError
 /// with the text and an example where it cannot be read. Independent of the locale.
 #pragma once
 
 #include <string_view>
 #include <utility>
 
-#include "tm/picture/background.h"
+#include "tm/picture/color.h"
 
 namespace transformesh {
 

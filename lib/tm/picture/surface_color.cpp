@@ -25,7 +25,7 @@ double full_level(Scalar type) {
   }
 }
 
-/// One colour per row; none where a channel is missing.
+/// One color per row, or none at all where a channel is missing.
 std::vector<Color> colors_of(const Columns& columns, std::size_t rows) {
   const std::array<const Column*, 3> channels{columns.find("red"), columns.find("green"),
                                               columns.find("blue")};
@@ -40,7 +40,7 @@ std::vector<Color> colors_of(const Columns& columns, std::size_t rows) {
   return colors;
 }
 
-/// The value at a pixel of what belongs to the corners.
+/// Interpolates values at the corners of a face to a pixel.
 template <typename Value, typename Lookup>
 Value interpolated(const Face& face, const FacePixel& pixel, const Lookup& lookup) {
   const float rest = 1 - pixel.weight[0] - pixel.weight[1];

@@ -1,4 +1,4 @@
-/// The colour of the surface itself, before any light falls on it.
+/// The color of the surface itself, before any light falls on it.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace transformesh {
 
 struct SurfaceColorOptions {
   /// Of every front side; without it the columns red, green and blue of the vertices, else of the
-  /// faces (integers up to 255, floats up to 1), else a light blue-grey.
+  /// faces (integers up to 255, floats up to 1), else a light blue-gray.
   std::optional<Color> front;
   /// Name of a face column, else of a vertex column: where it is not zero the surface is orange.
   /// None where empty.

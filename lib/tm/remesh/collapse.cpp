@@ -8,10 +8,10 @@
 namespace transformesh {
 namespace {
 
-/// Edges up to this many times the shortest may go where that makes valences regular.
+/// Edges may be collapsed up to this many times the shortest where that makes valences regular.
 constexpr double longest_irregular = 1.15;
 
-/// Edges that are to go, the shortest first.
+/// Holds the edges that are to go and yields the shortest first.
 template <class Wanted>
 class Candidates {
  public:
@@ -29,7 +29,7 @@ class Candidates {
     return edge;
   }
   void push_around(Index vertex) {
-    mesh_.for_each_neighbour(vertex, [&](Index, Index halfedge) { push(halfedge); });
+    mesh_.for_each_neighbor(vertex, [&](Index, Index halfedge) { push(halfedge); });
   }
 
  private:
@@ -64,6 +64,7 @@ CollapseCounts collapse_wanted(EditableMesh& mesh, EdgeCollapser& collapser, Wan
   return counts;
 }
 
+/// Wants edges shorter than the least length.
 class IsShort {
  public:
   IsShort(const EditableMesh& mesh, double min_edge, bool keep_border)
@@ -80,7 +81,7 @@ class IsShort {
   bool keep_border_;
 };
 
-/// Edges not too long whose collapse brings valences closer to six.
+/// Wants edges that are not too long and whose collapse brings valences closer to six.
 class IsIrregular {
  public:
   IsIrregular(const EditableMesh& mesh, double longest)
@@ -88,7 +89,8 @@ class IsIrregular {
     for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
       if (!mesh.has_halfedge(h)) continue;
       ++excess_[mesh.source(h)];
-      if (mesh.is_border(h)) ++excess_[mesh.target(h)];  // which has one edge more than faces
+      if (mesh.is_border(h))
+        ++excess_[mesh.target(h)];  // a border vertex has one edge more than faces
     }
   }
   bool operator()(Index halfedge) const {
@@ -97,7 +99,7 @@ class IsIrregular {
   }
   void note_merged(Index vertex) {
     recount(vertex);
-    mesh_.for_each_neighbour(vertex, [&](Index neighbour, Index) { recount(neighbour); });
+    mesh_.for_each_neighbor(vertex, [&](Index neighbor, Index) { recount(neighbor); });
   }
 
  private:
@@ -109,7 +111,7 @@ class IsIrregular {
     const int left = excess_[mesh_.apex(halfedge)];
     const int right = excess_[mesh_.apex(mesh_.opposite(halfedge))];
     const int merged = source + target + 2;
-    // each apex loses an edge: x^2 - (x - 1)^2 = 2x - 1
+    // Each apex loses an edge, which gains x^2 - (x - 1)^2 = 2x - 1.
     return source * source + target * target - merged * merged + 2 * left + 2 * right - 2;
   }
 
@@ -128,7 +130,7 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
   CollapseCounts counts = collapse_wanted(mesh, collapser, is_short, progress);
   if (counts.refused == 0) return counts;
 
-  // an edge may be refused more than once, or be gone in the end
+  // An edge may have been refused more than once, or be gone in the end.
   counts.refused = 0;
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
     counts.refused += mesh.is_edge(h) && is_short(h) ? 1 : 0;

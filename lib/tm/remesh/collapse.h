@@ -1,4 +1,4 @@
-/// Collapses short edges.
+/// Collapses edges that are short, or whose collapse makes valences regular.
 #pragma once
 
 #include "tm/remesh/edge_rules.h"
@@ -10,7 +10,7 @@ namespace transformesh {
 
 struct CollapseCounts {
   std::size_t done = 0;
-  std::size_t refused = 0;  ///< short edges left
+  std::size_t refused = 0;  ///< short edges that are left
 };
 
 /// Collapses edges shorter than the shortest allowed, the shortest first, where that keeps the

@@ -31,7 +31,7 @@ double bend_angle(const EditableMesh& mesh, Index halfedge, const Vec3& unit_edg
   return std::atan2(here.cross(there).dot(unit_edge), here.dot(there));
 }
 
-/// The area of a face, and half of what its edges bend.
+/// The area of a face, and half of the bending at its edges: the other faces there have the rest.
 Bending bending_of(const EditableMesh& mesh, Index face) {
   Bending bending;
   bending.area = 0.5 * mesh.face_normal(face).norm();
@@ -56,12 +56,12 @@ std::vector<double> largest_curvatures(const EditableMesh& mesh) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) rings[mesh.source(h)].add(bending);
   }
 
-  // a ring alone depends much on how it is triangulated
+  // One ring alone depends much on how it is triangulated, so the neighbors' rings are added.
   std::vector<double> curvatures(mesh.vertex_slots(), 0);
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
     if (!mesh.has_vertex(v)) continue;
     Bending around = rings[v];
-    mesh.for_each_neighbour(v, [&](Index neighbour, Index) { around.add(rings[neighbour]); });
+    mesh.for_each_neighbor(v, [&](Index neighbor, Index) { around.add(rings[neighbor]); });
     curvatures[v] = around.largest();
   }
   return curvatures;

@@ -7,10 +7,10 @@ namespace transformesh {
 namespace {
 
 constexpr double least_height = 1e-3;  ///< of the longest edge
-constexpr double short_edge = 0.1;     ///< of the longest edge: a needle
+constexpr double short_edge = 0.1;     ///< of the longest edge; what has one is a needle
 constexpr int most_rounds = 4;
 
-/// The edges of a face, by squared length.
+/// The shortest and the longest edge of a face.
 struct Sides {
   Index shortest;
   Index longest;
@@ -35,11 +35,11 @@ struct Sides {
 };
 
 bool is_degenerate(const EditableMesh& mesh, Index face) {
-  const Vec3& a = mesh.position(mesh.source(3 * face));
-  const Vec3 ab = mesh.position(mesh.source(3 * face + 1)) - a;
-  const Vec3 ac = mesh.position(mesh.source(3 * face + 2)) - a;
+  const auto [a, b, c] = mesh.triangle(face);
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
   const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
-  // twice the area is longest edge times height
+  // Twice the area is the longest edge times the height.
   return ab.cross(ac).squaredNorm() <= least_height * least_height * longest * longest;
 }
 

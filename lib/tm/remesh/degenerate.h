@@ -1,4 +1,4 @@
-/// Gets rid of triangles (nearly) without area.
+/// Removes triangles that have nearly no area.
 #pragma once
 
 #include "tm/remesh/collapse.h"

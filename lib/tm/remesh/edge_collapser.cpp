@@ -10,7 +10,7 @@ namespace {
 constexpr double least_turn_cosine = 0.5;
 /// Triangles at least this round are good enough; others must not get worse.
 constexpr double round_enough = 0.3;
-/// A triangle rounder than this has a normal to rely on.
+/// The normal of a triangle that is no rounder than this is mostly rounding error.
 constexpr double normal_roundness = 0.02;
 
 }  // namespace
@@ -23,7 +23,7 @@ Index EdgeCollapser::collapse(Index halfedge) {
   stays_ = mesh_.target(edge_);
   gather();
 
-  // the end that is bound more keeps its place
+  // The end that is bound more keeps its place.
   const VertexRole from = roles_[goes_];
   const VertexRole to = roles_[stays_];
   bool done = false;
@@ -72,9 +72,10 @@ void EdgeCollapser::gather_star(Index vertex) {
   });
 }
 
-/// Squared; the merged vertex counts with the mean size of both ends.
-double EdgeCollapser::longest_to(Index neighbour) const {
-  const double size = 0.5 * (mesh_.mean_size(goes_, stays_) + mesh_.size(neighbour));
+/// The largest squared length of an edge from the merged vertex to that neighbor. The merged vertex
+/// counts with the mean size of both ends.
+double EdgeCollapser::longest_to(Index neighbor) const {
+  const double size = 0.5 * (mesh_.mean_size(goes_, stays_) + mesh_.size(neighbor));
   return longest_ * size * size;
 }
 
@@ -92,7 +93,7 @@ bool EdgeCollapser::try_free_positions() {
 }
 
 Vec3 EdgeCollapser::volume_keeping_shift(const Vec3& position) const {
-  // the volume is linear in the position: six times it is position . ring + const
+  // The volume is linear in the position: six times it is position . ring plus a constant.
   const Vec3& origin = mesh_.position(stays_);
   Vec3 ring = Vec3::Zero();
   for (const Spoke& spoke : spokes_) {
@@ -116,20 +117,18 @@ bool EdgeCollapser::is_sound(const Vec3& position) const {
   return least >= round_enough || least >= least_roundness_before();
 }
 
-/// Of the triangles at both ends.
 double EdgeCollapser::least_roundness_before() const {
   double least = 1;
   for (const Index face : patch_.replaced) {
-    least = std::min(least, roundness(mesh_.position(mesh_.source(3 * face)),
-                                      mesh_.position(mesh_.source(3 * face + 1)),
-                                      mesh_.position(mesh_.source(3 * face + 2))));
+    const auto [a, b, c] = mesh_.triangle(face);
+    least = std::min(least, roundness(a, b, c));
   }
   return least;
 }
 
 void EdgeCollapser::fill_patch(const Vec3& position) {
-  patch_.centre = stays_;
-  patch_.centre_position = position;
+  patch_.center = stays_;
+  patch_.center_position = position;
   patch_.made.clear();
   patch_.normals.clear();
   patch_.longest_squared = 0;

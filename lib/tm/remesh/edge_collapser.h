@@ -1,4 +1,4 @@
-/// Collapses one edge where that keeps all that the operations promise (collapse.h).
+/// Collapses one edge where that keeps what collapse.h promises.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ class EdgeCollapser {
                 double max_edge)
       : mesh_(mesh), guard_(guard), roles_(roles), longest_(max_edge * max_edge) {}
 
-  /// The vertex that the edge became, or no_index.
+  /// The vertex that the edge became; no_index where it stays.
   Index collapse(Index halfedge);
 
  private:
-  /// One triangle that stays, with its corner at the edge left out.
+  /// A triangle that stays, without its corner at the edge.
   struct Spoke {
     Vec3 first;
     Vec3 second;
@@ -30,7 +30,7 @@ class EdgeCollapser {
 
   void gather();
   void gather_star(Index vertex);
-  double longest_to(Index neighbour) const;
+  double longest_to(Index neighbor) const;
   bool try_position(const Vec3& wanted, double source_share);
   bool try_free_positions();
   Vec3 volume_keeping_shift(const Vec3& position) const;

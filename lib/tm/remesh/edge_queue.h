@@ -1,6 +1,5 @@
-/// Edges waiting for an operation, in order of their lengths in units of the local size. Entries
-/// are not updated when the mesh changes; is_current tells whether an entry still describes an
-/// edge.
+/// Edges that wait for an operation, by their lengths in units of the local size. Entries are not
+/// updated when the mesh changes: is_current() tells whether one still describes an edge.
 #pragma once
 
 #include <queue>

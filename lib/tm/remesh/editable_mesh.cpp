@@ -36,7 +36,7 @@ void EditableMesh::find_outgoing() {
   std::vector<Index> count(positions_.size(), 0);
   for (Index h = 0; h < halfedge_slots(); ++h) {
     ++count[source(h)];
-    // a border halfedge, else the lowest
+    // The border halfedge is taken, else the lowest.
     if (outgoing_[source(h)] == no_index || is_border(h)) outgoing_[source(h)] = h;
   }
   isolated_.assign(positions_.size(), false);
@@ -96,13 +96,13 @@ Vec3 EditableMesh::face_normal(Index face) const {
 
 Index EditableMesh::valence(Index vertex) const {
   Index count = 0;
-  for_each_neighbour(vertex, [&](Index, Index) { ++count; });
+  for_each_neighbor(vertex, [&](Index, Index) { ++count; });
   return count;
 }
 
-bool EditableMesh::are_neighbours(Index first, Index second) const {
+bool EditableMesh::are_neighbors(Index first, Index second) const {
   bool found = false;
-  for_each_neighbour(first, [&](Index neighbour, Index) { found |= neighbour == second; });
+  for_each_neighbor(first, [&](Index neighbor, Index) { found |= neighbor == second; });
   return found;
 }
 
@@ -164,7 +164,7 @@ Index EditableMesh::split(Index halfedge, const Vec3& position) {
       append_row(RowBlend{{vertex_rows_[from], vertex_rows_[to], 0}, {0.5, 0.5, 0}}));
   if (!sizes_.empty()) sizes_.push_back(mean_size(from, to));
 
-  // the face of h keeps its half at `from`, a new face takes the half at `to`
+  // The face of h keeps its half at `from`, and a new face takes the half at `to`.
   const Index n = next_halfedge(h);
   const Index half = 3 * append_face(middle, to, apex(h), face_rows_[h / 3]);
   sources_[n] = middle;
@@ -177,7 +177,7 @@ Index EditableMesh::split(Index halfedge, const Vec3& position) {
   outgoing_.push_back(half);
   if (o == no_index) return middle;
 
-  // the same across the edge
+  // The face across the edge is halved in the same way.
   const Index p = previous_halfedge(o);
   const Index other = 3 * append_face(to, middle, apex(o), face_rows_[o / 3]);
   sources_[o] = middle;
@@ -199,7 +199,7 @@ bool EditableMesh::can_collapse(Index halfedge) const {
   const bool border_edge = o == no_index;
   if (is_border_vertex(from) && is_border_vertex(to) && !border_edge) return false;
 
-  // each face that vanishes must leave an apex that still has a fan
+  // Each face that vanishes must leave an apex that still has a fan.
   for (const Index h : {halfedge, o}) {
     if (h == no_index) continue;
     const Index n = opposites_[next_halfedge(h)];
@@ -208,16 +208,16 @@ bool EditableMesh::can_collapse(Index halfedge) const {
     if (!is_border_vertex(apex(h)) && valence(apex(h)) <= 3) return false;
   }
 
-  // no common neighbours but the apexes
+  // The ends may have no common neighbors but the apexes.
   Index common = 0;
-  for_each_neighbour(from, [&](Index neighbour, Index) {
-    if (neighbour != to && are_neighbours(to, neighbour)) ++common;
+  for_each_neighbor(from, [&](Index neighbor, Index) {
+    if (neighbor != to && are_neighbors(to, neighbor)) ++common;
   });
   return common == (border_edge ? 1U : 2U);
 }
 
+/// Makes one edge of the two of a face that vanishes.
 void EditableMesh::close_gap(Index removed, Index other_removed) {
-  // the two edges of a vanished face become one
   const Index first = opposites_[removed];
   const Index second = opposites_[other_removed];
   const bool feature = is_feature(removed) || is_feature(other_removed);
@@ -228,6 +228,7 @@ void EditableMesh::close_gap(Index removed, Index other_removed) {
   if (second != no_index) features_[second] = feature;
 }
 
+/// Finds the first outgoing halfedge of a vertex from any of them.
 void EditableMesh::rewind_outgoing(Index vertex, Index any_outgoing) {
   Index halfedge = any_outgoing;
   while (opposites_[halfedge] != no_index) {
@@ -246,7 +247,7 @@ void EditableMesh::collapse(Index halfedge, const Vec3& position, double source_
     blend_attributes(to, {to, from, to}, {1 - source_weight, source_weight, 0});
   Index moved = outgoing_[from];
   const Index first = moved;
-  do {  // not for_each_outgoing: the source changes under way
+  do {  // not for_each_outgoing(), since the sources change under way
     const Index next = opposites_[previous_halfedge(moved)];
     sources_[moved] = to;
     moved = next;
@@ -257,7 +258,7 @@ void EditableMesh::collapse(Index halfedge, const Vec3& position, double source_
     if (h == no_index) continue;
     const Index n = next_halfedge(h);
     const Index p = previous_halfedge(h);
-    // p leaves the apex where h is the halfedge, and n arrives; at o the roles are the same
+    // On either side of the edge, p leaves the apex and n arrives there.
     close_gap(n, p);
     if (outgoing_[source(p)] == p) outgoing_[source(p)] = opposites_[n];
     const Index leaves_kept = opposites_[p];
@@ -273,7 +274,7 @@ void EditableMesh::collapse(Index halfedge, const Vec3& position, double source_
 
 bool EditableMesh::can_flip(Index halfedge) const {
   const Index o = opposites_[halfedge];
-  return o != no_index && apex(halfedge) != apex(o) && !are_neighbours(apex(halfedge), apex(o));
+  return o != no_index && apex(halfedge) != apex(o) && !are_neighbors(apex(halfedge), apex(o));
 }
 
 void EditableMesh::flip(Index halfedge) {
@@ -289,7 +290,8 @@ void EditableMesh::flip(Index halfedge) {
   const Index right = apex(o);
   const std::array<Index, 4> across{opposites_[hp], opposites_[on], opposites_[op], opposites_[hn]};
   const std::array<bool, 4> sharp{is_feature(hp), is_feature(on), is_feature(op), is_feature(hn)};
-  const std::array<Index, 4> rim{hn, hp, on, op};  // left-from, from-right, right-to, to-left
+  // The new faces have the rim left-from, from-right, right-to, to-left.
+  const std::array<Index, 4> rim{hn, hp, on, op};
 
   sources_[h] = right;
   sources_[hn] = left;

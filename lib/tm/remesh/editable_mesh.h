@@ -7,8 +7,8 @@
 
 #include <vector>
 
+#include "tm/mesh/digits.h"
 #include "tm/mesh/triangle.h"
-#include "tm/support/single.h"
 
 namespace transformesh {
 
@@ -71,10 +71,10 @@ class EditableMesh {
       halfedge = opposites_[previous_halfedge(halfedge)];
     } while (halfedge != first && halfedge != no_index);
   }
-  /// Calls visit(neighbour, halfedge) for every edge at the vertex; the halfedge leaves the vertex,
+  /// Calls visit(neighbor, halfedge) for every edge at the vertex; the halfedge leaves the vertex,
   /// but for the last edge of a border vertex, where it arrives.
   template <class Visit>
-  void for_each_neighbour(Index vertex, const Visit& visit) const {
+  void for_each_neighbor(Index vertex, const Visit& visit) const {
     Index last = no_index;
     for_each_outgoing(vertex, [&](Index halfedge) {
       visit(target(halfedge), halfedge);
@@ -83,7 +83,7 @@ class EditableMesh {
     if (opposites_[last] == no_index) visit(sources_[last], last);
   }
   Index valence(Index vertex) const;
-  bool are_neighbours(Index first, Index second) const;
+  bool are_neighbors(Index first, Index second) const;
 
   /// Marks an edge to be kept sharp. Splits and collapses hand the mark on.
   void set_feature(Index halfedge, bool is_feature);

@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// Cells are this many longest edges wide: most patches reach nine tenths of one from their centre,
-/// and each face that meets that ball has a corner within 0.58 of one.
+/// Cells are 1.5 longest edges wide: most patches reach nine tenths of an edge from their center,
+/// and each face that meets a ball has a corner within 0.58 of an edge from it.
 constexpr double cell_edges = 1.5;
 constexpr double corner_reach = 0.58;
 
@@ -40,7 +40,7 @@ bool meets_itself(const Patch& patch) {
 
 }  // namespace
 
-/// The space between two planes across a direction.
+/// The space between two planes perpendicular to a direction.
 class EmbeddingGuard::Slab {
  public:
   explicit Slab(Vec3 direction) : direction_(std::move(direction)) {}
@@ -51,7 +51,7 @@ class EmbeddingGuard::Slab {
       high_ = std::max(high_, direction_.dot(corner));
     }
   }
-  /// Counts what is within rounding as meeting.
+  /// What comes within rounding error of the slab counts as meeting it.
   bool meets(const Triangle& triangle) const {
     const double a = direction_.dot(triangle[0]);
     const double b = direction_.dot(triangle[1]);
@@ -98,9 +98,8 @@ EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge)
 
 void EmbeddingGuard::commit(const Patch& patch) {
   longest_edge_ = std::max(longest_edge_, std::sqrt(patch.longest_squared));
-  cells_.update(patch.centre);
-  for (const Index vertex : patch.vertices)
-    cells_.restrict(vertex, directions_, patch.longest_squared);
+  cells_.update(patch.center);
+  for (const Index vertex : patch.vertices) cells_.restrict(vertex, cone_, patch.longest_squared);
 }
 
 bool EmbeddingGuard::allows(const Patch& patch) {
@@ -114,20 +113,20 @@ bool EmbeddingGuard::allows(const Patch& patch) {
 }
 
 bool EmbeddingGuard::is_certified(const Patch& patch) {
-  directions_ = all_directions;
-  for (const Vec3& normal : patch.normals) directions_ &= seeing_directions(normal);
-  if ((directions_ & cells_.cell_of(patch.centre).around) == 0) return false;
+  cone_ = all_directions;
+  for (const Vec3& normal : patch.normals) cone_ &= cone_of(normal);
+  if ((cone_ & cells_.cell_of(patch.center).cone_around) == 0) return false;
 
-  // the ball around the centre must hold the patch
+  // The ball around the center must hold the patch.
   const double radius = cells_.cell_size() - corner_reach * longest_edge_;
-  const Vec3& centre = mesh_.position(patch.centre);
+  const Vec3& center = mesh_.position(patch.center);
   for (const Index vertex : patch.vertices) {
-    if ((mesh_.position(vertex) - centre).squaredNorm() > radius * radius) return false;
+    if ((mesh_.position(vertex) - center).squaredNorm() > radius * radius) return false;
   }
-  return (patch.centre_position - centre).squaredNorm() <= radius * radius;
+  return (patch.center_position - center).squaredNorm() <= radius * radius;
 }
 
-/// Around both patches.
+/// The slab that holds the old and the new patch.
 EmbeddingGuard::Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
   Slab slab(direction);
   for (const Triangle& triangle : patch.made) slab.extend(triangle);
@@ -135,10 +134,10 @@ EmbeddingGuard::Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& dir
   return slab;
 }
 
-/// The box around both patches, and of it the slab between two planes that hold them, is convex, so
-/// that lines in it may be followed (as in a ball).
+/// The certificate of the header with a convex body other than a ball: the part of the box around
+/// both patches that lies in the slab which holds them.
 bool EmbeddingGuard::is_height_field(const Patch& patch) const {
-  const Index component = cells_[patch.centre].component;
+  const Index component = cells_[patch.center].component;
   if (component == no_index) return false;
   const Vec3 direction = sum_of(patch.normals).normalized();
   const Slab slab = slab_of(patch, direction);
@@ -163,9 +162,9 @@ bool EmbeddingGuard::meets_others(const Patch& patch) const {
   });
 }
 
-/// The box around both patches.
+/// Finds the box around the old and the new patch.
 void EmbeddingGuard::enclose(const Patch& patch) {
-  low_ = high_ = patch.centre_position;
+  low_ = high_ = patch.center_position;
   const auto extend = [&](const Triangle& triangle) {
     low_ = low_.cwiseMin(lowest(triangle));
     high_ = high_.cwiseMax(highest(triangle));
@@ -177,23 +176,23 @@ void EmbeddingGuard::enclose(const Patch& patch) {
   high_corner_ = high_ + reach;
 }
 
-/// The certificate of is_height_field() along the direction nearest to the normals, of those that
-/// see the patches: asks only the faces at vertices that it does not see.
+/// The certificate of is_height_field() along one direction: of those that see both patches, the
+/// one nearest to the normals. Only faces at vertices whose cones lack it are asked.
 bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
-  const Index component = cells_[patch.centre].component;
-  DirectionSet directions = component == no_index ? 0 : directions_;
-  for (const Index vertex : patch.vertices) directions &= cells_[vertex].seeing;
-  if (directions == 0) return false;
-  const Direction direction = nearest_direction(directions, sum_of(patch.normals));
-  const auto is_alike = [&](const auto& place, DirectionSet seeing) {
-    return place.component == component && (seeing & direction.bit) != 0;
+  const Index component = cells_[patch.center].component;
+  NormalCone cone = component == no_index ? 0 : cone_;
+  for (const Index vertex : patch.vertices) cone &= cells_[vertex].cone;
+  if (cone == 0) return false;
+  const Direction direction = nearest_direction(cone, sum_of(patch.normals));
+  const auto is_alike = [&](const auto& part) {
+    return part.component == component && (part.cone & direction.bit) != 0;
   };
 
   std::optional<Slab> slab;
   return cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
-    if (is_alike(cell, cell.directions)) return true;
+    if (is_alike(cell)) return true;
     for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
-      if (is_alike(cells_[v], cells_[v].seeing) || !is_around(v)) continue;
+      if (is_alike(cells_[v]) || !is_around(v)) continue;
       if (!slab) slab = slab_of(patch, direction.unit);
       if (!is_seen_or_far(v, component, *slab)) return false;
     }
@@ -201,7 +200,7 @@ bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
   });
 }
 
-/// Whether the slab's direction sees those faces at the vertex that meet slab and box.
+/// Whether the slab's direction sees the faces at the vertex, other than those outside slab or box.
 bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& slab) const {
   const bool is_mine = cells_[vertex].component == component;
   bool result = true;
@@ -237,7 +236,7 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
   });
 }
 
-/// Whether a face that meets the box may have this as its nearest corner.
+/// Whether a face that meets the box may have this vertex as its nearest corner.
 bool EmbeddingGuard::is_around(Index vertex) const {
   const Vec3& position = mesh_.position(vertex);
   const double longest = std::sqrt(static_cast<double>(cells_[vertex].longest_squared));

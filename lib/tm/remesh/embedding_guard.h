@@ -4,11 +4,11 @@
 /// one side of a plane, a closed connected surface without self-intersections is a height field in
 /// that ball (along the plane's normal its crossings alternate between in and out). A new patch
 /// with the same rim whose normals are on that side too covers the same ground, so it cannot meet
-/// the rest. Normals are kept per cell of a grid as a set of 26 directions, so that the test of a
-/// whole neighbourhood is one bitwise and (direction_set.h). Where that fails, as between the
-/// sheets of a thin plate, the faces around the patch's own box are asked one by one. Elsewhere,
-/// and near borders or a second component, every new triangle is tested against all triangles
-/// nearby and those of its own patch (triangle_contact).
+/// the rest. Each cell of a grid keeps the normal cone of its faces (normal_cone.h), so that the
+/// test of a whole neighborhood is one bitwise and. Where that fails, as between the sheets of a
+/// thin plate, the faces around the patch's own box are asked one by one. Elsewhere, and near
+/// borders or a second component, every new triangle is tested against all triangles nearby and
+/// those of its own patch (triangle_contact.h).
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ namespace transformesh {
 
 /// A part of the surface about to be replaced by another with the same rim.
 struct Patch {
-  Index centre = no_index;      ///< a living vertex of it, before and after
-  Vec3 centre_position;         ///< where it will be
+  Index center = no_index;      ///< a living vertex of it, before and after
+  Vec3 center_position;         ///< where it will be
   std::vector<Triangle> made;   ///< the new triangles
   std::vector<Vec3> normals;    ///< of these, of any length
   double longest_squared = 0;   ///< of their edges
@@ -67,8 +67,8 @@ class EmbeddingGuard {
   VertexCells cells_;
   std::vector<std::uint32_t> stamp_;  ///< per face, against visiting twice
   std::uint32_t stamp_now_ = 0;
-  DirectionSet directions_ = 0;  ///< of the patch allowed last
-  Vec3 low_ = Vec3::Zero();      ///< the box around the patch in question, before and after
+  NormalCone cone_ = 0;      ///< of the patch allowed last
+  Vec3 low_ = Vec3::Zero();  ///< the box around the patch in question, before and after
   Vec3 high_ = Vec3::Zero();
   Vec3 low_corner_ = Vec3::Zero();  ///< the same box, wide enough for a corner of all faces in it
   Vec3 high_corner_ = Vec3::Zero();

@@ -10,20 +10,19 @@ namespace transformesh {
 namespace {
 
 constexpr double share = 0.3;
-/// Of the edge length: what is higher is a crease, and what has less to go stays.
-constexpr double crease = 0.25;
-constexpr double rest = 1e-3;
-/// The edge length of six equilateral triangles with this sum of doubled areas, squared.
+constexpr double crease = 0.25;  ///< of the edge length; a vertex higher than that is at a crease
+constexpr double rest = 1e-3;    ///< of the edge length; shorter ways are not gone
+/// The squared edge length of six equilateral triangles whose doubled areas sum up to 1.
 constexpr double squared_edge_by_area = 0.19245008972987526;
 
 constexpr double not_smooth = std::numeric_limits<double>::quiet_NaN();
 
 struct Vertex {
-  Vec3 neighbours = Vec3::Zero();  ///< their sum
-  Vec3 normal = Vec3::Zero();      ///< of the areas, doubled, summed; then of unit length
+  Vec3 neighbors = Vec3::Zero();  ///< their sum
+  Vec3 normal = Vec3::Zero();     ///< sum of the doubled area normals, then of unit length
   double valence = 0;
   double edge = 0;
-  double height = not_smooth;  ///< over the mean of the neighbours
+  double height = not_smooth;  ///< over the mean of the neighbors
 };
 
 std::vector<Vertex> heights(const EditableMesh& mesh, const VertexRoles& roles) {
@@ -33,7 +32,7 @@ std::vector<Vertex> heights(const EditableMesh& mesh, const VertexRoles& roles) 
     const Vec3 normal = mesh.face_normal(face);
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       Vertex& vertex = vertices[mesh.source(h)];
-      vertex.neighbours += mesh.position(mesh.target(h));
+      vertex.neighbors += mesh.position(mesh.target(h));
       vertex.normal += normal;
       ++vertex.valence;
     }
@@ -45,8 +44,7 @@ std::vector<Vertex> heights(const EditableMesh& mesh, const VertexRoles& roles) 
     if (area == 0) continue;
     vertex.normal /= area;
     vertex.edge = std::sqrt(squared_edge_by_area * area);
-    const double height =
-        (mesh.position(v) - vertex.neighbours / vertex.valence).dot(vertex.normal);
+    const double height = (mesh.position(v) - vertex.neighbors / vertex.valence).dot(vertex.normal);
     if (std::abs(height) < crease * vertex.edge) vertex.height = height;
   }
   return vertices;
@@ -65,11 +63,11 @@ void even_out(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& role
     const Vertex& vertex = vertices[v];
     if (std::isnan(vertex.height)) continue;
     double sum = 0;
-    mesh.for_each_neighbour(v, [&](Index neighbour, Index) { sum += vertices[neighbour].height; });
+    mesh.for_each_neighbor(v, [&](Index neighbor, Index) { sum += vertices[neighbor].height; });
     const double way = share * (sum / vertex.valence - vertex.height);
     if (!(std::abs(way) > rest * vertex.edge)) continue;
     star.gather(mesh, v);
-    mover.move(v, star, star.centre + way * vertex.normal);
+    mover.move(v, star, star.center + way * vertex.normal);
   }
 }
 

@@ -9,9 +9,9 @@ namespace transformesh {
 namespace {
 
 constexpr double least_cosine = 0.5;
-/// A flip for valence may not make an angle below this smaller: cosine of 20 degrees.
+/// The cosine of 20 degrees: below that, a flip for valence may not make the least angle smaller.
 constexpr double narrow = 0.9396926207859084;
-/// How far from the old edge a stretched one may pass, of its length.
+/// A stretched edge may pass the old one at this distance, as a share of its length.
 constexpr double farthest_shift = 0.012;
 /// Angles must grow by more than rounding, so that no edge flips to and fro.
 constexpr double least_gain = 1e-9;
@@ -57,13 +57,13 @@ void Flipper::count_valences() {
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
     if (!mesh_.has_halfedge(h)) continue;
     ++excess_[mesh_.source(h)];
-    // a border vertex has one edge more than faces, and should have four
+    // A border vertex has one edge more than faces, and should have four edges.
     if (mesh_.is_border(h)) excess_[mesh_.source(h)] += 3;
   }
 }
 
 int Flipper::deviation_gain(const Corners& at) const {
-  // the sum over the ends of x^2 - (x - 1)^2, over the apexes of x^2 - (x + 1)^2
+  // Each end gains x^2 - (x - 1)^2, each apex x^2 - (x + 1)^2.
   return 2 * (excess_[at.from] + excess_[at.to] - excess_[at.left] - excess_[at.right]) - 4;
 }
 
@@ -97,7 +97,7 @@ bool Flipper::is_too_long(const Corners& at) const {
   const double scaled = length / mesh_.mean_size(at.left, at.right);
   if (scaled <= limits_.longest || scaled > limits_.stretched()) return scaled > limits_.longest;
 
-  // the distance between the old edge and the new one
+  // The mixed product gives the distance between the old edge and the new one.
   const Vec3 across = before.cross(after);
   return std::abs(across.dot(c - a)) > farthest_shift * length * across.norm();
 }
@@ -109,7 +109,7 @@ bool Flipper::is_sound(Index halfedge, const Corners& at) const {
   const Vec3& d = mesh_.position(at.right);
   if ((d - c).squaredNorm() > mesh_.squared_length(halfedge) && is_too_long(at)) return false;
 
-  // all four triangles look the same way
+  // All four triangles have to look the same way.
   const Vec3 left = normal_of(a, b, c);
   const Vec3 right = normal_of(a, d, b);
   const Vec3 first = normal_of(a, d, c);
@@ -128,8 +128,8 @@ bool Flipper::attempt(Index halfedge) {
   const Vec3& b = mesh_.position(at.to);
   const Vec3& c = mesh_.position(at.left);
   const Vec3& d = mesh_.position(at.right);
-  patch_.centre = at.from;
-  patch_.centre_position = a;
+  patch_.center = at.from;
+  patch_.center_position = a;
   patch_.made.assign({Triangle{c, a, d}, Triangle{d, b, c}});
   patch_.normals.assign({normal_of(c, a, d), normal_of(d, b, c)});
   patch_.longest_squared =
@@ -170,7 +170,7 @@ FlipCounts Flipper::run(const Progress& progress) {
     if (mesh_.is_edge(h)) queue_.push_back(h);
   }
 
-  // every flip lowers a bounded measure, but in rounded arithmetic a bound is safer than a proof
+  // Every flip lowers a bounded measure, but in rounded arithmetic a limit is safer than a proof.
   FlipCounts counts;
   const std::size_t edges = queue_.size();
   const std::size_t most = 20 * edges;

@@ -1,4 +1,4 @@
-/// Turns edges within their two faces, for valence six or for larger angles.
+/// Flips edges, towards valence six or towards larger angles.
 #pragma once
 
 #include "tm/remesh/edge_rules.h"
@@ -13,12 +13,12 @@ struct FlipCounts {
   std::size_t refused = 0;  ///< by the guard
 };
 
-/// FlipRule::valence: flips where the squared deviations from valence 6 (4 on borders)
-/// get smaller, or stay as they are and the smaller of the least angles grows. FlipRule::angle:
-/// where the smaller of the least angles grows. Never an edge that exists, one on a line, one
-/// across faces that meet at more than 60 degrees; never a normal turned by more than that, nor an
-/// edge longer than allowed; a stretched one only where the surface hardly moves. The lowest edge
-/// first, then again around what was flipped.
+/// With FlipRule::valence flips where the squared deviations from valence 6 (4 on borders)
+/// get smaller, or stay as they are and the smaller of the least angles grows. With FlipRule::angle
+/// where the smaller of the least angles grows. No flip makes an edge that exists, takes one on a
+/// line or between faces that meet at more than 60 degrees, turns a normal by more than that, or
+/// makes an edge longer than allowed; stretched ones are made only where the surface hardly moves.
+/// Edges are tried in order, then again around each that was flipped.
 FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule,
                       const EdgeLimits& limits, const Progress& progress);
 

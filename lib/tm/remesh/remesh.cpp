@@ -20,18 +20,18 @@
 namespace transformesh {
 namespace {
 
-/// Halves of split edges shorter than 3/4 of the least length would be collapsed again at once.
+/// Of the longest to the shortest edge: below that, halves of split edges would be collapsed again.
 constexpr double least_ratio = 1.5;
 constexpr double most_faces = 500e6;
 constexpr double largest_extent = 1e75;
 /// Edges far too short are collapsed in stages of this many times the typical length.
 constexpr double stage_growth = 1.6;
-/// Of the edge that curvature takes: shorter ones are collapsed.
+/// Shares of the edge length that curvature takes: shorter edges are collapsed, longer ones split.
+/// The second is below 1 because faces relax after the splits, and curvature varies.
 constexpr double adaptive_shortest = 0.55;
-/// Longer ones are split: a margin, since faces relax after the splits and curvature varies.
 constexpr double adaptive_longest = 0.95;
-/// So many iterations make a mesh anew; with fewer it moves on, and its next step sees to its
-/// shape.
+/// From so many iterations on, a mesh is made anew and evened out at the end. With fewer it is part
+/// of an evolution, whose next step sees to its shape.
 constexpr int iterations_anew = 3;
 
 void check_lengths(double min_edge, double max_edge) {
@@ -75,7 +75,7 @@ void check_options(const RemeshOptions& options) {
   }
 }
 
-/// Areas are the roots of fourth powers of lengths.
+/// Areas are roots of fourth powers of lengths, which must not overflow.
 void check_size(const Mesh& mesh) {
   Vec3 lowest = mesh.positions[0];
   Vec3 highest = lowest;
@@ -132,7 +132,7 @@ void check_number_of_faces(const EditableMesh& mesh, double max_edge) {
   }
 }
 
-/// What all iterations work on and with.
+/// What all iterations share.
 struct Task {
   EditableMesh& mesh;
   const RemeshOptions& options;
@@ -142,7 +142,7 @@ struct Task {
   RemeshResult& result;
 };
 
-/// The steps of one iteration, on the mesh as split, with new vertices from `first_new` on.
+/// The steps of one iteration after the splits, whose new vertices are those from `first_new` on.
 class Iteration {
  public:
   Iteration(const Task& task, Index first_new)
@@ -192,7 +192,7 @@ class Iteration {
   }
   void smooth(bool is_first) {
     const RemeshOptions& options = task_.options;
-    // between collapses and flips it pays only where a mesh is good already
+    // Between collapses and flips, relaxation pays only where a mesh is good already.
     if (options.smoothing == Smoothing::tangential && !is_first) relax();
     const bool twice = options.smoothing == Smoothing::bilaplace;
     if (options.smoothing != Smoothing::laplace && !twice) return;
@@ -213,7 +213,7 @@ void remove_small(const Task& task) {
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
 }
 
-/// Of all edges, in units of the local size.
+/// Lengths over all edges, in units of the local size.
 struct ScaledLengths {
   double typical = 0;  ///< root of the mean square
   double longest = 0;

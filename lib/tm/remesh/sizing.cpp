@@ -11,12 +11,11 @@
 namespace transformesh {
 namespace {
 
-/// How much a size may grow per length.
-constexpr double growth = 0.3;
+constexpr double growth = 0.3;  ///< of sizes, per length
 
 double size_for(double curvature, const SizeBounds& bounds) {
   const double error = bounds.error;
-  // 6 e / k - 3 e^2, times k, so that flat is no division by zero
+  // This is (6 e / k - 3 e^2) k: flat parts, with k = 0, divide nothing by zero.
   const double square_times_curvature = 6 * error - 3 * error * error * curvature;
   if (square_times_curvature <= bounds.shortest * bounds.shortest * curvature)
     return bounds.shortest;
@@ -46,7 +45,7 @@ std::vector<double> sizes_of_curvature(const EditableMesh& mesh, const SizeBound
 }
 
 void grade_sizes(const EditableMesh& mesh, std::vector<double>& sizes) {
-  // from the smallest size upwards, as shortest paths are found
+  // Sizes spread from the smallest one upwards, as in Dijkstra's shortest paths.
   struct Reached {
     double size;
     Index vertex;
@@ -56,11 +55,11 @@ void grade_sizes(const EditableMesh& mesh, std::vector<double>& sizes) {
   };
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
   const auto spread = [&](Index vertex) {
-    mesh.for_each_neighbour(vertex, [&](Index neighbour, Index halfedge) {
+    mesh.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
       const double most = sizes[vertex] + growth * std::sqrt(mesh.squared_length(halfedge));
-      if (sizes[neighbour] <= most) return;
-      sizes[neighbour] = most;
-      queue.push({most, neighbour});
+      if (sizes[neighbor] <= most) return;
+      sizes[neighbor] = most;
+      queue.push({most, neighbor});
     });
   };
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {

@@ -24,7 +24,7 @@ struct SizeBounds {
 /// curvature.h.
 std::vector<double> sizes_of_curvature(const EditableMesh& mesh, const SizeBounds& bounds);
 
-/// Lowers sizes until none is larger than a neighbour's by more than 0.3 of the edge between them
+/// Lowers sizes until none is larger than a neighbor's by more than 0.3 of the edge between them
 /// (as in Persson, "Mesh size functions for implicit geometries and PDE-based gradient limiting",
 /// Engineering with Computers 2006): across an edge of that length, sizes differ by at most 30 %.
 /// O(n log n).

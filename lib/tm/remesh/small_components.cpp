@@ -18,7 +18,7 @@ class ComponentWalk {
   double volume() const { return six_volumes_ / 6; }
   double mean_size() const { return sizes_ / (3.0 * static_cast<double>(faces_.size())); }
 
-  /// False where the face was reached before or a long edge turns up: no small component.
+  /// False where the face was reached before, or a long edge shows that the component is not small.
   bool walk(Index seed) {
     if (reached_[seed] || !has_short_edges(seed)) return false;
     faces_.assign(1, seed);

@@ -6,8 +6,8 @@
 namespace transformesh {
 
 /// Removes every component whose edges are all shorter than `edge` and whose volume is, whatever
-/// its sign, below pi/6 edge^3; with keep_border not those with a border. The volume of a component
-/// with a border is taken against one of its vertices. Returns how many went.
+/// its sign, below pi/6 edge^3; with keep_border those with a border stay. The volume of a
+/// component with a border is that of the cone from one of its vertices. Returns how many went.
 std::size_t remove_small_components(EditableMesh& mesh, double edge, bool keep_border);
 
 }  // namespace transformesh

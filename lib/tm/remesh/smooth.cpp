@@ -8,10 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Moves below this share of the star's size are not worth making.
+/// Moves below this share of the star's size are left out.
 constexpr double rest = 5e-3;
-/// The cotangent of 5 degrees.
-constexpr double largest_cotangent = 11.430052302761343;
 constexpr double least_weight = 0.01;
 
 class Relaxer {
@@ -30,7 +28,7 @@ class Relaxer {
       star_.gather(mesh_, v);
       Vec3 target = role == VertexRole::free ? free_target() : line_target(v);
       if (role == VertexRole::free && surface_) target = (*surface_)(target).point;
-      if ((target - star_.centre).squaredNorm() < rest * rest * star_.normal.norm()) continue;
+      if ((target - star_.center).squaredNorm() < rest * rest * star_.normal.norm()) continue;
       if (mover_.move(v, star_, target)) {
         ++counts.moved;
         carry_attributes(v);
@@ -54,41 +52,41 @@ class Relaxer {
 };
 
 Vec3 Relaxer::free_target() const {
-  // the mean of the triangles' centroids, weighted by area, taken from the old centre
+  // The mean of the triangles' centroids, weighted by area, is taken relative to the old center.
   Vec3 sum = Vec3::Zero();
   double weight = 0;
   for (const Star::Spoke& spoke : star_.spokes) {
-    const Vec3 a = spoke.first_position - star_.centre;
-    const Vec3 b = spoke.second_position - star_.centre;
+    const Vec3 a = spoke.first_position - star_.center;
+    const Vec3 b = spoke.second_position - star_.center;
     const double area = spoke.normal.norm();
     sum += area * (a + b);
     weight += area;
   }
-  if (weight == 0) return star_.centre;
+  if (weight == 0) return star_.center;
   const Vec3 shift = sum / (2 * weight);
   const double squared = star_.normal.squaredNorm();
   const double along = squared > 0 ? shift.dot(star_.normal) / squared : 0;
-  return star_.centre + shift - along * star_.normal;
+  return star_.center + shift - along * star_.normal;
 }
 
 Vec3 Relaxer::line_target(Index vertex) const {
-  const auto [before, after] = roles_.line_neighbours(vertex);
+  const auto [before, after] = roles_.line_neighbors(vertex);
   const Vec3& first = mesh_.position(before);
   const Vec3 along = mesh_.position(after) - first;
-  const Vec3 shift = first + 0.5 * along - star_.centre;
-  return star_.centre + shift.dot(along) / along.squaredNorm() * along;
+  const Vec3 shift = first + 0.5 * along - star_.center;
+  return star_.center + shift.dot(along) / along.squaredNorm() * along;
 }
 
 void Relaxer::carry_attributes(Index vertex) {
   if (!mesh_.has_vertex_attributes()) return;
-  // the triangle of the old star that holds the new place, by barycentric coordinates
-  const Vec3 shift = mesh_.position(vertex) - star_.centre;
+  // Barycentric coordinates find the triangle of the old star that holds the new position best.
+  const Vec3 shift = mesh_.position(vertex) - star_.center;
   double best = -HUGE_VAL;
   std::array<Index, 3> sources{vertex, vertex, vertex};
   std::array<double, 3> weights{1, 0, 0};
   mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
-    const Vec3 a = mesh_.position(mesh_.target(halfedge)) - star_.centre;
-    const Vec3 b = mesh_.position(mesh_.apex(halfedge)) - star_.centre;
+    const Vec3 a = mesh_.position(mesh_.target(halfedge)) - star_.center;
+    const Vec3 b = mesh_.position(mesh_.apex(halfedge)) - star_.center;
     const Vec3 normal = a.cross(b);
     const double squared = normal.squaredNorm();
     if (squared == 0) return;
@@ -105,17 +103,8 @@ void Relaxer::carry_attributes(Index vertex) {
   mesh_.blend_attributes(vertex, sources, weights);
 }
 
-double clamped_cotangent(const Vec3& a, const Vec3& b) {
-  const double cross = a.cross(b).norm();
-  const double dot = a.dot(b);
-  if (std::abs(dot) >= largest_cotangent * cross) {
-    return dot < 0 ? -largest_cotangent : largest_cotangent;
-  }
-  return dot / cross;
-}
-
-/// One row of the operator for every vertex: value(v) - the weighted mean of its neighbours'
-/// values.
+/// The Laplace-Beltrami operator: at every vertex the value minus the weighted mean of the values
+/// of its neighbors.
 class Laplacian {
  public:
   Laplacian(const EditableMesh& mesh, const VertexRoles& roles) : mesh_(mesh), roles_(roles) {
@@ -131,10 +120,10 @@ class Laplacian {
   Vec3 apply(const std::vector<Vec3>& values, Index vertex, VertexRole role) const {
     Vec3 sum = Vec3::Zero();
     double total = 0;
-    mesh_.for_each_neighbour(vertex, [&](Index neighbour, Index halfedge) {
+    mesh_.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
       if (role == VertexRole::on_line && !is_line(mesh_, halfedge)) return;
       const double w = role == VertexRole::on_line ? 1 : weight(halfedge);
-      sum += w * (values[neighbour] - values[vertex]);
+      sum += w * (values[neighbor] - values[vertex]);
       total += w;
     });
     return sum / -total;

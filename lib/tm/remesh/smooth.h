@@ -13,12 +13,12 @@ struct SmoothCounts {
   std::size_t refused = 0;
 };
 
-/// Moves each vertex towards the centre of its star within the plane that keeps the volume: the one
-/// across its area normal. One vertex after the other, in slot order, so that the volume of a
-/// closed mesh stays up to rounding. Attributes are interpolated where the vertex slides to.
+/// Moves each vertex towards the center of its star within the plane that keeps the volume: the one
+/// across its area normal. Vertices move one after the other, in slot order, so that the volume of
+/// a closed mesh stays up to rounding. Attributes are interpolated where the vertex slides to.
 /// Vertices on lines slide along them. A move that would turn a normal by more than 60 degrees,
-/// make a poor triangle poorer or might make contact is halved, then refused. Where there is a
-/// `surface`, vertices that are free move on to its closest point.
+/// make a poor triangle poorer or might make contact is halved, then refused. Where there is
+/// a `surface`, free vertices move on to its closest point.
 SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                                 const ClosestPointQuery* surface, const Progress& progress);
 

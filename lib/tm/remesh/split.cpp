@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// How far a midpoint may be moved out of the way, in roundings of its largest coordinate.
+/// A midpoint in contact is tried at these distances, in spacings of its largest coordinate.
 constexpr std::array<double, 3> roundings{1, 2, 4};
 constexpr int most_rounds = 4;
 
@@ -48,7 +48,7 @@ class Splitter {
     const Index vertex = mesh_.split(halfedge, middle);
     ++splits_;
 
-    // the edges at the new vertex, and those around it, some of which have a new name
+    // Edges at the new vertex may be too long, and some of those around it have a new name.
     mesh_.for_each_outgoing(vertex, [&](Index outgoing) {
       push(outgoing);
       push(next_halfedge(outgoing));
@@ -63,7 +63,7 @@ class Splitter {
   std::size_t splits_ = 0;
 };
 
-/// The distance of neighbouring numbers at a point.
+/// From the largest coordinate to the next number of the mesh's type.
 double rounding_at(const EditableMesh& mesh, const Vec3& point) {
   const double largest = point.cwiseAbs().maxCoeff();
   const double next = mesh.is_single() ? std::nextafter(static_cast<float>(largest), HUGE_VALF)
@@ -73,11 +73,11 @@ double rounding_at(const EditableMesh& mesh, const Vec3& point) {
 
 bool settle(EditableMesh& mesh, VertexMover& mover, Index vertex, Star& star) {
   star.gather(mesh, vertex);
-  if (mover.move(vertex, star, star.centre)) return true;
-  const Vec3 step = rounding_at(mesh, star.centre) * star.normal.normalized();
+  if (mover.move(vertex, star, star.center)) return true;
+  const Vec3 step = rounding_at(mesh, star.center) * star.normal.normalized();
   for (const double distance : roundings) {
-    if (mover.move(vertex, star, star.centre + distance * step)) return true;
-    if (mover.move(vertex, star, star.centre - distance * step)) return true;
+    if (mover.move(vertex, star, star.center + distance * step)) return true;
+    if (mover.move(vertex, star, star.center - distance * step)) return true;
   }
   return false;
 }
@@ -98,7 +98,7 @@ std::size_t settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, Index fi
   };
   for (Index v = first; v < mesh.vertex_slots(); ++v) try_to_settle(v);
 
-  // neighbours may be out of the way by now
+  // Neighbors may be out of the way by now.
   for (int round = 0; round < most_rounds && !in_contact.empty(); ++round) {
     const std::vector<Index> again = std::exchange(in_contact, {});
     std::for_each(again.begin(), again.end(), try_to_settle);

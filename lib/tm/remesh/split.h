@@ -11,9 +11,9 @@ namespace transformesh {
 std::size_t split_long_edges(EditableMesh& mesh, double max_edge, bool keep_border,
                              const Progress& progress);
 
-/// Rounding moves a midpoint off its edge, perhaps through another sheet as near as that. Looks at
-/// the vertices from `first` on and moves those in contact by a few roundings, to either side of
-/// the surface. Returns how many stay in contact, as where the input crosses itself.
+/// Rounding moves a midpoint off its edge, perhaps through another sheet that is as near as that.
+/// Moves those of the vertices from `first` on that are in contact by a few roundings, to either
+/// side of the surface. Returns how many stay in contact, as where the input crosses itself.
 std::size_t settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, Index first);
 
 }  // namespace transformesh

@@ -1,5 +1,4 @@
-/// Measures of the triangles around an edge or a vertex that the operations compare before and
-/// after.
+/// Measures of triangles that the operations compare before and after.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +8,8 @@
 
 namespace transformesh {
 
-/// 1 for equilateral, 0 for degenerate triangles: area over the sum of squared edges, scaled.
+/// The area over the sum of the squared edges, scaled: 1 for equilateral, 0 for degenerate
+/// triangles.
 inline double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -17,12 +17,11 @@ inline double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
   return squares > 0 ? 3.4641016151377544 * ab.cross(ac).norm() / squares : 0;
 }
 
-/// The cosine of the smallest angle: smaller is better.
+/// The cosine of the smallest angle, which is opposite the shortest edge: smaller is better.
 inline double cosine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double ab = (b - a).squaredNorm();
   const double bc = (c - b).squaredNorm();
   const double ca = (a - c).squaredNorm();
-  // the smallest angle is opposite the shortest edge
   const double shortest = std::min({ab, bc, ca});
   const double product = shortest == ab ? bc * ca : shortest == bc ? ab * ca : ab * bc;
   return product > 0 ? (ab + bc + ca - 2 * shortest) / (2 * std::sqrt(product)) : 1;

@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-/// Relative to the sizes involved; rounding errors are below 1e-14.
+/// Relative to the sizes involved, whose rounding errors are below 1e-14.
 constexpr double margin = 1e-12;
 constexpr double nearly_zero = 1e-9;
 
@@ -29,7 +29,8 @@ Vec3 edge_of(const Triangle& triangle, std::size_t corner) {
   return triangle[(corner + 1) % 3] - triangle[corner];
 }
 
-/// The separating axes of two triangles: normals, products of edges, and normals within the planes.
+/// Tries the separating axes of two triangles: their normals, the products of their edges, and the
+/// normals of their edges within their planes.
 bool are_apart(const Triangle& first, const Triangle& second) {
   const Triangle s = relative_to(first, first[0]);
   const Triangle t = relative_to(second, first[0]);
@@ -53,7 +54,7 @@ bool are_apart(const Triangle& first, const Triangle& second) {
 struct Wedges {
   std::array<Vec3, 4> rays;  ///< two of the first triangle, two of the second
 
-  /// Positive where a ray is on its own triangle's side of the plane.
+  /// The distance of a ray from the plane, positive on its own triangle's side.
   double side(const Vec3& axis, std::size_t ray) const {
     return (ray < 2 ? 1.0 : -1.0) * axis.dot(rays[ray]);
   }
@@ -114,7 +115,7 @@ bool is_open_hinge(const Vec3& edge, const Vec3& first_apex, const Vec3& second_
   return scale > smallest && (first.dot(second) < 0 || first.cross(second).norm() > 1e-3 * scale);
 }
 
-/// Corners of the first triangle that are corners of the second, and where.
+/// The corners that two triangles have in common, by their numbers in each.
 struct CommonCorners {
   std::array<std::size_t, 3> in_first{};
   std::array<std::size_t, 3> in_second{};

@@ -4,8 +4,9 @@
 #include <limits>
 
 namespace transformesh {
+
 VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
-    : mesh_(mesh), cell_size_(cell_size), places_(mesh.vertex_slots()) {
+    : mesh_(mesh), cell_size_(cell_size), vertices_(mesh.vertex_slots()) {
   Vec3 low = Vec3::Constant(HUGE_VAL);
   Vec3 high = -low;
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
@@ -13,7 +14,7 @@ VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
     low = low.cwiseMin(mesh.position(v));
     high = high.cwiseMax(mesh.position(v));
   }
-  // a margin of cells on each side, and as many cells as a key can count
+  // There is a margin of cells on each side, and no more cells than a key can count.
   cell_size_ = std::max(cell_size_, (high - low).maxCoeff() / (1 << (key_bits - 3)));
   origin_ = low - Vec3::Constant(8 * cell_size_);
   label_components();
@@ -27,12 +28,12 @@ void VertexCells::label_components() {
     if (!mesh_.has_vertex(seed) || reached[mesh_.outgoing(seed) / 3]) continue;
     if (!gather_component(seed, reached, faces)) continue;
     for (const Index face : faces) {
-      for (Index h = 3 * face; h < 3 * face + 3; ++h) places_[mesh_.source(h)].component = seed;
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) vertices_[mesh_.source(h)].component = seed;
     }
   }
 }
 
-/// Whether it is closed.
+/// Collects the faces of the component of that vertex, and says whether it is closed.
 bool VertexCells::gather_component(Index seed, std::vector<char>& reached,
                                    std::vector<Index>& faces) const {
   bool closed = true;
@@ -74,8 +75,8 @@ void VertexCells::grow_table() {
 
 Index VertexCells::make_cell(Key key, Index component) {
   const auto cell = static_cast<Index>(cells_.size());
-  const DirectionSet directions = component == no_index ? 0 : all_directions;
-  cells_.push_back({key, directions, directions, no_index, component});
+  const NormalCone cone = component == no_index ? 0 : all_directions;
+  cells_.push_back({key, cone, cone, no_index, component});
   if (2 * cells_.size() > table_.size()) {
     grow_table();
   } else {
@@ -103,16 +104,16 @@ void VertexCells::fill() {
     if (!mesh_.has_vertex(v)) continue;
     const Key key = key_of(mesh_.position(v));
     Index cell = find_cell(key);
-    if (cell == no_index) cell = make_cell(key, places_[v].component);
-    if (cells_[cell].component != places_[v].component) cells_[cell].directions = 0;
+    if (cell == no_index) cell = make_cell(key, vertices_[v].component);
+    if (cells_[cell].component != vertices_[v].component) cells_[cell].cone = 0;
     insert(v, cell);
   }
   for (Index face = 0; face < mesh_.face_slots(); ++face) {
     if (!mesh_.has_face(face)) continue;
-    const DirectionSet directions = seeing_directions(mesh_.face_normal(face));
+    const NormalCone cone = cone_of(mesh_.face_normal(face));
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      cells_[places_[mesh_.source(h)].cell].directions &= directions;
-      places_[mesh_.source(h)].seeing &= directions;
+      cells_[vertices_[mesh_.source(h)].cell].cone &= cone;
+      vertices_[mesh_.source(h)].cone &= cone;
     }
   }
   for (Cell& cell : cells_) dilate(cell);
@@ -120,7 +121,7 @@ void VertexCells::fill() {
 }
 
 void VertexCells::measure_edges() {
-  for (Place& place : places_) place.longest_squared = 0;
+  for (Vertex& vertex : vertices_) vertex.longest_squared = 0;
   for (Index face = 0; face < mesh_.face_slots(); ++face) {
     if (!mesh_.has_face(face)) continue;
     double longest = 0;
@@ -134,41 +135,41 @@ void VertexCells::stretch(Index vertex, double longest_squared) {
   constexpr double margin = 1 + 1e-6;
   const float rounded_up =
       std::max(static_cast<float>(margin * longest_squared), std::numeric_limits<float>::min());
-  places_[vertex].longest_squared = std::max(places_[vertex].longest_squared, rounded_up);
+  vertices_[vertex].longest_squared = std::max(vertices_[vertex].longest_squared, rounded_up);
 }
 
 void VertexCells::dilate(Cell& cell) const {
-  cell.around = cell.directions;
+  cell.cone_around = cell.cone;
   for_each_cell_around(cell.key, [&](Index other) {
     const bool alike = cells_[other].component == cell.component;
-    cell.around &= alike ? cells_[other].directions : 0;
+    cell.cone_around &= alike ? cells_[other].cone : 0;
   });
 }
 
-void VertexCells::restrict_cell(Index cell, DirectionSet directions) {
-  const DirectionSet left = cells_[cell].directions & directions;
-  if (left == cells_[cell].directions) return;
-  cells_[cell].directions = left;
-  for_each_cell_around(cells_[cell].key, [&](Index other) { cells_[other].around &= left; });
+void VertexCells::restrict_cell(Index cell, NormalCone cone) {
+  const NormalCone left = cells_[cell].cone & cone;
+  if (left == cells_[cell].cone) return;
+  cells_[cell].cone = left;
+  for_each_cell_around(cells_[cell].key, [&](Index other) { cells_[other].cone_around &= left; });
 }
 
 void VertexCells::insert(Index vertex, Index cell) {
   const Index next = cells_[cell].first_vertex;
-  places_[vertex].cell = cell;
-  places_[vertex].next = next;
-  places_[vertex].previous = no_index;
-  if (next != no_index) places_[next].previous = vertex;
+  vertices_[vertex].cell = cell;
+  vertices_[vertex].next = next;
+  vertices_[vertex].previous = no_index;
+  if (next != no_index) vertices_[next].previous = vertex;
   cells_[cell].first_vertex = vertex;
 }
 
 void VertexCells::remove(Index vertex) {
-  const Index next = places_[vertex].next;
-  const Index previous = places_[vertex].previous;
-  if (next != no_index) places_[next].previous = previous;
+  const Index next = vertices_[vertex].next;
+  const Index previous = vertices_[vertex].previous;
+  if (next != no_index) vertices_[next].previous = previous;
   if (previous != no_index) {
-    places_[previous].next = next;
+    vertices_[previous].next = next;
   } else {
-    cells_[places_[vertex].cell].first_vertex = next;
+    cells_[vertices_[vertex].cell].first_vertex = next;
   }
 }
 
@@ -177,21 +178,21 @@ void VertexCells::update(Index vertex) {
   if (key != cell_of(vertex).key) change_cell(vertex, key);
 }
 
-void VertexCells::restrict(Index vertex, DirectionSet directions, double longest_squared) {
-  restrict_cell(places_[vertex].cell, directions);
-  places_[vertex].seeing &= directions;
+void VertexCells::restrict(Index vertex, NormalCone cone, double longest_squared) {
+  restrict_cell(vertices_[vertex].cell, cone);
+  vertices_[vertex].cone &= cone;
   stretch(vertex, longest_squared);
 }
 
 void VertexCells::change_cell(Index vertex, Key key) {
-  const Index component = places_[vertex].component;
+  const Index component = vertices_[vertex].component;
   remove(vertex);
   Index cell = find_cell(key);
   if (cell == no_index) {
     cell = make_cell(key, component);
     dilate(cells_[cell]);
     for_each_cell_around(key, [&](Index other) {
-      if (cells_[other].component != component) cells_[other].around = 0;
+      if (cells_[other].component != component) cells_[other].cone_around = 0;
     });
   } else if (cells_[cell].component != component) {
     restrict_cell(cell, 0);

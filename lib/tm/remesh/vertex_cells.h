@@ -1,13 +1,12 @@
-/// The vertices of a mesh in the cells of a grid, with the directions that see the faces there:
-/// what the embedding guard asks about the neighbourhood of a place. A hash table of the cells in
-/// use.
+/// The vertices of a mesh in the cells of a grid, with the normal cones of the faces there: what
+/// the embedding guard asks about a neighborhood. Cells in use are kept in a hash table.
 #pragma once
 
 #include <cmath>
 #include <vector>
 
-#include "tm/remesh/direction_set.h"
 #include "tm/remesh/editable_mesh.h"
+#include "tm/remesh/normal_cone.h"
 
 namespace transformesh {
 
@@ -15,34 +14,36 @@ class VertexCells {
  public:
   struct Cell {
     std::int64_t key;
-    DirectionSet directions;  ///< that see the front of every face at the cell's vertices
-    DirectionSet around;      ///< the same for the 27 cells around; none near other components
+    NormalCone cone;         ///< of all faces at the cell's vertices
+    NormalCone cone_around;  ///< of those of the 27 cells around; none near other components
     Index first_vertex;
     Index component;
   };
-  /// What is known of a vertex, together in memory.
-  struct Place {
+  /// What is known of one vertex stands together in memory.
+  struct Vertex {
     Index cell = no_index;
     Index next = no_index;  ///< in the cell
     Index previous = no_index;
-    Index component = no_index;            ///< its lowest vertex; no_index with a border
-    DirectionSet seeing = all_directions;  ///< directions that see all faces at the vertex
-    /// No less than that of these faces' edges; only where the mesh has sizes.
+    Index component = no_index;        ///< its lowest vertex; no_index where it has a border
+    NormalCone cone = all_directions;  ///< of all faces at the vertex
+    /// No edge of these faces is longer; measured only where the mesh has sizes.
     float longest_squared = HUGE_VALF;
   };
 
-  /// Keeps a reference to the mesh. Cells are larger where a mesh has more of them than can count.
+  /// Keeps a reference to the mesh. Cells become larger where there are too many for a key.
   VertexCells(const EditableMesh& mesh, double cell_size);
 
   double cell_size() const { return cell_size_; }
-  const Place& operator[](Index vertex) const { return places_[vertex]; }
-  const Cell& cell_of(Index vertex) const { return cells_[places_[vertex].cell]; }
+  const Vertex& operator[](Index vertex) const { return vertices_[vertex]; }
+  const Cell& cell_of(Index vertex) const { return cells_[vertices_[vertex].cell]; }
 
-  /// To be called after a vertex moved, before it goes, and where faces at it are replaced by
-  /// others that only these directions see, with edges up to that length.
+  /// To be called after a vertex has moved.
   void update(Index vertex);
+  /// To be called before a vertex goes.
   void remove(Index vertex);
-  void restrict(Index vertex, DirectionSet directions, double longest_squared);
+  /// To be called where faces at a vertex are replaced by others of that cone, with edges up to
+  /// that length.
+  void restrict(Index vertex, NormalCone cone, double longest_squared);
 
   /// Calls visit(cell) for the cells that meet a box until it returns false.
   template <class Visit>
@@ -68,7 +69,7 @@ class VertexCells {
   void dilate(Cell& cell) const;
   void measure_edges();
   void stretch(Index vertex, double longest_squared);
-  void restrict_cell(Index cell, DirectionSet directions);
+  void restrict_cell(Index cell, NormalCone cone);
   void change_cell(Index vertex, Key key);
   void insert(Index vertex, Index cell);
 
@@ -76,8 +77,8 @@ class VertexCells {
   double cell_size_;
   Vec3 origin_ = Vec3::Zero();
   std::vector<Cell> cells_;
-  std::vector<Index> table_;   ///< open addressing, no_index where empty
-  std::vector<Place> places_;  ///< per vertex
+  std::vector<Index> table_;      ///< open addressing, no_index where empty
+  std::vector<Vertex> vertices_;  ///< per vertex
 };
 
 inline Index VertexCells::find_cell(Key key) const {

@@ -8,15 +8,14 @@ namespace {
 constexpr double least_turn_cosine = 0.5;
 /// Triangles at least this round are good enough; others must not get worse.
 constexpr double round_enough = 0.6;
-/// A triangle rounder than this has a normal to rely on.
+/// The normal of a triangle that is no rounder than this is mostly rounding error.
 constexpr double normal_roundness = 0.02;
 
-/// The square of what roundness() in star.h says.
+/// The square of roundness() in star.h.
 double squared_roundness(const Vec3& normal, double squares) {
   return squares > 0 ? 12 * normal.squaredNorm() / (squares * squares) : 0;
 }
 
-/// Whether the triangle's own normal is one to rely on.
 bool has_normal(const Star::Spoke& spoke) {
   return 12 * spoke.normal.squaredNorm() >
          normal_roundness * normal_roundness * spoke.squares * spoke.squares;
@@ -35,13 +34,13 @@ double least_squared_roundness(const Star& star) {
 void Star::gather(const EditableMesh& mesh, Index vertex) {
   spokes.clear();
   normal.setZero();
-  centre = mesh.position(vertex);
+  center = mesh.position(vertex);
   Index first = mesh.target(mesh.outgoing(vertex));
-  Vec3 a = mesh.position(first) - centre;
+  Vec3 a = mesh.position(first) - center;
   double a_squared = a.squaredNorm();
   mesh.for_each_outgoing(vertex, [&](Index halfedge) {
     const Index second = mesh.apex(halfedge);
-    const Vec3 b = mesh.position(second) - centre;
+    const Vec3 b = mesh.position(second) - center;
     const double b_squared = b.squaredNorm();
     const double rim = (b - a).squaredNorm();
     const Vec3 own = a.cross(b);
@@ -55,7 +54,7 @@ void Star::gather(const EditableMesh& mesh, Index vertex) {
 }
 
 bool VertexMover::move(Index vertex, const Star& star, const Vec3& target) {
-  return attempt(vertex, star, target) || attempt(vertex, star, 0.5 * star.centre + 0.5 * target);
+  return attempt(vertex, star, target) || attempt(vertex, star, 0.5 * star.center + 0.5 * target);
 }
 
 /// Fills the patch's triangles; false where one turns over or gets too narrow.
@@ -82,21 +81,22 @@ bool VertexMover::place_triangles(const Star& star, const Vec3& target) {
 }
 
 void VertexMover::name_parts(Index vertex, const Star& star) {
-  patch_.centre = vertex;
+  patch_.center = vertex;
   patch_.vertices.push_back(vertex);
   for (const Star::Spoke& spoke : star.spokes) {
     patch_.vertices.push_back(spoke.first);
     patch_.replaced.push_back(spoke.face);
   }
   if (!mesh_.is_border_vertex(vertex)) return;
-  for (Index corner = 0; corner < 3; ++corner)  // one of them ends the fan
+  // The last face has the vertex that ends the fan.
+  for (Index corner = 0; corner < 3; ++corner)
     patch_.vertices.push_back(mesh_.source(3 * star.spokes.back().face + corner));
 }
 
 bool VertexMover::attempt(Index vertex, const Star& star, const Vec3& wanted) {
   const Vec3 target = mesh_.rounded(wanted);
   if (!place_triangles(star, target)) return false;
-  patch_.centre_position = target;
+  patch_.center_position = target;
   name_parts(vertex, star);
   if (!guard_.allows(patch_)) return false;
   mesh_.move(vertex, target);

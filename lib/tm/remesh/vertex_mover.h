@@ -19,7 +19,7 @@ struct Star {
     double squares;  ///< of the three sides, summed
   };
   std::vector<Spoke> spokes;
-  Vec3 centre;
+  Vec3 center;
   Vec3 normal;  ///< sum of the area normals, doubled
 
   void gather(const EditableMesh& mesh, Index vertex);

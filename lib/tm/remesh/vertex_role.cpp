@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-/// A line that turns by more than this has a corner there: cosine of 45 degrees.
+/// The cosine of 45 degrees: a line that turns by more has a corner there.
 constexpr double corner_cosine = 0.7071067811865476;
 
 }  // namespace
@@ -25,10 +25,10 @@ void mark_features(EditableMesh& mesh, double feature_angle_deg) {
   }
 }
 
-std::array<Index, 2> VertexRoles::line_neighbours(Index vertex) const {
+std::array<Index, 2> VertexRoles::line_neighbors(Index vertex) const {
   std::array<Index, 2> result{no_index, no_index};
-  mesh_.for_each_neighbour(vertex, [&](Index neighbour, Index halfedge) {
-    if (is_line(mesh_, halfedge)) result[result[0] == no_index ? 0 : 1] = neighbour;
+  mesh_.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+    if (is_line(mesh_, halfedge)) result[result[0] == no_index ? 0 : 1] = neighbor;
   });
   return result;
 }
@@ -38,11 +38,11 @@ VertexRole VertexRoles::role(Index vertex) const {
   if (on_border && keep_border_) return VertexRole::fixed;
   if (!on_border && !mesh_.has_features()) return VertexRole::free;
   Index lines = 0;
-  mesh_.for_each_neighbour(vertex,
-                           [&](Index, Index halfedge) { lines += is_line(mesh_, halfedge); });
+  mesh_.for_each_neighbor(vertex,
+                          [&](Index, Index halfedge) { lines += is_line(mesh_, halfedge); });
   if (lines == 0) return VertexRole::free;
   if (lines != 2) return VertexRole::fixed;
-  const auto [before, after] = line_neighbours(vertex);
+  const auto [before, after] = line_neighbors(vertex);
   const Vec3 in = mesh_.position(vertex) - mesh_.position(before);
   const Vec3 out = mesh_.position(after) - mesh_.position(vertex);
   const bool turns = in.dot(out) < corner_cosine * in.norm() * out.norm();

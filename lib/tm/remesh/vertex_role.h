@@ -8,7 +8,7 @@ namespace transformesh {
 
 enum class VertexRole { free, on_line, fixed };
 
-/// Marks the edges between faces whose normals differ by more than the angle; none from 180 on.
+/// Marks the edges between faces whose normals differ by more than the angle; from 180 on, none.
 void mark_features(EditableMesh& mesh, double feature_angle_deg);
 
 /// Whether the edge is a border or marked sharp.
@@ -23,10 +23,9 @@ class VertexRoles {
         has_lines_(mesh.has_borders() || mesh.has_features()),
         keep_border_(keep_border) {}
   VertexRole operator[](Index vertex) const { return has_lines_ ? role(vertex) : VertexRole::free; }
-  /// The two vertices next along the line. Pre: the role is on_line.
-  std::array<Index, 2> line_neighbours(Index vertex) const;
-  /// Whether merging the ends of the edge keeps the lines, and whether the target (true) or either
-  /// end may be the one that stays.
+  /// The vertices before and behind this one on the line. Pre: the role is on_line.
+  std::array<Index, 2> line_neighbors(Index vertex) const;
+  /// Whether merging the ends of the edge keeps the lines.
   bool may_merge(Index halfedge) const;
   bool keeps_border() const { return keep_border_; }
 

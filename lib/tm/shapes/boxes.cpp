@@ -11,7 +11,7 @@
 namespace transformesh::shapes {
 namespace {
 
-/// The surface of a lattice of cells, its points numbered as they are met.
+/// The surface of a lattice of cells, whose points are numbered as they are met.
 class BoxBuilder {
  public:
   BoxBuilder(const Vec3& edges, const std::array<std::size_t, 3>& cells)
@@ -98,7 +98,7 @@ void append_lattice_box(Mesh& mesh, const std::array<long, 3>& low,
 }  // namespace
 
 Mesh box(const Vec3& edges, std::size_t faces) {
-  // The number of faces falls as cells grow, in steps and down to 12: find the step that is passed.
+  // The number of faces falls in steps, down to 12, as cells grow: bisection finds the step wanted.
   const auto wanted = static_cast<double>(faces);
   double small = 0;
   double large = edges.maxCoeff();

@@ -7,7 +7,7 @@
 
 namespace transformesh::shapes {
 
-/// Centred at the origin, with those edges; each side is a grid of squares or nearly so, cut in
+/// Centered at the origin, with those edges; each side is a grid of squares or nearly so, cut in
 /// two along alternating diagonals.
 Mesh box(const Vec3& edges, std::size_t faces);
 

@@ -33,8 +33,8 @@ bool has_topology(const Mesh& mesh, long genus) {
   return parts.components.size() == 1 && parts.components[0].genus() == genus;
 }
 
-/// Looks for the mesh of right topology whose number of faces is closest to the one wanted. The
-/// number goes with the inverse square of the spacing, apart from how the lattice happens to lie; a
+/// Looks for the mesh of the right topology whose number of faces is closest to the one wanted. The
+/// number goes with the inverse square of the spacing, apart from how the lattice happens to lie. A
 /// different lattice each time also helps where the shape is hardly resolved.
 class MarchSearch {
  public:
@@ -105,7 +105,7 @@ Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress
   MarchSearch search(solid, progress);
   std::optional<Mesh> mesh = search.find(faces, march_attempts);
   if (!mesh) search.refuse(faces);
-  // While everything moves, nearly on the surface is good enough.
+  // While everything still moves, one step towards the surface is good enough.
   const auto roughly = [&](const Vec3& point) { return projected(solid, point, 1); };
   relax(*mesh, roughly, relax_iterations, progress);
   parallel_for(mesh->positions.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {

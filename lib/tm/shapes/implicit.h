@@ -1,7 +1,7 @@
 /// A mesh of the surface where a function is zero, with well-shaped triangles of equal size.
-/// The lattice is body-centred cubic; its points close to the surface move onto it, which leaves no
-/// slivers when its tetrahedra are cut; edge flips and tangential smoothing on the surface follow.
-/// Reference: Labelle & Shewchuk, "Isosurface stuffing", TOG 2007.
+/// The lattice is body-centered cubic; its points close to the surface move onto it, which leaves
+/// no slivers when its tetrahedra are cut; edge flips and tangential smoothing on the surface
+/// follow. Reference: Labelle & Shewchuk, "Isosurface stuffing", TOG 2007.
 #pragma once
 
 #include <functional>

@@ -58,7 +58,7 @@ Vec3 three_lengths(const ShapeOptions& options) {
 
 Mesh make_sphere_kind(const ShapeOptions& options, std::size_t faces, const Progress&) {
   if (!options.around) return make_sphere(Vec3::Zero(), options.radius.value_or(1), faces);
-  // The flat faces, too, stay clear of the box.
+  // Faces are flat and come closer to the box than the sphere does, but stay clear of it.
   const Box& box = *options.around;
   const double inner = geodesic_inner_radius(geodesic_frequency(static_cast<double>(faces)));
   const double radius = 1.05 * box.diagonal() / 2 / inner;
@@ -158,7 +158,7 @@ Mesh make_folded(const ShapeOptions& options, std::size_t faces, const Progress&
 }
 
 Mesh make_many_spheres(const ShapeOptions& options, std::size_t faces, const Progress&) {
-  // Fewer where they would have less than 80 faces each.
+  // There are fewer spheres where each would have less than 80 faces.
   const std::size_t count = std::clamp<std::size_t>(faces / 80, 1, 40);
   return many_spheres(options.count.value_or(count), options.seed, faces);
 }

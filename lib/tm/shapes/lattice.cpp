@@ -13,7 +13,7 @@ namespace {
 /// Lattice points closer to the surface than this, per spacing, move onto it.
 constexpr double snap_distance = 0.55;
 
-/// All even or all odd; the two kinds are the corners and the centres of the cubes.
+/// Coordinates are all even or all odd: the corners and the centers of the cubes.
 using Site = std::array<int, 3>;
 
 enum class Side { inside, on, outside };
@@ -25,7 +25,7 @@ struct LatticePoint {
   Index vertex = no_index;  ///< of the mesh, for points on the surface
 };
 
-/// Up to four of a tetrahedron's points or of a cut's corners.
+/// Up to four points of a tetrahedron, or corners of a cut.
 struct Selection {
   std::array<Index, 4> item;
   int size = 0;
@@ -46,7 +46,7 @@ class Marcher {
   }
 
  private:
-  // Turned and shifted away from the planes and axes of symmetry that solids like to have.
+  // The lattice is turned and shifted away from the symmetries that solids like to have.
   Vec3 place(const Vec3& site) const {
     return spacing_ * (turn_ * site + Vec3(0.317, 0.731, 0.523));
   }
@@ -65,21 +65,21 @@ class Marcher {
             half);
   }
 
-  // Four tetrahedra lie around each cube edge: its ends and two neighbouring cube centres.
+  // Four tetrahedra lie around each cube edge: its ends and two neighboring cube centers.
   void cut_tetrahedra(const Site& low) {
     for (int axis = 0; axis < 3; ++axis) {
       Site high = low;
       high[axis] += 2;
       constexpr int turn[5][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}};
-      std::array<Index, 5> centre;
+      std::array<Index, 5> center;
       for (int i = 0; i < 5; ++i) {
         Site site = low;
         site[axis] += 1;
         site[(axis + 1) % 3] += turn[i][0];
         site[(axis + 2) % 3] += turn[i][1];
-        centre[i] = point(site);
+        center[i] = point(site);
       }
-      for (int i = 0; i < 4; ++i) cut({point(low), point(high), centre[i], centre[i + 1]});
+      for (int i = 0; i < 4; ++i) cut({point(low), point(high), center[i], center[i + 1]});
     }
   }
 
@@ -111,12 +111,12 @@ class Marcher {
     }
     if (inside.size == 0 || on.size + outside.size == 0) return;
 
-    // The corners of the cut: the points on the surface, then where edges cross it.
+    // The corners of the cut are the points on the surface, then those where edges cross it.
     Selection corners;
     for (int i = 0; i < on.size; ++i) corners.add(vertex_on(on.item[i]));
     for (int i = 0; i < inside.size; ++i)
       for (int j = 0; j < outside.size; ++j) {
-        // The second row backwards, so that a quadrilateral's corners go around.
+        // The second row goes backwards, so that the corners of a quadrilateral go around.
         const int column = i == 0 ? j : outside.size - 1 - j;
         corners.add(crossing(inside.item[i], outside.item[column]));
       }
@@ -165,7 +165,7 @@ class Marcher {
     return static_cast<Index>(mesh_.positions.size() - 1);
   }
 
-  // Two tetrahedra inside on either side of three points on the surface: no boundary there.
+  // Three points on the surface with tetrahedra inside on both sides are no boundary.
   void remove_membranes() {
     const auto corners_of = [&](Index f) {
       Face face = mesh_.faces[f];

@@ -1,4 +1,4 @@
-/// Marching on a body-centred cubic lattice.
+/// Marching on a body-centered cubic lattice.
 #pragma once
 
 #include "tm/shapes/implicit.h"

@@ -32,7 +32,7 @@ constexpr std::array<std::array<double, 3>, 16> gradients = {{{1, 1, 0},
                                                               {0, -1, 1},
                                                               {0, -1, -1}}};
 
-// The linear function of one lattice corner, at an offset from it.
+// The linear function of a lattice corner, at an offset from it.
 double corner_slope(const std::array<std::int64_t, 3>& cell, const Vec3& offset,
                     std::uint64_t seed) {
   std::uint64_t hash = seed;
@@ -67,7 +67,7 @@ double smooth_noise(const Vec3& point, std::uint64_t seed) {
 
 void add_noise(Mesh& mesh, double amplitude, double wavelength, std::uint64_t seed,
                const Progress& progress) {
-  // The field belongs to the vertices, not to where they get to.
+  // The field belongs to the vertices and moves along with them.
   std::vector<double> step(mesh.positions.size());
   const std::uint64_t field = mixed(seed);
   parallel_for(step.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Rings of `around` vertices from the lower pole to the upper one.
+/// Joins rings of `around` vertices from the lower pole to the upper one.
 class PinchBuilder {
  public:
   PinchBuilder(std::size_t around, std::size_t rings_below)
@@ -24,8 +24,8 @@ class PinchBuilder {
   }
 
  private:
-  // A drop: half a lemniscate turned about the axis, ending above at the origin. Its last ring
-  // stays away from there by the length of the faces that cross.
+  // The lower half is a drop: half a lemniscate turned about the axis, which ends above at the
+  // origin. Its last ring stays away from there by the length of the faces that cross.
   void add_lower_half() {
     mesh_.positions.emplace_back(0, 0, -1.2);
     for (std::size_t ring = 1; ring <= rings_below_; ++ring) {
@@ -39,7 +39,7 @@ class PinchBuilder {
     }
   }
 
-  // The rings of the upper half, mirrored in the origin, nearest first; then the pole.
+  // The rings of the upper half are those of the lower one, mirrored in the origin.
   void add_opposites() {
     for (std::size_t ring = rings_below_; ring-- > 0;)
       for (std::size_t i = 0; i < around_; ++i)
@@ -79,7 +79,7 @@ class PinchBuilder {
 }  // namespace
 
 Mesh pinch(std::size_t faces) {
-  // Nine vertices around for one along: what counts is how many faces meet.
+  // There are nine vertices around for one along, as what counts is how many faces meet.
   const auto wanted = static_cast<double>(faces);
   const double rings_below = std::max(2.0, std::round(std::sqrt(wanted / 72)));
   const double around = std::max(3.0, std::round(wanted / (4 * rings_below)));

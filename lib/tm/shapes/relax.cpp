@@ -24,7 +24,7 @@ class EdgeFlipper {
       for (const Index vertex : face) ++valence_[vertex];
   }
 
-  /// One pass over all edges.
+  /// Flips in one pass over all edges.
   void flip_all(bool by_valence) {
     for (Index h = 0; h < opposite_.size(); ++h) {
       if (opposite_[h] < h) continue;
@@ -66,7 +66,7 @@ class EdgeFlipper {
 
   // Valences stay above three, the new edge is new, and no face turns over.
   bool is_legal(Index h, const Diamond& e) const {
-    if (valence_[e.a] <= 4 || valence_[e.b] <= 4 || are_neighbours(h, e.d)) return false;
+    if (valence_[e.a] <= 4 || valence_[e.b] <= 4 || are_neighbors(h, e.d)) return false;
     const Vec3& a = mesh_.positions[e.a];
     const Vec3& b = mesh_.positions[e.b];
     const Vec3& c = mesh_.positions[e.c];
@@ -80,7 +80,7 @@ class EdgeFlipper {
   }
 
   // Whether the apex of h has an edge to that vertex.
-  bool are_neighbours(Index h, Index vertex) const {
+  bool are_neighbors(Index h, Index vertex) const {
     const Index start = previous_halfedge(h);
     Index spoke = start;
     do {

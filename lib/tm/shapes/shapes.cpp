@@ -50,7 +50,7 @@ void check_length(const std::optional<double>& value, const std::string& option)
                      shortest_text(*value));
 }
 
-// Whose size may be 0, and of a gap the sign says something.
+// Checks lengths that may be 0, and of which the sign may say something.
 void check_distance(const std::optional<double>& value, const std::string& option) {
   if (value && *value != 0) check_length(std::abs(*value), option);
 }
@@ -77,7 +77,7 @@ void check_options(const Kind& kind, const ShapeOptions& options) {
     throw UsageError("--faces and --count both set the number of boxes: give one of them");
 }
 
-// Defaults filled in where the user left them out.
+// Fills in defaults where the user gave none.
 ShapeOptions with_parameters(const Kind& kind, ShapeOptions options) {
   if (options.parameters.empty()) options.parameters = kind.parameters;
   if (options.parameters.size() == kind.parameters.size()) return options;
@@ -96,7 +96,7 @@ std::size_t checked_faces(double faces, const std::string& asked) {
   return static_cast<std::size_t>(std::max(faces, 1.0));
 }
 
-// Equilateral triangles of that edge; then corrected by what the kind really makes.
+// Starts from equilateral triangles of that edge, and corrects by what the kind really makes.
 std::size_t faces_for_edge(const Kind& kind, const ShapeOptions& options) {
   const Mesh coarse = kind.make(options, coarse_faces, {});
   const double edge = *options.edge;
@@ -112,7 +112,7 @@ std::size_t wanted_faces(const Kind& kind, const ShapeOptions& options) {
   return checked_faces(static_cast<double>(faces), "--faces " + std::to_string(faces));
 }
 
-// Half the thickness of plates, a third of the radius of balls.
+// The volume over the area: half the thickness of plates, a third of the radius of balls.
 double thickness(const Mesh& mesh) { return volume(mesh) / surface_area(mesh); }
 
 // The faces, and what lies between them, must be far larger than the rounding of coordinates.

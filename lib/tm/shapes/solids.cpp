@@ -62,7 +62,7 @@ Mesh ellipsoid(const Vec3& axes, std::size_t faces, const Progress& progress) {
 }
 
 Mesh genus(long holes, std::size_t faces, const Progress& progress) {
-  // The plate shrunk by half its thickness, and everything closer to that than this.
+  // The solid is all that is closer than half the thickness to the plate shrunk by that much.
   const PerforatedPlate plate(holes);
   const double rounding = 0.48 * plate.wall;
   ImplicitSolid solid;

@@ -50,7 +50,7 @@ class GeodesicBuilder {
   }
 
  private:
-  // The grid of one face, row by row from its first corner; row i holds i + 1 points.
+  // Points go row by row from the first corner of the face; row i holds i + 1 of them.
   void cut(const Face& face) {
     std::vector<Index> row = {face[0]};
     for (std::size_t i = 1; i <= n_; ++i) {
@@ -75,7 +75,7 @@ class GeodesicBuilder {
                corners_[face[2]] * static_cast<double>(j));
   }
 
-  // Point `step` of n on the way between two corners, counted from the lower one inside.
+  // Point `step` of n on the way between two corners. Inside, edges count from their lower corner.
   Index edge_point(Index from, Index to, std::size_t step) {
     if (from > to) {
       std::swap(from, to);
@@ -101,8 +101,8 @@ class GeodesicBuilder {
   Mesh mesh_;
 };
 
-/// Spheres that together have about `faces`, shared out by area. What rounding to 20 n^2 gives one
-/// sphere too much, the next ones get less.
+/// Shares `faces` out over spheres by area. What rounding to 20 n^2 gives one sphere too much, the
+/// next ones get less.
 Mesh spheres_of(const std::vector<Vec3>& centers, const std::vector<double>& radii,
                 std::size_t faces) {
   double area_left = 0;

@@ -15,7 +15,7 @@ Mesh geodesic_sphere(std::size_t frequency);
 /// The frequency, at least 1, whose 20 n^2 is closest to `faces`.
 std::size_t geodesic_frequency(double faces);
 
-/// How far the faces of that sphere stay from its centre; 1 is the radius.
+/// How far the faces of that sphere stay from its center; 1 is the radius.
 double geodesic_inner_radius(std::size_t frequency);
 
 /// Two spheres of that radius, `gap` apart (negative: overlapping) along x.

@@ -45,7 +45,7 @@ struct TorusGrid {
     return static_cast<Index>((row % rows) * columns + column % columns);
   }
 
-  // The two faces right of an edge to the next row; odd rows are set off to the right.
+  // These are the two faces right of an edge to the next row. Odd rows are set off to the right.
   void add_faces(Mesh& result, std::size_t row, std::size_t column) const {
     const Index low = vertex(row, column);
     const Index low_right = vertex(row, column + 1);
@@ -141,7 +141,7 @@ struct FramedCurve {
   }
 
  private:
-  // The last normal came around to the first point: what it is off by is shared out.
+  // The last normal came around to the first point: the angle between the two is shared out.
   void spread_turn() {
     const Vec3 binormal = tangents[0].cross(normals[0]);
     const double turn = std::atan2(normals.back().dot(binormal), normals.back().dot(normals[0]));
@@ -156,8 +156,8 @@ struct FramedCurve {
 }  // namespace
 
 Mesh torus(double ring, double tube, std::size_t faces, double phase) {
-  // Conformal coordinates: u around the axis, and w that runs faster inside, so that the surface
-  // is (ring + tube cos v)^2 (du^2 + dw^2).
+  // In conformal coordinates, u around the axis and w that runs faster inside, the metric is
+  // (ring + tube cos v)^2 (du^2 + dw^2).
   const double depth = std::sqrt(ring * ring - tube * tube);
   const double stretch = std::sqrt((ring + tube) / (ring - tube));
   const TorusGrid grid(2 * pi, 2 * pi * tube / depth, faces);
@@ -171,7 +171,7 @@ Mesh torus(double ring, double tube, std::size_t faces, double phase) {
 }
 
 Mesh tori(double gap, std::size_t faces) {
-  // Each ring's axis point lies on the other's centre line, so the lines are one ring radius apart
+  // Each ring's axis point lies on the other's center line, so the lines are one ring radius apart
   // wherever they are closest.
   constexpr double world = 2.4;
   const double ring = (world + gap) / 4;
@@ -189,7 +189,7 @@ Mesh torus_knot(long p, long q, double ring, double tube, std::size_t faces) {
   const TorusKnot knot{static_cast<double>(p), static_cast<double>(q), ring};
   const double length = equal_pieces(knot, 1).second;
   const TorusGrid grid(length, 2 * pi * tube, faces);
-  // Rows run along the knot; two sets of frames, one for each half step.
+  // Rows run along the knot. There are two sets of frames, as every other row is half a step off.
   const FramedCurve frames(knot, equal_pieces(knot, 2 * grid.columns).first);
   return grid.mesh([&](double along, double across) -> Vec3 {
     const auto i = static_cast<std::size_t>(along * 2 * static_cast<double>(grid.columns));
@@ -207,7 +207,8 @@ double torus_knot_thickness(long p, long q, double ring) {
   std::vector<Vec3> points;
   for (const double t : parameters) points.push_back(knot.point(t));
 
-  // The smallest circle that touches the curve at one point and passes through another.
+  // The thickness is the radius of the smallest circle that touches the curve at one point and
+  // passes through another.
   double thickness = ring;
   for (const double t : parameters) {
     const Vec3 here = knot.point(t);

@@ -5,6 +5,7 @@
 
 #include "tm/mesh/digits.h"
 #include "tm/mesh/location_text.h"
+#include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 
@@ -26,41 +27,12 @@ void check(const Mesh& mesh, std::span<const Vec3> velocities, const DisplaceOpt
   }
 }
 
-struct LocalEdges {
-  std::vector<double> mean;  ///< per vertex; 0 without edges
-  double overall = 0;
-};
-
-/// Every face hands the lengths of its edges to their ends: an inner edge comes twice.
-LocalEdges measure_edges(const Mesh& mesh) {
-  std::vector<double> sums(mesh.positions.size(), 0);
-  std::vector<Index> counts(mesh.positions.size(), 0);
-  double total = 0;
-  for (const Face& face : mesh.faces) {
-    for (int i = 0; i < 3; ++i) {
-      const Index a = face[i];
-      const Index b = face[(i + 1) % 3];
-      const double length = (mesh.positions[b] - mesh.positions[a]).norm();
-      total += length;
-      for (const Index end : {a, b}) {
-        sums[end] += length;
-        ++counts[end];
-      }
-    }
-  }
-  for (std::size_t v = 0; v < sums.size(); ++v) {
-    if (counts[v] > 0) sums[v] /= counts[v];
-  }
-  const double halfedges = 3 * static_cast<double>(mesh.faces.size());
-  return {std::move(sums), mesh.faces.empty() ? 0 : total / halfedges};
-}
-
 struct Step {
   Vec3 displacement = Vec3::Zero();
   bool is_clamped = false;
 };
 
-/// Scaled by its largest coordinate first, so that no square overflows.
+/// The velocity is scaled by its largest coordinate first, so that no square overflows.
 Step clamped_step(const Vec3& velocity, double time_step, double limit) {
   const double scale = velocity.cwiseAbs().maxCoeff();
   if (scale == 0 || time_step == 0) return {};
@@ -70,11 +42,14 @@ Step clamped_step(const Vec3& velocity, double time_step, double limit) {
   return {std::copysign(limit, time_step) * direction.normalized(), true};
 }
 
-/// Where coordinates are farther apart than the edges were, faces collapse or become flat.
-void check_digits(const Mesh& mesh, const LocalEdges& edges, const std::vector<char>& is_moved) {
+/// Throws where faces collapse or become flat, because coordinates are farther apart than the edges
+/// were.
+void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
+                  const std::vector<char>& is_moved) {
   std::size_t lost = 0;
   for (std::size_t v = 0; v < is_moved.size(); ++v) {
-    lost += is_moved[v] != 0 && spacing_at(mesh.positions[v].cwiseAbs().maxCoeff()) > edges.mean[v];
+    lost += is_moved[v] != 0 &&
+            spacing_at(mesh.positions[v].cwiseAbs().maxCoeff()) > edges.vertex_mean[v];
   }
   if (2 * lost > is_moved.size()) {
     throw GoalError(
@@ -88,16 +63,16 @@ DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
                         const DisplaceOptions& options) {
   check(mesh, velocities, options);
   const std::size_t count = mesh.positions.size();
-  const LocalEdges edges = measure_edges(mesh);
+  const HalfedgeLengths edges = halfedge_lengths(mesh);
 
-  // Move, and note for each vertex how far and how close to its clamp.
+  // Move, and note how far each vertex went and how close to its clamp.
   std::vector<double> lengths(count, 0);
   std::vector<double> shares(count, 0);
   std::vector<char> is_clamped(count, 0);
   std::vector<char> is_moved(count, 0);
   parallel_for(count, vertices_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      const double limit = options.alpha * edges.mean[v];
+      const double limit = options.alpha * edges.vertex_mean[v];
       const Step step = clamped_step(velocities[v], options.time_step, limit);
       const Vec3 goal = mesh.positions[v] + step.displacement;
       lengths[v] = step.displacement.norm();
@@ -121,7 +96,7 @@ DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
     squares += lengths[v] * lengths[v];
   }
   if (count > 0) result.rms_displacement = std::sqrt(squares / static_cast<double>(count));
-  result.mean_edge = edges.overall;
+  result.mean_edge = edges.mean;
   return result;
 }
 

@@ -14,19 +14,19 @@ namespace {
 
 constexpr std::size_t points_per_task = 1024;
 
-using Neighbours = std::vector<std::vector<Index>>;
+using Neighbors = std::vector<std::vector<Index>>;
 
-Neighbours find_neighbours(std::span<const Vec3> points, std::size_t count) {
+Neighbors find_neighbors(std::span<const Vec3> points, std::size_t count) {
   const KdTree tree(points);
-  Neighbours neighbours(points.size());
+  Neighbors neighbors(points.size());
   parallel_for(points.size(), points_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t p = first; p < last; ++p) neighbours[p] = tree.nearest(points[p], count + 1);
+    for (std::size_t p = first; p < last; ++p) neighbors[p] = tree.nearest(points[p], count + 1);
   });
-  return neighbours;
+  return neighbors;
 }
 
 Vec3 direction_of_least_spread(std::span<const Vec3> points, const std::vector<Index>& chosen) {
-  // Relative to one of them, so that equal points give exactly nothing.
+  // Offsets are taken from one of the points, so that equal points give exactly nothing.
   const Vec3& origin = points[chosen[0]];
   Vec3 mean = Vec3::Zero();
   for (const Index p : chosen) mean += (points[p] - origin) / static_cast<double>(chosen.size());
@@ -40,11 +40,11 @@ Vec3 direction_of_least_spread(std::span<const Vec3> points, const std::vector<I
   return solver.eigenvectors().col(0).normalized();
 }
 
-// Each point's neighbours, and those whose neighbour it is.
-Neighbours made_mutual(const Neighbours& neighbours) {
-  Neighbours mutual(neighbours.size());
-  for (Index p = 0; p < neighbours.size(); ++p) {
-    for (const Index q : neighbours[p]) {
+// The neighbors of each point, and those whose neighbor it is.
+Neighbors made_mutual(const Neighbors& neighbors) {
+  Neighbors mutual(neighbors.size());
+  for (Index p = 0; p < neighbors.size(); ++p) {
+    for (const Index q : neighbors[p]) {
       if (q == p) continue;
       mutual[p].push_back(q);
       mutual[q].push_back(p);
@@ -53,16 +53,12 @@ Neighbours made_mutual(const Neighbours& neighbours) {
   return mutual;
 }
 
-/// Prim's algorithm from one point after the other, highest first: the tree grows along the edge
-/// whose ends agree best, and the new end is turned to agree.
+/// Prim's algorithm, begun at the highest point that is not reached yet: the tree grows along the
+/// edge whose ends agree best, and the new end is turned to agree.
 class Orientation {
  public:
-  Orientation(std::span<const Vec3> points, const Neighbours& neighbours,
-              std::vector<Vec3>& normals)
-      : points_(points),
-        neighbours_(neighbours),
-        normals_(normals),
-        is_done_(points.size(), false) {}
+  Orientation(std::span<const Vec3> points, const Neighbors& neighbors, std::vector<Vec3>& normals)
+      : points_(points), neighbors_(neighbors), normals_(normals), is_done_(points.size(), false) {}
 
   void run() {
     std::vector<Index> by_height(points_.size());
@@ -82,7 +78,7 @@ class Orientation {
 
   void settle(Index point) {
     is_done_[point] = true;
-    for (const Index next : neighbours_[point]) {
+    for (const Index next : neighbors_[point]) {
       if (is_done_[next]) continue;
       waiting_.emplace(1 - std::abs(normals_[point].dot(normals_[next])), next, point);
     }
@@ -99,7 +95,7 @@ class Orientation {
   }
 
   std::span<const Vec3> points_;
-  const Neighbours& neighbours_;
+  const Neighbors& neighbors_;
   std::vector<Vec3>& normals_;
   std::vector<bool> is_done_;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> waiting_;
@@ -107,19 +103,19 @@ class Orientation {
 
 }  // namespace
 
-std::vector<Vec3> estimate_normals(std::span<const Vec3> points, std::size_t neighbours) {
+std::vector<Vec3> estimate_normals(std::span<const Vec3> points, std::size_t neighbors) {
   if (points.size() < 4) {
     throw InputError(
         "normals cannot be estimated from fewer than four points; give them as nx ny nz");
   }
-  const Neighbours nearest = find_neighbours(points, neighbours);
+  const Neighbors nearest = find_neighbors(points, neighbors);
   std::vector<Vec3> normals(points.size());
   parallel_for(points.size(), points_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t p = first; p < last; ++p) {
       normals[p] = direction_of_least_spread(points, nearest[p]);
     }
   });
-  const Neighbours mutual = made_mutual(nearest);
+  const Neighbors mutual = made_mutual(nearest);
   Orientation(points, mutual, normals).run();
   return normals;
 }

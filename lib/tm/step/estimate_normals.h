@@ -1,9 +1,9 @@
-/// Normals for points that have none: each is the direction of least spread of its neighbours
-/// (principal component analysis), and neighbours are turned to agree along a spanning tree that
+/// Normals for points that have none: each is the direction of least spread of its neighbors
+/// (principal component analysis), and neighbors are turned to agree along a spanning tree that
 /// crosses sharp bends last. Reference: Hoppe et al., "Surface reconstruction from unorganized
 /// points", SIGGRAPH 1992.
 ///
-/// Where the neighbourhoods fall into several groups, each is turned outwards on its own at its
+/// Where the neighborhoods fall into several groups, each is turned outwards on its own at its
 /// highest point, so a cavity comes out reversed. Right where points sample a closed surface more
 /// densely than its sheets are apart. Floating point; deterministic. Cost: O(k n log n).
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace transformesh {
 
-/// Unit normals, one per point; zero where all neighbours coincide. `neighbours` is how many points
-/// beside itself a point looks at; >= 3. Throws InputError for fewer than four points.
-std::vector<Vec3> estimate_normals(std::span<const Vec3> points, std::size_t neighbours = 12);
+/// Unit normals, one per point; zero where all neighbors coincide. `neighbors`, at least 3,
+/// is how many others a point looks at. Throws InputError for fewer than four points.
+std::vector<Vec3> estimate_normals(std::span<const Vec3> points, std::size_t neighbors = 12);
 
 }  // namespace transformesh

@@ -21,37 +21,38 @@ constexpr std::size_t most_vertices_of_target = 1024;
 
 constexpr double wide = std::numeric_limits<double>::infinity();
 
-/// From every vertex of the mesh.
+/// What a search from every vertex of the mesh finds.
 struct Found {
   std::vector<double> distances;
-  std::vector<double> gaps;  ///< empty where the target's are
+  std::vector<double> thickness;  ///< empty where the target's is
 };
 
-std::vector<double> room_for_gaps(const Mesh& mesh, const Target& target) {
+std::vector<double> room_for_thickness(const Mesh& mesh, const Target& target) {
   std::vector<double> room;
-  if (!target.gaps.empty()) room.assign(mesh.positions.size(), wide);
+  if (!target.thickness.empty()) room.assign(mesh.positions.size(), wide);
   return room;
 }
 
 Found search_surface(const Mesh& mesh, const Target& target, double exact_within) {
   const ClosestPointQuery closest(target.mesh, target.face_order);
-  Found found{{}, room_for_gaps(mesh, target)};
+  Found found{{}, room_for_thickness(mesh, target)};
   found.distances = sample_distance(mesh.positions, exact_within, [&](Index v, double sign) {
     const Vec3& p = mesh.positions[v];
     if (sign != 0) return searched_distance(p, closest.nearby(p, far_tolerance), sign);
     const ClosestPoint q = closest(p);
-    if (!target.gaps.empty()) {
+    if (!target.thickness.empty()) {
       const auto& [a, b, c] = target.mesh.faces[q.face];
-      found.gaps[v] = std::min({target.gaps[a], target.gaps[b], target.gaps[c]});
+      found.thickness[v] =
+          std::min({target.thickness[a], target.thickness[b], target.thickness[c]});
     }
     return searched_distance(p, q.point, q.signed_distance < 0 ? -1 : 1);
   });
   return found;
 }
 
-/// The planes at those vertices, nearest first. That of the nearest is right by the surface;
-/// farther away than samples are from each other, the mean of all says on which side the point is,
-/// and is taken where the nearest one's plane says otherwise.
+/// The signed distance to the planes at those vertices, nearest first. The plane of the nearest one
+/// is right by the surface. Farther away than samples are from each other, the mean over all planes
+/// says on which side the point is, and is taken where the nearest one's plane says otherwise.
 double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
                           std::span<const Vec3> normals, std::span<const Index> nearest) {
   const auto squared = [&](Index q) { return (p - points[q]).squaredNorm(); };
@@ -72,17 +73,17 @@ double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
   return is_same_side ? to_nearest : sum / weights;
 }
 
-// To the tangent planes at the nearest vertices, which jump from vertex to vertex: never estimated.
+// Distances to tangent planes jump from vertex to vertex, so they are never estimated.
 Found search_vertices(const Mesh& mesh, const Target& target, std::size_t planes) {
   const KdTree tree(target.mesh.positions);
   const std::vector<Vec3> normals = target.is_mesh() ? vertex_normals(target.mesh) : target.normals;
-  Found found{std::vector<double>(mesh.positions.size()), room_for_gaps(mesh, target)};
+  Found found{std::vector<double>(mesh.positions.size()), room_for_thickness(mesh, target)};
   parallel_for(mesh.positions.size(), queries_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const Vec3& p = mesh.positions[v];
       const std::vector<Index> nearest = tree.nearest(p, planes);
       found.distances[v] = distance_to_planes(p, target.mesh.positions, normals, nearest);
-      if (!target.gaps.empty()) found.gaps[v] = target.gaps[nearest.front()];
+      if (!target.thickness.empty()) found.thickness[v] = target.thickness[nearest.front()];
     }
   });
   return found;
@@ -101,7 +102,7 @@ Vec3 closest_around_vertex(const Vec3& query, const Mesh& mesh, Index vertex,
   return closest;
 }
 
-/// Every so many'th, so that no more than `most` are left.
+/// Takes vertices at equal steps from the list, so that no more than `most` are left.
 std::vector<Vec3> thinned(std::span<const Vec3> points, std::size_t most) {
   const std::size_t stride = (points.size() + most - 1) / most;
   std::vector<Vec3> result;
@@ -136,7 +137,7 @@ MorphVelocities morph_velocities(const Mesh& mesh, const Target& target,
                            : search_vertices(mesh, target, planes);
 
   const std::vector<double>& phi = found.distances;
-  MorphVelocities result{vertex_normals(mesh), summary(phi), std::move(found.gaps)};
+  MorphVelocities result{vertex_normals(mesh), summary(phi), std::move(found.thickness)};
   for (std::size_t v = 0; v < phi.size(); ++v) result.velocities[v] *= -phi[v];
   return result;
 }

@@ -39,8 +39,9 @@ struct DistanceSummary {
 struct MorphVelocities {
   std::vector<Vec3> velocities;  ///< one per vertex of the mesh
   DistanceSummary to_target;     ///< of |phi| over the vertices of the mesh
-  /// Where the target's are known: of its closest face or vertex; infinity beyond `exact_within`.
-  std::vector<double> gaps;
+  /// Of the closest face or vertex of the target, where the target's is measured; infinity beyond
+  /// `exact_within`.
+  std::vector<double> thickness;
 };
 
 /// Throws InputError for a mesh without faces, UsageError for surface distance to points.
@@ -48,10 +49,10 @@ MorphVelocities morph_velocities(const Mesh& mesh, const Target& target,
                                  const MorphOptions& options = {},
                                  const Progress& progress = Progress());
 
-/// From vertices of the target (all, or 513 to 1024 taken evenly from the list of more) to the
-/// surface of the mesh: shows what the mesh has missed.
-/// Sought on the faces around the mesh's nearest vertex: too large by a fraction of an edge at
-/// times; estimated beyond `exact_within`. Throws InputError for a mesh without faces.
+/// Distances from vertices of the target (all, or 513 to 1024 taken evenly from the list of more)
+/// to the surface of the mesh, which show what the mesh has missed. Only faces around the nearest
+/// vertex of the mesh are looked at, so that a distance may be too large by a fraction of an edge;
+/// beyond `exact_within` distances are estimated. Throws InputError for a mesh without faces.
 DistanceSummary distance_from_target(const Target& target, const Mesh& mesh,
                                      double exact_within = std::numeric_limits<double>::infinity(),
                                      const Progress& progress = Progress());

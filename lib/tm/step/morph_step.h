@@ -17,11 +17,10 @@ struct MorphStepOptions {
   std::optional<MorphDistance> distance;
   DisplaceOptions displace;
   std::string mask;  ///< vertex column by which velocities are multiplied; empty: none
-  /// Where the target's gaps are measured: the vertex column `size` becomes the edge length that
-  /// puts so many edges across them, between a twentieth of this length and all of it (input
-  /// units).
+  /// > 0, where the target's thickness is measured: the vertex column `size` becomes the edge
+  /// length that puts so many edges across narrow places.
   double gap_edges = 0;
-  double largest_size = 0;
+  double largest_size = 0;  ///< input units; sizes are between a twentieth of it and all of it
 };
 
 /// Distances are those before the movement.

@@ -23,7 +23,7 @@ bool is_number(std::string_view word) {
   return parse_number(first, last, value) == Parsed::ok && first == last;
 }
 
-// Three or six; throws for any other length.
+// The number of words in the row: three or six. Throws for any other.
 std::size_t row_length(const TextRows& rows) {
   const std::size_t length = rows.words_left();
   if (length != 3 && length != 6) {

@@ -7,8 +7,8 @@
 
 namespace transformesh {
 
-/// Whether the first line holds three or six numbers. An .off file without its keyword also begins
-/// so; its name tells.
+/// Whether the first line holds three or six numbers. An .off file without its keyword begins so
+/// too, and is told by its name.
 bool is_point_text(const Source& source);
 
 /// A mesh without faces, with vertex columns nx ny nz where lines have six numbers. Throws

@@ -8,9 +8,9 @@
 namespace transformesh {
 namespace {
 
-/// Runs of fixed length along the curve, so that estimates do not depend on how threads share.
+/// Runs along the curve have a fixed length, so that estimates do not depend on the threads.
 constexpr std::size_t run_length = 512;
-constexpr double reach = 0.4;
+constexpr double reach = 0.4;  ///< of an estimate, as a share of the distance it starts from
 
 std::vector<Index> order_along_curve(std::span<const Vec3> points) {
   std::vector<FloatBox> boxes(points.size());

@@ -14,7 +14,7 @@ struct Target {
   /// Of points only: one each, of unit length or zero where undefined. A mesh has its faces.
   std::vector<Vec3> normals;
   bool has_estimated_normals = false;
-  std::vector<double> gaps;  ///< gap_widths() where measured, else empty
+  std::vector<double> thickness;  ///< local_thickness() where measured, else empty
   FaceOrder face_order = FaceOrder::any;
   bool is_mesh() const { return !mesh.faces.empty(); }
 };

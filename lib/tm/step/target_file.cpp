@@ -39,7 +39,7 @@ Target read_target(std::string_view bytes, const std::string& name) {
   if (has_comment(document, spatial_order)) target.face_order = FaceOrder::spatial;
   order_spatially(target);
   const Column* gaps = target.mesh.vertex_columns.find(gap_column);
-  if (has_comment(document, measured_gaps) && gaps != nullptr) target.gaps = gaps->values;
+  if (has_comment(document, measured_gaps) && gaps != nullptr) target.thickness = gaps->values;
   return target;
 }
 
@@ -62,9 +62,9 @@ std::string write_target(const Target& target) {
     document.style.element_order = {"vertex"};
     set_normal_columns(document.mesh, target.normals);
   }
-  if (!target.gaps.empty()) {
+  if (!target.thickness.empty()) {
     Columns& columns = document.mesh.vertex_columns;
-    columns.get(gap_column, Scalar::float64, target.gaps.size()).values = target.gaps;
+    columns.get(gap_column, Scalar::float64, target.thickness.size()).values = target.thickness;
     document.style.comments.emplace_back(measured_gaps);
   }
   return write_mesh(document).bytes;

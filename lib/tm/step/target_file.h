@@ -16,8 +16,8 @@ Target read_target(std::string_view bytes, const std::string& name);
 /// The mesh or the points of such a file, for what is no target.
 Mesh read_mesh_or_points(std::string_view bytes, const std::string& name);
 
-/// Binary PLY that reads back as the same target, and sooner: points with their normals, gaps as
-/// the vertex column `gap`, faces in spatial order; comments tell which.
+/// Binary PLY that reads back as the same target, and sooner: points with their normals,
+/// thickness as the vertex column `gap`, faces in spatial order; comments tell which.
 std::string write_target(const Target& target);
 
 }  // namespace transformesh

@@ -7,6 +7,7 @@
 
 #include "tm/mesh/edges.h"
 #include "tm/mesh/measure.h"
+#include "tm/mesh/triangle.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -14,29 +15,18 @@ namespace {
 
 constexpr std::array<const char*, 3> velocity_names{"vx", "vy", "vz"};
 
-/// The cotangent of 5 degrees.
-constexpr double largest_cotangent = 11.430052302761343;
-
-double clamped_cotangent(const Vec3& a, const Vec3& b) {
-  const double cross = a.cross(b).norm();
-  const double dot = a.dot(b);
-  if (std::abs(dot) >= largest_cotangent * cross)
-    return dot < 0 ? -largest_cotangent : largest_cotangent;
-  return dot / cross;
-}
-
-/// Of the angle across from the halfedge, in its face.
+/// The cotangent of the angle across from the halfedge, in its face.
 double opposite_cotangent(const Mesh& mesh, Index halfedge) {
   const Vec3& apex = mesh.positions[halfedge_source(mesh, previous_halfedge(halfedge))];
   return clamped_cotangent(mesh.positions[halfedge_source(mesh, halfedge)] - apex,
                            mesh.positions[halfedge_target(mesh, halfedge)] - apex);
 }
 
-/// How much of a face belongs to each corner: what lies nearest to it, or half and quarters of one
-/// that is obtuse.
+/// How much of a face belongs to each corner: the part nearest to it, or, where the face is obtuse,
+/// half of it to the obtuse corner and a quarter to each other.
 Vec3 corner_areas(const Mesh& mesh, Index face) {
-  Vec3 squares;     // of the edge from corner i
-  Vec3 cotangents;  // of the angle across from it
+  Vec3 squares;     // of the lengths of the edges from corner i
+  Vec3 cotangents;  // of the angles across from them
   for (int i = 0; i < 3; ++i) {
     const Index halfedge = 3 * face + static_cast<Index>(i);
     squares[i] = (mesh.positions[halfedge_target(mesh, halfedge)] -
@@ -108,7 +98,7 @@ std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed) {
     for (int i = 0; i < 3; ++i) areas[mesh.faces[f][i]] += shares[i];
   }
 
-  // Each edge pulls its ends together.
+  // Every edge pulls its ends together.
   const Edges edges(mesh);
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto halfedges = edges.halfedges(edge);
@@ -122,7 +112,7 @@ std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed) {
     sums[to] -= pull;
   }
 
-  // The sum is 4 H times the area, inwards where the surface is convex.
+  // The sum is 4 H times the area, and points inwards where the surface is convex.
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const bool has_curvature = areas[v] > 0 && !is_border[v];
     sums[v] = has_curvature ? Vec3(speed / (4 * areas[v]) * sums[v]) : Vec3::Zero();

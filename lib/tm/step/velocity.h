@@ -1,4 +1,4 @@
-/// Where the velocities of an evolution come from when no program of ours computes them.
+/// Velocities from columns of the mesh, and those of offsetting and of mean-curvature flow.
 /// Cost: O(n log n); deterministic.
 #pragma once
 

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Ranges per thread: enough to even out bodies of unequal cost.
+/// Ranges per thread, enough to even out bodies of unequal cost.
 constexpr std::size_t ranges_per_thread = 16;
 
 std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
@@ -38,7 +38,7 @@ class Loop {
        const std::function<void(std::size_t, std::size_t)>& body)
       : count_(count), range_(range), body_(body) {}
 
-  /// Until no range is left.
+  /// Works until no range is left.
   void work() {
     for (;;) {
       const std::size_t first = next_.fetch_add(range_);
@@ -57,8 +57,8 @@ class Loop {
   }
 
  private:
-  // The first one in order, so that it does not depend on the threads: all ranges before it have
-  // been handed out.
+  // The lowest range is reported, so that the report does not depend on the threads: all ranges
+  // before it have been handed out.
   void keep_error(std::size_t first) {
     const std::lock_guard lock(mutex_);
     if (error_ && first > error_at_) return;
@@ -77,7 +77,7 @@ class Loop {
 
 /// Works on the loop with up to `wanted` more threads, as far as they are allowed and the system
 /// has them. A loop inside a loop takes what others have given back, so nothing waits for a thread.
-/// To start one costs some 10 us: less than it costs to keep it spinning between two loops.
+/// To start a thread costs some 10 us, less than to keep it spinning between two loops.
 void work_together(Loop& loop, std::size_t wanted) {
   std::vector<std::jthread> helpers;
   helpers.reserve(wanted);

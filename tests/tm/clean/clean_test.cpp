@@ -7,12 +7,12 @@
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
 #include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/degenerate_faces.h"
+#include "tm/geometry/predicates.h"
 #include "tm/mesh/components.h"
+#include "tm/mesh/digits.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/parallel.h"
-#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {

@@ -42,8 +42,8 @@ TEST_CASE("the curve passes every cell once and never jumps") {
   }
 }
 
-TEST_CASE("boxes come in the order of their centres along the curve") {
-  // Centres on the corners and the middle of the cells' range keep their exact cell.
+TEST_CASE("boxes come in the order of their centers along the curve") {
+  // Centers on the corners and the middle of the cells' range keep their exact cell.
   constexpr float last = (1U << hilbert_bits) - 1;
   test::Random random(2);
   std::vector<FloatBox> boxes{box_at(0, 0, 0), box_at(last, last, last)};

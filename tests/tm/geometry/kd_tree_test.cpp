@@ -93,7 +93,7 @@ TEST_CASE("tiny and huge coordinates, also beyond the floats of the boxes") {
   }
 }
 
-TEST_CASE("no points, no neighbours") {
+TEST_CASE("no points, no neighbors") {
   const KdTree tree(std::vector<Vec3>{});
   CHECK(tree.nearest(Vec3::Zero()) == no_index);
   CHECK(tree.nearest(Vec3::Zero(), 5).empty());

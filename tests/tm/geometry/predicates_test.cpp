@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "helpers/random.h"
+#include "helpers/shapes.h"
 
 // The oracle is integer arithmetic: points on small lattices are often coplanar, collinear or
 // equal, and a shift or a power of two changes no sign.
@@ -105,6 +106,20 @@ TEST_CASE("signs of dot and cross products of normals agree with integers") {
     REQUIRE(normals_cross(ds, dt, 0) == sign(n[1] * m[2] - n[2] * m[1]));
     REQUIRE(normals_cross(ds, dt, 2) == sign(n[0] * m[1] - n[1] * m[0]));
   }
+}
+
+TEST_CASE("faces without area are found exactly") {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {3, 3, 3}, {3, 3, 3 + 0x1p-51}};
+  mesh.faces = {{0, 1, 2}, {0, 1, 4}, {0, 2, 3}, {0, 2, 4}, {1, 1, 4}, {2, 3, 3}};
+  CHECK(degenerate_faces(mesh) == std::vector<Index>{0, 2, 4, 5});
+
+  // Areas far below what doubles can hold are areas still.
+  mesh.positions = {{0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}};
+  mesh.faces = {{0, 1, 2}};
+  CHECK(degenerate_faces(mesh).empty());
+  CHECK(degenerate_faces(test::icosphere(3)).empty());
+  CHECK(degenerate_faces(Mesh{}).empty());
 }
 
 }  // namespace transformesh

@@ -6,7 +6,7 @@ using namespace transformesh;
 
 namespace {
 
-/// A float column, a colour, a label and a list of four rows.
+/// A float column, a color, a label and a list of four rows.
 Columns four_rows() {
   Columns columns;
   columns.get("height", Scalar::float64, 4).values = {0, 1, 2, 4};
@@ -61,7 +61,7 @@ TEST_CASE("rows are selected in any order, repeated ones too") {
   CHECK(column(selected, "tags").list_offsets == Offsets{0, 2, 2, 4});
 }
 
-TEST_CASE("blending interpolates floats and colours; labels and lists follow the largest weight") {
+TEST_CASE("blending interpolates floats and colors; labels and lists follow the largest weight") {
   const std::vector<RowBlend> rows = {{{0, 1, 3}, {0.25, 0.25, 0.5}}, {{1, 2, 0}, {0.5, 0.5, 0}}};
   Columns blended = four_rows().blend(rows);
   CHECK(column(blended, "height").values == Values{2.25, 1.5});

@@ -120,3 +120,23 @@ TEST_CASE("valence six is counted over interior vertices") {
   CHECK(valence_six_share(test::grid(3)) == 1);
   CHECK(valence_six_share(Mesh{}) == 0);
 }
+
+TEST_CASE("over halfedges an edge of two faces counts twice, at its ends too") {
+  const Mesh closed = test::tetrahedron();
+  const double root = std::sqrt(2);
+  const HalfedgeLengths lengths = halfedge_lengths(closed);
+  CHECK(lengths.mean == Approx((1 + root) / 2));
+  CHECK(lengths.maximum == Approx(root));
+  CHECK(lengths.vertex_mean[0] == Approx(1));
+  CHECK(lengths.vertex_mean[1] == Approx((1 + 2 * root) / 3));
+
+  // Four border edges and one diagonal, which vertices 0 and 3 share.
+  Mesh open = test::grid(1);
+  open.positions.emplace_back(5, 5, 5);
+  const HalfedgeLengths square = halfedge_lengths(open);
+  CHECK(square.mean == Approx((4 + 2 * root) / 6));
+  CHECK(square.vertex_mean[0] == Approx((2 + 2 * root) / 4));
+  CHECK(square.vertex_mean[1] == Approx(1));
+  CHECK(square.vertex_mean[4] == 0);
+  CHECK(halfedge_lengths(Mesh{}).mean == 0);
+}

@@ -10,7 +10,7 @@
 using namespace transformesh;
 using namespace transformesh::test;
 
-TEST_CASE("normals of a fine sphere point away from its centre") {
+TEST_CASE("normals of a fine sphere point away from its center") {
   const Mesh ball = icosphere(4);
   const std::vector<CornerNormals> normals = corner_normals(ball, 40);
   for (std::size_t f = 0; f < ball.faces.size(); ++f)
@@ -46,7 +46,7 @@ TEST_CASE("a crease that ends within the surface parts normals only where it par
   CHECK((corner_normals(roof, 1)[0][2] - Eigen::Vector3f::UnitZ()).norm() > 0.05F);
 }
 
-TEST_CASE("faces without area and without neighbours have no normal, and nothing breaks") {
+TEST_CASE("faces without area and without neighbors have no normal, and nothing breaks") {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   mesh.faces = {{0, 1, 2}, {0, 0, 1}};

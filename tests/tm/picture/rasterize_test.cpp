@@ -78,7 +78,7 @@ TEST_CASE("a sphere covers the disc that geometry says, its pole at the right de
   }
 }
 
-TEST_CASE("every pixel sees what a ray through its centre hits first, also beside the eye") {
+TEST_CASE("every pixel sees what a ray through its center hits first, also beside the eye") {
   Random random(11);
   const Camera camera = camera_at_origin(48, 36, 30);
   Mesh soup;
@@ -113,7 +113,7 @@ TEST_CASE("faces that share an edge leave no gap, whatever the view") {
         orbit_camera({Vec3::Zero(), 6}, {azimuth, 0.5 * azimuth, Axis::y, 1}, 150, 150);
     CHECK(count_covered(rasterize(sheet, camera)) == 150 * 150);
   }
-  // Vertices exactly at pixel centres.
+  // Vertices exactly at pixel centers.
   Mesh aligned = grid(10);
   for (Vec3& point : aligned.positions) point = {10 * point.x() - 5, 10 * point.y() - 5, 1};
   CHECK(count_covered(rasterize(aligned, camera_at_origin(11, 11, 1))) == 121);

@@ -14,7 +14,7 @@ using namespace transformesh::test;
 
 namespace {
 
-const Mesh centred_cube = cuboid({-1, -1, -1}, {1, 1, 1});
+const Mesh centered_cube = cuboid({-1, -1, -1}, {1, 1, 1});
 
 Camera front_camera(int size = 65) {
   return orbit_camera({Vec3::Zero(), 8}, {0, 0, Axis::y, 1}, size, size);
@@ -46,7 +46,7 @@ TEST_CASE("the middle of a cube's front has the light of its plane, the corner t
   options.color.front = color_of_srgb(0.6, 0.4, 0.2);
   options.background.top = Color(0, 1, 0);
   options.background.bottom = Color(0, 1, 0);
-  const Image image = shade(centred_cube, front_camera(), options);
+  const Image image = shade(centered_cube, front_camera(), options);
   const Lights lights(front_camera(), Vec3::UnitY());
   const Color lit = lights.reflected(*options.color.front, {0, 0, 1}, {0, 0, 1});
   for (int i = 0; i < 3; ++i) {
@@ -70,9 +70,9 @@ TEST_CASE("light comes from the upper left, and the sky is above") {
 TEST_CASE("colors come from the option, then from vertices, then from faces") {
   const std::array<double, 3> green{0, 255, 0};
   const std::array<double, 3> blue{0, 0, 1};
-  const Mesh vertices = painted(centred_cube, false, green, Scalar::uint8);
+  const Mesh vertices = painted(centered_cube, false, green, Scalar::uint8);
   const Mesh both = painted(vertices, true, blue, Scalar::float32);
-  const Mesh faces = painted(centred_cube, true, blue, Scalar::float32);
+  const Mesh faces = painted(centered_cube, true, blue, Scalar::float32);
   ShadeOptions red;
   red.color.front = Color(1, 0, 0);
   const auto strongest = [](const Pixel& pixel) {
@@ -85,7 +85,7 @@ TEST_CASE("colors come from the option, then from vertices, then from faces") {
 
   ShadeOptions plain;
   plain.color.front = Color(0, 1, 0);
-  CHECK(center(vertices) == center(centred_cube, plain));
+  CHECK(center(vertices) == center(centered_cube, plain));
 }
 
 TEST_CASE("vertex colors blend across a face") {
@@ -100,8 +100,8 @@ TEST_CASE("vertex colors blend across a face") {
 }
 
 TEST_CASE("back sides are dark red") {
-  const Pixel front = center(centred_cube);
-  const Pixel back = center(reversed(centred_cube));
+  const Pixel front = center(centered_cube);
+  const Pixel back = center(reversed(centered_cube));
   CHECK(front[2] > front[0]);
   CHECK(back[0] > back[2] + 30);
   CHECK(back[0] > back[1] + 30);
@@ -110,7 +110,7 @@ TEST_CASE("back sides are dark red") {
 TEST_CASE("highlighted faces and vertices are orange, and the rest is as without") {
   std::vector<double> marks(12, 0);
   marks[2] = 3;  // the front is faces 2 and 3
-  const Mesh marked = with_column(centred_cube, true, "intersections", Scalar::int32, marks);
+  const Mesh marked = with_column(centered_cube, true, "intersections", Scalar::int32, marks);
   ShadeOptions options;
   options.color.highlight = "intersections";
   const Image image = shade(marked, front_camera(), options);
@@ -127,7 +127,7 @@ TEST_CASE("highlighted faces and vertices are orange, and the rest is as without
   CHECK(orange + unchanged > 65 * 65 - 200);
 
   const Mesh vertices =
-      with_column(centred_cube, false, "moved", Scalar::uint8, std::vector<double>(8, 1));
+      with_column(centered_cube, false, "moved", Scalar::uint8, std::vector<double>(8, 1));
   options.color.highlight = "moved";
   CHECK(is_orange(center(vertices, options)));
   options.color.highlight = "absent";
@@ -137,8 +137,8 @@ TEST_CASE("highlighted faces and vertices are orange, and the rest is as without
 TEST_CASE("edges are dark lines about a pixel wide") {
   ShadeOptions options;
   options.draw_edges = true;
-  const Image plain = shade(centred_cube, front_camera(200));
-  const Image lined = shade(centred_cube, front_camera(200), options);
+  const Image plain = shade(centered_cube, front_camera(200));
+  const Image lined = shade(centered_cube, front_camera(200), options);
   // The diagonal of the front crosses every row once, the sides are beyond.
   for (int y = 80; y < 120; y += 5) {
     int darker = 0;

@@ -102,7 +102,7 @@ TEST_CASE("a tetrahedron cannot lose an edge, nor flip one") {
 }
 
 TEST_CASE("a torus three around does not lose its hole") {
-  // every edge around the hole has a common neighbour that no face spans
+  // every edge around the hole has a common neighbor that no face spans
   const EditableMesh mesh(torus(2, 1, 3, 3));
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) CHECK_FALSE(mesh.can_collapse(h));
 }

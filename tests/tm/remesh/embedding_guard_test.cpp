@@ -16,8 +16,8 @@ Patch star_moved_to(const EditableMesh& mesh, Index vertex, const Vec3& position
   Star star;
   star.gather(mesh, vertex);
   Patch patch;
-  patch.centre = vertex;
-  patch.centre_position = position;
+  patch.center = vertex;
+  patch.center_position = position;
   patch.vertices.push_back(vertex);
   for (const Star::Spoke& spoke : star.spokes) {
     const Vec3 a = spoke.first_position - position;

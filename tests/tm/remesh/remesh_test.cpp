@@ -7,10 +7,10 @@
 #include "helpers/shapes.h"
 #include "tm/clean/intersect/intersect.h"
 #include "tm/mesh/components.h"
+#include "tm/mesh/digits.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/remesh_checks.h"
 #include "tm/support/error.h"
-#include "tm/support/single.h"
 
 using namespace transformesh;
 using namespace transformesh::test;
@@ -248,7 +248,7 @@ TEST_CASE("a small film of large volume stays") {
 
 TEST_CASE("triangles without area go") {
   Mesh mesh = icosphere(2);
-  // a cap: a vertex put on the middle of an edge of its neighbour's face
+  // a cap: a vertex put on the middle of an edge of its neighbor's face
   const Face face = mesh.faces[10];
   const Index apex = face[0];
   mesh.positions[apex] = 0.5 * (mesh.positions[face[1]] + mesh.positions[face[2]]);

@@ -36,7 +36,7 @@ double mean_radius(const Mesh& mesh) {
 }  // namespace
 
 TEST_CASE("the regular octahedron shrinks by exactly the factor") {
-  // neighbours of (1,0,0) are the four in the plane x = 0, with equal weights: dv = v
+  // neighbors of (1,0,0) are the four in the plane x = 0, with equal weights: dv = v
   Mesh mesh;
   mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   mesh.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},

@@ -5,10 +5,10 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "tm/clean/intersect/intersect.h"
+#include "tm/mesh/digits.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/remesh.h"
 #include "tm/remesh/remesh_checks.h"
-#include "tm/support/single.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -77,7 +77,7 @@ TEST_CASE("no contact is missed on a lattice, where most pairs are degenerate") 
   }
 }
 
-TEST_CASE("neighbours in a plane are apart, folded ones are not") {
+TEST_CASE("neighbors in a plane are apart, folded ones are not") {
   const Triangle left{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   CHECK_FALSE(may_touch(left, {Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}));
   CHECK_FALSE(may_touch(left, {Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(1, 1, 0)}));

@@ -12,7 +12,7 @@ using namespace transformesh;
 
 namespace {
 
-/// In another order, so that neighbours are not neighbours by index.
+/// In another order, so that neighbors are not neighbors by index.
 std::vector<Index> shuffled(std::size_t count) {
   test::Random random(11);
   std::vector<Index> order(count);

@@ -5,7 +5,6 @@
 #include "tm/clean/certify/certify_faces.h"
 #include "tm/clean/certify/certify_samples.h"
 #include "tm/geometry/closest_point.h"
-#include "tm/geometry/degenerate_faces.h"
 #include "tm/geometry/predicates.h"
 #include "tm/geometry/winding.h"
 #include "tm/mesh/location_text.h"

@@ -4,7 +4,7 @@
 
 #include "tm/clean/arrange/refine.h"
 #include "tm/clean/rounding/face_splitter.h"
-#include "tm/support/single.h"
+#include "tm/mesh/digits.h"
 
 namespace transformesh {
 

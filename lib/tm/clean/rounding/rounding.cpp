@@ -11,7 +11,6 @@
 #include "tm/geometry/bvh.h"
 #include "tm/geometry/predicates.h"
 #include "tm/mesh/digits.h"
-#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {

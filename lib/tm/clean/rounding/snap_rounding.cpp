@@ -13,7 +13,6 @@
 #include "tm/mesh/digits.h"
 #include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
-#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {

@@ -7,7 +7,7 @@
 #include "tm/clean/intersect/contacts.h"
 #include "tm/geometry/bvh.h"
 #include "tm/mesh/adjacency.h"
-#include "tm/support/single.h"
+#include "tm/mesh/digits.h"
 
 namespace transformesh {
 namespace {

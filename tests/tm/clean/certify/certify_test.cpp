@@ -8,8 +8,8 @@
 #include "helpers/shapes.h"
 #include "tm/clean/certify/certify_faces.h"
 #include "tm/clean/clean.h"
+#include "tm/mesh/digits.h"
 #include "tm/support/parallel.h"
-#include "tm/support/single.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -7,8 +7,8 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "tm/mesh/digits.h"
 #include "tm/mesh/measure.h"
-#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {

@@ -10,8 +10,8 @@
 #include "helpers/shapes.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/intersect/intersect.h"
+#include "tm/mesh/digits.h"
 #include "tm/support/error.h"
-#include "tm/support/single.h"
 
 namespace transformesh {
 namespace {

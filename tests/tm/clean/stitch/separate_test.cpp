@@ -11,7 +11,7 @@
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "tm/clean/clean.h"
-#include "tm/support/single.h"
+#include "tm/mesh/digits.h"
 
 namespace transformesh {
 namespace {

@@ -6,7 +6,7 @@
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 #include "tm/views/hull/hull.h"
-#include "tm/views/hull/mesh_silhouette.h"
+#include "tm/views/hull/silhouette.h"
 
 using namespace transformesh;
 using namespace view_maker;

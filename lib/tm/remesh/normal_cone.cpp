@@ -1,4 +1,4 @@
-#include "tm/remesh/direction_set.h"
+#include "tm/remesh/normal_cone.h"
 
 #include <Eigen/Geometry>
 #include <array>
@@ -6,9 +6,9 @@
 namespace transformesh {
 namespace {
 
-/// A direction counts as seeing a front when cosine to the normal is above this.
+/// A direction sees a front when its cosine to the normal is above this.
 constexpr float least_cosine = 0.03F;
-/// Normals whose coordinates single precision holds well.
+/// Of normals between these lengths single precision holds the coordinates well.
 constexpr double smallest = 1e-30;
 constexpr double largest = 1e30;
 
@@ -33,9 +33,9 @@ constexpr std::array<FourDirections, 4> directions_tested{{
 
 }  // namespace
 
-/// Bit k where direction k sees the front of a face with that normal, bit 16 + k where the opposite
-/// direction does. Single precision is far finer than the margin of least_cosine.
-DirectionSet seeing_directions(const Vec3& normal) {
+/// Bit k is set where direction k sees the front, bit 16 + k where the opposite direction does.
+/// Single precision is far finer than the margin of least_cosine.
+NormalCone cone_of(const Vec3& normal) {
   const double length = normal.norm();
   if (!(length > smallest && length < largest)) return 0;
   const auto x = static_cast<float>(normal.x());
@@ -51,20 +51,20 @@ DirectionSet seeing_directions(const Vec3& normal) {
     back |= (along < -needed) & four.bits;
   }
   const Words both = front | back << 16;
-  return static_cast<DirectionSet>(both[0] | both[1] | both[2] | both[3]);
+  return static_cast<NormalCone>(both[0] | both[1] | both[2] | both[3]);
 }
 
-Direction nearest_direction(DirectionSet set, const Vec3& vector) {
+Direction nearest_direction(NormalCone cone, const Vec3& vector) {
   const Eigen::Vector3f unit = vector.stableNormalized().cast<float>();
   Direction nearest;
   float best = -HUGE_VALF;
   for (const FourDirections& four : directions_tested) {
     const Floats along = (four.x * unit.x() + four.y * unit.y() + four.z * unit.z()) / four.length;
     for (int i = 0; i < 4; ++i) {
-      const auto front = static_cast<DirectionSet>(four.bits[i]);
+      const auto front = static_cast<NormalCone>(four.bits[i]);
       for (const float sign : {1.0F, -1.0F}) {
-        const DirectionSet bit = sign > 0 ? front : front << 16;
-        if ((set & bit) == 0 || !(sign * along[i] > best)) continue;
+        const NormalCone bit = sign > 0 ? front : front << 16;
+        if ((cone & bit) == 0 || !(sign * along[i] > best)) continue;
         best = sign * along[i];
         nearest = {bit, sign * Vec3(four.x[i], four.y[i], four.z[i]) / four.length[i]};
       }
@@ -74,7 +74,7 @@ Direction nearest_direction(DirectionSet set, const Vec3& vector) {
 }
 
 bool sees(const Vec3& direction, const Triangle& triangle) {
-  const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  const Vec3 normal = normal_of(triangle[0], triangle[1], triangle[2]);
   const double along = direction.dot(normal);
   return along > 0 && along * along > least_cosine * least_cosine * normal.squaredNorm();
 }

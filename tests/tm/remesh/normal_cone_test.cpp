@@ -1,4 +1,4 @@
-#include "tm/remesh/direction_set.h"
+#include "tm/remesh/normal_cone.h"
 
 #include <bit>
 #include <vector>
@@ -30,7 +30,7 @@ TEST_CASE("a normal is seen by the directions within 88 degrees of it") {
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const Vec3 normal = random.point(-1, 1) * std::pow(10, random.uniform(-28, 28));
-    const int seen = std::popcount(seeing_directions(normal));
+    const int seen = std::popcount(cone_of(normal));
     CHECK(seen <= count_within(normal, 0.02999));
     CHECK(seen >= count_within(normal, 0.03001));
   }
@@ -40,17 +40,17 @@ TEST_CASE("opposite normals are never seen alike, normals near each other mostly
   Random random(2);
   for (int i = 0; i < 500; ++i) {
     const Vec3 normal = random.point(-1, 1);
-    CHECK((seeing_directions(normal) & seeing_directions(-normal)) == 0);
+    CHECK((cone_of(normal) & cone_of(-normal)) == 0);
     const Vec3 near = normal + random.point(-0.2, 0.2) * normal.norm();
-    CHECK((seeing_directions(normal) & seeing_directions(near)) != 0);
+    CHECK((cone_of(normal) & cone_of(near)) != 0);
   }
 }
 
 TEST_CASE("what has no direction, or none that single precision can hold, is seen by none") {
-  CHECK(seeing_directions(Vec3::Zero()) == 0);
-  CHECK(seeing_directions(Vec3(1e-40, 0, 0)) == 0);
-  CHECK(seeing_directions(Vec3(1e40, 1e40, 0)) == 0);
-  CHECK((seeing_directions(Vec3(1, 2, 3)) & ~all_directions) == 0);
+  CHECK(cone_of(Vec3::Zero()) == 0);
+  CHECK(cone_of(Vec3(1e-40, 0, 0)) == 0);
+  CHECK(cone_of(Vec3(1e40, 1e40, 0)) == 0);
+  CHECK((cone_of(Vec3(1, 2, 3)) & ~all_directions) == 0);
 }
 
 TEST_CASE("a direction sees a triangle from its front only, and not from its edge") {
@@ -61,19 +61,19 @@ TEST_CASE("a direction sees a triangle from its front only, and not from its edg
   CHECK_FALSE(sees(Vec3(1, 0, 0.01).normalized(), triangle));
 }
 
-TEST_CASE("the nearest direction of a set is found") {
+TEST_CASE("the nearest direction of a cone is found") {
   Random random(3);
   for (int i = 0; i < 500; ++i) {
     const Vec3 vector = random.point(-1, 1) * std::pow(10, random.uniform(-200, 200));
-    const DirectionSet set = seeing_directions(random.point(-1, 1));
-    if (set == 0) continue;
-    const Direction nearest = nearest_direction(set, vector);
-    CHECK((nearest.bit & set) == nearest.bit);
-    CHECK((seeing_directions(nearest.unit) & nearest.bit) != 0);
+    const NormalCone cone = cone_of(random.point(-1, 1));
+    if (cone == 0) continue;
+    const Direction nearest = nearest_direction(cone, vector);
+    CHECK((nearest.bit & cone) == nearest.bit);
+    CHECK((cone_of(nearest.unit) & nearest.bit) != 0);
     CHECK(nearest.unit.norm() == doctest::Approx(1));
 
-    // No other of the set has a larger cosine: asked as a set of one, each tells what it is.
-    for (DirectionSet rest = set; rest != 0; rest &= rest - 1) {
+    // No other of the cone has a larger cosine: asked as a cone of one, each tells what it is.
+    for (NormalCone rest = cone; rest != 0; rest &= rest - 1) {
       const Direction other = nearest_direction(rest & -rest, vector);
       CHECK(other.bit == (rest & -rest));
       CHECK(other.unit.dot(vector) <= nearest.unit.dot(vector) + 1e-6 * vector.norm());

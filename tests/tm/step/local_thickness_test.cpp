@@ -1,4 +1,4 @@
-#include "tm/step/gaps.h"
+#include "tm/step/local_thickness.h"
 
 #include <doctest/doctest.h>
 
@@ -45,7 +45,7 @@ Mesh shell(double thickness) {
 }
 
 /// The diameter of the ball that touches the left ball at `point` from outside and the right one:
-/// its centre lies at (1 + r) point, and 1 + r from the centre of the right one.
+/// its center lies at (1 + r) point, and 1 + r from the center of the right one.
 double width_between_balls(const Vec3& point, double gap) {
   const double apart = 2 + gap;
   double low = 0;
@@ -64,7 +64,7 @@ TEST_CASE("the gap between two balls has the width of the balls that fit in") {
   const double gap = 0.1;
   const double reach = 0.5;
   const Mesh mesh = two_balls(gap);
-  const std::vector<double> widths = gap_widths(make_target(mesh), reach);
+  const std::vector<double> widths = local_thickness(make_target(mesh), reach);
   std::size_t narrow = 0;
   for (std::size_t v = 0; v < mesh.positions.size() / 2; ++v) {
     const double expected = width_between_balls(mesh.positions[v], gap);
@@ -83,7 +83,7 @@ TEST_CASE("the gap between two balls has the width of the balls that fit in") {
 
 TEST_CASE("walls are narrow, corners, edges and curved places are not") {
   const auto widths = [](const Mesh& mesh, double reach) {
-    return gap_widths(make_target(mesh), reach);
+    return local_thickness(make_target(mesh), reach);
   };
   for (const double width : widths(shell(0.1), 0.5)) CHECK(width == Approx(0.1).epsilon(0.02));
   for (const double width : widths(test::cuboid(Vec3(0, 0, 0), Vec3(1, 1, 1)), 0.5))
@@ -99,14 +99,15 @@ TEST_CASE("of points too; the file of a target keeps them") {
   points.faces.clear();
   set_normal_columns(points, normals);
   Target target = make_target(points);
-  target.gaps = gap_widths(target, 0.5);
-  CHECK(*std::min_element(target.gaps.begin(), target.gaps.end()) == Approx(0.1).epsilon(0.1));
-  CHECK(read_target(write_target(target), "a.ply").gaps == target.gaps);
+  target.thickness = local_thickness(target, 0.5);
+  CHECK(*std::min_element(target.thickness.begin(), target.thickness.end()) ==
+        Approx(0.1).epsilon(0.1));
+  CHECK(read_target(write_target(target), "a.ply").thickness == target.thickness);
 }
 
 TEST_CASE("a step says how long edges may be: short ones in the gap, and bounded") {
   Target target = make_target(two_balls(0.1));
-  target.gaps = gap_widths(target, 0.6);
+  target.thickness = local_thickness(target, 0.6);
   Mesh mesh = test::icosphere(3);
   for (Vec3& point : mesh.positions) point *= 1.01;
   MorphStepOptions options;
@@ -124,7 +125,7 @@ TEST_CASE("gaps do not depend on the number of threads") {
   const Target target = make_target(two_balls(0.2));
   const std::vector<double> alone = [&] {
     const ThreadLimit limit(1);
-    return gap_widths(target, 1);
+    return local_thickness(target, 1);
   }();
-  CHECK(gap_widths(target, 1) == alone);
+  CHECK(local_thickness(target, 1) == alone);
 }
