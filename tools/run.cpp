@@ -56,11 +56,10 @@ void Run::start() {
     throw UsageError("--json needs a report on standard output");
   if (command_.writes == Writes::picture && is_for_terminal)
     throw UsageError("not writing a picture to a terminal: redirect it or name a file with -o");
-  if (command_.is_evolution() && command_.writes_mesh()) {
-    Document probe;
-    set_output_style(probe);
+  if (command_.is_evolution()) {
+    if (command_.writes_mesh()) set_output_style(document());
+    return;
   }
-  if (command_.is_evolution()) return;
   check_writable(output());
   if (!command_.common.report.empty()) check_writable(command_.common.report);
   if (command_.reads_mesh()) read_input();

@@ -307,6 +307,16 @@ CSV
   [ "$(find out -mindepth 1 | wc -l)" -eq 3 ]
 }
 
+@test "a sequence is written in the format asked for" {
+  echo "$scene" >names
+  tm-reconstruct --sequence names --cameras '{}/par.txt' --images '{}/images' \
+    --silhouettes '{}/masks' --coarsest 4 --edge 4 --passes 1 --iterations 1 --format off -o out -q
+  name=out/$(basename "$scene")
+  [ "$(ls out)" = "$(basename "$scene").off" ]
+  head -n 1 "$name.off" | grep -q '^OFF'
+  tm-checkmanifold --closed "$name.off"
+}
+
 @test "a sequence that names no time steps, or no places for them, is refused" {
   sequence=(tm-reconstruct --cameras "$scene/par.txt" --images '{}/images' -o out)
   run --separate-stderr "${sequence[@]}" --sequence 'nowhere/*'
