@@ -1,14 +1,13 @@
 #include "filter_process.h"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 
 #include "tm/support/error.h"
@@ -21,7 +20,7 @@ namespace {
   throw GoalError("cannot run '" + command + "': " + std::strerror(errno));
 }
 
-/// One end of a pipe, closed when it goes.
+/// A file, closed when it goes.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -30,9 +29,8 @@ class Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 
   int number() const { return number_; }
-  bool is_open() const { return number_ >= 0; }
   void close() {
-    if (is_open()) ::close(number_);
+    if (number_ >= 0) ::close(number_);
     number_ = -1;
   }
 
@@ -40,88 +38,40 @@ class Descriptor {
   int number_;
 };
 
-/// The child's ends are closed here once it runs.
-struct Pipes {
-  Descriptor child_input, child_output, to_child, from_child;
-};
-
-std::array<int, 2> new_pipe(const std::string& command) {
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_not_run(command);
-  return ends;
+// The whole input lies in a file in memory, so that nothing has to be written while the output is
+// read, and a filter may end without reading all of it.
+int file_of(std::string_view input, const std::string& command) {
+  const int file = memfd_create("input", MFD_CLOEXEC);
+  while (file >= 0 && !input.empty()) {
+    const ssize_t count = write(file, input.data(), input.size());
+    if (count < 0) break;
+    input.remove_prefix(static_cast<std::size_t>(count));
+  }
+  if (!input.empty() || lseek(file, 0, SEEK_SET) != 0) throw_not_run(command);
+  return file;
 }
 
-/// While alive, a child that does not read is an error of write() and no signal.
-class BrokenPipeBlock {
- public:
-  BrokenPipeBlock() {
-    sigemptyset(&broken_pipe_);
-    sigaddset(&broken_pipe_, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &broken_pipe_, &before_);
-  }
-  ~BrokenPipeBlock() {
-    const timespec at_once{};
-    while (sigtimedwait(&broken_pipe_, nullptr, &at_once) > 0) {
-    }
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  BrokenPipeBlock(const BrokenPipeBlock&) = delete;
-  BrokenPipeBlock& operator=(const BrokenPipeBlock&) = delete;
-  const sigset_t& before() const { return before_; }
-
- private:
-  sigset_t broken_pipe_{};
-  sigset_t before_{};
-};
-
-// The child gets an end of each pipe, and the signals as they were before.
-pid_t start(const std::string& command, const Pipes& pipes, const sigset_t& signals) {
+pid_t start(const std::string& command, const Descriptor& input, const Descriptor& output) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, pipes.child_input.number(), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, pipes.child_output.number(), STDOUT_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setsigmask(&attributes, &signals);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  posix_spawn_file_actions_adddup2(&actions, input.number(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, output.number(), STDOUT_FILENO);
   const std::array<const char*, 5> words{"sh", "-c", "--", command.c_str(), nullptr};
   pid_t child = 0;
-  errno = posix_spawn(&child, "/bin/sh", &actions, &attributes,
-                      const_cast<char* const*>(words.data()), environ);
-  const int error = errno;
+  const int error = posix_spawn(&child, "/bin/sh", &actions, nullptr,
+                                const_cast<char* const*>(words.data()), environ);
   posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
   errno = error;
-  return error == 0 ? child : -1;
+  if (error != 0) throw_not_run(command);
+  return child;
 }
 
-// A filter may end without reading all of its input: what it wrote and its exit code decide.
-void write_some(Descriptor& to, std::string_view& rest) {
-  const ssize_t count = write(to.number(), rest.data(), rest.size());
-  if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
-  const bool is_broken = count < 0 && errno != EINTR && errno != EAGAIN;
-  if (rest.empty() || is_broken) to.close();
-}
-
-// Whether there is more to come.
-bool read_some(const Descriptor& from, std::string& output) {
-  std::array<char, 65536> block{};
-  const ssize_t count = read(from.number(), block.data(), block.size());
-  if (count > 0) output.append(block.data(), static_cast<std::size_t>(count));
-  return count > 0 || (count < 0 && (errno == EINTR || errno == EAGAIN));
-}
-
-// Both ways at once, as neither pipe holds all.
-std::string exchange(Pipes& pipes, std::string_view input) {
+std::string all_of(const Descriptor& pipe) {
   std::string output;
-  fcntl(pipes.to_child.number(), F_SETFL, O_NONBLOCK);
-  if (input.empty()) pipes.to_child.close();
-  for (bool has_more = true; has_more;) {
-    std::array<pollfd, 2> ends{pollfd{pipes.from_child.number(), POLLIN, 0},
-                               pollfd{pipes.to_child.number(), POLLOUT, 0}};
-    if (poll(ends.data(), pipes.to_child.is_open() ? 2 : 1, -1) < 0) continue;
-    if (pipes.to_child.is_open() && ends[1].revents != 0) write_some(pipes.to_child, input);
-    if (ends[0].revents != 0) has_more = read_some(pipes.from_child, output);
+  std::array<char, 65536> block{};
+  for (ssize_t count = 1; count > 0 || (count < 0 && errno == EINTR);) {
+    count = read(pipe.number(), block.data(), block.size());
+    if (count > 0) output.append(block.data(), static_cast<std::size_t>(count));
   }
   return output;
 }
@@ -141,16 +91,14 @@ void check_ending(const std::string& command, int status) {
 }  // namespace
 
 std::string run_filter(const std::string& command, std::string_view input) {
-  const auto [child_input, to_child] = new_pipe(command);
-  const auto [from_child, child_output] = new_pipe(command);
-  Pipes pipes{Descriptor(child_input), Descriptor(child_output), Descriptor(to_child),
-              Descriptor(from_child)};
-  const BrokenPipeBlock block;
-  const pid_t child = start(command, pipes, block.before());
-  if (child < 0) throw_not_run(command);
-  pipes.child_input.close();
-  pipes.child_output.close();
-  std::string output = exchange(pipes, input);
+  const Descriptor child_input(file_of(input, command));
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_not_run(command);
+  const Descriptor from_child(ends[0]);
+  Descriptor child_output(ends[1]);
+  const pid_t child = start(command, child_input, child_output);
+  child_output.close();
+  std::string output = all_of(from_child);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

@@ -7,9 +7,9 @@ namespace transformesh::tool {
 namespace {
 
 void declare_movement(Program& program, MorphChoices& choices) {
-  program.number("alpha", &choices.alpha, 0, 1e300,
+  program.number("alpha", &choices.options.step.displace.alpha, 0, 1e300,
                  "clamp on the movement, as a fraction of the mean edge at the vertex");
-  program.number("time-step", &choices.time_step, 0, 1e300,
+  program.number("time-step", &choices.options.step.displace.time_step, 0, 1e300,
                  "share of the distance to go in one step");
   program.choice("distance", &choices.distance, {"auto", "surface", "points", "vertex"},
                  "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
@@ -18,15 +18,15 @@ void declare_movement(Program& program, MorphChoices& choices) {
 
 void declare_edges(Program& program, MorphChoices& choices) {
   program.text("smooth", &choices.smooth, "KIND", "smoothing of tm-remesh");
-  program.length("min-edge", &choices.min_edge, "collapse shorter edges");
-  program.length("max-edge", &choices.max_edge, "split longer edges");
-  program.number("gap-edges", &choices.gap_edges, 0, 1e6,
+  program.length("min-edge", &choices.options.iteration.min_edge, "collapse shorter edges");
+  program.length("max-edge", &choices.options.iteration.max_edge, "split longer edges");
+  program.number("gap-edges", &choices.options.step.gap_edges, 0, 1e6,
                  "so many edges across the target's gaps and walls: shorter ones where it is "
                  "narrow; 0: the same everywhere");
   program.reference_edge("",
                          "length that x refers to; auto: the source's mean edge (default: that "
                          "of its tm:reference-edge comment, else auto)");
-  program.integer("scales", &choices.scales, 1, 10,
+  program.integer("scales", &choices.options.scales, 1, 10,
                   "coarse to fine: begin with edges 2^(N-1) times as long and halve them as the "
                   "mesh comes to rest");
 }
@@ -52,17 +52,17 @@ std::string file_word(const std::string& name) {
 }
 
 std::string step_words(const MorphChoices& choices, const std::string& target) {
+  const MorphStepOptions& step = choices.options.step;
   return "tm-morph-step --no-provenance --target " + target + " --distance " + choices.distance +
-         " --alpha " + shortest_text(choices.alpha) + " --time-step " +
-         shortest_text(choices.time_step) + " --gap-edges " + shortest_text(choices.gap_edges);
+         " --alpha " + shortest_text(step.displace.alpha) + " --time-step " +
+         shortest_text(step.displace.time_step) + " --gap-edges " + shortest_text(step.gap_edges);
 }
 
 std::string remesh_words(const MorphChoices& choices) {
-  std::string words = "tm-remesh --no-provenance --smooth " + quoted(choices.smooth) +
-                      " --min-edge " + choices.min_edge.text() + " --max-edge " +
-                      choices.max_edge.text();
-  if (choices.gap_edges > 0) words += " --size-field size";
-  return words;
+  const IterationOptions& iteration = choices.options.iteration;
+  return "tm-remesh --no-provenance --smooth " + quoted(choices.smooth) + " --min-edge " +
+         iteration.min_edge.text() + " --max-edge " + iteration.max_edge.text() +
+         (choices.options.step.gap_edges > 0 ? " --size-field size" : "");
 }
 
 }  // namespace
@@ -97,29 +97,22 @@ void check_morph(const MorphChoices& choices, const Run& run) {
 }
 
 MorphingOptions morphing_of(const MorphChoices& choices, Run& run) {
-  MorphingOptions options;
+  MorphingOptions options = choices.options;
   options.step.distance = distance_of(choices.distance);
-  options.step.displace = {choices.time_step, choices.alpha};
-  options.step.gap_edges = choices.gap_edges;
-  options.iteration.min_edge = choices.min_edge;
-  options.iteration.max_edge = choices.max_edge;
   options.iteration.reference_edge = run.reference_edge();
   options.iteration.remesh = RemeshOptions();
   read_smoothing(choices.smooth, options.iteration.remesh);
-  options.scales = static_cast<int>(choices.scales);
   return options;
 }
 
 std::string pipeline_of(const MorphChoices& choices, const Run& run) {
-  if (choices.scales > 1 || choices.sequence) {
+  if (choices.options.scales > 1 || choices.sequence) {
     throw UsageError(
         "--print-pipeline is for a loop that can be told beforehand: leave out --scales and "
         "--sequence");
   }
   const std::string output = run.output() == "-" ? "evolved.ply" : run.output();
   const std::string mesh = file_word(output);
-  const std::string measured = file_word(output + ".target.ply");
-  const bool has_gaps = choices.gap_edges > 0;
   std::string target = file_word(choices.target);
   // Of what the source says or has, 1x: fixed before vertices move.
   std::string edge = run.value("reference-edge");
@@ -128,8 +121,9 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
   std::string text =
       "set -euo pipefail\ntm-clean --no-provenance --outermost --format ply --reference-edge " +
       edge + " -o " + mesh + ' ' + file_word(run.input()) + '\n';
-  if (has_gaps) {
+  if (choices.options.step.gap_edges > 0) {
     // Measured once, as that takes longer than an iteration.
+    const std::string measured = file_word(output + ".target.ply");
     text += step_words(choices, target) + " --write-target " + measured + " -o /dev/null " + mesh +
             '\n';
     target = measured;

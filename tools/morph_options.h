@@ -9,18 +9,13 @@
 
 namespace transformesh::tool {
 
-/// Options as they are written.
+/// Options as they are written; the rest are in `options`.
 struct MorphChoices {
   std::string target;
   bool sequence = false;
-  double alpha = 0.2;
-  double time_step = 1;
+  MorphingOptions options;
   std::string distance = "auto";
   std::string smooth = "0.1";
-  Length min_edge{0.7, Length::Unit::reference_edge};
-  Length max_edge{1.5, Length::Unit::reference_edge};
-  double gap_edges = 0;
-  long scales = 1;
   bool print_pipeline = false;
   LoopChoices loop;
 };

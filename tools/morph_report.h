@@ -4,13 +4,61 @@
 #include <string>
 
 #include "tm/evolution/tracking.h"
+#include "tm/mesh/components.h"
+#include "tm/mesh/measure.h"
+#include "tm/support/counted.h"
 #include "tool.h"
 
 namespace transformesh::tool {
 
-std::string summary(const MorphingResult& result, const Mesh& mesh);
-std::string summary(const TrackingResult& result, const Mesh& mesh);
-void report_morph(const MorphingResult& result, Run& run);
-void report_tracking(const TrackingResult& result, const Mesh& mesh, Run& run);
+inline std::string how(MorphingStop stop) {
+  if (stop == MorphingStop::converged) return "converged";
+  return stop == MorphingStop::stalled ? "no longer improving" : "iteration limit reached";
+}
+
+inline std::string summary(const MorphingResult& result, const Mesh& mesh) {
+  const std::string& fault = result.agreement.fault;
+  return how(result.stop) + " after " + counted(result.iterations, "iteration") + ": " +
+         in_short(mesh.faces.size(), result.topology) + ", rms distance " +
+         significant(result.distances.to_target.rms, 3) + " to and " +
+         significant(result.distances.from_target.rms, 3) + " from the target" +
+         (fault.empty() ? "" : "; " + fault);
+}
+
+inline void report_morph(const MorphingResult& result, Run& run) {
+  const MorphStepResult& distances = result.distances;
+  run.report("converged", result.stop == MorphingStop::converged);
+  run.report("stop", name_of(result.stop));
+  run.report("iterations", result.iterations);
+  run.report("components", result.topology.components);
+  run.report("genus", result.topology.genus);
+  run.report("rms_distance_to_target", distances.to_target.rms);
+  run.report("max_distance_to_target", distances.to_target.maximum);
+  run.report("rms_distance_from_target", distances.from_target.rms);
+  run.report("max_distance_from_target", distances.from_target.maximum);
+  if (result.agreement.to_target) {
+    run.report("hausdorff_to_target", *result.agreement.to_target);
+    run.report("hausdorff_from_target", *result.agreement.from_target);
+  }
+  if (result.expected) {
+    run.report("target_components", result.expected->components);
+    run.report("target_genus", result.expected->genus);
+  }
+  run.report("fault", result.agreement.fault);
+  run.report("mean_edge", distances.displaced.mean_edge);
+}
+
+inline void report_tracking(const TrackingResult& result, const Mesh& mesh, Run& run) {
+  run.report("converged", result.converged == result.frames);
+  run.report("frames", result.frames);
+  run.report("converged_frames", result.converged);
+  run.report("components", connected_components(mesh).components.size());
+  run.report("mean_edge", edge_lengths(mesh).mean);
+}
+
+inline std::string summary(const TrackingResult& result, const Mesh& mesh) {
+  return counted(result.frames, "frame") + ", " + std::to_string(result.converged) +
+         " converged: " + counted(mesh.faces.size(), "face");
+}
 
 }  // namespace transformesh::tool

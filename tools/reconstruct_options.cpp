@@ -27,7 +27,8 @@ void declare_places(Program& program, ReconstructChoices& choices) {
 void declare_start(Program& program, ReconstructChoices& choices) {
   program.text("keep", &choices.keep, "largest|all|SHARE",
                "components of the hull: of at least this share of the largest one's volume");
-  program.text("start", &choices.start, "FILE", "begin with this mesh, not with the visual hull");
+  program.text("start", &choices.options.start.name, "FILE",
+               "begin with this mesh, not with the visual hull");
   program.choice("clip", &choices.clip, {"hull", "nothing"},
                  "of that mesh, keep what is within the hull of exact silhouettes, or all");
   program.text("sequence", &choices.sequence, "WHERE",
@@ -43,22 +44,26 @@ void declare_scales(Program& program, ReconstructChoices& choices) {
   program.text("coarsest", &choices.coarsest, "auto|NUMBER",
                "how much smaller photographs are at first; auto: up to 11.3, less where thin "
                "parts would get lost");
-  program.number("edge", &choices.edge, 1, 1e6, "length of edges, in pixels of the scale");
+  program.number("edge", &choices.options.scales.edge, 1, 1e6,
+                 "length of edges, in pixels of the scale");
   program.text("last-edge", &choices.last_edge, "NUMBER",
                "then shorten them to this in steps of the square root of 2, at full scale "
                "(default: as --edge)");
-  program.integer("passes", &choices.passes, 1, no_limit, "at most so many at each scale");
-  program.integer("iterations", &choices.iterations, 1, no_limit, "steps between two cleanings");
+  program.integer("passes", &choices.options.passes, 1, no_limit, "at most so many at each scale");
+  program.integer("iterations", &choices.options.iterations, 1, no_limit,
+                  "steps between two cleanings");
 }
 
 void declare_steps(Program& program, ReconstructChoices& choices) {
-  program.integer("pairs", &choices.pairs, 1, 1000, "neighbors with which each view is compared");
-  program.integer("window", &choices.window, 1, 5, "radius of compared windows, 1 to 5 pixels");
+  program.integer("pairs", &choices.options.pairs.neighbors, 1, 1000,
+                  "neighbors with which each view is compared");
+  program.integer("window", &choices.options.window, 1, 5,
+                  "radius of compared windows, 1 to 5 pixels");
   program.text("robust", &choices.robust, "auto|NUMBER",
                "at last, windows that disagree this many times as much as the mean pull by a "
                "quarter, 0: all alike; auto: 1 where photographs agree well, else 0");
-  program.number("stiffness", &choices.stiffness, 0, 1e300, "resistance to bending");
-  program.number("pull", &choices.pull, 0, 1e300, "how much silhouettes pull");
+  program.number("stiffness", &choices.options.stiffness, 0, 1e300, "resistance to bending");
+  program.number("pull", &choices.options.pull, 0, 1e300, "how much silhouettes pull");
 }
 
 double number_of(const std::string& option, const std::string& text, double minimum) {
@@ -85,19 +90,8 @@ void refuse_standard_input(const ReconstructChoices& choices) {
   refuse("cameras", choices.sources.cameras);
   refuse("images", choices.sources.images);
   refuse("silhouettes", choices.sources.silhouettes);
-  refuse("start", choices.start);
+  refuse("start", choices.options.start.name);
   refuse("sequence", choices.sequence);
-}
-
-StartOptions start_of(const ReconstructChoices& choices) {
-  StartOptions start;
-  start.is_given = !choices.start.empty();
-  start.name = choices.start;
-  start.clips_by_hull = choices.clip == "hull";
-  if (choices.silhouettes_show == "least") start.meaning = SilhouetteMeaning::least;
-  if (!choices.threshold.empty()) start.threshold = {.level = threshold_level(choices.threshold)};
-  start.keep = hull_share(choices.keep);
-  return start;
 }
 
 void check_sequence(const ReconstructChoices& choices, const Run& run) {
@@ -127,19 +121,18 @@ void declare_reconstruction(Program& program, ReconstructChoices& choices) {
 
 ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run) {
   refuse_standard_input(choices);
-  ReconstructionOptions options;
-  options.start = start_of(choices);
+  ReconstructionOptions options = choices.options;
+  StartOptions& start = options.start;
+  start.is_given = !start.name.empty();
+  start.clips_by_hull = choices.clip == "hull";
+  if (choices.silhouettes_show == "least") start.meaning = SilhouetteMeaning::least;
+  if (!choices.threshold.empty()) start.threshold = {.level = threshold_level(choices.threshold)};
+  start.keep = hull_share(choices.keep);
   options.scales.coarsest = number_or_auto("coarsest", choices.coarsest, 1);
-  options.scales.edge = choices.edge;
-  options.scales.last_edge =
-      choices.last_edge.empty() ? choices.edge : number_of("last-edge", choices.last_edge, 1);
-  options.passes = static_cast<std::size_t>(choices.passes);
-  options.iterations = static_cast<int>(choices.iterations);
-  options.pairs.neighbors = static_cast<std::size_t>(choices.pairs);
-  options.window = static_cast<int>(choices.window);
+  options.scales.last_edge = choices.last_edge.empty()
+                                 ? options.scales.edge
+                                 : number_of("last-edge", choices.last_edge, 1);
   options.robust = number_or_auto("robust", choices.robust, 0);
-  options.stiffness = choices.stiffness;
-  options.pull = choices.pull;
   options.on_detail = [&run](const std::string& text) { run.detail(text); };
   return options;
 }

@@ -12,26 +12,19 @@
 
 namespace transformesh::tool {
 
-/// Options as they are written.
+/// Options as they are written; the rest are in `options`.
 struct ReconstructChoices {
   ViewSources sources;
+  ReconstructionOptions options;
   std::string silhouettes_show = "exact";
   std::string threshold;
   std::string keep = "largest";
-  std::string start;
   std::string clip = "hull";
   std::string sequence;
   double track = SequenceOptions().track;
   std::string coarsest = "auto";
-  double edge = ScaleOptions().edge;
   std::string last_edge;
-  long passes = 4;
-  long iterations = 5;
-  long pairs = 4;
-  long window = 3;
   std::string robust = "auto";
-  double stiffness = 1;
-  double pull = 0.5;
   LoopChoices loop;
 };
 

@@ -75,9 +75,8 @@ void report(const EvolveResult& result, tool::Run& run) {
 
 std::string summary(const EvolveResult& result, const Mesh& mesh) {
   return (result.is_done ? "converged after " : "iteration limit reached after ") +
-         counted(result.iterations, "iteration") + ": " + counted(mesh.faces.size(), "face") +
-         ", components " + std::to_string(result.last.topology.components) + ", genus " +
-         std::to_string(result.last.topology.genus);
+         counted(result.iterations, "iteration") + ": " +
+         in_short(mesh.faces.size(), result.last.topology);
 }
 
 void evolve_mesh(Options& options, tool::Run& run) {

@@ -46,13 +46,12 @@ void morph_to_target(const tool::MorphChoices& choices, Record& record, tool::Ru
 void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   Document& document = tool::begin_document(record, run);
   const std::vector<std::string> names(run.inputs().begin() + 1, run.inputs().end());
-  const TrackingOptions options{tool::morphing_of(choices, run),
-                                static_cast<std::size_t>(choices.loop.iterations)};
+  const MorphingOptions options = tool::morphing_of(choices, run);
   TrackingResult result;
   tool::evolve_or_keep(run, record, "frame", [&] {
     result = track(
         document, names, [&](std::size_t frame) { return read(names[frame], run); }, options,
-        [&](const std::string& message) { run.progress_line(message); }, record, run.progress());
+        tool::loop_of(choices.loop, run), record, run.progress());
   });
   tool::report_tracking(result, document.mesh, run);
   tool::conclude(run, choices.loop, record,

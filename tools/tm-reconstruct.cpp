@@ -22,7 +22,7 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   if (record.resumed()) {
     run.continue_from(record.resumed()->document);
   } else {
-    document = beginning(choices.start, run);
+    document = beginning(choices.options.start.name, run);
   }
   run.progress()("read views");
   std::vector<View> views = views_from(choices.sources);
@@ -44,7 +44,7 @@ void reconstruct_film(const tool::ReconstructChoices& choices,
 
   options.comments = beginning("", run).style.comments;
   Document document;
-  if (!record.resumed()) document = beginning(choices.start, run);
+  if (!record.resumed()) document = beginning(choices.options.start.name, run);
   const auto views_of = [&](std::size_t step) {
     return views_from(tool::sources_of(choices.sources, steps[step]));
   };

@@ -1,4 +1,5 @@
-/// One row of a CSV file of numbers, independent of the locale; and numbers as text and back.
+/// A row of a CSV file, with the names of its columns; and numbers as text and back. Independent of
+/// the locale.
 #pragma once
 
 #include <concepts>
@@ -13,20 +14,31 @@ std::string fixed(double value, int decimals);
 /// The number that either of them wrote.
 double read_back(const std::string& text);
 
+/// Names and values go into it together, so that no header can differ from its rows.
 class CsvRow {
  public:
-  CsvRow& count(std::integral auto value) { return text(std::to_string(value)); }
-  CsvRow& number(double value) { return text(significant(value, 6)); }
-  CsvRow& share(double value) { return text(fixed(value, 4)); }
-  CsvRow& seconds(double value) { return text(fixed(value, 3)); }
-  CsvRow& text(const std::string& value) {
-    line_ += (line_.empty() ? "" : ",") + value;
+  CsvRow& count(const std::string& name, std::integral auto value) {
+    return text(name, std::to_string(value));
+  }
+  CsvRow& number(const std::string& name, double value, int digits = 6) {
+    return text(name, significant(value, digits));
+  }
+  CsvRow& share(const std::string& name, double value, int decimals = 4) {
+    return text(name, fixed(value, decimals));
+  }
+  CsvRow& seconds(const std::string& name, double value) { return share(name, value, 3); }
+  CsvRow& text(const std::string& name, const std::string& value) {
+    const std::string comma = header_.empty() ? "" : ",";
+    header_ += comma + name;
+    line_ += comma + value;
     return *this;
   }
+
+  const std::string& header() const { return header_; }
   const std::string& line() const { return line_; }
 
  private:
-  std::string line_;
+  std::string header_, line_;
 };
 
 }  // namespace transformesh

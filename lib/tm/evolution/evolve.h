@@ -15,32 +15,20 @@
 
 #include "tm/evolution/iteration.h"
 #include "tm/evolution/loop.h"
-#include "tm/evolution/stop_rules.h"
 
 namespace transformesh {
 
-/// When an evolution has come to its end, given how far the vertices moved.
-class UntilRule {
- public:
-  UntilRule() = default;  ///< never: the limit of iterations ends it
-  /// Returns whether it ends here.
-  bool add(const DisplaceResult& displaced);
-  Values values() const;
-  void restore(const Values& values) { stalled_.restore(values); }
-
- private:
-  friend UntilRule moved_less_than(double length);
-  friend UntilRule stalled();
-  enum class Kind { never, moved, stalled } kind_ = Kind::never;
-  double length_ = 0;
-  StalledRule stalled_;
+/// When an evolution has come to its end, by how far the vertices moved. By default never: the
+/// limit of iterations ends it.
+struct UntilRule {
+  double least_movement = 0;
+  bool is_stalled = false;
 };
-
 /// No vertex moved by as much as this, in input units.
-UntilRule moved_less_than(double length);
+inline UntilRule moved_less_than(double length) { return {length, false}; }
 /// The root mean square of the movements got no smaller by a hundredth in 20 iterations, or nothing
 /// moved.
-UntilRule stalled();
+inline UntilRule stalled() { return {0, true}; }
 
 struct EvolveOptions {
   IterationOptions iteration = {};

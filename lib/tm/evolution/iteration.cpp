@@ -7,6 +7,7 @@
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/measure.h"
+#include "tm/support/counted.h"
 
 namespace transformesh {
 namespace {
@@ -46,6 +47,36 @@ RemeshOptions smoothed_by(double factor) {
   return options;
 }
 
+IterationOptions completed(IterationOptions options, const Mesh& mesh) {
+  if (options.reference_edge == 0) options.reference_edge = measured_reference_edge(mesh);
+  return options;
+}
+
+std::string in_words(std::size_t faces, const Topology& topology) {
+  return counted(faces, "face") + ", " + counted(topology.components, "part") + ", genus " +
+         std::to_string(topology.genus);
+}
+
+std::string in_short(std::size_t faces, const Topology& topology) {
+  return counted(faces, "face") + ", components " + std::to_string(topology.components) +
+         ", genus " + std::to_string(topology.genus);
+}
+
+double IterationResult::moved_share() const {
+  return static_cast<double>(displaced.moved) / static_cast<double>(vertices);
+}
+
+void IterationResult::measure_mesh(CsvRow& row) const {
+  row.count("faces", faces).count("pairs", pairs);
+  row.count("components", topology.components).count("genus", topology.genus);
+}
+
+void IterationResult::measure_times(CsvRow& row) const {
+  row.number("mean_edge", displaced.mean_edge).seconds("seconds_step", seconds_step);
+  row.seconds("seconds_clean", seconds_clean).seconds("seconds_remesh", seconds_remesh);
+  row.seconds("seconds", seconds);
+}
+
 CleanedTopology clean_in_place(Document& document, const Progress& progress) {
   CleanResult result =
       clean(document.mesh, {.outermost = true, .coordinate = document.style.coordinate}, progress);
@@ -74,6 +105,7 @@ IterationResult iterate(Document& document, const Step& step, const IterationOpt
                      cleaned.topology.genus};
   result.faces = document.mesh.faces.size();
   result.seconds_remesh = watch.lap();
+  result.seconds = result.seconds_step + result.seconds_clean + result.seconds_remesh;
   return result;
 }
 

@@ -9,8 +9,10 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
+#include "tm/evolution/csv_row.h"
 #include "tm/io/document.h"
 #include "tm/io/length_basis.h"
 #include "tm/remesh/remesh.h"
@@ -40,12 +42,18 @@ struct IterationOptions {
   /// a size column the lengths are factors of it.
   RemeshOptions remesh = smoothed_by(0.1);
 };
+/// With the reference edge of the mesh where there is none.
+IterationOptions completed(IterationOptions options, const Mesh& mesh);
 
 struct Topology {
   std::size_t components = 0;
   long genus = 0;  ///< of all components
   bool operator==(const Topology&) const = default;
 };
+/// "812 faces, 1 part, genus 0".
+std::string in_words(std::size_t faces, const Topology& topology);
+/// "812 faces, components 1, genus 0".
+std::string in_short(std::size_t faces, const Topology& topology);
 
 struct IterationResult {
   std::size_t vertices = 0;  ///< that took the step
@@ -54,6 +62,13 @@ struct IterationResult {
   Topology topology;         ///< of the mesh afterwards
   DisplaceResult displaced;
   double seconds_step = 0, seconds_clean = 0, seconds_remesh = 0;
+  double seconds = 0;  ///< of all three
+
+  double moved_share() const;
+  /// The columns of the CSV file that iterations have in common: of the mesh afterwards, and of
+  /// the edges before with the times.
+  void measure_mesh(CsvRow& row) const;
+  void measure_times(CsvRow& row) const;
 };
 
 IterationResult iterate(Document& document, const Step& step, const IterationOptions& options,

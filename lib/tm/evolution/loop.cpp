@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "tm/evolution/iteration.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -20,20 +21,35 @@ namespace {
   }
 }
 
-// The number of the iteration that was completed last.
-std::size_t begin(Loop& loop, Document& document, Record& record, const Progress& progress) {
+Memory memory_of(Loop& loop) {
+  Memory memory;
+  loop.remember(memory);
+  return memory;
+}
+
+CsvRow row_of(const Loop& loop, std::size_t iteration) {
+  const std::string noun = loop.noun();
+  CsvRow row;
+  row.count(noun.substr(noun.rfind(' ') + 1), iteration);
+  loop.measure(row);
+  return row;
+}
+
+void begin(Loop& loop, Document& document, Record& record, const Progress& progress) {
   if (record.resumed()) {
     document = record.resumed()->document;
-    loop.restore(record.resumed()->values);
+    Memory memory = record.resumed()->memory;
+    loop.remember(memory);
   } else {
     loop.start(document, progress);
   }
-  record.begin(document, loop.csv_header(), loop.values());
-  return record.resumed() ? record.resumed()->iteration : 0;
+  record.begin(document, row_of(loop, 0).header(), memory_of(loop));
 }
 
-void advance(Loop& loop, Document& document, std::size_t iteration, const LoopOptions& options,
-             Record& record, const Progress& progress) {
+void advance(Loop& loop, Document& document, const LoopOptions& options, Record& record,
+             const Progress& progress) {
+  const std::size_t iteration = record.iteration() + 1;
+  const std::string name = loop.noun() + ' ' + std::to_string(iteration);
   Document next = document;
   try {
     loop.advance(next, iteration, progress);
@@ -41,24 +57,32 @@ void advance(Loop& loop, Document& document, std::size_t iteration, const LoopOp
     throw;
   } catch (const std::runtime_error&) {
     if (iteration == 1) record.remove_state();
-    rethrow_in(options.noun + ' ' + std::to_string(iteration) + ": ");
+    rethrow_in(name + ": ");
   }
-  record.keep(next, iteration, loop.csv_row(iteration), loop.values());
+  record.keep(next, iteration, row_of(loop, iteration).line(), memory_of(loop));
   document = std::move(next);
-  if (options.on_iteration) options.on_iteration(loop.message(iteration));
+  if (options.on_iteration) options.on_iteration(name + loop.message());
 }
 
 }  // namespace
 
+void Loop::start(Document& document, const Progress& progress) {
+  clean_in_place(document, progress);
+}
+
+void Loop::finish(Document& document, const Progress& progress) {
+  clean_in_place(document, progress);
+}
+
 LoopResult run_loop(Loop& loop, Document& document, const LoopOptions& options, Record& record,
                     const Progress& progress) {
-  LoopResult result{begin(loop, document, record, progress), loop.is_done()};
-  while (!result.is_done && result.iterations < options.iterations) {
-    advance(loop, document, result.iterations + 1, options, record, progress);
-    ++result.iterations;
-    result.is_done = loop.is_done();
-  }
-  if (!result.is_done) record.pause(document, result.iterations, loop.values());
+  begin(loop, document, record, progress);
+  while (!loop.is_done() && record.iteration() < options.iterations)
+    advance(loop, document, options, record, progress);
+  const LoopResult result{record.iteration(), loop.is_done()};
+  if (!result.is_done) record.pause(document, memory_of(loop));
+  loop.finish(document, progress);
+  if (result.is_done) record.end();
   return result;
 }
 

@@ -16,6 +16,7 @@
 #include <string>
 
 #include "tm/evolution/agreement.h"
+#include "tm/evolution/iteration.h"
 #include "tm/evolution/loop.h"
 #include "tm/step/morph_step.h"
 

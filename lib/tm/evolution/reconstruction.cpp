@@ -2,11 +2,9 @@
 
 #include <limits>
 
-#include "tm/evolution/csv_row.h"
 #include "tm/evolution/reconstruction_rules.h"
 #include "tm/evolution/stopwatch.h"
 #include "tm/io/mesh_io.h"
-#include "tm/remesh/remesh.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 
@@ -20,8 +18,7 @@ constexpr const char* hull_name = "hull.ply";
 class Photographs {
  public:
   Photographs(const std::vector<View>& views, const ReconstructionOptions& options,
-              bool are_outlines)
-      : views_(views), options_(options), are_outlines_(are_outlines) {}
+              bool are_outlines);
 
   PhotoStepsResult pass(Mesh& mesh, double scale, double loss, const Progress& progress);
   /// One step in which nothing moves; of pairs in one order, or in both.
@@ -31,37 +28,36 @@ class Photographs {
 
  private:
   const PhotoScene& at(double scale);
-  PhotoStepsOptions steps() const;
 
   const std::vector<View>& views_;
-  const ReconstructionOptions& options_;
-  bool are_outlines_;
+  PairOptions pairs_;
+  PhotoStepsOptions steps_;
   double scale_ = 0;  ///< of the scene; 0: none
   PhotoScene scene_;
 };
 
+Photographs::Photographs(const std::vector<View>& views, const ReconstructionOptions& options,
+                         bool are_outlines)
+    : views_(views), pairs_(options.pairs) {
+  steps_.iterations = options.iterations;
+  steps_.step.stiffness = options.stiffness;
+  steps_.step.meaning = are_outlines ? SilhouetteMeaning::least : options.start.meaning;
+  steps_.step.silhouettes =
+      are_outlines ? read_back(significant(0.2 * options.pull, 9)) : options.pull;
+  steps_.step.photographs.correlation.radius = options.window;
+}
+
 const PhotoScene& Photographs::at(double scale) {
   if (scale == scale_) return scene_;
   scene_ = PhotoScene();
-  scene_ = photo_scene(views_, scale, options_.pairs);
+  scene_ = photo_scene(views_, scale, pairs_);
   scale_ = scale;
   return scene_;
 }
 
-PhotoStepsOptions Photographs::steps() const {
-  PhotoStepsOptions steps;
-  steps.step.stiffness = options_.stiffness;
-  steps.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options_.start.meaning;
-  steps.step.silhouettes =
-      are_outlines_ ? read_back(significant(0.2 * options_.pull, 9)) : options_.pull;
-  steps.step.photographs.correlation.radius = options_.window;
-  return steps;
-}
-
 PhotoStepsResult Photographs::pass(Mesh& mesh, double scale, double loss,
                                    const Progress& progress) {
-  PhotoStepsOptions options = steps();
-  options.iterations = options_.iterations;
+  PhotoStepsOptions options = steps_;
   options.alternate = true;
   options.step.photographs.correlation.robust = loss;
   return photo_steps(mesh, at(scale), options, progress);
@@ -69,7 +65,8 @@ PhotoStepsResult Photographs::pass(Mesh& mesh, double scale, double loss,
 
 PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
                                   const Progress& progress) {
-  PhotoStepsOptions options = steps();
+  PhotoStepsOptions options = steps_;
+  options.iterations = 1;
   options.alternate = in_one_order;
   options.step.alpha = 0;
   return photo_steps(mesh, at(scale), options, progress).first;
@@ -85,27 +82,28 @@ class ReconstructionLoop : public Loop {
         levels_(coarse_to_fine(options.scales, photographs.width(), photographs.pixel())),
         rule_(options.passes) {}
 
+  std::string noun() const override { return "pass"; }
   void start(Document& document, const Progress& progress) override;
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
   bool is_done() const override { return level_ == levels_.size(); }
+  void finish(Document& document, const Progress& progress) override;
 
-  Values values() const override;
-  void restore(const Values& values) override;
-  std::string csv_header() const override;
-  std::string csv_row(std::size_t iteration) const override;
-  std::string message(std::size_t iteration) const override;
+  void remember(Memory& memory) override;
+  void measure(CsvRow& row) const override;
+  std::string message() const override;
 
-  std::string fault() const { return fault_of(faults_); }
+  const ReconstructionResult& result() const { return result_; }
 
  private:
   bool may_begin_finer() const;
   void begin_finer(Document& document, const Progress& progress);
+  bool takes_pass(Document& document, const Progress& progress);
   void take_pass(Document& document, const Progress& progress);
-  void take_pass_or_begin_finer(Document& document, const Progress& progress);
-  PassMeasures measures() const;
   bool begin_robust();
   void begin_next_level(Document& document, const Progress& progress);
-  std::size_t pixels_compared(const Document& document, const Progress& progress) const;
+  std::size_t pixels_compared(const Document& document, const Progress& progress) const {
+    return photographs_.look(document.mesh, pass_.level.scale, true, progress).pixels;
+  }
 
   Photographs& photographs_;
   const Document& start_;
@@ -119,12 +117,8 @@ class ReconstructionLoop : public Loop {
   ReconstructionFaults faults_;
   double loss_ = 0;
 
-  // The last pass.
-  Level now_;
-  std::size_t vertices_ = 0, faces_ = 0;
-  PhotoStepsResult steps_;
-  CleanedTopology cleaned_;
-  double seconds_remesh_ = 0, seconds_step_ = 0, seconds_clean_ = 0;
+  Pass pass_;  ///< the last one
+  ReconstructionResult result_;
 };
 
 void ReconstructionLoop::start(Document& document, const Progress& progress) {
@@ -139,7 +133,7 @@ bool ReconstructionLoop::may_begin_finer() const {
 
 void ReconstructionLoop::begin_finer(Document& document, const Progress& progress) {
   if (options_.on_detail)
-    options_.on_detail("scale " + fixed(now_.scale, 4) +
+    options_.on_detail("scale " + fixed(pass_.level.scale, 4) +
                        " is too coarse for this surface: beginning anew at the next");
   level_ = ++first_;
   faults_.lost_at = 0;
@@ -149,64 +143,43 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
 
 void ReconstructionLoop::take_pass(Document& document, const Progress& progress) {
   Stopwatch watch;
-  now_ = levels_[level_];
-  RemeshOptions remeshing;
-  remeshing.iterations = 2;
-  remeshing.min_edge = edge_times(0.7, now_.edge);
-  remeshing.max_edge = edge_times(1.4, now_.edge);
-  remeshing.coordinate = document.style.coordinate;
-  remesh(document.mesh, remeshing, progress);
-  round_as_written(document);
-  seconds_remesh_ = watch.lap();
+  IterationResult& mesh = pass_.mesh;
+  pass_.level = levels_[level_];
+  remesh_to(document, pass_.level.edge, 2, progress);
+  mesh.seconds_remesh = watch.lap();
 
-  vertices_ = document.mesh.positions.size();
-  steps_ = photographs_.pass(document.mesh, now_.scale, loss_, progress);
+  mesh.vertices = document.mesh.positions.size();
+  pass_.steps = photographs_.pass(document.mesh, pass_.level.scale, loss_, progress);
   round_as_written(document);
-  seconds_step_ = watch.lap();
+  mesh.seconds_step = watch.lap();
 
-  cleaned_ = clean_in_place(document, progress);
-  faces_ = document.mesh.faces.size();
-  seconds_clean_ = watch.lap();
+  const CleanedTopology cleaned = clean_in_place(document, progress);
+  mesh.pairs = cleaned.pairs;
+  mesh.topology = cleaned.topology;
+  mesh.faces = document.mesh.faces.size();
+  mesh.seconds_clean = watch.lap();
 }
 
-void ReconstructionLoop::take_pass_or_begin_finer(Document& document, const Progress& progress) {
-  for (bool is_taken = false; !is_taken;) {
-    try {
-      take_pass(document, progress);
-      is_taken = true;
-    } catch (const CancelledError&) {
-      throw;
-    } catch (const std::runtime_error&) {
-      if (!may_begin_finer()) throw;
-      begin_finer(document, progress);
-    }
+bool ReconstructionLoop::takes_pass(Document& document, const Progress& progress) {
+  try {
+    take_pass(document, progress);
+    return true;
+  } catch (const CancelledError&) {
+    throw;
+  } catch (const std::runtime_error&) {
+    if (!may_begin_finer()) throw;
+    return false;
   }
-}
-
-PassMeasures ReconstructionLoop::measures() const {
-  const PhotoStepResult& last = steps_.last;
-  PassMeasures m;
-  m.scale = now_.scale;
-  m.vertices = vertices_;
-  m.outside = last.outside;
-  m.mean_share = last.mean_share;
-  m.dissimilarity = last.dissimilarity;
-  m.coverage = last.coverage;
-  m.first_coverage = steps_.first.coverage;
-  m.pixels = last.pixels;
-  m.first_pixels = steps_.first.pixels;
-  m.topology = cleaned_.topology;
-  return m;
 }
 
 void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
                                  const Progress& progress) {
-  take_pass_or_begin_finer(document, progress);
-  const PassVerdict verdict = rule_.add(measures());
+  while (!takes_pass(document, progress)) begin_finer(document, progress);
+  const PassVerdict verdict = rule_.add(pass_);
   faults_.is_at_rest = verdict.is_at_rest;
-  if (verdict.is_late && level_ > first_) faults_.late_at = now_.scale;
+  if (verdict.is_late && level_ > first_) faults_.late_at = pass_.level.scale;
   if (!verdict.is_done) return;
-  if (verdict.is_lost) faults_.lost_at = now_.scale;
+  if (verdict.is_lost) faults_.lost_at = pass_.level.scale;
   if (!begin_robust()) begin_next_level(document, progress);
 }
 
@@ -227,59 +200,36 @@ void ReconstructionLoop::begin_next_level(Document& document, const Progress& pr
     begin_finer(document, progress);
 }
 
-std::size_t ReconstructionLoop::pixels_compared(const Document& document,
-                                                const Progress& progress) const {
-  return photographs_.look(document.mesh, now_.scale, true, progress).pixels;
+void ReconstructionLoop::finish(Document& document, const Progress& progress) {
+  result_.fault = faults_.in_words();
+  result_.topology = clean_in_place(document, progress).topology;
+  result_.pixel = photographs_.pixel();
+  result_.faces = document.mesh.faces.size();
+  result_.first = photographs_.look(start_.mesh, 1, false, progress);
+  result_.last = photographs_.look(document.mesh, 1, false, progress);
 }
 
-Values ReconstructionLoop::values() const {
-  Values values = rule_.values();
-  values["first"] = static_cast<double>(first_);
-  values["level"] = static_cast<double>(level_);
-  values["lost"] = faults_.lost_at;
-  values["late"] = faults_.late_at;
-  values["rest"] = faults_.is_at_rest ? 1 : 0;
-  values["loss"] = loss_;
-  return values;
+void ReconstructionLoop::remember(Memory& memory) {
+  rule_.remember(memory);
+  faults_.remember(memory);
+  memory("first", first_)("level", level_)("loss", loss_);
 }
 
-void ReconstructionLoop::restore(const Values& values) {
-  if (!values.contains("level"))
-    throw InputError("the state of the run is not that of a reconstruction");
-  rule_.restore(values);
-  first_ = static_cast<std::size_t>(value_or(values, "first", 0));
-  level_ = static_cast<std::size_t>(value_or(values, "level", 0));
-  faults_ = {value_or(values, "lost", 0), value_or(values, "late", 0),
-             value_or(values, "rest", 0) != 0};
-  loss_ = value_or(values, "loss", 0);
+void ReconstructionLoop::measure(CsvRow& row) const {
+  const auto& [level, mesh, steps] = pass_;
+  row.share("scale", level.scale).number("edge", level.edge, 9);
+  mesh.measure_mesh(row);
+  row.share("dissimilarity", steps.last.dissimilarity, 6).count("pixels", steps.last.pixels);
+  row.share("coverage", steps.last.coverage).share("mean_share", steps.last.mean_share, 5);
+  row.count("outside", steps.last.outside).seconds("seconds_remesh", mesh.seconds_remesh);
+  row.seconds("seconds_step", mesh.seconds_step).seconds("seconds_clean", mesh.seconds_clean);
+  row.seconds("seconds", mesh.seconds_remesh + mesh.seconds_step + mesh.seconds_clean);
 }
 
-std::string ReconstructionLoop::csv_header() const {
-  return "pass,scale,edge,faces,pairs,components,genus,dissimilarity,pixels,coverage,mean_share,"
-         "outside,seconds_remesh,seconds_step,seconds_clean,seconds";
-}
-
-std::string ReconstructionLoop::csv_row(std::size_t iteration) const {
-  const PhotoStepResult& last = steps_.last;
-  CsvRow row;
-  row.count(iteration).share(now_.scale).text(significant(now_.edge, 9)).count(faces_);
-  row.count(cleaned_.pairs).count(cleaned_.topology.components).count(cleaned_.topology.genus);
-  row.text(fixed(last.dissimilarity, 6)).count(last.pixels).share(last.coverage);
-  row.text(fixed(last.mean_share, 5)).count(last.outside).seconds(seconds_remesh_);
-  row.seconds(seconds_step_).seconds(seconds_clean_);
-  return row.seconds(seconds_remesh_ + seconds_step_ + seconds_clean_).line();
-}
-
-std::string ReconstructionLoop::message(std::size_t iteration) const {
-  return "pass " + std::to_string(iteration) + ", scale " + fixed(now_.scale, 2) + ": " +
-         counted(faces_, "face") + ", " + counted(cleaned_.topology.components, "part") +
-         ", genus " + std::to_string(cleaned_.topology.genus) + ", dissimilarity " +
-         fixed(steps_.last.dissimilarity, 4);
-}
-
-Document document_of(const std::optional<std::string>& bytes) {
-  if (bytes) return read_mesh(*bytes, start_name).document;
-  throw InputError("the state of the run is not that of a reconstruction");
+std::string ReconstructionLoop::message() const {
+  return ", scale " + fixed(pass_.level.scale, 2) + ": " +
+         in_words(pass_.mesh.faces, pass_.mesh.topology) + ", dissimilarity " +
+         fixed(pass_.steps.last.dissimilarity, 4);
 }
 
 struct Beginning {
@@ -288,8 +238,11 @@ struct Beginning {
 };
 
 Beginning found_in(const Record& record) {
-  Beginning found{document_of(record.find(start_name)), std::nullopt};
-  if (const auto hull = record.find(hull_name)) found.outlined = document_of(hull).mesh;
+  const auto start = record.find(start_name);
+  const auto hull = record.find(hull_name);
+  if (!start) throw InputError("the state of the run is not that of a reconstruction");
+  Beginning found{read_mesh(*start, start_name).document, std::nullopt};
+  if (hull) found.outlined = read_mesh(*hull, hull_name).document.mesh;
   return found;
 }
 
@@ -312,26 +265,17 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
   if (beginning.outlined) outline(views, *beginning.outlined);
   Photographs photographs(views, options, beginning.outlined.has_value());
   ReconstructionLoop loop(photographs, beginning.start, options);
-  const LoopOptions loop_options{std::numeric_limits<std::size_t>::max(), "pass", options.on_pass};
-
-  ReconstructionResult result;
-  result.passes = run_loop(loop, document, loop_options, record, progress).iterations;
-  result.fault = loop.fault();
-  result.topology = clean_in_place(document, progress).topology;
-  result.pixel = photographs.pixel();
-  result.faces = document.mesh.faces.size();
-  result.first = photographs.look(beginning.start.mesh, 1, false, progress);
-  result.last = photographs.look(document.mesh, 1, false, progress);
-  record.end();
+  const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_pass};
+  const LoopResult run = run_loop(loop, document, unlimited, record, progress);
+  ReconstructionResult result = loop.result();
+  result.passes = run.iterations;
   return result;
 }
 
 std::string summary_of(const ReconstructionResult& result) {
-  return counted(result.passes, "pass") + ": " + counted(result.faces, "face") + ", components " +
-         std::to_string(result.topology.components) + ", genus " +
-         std::to_string(result.topology.genus) + "; dissimilarity from " +
-         fixed(result.first.dissimilarity, 4) + " to " + fixed(result.last.dissimilarity, 4) +
-         (result.fault.empty() ? "" : "; " + result.fault);
+  return counted(result.passes, "pass") + ": " + in_short(result.faces, result.topology) +
+         "; dissimilarity from " + fixed(result.first.dissimilarity, 4) + " to " +
+         fixed(result.last.dissimilarity, 4) + (result.fault.empty() ? "" : "; " + result.fault);
 }
 
 }  // namespace transformesh

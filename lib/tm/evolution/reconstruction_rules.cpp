@@ -25,51 +25,36 @@ std::ptrdiff_t fault_count(const std::string& faults) {
 
 }  // namespace
 
-PassVerdict LevelRule::add(const PassMeasures& m) {
+PassVerdict LevelRule::add(const Pass& pass) {
+  const PhotoStepResult& last = pass.steps.last;
   const bool is_first = done_ == 0;
   if (is_first) {
-    coverage_ = m.first_coverage;
-    pixels_ = m.first_pixels;
+    coverage_ = pass.steps.first.coverage;
+    pixels_ = pass.steps.first.pixels;
   }
   PassVerdict verdict;
-  verdict.is_lost = m.coverage < least_coverage_kept * coverage_ ||
-                    real(m.pixels) < least_pixels_kept * real(pixels_);
-  const bool is_slow = m.mean_share < share_at_rest ||
-                       (!is_first && m.dissimilarity > improvement * before_.dissimilarity);
-  const bool enters = real(m.outside) > outside_share * real(m.vertices) &&
-                      (is_first || real(m.outside) < entering_share * real(before_.outside));
-  const bool is_other = !is_first && m.topology != before_.topology;
+  verdict.is_lost = last.coverage < least_coverage_kept * coverage_ ||
+                    real(last.pixels) < least_pixels_kept * real(pixels_);
+  const bool is_slow = last.mean_share < share_at_rest ||
+                       (!is_first && last.dissimilarity > improvement * before_.dissimilarity);
+  const bool enters = real(last.outside) > outside_share * real(pass.mesh.vertices) &&
+                      (is_first || real(last.outside) < entering_share * real(before_.outside));
+  const bool is_other = !is_first && pass.mesh.topology != before_.topology;
   const bool changes = enters || is_other;
   verdict.is_at_rest = !verdict.is_lost && is_slow && !changes;
-  verdict.is_late = is_other && m.scale < late_scale;
+  verdict.is_late = is_other && pass.level.scale < late_scale;
   ++done_;
   verdict.is_done = verdict.is_at_rest || done_ >= (changes ? 2 * passes_ : passes_);
 
   coverage_ = read_back(significant(coverage_, 6));
-  before_ = {read_back(significant(m.dissimilarity, 6)), m.outside, m.topology};
+  before_ = {read_back(significant(last.dissimilarity, 6)), last.outside, pass.mesh.topology};
   return verdict;
 }
 
-Values LevelRule::values() const {
-  return {{"pass", real(done_)},
-          {"dissimilarity", before_.dissimilarity},
-          {"outside", real(before_.outside)},
-          {"components", real(before_.topology.components)},
-          {"genus", static_cast<double>(before_.topology.genus)},
-          {"coverage", coverage_},
-          {"pixels", real(pixels_)}};
-}
-
-void LevelRule::restore(const Values& values) {
-  const auto count = [&](const char* name) {
-    return static_cast<std::size_t>(value_or(values, name, 0));
-  };
-  done_ = count("pass");
-  before_ = {value_or(values, "dissimilarity", 0),
-             count("outside"),
-             {count("components"), static_cast<long>(value_or(values, "genus", 0))}};
-  coverage_ = value_or(values, "coverage", 0);
-  pixels_ = count("pixels");
+void LevelRule::remember(Memory& memory) {
+  memory("pass", done_)("dissimilarity", before_.dissimilarity)("outside", before_.outside);
+  memory("components", before_.topology.components)("genus", before_.topology.genus);
+  memory("coverage", coverage_)("pixels", pixels_);
 }
 
 bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now) {
@@ -81,13 +66,13 @@ double robust_loss(std::optional<double> factor, double dissimilarity) {
   return loss > 0 ? read_back(significant(std::clamp(loss, 0.001, 1000.0), 9)) : 0;
 }
 
-std::string fault_of(const ReconstructionFaults& faults) {
-  if (faults.lost_at > 0)
-    return "photographs compare less of the surface after scale " + fixed(faults.lost_at, 4) +
+std::string ReconstructionFaults::in_words() const {
+  if (lost_at > 0)
+    return "photographs compare less of the surface after scale " + fixed(lost_at, 4) +
            " than before";
-  if (!faults.is_at_rest) return "the surface was not at rest after the last pass";
-  if (faults.late_at > 0)
-    return "components or holes came or went as late as at scale " + fixed(faults.late_at, 4) +
+  if (!is_at_rest) return "the surface was not at rest after the last pass";
+  if (late_at > 0)
+    return "components or holes came or went as late as at scale " + fixed(late_at, 4) +
            ": maybe films that no photograph shows";
   return {};
 }

@@ -6,21 +6,17 @@
 #include <string>
 
 #include "tm/evolution/iteration.h"
-#include "tm/evolution/state.h"
+#include "tm/evolution/memory.h"
+#include "tm/evolution/scales.h"
+#include "tm/views/photo/photo_steps.h"
 
 namespace transformesh {
 
-struct PassMeasures {
-  double scale = 1;
-  std::size_t vertices = 0;
-  std::size_t outside = 0;   ///< of these, outside of a silhouette
-  double mean_share = 0;     ///< mean movement as a fraction of the local mean edge
-  double dissimilarity = 0;  ///< of photographs
-  /// Pixels compared, and their share in those that see the surface: in the last step of the pass,
-  /// and in its first one.
-  double coverage = 0, first_coverage = 0;
-  std::size_t pixels = 0, first_pixels = 0;
-  Topology topology;  ///< after the pass
+/// A pass that was made.
+struct Pass {
+  Level level;
+  IterationResult mesh;
+  PhotoStepsResult steps;
 };
 
 struct PassVerdict {
@@ -42,14 +38,13 @@ class LevelRule {
  public:
   explicit LevelRule(std::size_t passes = 4) : passes_(passes) {}
 
-  PassVerdict add(const PassMeasures& measures);
+  PassVerdict add(const Pass& pass);
   /// A level begins.
   void begin() { *this = LevelRule(passes_); }
   /// After the last pass, with the six digits that the rule remembers.
   double dissimilarity() const { return before_.dissimilarity; }
 
-  Values values() const;
-  void restore(const Values& values);
+  void remember(Memory& memory);
 
  private:
   std::size_t passes_;
@@ -77,15 +72,21 @@ struct ReconstructionFaults {
   double lost_at = 0;  ///< scale after which less of the surface was compared than before; 0: none
   double late_at = 0;  ///< scale at which the topology changed late; 0: none
   bool is_at_rest = false;
+
+  /// Empty where there is none.
+  std::string in_words() const;
+  void remember(Memory& memory) { memory("lost", lost_at)("late", late_at)("rest", is_at_rest); }
 };
-/// In words, empty where there is none.
-std::string fault_of(const ReconstructionFaults& faults);
 
 /// How good the surface of a time step is.
 struct SurfaceQuality {
   double dissimilarity = 3;  ///< no surface has more than 2: one that was lost has all faults
   double coverage = 0;
   double least_agreement = 0;  ///< with a silhouette, over the views
+
+  void remember(Memory& memory) {
+    memory("dissimilarity", dissimilarity)("coverage", coverage)("agreement", least_agreement);
+  }
 };
 
 /// What is worse than in the last surface that did not begin with the one before: `dissimilarity`

@@ -1,14 +1,13 @@
 #include "tm/evolution/record.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <utility>
+#include <iterator>
+#include <string_view>
 
 #include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
@@ -17,123 +16,154 @@
 namespace transformesh {
 namespace {
 
-[[noreturn]] void throw_not_written(const std::string& path) {
-  throw OutputError("cannot write '" + path + "': " + std::strerror(errno));
+constexpr const char* mesh_name = "/mesh.ply";
+constexpr std::string_view settings_key = "tm:settings ";
+constexpr std::string_view memory_key = "tm:state ";
+
+std::optional<std::string> bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-// Whole lines only: a line is one write.
-void append_line(const std::string& path, const std::string& line, int flags) {
-  const std::string bytes = line + '\n';
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
-  if (file < 0) throw_not_written(path);
-  const bool is_written = write(file, bytes.data(), bytes.size()) == std::ssize(bytes);
-  const int reason = errno;
-  const bool is_closed = close(file) == 0;
-  if (!is_written) errno = reason;
-  if (!is_written || !is_closed) throw_not_written(path);
+/// As a comment can hold it.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return text;
 }
 
-// The header, and the rows of iterations up to the last one.
-std::string rows_until(std::ifstream& csv, std::size_t last) {
-  std::string kept;
-  for (std::string line; std::getline(csv, line);) {
-    if (kept.empty() || std::strtoull(line.c_str(), nullptr, 10) <= last) kept += line + '\n';
-  }
-  return kept;
+/// Removes the comment that begins with the key, and returns the rest of it.
+std::string taken(std::vector<std::string>& comments, std::string_view key,
+                  const std::string& file) {
+  const auto found = std::find_if(comments.begin(), comments.end(),
+                                  [&](const std::string& line) { return line.starts_with(key); });
+  if (found == comments.end())
+    throw InputError("'" + file +
+                     "' is no state of a run; remove its folder, or name another output");
+  std::string rest = found->substr(key.size());
+  comments.erase(found);
+  return rest;
 }
 
-void resume_csv(const std::string& path, const std::string& header, std::size_t last) {
-  std::ifstream csv(path);
-  const std::string rows = csv ? rows_until(csv, last) : std::string();
-  if (rows.empty()) return append_line(path, header, O_TRUNC);
-  write_file(path, rows);
+std::optional<SavedState> saved_in(const std::string& folder) {
+  const std::string file = folder + mesh_name;
+  const auto bytes = bytes_of(file);
+  if (!bytes) return std::nullopt;
+  SavedState state;
+  state.document = read_mesh(*bytes, file).document;
+  std::vector<std::string>& comments = state.document.style.comments;
+  state.settings = taken(comments, settings_key, file);
+  state.memory = Memory(taken(comments, memory_key, file));
+  state.memory("iteration", state.iteration)("paused", state.is_paused);
+  return state;
 }
 
-std::string frame_name(std::size_t iteration) {
-  const std::string digits = std::to_string(iteration);
-  return "frame-" + std::string(5 - std::min<std::size_t>(digits.size(), 5), '0') + digits + ".ply";
-}
-
-void refuse_other_settings(const SavedState& state, const RecordOptions& options) {
+void check_may_continue(const SavedState& state, const RecordOptions& options) {
   if (state.settings == options.settings) return;
   throw UsageError("'" + options.state + "' is of a run with other settings (" + state.settings +
                    "); leave out --resume");
 }
 
-void refuse_interrupted(const SavedState& state, const RecordOptions& options) {
+void check_may_begin(const SavedState& state, const RecordOptions& options) {
   if (state.is_paused || options.restart) return;
   throw UsageError("'" + options.state +
                    "' is the state of an interrupted run: continue it with --resume, or throw it "
                    "away with --restart");
 }
 
+/// The header, and the rows of iterations up to the last one.
+std::string rows_until(const std::string& path, const std::string& header, std::size_t last) {
+  std::ifstream csv(path);
+  std::string kept;
+  for (std::string line; std::getline(csv, line);) {
+    if (kept.empty() || std::strtoull(line.c_str(), nullptr, 10) <= last) kept += line + '\n';
+  }
+  return kept.empty() ? header + '\n' : kept;
+}
+
+/// Whole lines only: a line is one write.
+void append_line(const std::string& path, const std::string& line) {
+  std::ofstream file(path, std::ios::app);
+  file << line + '\n';
+  file.close();
+  if (!file) throw OutputError("cannot write '" + path + "': " + std::strerror(errno));
+}
+
+std::string frame_name(std::size_t iteration) {
+  const std::string digits = std::to_string(iteration);
+  return "/frame-" + std::string(5 - std::min<std::size_t>(digits.size(), 5), '0') + digits +
+         ".ply";
+}
+
 }  // namespace
+
+void remove_state(const std::string& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.is_regular_file(ignored)) std::filesystem::remove(entry.path(), ignored);
+  std::filesystem::remove(folder, ignored);
+}
 
 Record::Record(RecordOptions options) : options_(std::move(options)) {
   options_.settings = one_line(options_.settings);
-  if (options_.state.empty()) return;
-  folder_.emplace(options_.state);
-  std::optional<SavedState> state = folder_->load();
+  std::optional<SavedState> state;
+  if (!options_.state.empty()) state = saved_in(options_.state);
   if (!state) return;
-  if (options_.resume) {
-    refuse_other_settings(*state, options_);
-    resumed_ = std::move(state);
-    iteration_ = resumed_->iteration;
+  if (!options_.resume) {
+    check_may_begin(*state, options_);
   } else {
-    refuse_interrupted(*state, options_);
+    check_may_continue(*state, options_);
+    iteration_ = state->iteration;
+    resumed_ = std::move(state);
   }
 }
 
 std::optional<std::string> Record::find(const std::string& name) const {
-  return resumed_ ? folder_->find(name) : std::nullopt;
+  return resumed_ ? bytes_of(options_.state + '/' + name) : std::nullopt;
 }
 
-void Record::save(const Document& document, const State& state) const {
-  if (folder_) folder_->save(document, state);
-}
-
-void Record::begin(const Document& document, const std::string& csv_header, const Values& values) {
-  if (resumed_) {
-    if (!options_.csv.empty()) resume_csv(options_.csv, csv_header, resumed_->iteration);
-    return;
+void Record::begin(const Document& document, const std::string& csv_header, const Memory& memory) {
+  iteration_ = resumed_ ? resumed_->iteration : 0;
+  if (!options_.csv.empty())
+    write_file(options_.csv,
+               resumed_ ? rows_until(options_.csv, csv_header, iteration_) : csv_header + '\n');
+  if (resumed_) return;
+  if (!options_.state.empty()) {
+    remove_state();
+    make_folder(options_.state);
+    for (const auto& [name, bytes] : std::exchange(added_, {}))
+      write_file(options_.state + '/' + name, bytes);
   }
-  if (folder_) {
-    folder_->remove();
-    for (const auto& [name, bytes] : std::exchange(added_, {})) folder_->add(name, bytes);
-  }
-  if (!options_.csv.empty()) append_line(options_.csv, csv_header, O_TRUNC);
   keep_frame(document, 0);
-  save(document, {options_.settings, 0, false, values});
+  save(document, 0, memory);
 }
 
 void Record::keep(const Document& document, std::size_t iteration, const std::string& row,
-                  const Values& values) {
-  if (!options_.csv.empty()) append_line(options_.csv, row, O_APPEND);
+                  const Memory& memory) {
+  if (!options_.csv.empty()) append_line(options_.csv, row);
   keep_frame(document, iteration);
-  save(document, {options_.settings, iteration, false, values});
+  save(document, iteration, memory);
   iteration_ = iteration;
 }
 
-void Record::pause(const Document& document, std::size_t iteration, const Values& values) {
-  save(document, {options_.settings, iteration, true, values});
-}
-
-void Record::end() {
-  if (!options_.keep_state_at_end) remove_state();
-}
-
-void Record::remove_state() const {
-  if (folder_) folder_->remove();
+void Record::save(const Document& document, std::size_t iteration, Memory memory,
+                  bool is_paused) const {
+  if (options_.state.empty()) return;
+  memory("iteration", iteration)("paused", is_paused);
+  Document written = document;
+  written.style.format = Format::ply_little;
+  std::vector<std::string>& comments = written.style.comments;
+  comments.push_back(std::string(settings_key) + options_.settings);
+  comments.push_back(std::string(memory_key) + memory.text());
+  make_folder(options_.state);
+  write_file(options_.state + mesh_name, write_mesh(written).bytes);
 }
 
 void Record::keep_frame(const Document& document, std::size_t iteration) const {
   if (options_.frames.empty() || iteration % options_.every != 0) return;
-  std::error_code error;
-  std::filesystem::create_directories(options_.frames, error);
-  if (error) {
-    throw OutputError("cannot make the folder '" + options_.frames + "': " + error.message());
-  }
-  write_file(options_.frames + '/' + frame_name(iteration), write_mesh(document).bytes);
+  make_folder(options_.frames);
+  write_file(options_.frames + frame_name(iteration), write_mesh(document).bytes);
 }
 
 }  // namespace transformesh

@@ -1,8 +1,11 @@
-/// What a run of a loop leaves on disk while it goes on: its state (state.h), a CSV file with a row
-/// for each iteration, and meshes as frames. All of an iteration is written before its state is, so
-/// that a run that continues repeats what was not finished; the CSV file then loses the rows of
-/// iterations that the state does not know.
+/// What a run of a loop leaves on disk while it goes on: its state, a CSV file with a row for each
+/// iteration, and meshes as frames. The state is a folder with the last mesh, whose comments hold
+/// the settings of the run and what its loop remembers, and files that the loop adds. Each of these
+/// is replaced at once and all of an iteration is written before its state is, so that a run may be
+/// killed at any moment: one that continues repeats what was not finished, to the same bytes, and
+/// the CSV file loses the rows of iterations that the state does not know.
 ///
+/// Columns and coordinates are kept exactly as long as they are rounded as written (mesh_io.h).
 /// Throws OutputError where something cannot be written. Deterministic but for times in rows.
 #pragma once
 
@@ -11,7 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "tm/evolution/state.h"
+#include "tm/evolution/memory.h"
+#include "tm/io/document.h"
 
 namespace transformesh {
 
@@ -27,10 +31,22 @@ struct RecordOptions {
   bool keep_state_at_end = false;  ///< the caller calls remove_state() once the result is safe
 };
 
+struct SavedState {
+  Document document;
+  std::string settings;  ///< in one line
+  std::size_t iteration = 0;
+  bool is_paused = false;  ///< stopped by its limit of iterations, not interrupted
+  Memory memory;
+};
+
+/// Removes the folder of a state and its files, which are all the run's own.
+void remove_state(const std::string& folder);
+
 class Record {
  public:
   /// Looks for a state and changes nothing. Throws UsageError where the state is of a run with
-  /// other settings, or of an interrupted one that is neither to be continued nor thrown away.
+  /// other settings, or of an interrupted one that is neither to be continued nor thrown away;
+  /// InputError where what is there is no state.
   explicit Record(RecordOptions options = {});
 
   /// The last iteration that was completed, earlier runs included.
@@ -43,23 +59,27 @@ class Record {
   }
   std::optional<std::string> find(const std::string& name) const;
 
-  /// To be called once, before the first iteration, with the header of the CSV file and the values
-  /// of iteration 0. Where the run continues, these are not looked at.
-  void begin(const Document& document, const std::string& csv_header, const Values& values);
+  /// To be called once, before the first iteration, with the header of the CSV file and the memory
+  /// of iteration 0. Where the run continues, the document and the memory are not looked at.
+  void begin(const Document& document, const std::string& csv_header, const Memory& memory);
   void keep(const Document& document, std::size_t iteration, const std::string& row,
-            const Values& values);
+            const Memory& memory);
   /// The limit of iterations was reached: the state stays, and is not that of an interrupted run.
-  void pause(const Document& document, std::size_t iteration, const Values& values);
-  /// The loop has come to its end, or to nothing.
-  void end();
-  void remove_state() const;
+  void pause(const Document& document, const Memory& memory) const {
+    save(document, iteration_, memory, true);
+  }
+  /// The loop has come to its end.
+  void end() const {
+    if (!options_.keep_state_at_end) remove_state();
+  }
+  void remove_state() const { transformesh::remove_state(options_.state); }
 
  private:
   void keep_frame(const Document& document, std::size_t iteration) const;
-  void save(const Document& document, const State& state) const;
+  void save(const Document& document, std::size_t iteration, Memory memory,
+            bool is_paused = false) const;
 
   RecordOptions options_;
-  std::optional<StateFolder> folder_;
   std::optional<SavedState> resumed_;
   std::size_t iteration_ = 0;
   std::vector<std::pair<std::string, std::string>> added_;

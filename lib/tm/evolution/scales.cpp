@@ -43,16 +43,21 @@ std::vector<Level> coarse_to_fine(const ScaleOptions& options, int image_width, 
 
 double edge_times(double factor, double edge) { return read_back(significant(factor * edge, 9)); }
 
+void remesh_to(Document& document, double edge, int iterations, const Progress& progress) {
+  RemeshOptions options;
+  options.iterations = iterations;
+  options.min_edge = edge_times(0.7, edge);
+  options.max_edge = edge_times(1.4, edge);
+  options.coordinate = document.style.coordinate;
+  remesh(document.mesh, options, progress);
+  round_as_written(document);
+}
+
 void coarsen(Document& document, double edge, const Progress& progress) {
   double mean = edge_lengths(document.mesh).mean;
   while (2 * mean < edge) {
     mean = read_back(significant(2 * mean, 6));
-    RemeshOptions options;
-    options.min_edge = edge_times(0.7, mean);
-    options.max_edge = edge_times(1.4, mean);
-    options.coordinate = document.style.coordinate;
-    remesh(document.mesh, options, progress);
-    round_as_written(document);
+    remesh_to(document, mean, 1, progress);
   }
 }
 

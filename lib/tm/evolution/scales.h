@@ -31,8 +31,12 @@ std::vector<Level> coarse_to_fine(const ScaleOptions& options, int image_width, 
 /// A multiple of an edge as remesh() gets it, with 9 digits likewise.
 double edge_times(double factor, double edge);
 
+/// remesh() to edges about as long, rounded as written.
+void remesh_to(Document& document, double edge, int iterations = 1,
+               const Progress& progress = Progress());
+
 /// Makes edges about as long, where they are shorter. Doubles them again and again, which is much
-/// faster than going there at once. Rounds as written; throws as remesh() does.
+/// faster than going there at once. Throws as remesh() does.
 void coarsen(Document& document, double edge, const Progress& progress = Progress());
 
 }  // namespace transformesh

@@ -1,17 +1,14 @@
 #include "tm/evolution/sequence.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
 #include <optional>
 #include <utility>
 
-#include "tm/evolution/csv_row.h"
 #include "tm/evolution/reconstruction_rules.h"
 #include "tm/evolution/stopwatch.h"
 #include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
-#include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/views/hull/silhouette.h"
 
@@ -28,6 +25,8 @@ struct Surface {
   ReconstructionResult result;
   double agreement = 0;  ///< mean over the views
   SurfaceQuality quality;
+
+  bool is_tracked() const { return start == from_before; }
 };
 
 class SequenceLoop : public Loop {
@@ -37,29 +36,32 @@ class SequenceLoop : public Loop {
                const SequenceOptions& options)
       : names_(names), views_of_(views_of), options_(options) {}
 
+  std::string noun() const override { return "time step"; }
   void start(Document& document, const Progress& progress) override;
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
   bool is_done() const override { return result_.time_steps == names_.size(); }
+  void finish(Document& /*document*/, const Progress& /*progress*/) override {}
 
-  Values values() const override;
-  void restore(const Values& values) override;
-  std::string csv_header() const override;
-  std::string csv_row(std::size_t iteration) const override;
-  std::string message(std::size_t iteration) const override;
+  void remember(Memory& memory) override {
+    memory("steps", result_.time_steps)("tracked", result_.tracked)("accepted", result_.accepted);
+    reference_.remember(memory);
+  }
+  void measure(CsvRow& row) const override;
+  std::string message() const override;
 
   const SequenceResult& result() const { return result_; }
 
  private:
-  const std::string& name() const { return names_[result_.time_steps]; }
   std::string state_of(const std::string& start) const;
   ReconstructionOptions options_from(const std::string& start) const;
   Surface made(const std::string& start, Document document, const Progress& progress);
   Surface made_from_hull(const Progress& progress);
   std::optional<Surface> tracked(const Document& before, const Progress& progress);
-  void take_better(std::optional<Surface> tracked, const Progress& progress);
+  Surface better_of(std::optional<Surface> tracked, const Progress& progress);
   void find_masks(const Progress& progress);
   void publish() const;
-  void remember();
+  void count();
+  bool is_accepted() const { return fault_.empty() || !surface_.is_tracked(); }
 
   const std::vector<std::string>& names_;
   const std::function<std::vector<View>(std::size_t)>& views_of_;
@@ -70,6 +72,7 @@ class SequenceLoop : public Loop {
   SurfaceQuality reference_;
 
   // The last time step.
+  std::string name_;
   std::vector<View> views_;
   bool are_outlines_ = false;  ///< in the place of masks
   Surface surface_;
@@ -83,9 +86,7 @@ std::string SequenceLoop::state_of(const std::string& start) const {
 
 // Nothing within a time step is left of another run.
 void SequenceLoop::start(Document& /*document*/, const Progress& /*progress*/) {
-  if (options_.states.empty()) return;
-  for (const char* start : {from_hull, from_given, from_before})
-    StateFolder(state_of(start)).remove();
+  for (const char* start : {from_hull, from_given, from_before}) remove_state(state_of(start));
 }
 
 ReconstructionOptions SequenceLoop::options_from(const std::string& start) const {
@@ -101,22 +102,19 @@ ReconstructionOptions SequenceLoop::options_from(const std::string& start) const
 
 Surface SequenceLoop::made(const std::string& start, Document document, const Progress& progress) {
   const ReconstructionOptions options = options_from(start);
-  if (options.on_detail) options.on_detail(name() + ": from " + start);
+  if (options.on_detail) options.on_detail(name_ + ": from " + start);
   RecordOptions kept;
   kept.state = state_of(start);
-  kept.settings = "time step " + name() + " from " + start;
+  kept.settings = "time step " + name_ + " from " + start;
   kept.resume = true;
   Record record(kept);
-  Surface surface;
-  surface.start = start;
-  surface.result = reconstruct(document, views_, options, record, progress);
+  const ReconstructionResult result = reconstruct(document, views_, options, record, progress);
   const std::vector<double> agreements = silhouette_agreements(document.mesh, views_);
-  surface.agreement = std::accumulate(agreements.begin(), agreements.end(), 0.0) /
-                      static_cast<double>(agreements.size());
-  surface.quality = {surface.result.last.dissimilarity, surface.result.last.coverage,
-                     *std::min_element(agreements.begin(), agreements.end())};
-  surface.document = std::move(document);
-  return surface;
+  const double sum = std::accumulate(agreements.begin(), agreements.end(), 0.0);
+  const SurfaceQuality quality{result.last.dissimilarity, result.last.coverage,
+                               *std::min_element(agreements.begin(), agreements.end())};
+  return {std::move(document), start, result, sum / static_cast<double>(agreements.size()),
+          quality};
 }
 
 Surface SequenceLoop::made_from_hull(const Progress& progress) {
@@ -132,22 +130,19 @@ std::optional<Surface> SequenceLoop::tracked(const Document& before, const Progr
   } catch (const InputError&) {
   } catch (const GoalError&) {
   }
-  StateFolder(state_of(from_before)).remove();
+  remove_state(state_of(from_before));
   if (options_.on_note)
-    options_.on_note("time step " + std::to_string(result_.time_steps + 1) + ", " + name() +
+    options_.on_note("time step " + std::to_string(result_.time_steps + 1) + ", " + name_ +
                      ": the surface before is lost");
   return std::nullopt;
 }
 
-void SequenceLoop::take_better(std::optional<Surface> tracked, const Progress& progress) {
+Surface SequenceLoop::better_of(std::optional<Surface> tracked, const Progress& progress) {
   const SurfaceQuality quality = tracked ? tracked->quality : SurfaceQuality();
   fault_ = tracking_faults(quality, reference_);
-  if (tracked && fault_.empty()) {
-    surface_ = std::move(*tracked);
-    return;
-  }
-  surface_ = made_from_hull(progress);
-  if (tracked && !is_better(surface_.quality, quality, reference_)) surface_ = std::move(*tracked);
+  if (fault_.empty() && tracked) return std::move(*tracked);
+  Surface anew = made_from_hull(progress);
+  return !tracked || is_better(anew.quality, quality, reference_) ? anew : std::move(*tracked);
 }
 
 void SequenceLoop::find_masks(const Progress& progress) {
@@ -159,11 +154,12 @@ void SequenceLoop::find_masks(const Progress& progress) {
 
 void SequenceLoop::advance(Document& document, std::size_t iteration, const Progress& progress) {
   const Stopwatch watch;
+  name_ = names_[iteration - 1];
   views_ = views_of_(iteration - 1);
   find_masks(progress);
   fault_.clear();
   if (iteration > 1) {
-    take_better(tracked(document, progress), progress);
+    surface_ = better_of(tracked(document, progress), progress);
   } else if (options_.reconstruction.start.is_given) {
     surface_ = made(from_given, document, progress);
   } else {
@@ -171,75 +167,45 @@ void SequenceLoop::advance(Document& document, std::size_t iteration, const Prog
   }
   publish();
   document = surface_.document;
-  remember();
+  count();
   seconds_ = watch.seconds();
 }
 
 void SequenceLoop::publish() const {
   Document published = surface_.document;
   published.style.format = options_.format;
-  std::error_code error;
-  std::filesystem::create_directories(options_.folder, error);
-  if (error)
-    throw OutputError("cannot make the folder '" + options_.folder + "': " + error.message());
   const std::string extension = options_.format == Format::off ? ".off" : ".ply";
-  write_file(options_.folder + '/' + name() + extension, write_mesh(published).bytes);
+  make_folder(options_.folder);
+  write_file(options_.folder + '/' + name_ + extension, write_mesh(published).bytes);
 }
 
-void SequenceLoop::remember() {
-  const bool is_tracked = surface_.start == from_before;
+void SequenceLoop::count() {
   ++result_.time_steps;
-  result_.tracked += is_tracked ? 1 : 0;
-  result_.accepted += fault_.empty() || !is_tracked ? 1 : 0;
-  if (is_tracked) return;
+  result_.tracked += surface_.is_tracked() ? 1 : 0;
+  result_.accepted += is_accepted() ? 1 : 0;
+  if (surface_.is_tracked()) return;
   // As the CSV file has it.
   const SurfaceQuality& quality = surface_.quality;
   reference_ = {read_back(fixed(quality.dissimilarity, 6)), read_back(fixed(quality.coverage, 4)),
                 read_back(fixed(quality.least_agreement, 4))};
 }
 
-Values SequenceLoop::values() const {
-  return {{"steps", static_cast<double>(result_.time_steps)},
-          {"tracked", static_cast<double>(result_.tracked)},
-          {"accepted", static_cast<double>(result_.accepted)},
-          {"dissimilarity", reference_.dissimilarity},
-          {"coverage", reference_.coverage},
-          {"agreement", reference_.least_agreement}};
-}
-
-void SequenceLoop::restore(const Values& values) {
-  if (!values.contains("steps")) throw InputError("the state of the run is not that of a sequence");
-  const auto count = [&](const char* name) {
-    return static_cast<std::size_t>(value_or(values, name, 0));
-  };
-  result_ = {count("steps"), count("tracked"), count("accepted")};
-  reference_ = {value_or(values, "dissimilarity", 0), value_or(values, "coverage", 0),
-                value_or(values, "agreement", 0)};
-}
-
-std::string SequenceLoop::csv_header() const {
-  return "step,name,start,accepted,fault,faces,components,genus,dissimilarity,coverage,"
-         "silhouette_agreement,least_silhouette_agreement,passes,seconds";
-}
-
-std::string SequenceLoop::csv_row(std::size_t iteration) const {
+void SequenceLoop::measure(CsvRow& row) const {
   const ReconstructionResult& result = surface_.result;
-  const bool is_accepted = fault_.empty() || surface_.start != from_before;
-  CsvRow row;
-  row.count(iteration).text(names_[iteration - 1]).text(surface_.start);
-  row.text(is_accepted ? "yes" : "no").text(fault_).count(result.faces);
-  row.count(result.topology.components).count(result.topology.genus);
-  row.text(fixed(result.last.dissimilarity, 6)).share(result.last.coverage);
-  row.share(surface_.agreement).share(surface_.quality.least_agreement);
-  return row.count(result.passes).seconds(seconds_).line();
+  row.text("name", name_).text("start", surface_.start);
+  row.text("accepted", is_accepted() ? "yes" : "no").text("fault", fault_);
+  row.count("faces", result.faces).count("components", result.topology.components);
+  row.count("genus", result.topology.genus);
+  row.share("dissimilarity", result.last.dissimilarity, 6);
+  row.share("coverage", result.last.coverage).share("silhouette_agreement", surface_.agreement);
+  row.share("least_silhouette_agreement", surface_.quality.least_agreement);
+  row.count("passes", result.passes).seconds("seconds", seconds_);
 }
 
-std::string SequenceLoop::message(std::size_t iteration) const {
+std::string SequenceLoop::message() const {
   const ReconstructionResult& result = surface_.result;
-  return "time step " + std::to_string(iteration) + " of " + std::to_string(names_.size()) + ", " +
-         names_[iteration - 1] + ", from " + surface_.start + ": " + counted(result.faces, "face") +
-         ", components " + std::to_string(result.topology.components) + ", genus " +
-         std::to_string(result.topology.genus) + ", dissimilarity " +
+  return " of " + std::to_string(names_.size()) + ", " + name_ + ", from " + surface_.start + ": " +
+         in_short(result.faces, result.topology) + ", dissimilarity " +
          fixed(result.last.dissimilarity, 4) +
          (fault_.empty() ? "" : "; lost by tracking: " + fault_);
 }
@@ -251,9 +217,7 @@ SequenceResult reconstruct_sequence(
     const std::function<std::vector<View>(std::size_t step)>& views_of,
     const SequenceOptions& options, Record& record, const Progress& progress) {
   SequenceLoop loop(names, views_of, options);
-  const LoopOptions loop_options{names.size(), "time step", options.on_step};
-  const LoopResult result = run_loop(loop, document, loop_options, record, progress);
-  if (result.is_done) record.end();
+  run_loop(loop, document, {names.size(), options.on_step}, record, progress);
   return loop.result();
 }
 

@@ -7,100 +7,68 @@ constexpr double improvement = 0.99;
 constexpr std::size_t patience = 20;
 constexpr std::size_t patience_at_rest = 3;
 constexpr std::size_t coarse_patience = 5;
-constexpr double iterations_between_looks = 5;
+constexpr std::size_t iterations_between_looks = 5;
 /// Of its clamp, what a vertex moves that does not move any more.
 constexpr double rest_share = 0.02;
 
-bool is_near(const MorphMeasures& m) {
-  return m.rms_to_target < m.mean_edge / 2 && m.rms_from_target < m.mean_edge / 2 &&
-         m.max_from_target < 2 * m.mean_edge;
-}
-
-double taken(Values& values, const char* key, double otherwise) {
-  const auto found = values.find(key);
-  if (found == values.end()) return otherwise;
-  const double value = found->second;
-  values.erase(found);
-  return value;
+bool is_near(const MorphStepResult& step) {
+  const double edge = step.displaced.mean_edge;
+  return step.to_target.rms < edge / 2 && step.from_target.rms < edge / 2 &&
+         step.from_target.maximum < 2 * edge;
 }
 
 }  // namespace
 
+bool Best::takes(double next) {
+  const bool is_better = value < 0 || next < improvement * value;
+  if (is_better) value = next;
+  return is_better;
+}
+
 bool StalledRule::add(double value) {
-  const bool is_better = best_ < 0 || value < improvement * best_;
-  if (is_better) best_ = value;
-  idle_ = is_better ? 0 : idle_ + 1;
+  idle_ = best_.takes(value) ? 0 : idle_ + 1;
   return idle_ >= patience_;
 }
 
-void StalledRule::restore(const Values& values) {
-  Values rest = values;
-  best_ = taken(rest, "best", -1);
-  idle_ = static_cast<std::size_t>(taken(rest, "idle", 0));
-}
-
-bool MorphRule::improves(const char* name, double value) {
-  const auto [best, is_first] = best_.try_emplace(name, value);
-  if (!is_first && !(value < improvement * best->second)) return false;
-  best->second = value;
-  return true;
-}
-
-bool MorphRule::has_improved(const MorphMeasures& m) {
-  bool result = improves("rms_from_target", m.rms_from_target);
-  result |= improves("max_from_target", m.max_from_target);
-  if (m.max_clamp_share <= 0.5) return result;
-  result |= improves("max_clamp_share", m.max_clamp_share);
-  result |= improves("rms_to_target", m.rms_to_target);
-  result |= improves("max_to_target", m.max_to_target);
+bool MorphRule::has_improved(const MorphStepResult& step) {
+  bool result = rms_from_target_.takes(step.from_target.rms);
+  result |= max_from_target_.takes(step.from_target.maximum);
+  if (step.displaced.max_clamp_share <= 0.5) return result;
+  result |= max_clamp_share_.takes(step.displaced.max_clamp_share);
+  result |= rms_to_target_.takes(step.to_target.rms);
+  result |= max_to_target_.takes(step.to_target.maximum);
   return result;
 }
 
-MorphVerdict MorphRule::verdict(const MorphMeasures& m) const {
+MorphVerdict MorphRule::verdict(const MorphStepResult& step, std::size_t vertices) const {
   // The first step of a scale is made with the edges of the one before.
   const bool has_settled = age_ > 1;
   if (scale_ > 0) {
-    const bool has_room = has_settled && 100 * m.clamped <= m.vertices;
+    const bool has_room = has_settled && 100 * step.displaced.clamped <= vertices;
     return has_room || idle_ >= coarse_patience ? MorphVerdict::refine : MorphVerdict::go_on;
   }
-  const bool may_look = static_cast<double>(m.iteration) >= examined_ + iterations_between_looks;
-  if (has_settled && m.max_clamp_share <= 0.5 && is_near(m) && may_look)
-    return MorphVerdict::examine;
-  const bool is_at_rest = m.max_clamp_share < rest_share;
-  if (idle_ < (is_at_rest ? patience_at_rest : patience)) return MorphVerdict::go_on;
-  return is_near(m) ? MorphVerdict::examine_last : MorphVerdict::stalled;
+  const double share = step.displaced.max_clamp_share;
+  const bool may_look = unexamined_ >= iterations_between_looks;
+  if (has_settled && share <= 0.5 && is_near(step) && may_look) return MorphVerdict::examine;
+  if (idle_ < (share < rest_share ? patience_at_rest : patience)) return MorphVerdict::go_on;
+  return is_near(step) ? MorphVerdict::examine_last : MorphVerdict::stalled;
 }
 
-MorphVerdict MorphRule::add(const MorphMeasures& measures) {
-  idle_ = has_improved(measures) ? 0 : idle_ + 1;
+MorphVerdict MorphRule::add(const MorphStepResult& step, std::size_t vertices) {
+  idle_ = has_improved(step) ? 0 : idle_ + 1;
   ++age_;
-  const MorphVerdict result = verdict(measures);
-  if (result == MorphVerdict::examine) examined_ = static_cast<double>(measures.iteration);
-  if (result == MorphVerdict::refine) begin_finer_scale();
+  ++unexamined_;
+  const MorphVerdict result = verdict(step, vertices);
+  if (result == MorphVerdict::examine) unexamined_ = 0;
+  if (result == MorphVerdict::refine) *this = MorphRule(scale_);
   return result;
 }
 
-void MorphRule::begin_finer_scale() {
-  --scale_;
-  idle_ = age_ = 0;
-  best_.clear();
-}
-
-Values MorphRule::values() const {
-  Values values = best_;
-  values["scale"] = scale_;
-  values["idle"] = static_cast<double>(idle_);
-  values["age"] = static_cast<double>(age_);
-  values["examined"] = examined_;
-  return values;
-}
-
-void MorphRule::restore(const Values& values) {
-  best_ = values;
-  scale_ = static_cast<int>(taken(best_, "scale", 0));
-  idle_ = static_cast<std::size_t>(taken(best_, "idle", 0));
-  age_ = static_cast<std::size_t>(taken(best_, "age", 0));
-  examined_ = taken(best_, "examined", -9);
+void MorphRule::remember(Memory& memory) {
+  memory("scale", scale_)("idle", idle_)("age", age_)("unexamined", unexamined_);
+  memory("rms_to_target", rms_to_target_.value)("max_to_target", max_to_target_.value);
+  memory("rms_from_target", rms_from_target_.value)("max_from_target", max_from_target_.value);
+  memory("max_clamp_share", max_clamp_share_.value);
 }
 
 }  // namespace transformesh

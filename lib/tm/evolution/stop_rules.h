@@ -1,12 +1,20 @@
 /// When an evolution has come to its end (paper 5.2): plain values in, a verdict out. Rules
-/// remember what was best so far, as values that a state can hold (state.h).
+/// remember what was best so far (memory.h).
 #pragma once
 
 #include <cstddef>
 
-#include "tm/evolution/state.h"
+#include "tm/evolution/memory.h"
+#include "tm/step/morph_step.h"
 
 namespace transformesh {
+
+/// The smallest of the values so far, but for those that were smaller by less than a hundredth.
+struct Best {
+  double value = -1;  ///< negative: none yet
+  /// Whether it becomes the next.
+  bool takes(double next);
+};
 
 /// Nothing got better by a hundredth in so many iterations.
 class StalledRule {
@@ -14,25 +22,12 @@ class StalledRule {
   explicit StalledRule(std::size_t patience = 20) : patience_(patience) {}
   /// With the value that is to become small; true: stalled.
   bool add(double value);
-
-  Values values() const { return {{"best", best_}, {"idle", static_cast<double>(idle_)}}; }
-  void restore(const Values& values);
+  void remember(Memory& memory) { memory("best", best_.value)("idle", idle_); }
 
  private:
   std::size_t patience_;
-  double best_ = -1;  ///< negative: none yet
+  Best best_;
   std::size_t idle_ = 0;
-};
-
-/// What the rule of a morph looks at; lengths in input units, distances before the iteration.
-struct MorphMeasures {
-  std::size_t iteration = 1;  ///< counts from 1
-  std::size_t vertices = 0;
-  std::size_t clamped = 0;     ///< vertices that wanted to go farther than their clamp
-  double max_clamp_share = 0;  ///< largest movement as a fraction of the vertex's own clamp
-  double rms_to_target = 0, max_to_target = 0;
-  double rms_from_target = 0, max_from_target = 0;
-  double mean_edge = 0;
 };
 
 enum class MorphVerdict {
@@ -58,25 +53,22 @@ class MorphRule {
   explicit MorphRule(int scales = 1) : scale_(scales - 1) {}
 
   int scale() const { return scale_; }
-  /// After `refine` the scale is the next finer one.
-  MorphVerdict add(const MorphMeasures& measures);
+  /// With the step of an iteration, and how many vertices took it. After `refine` the scale is the
+  /// next finer one.
+  MorphVerdict add(const MorphStepResult& step, std::size_t vertices);
   /// Where a coarse scale has no edges for what is left: goes on as before with the next finer one.
   void skip_scale() { --scale_; }
-
-  Values values() const;
-  void restore(const Values& values);
+  void remember(Memory& memory);
 
  private:
-  bool improves(const char* name, double value);
-  bool has_improved(const MorphMeasures& measures);
-  MorphVerdict verdict(const MorphMeasures& measures) const;
-  void begin_finer_scale();
+  bool has_improved(const MorphStepResult& step);
+  MorphVerdict verdict(const MorphStepResult& step, std::size_t vertices) const;
 
   int scale_;
-  std::size_t idle_ = 0;  ///< iterations without improvement
-  std::size_t age_ = 0;   ///< iterations of this scale
-  double examined_ = -9;  ///< the iteration that was examined last
-  Values best_;
+  std::size_t idle_ = 0;          ///< iterations without improvement
+  std::size_t age_ = 0;           ///< iterations of this scale
+  std::size_t unexamined_ = 100;  ///< iterations since the one that was examined last
+  Best rms_to_target_, max_to_target_, rms_from_target_, max_from_target_, max_clamp_share_;
 };
 
 }  // namespace transformesh

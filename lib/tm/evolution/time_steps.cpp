@@ -1,11 +1,7 @@
 #include "tm/evolution/time_steps.h"
 
-#include <glob.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <memory>
 #include <set>
 
 #include "tm/support/error.h"
@@ -22,29 +18,6 @@ std::vector<std::string> lines_of(const std::string& path) {
   return lines;
 }
 
-std::vector<std::string> folders_in(const std::string& folder) {
-  std::vector<std::string> folders;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const bool is_hidden = entry.path().filename().string().starts_with('.');
-    if (entry.is_directory() && !is_hidden) folders.push_back(entry.path());
-  }
-  return folders;
-}
-
-std::vector<std::string> matches_of(const std::string& pattern) {
-  glob_t found{};
-  const std::unique_ptr<glob_t, void (*)(glob_t*)> freed(&found, globfree);
-  if (glob(pattern.c_str(), 0, nullptr, &found) != 0) return {};
-  return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
-}
-
-std::vector<std::string> texts_at(const std::string& where) {
-  if (is_file(where)) return lines_of(where);
-  std::vector<std::string> texts = is_folder(where) ? folders_in(where) : matches_of(where);
-  std::sort(texts.begin(), texts.end(), is_natural_less);
-  return texts;
-}
-
 std::string last_part(std::string text) {
   if (text.ends_with('/')) text.pop_back();
   return text.substr(text.rfind('/') + 1);
@@ -56,7 +29,7 @@ std::vector<TimeStep> time_steps(const std::string& where) {
   std::string option = "--sequence '" + where + "': ";
   std::vector<TimeStep> steps;
   std::set<std::string> names;
-  for (std::string& text : texts_at(where)) {
+  for (std::string& text : is_file(where) ? lines_of(where) : folders_at(where)) {
     const std::string name = last_part(text);
     if (!names.insert(name).second)
       throw UsageError(option.append("two time steps are called '").append(name).append("'"));

@@ -17,22 +17,16 @@
 
 namespace transformesh {
 
-struct TrackingOptions {
-  MorphingOptions morphing;
-  std::size_t iterations = 1000;  ///< of each frame, at most
-};
-
 struct TrackingResult {
   std::size_t frames = 0;     ///< that are done, those of earlier runs included
   std::size_t converged = 0;  ///< of these
 };
 
 /// `target_of` is asked for the target of each frame in turn; `names` are theirs, for rows and
-/// messages.
+/// messages. The limit of the loop is that of each frame, its messages are those of frames.
 TrackingResult track(Document& document, const std::vector<std::string>& names,
                      const std::function<Target(std::size_t frame)>& target_of,
-                     const TrackingOptions& options,
-                     const std::function<void(const std::string& message)>& on_frame,
-                     Record& record, const Progress& progress = Progress());
+                     const MorphingOptions& options, const LoopOptions& loop, Record& record,
+                     const Progress& progress = Progress());
 
 }  // namespace transformesh

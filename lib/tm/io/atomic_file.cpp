@@ -162,6 +162,12 @@ void write_file(const std::string& path, std::string_view bytes) {
   AtomicFile(path, bytes).commit();
 }
 
+void make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw OutputError("cannot make the folder '" + path + "': " + error.message());
+}
+
 void check_writable(const std::string& path) {
   if (path.empty()) throw OutputError("cannot write a file without a name");
   const std::string target = path == "-" ? path : resolved(path);

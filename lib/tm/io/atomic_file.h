@@ -40,6 +40,9 @@ class AtomicFile {
 /// The whole file at once. Throws OutputError.
 void write_file(const std::string& path, std::string_view bytes);
 
+/// Where it is missing, with the folders above it. Throws OutputError.
+void make_folder(const std::string& path);
+
 /// Throws OutputError at once where writing this file cannot work: for before a long computation.
 void check_writable(const std::string& path);
 

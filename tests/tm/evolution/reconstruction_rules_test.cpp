@@ -7,34 +7,34 @@ using namespace transformesh;
 namespace {
 
 /// A surface that moves, agrees better and better, and loses nothing.
-PassMeasures moving(double dissimilarity) {
-  PassMeasures measures;
-  measures.scale = 4;
-  measures.vertices = 1000;
-  measures.mean_share = 0.1;
-  measures.dissimilarity = dissimilarity;
-  measures.coverage = measures.first_coverage = 0.8;
-  measures.pixels = measures.first_pixels = 900;
-  measures.topology = {1, 0};
-  return measures;
+Pass moving(double dissimilarity) {
+  Pass pass;
+  pass.level.scale = 4;
+  pass.mesh.vertices = 1000;
+  pass.mesh.topology = {1, 0};
+  pass.steps.last.mean_share = 0.1;
+  pass.steps.last.dissimilarity = dissimilarity;
+  pass.steps.last.coverage = pass.steps.first.coverage = 0.8;
+  pass.steps.last.pixels = pass.steps.first.pixels = 900;
+  return pass;
 }
 
-PassMeasures with_topology(PassMeasures measures, Topology topology) {
-  measures.topology = topology;
-  return measures;
+Pass with_topology(Pass pass, Topology topology) {
+  pass.mesh.topology = topology;
+  return pass;
 }
 
-PassMeasures with_outside(PassMeasures measures, std::size_t outside) {
-  measures.outside = outside;
-  return measures;
+Pass with_outside(Pass pass, std::size_t outside) {
+  pass.steps.last.outside = outside;
+  return pass;
 }
 
 }  // namespace
 
 TEST_CASE("a level is done where vertices hardly move, or photographs agree hardly better") {
   LevelRule rule;
-  PassMeasures slow = moving(0.5);
-  slow.mean_share = 0.014;
+  Pass slow = moving(0.5);
+  slow.steps.last.mean_share = 0.014;
   CHECK(rule.add(slow).is_done);
   rule.begin();
   CHECK_FALSE(rule.add(moving(0.5)).is_done);
@@ -77,9 +77,9 @@ TEST_CASE("a surface of which less is compared than when the level began is lost
   for (const bool is_share : {true, false}) {
     LevelRule rule;
     CHECK_FALSE(rule.add(moving(0.5)).is_lost);
-    PassMeasures lost = moving(0.5);
-    if (is_share) lost.coverage = 0.71;
-    if (!is_share) lost.pixels = 449;
+    Pass lost = moving(0.5);
+    if (is_share) lost.steps.last.coverage = 0.71;
+    if (!is_share) lost.steps.last.pixels = 449;
     const PassVerdict verdict = rule.add(lost);
     CHECK(verdict.is_lost);
     CHECK_FALSE(verdict.is_at_rest);
@@ -88,9 +88,9 @@ TEST_CASE("a surface of which less is compared than when the level began is lost
   // What the level began with counts, not the pass.
   LevelRule rule;
   rule.add(moving(0.5));
-  PassMeasures later = moving(0.4);
-  later.first_coverage = 0.6;
-  later.coverage = 0.6;
+  Pass later = moving(0.4);
+  later.steps.first.coverage = 0.6;
+  later.steps.last.coverage = 0.6;
   CHECK(rule.add(later).is_lost);
 }
 
@@ -98,8 +98,8 @@ TEST_CASE("a topology that changes within a late scale is told from one that cha
   const auto is_late = [](double scale, Topology before) {
     LevelRule rule;
     rule.add(with_topology(moving(0.5), before));
-    PassMeasures measures = with_topology(moving(0.3), {1, 5});
-    measures.scale = scale;
+    Pass measures = with_topology(moving(0.3), {1, 5});
+    measures.level.scale = scale;
     return rule.add(measures).is_late;
   };
   CHECK(is_late(1.4142, {1, 6}));
@@ -108,19 +108,22 @@ TEST_CASE("a topology that changes within a late scale is told from one that cha
   CHECK_FALSE(is_late(2, {1, 6}));
   // From level to level it may change.
   LevelRule rule;
-  PassMeasures first = with_topology(moving(0.3), {1, 5});
-  first.scale = 1;
+  Pass first = with_topology(moving(0.3), {1, 5});
+  first.level.scale = 1;
   CHECK_FALSE(rule.add(first).is_late);
 }
 
-TEST_CASE("the rule of a level goes on from its values as if nothing had happened") {
+TEST_CASE("the rule of a level goes on from its memory as if nothing had happened") {
   LevelRule whole(6), parts(6);
   for (int i = 0; i < 6; ++i) {
-    PassMeasures measures = with_outside(moving(0.123456789 / (1 + i)), 100 - 5 * (i / 2));
-    measures.coverage = 0.8123456789 - 0.03 * i;
-    measures.topology = {1, -i / 3};
+    Pass measures = with_outside(moving(0.123456789 / (1 + i)), 100 - 5 * (i / 2));
+    measures.steps.last.coverage = 0.8123456789 - 0.03 * i;
+    measures.mesh.topology = {1, -i / 3};
     LevelRule next(6);
-    next.restore(values_of(text_of(parts.values())));
+    Memory kept;
+    parts.remember(kept);
+    Memory memory(kept.text());
+    next.remember(memory);
     parts = next;
     const PassVerdict expected = whole.add(measures);
     const PassVerdict found = parts.add(measures);
@@ -146,10 +149,13 @@ TEST_CASE("windows that disagree as much as the mean pull less where photographs
 }
 
 TEST_CASE("what was lost comes before what moves, and that before what changed late") {
-  CHECK(fault_of({0, 0, true}).empty());
-  CHECK(fault_of({1.4142, 1, false}).find("after scale 1.4142 than before") != std::string::npos);
-  CHECK(fault_of({0, 1, false}) == "the surface was not at rest after the last pass");
-  CHECK(fault_of({0, 1, true}).find("as late as at scale 1.0000") != std::string::npos);
+  CHECK(ReconstructionFaults{0, 0, true}.in_words().empty());
+  CHECK(ReconstructionFaults{1.4142, 1, false}.in_words().find("after scale 1.4142 than before") !=
+        std::string::npos);
+  CHECK(ReconstructionFaults{0, 1, false}.in_words() ==
+        "the surface was not at rest after the last pass");
+  CHECK(ReconstructionFaults{0, 1, true}.in_words().find("as late as at scale 1.0000") !=
+        std::string::npos);
 }
 
 TEST_CASE("a tracked surface is measured by the last one that was made anew") {

@@ -32,7 +32,7 @@ Document start() {
 
 TrackingResult tracked(Document& document, Record& record,
                        const std::function<void(const std::string&)>& on_frame = {}) {
-  return track(document, names, balls, {}, on_frame, record);
+  return track(document, names, balls, {}, {.on_iteration = on_frame}, record);
 }
 
 }  // namespace

@@ -26,30 +26,37 @@ std::string_view take_number(std::string_view& text) {
   return digits;
 }
 
-std::vector<std::string> files_in(const std::string& folder) {
+template <typename Predicate>
+std::vector<std::string> entries_of(const std::string& folder, const Predicate& is_wanted) {
   std::error_code error;
-  std::vector<std::string> files;
+  std::vector<std::string> paths;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const bool is_hidden = entry->path().filename().string().starts_with('.');
-    std::error_code type_error;
-    const bool is_regular = entry->is_regular_file(type_error);
-    if (!is_hidden && is_regular) files.push_back(entry->path().string());
+    if (!is_hidden && is_wanted(*entry)) paths.push_back(entry->path().string());
   }
   if (error) throw InputError(folder + ": cannot be read: " + error.message());
+  return paths;
+}
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::error_code ignored;
+  std::vector<std::string> files = entries_of(
+      folder, [&](const fs::directory_entry& entry) { return entry.is_regular_file(ignored); });
   if (files.empty()) throw InputError(folder + ": there is no file in this folder");
   return files;
 }
 
-std::vector<std::string> files_matching(const std::string& pattern) {
+std::vector<std::string> matches_of(const std::string& pattern) {
   glob_t found{};
   const std::unique_ptr<glob_t, void (*)(glob_t*)> freed(&found, globfree);
-  std::vector<std::string> files;
-  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) {
-    for (std::size_t i = 0; i < found.gl_pathc; ++i) {
-      if (is_file(found.gl_pathv[i])) files.emplace_back(found.gl_pathv[i]);
-    }
-  }
+  if (glob(pattern.c_str(), 0, nullptr, &found) != 0) return {};
+  return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
+}
+
+std::vector<std::string> files_matching(const std::string& pattern) {
+  std::vector<std::string> files = matches_of(pattern);
+  std::erase_if(files, [](const std::string& path) { return !is_file(path); });
   if (files.empty()) throw InputError(pattern + ": no file matches this pattern");
   return files;
 }
@@ -100,6 +107,14 @@ std::vector<std::string> files_at(const std::string& where) {
   }
   std::sort(files.begin(), files.end(), is_natural_less);
   return files;
+}
+
+std::vector<std::string> folders_at(const std::string& where) {
+  const auto is_kept = [](const fs::directory_entry& entry) { return is_folder(entry.path()); };
+  std::vector<std::string> paths =
+      is_folder(where) ? entries_of(where, is_kept) : matches_of(where);
+  std::sort(paths.begin(), paths.end(), is_natural_less);
+  return paths;
 }
 
 std::string file_bytes(const std::string& path, std::size_t limit) {

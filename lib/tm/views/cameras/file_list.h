@@ -11,6 +11,8 @@ namespace transformesh {
 /// its folders and those with a dot in front. A pattern has *, ? or [ and names no file. Throws
 /// InputError where there is nothing of the name.
 std::vector<std::string> files_at(const std::string& where);
+/// The folders of a folder, or whatever a pattern matches, likewise; nothing where there is none.
+std::vector<std::string> folders_at(const std::string& where);
 
 bool is_folder(const std::string& path);
 bool is_file(const std::string& path);
