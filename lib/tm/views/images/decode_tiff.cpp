@@ -84,52 +84,6 @@ std::unique_ptr<Sample[]> samples(std::uint64_t count) {
   return std::unique_ptr<Sample[]>(new Sample[count]);
 }
 
-/// libtiff's conversion of whatever it knows to 8 bits of red, green, blue and alpha.
-class Converter {
- public:
-  Converter(TIFF* tiff, std::array<char, 1024>& reason)
-      : is_ready_(TIFFRGBAImageBegin(&image_, tiff, 1, reason.data()) != 0) {
-    // Pixels stay where the file has them, whatever it says of how to show them.
-    image_.orientation = ORIENTATION_TOPLEFT;
-    image_.req_orientation = ORIENTATION_TOPLEFT;
-  }
-  ~Converter() {
-    if (is_ready_) TIFFRGBAImageEnd(&image_);
-  }
-  Converter(const Converter&) = delete;
-  Converter& operator=(const Converter&) = delete;
-
-  bool is_ready() const { return is_ready_; }
-  /// The `count` rows from y, which are whole strips or tiles.
-  bool read(std::uint32_t y, std::uint32_t count, std::uint32_t* pixels) {
-    image_.row_offset = static_cast<int>(y);
-    return TIFFRGBAImageGet(&image_, pixels, image_.width, count) != 0;
-  }
-
- private:
-  TIFFRGBAImage image_{};
-  bool is_ready_;
-};
-
-/// Unpacks a row of gray samples of 1, 2 or 4 bits, the first in the highest bits of a byte.
-template <class Sample>
-void unpack(const Sample* packed, unsigned bits, std::vector<Sample>& row) {
-  const unsigned per_byte = 8 / bits;
-  for (std::size_t x = 0; x < row.size(); ++x) {
-    const unsigned shift = 8 - bits * (1 + x % per_byte);
-    row[x] = static_cast<Sample>(packed[x / per_byte] >> shift & ((1U << bits) - 1));
-  }
-}
-
-/// Unpacks a row of pixels into samples of red, green and blue.
-void unpack(const std::uint32_t* pixel, std::vector<std::uint8_t>& row) {
-  for (auto sample = row.begin(); sample != row.end(); sample += 3, ++pixel) {
-    sample[0] = static_cast<std::uint8_t>(TIFFGetR(*pixel));
-    sample[1] = static_cast<std::uint8_t>(TIFFGetG(*pixel));
-    sample[2] = static_cast<std::uint8_t>(TIFFGetB(*pixel));
-  }
-}
-
 class Reader {
  public:
   explicit Reader(const Source& source)
@@ -152,12 +106,10 @@ class Reader {
   }
 
   void read(LevelRows& rows) {
-    if (field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT) != SAMPLEFORMAT_UINT)
-      refuse_format(source_, "TIFF of samples that are no unsigned integers");
-    if (!are_samples_plain()) return read_converted(rows);
+    check_kind();
     rows.start({static_cast<int>(width_), static_cast<int>(height_), is_gray() ? 1 : 3, stride_,
-                static_cast<double>(maximum())});
-    bits_ == 16 ? read_plain<std::uint16_t>(rows) : read_plain<std::uint8_t>(rows);
+                bits_ == 16 ? 65535.0 : 255.0});
+    bits_ == 16 ? read_bands<std::uint16_t>(rows) : read_bands<std::uint8_t>(rows);
   }
 
  private:
@@ -180,16 +132,15 @@ class Reader {
     return photometric_ == PHOTOMETRIC_MINISBLACK || photometric_ == PHOTOMETRIC_MINISWHITE;
   }
 
-  unsigned maximum() const { return (1U << bits_) - 1; }
-
-  /// Whether levels can be made of the samples as they are in the file.
-  bool are_samples_plain() const {
-    const bool are_bytes = bits_ == 8 || bits_ == 16;
-    const bool are_bits = bits_ == 1 || bits_ == 2 || bits_ == 4;
-    const bool is_color = photometric_ == PHOTOMETRIC_RGB && stride_ >= 3;
-    const bool are_together = field<std::uint16_t>(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_CONTIG;
-    if (stride_ == 1) return is_gray() && (are_bytes || (are_bits && !is_tiled_));
-    return (is_gray() || is_color) && are_bytes && are_together;
+  void check_kind() const {
+    if (field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT) != SAMPLEFORMAT_UINT)
+      refuse_format(source_, "TIFF of samples that are no unsigned integers");
+    if (bits_ != 8 && bits_ != 16)
+      refuse_format(source_, "TIFF of " + std::to_string(bits_) + "-bit samples");
+    if (!is_gray() && (photometric_ != PHOTOMETRIC_RGB || stride_ < 3))
+      refuse_format(source_, "TIFF of samples that are neither gray nor red, green and blue");
+    if (stride_ > 1 && field<std::uint16_t>(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG)
+      refuse_format(source_, "TIFF of channels that lie apart");
   }
 
   /// Strips and rows of tiles are bands of so many rows.
@@ -198,34 +149,27 @@ class Reader {
     return std::clamp(rows, 1U, height_);
   }
 
-  /// Calls read(first row, number of rows) for each band.
-  template <class Read>
-  void for_each_band(const Read& read) const {
+  template <class Sample>
+  void read_bands(LevelRows& rows) {
+    const std::uint64_t row_size = std::uint64_t{width_} * stride_;
     const std::uint32_t most = rows_per_band();
-    for (std::uint32_t y = 0; y < height_; y += std::min(most, height_ - y))
-      read(y, std::min(most, height_ - y));
+    const auto band = samples<Sample>(most * row_size);
+    std::vector<Sample> row(row_size);
+    for (std::uint32_t y = 0, count = 0; y < height_; y += count) {
+      count = std::min(most, height_ - y);
+      is_tiled_ ? read_tiles(y, count, band.get()) : read_strip(y, count, band.get());
+      for (std::uint32_t i = 0; i < count; ++i) {
+        std::copy_n(band.get() + i * row_size, row_size, row.begin());
+        if (photometric_ == PHOTOMETRIC_MINISWHITE)
+          for (Sample& sample : row) sample = static_cast<Sample>(~sample);
+        rows.add(row.data());
+      }
+    }
   }
 
   template <class Sample>
-  void read_plain(LevelRows& rows) {
-    const std::uint64_t row_size = std::uint64_t{width_} * stride_;
-    const auto band = samples<Sample>(rows_per_band() * row_size);
-    std::vector<Sample> row(row_size);
-    for_each_band([&](std::uint32_t y, std::uint32_t count) {
-      is_tiled_ ? read_tiles(y, count, band.get()) : read_strip(y, count, band.get());
-      for (std::uint32_t i = 0; i < count; ++i) {
-        bits_ < 8 ? unpack(band.get() + i * ((row_size * bits_ + 7) / 8), bits_, row)
-                  : void(std::copy_n(band.get() + i * row_size, row_size, row.begin()));
-        if (photometric_ == PHOTOMETRIC_MINISWHITE)
-          for (Sample& sample : row) sample = static_cast<Sample>(maximum() - sample);
-        rows.add(row.data());
-      }
-    });
-  }
-
-  void read_strip(std::uint32_t y, std::uint32_t count, void* band) const {
-    const std::uint64_t row_bits = std::uint64_t{width_} * stride_ * bits_;
-    const auto size = static_cast<tmsize_t>(count * ((row_bits + 7) / 8));
+  void read_strip(std::uint32_t y, std::uint32_t count, Sample* band) const {
+    const auto size = static_cast<tmsize_t>(sizeof(Sample) * count * width_ * stride_);
     const std::uint32_t strip = TIFFComputeStrip(tiff_.get(), y, 0);
     demand(TIFFReadEncodedStrip(tiff_.get(), strip, band, size) == size);
   }
@@ -243,24 +187,6 @@ class Reader {
         std::copy_n(tile.get() + i * tile_width * stride_, length,
                     band + (i * width_ + x) * stride_);
     }
-  }
-
-  void read_converted(LevelRows& rows) {
-    std::array<char, 1024> reason{};  // libtiff asks for this size
-    if (TIFFRGBAImageOK(tiff_.get(), reason.data()) == 0)
-      refuse_format(source_, "TIFF (" + std::string(reason.data()) + ")");
-    Converter converter(tiff_.get(), reason);
-    demand(converter.is_ready());
-    rows.start({static_cast<int>(width_), static_cast<int>(height_), 3, 3, 255});
-    const auto band = samples<std::uint32_t>(std::uint64_t{rows_per_band()} * width_);
-    std::vector<std::uint8_t> row(std::size_t{3} * width_);
-    for_each_band([&](std::uint32_t y, std::uint32_t count) {
-      demand(converter.read(y, count, band.get()));
-      for (std::uint32_t i = 0; i < count; ++i) {
-        unpack(band.get() + std::uint64_t{i} * width_, row);
-        rows.add(row.data());
-      }
-    });
   }
 
   const Source& source_;
