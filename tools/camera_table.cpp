@@ -1,12 +1,11 @@
 #include "camera_table.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "report.h"
+#include "tm/support/number.h"
 #include "tm/views/cameras/pinhole_camera.h"
 
 namespace transformesh::tool {
@@ -15,12 +14,7 @@ namespace {
 using Row = std::vector<std::string>;
 
 // Adding zero takes the sign of a zero away.
-std::string rounded(double value, int digits) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value + 0.0,
-                                 std::chars_format::general, digits);
-  return {text.data(), end.ptr};
-}
+std::string rounded(double value, int digits) { return significant(value + 0.0, digits); }
 
 // None where the camera has the center behind it.
 std::optional<double> pixel_size_of(const PinholeCamera& camera, const Vec3& center) {

@@ -1,7 +1,5 @@
 #include "reconstruct_options.h"
 
-#include <charconv>
-
 #include "tm/support/error.h"
 #include "view_options.h"
 
@@ -67,10 +65,8 @@ void declare_steps(Program& program, ReconstructChoices& choices) {
 }
 
 double number_of(const std::string& option, const std::string& text, double minimum) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc() && rest == end && value >= minimum) return value;
+  const auto value = number_in<double>(text);
+  if (value && *value >= minimum) return *value;
   throw UsageError("--" + option + ": '" + text + "' is not a number of at least " +
                    shortest_text(minimum));
 }

@@ -1,10 +1,10 @@
 #include "tm/evolution/agreement.h"
 
-#include "tm/evolution/csv_row.h"
 #include "tm/geometry/compare.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
+#include "tm/support/number.h"
 
 namespace transformesh {
 namespace {

@@ -1,18 +1,12 @@
-/// A row of a CSV file, with the names of its columns; and numbers as text and back. Independent of
-/// the locale.
+/// A row of a CSV file, with the names of its columns.
 #pragma once
 
 #include <concepts>
 #include <string>
 
-namespace transformesh {
+#include "tm/support/number.h"
 
-/// As printf's %g with so many significant digits.
-std::string significant(double value, int digits);
-/// As printf's %f with so many decimals.
-std::string fixed(double value, int decimals);
-/// The number that either of them wrote.
-double read_back(const std::string& text);
+namespace transformesh {
 
 /// Names and values go into it together, so that no header can differ from its rows.
 class CsvRow {

@@ -1,27 +1,21 @@
 #include "tm/evolution/memory.h"
 
-#include <charconv>
 #include <sstream>
 
 #include "tm/support/error.h"
-#include "tm/support/length.h"
+#include "tm/support/number.h"
 
 namespace transformesh {
-namespace {
-
-double number_of(const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc() && rest == end) return value;
-  throw InputError("a state holds '" + text + "', which is no number; begin anew with --restart");
-}
-
-}  // namespace
 
 Memory::Memory(const std::string& text) : restores_(true) {
   std::istringstream words(text);
-  for (std::string name, number; words >> name >> number;) values_[name] = number_of(number);
+  for (std::string name, number; words >> name >> number;) {
+    const auto value = number_in<double>(number);
+    if (!value)
+      throw InputError("a state holds '" + number +
+                       "', which is no number; begin anew with --restart");
+    values_[name] = *value;
+  }
 }
 
 double Memory::kept(const std::string& name) const {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tm/evolution/csv_row.h"
+#include "tm/support/number.h"
 
 namespace transformesh {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tm/evolution/csv_row.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/remesh.h"
+#include "tm/support/number.h"
 
 namespace transformesh {
 namespace {

@@ -58,14 +58,7 @@ std::vector<double> distances(const std::vector<Vec3>& points, const Distance& d
 
 /// The vertices that faces use; all of them where there is no face.
 std::vector<Vec3> used_vertices(const Mesh& mesh) {
-  if (mesh.faces.empty()) return mesh.positions;
-  std::vector<bool> is_used(mesh.positions.size(), false);
-  for (const Face& face : mesh.faces)
-    for (const Index vertex : face) is_used[vertex] = true;
-  std::vector<Vec3> points;
-  for (std::size_t v = 0; v < is_used.size(); ++v)
-    if (is_used[v]) points.push_back(mesh.positions[v]);
-  return points;
+  return mesh.faces.empty() ? mesh.positions : used_positions(mesh);
 }
 
 /// Distances one way. Those of the vertices stand for those by area where there are none.

@@ -1,7 +1,6 @@
 #include "tm/io/comments.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
@@ -53,10 +52,8 @@ std::optional<double> reference_edge_of(const std::vector<std::string>& comments
   const auto last = std::find_if(comments.rbegin(), comments.rend(), is_reference_edge);
   if (last == comments.rend()) return std::nullopt;
   const std::string text = last->substr(std::min(last->size(), reference_edge_key.size() + 1));
-  double length = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, length);
-  if (error == std::errc() && rest == end && std::isfinite(length) && length > 0) return length;
+  const auto length = number_in<double>(text);
+  if (length && std::isfinite(*length) && *length > 0) return length;
   throw InputError("the comment '" + *last +
                    "' does not hold a positive length; measure it anew with --reference-edge auto");
 }

@@ -8,6 +8,7 @@
 #include "tm/io/stl.h"
 #include "tm/io/text_buffer.h"
 #include "tm/mesh/digits.h"
+#include "tm/mesh/measure.h"
 #include "tm/support/counted.h"
 
 namespace transformesh {
@@ -97,16 +98,8 @@ std::string bytes_of(const Document& document, const Column* attribute) {
   return bytes;
 }
 
-std::size_t isolated_vertices(const Mesh& mesh) {
-  std::vector<char> is_used(mesh.positions.size(), 0);
-  for (const Face& face : mesh.faces) {
-    for (const Index corner : face) is_used[corner] = 1;
-  }
-  return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 0));
-}
-
 void add_geometry_losses(const Mesh& mesh, std::vector<std::string>& notes) {
-  const std::size_t isolated = isolated_vertices(mesh);
+  const std::size_t isolated = mesh.positions.size() - used_positions(mesh).size();
   if (isolated > 0) {
     notes.push_back("stl: " + counted(isolated, "point") +
                     " without a face cannot be stored in STL, dropped");

@@ -49,6 +49,16 @@ void extend(Box& box, const Vec3& point) {
 
 }  // namespace
 
+std::vector<Vec3> used_positions(const Mesh& mesh) {
+  std::vector<bool> is_used(mesh.positions.size(), false);
+  for (const Face& face : mesh.faces)
+    for (const Index vertex : face) is_used[vertex] = true;
+  std::vector<Vec3> positions;
+  for (std::size_t v = 0; v < is_used.size(); ++v)
+    if (is_used[v]) positions.push_back(mesh.positions[v]);
+  return positions;
+}
+
 Box bounding_box(const Mesh& mesh) {
   if (mesh.positions.empty()) return {};
   const Vec3& first = mesh.positions[mesh.faces.empty() ? 0 : mesh.faces[0][0]];

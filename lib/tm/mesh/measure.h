@@ -14,6 +14,9 @@ struct Box {
   double diagonal() const { return (maximum - minimum).norm(); }
 };
 
+/// The vertices that faces use, in their order.
+std::vector<Vec3> used_positions(const Mesh& mesh);
+
 /// The box of all vertices that faces use; of all vertices where there is no face.
 Box bounding_box(const Mesh& mesh);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -54,11 +55,8 @@ std::vector<Panel> layout(std::size_t count, const PictureOptions& options) {
 std::vector<Vec3> used_points(std::span<const Mesh* const> meshes) {
   std::vector<Vec3> points;
   for (const Mesh* mesh : meshes) {
-    std::vector<bool> is_used(mesh->positions.size(), false);
-    for (const Face& face : mesh->faces)
-      for (const Index vertex : face) is_used[vertex] = true;
-    for (std::size_t v = 0; v < is_used.size(); ++v)
-      if (is_used[v]) points.push_back(mesh->positions[v]);
+    const std::vector<Vec3> used = used_positions(*mesh);
+    points.insert(points.end(), used.begin(), used.end());
   }
   return points;
 }

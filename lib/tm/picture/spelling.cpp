@@ -1,24 +1,14 @@
 #include "tm/picture/spelling.h"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "tm/support/error.h"
+#include "tm/support/number.h"
 
 namespace transformesh {
 namespace {
-
-/// The whole text as a number, in the base given for integers.
-template <typename Number, typename... Base>
-std::optional<Number> number_of(std::string_view text, Base... base) {
-  Number number{};
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number, base...);
-  if (error != std::errc() || rest != end || text.empty()) return std::nullopt;
-  return number;
-}
 
 /// What is before and after the first separator; nothing after where there is none.
 std::pair<std::string_view, std::string_view> halves(std::string_view text, char separator) {
@@ -33,7 +23,7 @@ std::pair<std::string_view, std::string_view> halves(std::string_view text, char
 
 /// Reads three or six hexadecimal digits.
 std::optional<Color> color_of_digits(std::string_view digits) {
-  const auto number = number_of<unsigned>(digits, 16);
+  const auto number = number_in<unsigned>(digits, 16);
   if (!number || (digits.size() != 3 && digits.size() != 6)) return std::nullopt;
   const unsigned bits = digits.size() == 6 ? 8 : 4;
   const unsigned full = (1U << bits) - 1;
@@ -47,8 +37,8 @@ std::optional<Color> color_of_digits(std::string_view digits) {
 
 std::pair<int, int> parse_size(std::string_view text) {
   const auto [left, right] = halves(text, 'x');
-  const auto width = number_of<int>(left);
-  const auto height = number_of<int>(right);
+  const auto width = number_in<int>(left);
+  const auto height = number_in<int>(right);
   if (!width || !height || *width < 1 || *height < 1)
     refuse(text, "a size in pixels: write it as 800x600");
   return {*width, *height};
@@ -56,8 +46,8 @@ std::pair<int, int> parse_size(std::string_view text) {
 
 std::pair<double, double> parse_orbit(std::string_view text) {
   const auto [left, right] = halves(text, ',');
-  const auto azimuth = number_of<double>(left);
-  const auto elevation = number_of<double>(right);
+  const auto azimuth = number_in<double>(left);
+  const auto elevation = number_in<double>(right);
   if (!azimuth || !elevation || !std::isfinite(*azimuth) || !std::isfinite(*elevation))
     refuse(text, "a pair of angles in degrees: write azimuth,elevation as 30,20");
   return {*azimuth, *elevation};

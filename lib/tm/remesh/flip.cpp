@@ -31,6 +31,13 @@ class Flipper {
   Corners corners(Index h) const {
     return {mesh_.source(h), mesh_.target(h), mesh_.apex(h), mesh_.apex(mesh_.opposite(h))};
   }
+  struct Positions {
+    const Vec3 &a, &b, &c, &d;
+  };
+  Positions positions(const Corners& at) const {
+    return {mesh_.position(at.from), mesh_.position(at.to), mesh_.position(at.left),
+            mesh_.position(at.right)};
+  }
 
   void count_valences();
   int deviation_gain(const Corners& at) const;
@@ -68,10 +75,7 @@ int Flipper::deviation_gain(const Corners& at) const {
 }
 
 bool Flipper::gains_angle(const Corners& at, bool only_not_narrow) const {
-  const Vec3& a = mesh_.position(at.from);
-  const Vec3& b = mesh_.position(at.to);
-  const Vec3& c = mesh_.position(at.left);
-  const Vec3& d = mesh_.position(at.right);
+  const auto [a, b, c, d] = positions(at);
   const double after =
       std::max(cosine_of_smallest_angle(a, d, c), cosine_of_smallest_angle(b, c, d));
   if (only_not_narrow && after < narrow) return true;
@@ -103,10 +107,7 @@ bool Flipper::is_too_long(const Corners& at) const {
 }
 
 bool Flipper::is_sound(Index halfedge, const Corners& at) const {
-  const Vec3& a = mesh_.position(at.from);
-  const Vec3& b = mesh_.position(at.to);
-  const Vec3& c = mesh_.position(at.left);
-  const Vec3& d = mesh_.position(at.right);
+  const auto [a, b, c, d] = positions(at);
   if ((d - c).squaredNorm() > mesh_.squared_length(halfedge) && is_too_long(at)) return false;
 
   // All four triangles have to look the same way.
@@ -124,10 +125,7 @@ bool Flipper::is_sound(Index halfedge, const Corners& at) const {
 
 bool Flipper::attempt(Index halfedge) {
   const Corners at = corners(halfedge);
-  const Vec3& a = mesh_.position(at.from);
-  const Vec3& b = mesh_.position(at.to);
-  const Vec3& c = mesh_.position(at.left);
-  const Vec3& d = mesh_.position(at.right);
+  const auto [a, b, c, d] = positions(at);
   patch_.center = at.from;
   patch_.center_position = a;
   patch_.made.assign({Triangle{c, a, d}, Triangle{d, b, c}});

@@ -1,7 +1,6 @@
 #include "tm/shapes/kinds.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 
@@ -26,22 +25,18 @@ std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
 long integer_parameter(const ShapeOptions& options, std::size_t i, long highest) {
   const std::string& text = options.parameters[i];
-  long value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || value < 1 || value > highest)
+  const auto value = number_in<long>(text);
+  if (!value || *value < 1 || *value > highest)
     refuse(options, quoted(text) + " is not an integer from 1 to " + std::to_string(highest));
-  return value;
+  return *value;
 }
 
 double share_parameter(const ShapeOptions& options, std::size_t i) {
   const std::string& text = options.parameters[i];
-  double value = -1;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || !(value >= 0 && value <= 1))
+  const auto value = number_in<double>(text);
+  if (!value || !(*value >= 0 && *value <= 1))
     refuse(options, quoted(text) + " is not a number from 0 to 1");
-  return value;
+  return *value;
 }
 
 Vec3 three_lengths(const ShapeOptions& options) {

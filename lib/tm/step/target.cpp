@@ -1,6 +1,5 @@
 #include "tm/step/target.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -15,14 +14,6 @@ namespace transformesh {
 namespace {
 
 constexpr std::array<const char*, 3> normal_names{"nx", "ny", "nz"};
-
-bool has_isolated_vertices(const Mesh& mesh) {
-  std::vector<bool> is_used(mesh.positions.size(), false);
-  for (const Face& face : mesh.faces) {
-    for (const Index vertex : face) is_used[vertex] = true;
-  }
-  return std::find(is_used.begin(), is_used.end(), false) != is_used.end();
-}
 
 void refuse_inside_out(const Mesh& mesh) {
   if (volume(mesh) < 0 && check_manifold(mesh).is_closed()) {
@@ -60,7 +51,7 @@ Target make_target(Mesh mesh) {
     add_point_normals(target);
     return target;
   }
-  if (has_isolated_vertices(target.mesh)) {
+  if (used_positions(target.mesh).size() < target.mesh.positions.size()) {
     target.mesh = select_faces(target.mesh, std::vector<bool>(target.mesh.faces.size(), true));
   }
   refuse_inside_out(target.mesh);

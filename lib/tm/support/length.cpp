@@ -1,6 +1,5 @@
 #include "tm/support/length.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -48,12 +47,6 @@ Length parse_length(std::string_view text) {
     length.unit = Length::Unit::reference_edge;
   }
   return length;
-}
-
-std::string shortest_text(double value) {
-  std::array<char, 32> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), result.ptr};
 }
 
 }  // namespace transformesh

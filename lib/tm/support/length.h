@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "tm/support/number.h"
+
 namespace transformesh {
 
 struct Length {
@@ -22,8 +24,5 @@ struct Length {
 /// Reads a finite number with an optional `%` or `x`. Throws UsageError naming the text otherwise.
 /// The sign is the caller's to judge. Independent of the locale.
 Length parse_length(std::string_view text);
-
-/// The shortest decimal text that reads back as the same double, independent of the locale.
-std::string shortest_text(double value);
 
 }  // namespace transformesh
