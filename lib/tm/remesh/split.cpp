@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "tm/remesh/edge_queue.h"
 #include "tm/remesh/vertex_mover.h"
@@ -28,16 +29,43 @@ class Splitter {
       if (std::fmod(tried, 4096) == 0) progress("split", tried / (tried + first));
       const QueuedEdge edge = queue_.top();
       queue_.pop();
-      if (edge.is_current(mesh_)) split(edge.halfedge);
+      if (!edge.is_current(mesh_)) continue;
+      if (keep_border_ && is_beside_held(edge)) {
+        hold(edge.halfedge, true);
+      } else {
+        split(edge.halfedge);
+      }
     }
     return splits_;
   }
 
  private:
   void push(Index halfedge) {
-    if (mesh_.scaled_squared_length(halfedge) <= limit_) return;
-    if (keep_border_ && mesh_.is_border(halfedge)) return;
+    const bool is_kept = keep_border_ && mesh_.is_border(halfedge);
+    if (keep_border_) hold(halfedge, is_kept);
+    if (mesh_.scaled_squared_length(halfedge) <= limit_ || is_kept) return;
     queue_.emplace(mesh_, halfedge);
+  }
+
+  void hold(Index halfedge, bool is_held) {
+    is_held_.resize(mesh_.halfedge_slots());
+    is_held_[halfedge] = is_held;
+    if (!mesh_.is_border(halfedge)) is_held_[mesh_.opposite(halfedge)] = is_held;
+  }
+
+  /// Whether a longer edge of its faces stays as it is, a border or itself beside one that stays,
+  /// and is longer than 1.5 times the limit. The two others of a face, halved in turn, come to a
+  /// third and two thirds of it, and so splits would never end. Longer edges came first.
+  bool is_beside_held(const QueuedEdge& edge) const {
+    const auto holds = [&](Index other) {
+      const double length = mesh_.scaled_squared_length(other);
+      return is_held_[other] && length > 2.25 * limit_ && length > edge.squared_length;
+    };
+    const auto is_held_in_face = [&](Index side) {
+      return holds(next_halfedge(side)) || holds(previous_halfedge(side));
+    };
+    return is_held_in_face(edge.halfedge) ||
+           (!mesh_.is_border(edge.halfedge) && is_held_in_face(mesh_.opposite(edge.halfedge)));
   }
 
   void split(Index halfedge) {
@@ -60,6 +88,7 @@ class Splitter {
   double limit_;
   bool keep_border_;
   EdgeQueue<LongerFirst> queue_;
+  std::vector<bool> is_held_;  ///< per halfedge
   std::size_t splits_ = 0;
 };
 

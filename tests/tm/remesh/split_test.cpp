@@ -1,6 +1,8 @@
 #include "tm/remesh/split.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
@@ -41,6 +43,44 @@ TEST_CASE("edges are halved until none is too long, on the surface as it was") {
   for (const Vec3& p : fine.positions) {
     CHECK((2 * p - Vec3::Ones()).cwiseAbs().maxCoeff() == 1);  // on the cube, exactly
   }
+}
+
+TEST_CASE("beside border edges that stay and are far too long, splits end") {
+  const auto side = [](const Mesh& mesh, Index a, Index b) {
+    return (mesh.positions[a] - mesh.positions[b]).norm();
+  };
+  for (const int cells : {1, 2, 3, 8})
+    for (const double limit : {1e-3, 0.02, 0.1, 0.3, 0.45, 0.6, 0.7, 0.9}) {
+      CAPTURE(cells);
+      CAPTURE(limit);
+      EditableMesh editable(grid(cells));
+      split_long_edges(editable, limit, true, {});
+      const Mesh mesh = editable.to_mesh();
+      CHECK(is_oriented_manifold(mesh));
+
+      // The longest edge of each face.
+      std::map<std::pair<Index, Index>, double> beside;
+      for (const Face& face : mesh.faces) {
+        const double longest = std::max({side(mesh, face[0], face[1]), side(mesh, face[1], face[2]),
+                                         side(mesh, face[2], face[0])});
+        for (int i = 0; i < 3; ++i) {
+          auto& most = beside[std::minmax(face[i], face[(i + 1) % 3])];
+          most = std::max(most, longest);
+        }
+      }
+      int border = 0;
+      for (const auto& [edge, faces] : edge_faces(mesh)) {
+        const double length = side(mesh, edge.first, edge.second);
+        if (faces == 1) {
+          ++border;
+          CHECK(length == doctest::Approx(1.0 / cells));
+        } else if (length > limit) {
+          CHECK(beside[edge] > length);
+          CHECK(beside[edge] > 1.5 * limit);
+        }
+      }
+      CHECK(border == 4 * cells);
+    }
 }
 
 TEST_CASE("sheets of floats one rounding apart do not cross where edges are split") {
