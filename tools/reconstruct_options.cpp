@@ -18,7 +18,7 @@ void declare_places(Program& program, ReconstructChoices& choices) {
   program.choice("silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
                  "the object, or only some of it: then they pull outwards alone");
   program.text("threshold", &choices.threshold, "auto|LEVEL",
-               "without masks: grey level above which photographs show the object (default auto; "
+               "without masks: gray level above which photographs show the object (default auto; "
                "with --start, none)");
 }
 

@@ -1,5 +1,5 @@
 /// The one object that writes to stderr: messages, each one prefixed line, and progress. It knows
-/// whether stderr is a terminal, may have colour, and has a bar standing on its line.
+/// whether stderr is a terminal, may have color, and has a bar standing on its line.
 #pragma once
 
 #include <chrono>

@@ -36,12 +36,12 @@ void declare(tool::Program& program, Options& options) {
   program.text("write-images", &files.images, "FOLDER", "write NAME.png there");
   program.text("write-silhouettes", &files.silhouettes, "FOLDER", "write masks NAME.png there");
   program.choice("look", &files.look, {"texture", "shade"},
-                 "grey texture without shading, or as tm-render draws");
+                 "gray texture without shading, or as tm-render draws");
   program.length("finest", &options.finest, "shortest wavelength of the texture");
   program.length("coarsest", &options.coarsest, "longest wavelength of the texture");
   program.integer("waves", &files.waves, 1, 10000, "that make the texture");
   PhotographOptions& sensor = files.sensor;
-  program.number("noise", &sensor.noise, 0, 255, "deviation of the noise, in grey levels");
+  program.number("noise", &sensor.noise, 0, 255, "deviation of the noise, in gray levels");
   program.number("gain", &sensor.gain_spread, 0, 0.99, "levels are multiplied by 1 -+ up to that");
   program.number("offset", &sensor.offset_spread, 0, 255, "and moved by up to so many levels");
   program.text("compare-silhouettes", &files.masks, "WHERE",

@@ -2,7 +2,7 @@
 // tm-intersect: reads through the library's reader, prints the number of pairs and the CPU seconds
 // that finding them took.
 //   cgal-intersect INPUT
-// CGAL takes faces that share a vertex index as neighbours, tm-intersect those that share a
+// CGAL takes faces that share a vertex index as neighbors, tm-intersect those that share a
 // position; where a mesh has vertices twice the counts differ.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>

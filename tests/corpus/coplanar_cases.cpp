@@ -1,5 +1,5 @@
 // Coplanar overlaps of the same and of opposite orientation, coincident faces and sheets, faces
-// folded flat onto their neighbours.
+// folded flat onto their neighbors.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 
@@ -40,7 +40,7 @@ Mesh copies(const Mesh& mesh, int count, int reversed_count) {
 }
 
 /// A box with a finely cut lid, some of whose inner vertices moved within the lid's plane by
-/// `shift` cells: neighbours are folded flat onto each other.
+/// `shift` cells: neighbors are folded flat onto each other.
 Mesh folded_lid(int cells, double shift, std::uint64_t seed) {
   Mesh lid = grid(cells);
   Mesh bottom = reversed(moved(lid, {0, 0, -1}));

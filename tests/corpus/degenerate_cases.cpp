@@ -8,7 +8,7 @@ namespace transformesh::corpus {
 namespace {
 
 /// Cuts a face along its edge from corner i, at `share` of the way, and fills the gap to the
-/// neighbour with a face without area. At share 0 and 1 the new edge has no length.
+/// neighbor with a face without area. At share 0 and 1 the new edge has no length.
 void insert_flat_face(Mesh& mesh, Index face, int i, double share) {
   const Index a = mesh.faces[face][i];
   const Index b = mesh.faces[face][(i + 1) % 3];

@@ -46,11 +46,11 @@ Mesh box_with_walls(const std::vector<double>& heights, int squares) {
 /// A bipyramid with a wall in its middle.
 Mesh waist(int sides, double radius, double height) {
   Mesh mesh = bipyramid(sides, radius, height, 0.3);
-  const auto centre = static_cast<Index>(mesh.positions.size());
+  const auto center = static_cast<Index>(mesh.positions.size());
   mesh.positions.emplace_back(0, 0, 0);
   for (int i = 0; i < sides; ++i)
     mesh.faces.push_back(
-        {centre, static_cast<Index>(2 + i), static_cast<Index>(2 + (i + 1) % sides)});
+        {center, static_cast<Index>(2 + i), static_cast<Index>(2 + (i + 1) % sides)});
   return mesh;
 }
 

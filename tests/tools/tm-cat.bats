@@ -67,16 +67,16 @@ count() {
 
 @test "values of a narrow and of a wide type survive; a list beside a number is told" {
   cd "$BATS_TEST_TMPDIR"
-  # labelled TYPE VALUE: a tetrahedron with a label at each vertex
-  labelled() {
+  # labeled TYPE VALUE: a tetrahedron with a label at each vertex
+  labeled() {
     tetrahedron | awk -v type="$1" -v value="$2" '
       /^element face/ { print "property " type " label" }
       { print (NF == 3 && !/^[a-z]/) ? $0 " " value : $0 }'
   }
-  labelled short 5 >short.ply
-  labelled int 70000 >int.ply
-  labelled double 0.1 >double.ply
-  labelled "list uchar int" "1 9" >list.ply
+  labeled short 5 >short.ply
+  labeled int 70000 >int.ply
+  labeled double 0.1 >double.ply
+  labeled "list uchar int" "1 9" >list.ply
   tm-cat short.ply int.ply double.ply >all.ply
   grep -qx "property double label" all.ply
   [ "$(awk 'NF == 4 && !/^[a-z]/ && $1 != 3 { print $4 }' all.ply | uniq | paste -s -d' ')" = "5 70000 0.1" ]

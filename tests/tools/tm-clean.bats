@@ -104,7 +104,7 @@ load ../helpers/common
   [ ! -e refused.ply ]
 }
 
-# with_columns: gives the ASCII PLY on stdin a linear function of position, a colour, a list and a
+# with_columns: gives the ASCII PLY on stdin a linear function of position, a color, a list and a
 # number for each face, an element of its own and a comment.
 with_columns() {
   awk -v OFMT=%.17g '
@@ -176,7 +176,7 @@ geometry() {
 
 @test "a large mesh with one crossing changes only there" {
   cd "$BATS_TEST_TMPDIR"
-  # Two neighbouring vertices pulled to the far side of a ball.
+  # Two neighboring vertices pulled to the far side of a ball.
   tm-shape sphere --faces 200000 --format ply-ascii |
     awk '/^end_header/ { body = 1; print; next }
       body && row++ < 2 { print -1.02 * $1, -1.02 * $2, -1.02 * $3; next } { print }' > in.ply

@@ -147,7 +147,7 @@ in_terminal() {
   [[ $output == *end_header* ]]
 }
 
-@test "colour only on a terminal, and NO_COLOR and TERM=dumb are obeyed" {
+@test "color only on a terminal, and NO_COLOR and TERM=dumb are obeyed" {
   escape=$'\033'
   in_terminal 'env TERM=xterm tm-convert none.ply'
   [[ $output == *"$escape"* ]]

@@ -56,9 +56,9 @@ std::pair<double, double> parse_orbit(std::string_view text) {
 Color parse_color(std::string_view text) {
   if (text == "white") return Color::Ones();
   if (text == "black") return Color::Zero();
-  if (text == "grey" || text == "gray") return color_of_srgb(0.5, 0.5, 0.5);
+  if (text == "gray" || text == "grey") return color_of_srgb(0.5, 0.5, 0.5);
   const auto color = text.starts_with('#') ? color_of_digits(text.substr(1)) : std::nullopt;
-  if (!color) refuse(text, "a color: write it as #rrggbb, or white, black or grey");
+  if (!color) refuse(text, "a color: write it as #rrggbb, or white, black or gray");
   return *color;
 }
 

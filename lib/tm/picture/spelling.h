@@ -15,7 +15,7 @@ std::pair<int, int> parse_size(std::string_view text);
 /// `30,20`: azimuth and elevation in degrees.
 std::pair<double, double> parse_orbit(std::string_view text);
 
-/// `#rrggbb` or `#rgb`, or one of white, black, grey.
+/// `#rrggbb` or `#rgb`, or one of white, black, gray.
 Color parse_color(std::string_view text);
 
 /// `transparent`, a color, or two from top to bottom: `white,#8899aa`.

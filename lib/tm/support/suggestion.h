@@ -8,7 +8,7 @@
 namespace transformesh {
 
 /// The candidate with the fewest single-character edits (insertion, deletion, replacement,
-/// exchange of neighbours) from `text`; a candidate that begins with `text` counts as one edit.
+/// exchange of neighbors) from `text`; a candidate that begins with `text` counts as one edit.
 /// The first of equals wins; empty where there is no candidate.
 std::string nearest_name(std::string_view text, const std::vector<std::string>& candidates);
 

@@ -28,7 +28,7 @@ TEST_CASE("colors are read as sRGB") {
        {"", "#", "#12", "#12345", "#gggggg", "#-12345", "ff0080", "mauve", "# 12345"})
     CHECK_THROWS_AS(parse_color(text), UsageError);
   CHECK_THROWS_WITH(parse_color("mauve"),
-                    "'mauve' is not a color: write it as #rrggbb, or white, black or grey");
+                    "'mauve' is not a color: write it as #rrggbb, or white, black or gray");
 }
 
 TEST_CASE("backgrounds are one color, two or none") {
