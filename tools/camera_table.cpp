@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "report.h"
+#include "frame/report.h"
 #include "tm/support/number.h"
 #include "tm/views/cameras/pinhole_camera.h"
 

@@ -10,8 +10,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "frame/run.h"
 #include "tm/support/error.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 namespace {

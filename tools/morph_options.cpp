@@ -1,6 +1,6 @@
 #include "morph_options.h"
 
-#include "remesh_options.h"
+#include "frame/remesh_options.h"
 #include "tm/support/error.h"
 
 namespace transformesh::tool {
@@ -23,9 +23,7 @@ void declare_edges(Program& program, MorphChoices& choices) {
   program.number("gap-edges", &choices.options.step.gap_edges, 0, 1e6,
                  "so many edges across the target's gaps and walls: shorter ones where it is "
                  "narrow; 0: the same everywhere");
-  program.reference_edge("",
-                         "length that x refers to; auto: the source's mean edge (default: that "
-                         "of its tm:reference-edge comment, else auto)");
+  program.reference_edge();
   program.integer("scales", &choices.options.scales, 1, 10,
                   "coarse to fine: begin with edges 2^(N-1) times as long and halve them as the "
                   "mesh comes to rest");
@@ -115,7 +113,7 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
   const std::string mesh = file_word(output);
   std::string target = file_word(choices.target);
   // Of what the source says or has, 1x: fixed before vertices move.
-  std::string edge = run.value("reference-edge");
+  std::string edge = run.program().common.reference_edge;
   if (edge.empty()) edge = "1x";
 
   std::string text =

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "loop_options.h"
+#include "frame/loop_options.h"
+#include "frame/run.h"
 #include "tm/evolution/morphing.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 

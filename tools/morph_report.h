@@ -3,11 +3,11 @@
 
 #include <string>
 
+#include "frame/run.h"
 #include "tm/evolution/tracking.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/counted.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 

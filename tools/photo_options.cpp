@@ -7,10 +7,9 @@ namespace transformesh::tool {
 namespace {
 
 void declare_sources(Program& program, ViewSources& sources) {
-  program.text("cameras", &sources.cameras, "WHERE", "file, folder or pattern of cameras");
-  program.require("cameras");
-  program.text("images", &sources.images, "WHERE", "the photographs");
-  program.require("images");
+  program.text("cameras", &sources.cameras, "WHERE", "file, folder or pattern of cameras")
+      .is_needed = true;
+  program.text("images", &sources.images, "WHERE", "the photographs").is_needed = true;
   program.text("silhouettes", &sources.silhouettes, "WHERE",
                "masks, not black where the object is, that pull the surface");
 }

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "frame/run.h"
 #include "tm/views/cameras/view_files.h"
 #include "tm/views/photo/photo_steps.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 

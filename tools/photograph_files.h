@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "frame/run.h"
 #include "tm/views/cameras/camera_ring.h"
 #include "tm/views/photo/photograph.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 

@@ -9,10 +9,9 @@ namespace {
 constexpr long no_limit = 999999999;
 
 void declare_places(Program& program, ReconstructChoices& choices) {
-  program.text("cameras", &choices.sources.cameras, "WHERE", "file, folder or pattern of cameras");
-  program.require("cameras");
-  program.text("images", &choices.sources.images, "WHERE", "photographs");
-  program.require("images");
+  program.text("cameras", &choices.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+      .is_needed = true;
+  program.text("images", &choices.sources.images, "WHERE", "photographs").is_needed = true;
   program.text("silhouettes", &choices.sources.silhouettes, "WHERE",
                "masks: not black where the object is");
   program.choice("silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
@@ -34,8 +33,6 @@ void declare_start(Program& program, ReconstructChoices& choices) {
                "of folders, or a pattern; {} in other places stands for the name");
   program.number("track", &choices.track, 1, 1e6,
                  "as --coarsest, for time steps that begin with the surface of the one before");
-  for (const char* place : {"cameras", "images", "silhouettes", "sequence"})
-    program.keep_out_of_provenance(place);
 }
 
 void declare_scales(Program& program, ReconstructChoices& choices) {
@@ -112,7 +109,7 @@ void declare_reconstruction(Program& program, ReconstructChoices& choices) {
   declare_scales(program, choices);
   declare_steps(program, choices);
   declare_record(program, choices.loop, "every how many passes (default 1)", "pass");
-  program.epilog("WHERE is a file, a folder or a quoted pattern, see tm-cameras.");
+  program.epilog = "WHERE is a file, a folder or a quoted pattern, see tm-cameras.";
 }
 
 ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run) {
@@ -141,7 +138,7 @@ SequenceOptions sequence_of(const ReconstructChoices& choices,
   options.track = choices.track;
   options.folder = run.output();
   options.format = run.document().style.format;
-  options.states = run.output() + "/." + run.program();
+  options.states = run.output() + "/." + run.program().name;
   options.on_step = [&run](const std::string& text) { run.progress_line(text); };
   options.on_note = [&run](const std::string& text) { run.note(text); };
   return options;

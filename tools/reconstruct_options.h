@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "loop_options.h"
+#include "frame/loop_options.h"
+#include "frame/run.h"
 #include "tm/evolution/sequence.h"
 #include "tm/evolution/time_steps.h"
 #include "tm/views/cameras/view_files.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 

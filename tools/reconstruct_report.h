@@ -1,9 +1,9 @@
 /// What tm-reconstruct says at the end.
 #pragma once
 
+#include "frame/run.h"
 #include "tm/evolution/sequence.h"
 #include "tm/support/counted.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 

@@ -1,10 +1,10 @@
 /// tm-cameras: converts camera files, and lists what they hold.
 
 #include "camera_table.h"
+#include "frame/run.h"
 #include "tm/support/error.h"
 #include "tm/views/cameras/pinhole_camera.h"
 #include "tm/views/cameras/view_files.h"
-#include "tool.h"
 
 namespace {
 
@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   program.integer("pairs", &options.neighbors, 0, 1000, "neighbors of each view in the table");
   program.numbers("center", &options.center, "X,Y,Z",
                   "the scene's center for the table (default: nearest to all viewing axes)");
-  program.epilog("WHERE is a file, a folder or a quoted pattern; stdin is one file.");
+  program.epilog = "WHERE is a file, a folder or a quoted pattern; stdin is one file.";
   return program.run(argc, argv, [&](tool::Run& run) {
     CameraList list = read(run.input(), options, run);
     const bool is_table = options.list || options.json;

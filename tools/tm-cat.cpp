@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tool.h"
+#include "frame/run.h"
 
 namespace {
 
@@ -70,6 +70,6 @@ void concatenate(tool::Run& run) {
 int main(int argc, char** argv) {
   tool::Program program("tm-cat", "[OPTION]... [INPUT]...", "Concatenates meshes",
                         tool::Reads::meshes);
-  program.epilog("The union of overlapping bodies: tm-cat a.ply b.ply | tm-clean > union.ply");
+  program.epilog = "The union of overlapping bodies: tm-cat a.ply b.ply | tm-clean > union.ply";
   return program.run(argc, argv, concatenate);
 }

@@ -1,4 +1,5 @@
 /// tm-checkmanifold: whether a mesh is an oriented manifold, and where it is not.
+#include "frame/run.h"
 #include "tm/clean/certify/certify.h"
 #include "tm/clean/intersect/intersect.h"
 #include "tm/geometry/predicates.h"
@@ -6,7 +7,6 @@
 #include "tm/mesh/manifold.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
-#include "tool.h"
 
 namespace {
 
@@ -111,6 +111,6 @@ int main(int argc, char** argv) {
   program.integer("level", &options.level, 1, 1000000, "the level of --certify (default: 1)");
   program.flag("pass", &options.pass,
                "pass the mesh on; on a problem write nothing and exit with 1");
-  program.write_mesh_if([&] { return options.pass; });
+  program.writes_mesh_if = [&] { return options.pass; };
   return program.run(argc, argv, [&](tool::Run& run) { check(run.document(), options, run); });
 }

@@ -1,9 +1,9 @@
-#include "cleaning_report.h"
+#include "frame/cleaning_report.h"
+#include "frame/run.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/stitch/separate.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
-#include "tool.h"
 
 using namespace transformesh;
 

@@ -1,7 +1,7 @@
 /// tm-compare: how far a mesh is from a reference.
+#include "frame/run.h"
 #include "tm/geometry/compare.h"
 #include "tm/mesh/measure.h"
-#include "tool.h"
 
 namespace {
 
@@ -42,8 +42,8 @@ int main(int argc, char** argv) {
   tool::Program program("tm-compare", "--reference FILE [OPTION]... [INPUT]",
                         "Measures the distances between a mesh and a reference", tool::Reads::mesh,
                         tool::Writes::answer);
-  program.text("reference", &options.reference, "FILE", "the mesh or points to compare with");
-  program.require("reference");
+  program.text("reference", &options.reference, "FILE", "the mesh or points to compare with")
+      .is_needed = true;
   program.length("distance", &options.distance,
                  "completeness counts the reference up to here; 1% is of the reference's box");
   program.length("within", &options.within, "exit with 1 where hausdorff is above this");

@@ -1,11 +1,11 @@
 /// tm-convert: the same mesh in another format, encoding or scalar type. The frame does it all.
-#include "tool.h"
+#include "frame/run.h"
 
 int main(int argc, char** argv) {
   using namespace transformesh;
   tool::Program program("tm-convert", "[OPTION]... [INPUT]", "Converts between mesh formats");
-  program.epilog(
+  program.epilog =
       "The output's format is that of --format, else of the name given with -o (.ply .off .obj\n"
-      ".stl), else of the input.");
+      ".stl), else of the input.";
   return program.run(argc, argv, [](tool::Run&) {});
 }

@@ -1,11 +1,11 @@
 /// tm-displace: one explicit step of an evolution with any velocity.
 #include <optional>
 
-#include "displacement_report.h"
+#include "frame/displacement_report.h"
+#include "frame/run.h"
 #include "tm/step/displace.h"
 #include "tm/step/velocity.h"
 #include "tm/support/error.h"
-#include "tool.h"
 
 namespace {
 
@@ -63,8 +63,8 @@ int main(int argc, char** argv) {
                  "clamp on the movement, as a fraction of the mean edge at the vertex");
   program.text("mask", &options.mask, "COLUMN",
                "multiply velocities by this vertex property; 0 holds a vertex fast");
-  program.epilog(
+  program.epilog =
       "Velocities are the vertex properties vx vy vz. Any program may compute them:\n"
-      "  my-velocities < a.ply | tm-displace | tm-clean | tm-remesh > b.ply");
+      "  my-velocities < a.ply | tm-displace | tm-clean | tm-remesh > b.ply";
   return program.run(argc, argv, [&](tool::Run& run) { move(run.document(), options, run); });
 }

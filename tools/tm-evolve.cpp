@@ -2,8 +2,8 @@
 #include <cstdlib>
 
 #include "filter_process.h"
-#include "loop_options.h"
-#include "remesh_options.h"
+#include "frame/loop_options.h"
+#include "frame/remesh_options.h"
 #include "tm/evolution/evolve.h"
 #include "tm/evolution/filter_step.h"
 #include "tm/support/counted.h"
@@ -23,10 +23,11 @@ struct Options {
 };
 
 void declare(tool::Program& program, Options& options) {
-  program.text("step", &options.step, "COMMAND",
-               "filter that moves vertices: a mesh in and a mesh out, or the vertex properties vx "
-               "vy vz out; TM_ITERATION holds the number of the iteration");
-  program.require("step");
+  program
+      .text("step", &options.step, "COMMAND",
+            "filter that moves vertices: a mesh in and a mesh out, or the vertex properties vx "
+            "vy vz out; TM_ITERATION holds the number of the iteration")
+      .is_needed = true;
   tool::declare_iterations(program, options.loop);
   program.text("until", &options.until, "moved:LENGTH|stalled",
                "stop when no vertex moves as far, or nothing gets better any more");
@@ -37,14 +38,12 @@ void declare(tool::Program& program, Options& options) {
   program.text("smooth", &options.smooth, "KIND", "smoothing of tm-remesh");
   program.length("min-edge", &options.iteration.min_edge, "collapse shorter edges");
   program.length("max-edge", &options.iteration.max_edge, "split longer edges");
-  program.reference_edge("",
-                         "length that x refers to; auto: the source's mean edge (default: that "
-                         "of its tm:reference-edge comment, else auto)");
+  program.reference_edge();
   tool::declare_record(program, options.loop, "every how many iterations (default 10)",
                        "iteration");
-  program.epilog(
+  program.epilog =
       "A ball that grows until its volume has doubled, in any language:\n"
-      "  tm-evolve ball.ply -o large.ply --step 'tm-displace --normal-speed 0.01'");
+      "  tm-evolve ball.ply -o large.ply --step 'tm-displace --normal-speed 0.01'";
 }
 
 UntilRule until_of(const std::string& text, tool::Run& run) {

@@ -1,6 +1,6 @@
 /// tm-hull: the visual hull of calibrated silhouettes.
+#include "frame/run.h"
 #include "tm/views/hull/hull.h"
-#include "tool.h"
 #include "view_options.h"
 
 namespace {

@@ -1,7 +1,7 @@
 /// tm-info: what a mesh is: counts, topology, sizes, and the quality of its triangles.
+#include "frame/run.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/measure.h"
-#include "tool.h"
 
 namespace {
 
@@ -54,6 +54,6 @@ int main(int argc, char** argv) {
                   "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min", "edge_max",
                   "angle_min", "angle_min_mean", "valence6"},
                  "print the value of this key only");
-  program.print_only(&key);
+  program.only_key = &key;
   return program.run(argc, argv, describe);
 }

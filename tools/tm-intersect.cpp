@@ -1,7 +1,7 @@
+#include "frame/run.h"
 #include "tm/clean/arrange/refine.h"
 #include "tm/clean/intersect/intersect.h"
 #include "tm/io/mesh_io.h"
-#include "tool.h"
 
 using namespace transformesh;
 
@@ -69,6 +69,6 @@ int main(int argc, char** argv) {
   program.text("segments", &options.segments, "FILE", "write the common segments as PLY edges");
   program.flag("refine", &options.refine,
                "split faces along the intersections; source_face tells where they come from");
-  program.write_mesh_if([&] { return !options.check; });
+  program.writes_mesh_if = [&] { return !options.check; };
   return program.run(argc, argv, [&](tool::Run& run) { intersect(run.document(), options, run); });
 }

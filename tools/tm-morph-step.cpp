@@ -1,10 +1,10 @@
 /// tm-morph-step: one step of a surface towards a target (paper 5.2).
-#include "displacement_report.h"
+#include "frame/displacement_report.h"
+#include "frame/run.h"
 #include "tm/io/streams.h"
 #include "tm/step/local_thickness.h"
 #include "tm/step/morph_step.h"
 #include "tm/step/target_file.h"
-#include "tool.h"
 
 namespace {
 
@@ -57,8 +57,8 @@ int main(int argc, char** argv) {
   DisplaceOptions& displace = options.step.displace;
   tool::Program program("tm-morph-step", "[OPTION]... --target FILE [INPUT]",
                         "Moves a mesh one step towards a target");
-  program.text("target", &options.target, "FILE", "mesh or points to move towards");
-  program.require("target");
+  program.text("target", &options.target, "FILE", "mesh or points to move towards").is_needed =
+      true;
   program.choice("distance", &options.distance, {"auto", "surface", "points", "vertex"},
                  "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
                  "surface where it has faces, else points");
@@ -73,8 +73,8 @@ int main(int argc, char** argv) {
                  "across the target's gaps and walls, at most 1x long; 0: do not");
   program.text("write-target", &options.written_target, "FILE",
                "write the target as it is used: points with their normals");
-  program.epilog(
+  program.epilog =
       "One iteration of an evolution, which tm-morph repeats:\n"
-      "  tm-morph-step --target b.ply < a.ply | tm-clean | tm-remesh > next.ply");
+      "  tm-morph-step --target b.ply < a.ply | tm-clean | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { step(run.document(), options, run); });
 }

@@ -76,6 +76,6 @@ int main(int argc, char** argv) {
                         "Evolves a mesh until it lies on a target", tool::Reads::files,
                         tool::Writes::evolved_mesh);
   tool::declare_morph(program, choices);
-  program.write_mesh_if([&choices] { return !choices.print_pipeline; });
+  program.writes_mesh_if = [&choices] { return !choices.print_pipeline; };
   return program.run(argc, argv, [&](tool::Run& run) { evolve(choices, run); });
 }

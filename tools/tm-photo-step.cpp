@@ -1,5 +1,5 @@
 /// tm-photo-step: steps of a surface towards calibrated photographs (paper 5.3).
-#include "displacement_report.h"
+#include "frame/displacement_report.h"
 #include "photo_options.h"
 
 namespace {
@@ -38,9 +38,9 @@ int main(int argc, char** argv) {
   tool::Program program("tm-photo-step", "[OPTION]... --cameras WHERE --images WHERE [INPUT]",
                         "Moves a mesh towards agreement with calibrated photographs");
   tool::declare_photo_step(program, options);
-  program.epilog(
+  program.epilog =
       "One iteration of a reconstruction, which goes on from coarse to fine:\n"
       "  tm-photo-step --cameras par.txt --images photos --scale 4 < a.ply |\n"
-      "    tm-clean | tm-remesh > next.ply");
+      "    tm-clean | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { step(run.document(), options, run); });
 }

@@ -1,11 +1,11 @@
 /// tm-photograph: photographs of a mesh by given cameras, or by a ring of them.
 #include <tuple>
 
+#include "frame/run.h"
 #include "photograph_files.h"
 #include "tm/mesh/measure.h"
 #include "tm/picture/spelling.h"
 #include "tm/support/error.h"
-#include "tool.h"
 
 namespace {
 

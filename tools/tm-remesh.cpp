@@ -1,7 +1,7 @@
 /// tm-remesh: edges between two lengths, six at a vertex, round triangles (paper 5.1.2).
-#include "remesh_options.h"
+#include "frame/remesh_options.h"
+#include "frame/run.h"
 #include "tm/remesh/remesh.h"
-#include "tool.h"
 
 namespace {
 
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   tool::Program program("tm-remesh", "[OPTION]... [INPUT]",
                         "Keeps edges between two lengths and triangles round");
   tool::declare_remeshing(program, choices);
-  program.epilog("After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply");
+  program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { remesh_document(run.document(), choices, run); });
 }

@@ -1,10 +1,10 @@
 /// tm-render: a picture of meshes without a display.
 #include <tuple>
 
+#include "frame/run.h"
 #include "tm/picture/picture.h"
 #include "tm/picture/png.h"
 #include "tm/picture/spelling.h"
-#include "tool.h"
 
 namespace {
 
@@ -71,6 +71,6 @@ int main(int argc, char** argv) {
   tool::Program program("tm-render", "[OPTION]... [INPUT]...", "Draws meshes as a PNG picture",
                         tool::Reads::meshes, tool::Writes::picture);
   declare(program, options);
-  program.epilog("Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png");
+  program.epilog = "Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png";
   return program.run(argc, argv, [&](tool::Run& run) { render(options, run); });
 }

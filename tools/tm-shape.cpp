@@ -1,14 +1,13 @@
 /// tm-shape: closed meshes out of nothing, as sources, targets and workloads.
+#include "frame/run.h"
 #include "tm/shapes/shapes.h"
 #include "tm/support/suggestion.h"
-#include "tool.h"
 
 namespace {
 
 using namespace transformesh;
 
 struct Options {
-  std::vector<std::string> words;
   std::optional<long> faces, count;
   std::optional<Length> edge, radius, tube, gap, neck, noise;
   long seed = 1;
@@ -18,14 +17,15 @@ struct Options {
 
 // The options that do not depend on what 1% refers to.
 ShapeOptions plain_options(const Options& options, tool::Run& run) {
-  if (options.words.empty()) throw UsageError("no KIND given: sphere, for example; see --help");
+  const std::vector<std::string>& words = run.inputs();
+  if (words.empty()) throw UsageError("no KIND given: sphere, for example; see --help");
   ShapeOptions shape;
-  shape.kind = options.words[0];
+  shape.kind = words[0];
   const std::string nearest = nearest_name(shape.kind, shape_kinds());
   if (nearest != shape.kind) {
     throw UsageError("unknown kind of shape '" + shape.kind + "'; did you mean '" + nearest + "'?");
   }
-  shape.parameters.assign(options.words.begin() + 1, options.words.end());
+  shape.parameters.assign(words.begin() + 1, words.end());
   shape.faces = options.faces;
   shape.count = options.count;
   shape.seed = static_cast<std::uint64_t>(options.seed);
@@ -61,8 +61,8 @@ void make(const Options& options, tool::Run& run) {
 int main(int argc, char** argv) {
   Options options;
   tool::Program program("tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh",
-                        tool::Reads::nothing);
-  program.words(&options.words, "KIND [PARAMETER]...", "what to make, see below");
+                        tool::Reads::words);
+  program.words_entry = {"KIND [PARAMETER]...", "what to make, see below"};
   program.integer("faces", &options.faces, 1, 1000000000, "how many, about (default 10000)");
   program.length("edge", &options.edge, "or how long their edges are on average, about");
   program.length("radius", &options.radius, "of a sphere, of the ring of a torus or a knot");
@@ -74,9 +74,9 @@ int main(int argc, char** argv) {
   program.seed(&options.seed);
   program.numbers("center", &options.center, "X,Y,Z", "where to put the shape");
   program.text("around", &options.around, "FILE", "a sphere around the bounding box of that mesh");
-  program.epilog(
+  program.epilog =
       "Kinds: sphere, dented, ellipsoid A B C, box A B C, torus, genus N, torus-knot P Q,\n"
       "two-spheres, tori, dumbbell, bowl, figure T; crossing themselves: folded\n"
-      "sphere|torus, tangle P Q, many-spheres, boxes, pinch. Every parameter has a default.");
+      "sphere|torus, tangle P Q, many-spheres, boxes, pinch. Every parameter has a default.";
   return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

@@ -1,5 +1,5 @@
+#include "frame/run.h"
 #include "tm/clean/stitch/stitch.h"
-#include "tool.h"
 
 using namespace transformesh;
 

@@ -2,12 +2,12 @@
 #include <optional>
 #include <utility>
 
+#include "frame/run.h"
 #include "tm/io/streams.h"
 #include "tm/step/target_file.h"
 #include "tm/support/error.h"
 #include "tm/views/wrap/unit_scale.h"
 #include "tm/views/wrap/wrap.h"
-#include "tool.h"
 
 namespace {
 
@@ -59,6 +59,6 @@ int main(int argc, char** argv) {
       "of alpha: radius of the smallest ball that is kept out (default: as small as does "
       "not get in between the points)");
   program.length("offset", &options.offset, "of alpha: how far from the points");
-  program.epilog("POINTS are PLY, OFF or lines of x y z [nx ny nz]; of a mesh, its vertices.");
+  program.epilog = "POINTS are PLY, OFF or lines of x y z [nx ny nz]; of a mesh, its vertices.";
   return program.run(argc, argv, [&](tool::Run& run) { wrap(options, run); });
 }

@@ -27,8 +27,8 @@ double hull_share(const std::string& keep) {
 }
 
 void declare_silhouettes(Program& program, SilhouetteOptions& options) {
-  program.text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras");
-  program.require("cameras");
+  program.text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+      .is_needed = true;
   program.text("silhouettes", &options.sources.silhouettes, "WHERE",
                "masks: not black where the object is");
   program.text("images", &options.sources.images, "WHERE",

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "frame/run.h"
 #include "tm/views/cameras/view_files.h"
 #include "tm/views/hull/silhouette.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 

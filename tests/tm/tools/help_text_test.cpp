@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "command.h"
+#include "frame/program.h"
 
 using namespace transformesh;
 using namespace transformesh::tool;
@@ -9,17 +9,16 @@ TEST_CASE("help is made from the options") {
   Length edge{0.01, Length::Unit::diagonal};
   bool keep = false;
   std::string kind = "sphere";
-  std::vector<std::string> words;
   Program program("tm-x", "[OPTION]... KIND", "Does it");
-  program.words(&words, "KIND", "which");
-  program.epilog("Once more.");
+  program.words_entry = {"KIND", "which"};
+  program.epilog = "Once more.";
   program.length("edge", &edge, "mean edge length");
   program.flag("keep-border", &keep,
                "leave every border as it is, which means that no vertex of it moves and that no "
                "edge of it is split");
   program.choice("kind-of-a-long-name,k", &kind, {"sphere", "box"}, "a choice");
-  program.command().find("kind-of-a-long-name")->is_common = true;
-  CHECK(help_text(program.command()) == R"(Usage: tm-x [OPTION]... KIND
+  program.find("kind-of-a-long-name")->is_common = true;
+  CHECK(help_text(program) == R"(Usage: tm-x [OPTION]... KIND
 
 Does it.
 

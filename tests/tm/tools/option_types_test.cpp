@@ -1,7 +1,7 @@
-// The kinds of options (option_types.cpp) and how they are parsed (command.cpp).
+// The kinds of options (option_types.cpp) and how they are parsed (command_line.cpp).
 #include <doctest/doctest.h>
 
-#include "command.h"
+#include "frame/program.h"
 #include "tm/support/error.h"
 
 using namespace transformesh;
@@ -35,11 +35,10 @@ struct Sample {
     program.numbers("point", &values.point, "X,Y,Z", "a point");
   }
   std::vector<std::string> parse(const std::vector<std::string>& arguments) {
-    const auto words = program.command().parse(arguments);
-    program.command().assign();
+    const auto words = program.parse(arguments);
     return words;
   }
-  std::string text(const std::string& option) { return program.command().find(option)->text(); }
+  std::string text(const std::string& option) { return program.find(option)->text(); }
 
   Values values;
   Program program{"tm-x", "", ""};
@@ -74,8 +73,8 @@ TEST_CASE("options set their variables, and the other words are returned in orde
   CHECK(values.file == "a b.ply");
   CHECK(values.point == std::vector<double>{1, -2.5, 300});
   CHECK(values.length.text() == "0.7x");
-  CHECK(sample.program.command().is_given("number"));
-  CHECK_FALSE(sample.program.command().is_given("length"));
+  CHECK(sample.program.find("number")->is_given);
+  CHECK_FALSE(sample.program.find("length")->is_given);
 }
 
 TEST_CASE("the last of several values counts") {
@@ -85,15 +84,14 @@ TEST_CASE("the last of several values counts") {
   CHECK(values.integer == 4);
 }
 
-TEST_CASE("the text of an option is that of its variable, until values are assigned") {
+TEST_CASE("the text of an option is that of its variable, and the default stays") {
   Sample sample;
   CHECK(sample.text("number") == "0.5");
   CHECK(sample.text("--length") == "0.7x");
   CHECK(sample.text("gap") == "");
   CHECK(sample.text("count") == "");
-  sample.program.command().parse({"--number", "0.25", "--point", "1,2.5,3"});
-  CHECK(sample.text("number") == "0.5");
-  sample.program.command().assign();
+  sample.program.parse({"--number", "0.25", "--point", "1,2.5,3"});
+  CHECK(sample.program.find("number")->default_text == "0.5");
   CHECK(sample.text("number") == "0.25");
   CHECK(sample.text("point") == "1,2.5,3");
 }
@@ -103,6 +101,11 @@ TEST_CASE("an unknown option names the nearest") {
   CHECK(refusal({"--lenght=2"}) == "unknown option '--lenght=2'; did you mean '--length'?");
   CHECK(refusal({"--num", "1"}) == "unknown option '--num'; did you mean '--number'?");
   CHECK(refusal({"-x"}).starts_with("unknown option '-x'; did you mean '--"));
+}
+
+TEST_CASE("the first of several errors is told") {
+  CHECK(refusal({"--number", "2", "--numbr"}).starts_with("--number: '2' is too large"));
+  CHECK(refusal({"--numbr", "--number", "2"}).starts_with("unknown option '--numbr'"));
 }
 
 TEST_CASE("a bad value names the option, the value and what is allowed") {

@@ -1,8 +1,9 @@
-#include "report.h"
+#include "frame/report.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 using namespace transformesh::tool;
 
@@ -13,8 +14,8 @@ TEST_CASE("values as text") {
   CHECK(text_of(14) == "14");
   CHECK(text_of(true) == "true");
   CHECK(text_of("no \"ne") == "no \"ne");
-  CHECK(text_of(Json{0.0, -1.5, 1e-20}) == "0 -1.5 1e-20");
-  CHECK(text_of(Json{1.0, 2.0}, ",") == "1,2");
+  CHECK(text_of(std::vector<double>{0, -1.5, 1e-20}) == "0 -1.5 1e-20");
+  CHECK(text_of(std::vector<double>{1, 2}, ",") == "1,2");
 }
 
 TEST_CASE("JSON stays valid for numbers that it lacks and bytes that are no text") {

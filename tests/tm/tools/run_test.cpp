@@ -1,4 +1,4 @@
-#include "run.h"
+#include "frame/run.h"
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
@@ -11,7 +11,6 @@
 #include "helpers/folder.h"
 #include "tm/io/mesh_io.h"
 #include "tm/support/error.h"
-#include "tool.h"
 
 using namespace transformesh;
 using namespace transformesh::tool;
@@ -49,7 +48,7 @@ class Place {
   }
   int evolve(const std::vector<std::string>& arguments, const std::function<void(Run&)>& body) {
     return run(Reads::file, Writes::evolved_mesh, arguments, body, [](Program& program) {
-      program.reference_edge("auto", "what x is");
+      program.reference_edge();
       program.text("csv", &csv_, "FILE", "lines");
     });
   }
@@ -91,6 +90,21 @@ TEST_CASE("a no is exit code 1, and nothing is written where the body says so") 
   CHECK_FALSE(place.has("out.ply"));
 }
 
+TEST_CASE("what is needed is asked for with what it is for") {
+  Place place;
+  static std::string target;
+  const auto run = [&place](const std::vector<std::string>& arguments) {
+    return place.run(
+        Reads::nothing, Writes::text, arguments, [](Run&) {},
+        [](Program& program) {
+          program.text("target", &target, "FILE", "mesh to move towards").is_needed = true;
+        });
+  };
+  CHECK(run({}) == 2);
+  CHECK(place.errors() == "tm-x: --target FILE is needed: mesh to move towards\n");
+  CHECK(run({"--target", "t.ply"}) == 0);
+}
+
 TEST_CASE("an evolution's meshes all have the comments that the output has, once") {
   Place place;
   const auto body = [](Run& run) {
@@ -101,7 +115,8 @@ TEST_CASE("an evolution's meshes all have the comments that the output has, once
     run.report("converged", true);
     run.when_written([] { make_file("after", std::filesystem::exists("out.ply") ? "yes" : "no"); });
   };
-  CHECK(place.evolve({"t.ply", "-o", "out.ply", "--report", "r.json"}, body) == 0);
+  CHECK(place.evolve({"t.ply", "-o", "out.ply", "--report", "r.json", "--reference-edge", "auto"},
+                     body) == 0);
   const std::vector<std::string> comments = place.mesh("out.ply").style.comments;
   CHECK(comments == std::vector<std::string>{"by hand", "tm:reference-edge 4", comments.back()});
   CHECK(comments.back().starts_with("tm-x "));
@@ -168,7 +183,7 @@ TEST_CASE("outputs of one place and outputs that cannot be written are refused e
 TEST_CASE("a signal is told with the advice to continue") {
   Place place;
   const auto body = [](Run& run) {
-    run.resumable(run.output() != "-");
+    tell_interruption(run.program().name, run.output() == "-" ? "" : "; --resume continues");
     raise(SIGTERM);
   };
   CHECK(place.evolve({"t.ply", "-o", "out.ply"}, body) == 143);

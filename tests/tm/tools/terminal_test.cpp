@@ -1,4 +1,4 @@
-#include "terminal.h"
+#include "frame/terminal.h"
 
 #include <doctest/doctest.h>
 #include <fcntl.h>

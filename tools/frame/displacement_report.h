@@ -1,8 +1,8 @@
 /// The entries of a report that all programs share which move vertices.
 #pragma once
 
+#include "frame/run.h"
 #include "tm/step/displace.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 

@@ -1,5 +1,4 @@
-/// The one object that writes to stderr: messages, each one prefixed line, and progress. It knows
-/// whether stderr is a terminal, may have color, and has a bar standing on its line.
+/// What the user sees on stderr, and what a signal leaves behind.
 #pragma once
 
 #include <chrono>
@@ -8,9 +7,25 @@
 
 namespace transformesh::tool {
 
+/// Opens unusable descriptors in place of closed standard ones, so that no file takes their number.
+void occupy_standard_descriptors();
+
+/// SIGINT, SIGTERM, SIGPIPE, SIGXCPU and, unless nohup has it ignored, SIGHUP end the process at
+/// once with 128 + their number, clear the terminal's line and remove temporary files. SIGXFSZ is
+/// ignored: the write that grew too large fails and tells.
+void install_signal_handlers();
+
+/// From now on SIGINT, SIGTERM and SIGHUP are told: `tm-x: interrupted by SIGINT` and the advice.
+void tell_interruption(const std::string& program, const std::string& advice);
+
+/// Whether this descriptor is a terminal.
+bool is_terminal(int descriptor);
+
 /// How progress is shown.
 enum class ProgressStyle { none, bar, lines };
 
+/// The one object that writes to stderr: messages, each one prefixed line, and progress. It knows
+/// whether stderr is a terminal, may have color, and has a bar standing on its line.
 class Terminal {
  public:
   explicit Terminal(std::string name) : name_(std::move(name)) {}
@@ -39,19 +54,12 @@ class Terminal {
   void set_progress_style(ProgressStyle style) { progress_style_ = style; }
 
  private:
-  void print(std::string_view message);
-  void draw_bar(std::string_view text);
-
   std::string name_;
   bool is_quiet_ = false;
   bool is_verbose_ = false;
   ProgressStyle progress_style_ = ProgressStyle::none;
-  bool bar_stands_ = false;
   Clock::time_point started_ = Clock::now();
   Clock::time_point next_progress_ = started_;
 };
-
-/// Whether this descriptor is a terminal.
-bool is_terminal(int descriptor);
 
 }  // namespace transformesh::tool

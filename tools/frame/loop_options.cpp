@@ -1,20 +1,34 @@
-#include "loop_options.h"
+#include "frame/loop_options.h"
 
 #include <exception>
-#include <utility>
 
 #include "tm/support/error.h"
 
 namespace transformesh::tool {
 
+namespace {
+
+// The inputs and all that determines the result, in one line: a run that continues has the same.
+std::string settings_of(const Run& run) {
+  std::string text;
+  for (const std::string& input : run.inputs()) text += '\'' + input + "' ";
+  for (const Option& option : run.program().options)
+    if (!option.is_common && option.affects_result)
+      text += option.name() + " '" + option.text() + "' ";
+  text.pop_back();
+  return text;
+}
+
+}  // namespace
+
 void declare_iterations(Program& program, LoopChoices& choices) {
-  program.integer("iterations", &choices.iterations, 1, 999999999, "stop after so many");
-  program.keep_out_of_provenance("iterations");
-  choices.of_the_run_alone.emplace_back("iterations");
+  program.integer("iterations", &choices.iterations, 1, 999999999, "stop after so many")
+      .affects_result = false;
 }
 
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
                     const std::string& rows) {
+  const std::size_t first = program.options.size();
   program.flag("resume", &choices.resume, "continue a run that was stopped, where there is one");
   program.flag("restart", &choices.restart, "begin anew where a run was interrupted");
   program.text("frames", &choices.frames, "FOLDER",
@@ -23,11 +37,8 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
   program.text("csv", &choices.csv, "FILE", "write a line per " + rows);
   program.flag("require-convergence", &choices.require_convergence,
                "exit 1 where the result did not converge");
-  for (const char* option :
-       {"resume", "restart", "frames", "every", "csv", "require-convergence"}) {
-    program.keep_out_of_provenance(option);
-    choices.of_the_run_alone.emplace_back(option);
-  }
+  for (std::size_t i = first; i < program.options.size(); ++i)
+    program.options[i].affects_result = false;
 }
 
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
@@ -39,11 +50,11 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   std::vector<std::string> files{"report", "csv"};
   if (state.empty()) files.insert(files.begin(), "output");
   run.check_outputs(files);
-  run.resumable(is_continuable);
+  tell_interruption(run.program().name, is_continuable ? "; --resume continues" : "");
   RecordOptions options;
-  if (state.empty() && is_continuable) state = run.output() + '.' + run.program();
+  if (state.empty() && is_continuable) state = run.output() + '.' + run.program().name;
   options.state = std::move(state);
-  options.settings = run.settings(choices.of_the_run_alone);
+  options.settings = settings_of(run);
   options.resume = choices.resume;
   options.restart = choices.restart;
   options.frames = choices.frames;

@@ -1,10 +1,10 @@
 /// The entries of tm-clean's report.
 #pragma once
 
+#include "frame/run.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/stitch/separate.h"
 #include "tm/mesh/components.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 

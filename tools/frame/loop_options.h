@@ -5,10 +5,9 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "frame/run.h"
 #include "tm/evolution/loop.h"
-#include "tool.h"
 
 namespace transformesh::tool {
 
@@ -20,8 +19,6 @@ struct LoopChoices {
   std::optional<long> every;
   std::string csv;
   bool require_convergence = false;
-  /// Options that do not change the result, so that a run that continues may have others.
-  std::vector<std::string> of_the_run_alone = {};
 };
 
 /// --iterations; then, after the program's own options, the rest.

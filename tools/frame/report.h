@@ -1,18 +1,28 @@
-/// Values as reports show them, and what every report holds beside the program's own values.
+/// Values of options and reports, and how long the phases of a run take.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "tm/evolution/stopwatch.h"
+#include "tm/support/length.h"
 
 namespace transformesh::tool {
 
 using Json = nlohmann::ordered_json;
 
+using Value =
+    std::variant<bool, long, std::size_t, double, std::string, std::vector<double>, Length>;
+
 /// true or false, shortest numbers, text as it is, the values of a list with separators.
-std::string text_of(const Json& value, const std::string& separator = " ");
+std::string text_of(const Value& value, const std::string& separator = " ");
+
+/// The same for JSON, where a length is text.
+Json json_of(const Value& value);
 
 /// Indented, with a line end; bytes that are not UTF-8 are replaced.
 std::string json_text(const Json& json);
@@ -29,14 +39,7 @@ class Phases {
  private:
   Stopwatch total_, phase_;
   std::string current_;
-  Json seconds_ = Json::object();
-};
-
-/// What a run found and did, and how long it took.
-struct Report {
-  Json result = Json::object();
-  Json input, output;  ///< counts of vertices and faces; null where there was none
-  Phases phases;
+  std::vector<std::pair<std::string, double>> seconds_;
 };
 
 /// The largest amount of memory that this process has held so far, in bytes.

@@ -3,50 +3,39 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "terminal.h"
+#include "frame/program.h"
+#include "frame/terminal.h"
 #include "tm/io/atomic_file.h"
 #include "tm/io/document.h"
 #include "tm/io/length_basis.h"
 #include "tm/io/streams.h"
-#include "tm/support/length.h"
 #include "tm/support/progress.h"
 
 namespace transformesh::tool {
 
-struct Command;
-struct Report;
-class Option;
-
 class Run {
  public:
-  Run(Command& command, Terminal& terminal);
-  ~Run();
+  Run(Program& program, Terminal& terminal);
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
+  /// As it was declared, with the values of the command line.
+  const Program& program() const { return program_; }
+  /// What the user named, or `-` for stdin; the words of Reads::words.
+  const std::vector<std::string>& inputs() const { return program_.inputs; }
+  const std::string& input() const { return inputs().at(0); }
+  const std::string& output() const { return program_.common.output; }
   /// The mesh read, which a program that writes a mesh changes; empty where none was read.
   Document& document() { return documents_.front(); }
   std::vector<Document>& documents() { return documents_; }
-  /// What the user named, or `-` for stdin.
-  const std::string& input() const { return inputs().at(0); }
-  const std::vector<std::string>& inputs() const;
-  const std::string& output() const;
-  const std::string& program() const;
-  /// The present value of an option, as it would be written on a command line.
-  std::string value(const std::string& option) const;
-  /// The inputs and the values of all of the program's own options but these, in one line.
-  std::string settings(const std::vector<std::string>& but) const;
   /// Reads a further mesh or file named by an option.
   Document read(const std::string& path);
-  std::string read_bytes(const std::string& path);
+  std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
 
   /// Input units. 1% is of the diagonal of the mesh read (or of `set_basis`), 0.7x of the reference
   /// edge: the tm:reference-edge comment, else the mean edge, which is then written as that
@@ -64,16 +53,9 @@ class Run {
   /// Hand this to the library; phases are timed for the report.
   const Progress& progress() const { return progress_; }
 
-  /// Entries of --report (and of stdout for predicates), in this order. Names are lower case with
+  /// An entry of --report (and of stdout for predicates), in this order. Names are lower case with
   /// underscores. Points are three numbers.
-  template <typename Value>
-  void report(const std::string& key, const Value& value) {
-    if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>) {
-      set(key, static_cast<long>(value));
-    } else {
-      set(key, value);
-    }
-  }
+  void report(const std::string& key, const Value& value) { result_.emplace_back(key, value); }
   /// A no is exit code 1.
   void answer(bool is_yes) { answer_ = is_yes; }
 
@@ -96,8 +78,6 @@ class Run {
   Document& continue_from(Document document);
   /// Adds the comments that the output will have, so that all meshes on the way have the same.
   void stamp(Document& document);
-  /// A signal is told from now on, with the advice to --resume where that can be done.
-  void resumable(bool is_resumable);
   /// Shown in the place of the progress bar, or as a line of its own with --progress.
   void progress_line(const std::string& text) { terminal_.progress_line(text); }
   /// The failure that the body is about to throw leaves something: document() is written to -o all
@@ -108,7 +88,10 @@ class Run {
 
  private:
   friend class Program;
-  using Value = std::variant<bool, long, double, std::string, std::vector<double>>;
+  struct Counts {
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+  };
 
   /// What the frame does before the body, and after it; returns the exit code.
   void start();
@@ -116,7 +99,6 @@ class Run {
   /// Instead of finish() where the body has failed and kept something.
   void write_kept();
 
-  void set(const std::string& key, const Value& value);
   Bytes read_once(const std::string& path);
   void refer_to(const Document& document);
   /// In input units, where the option is a length and there is what it refers to.
@@ -124,19 +106,20 @@ class Run {
   void show_settings();
   void set_output_style(Document& document);
   void write_mesh();
-  void write_bytes(std::string_view bytes);
   std::string report_text() const;
   std::string full_report();
   /// Writes a file that gets its name with all others by commit().
   void stage(const std::string& path, std::string_view bytes);
   void commit();
 
-  Command& command_;
+  Program& program_;
   Terminal& terminal_;
   LengthBasis basis_;
-  std::unique_ptr<Report> report_;
   Progress progress_;
+  Phases phases_;
   std::vector<Document> documents_ = std::vector<Document>(1);
+  std::optional<Counts> input_counts_, output_counts_;
+  std::vector<std::pair<std::string, Value>> result_;
   std::string bytes_;
   std::vector<std::pair<std::string, std::string>> further_files_;
   std::vector<AtomicFile> staged_;

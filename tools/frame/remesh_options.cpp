@@ -1,0 +1,82 @@
+#include "frame/remesh_options.h"
+
+#include "tm/support/error.h"
+#include "tm/support/number.h"
+
+namespace transformesh::tool {
+namespace {
+
+/// The default is shown by settings and report once it is filled in.
+double edge_length(std::optional<Length>& length, double default_value, const char* option,
+                   bool has_sizes, Run& run) {
+  if (!length) length = Length{default_value, Length::Unit::reference_edge};
+  if (!has_sizes) return run.length(*length);
+  if (length->unit == Length::Unit::reference_edge) return length->value;
+  throw UsageError("with --size-field, " + std::string(option) +
+                   " is a factor of the local size: write it as 0.7x, not as " + length->text());
+}
+
+}  // namespace
+
+void declare_remeshing(Program& program, RemeshChoices& choices) {
+  RemeshOptions& remesh = choices.remesh;
+  program.length("min-edge", &choices.min_edge,
+                 "collapse shorter edges (default 0.7x; with --adaptive 0.1x)");
+  program.length("max-edge", &choices.max_edge,
+                 "split longer edges; at least 1.5 times the shortest (default 1.5x; with "
+                 "--adaptive 5x)");
+  program.text("size-field", &remesh.size_column, "COLUMN",
+               "vertex property with the wanted edge length; x of --min-edge and --max-edge is of "
+               "that");
+  program.length("adaptive", &choices.adaptive,
+                 "edges as short as the curvature takes to stay this close to the surface");
+  program.integer("iterations", &remesh.iterations, 0, 1000,
+                  "rounds of split, collapse, flip and smooth");
+  program.choice("flip", &choices.flip, {"valence", "angle", "none"},
+                 "flip edges for six edges at a vertex, or for larger least angles");
+  program.text("smooth", &choices.smooth, "KIND",
+               "tangential (slides vertices, does not shrink), none, or the factor B of the "
+               "Laplace-Beltrami operator, 0 to 1");
+  program.numbers("smooth2", &choices.smooth_twice, "B1,B2",
+                  "the operator used twice: v - B1 dv + B2 d2v");
+  program.number("feature-angle", &remesh.feature_angle_deg, 1, 180,
+                 "keep edges sharper than this, in degrees; 180 keeps none");
+  program.flag("keep-border", &remesh.keep_border, "leave borders as they are");
+  program.flag("project", &remesh.project,
+               "tangential smoothing puts vertices back onto the input");
+}
+
+void read_smoothing(const std::string& text, RemeshOptions& options) {
+  if (text == "tangential") return;
+  options.smoothing = text == "none" ? Smoothing::none : Smoothing::laplace;
+  if (text == "none") return;
+  const auto factor = number_in<double>(text);
+  if (!factor)
+    throw UsageError("--smooth: '" + text +
+                     "' is not a number; write tangential, none or a factor such as 0.1");
+  options.smooth_first = *factor;
+}
+
+RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run) {
+  RemeshOptions result = choices.remesh;
+  if (choices.adaptive) {
+    result.adaptive_error = run.length(*choices.adaptive);
+    if (result.adaptive_error == 0) throw UsageError("--adaptive: the error must be above 0");
+  }
+  const bool adapts = choices.adaptive.has_value();
+  const bool has_sizes = !result.size_column.empty();
+  result.min_edge = edge_length(choices.min_edge, adapts ? 0.1 : 0.7, "--min-edge", has_sizes, run);
+  result.max_edge = edge_length(choices.max_edge, adapts ? 5 : 1.5, "--max-edge", has_sizes, run);
+  if (choices.flip != "valence")
+    result.flip = choices.flip == "angle" ? FlipRule::angle : FlipRule::none;
+  result.coordinate = document.style.coordinate;
+  read_smoothing(choices.smooth, result);
+  if (choices.smooth_twice.empty()) return result;
+  if (choices.smooth != "tangential") throw UsageError("--smooth and --smooth2 exclude each other");
+  result.smoothing = Smoothing::bilaplace;
+  result.smooth_first = choices.smooth_twice[0];
+  result.smooth_second = choices.smooth_twice[1];
+  return result;
+}
+
+}  // namespace transformesh::tool

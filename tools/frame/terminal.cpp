@@ -1,0 +1,159 @@
+#include "frame/terminal.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <map>
+
+#include "tm/io/atomic_file.h"
+#include "tm/io/streams.h"
+
+namespace transformesh::tool {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int bar_width = 30;
+constexpr auto bar_delay = 500ms;  // a quick run shows no bar
+constexpr auto bar_interval = 100ms;
+constexpr auto line_interval = 5s;
+constexpr const char* erase_line = "\r\033[K";
+
+using Messages = std::map<int, std::string>;
+// Complete before it can be seen, and never freed.
+std::atomic<const Messages*> messages{nullptr};
+std::atomic<bool> bar_stands{false};
+
+void write_once(std::string_view text) {
+  // Nothing can be done about a failure while the process ends.
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+}
+
+// Async-signal-safe, as is all that it calls.
+void end_process(int signal_number) {
+  remove_temporary_files();
+  if (bar_stands) write_once(erase_line);
+  if (messages != nullptr) {
+    const auto message = messages.load()->find(signal_number);
+    if (message != messages.load()->end()) write_once(message->second);
+  }
+  _exit(128 + signal_number);
+}
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+// A terminal that understands escape sequences.
+bool is_capable_terminal(int descriptor) {
+  const std::string name = environment("TERM");
+  return is_terminal(descriptor) && !name.empty() && name != "dumb";
+}
+
+void draw_bar(const std::string& text) {
+  bar_stands = true;
+  write_all(STDERR_FILENO, erase_line + text);
+}
+
+}  // namespace
+
+void occupy_standard_descriptors() {
+  // Reading from the first and writing to the others must go on failing.
+  const std::array<int, 3> useless_mode = {O_WRONLY, O_RDONLY, O_RDONLY};
+  for (int descriptor = 0; descriptor < 3; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) != -1) continue;
+    open("/dev/null", useless_mode[static_cast<std::size_t>(descriptor)]);
+  }
+}
+
+void install_signal_handlers() {
+  struct sigaction action {};
+  action.sa_handler = end_process;
+  sigfillset(&action.sa_mask);
+  for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXCPU}) sigaction(number, &action, nullptr);
+  struct sigaction inherited {};
+  sigaction(SIGHUP, nullptr, &inherited);
+  if (inherited.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void tell_interruption(const std::string& program, const std::string& advice) {
+  const auto message = [&](const char* name) {
+    return program + ": interrupted by " + name + advice + '\n';
+  };
+  messages = new Messages{
+      {SIGINT, message("SIGINT")}, {SIGTERM, message("SIGTERM")}, {SIGHUP, message("SIGHUP")}};
+}
+
+bool is_terminal(int descriptor) { return isatty(descriptor) == 1; }
+
+void Terminal::configure(bool quiet, bool verbose, bool progress, bool no_progress) {
+  is_quiet_ = quiet;
+  is_verbose_ = verbose;
+  if (no_progress || (quiet && !progress)) {
+    progress_style_ = ProgressStyle::none;
+  } else if (is_capable_terminal(STDERR_FILENO)) {
+    progress_style_ = ProgressStyle::bar;
+  } else if (progress) {
+    progress_style_ = ProgressStyle::lines;
+  }
+  next_progress_ = started_ + (progress_style_ == ProgressStyle::bar ? bar_delay : line_interval);
+}
+
+void Terminal::error(std::string_view message) {
+  clear_bar();
+  const bool is_colored = is_capable_terminal(STDERR_FILENO) && environment("NO_COLOR").empty();
+  std::string line = (is_colored ? "\033[1m" : "") + name_ + ":" + (is_colored ? "\033[0m " : " ");
+  // One message is one line, whatever file names or library texts it holds.
+  for (const char character : message) {
+    const bool is_control = static_cast<unsigned char>(character) < ' ' || character == '\x7f';
+    line += is_control ? ' ' : character;
+  }
+  write_all(STDERR_FILENO, line + '\n');
+}
+
+void Terminal::out_of_memory() {
+  write_all(STDERR_FILENO, name_);
+  write_all(STDERR_FILENO, ": out of memory\n");
+}
+
+void Terminal::note(std::string_view message) {
+  if (!is_quiet_) error(message);
+}
+
+void Terminal::detail(std::string_view message) {
+  if (is_verbose_) error(message);
+}
+
+void Terminal::progress(std::string_view phase, double fraction, Clock::time_point now) {
+  if (progress_style_ == ProgressStyle::none || now < next_progress_) return;
+  const bool is_bar = progress_style_ == ProgressStyle::bar;
+  next_progress_ = now + (is_bar ? bar_interval : line_interval);
+  const auto percent = std::lround(100 * std::clamp(fraction, 0.0, 1.0));
+  const std::string share = std::to_string(percent) + '%';
+  if (!is_bar) return error(std::string(phase) + ' ' + share);
+  const auto filled = static_cast<std::size_t>(percent * bar_width / 100);
+  draw_bar(name_ + ": [" + std::string(filled, '#') + std::string(bar_width - filled, '-') + "] " +
+           share + ' ' + std::string(phase));
+}
+
+void Terminal::progress_line(std::string_view text) {
+  if (is_quiet_ || progress_style_ == ProgressStyle::none) return;
+  if (progress_style_ == ProgressStyle::lines) return error(text);
+  draw_bar(name_ + ": " + std::string(text));
+}
+
+void Terminal::clear_bar() {
+  if (!bar_stands) return;
+  write_all(STDERR_FILENO, erase_line);
+  bar_stands = false;
+}
+
+}  // namespace transformesh::tool
