@@ -48,8 +48,8 @@ void decode_png(const Source& source, LevelRows& rows);
 void decode_pnm(const Source& source, LevelRows& rows);
 /// JPEG, by libjpeg. What its data lost is damage, although libjpeg would go on with a guess.
 void decode_jpeg(const Source& source, LevelRows& rows);
-/// The first image of a TIFF file, by libtiff: gray and color samples of 8 and 16 bits, in strips or
-/// tiles of any compression, with the channels of a pixel side by side.
+/// The first image of a TIFF file, by libtiff: gray and color samples of 8 and 16 bits, the
+/// channels of a pixel side by side, in strips or tiles of any compression.
 void decode_tiff(const Source& source, LevelRows& rows);
 
 /// Throws InputError unless width and height are at least 1, their product is at most 2^29, and
