@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 
 #include "frame/run.h"
 #include "tm/support/error.h"
@@ -20,42 +22,28 @@ namespace {
   throw GoalError("cannot run '" + command + "': " + std::strerror(errno));
 }
 
-/// A file, closed when it goes.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-  int number() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-
- private:
-  int number_;
-};
-
-// The whole input lies in a file in memory, so that nothing has to be written while the output is
-// read, and a filter may end without reading all of it.
-int file_of(std::string_view input, const std::string& command) {
-  const int file = memfd_create("input", MFD_CLOEXEC);
-  while (file >= 0 && !input.empty()) {
-    const ssize_t count = write(file, input.data(), input.size());
-    if (count < 0) break;
-    input.remove_prefix(static_cast<std::size_t>(count));
-  }
-  if (!input.empty() || lseek(file, 0, SEEK_SET) != 0) throw_not_run(command);
+File opened(int descriptor, const char* mode, const std::string& command) {
+  File file(descriptor < 0 ? nullptr : fdopen(descriptor, mode), std::fclose);
+  if (!file) throw_not_run(command);
   return file;
 }
 
-pid_t start(const std::string& command, const Descriptor& input, const Descriptor& output) {
+// The whole input lies in a file in memory, so that nothing has to be written while the output is
+// read, and a filter may end without reading all of it.
+File file_of(std::string_view input, const std::string& command) {
+  File file = opened(memfd_create("input", MFD_CLOEXEC), "w+", command);
+  const bool is_written = std::fwrite(input.data(), 1, input.size(), file.get()) == input.size();
+  if (!is_written || std::fseek(file.get(), 0, SEEK_SET) != 0) throw_not_run(command);
+  return file;
+}
+
+pid_t start(const std::string& command, const File& input, const File& output) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input.number(), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, output.number(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(input.get()), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(output.get()), STDOUT_FILENO);
   const std::array<const char*, 5> words{"sh", "-c", "--", command.c_str(), nullptr};
   pid_t child = 0;
   const int error = posix_spawn(&child, "/bin/sh", &actions, nullptr,
@@ -66,13 +54,11 @@ pid_t start(const std::string& command, const Descriptor& input, const Descripto
   return child;
 }
 
-std::string all_of(const Descriptor& pipe) {
+std::string all_of(const File& file) {
   std::string output;
   std::array<char, 65536> block{};
-  for (ssize_t count = 1; count > 0 || (count < 0 && errno == EINTR);) {
-    count = read(pipe.number(), block.data(), block.size());
-    if (count > 0) output.append(block.data(), static_cast<std::size_t>(count));
-  }
+  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get()))
+    output.append(block.data(), count);
   return output;
 }
 
@@ -91,13 +77,13 @@ void check_ending(const std::string& command, int status) {
 }  // namespace
 
 std::string run_filter(const std::string& command, std::string_view input) {
-  const Descriptor child_input(file_of(input, command));
+  const File child_input = file_of(input, command);
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_not_run(command);
-  const Descriptor from_child(ends[0]);
-  Descriptor child_output(ends[1]);
+  const File from_child = opened(ends[0], "r", command);
+  File child_output = opened(ends[1], "w", command);
   const pid_t child = start(command, child_input, child_output);
-  child_output.close();
+  child_output.reset();
   std::string output = all_of(from_child);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

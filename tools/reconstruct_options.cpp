@@ -45,20 +45,22 @@ void declare_scales(Program& program, ReconstructChoices& choices) {
                "then shorten them to this in steps of the square root of 2, at full scale "
                "(default: as --edge)");
   program.integer("passes", &choices.options.passes, 1, no_limit, "at most so many at each scale");
-  program.integer("iterations", &choices.options.iterations, 1, no_limit,
+  program.integer("iterations", &choices.options.steps.iterations, 1, no_limit,
                   "steps between two cleanings");
 }
 
 void declare_steps(Program& program, ReconstructChoices& choices) {
   program.integer("pairs", &choices.options.pairs.neighbors, 1, 1000,
                   "neighbors with which each view is compared");
-  program.integer("window", &choices.options.window, 1, 5,
+  program.integer("window", &choices.options.steps.step.photographs.correlation.radius, 1, 5,
                   "radius of compared windows, 1 to 5 pixels");
   program.text("robust", &choices.robust, "auto|NUMBER",
                "at last, windows that disagree this many times as much as the mean pull by a "
                "quarter, 0: all alike; auto: 1 where photographs agree well, else 0");
-  program.number("stiffness", &choices.options.stiffness, 0, 1e300, "resistance to bending");
-  program.number("pull", &choices.options.pull, 0, 1e300, "how much silhouettes pull");
+  program.number("stiffness", &choices.options.steps.step.stiffness, 0, 1e300,
+                 "resistance to bending");
+  program.number("pull", &choices.options.steps.step.silhouettes, 0, 1e300,
+                 "how much silhouettes pull");
 }
 
 double number_of(const std::string& option, const std::string& text, double minimum) {

@@ -45,11 +45,11 @@ void reconstruct_film(const tool::ReconstructChoices& choices,
   options.comments = beginning("", run).style.comments;
   Document document;
   if (!record.resumed()) document = beginning(choices.options.start.name, run);
-  const auto views_of = [&](std::size_t step) {
-    return views_from(tool::sources_of(choices.sources, steps[step]));
+  const auto views_of = [&](const TimeStep& step) {
+    return views_from(tool::sources_of(choices.sources, step));
   };
   const SequenceResult result =
-      reconstruct_sequence(document, names_of(steps), views_of, options, record, run.progress());
+      reconstruct_sequence(document, steps, views_of, options, record, run.progress());
   tool::report_sequence(result, run);
   tool::conclude(run, choices.loop, record,
                  {true, result.accepted == result.time_steps, tool::summary_of(result)});

@@ -52,8 +52,8 @@ class EvolveLoop : public Loop {
 EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options,
                     const LoopOptions& loop_options, Record& record, const Progress& progress) {
   EvolveLoop loop(step, completed(options.iteration, document.mesh), options.until);
-  const LoopResult result = run_loop(loop, document, loop_options, record, progress);
-  return {result.iterations, result.is_done, loop.last()};
+  run_loop(loop, document, loop_options, record, progress);
+  return {record.iteration(), loop.is_done(), loop.last()};
 }
 
 EvolveResult evolve(Mesh& mesh, const Step& step, const EvolveOptions& options,

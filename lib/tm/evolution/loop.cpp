@@ -74,16 +74,15 @@ void Loop::finish(Document& document, const Progress& progress) {
   clean_in_place(document, progress);
 }
 
-LoopResult run_loop(Loop& loop, Document& document, const LoopOptions& options, Record& record,
-                    const Progress& progress) {
+void run_loop(Loop& loop, Document& document, const LoopOptions& options, Record& record,
+              const Progress& progress) {
   begin(loop, document, record, progress);
   while (!loop.is_done() && record.iteration() < options.iterations)
     advance(loop, document, options, record, progress);
-  const LoopResult result{record.iteration(), loop.is_done()};
-  if (!result.is_done) record.pause(document, memory_of(loop));
+  const bool is_done = loop.is_done();
+  if (!is_done) record.pause(document, memory_of(loop));
   loop.finish(document, progress);
-  if (result.is_done) record.end();
-  return result;
+  if (is_done) record.end();
 }
 
 }  // namespace transformesh

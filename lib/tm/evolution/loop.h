@@ -39,16 +39,11 @@ struct LoopOptions {
   std::function<void(const std::string& message)> on_iteration = {};
 };
 
-struct LoopResult {
-  std::size_t iterations = 0;  ///< earlier runs included
-  bool is_done = false;        ///< by the rule, not by the limit
-};
-
 /// Replaces the document by that of the state where the run continues. A failure of an iteration is
 /// thrown again with its number in front, and the document is that of the last good iteration,
 /// which is also that of the state; a failure before the first one is thrown as it is and leaves
-/// no state. A loop that is done ends the record.
-LoopResult run_loop(Loop& loop, Document& document, const LoopOptions& options, Record& record,
-                    const Progress& progress = Progress());
+/// no state. A loop that is done ends the record, which knows the number of iterations.
+void run_loop(Loop& loop, Document& document, const LoopOptions& options, Record& record,
+              const Progress& progress = Progress());
 
 }  // namespace transformesh

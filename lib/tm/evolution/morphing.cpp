@@ -142,9 +142,9 @@ MorphingResult morph(Document& document, const Target& target, const MorphingOpt
                      const LoopOptions& loop_options, Record& record, const Progress& progress) {
   const MorphingOptions complete = completed(options, document);
   MorphingLoop loop(target, complete, progress);
-  const LoopResult run = run_loop(loop, document, loop_options, record, progress);
+  run_loop(loop, document, loop_options, record, progress);
   MorphingResult result = loop.result();
-  result.iterations = run.iterations;
+  result.iterations = record.iteration();
   return result;
 }
 

@@ -38,13 +38,10 @@ class Photographs {
 
 Photographs::Photographs(const std::vector<View>& views, const ReconstructionOptions& options,
                          bool are_outlines)
-    : views_(views), pairs_(options.pairs) {
-  steps_.iterations = options.iterations;
-  steps_.step.stiffness = options.stiffness;
+    : views_(views), pairs_(options.pairs), steps_(options.steps) {
+  double& pull = steps_.step.silhouettes;
+  if (are_outlines) pull = read_back(significant(0.2 * pull, 9));
   steps_.step.meaning = are_outlines ? SilhouetteMeaning::least : options.start.meaning;
-  steps_.step.silhouettes =
-      are_outlines ? read_back(significant(0.2 * options.pull, 9)) : options.pull;
-  steps_.step.photographs.correlation.radius = options.window;
 }
 
 const PhotoScene& Photographs::at(double scale) {
@@ -266,9 +263,9 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
   Photographs photographs(views, options, beginning.outlined.has_value());
   ReconstructionLoop loop(photographs, beginning.start, options);
   const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_pass};
-  const LoopResult run = run_loop(loop, document, unlimited, record, progress);
+  run_loop(loop, document, unlimited, record, progress);
   ReconstructionResult result = loop.result();
-  result.passes = run.iterations;
+  result.passes = record.iteration();
   return result;
 }
 

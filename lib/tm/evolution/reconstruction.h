@@ -29,14 +29,12 @@ namespace transformesh {
 struct ReconstructionOptions {
   StartOptions start;
   ScaleOptions scales;
-  std::size_t passes = 4;  ///< at a scale, at most; twice while the topology changes
-  int iterations = 5;      ///< steps in a pass
   PairOptions pairs;
-  int window = 3;                               ///< radius in pixels
-  std::optional<double> robust = std::nullopt;  ///< the factor of robust_loss
-  double stiffness = 1;
-  double pull = 0.5;  ///< of masks; outlines of the hull, which are as if only the least was shown,
-                      ///< pull by a fifth of it
+  std::size_t passes = 4;  ///< at a scale, at most; twice while the topology changes
+  /// Of a pass. Silhouettes pull as strongly as masks; outlines of the hull, which are as if only
+  /// the least was shown, pull by a fifth of it. What they mean is in `start`.
+  PhotoStepsOptions steps = {.step = {.silhouettes = 0.5}, .iterations = 5};
+  std::optional<double> robust = std::nullopt;  ///< the factor of robust_loss, for the last passes
   std::function<void(const std::string& message)> on_pass = {};
   std::function<void(const std::string& message)> on_detail = {};
 };

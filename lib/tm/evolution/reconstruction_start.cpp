@@ -39,9 +39,7 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
 }  // namespace
 
 double pixel_size(const std::vector<View>& views) {
-  std::vector<PinholeCamera> cameras;
-  cameras.reserve(views.size());
-  for (const View& view : views) cameras.push_back(view.camera);
+  const std::vector<PinholeCamera> cameras = cameras_of(views);
   return pixel_size(cameras, viewed_point(cameras));
 }
 

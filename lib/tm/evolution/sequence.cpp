@@ -31,15 +31,15 @@ struct Surface {
 
 class SequenceLoop : public Loop {
  public:
-  SequenceLoop(const std::vector<std::string>& names,
-               const std::function<std::vector<View>(std::size_t)>& views_of,
+  SequenceLoop(const std::vector<TimeStep>& time_steps,
+               const std::function<std::vector<View>(const TimeStep&)>& views_of,
                const SequenceOptions& options)
-      : names_(names), views_of_(views_of), options_(options) {}
+      : time_steps_(time_steps), views_of_(views_of), options_(options) {}
 
   std::string noun() const override { return "time step"; }
   void start(Document& document, const Progress& progress) override;
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
-  bool is_done() const override { return result_.time_steps == names_.size(); }
+  bool is_done() const override { return result_.time_steps == time_steps_.size(); }
   void finish(Document& /*document*/, const Progress& /*progress*/) override {}
 
   void remember(Memory& memory) override {
@@ -63,8 +63,8 @@ class SequenceLoop : public Loop {
   void count();
   bool is_accepted() const { return fault_.empty() || !surface_.is_tracked(); }
 
-  const std::vector<std::string>& names_;
-  const std::function<std::vector<View>(std::size_t)>& views_of_;
+  const std::vector<TimeStep>& time_steps_;
+  const std::function<std::vector<View>(const TimeStep&)>& views_of_;
   const SequenceOptions& options_;
 
   // What is remembered from time step to time step.
@@ -154,8 +154,8 @@ void SequenceLoop::find_masks(const Progress& progress) {
 
 void SequenceLoop::advance(Document& document, std::size_t iteration, const Progress& progress) {
   const Stopwatch watch;
-  name_ = names_[iteration - 1];
-  views_ = views_of_(iteration - 1);
+  name_ = time_steps_[iteration - 1].name;
+  views_ = views_of_(time_steps_[iteration - 1]);
   find_masks(progress);
   fault_.clear();
   if (iteration > 1) {
@@ -204,8 +204,8 @@ void SequenceLoop::measure(CsvRow& row) const {
 
 std::string SequenceLoop::message() const {
   const ReconstructionResult& result = surface_.result;
-  return " of " + std::to_string(names_.size()) + ", " + name_ + ", from " + surface_.start + ": " +
-         in_short(result.faces, result.topology) + ", dissimilarity " +
+  return " of " + std::to_string(time_steps_.size()) + ", " + name_ + ", from " + surface_.start +
+         ": " + in_short(result.faces, result.topology) + ", dissimilarity " +
          fixed(result.last.dissimilarity, 4) +
          (fault_.empty() ? "" : "; lost by tracking: " + fault_);
 }
@@ -213,11 +213,11 @@ std::string SequenceLoop::message() const {
 }  // namespace
 
 SequenceResult reconstruct_sequence(
-    Document& document, const std::vector<std::string>& names,
-    const std::function<std::vector<View>(std::size_t step)>& views_of,
+    Document& document, const std::vector<TimeStep>& time_steps,
+    const std::function<std::vector<View>(const TimeStep& time_step)>& views_of,
     const SequenceOptions& options, Record& record, const Progress& progress) {
-  SequenceLoop loop(names, views_of, options);
-  run_loop(loop, document, {names.size(), options.on_step}, record, progress);
+  SequenceLoop loop(time_steps, views_of, options);
+  run_loop(loop, document, {time_steps.size(), options.on_step}, record, progress);
   return loop.result();
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tm/evolution/reconstruction.h"
+#include "tm/evolution/time_steps.h"
 
 namespace transformesh {
 
@@ -36,8 +37,8 @@ struct SequenceResult {
 /// `views_of` is asked for the views of each time step in turn. The document is the first start
 /// where one is given, and the last surface afterwards.
 SequenceResult reconstruct_sequence(
-    Document& document, const std::vector<std::string>& names,
-    const std::function<std::vector<View>(std::size_t step)>& views_of,
+    Document& document, const std::vector<TimeStep>& time_steps,
+    const std::function<std::vector<View>(const TimeStep& time_step)>& views_of,
     const SequenceOptions& options, Record& record, const Progress& progress = Progress());
 
 }  // namespace transformesh

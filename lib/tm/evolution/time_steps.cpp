@@ -1,6 +1,5 @@
 #include "tm/evolution/time_steps.h"
 
-#include <algorithm>
 #include <fstream>
 #include <set>
 
@@ -26,24 +25,16 @@ std::string last_part(std::string text) {
 }  // namespace
 
 std::vector<TimeStep> time_steps(const std::string& where) {
-  std::string option = "--sequence '" + where + "': ";
+  const std::string option = "--sequence '" + where + "': ";
   std::vector<TimeStep> steps;
   std::set<std::string> names;
-  for (std::string& text : is_file(where) ? lines_of(where) : folders_at(where)) {
-    const std::string name = last_part(text);
-    if (!names.insert(name).second)
-      throw UsageError(option.append("two time steps are called '").append(name).append("'"));
-    steps.push_back({std::move(text), name});
+  for (const std::string& text : is_file(where) ? lines_of(where) : folders_at(where)) {
+    steps.push_back({text, last_part(text)});
+    if (!names.insert(steps.back().name).second)
+      throw UsageError(option + "two time steps are called '" + steps.back().name + "'");
   }
   if (steps.empty()) throw InputError(option + "there is no time step");
   return steps;
-}
-
-std::vector<std::string> names_of(const std::vector<TimeStep>& steps) {
-  std::vector<std::string> names(steps.size());
-  std::transform(steps.begin(), steps.end(), names.begin(),
-                 [](const TimeStep& step) { return step.name; });
-  return names;
 }
 
 std::string place_of(std::string where, const TimeStep& step) {

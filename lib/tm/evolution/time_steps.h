@@ -16,8 +16,6 @@ struct TimeStep {
 /// one name.
 std::vector<TimeStep> time_steps(const std::string& where);
 
-std::vector<std::string> names_of(const std::vector<TimeStep>& steps);
-
 /// A place, with {} replaced.
 std::string place_of(std::string where, const TimeStep& step);
 

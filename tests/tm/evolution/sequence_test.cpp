@@ -14,11 +14,11 @@ using test::TemporaryFolder;
 
 namespace {
 
-const std::vector<std::string> names{"8", "9", "10"};
+const std::vector<TimeStep> film{{"first/8", "8"}, {"second/9", "9"}, {"third/10", "10"}};
 
 /// A ball that moves on, and then is somewhere else.
-std::vector<View> views_of(std::size_t step) {
-  const double x = std::vector<double>{0, 0.06, -0.9}[step];
+std::vector<View> views_of(const TimeStep& step) {
+  const double x = step.text == "first/8" ? 0 : step.text == "second/9" ? 0.06 : -0.9;
   return test::photographed(test::moved(test::scaled(test::icosphere(4), 0.4), Vec3(x, 0, 0.1)));
 }
 
@@ -26,7 +26,7 @@ SequenceOptions options_in(const TemporaryFolder& folder) {
   SequenceOptions options;
   options.reconstruction.scales = {2, 4, 4};
   options.reconstruction.passes = 1;
-  options.reconstruction.iterations = 3;
+  options.reconstruction.steps.iterations = 3;
   options.track = 2;
   options.comments = {"tm-reconstruct 0.1.0"};
   options.folder = folder / "out";
@@ -44,7 +44,7 @@ RecordOptions kept_in(const TemporaryFolder& folder) {
 SequenceResult run_of(const SequenceOptions& options, const RecordOptions& kept) {
   Document document;
   Record record(kept);
-  return reconstruct_sequence(document, names, views_of, options, record);
+  return reconstruct_sequence(document, film, views_of, options, record);
 }
 
 /// The first four columns of each row.
@@ -101,7 +101,7 @@ TEST_CASE(
     }
   }
   CHECK(runs > 10);
-  for (const std::string& name : names)
+  for (const auto& [text, name] : film)
     CHECK(test::content_of(parts / ("out/" + name + ".ply")) ==
           test::content_of(whole / ("out/" + name + ".ply")));
   CHECK(without_seconds(test::content_of(parts / "log.csv")) == without_seconds(csv));

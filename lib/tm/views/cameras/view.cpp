@@ -97,6 +97,12 @@ GrayImage resampled(const GrayImage& image, double scale, double deviation) {
 
 }  // namespace
 
+std::vector<PinholeCamera> cameras_of(std::span<const View> views) {
+  std::vector<PinholeCamera> cameras;
+  for (const View& view : views) cameras.push_back(view.camera);
+  return cameras;
+}
+
 GrayImage at_scale(const GrayImage& image, double scale) {
   return resampled(image, scale, scale > 1 ? blur_per_scale * scale : blur_at_scale_one);
 }

@@ -1,7 +1,9 @@
 /// One calibrated photograph, and the same with fewer pixels.
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "tm/views/cameras/pinhole_camera.h"
 #include "tm/views/images/gray_image.h"
@@ -14,6 +16,8 @@ struct View {
   GrayImage image;
   GrayImage silhouette;  ///< of the image's size, or empty where there is none
 };
+
+std::vector<PinholeCamera> cameras_of(std::span<const View> views);
 
 /// The image with fewer pixels, for evolutions from coarse to fine (paper 5.3.1). Every pixel is
 /// the mean over its area in the given image, after a Gaussian of deviation 0.45 scale, in pixels

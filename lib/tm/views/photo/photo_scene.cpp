@@ -11,8 +11,7 @@ namespace transformesh {
 
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs) {
   PhotoScene scene;
-  std::vector<PinholeCamera> cameras;
-  for (const View& view : views) cameras.push_back(view.camera);
+  const std::vector<PinholeCamera> cameras = cameras_of(views);
   const Vec3 center = viewed_point(cameras);
   scene.pairs = choose_pairs(cameras, center, pairs);
   if (scene.pairs.empty()) {

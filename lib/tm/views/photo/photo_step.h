@@ -35,7 +35,7 @@ struct PhotoStepOptions {
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   PairOrder order = PairOrder::both;
   double least_cosine = 0.1;  ///< of ray and normal: faces seen more flatly are not compared; >= 0
-  PhotoconsistencyOptions photographs;
+  PhotoconsistencyOptions photographs = {};
 };
 
 /// All but `displaced` and `mean_share` is measured before the movement.
