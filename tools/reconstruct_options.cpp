@@ -99,7 +99,7 @@ void check_sequence(const ReconstructChoices& choices, const Run& run) {
   };
   check_place("images", choices.sources.images);
   if (!choices.sources.silhouettes.empty()) check_place("silhouettes", choices.sources.silhouettes);
-  if (!choices.loop.frames.empty())
+  if (!choices.loop.record.frames.empty())
     throw UsageError("--frames is not for a --sequence, whose results are its frames");
 }
 

@@ -62,9 +62,9 @@ std::string convert(const CameraList& list, const Options& options, tool::Run& r
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-cameras", "[OPTION]... [WHERE]",
+  tool::Program program{"tm-cameras", "[OPTION]... [WHERE]",
                         "Converts the camera files of calibrated photographs, or lists them",
-                        tool::Reads::file, tool::Writes::text);
+                        tool::Reads::file, tool::Writes::text};
   program.choice("format", &options.format, {"middlebury", "colmap", "matrices"},
                  "format of the output; the input's is told by its content");
   program.text("folder", &options.folder, "FOLDER",

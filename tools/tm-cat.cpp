@@ -68,8 +68,8 @@ void concatenate(tool::Run& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  tool::Program program("tm-cat", "[OPTION]... [INPUT]...", "Concatenates meshes",
-                        tool::Reads::meshes);
+  tool::Program program{"tm-cat", "[OPTION]... [INPUT]...", "Concatenates meshes",
+                        tool::Reads::meshes};
   program.epilog = "The union of overlapping bodies: tm-cat a.ply b.ply | tm-clean > union.ply";
   return program.run(argc, argv, concatenate);
 }

@@ -101,9 +101,9 @@ void check(const Document& document, const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-checkmanifold", "[OPTION]... [INPUT]",
+  tool::Program program{"tm-checkmanifold", "[OPTION]... [INPUT]",
                         "Checks that a mesh is an oriented manifold, and says where it is not",
-                        tool::Reads::mesh, tool::Writes::answer);
+                        tool::Reads::mesh, tool::Writes::answer};
   program.flag("closed", &options.closed, "a border is a problem too");
   program.flag("intersections", &options.intersections, "faces that intersect are a problem too");
   program.text("certify", &options.certify, "FILE",

@@ -47,16 +47,15 @@ void clean_document(Document& document, Options options, tool::Run& run) {
     throw GoalError("vertices lie in one place, and --refuse forbids to move them apart");
   }
 
-  tool::report_cleaning(result, separated, run);
-  tool::report_topology(document.mesh, run);
+  tool::report_cleaning(result, separated, document.mesh, run);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-clean", "[OPTION]... [INPUT]",
-                        "Removes self-intersections: the boundary of winding number >= 1");
+  tool::Program program{"tm-clean", "[OPTION]... [INPUT]",
+                        "Removes self-intersections: the boundary of winding number >= 1"};
   program.choice("method", &options.method, {"grow", "static"},
                  "grow regions from seeds, or test every piece (slow reference)");
   program.integer("level", &options.level, 1, 1000000,

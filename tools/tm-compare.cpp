@@ -39,9 +39,9 @@ void compare_with_reference(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-compare", "--reference FILE [OPTION]... [INPUT]",
+  tool::Program program{"tm-compare", "--reference FILE [OPTION]... [INPUT]",
                         "Measures the distances between a mesh and a reference", tool::Reads::mesh,
-                        tool::Writes::answer);
+                        tool::Writes::answer};
   program.text("reference", &options.reference, "FILE", "the mesh or points to compare with")
       .is_needed = true;
   program.length("distance", &options.distance,

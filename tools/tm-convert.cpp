@@ -3,7 +3,7 @@
 
 int main(int argc, char** argv) {
   using namespace transformesh;
-  tool::Program program("tm-convert", "[OPTION]... [INPUT]", "Converts between mesh formats");
+  tool::Program program{"tm-convert", "[OPTION]... [INPUT]", "Converts between mesh formats"};
   program.epilog =
       "The output's format is that of --format, else of the name given with -o (.ply .off .obj\n"
       ".stl), else of the input.";

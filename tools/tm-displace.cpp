@@ -50,8 +50,8 @@ void move(Document& document, const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-displace", "[OPTION]... [INPUT]",
-                        "Moves vertices by their velocities, one explicit step");
+  tool::Program program{"tm-displace", "[OPTION]... [INPUT]",
+                        "Moves vertices by their velocities, one explicit step"};
   program.length("normal-speed", &options.normal_speed,
                  "speed along the vertex normals, added to vx vy vz where the mesh has them", true);
   program.number("curvature-speed", &options.curvature_speed, -1e300, 1e300,

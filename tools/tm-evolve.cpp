@@ -100,9 +100,9 @@ void evolve_mesh(Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-evolve", "[OPTION]... --step COMMAND [SOURCE] -o OUT",
+  tool::Program program{"tm-evolve", "[OPTION]... --step COMMAND [SOURCE] -o OUT",
                         "Evolves a mesh by a filter that moves its vertices", tool::Reads::file,
-                        tool::Writes::evolved_mesh);
+                        tool::Writes::evolved_mesh};
   declare(program, options);
   return program.run(argc, argv, [&](tool::Run& run) { evolve_mesh(options, run); });
 }

@@ -52,8 +52,8 @@ void make(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-hull", "[OPTION]... --cameras WHERE --silhouettes WHERE",
-                        "Makes the visual hull of calibrated silhouettes", tool::Reads::nothing);
+  tool::Program program{"tm-hull", "[OPTION]... --cameras WHERE --silhouettes WHERE",
+                        "Makes the visual hull of calibrated silhouettes", tool::Reads::nothing};
   declare(program, options);
   return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

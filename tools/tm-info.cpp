@@ -46,9 +46,9 @@ void describe(tool::Run& run) {
 
 int main(int argc, char** argv) {
   std::string key;
-  tool::Program program("tm-info", "[OPTION]... [INPUT]",
+  tool::Program program{"tm-info", "[OPTION]... [INPUT]",
                         "Describes a mesh: counts, topology, sizes, triangle quality",
-                        tool::Reads::mesh, tool::Writes::report);
+                        tool::Reads::mesh, tool::Writes::report};
   program.choice("get", &key,
                  {"vertices", "faces", "edges", "components", "genus", "boundary_loops", "area",
                   "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min", "edge_max",

@@ -60,9 +60,9 @@ void intersect(Document& document, const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-intersect", "[OPTION]... [INPUT]",
+  tool::Program program{"tm-intersect", "[OPTION]... [INPUT]",
                         "Finds the pairs of faces that intersect", tool::Reads::mesh,
-                        tool::Writes::answer);
+                        tool::Writes::answer};
   program.flag("check", &options.check,
                "print the number of pairs; exit 1 where there are any, write no mesh");
   program.text("pairs", &options.pairs, "FILE", "write the pairs of face numbers as text");

@@ -55,8 +55,8 @@ void step(Document& document, Options options, tool::Run& run) {
 int main(int argc, char** argv) {
   Options options;
   DisplaceOptions& displace = options.step.displace;
-  tool::Program program("tm-morph-step", "[OPTION]... --target FILE [INPUT]",
-                        "Moves a mesh one step towards a target");
+  tool::Program program{"tm-morph-step", "[OPTION]... --target FILE [INPUT]",
+                        "Moves a mesh one step towards a target"};
   program.text("target", &options.target, "FILE", "mesh or points to move towards").is_needed =
       true;
   program.choice("distance", &options.distance, {"auto", "surface", "points", "vertex"},

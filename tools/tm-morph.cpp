@@ -72,9 +72,9 @@ void evolve(const tool::MorphChoices& choices, tool::Run& run) {
 
 int main(int argc, char** argv) {
   tool::MorphChoices choices;
-  tool::Program program("tm-morph", "[OPTION]... SOURCE --target FILE -o OUT",
+  tool::Program program{"tm-morph", "[OPTION]... SOURCE --target FILE -o OUT",
                         "Evolves a mesh until it lies on a target", tool::Reads::files,
-                        tool::Writes::evolved_mesh);
+                        tool::Writes::evolved_mesh};
   tool::declare_morph(program, choices);
   program.writes_mesh_if = [&choices] { return !choices.print_pipeline; };
   return program.run(argc, argv, [&](tool::Run& run) { evolve(choices, run); });

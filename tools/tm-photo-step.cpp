@@ -35,8 +35,8 @@ void step(Document& document, const tool::PhotoOptions& options, tool::Run& run)
 
 int main(int argc, char** argv) {
   tool::PhotoOptions options;
-  tool::Program program("tm-photo-step", "[OPTION]... --cameras WHERE --images WHERE [INPUT]",
-                        "Moves a mesh towards agreement with calibrated photographs");
+  tool::Program program{"tm-photo-step", "[OPTION]... --cameras WHERE --images WHERE [INPUT]",
+                        "Moves a mesh towards agreement with calibrated photographs"};
   tool::declare_photo_step(program, options);
   program.epilog =
       "One iteration of a reconstruction, which goes on from coarse to fine:\n"

@@ -72,9 +72,9 @@ void photograph(Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-photograph", "[OPTION]... [INPUT]",
+  tool::Program program{"tm-photograph", "[OPTION]... [INPUT]",
                         "Takes photographs of a mesh, and writes their cameras", tool::Reads::file,
-                        tool::Writes::text);
+                        tool::Writes::text};
   declare(program, options);
   return program.run(argc, argv, [&](tool::Run& run) { photograph(options, run); });
 }

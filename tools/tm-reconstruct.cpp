@@ -59,9 +59,9 @@ void reconstruct_film(const tool::ReconstructChoices& choices,
 
 int main(int argc, char** argv) {
   tool::ReconstructChoices choices;
-  tool::Program program("tm-reconstruct", "[OPTION]... --cameras WHERE --images WHERE -o OUT",
+  tool::Program program{"tm-reconstruct", "[OPTION]... --cameras WHERE --images WHERE -o OUT",
                         "Reconstructs a closed surface from calibrated photographs",
-                        tool::Reads::nothing, tool::Writes::evolved_mesh);
+                        tool::Reads::nothing, tool::Writes::evolved_mesh};
   tool::declare_reconstruction(program, choices);
   return program.run(argc, argv, [&](tool::Run& run) {
     const ReconstructionOptions options = tool::reconstruction_of(choices, run);

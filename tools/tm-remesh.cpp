@@ -22,8 +22,8 @@ void remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run
 
 int main(int argc, char** argv) {
   tool::RemeshChoices choices;
-  tool::Program program("tm-remesh", "[OPTION]... [INPUT]",
-                        "Keeps edges between two lengths and triangles round");
+  tool::Program program{"tm-remesh", "[OPTION]... [INPUT]",
+                        "Keeps edges between two lengths and triangles round"};
   tool::declare_remeshing(program, choices);
   program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
   return program.run(argc, argv,

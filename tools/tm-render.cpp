@@ -68,8 +68,8 @@ void render(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-render", "[OPTION]... [INPUT]...", "Draws meshes as a PNG picture",
-                        tool::Reads::meshes, tool::Writes::picture);
+  tool::Program program{"tm-render", "[OPTION]... [INPUT]...", "Draws meshes as a PNG picture",
+                        tool::Reads::meshes, tool::Writes::picture};
   declare(program, options);
   program.epilog = "Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png";
   return program.run(argc, argv, [&](tool::Run& run) { render(options, run); });

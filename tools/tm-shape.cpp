@@ -60,8 +60,8 @@ void make(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh",
-                        tool::Reads::words);
+  tool::Program program{"tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh",
+                        tool::Reads::words};
   program.words_entry = {"KIND [PARAMETER]...", "what to make, see below"};
   program.integer("faces", &options.faces, 1, 1000000000, "how many, about (default 10000)");
   program.length("edge", &options.edge, "or how long their edges are on average, about");

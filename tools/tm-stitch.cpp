@@ -28,8 +28,8 @@ void stitch_document(Document& document, StitchOptions options, const Length& to
 int main(int argc, char** argv) {
   StitchOptions options;
   Length tolerance;
-  tool::Program program("tm-stitch", "[OPTION]... [INPUT]",
-                        "Joins a soup of triangles into a manifold mesh");
+  tool::Program program{"tm-stitch", "[OPTION]... [INPUT]",
+                        "Joins a soup of triangles into a manifold mesh"};
   program.length("tolerance", &tolerance,
                  "join vertices within this distance; 0 joins equal positions only");
   program.flag("orient", &options.orient,

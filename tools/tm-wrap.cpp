@@ -50,8 +50,8 @@ void wrap(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program("tm-wrap", "[OPTION]... [POINTS]", "Wraps points in a rough closed mesh",
-                        tool::Reads::file);
+  tool::Program program{"tm-wrap", "[OPTION]... [POINTS]", "Wraps points in a rough closed mesh",
+                        tool::Reads::file};
   program.choice("method", &options.method, {"auto", "poisson", "alpha"},
                  "poisson needs normals; auto: poisson where there are normals, else alpha");
   program.length(

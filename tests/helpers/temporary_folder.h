@@ -24,6 +24,9 @@ class TemporaryFolder {
 
   std::string operator/(const std::string& name) const { return path_ / name; }
   bool is_empty() const { return std::filesystem::is_empty(path_); }
+  std::size_t count() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
 
  private:
   std::filesystem::path path_;
@@ -32,6 +35,10 @@ class TemporaryFolder {
 inline std::string content_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline void make_file(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
 }
 
 }  // namespace transformesh::test

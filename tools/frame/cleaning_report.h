@@ -8,7 +8,8 @@
 
 namespace transformesh::tool {
 
-inline void report_cleaning(const CleanResult& result, const SeparateResult& separated, Run& run) {
+inline void report_cleaning(const CleanResult& result, const SeparateResult& separated,
+                            const Mesh& mesh, Run& run) {
   run.report("changed", result.changed || separated.separated_vertices > 0);
   run.report("pairs", result.pairs);
   run.report("cut_faces", result.cut_faces);
@@ -22,9 +23,6 @@ inline void report_cleaning(const CleanResult& result, const SeparateResult& sep
   run.report("grid_steps", result.grid_steps);
   run.report("separated_vertices", separated.separated_vertices);
   run.report("separation_refused", separated.refused_vertices);
-}
-
-inline void report_topology(const Mesh& mesh, Run& run) {
   const Components components = connected_components(mesh);
   run.report("components", components.components.size());
   run.report("genus", components.genus());

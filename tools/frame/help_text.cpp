@@ -52,13 +52,12 @@ std::string option_entries(const Program& program, bool is_common) {
 }
 
 std::string exit_code_lines(const Program& program) {
-  const std::string answers = program.writes == Writes::answer ? "done or yes, 1 no"
-                              : program.is_evolution()
-                                  ? "done, 1 not converged where that is required"
-                                  : "done";
-  return wrapped("Exit codes: 0 " + answers +
-                     ", 2 usage, 3 bad input, 4 goal not reached, 5 output failed, 6 out of "
-                     "memory.",
+  std::string done = "done";
+  if (program.writes == Writes::answer) done = "done or yes, 1 no";
+  if (program.is_evolution()) done = "done, 1 not converged where that is required";
+  return wrapped("Exit codes: 0 " + done +
+                     ", 2 usage, 3 bad input, 4 goal not reached, "
+                     "5 output failed, 6 out of memory.",
                  0, 12);
 }
 

@@ -29,12 +29,13 @@ void declare_iterations(Program& program, LoopChoices& choices) {
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
                     const std::string& rows) {
   const std::size_t first = program.options.size();
-  program.flag("resume", &choices.resume, "continue a run that was stopped, where there is one");
-  program.flag("restart", &choices.restart, "begin anew where a run was interrupted");
-  program.text("frames", &choices.frames, "FOLDER",
+  program.flag("resume", &choices.record.resume,
+               "continue a run that was stopped, where there is one");
+  program.flag("restart", &choices.record.restart, "begin anew where a run was interrupted");
+  program.text("frames", &choices.record.frames, "FOLDER",
                "keep meshes there as frame-00000.ply and so on");
   program.integer("every", &choices.every, 1, 999999999, every);
-  program.text("csv", &choices.csv, "FILE", "write a line per " + rows);
+  program.text("csv", &choices.record.csv, "FILE", "write a line per " + rows);
   program.flag("require-convergence", &choices.require_convergence,
                "exit 1 where the result did not converge");
   for (std::size_t i = first; i < program.options.size(); ++i)
@@ -42,24 +43,21 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
 }
 
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
+  RecordOptions options = choices.record;
   const bool is_continuable = run.output() != "-";
-  if (choices.resume && !is_continuable)
+  if (options.resume && !is_continuable)
     throw UsageError("--resume needs -o OUT: what to continue");
-  if (choices.resume && choices.restart)
+  if (options.resume && options.restart)
     throw UsageError("give either --resume or --restart, not both");
   std::vector<std::string> files{"report", "csv"};
   if (state.empty()) files.insert(files.begin(), "output");
   run.check_outputs(files);
-  tell_interruption(run.program().name, is_continuable ? "; --resume continues" : "");
-  RecordOptions options;
-  if (state.empty() && is_continuable) state = run.output() + '.' + run.program().name;
+  const std::string& name = run.program().name;
+  tell_interruption(name, is_continuable ? "; --resume continues" : "");
+  if (state.empty() && is_continuable) state = run.output() + '.' + name;
   options.state = std::move(state);
   options.settings = settings_of(run);
-  options.resume = choices.resume;
-  options.restart = choices.restart;
-  options.frames = choices.frames;
   options.every = static_cast<std::size_t>(choices.every.value_or(every));
-  options.csv = choices.csv;
   options.keep_state_at_end = true;
   Record record(options);
   if (is_continuable) run.detail("state in " + options.state);
@@ -68,10 +66,7 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
 }
 
 LoopOptions loop_of(const LoopChoices& choices, Run& run) {
-  LoopOptions options;
-  options.iterations = static_cast<std::size_t>(choices.iterations);
-  options.on_iteration = [&run](const std::string& message) { run.progress_line(message); };
-  return options;
+  return {choices.iterations, [&run](const std::string& message) { run.progress_line(message); }};
 }
 
 Document& begin_document(const Record& record, Run& run) {

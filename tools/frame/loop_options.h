@@ -11,13 +11,11 @@
 
 namespace transformesh::tool {
 
+/// Options as they are written.
 struct LoopChoices {
-  long iterations = 1000;
-  bool resume = false;
-  bool restart = false;
-  std::string frames;
+  std::size_t iterations = LoopOptions().iterations;
+  RecordOptions record;
   std::optional<long> every;
-  std::string csv;
   bool require_convergence = false;
 };
 

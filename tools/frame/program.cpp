@@ -18,28 +18,18 @@
 namespace transformesh::tool {
 namespace {
 
-int print(std::string_view text) {
-  write_file("-", text);
-  return exit_done;
-}
-
-/// A filter lives for milliseconds: memory given back to the system and taken again costs more of
-/// them than it saves, but for large blocks.
-void keep_memory() {
+void prepare_process() {
 #ifdef __GLIBC__
+  // A filter lives for milliseconds: memory given back to the system and taken again costs more of
+  // them than it saves, but for large blocks.
   mallopt(M_MMAP_THRESHOLD, 16 << 20);
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
   mallopt(M_TOP_PAD, 4 << 20);
 #endif
-}
-
-void prepare_process() {
-  keep_memory();
   // Every word on stderr is a message of the program. Ours do not go through std::cerr, on which
   // CGAL says what it cannot do.
   std::cerr.setstate(std::ios::failbit);
-  occupy_standard_descriptors();
-  install_signal_handlers();
+  prepare_streams_and_signals();
 }
 
 /// Those named, else stdin.
@@ -69,105 +59,86 @@ void check_needed(const Program& program) {
                        " is needed: " + option.help);
 }
 
-/// Tells the failure that is being handled, and returns its exit code.
-int tell_failure(Terminal& terminal) {
-  const auto told = [&terminal](int code, std::string_view message) {
-    terminal.error(message);
-    return code;
-  };
-  try {
-    throw;
-  } catch (const UsageError& error) {
-    return told(exit_usage, error.what());
-  } catch (const InputError& error) {
-    return told(exit_input, error.what());
-  } catch (const GoalError& error) {
-    return told(exit_goal, error.what());
-  } catch (const OutputError& error) {
-    return told(exit_output, error.what());
-  } catch (const std::bad_alloc&) {
+template <typename... Errors>
+bool is_any(const std::exception& error) {
+  return ((dynamic_cast<const Errors*>(&error) != nullptr) || ...);
+}
+
+/// Tells why a run has failed, and returns its exit code.
+int tell(const std::exception& error, Terminal& terminal) {
+  if (is_any<std::bad_alloc, std::length_error>(error)) {
     terminal.out_of_memory();
     return exit_memory;
-  } catch (const std::length_error&) {
-    return told(exit_memory, "out of memory");
-  } catch (const std::exception&) {
-    return told(exit_goal, "internal error: please report it together with the input");
   }
+  const bool is_told = is_any<UsageError, InputError, GoalError, OutputError>(error);
+  terminal.error(is_told ? error.what()
+                         : "internal error: please report it together with the input");
+  return is_any<UsageError>(error)    ? exit_usage
+         : is_any<InputError>(error)  ? exit_input
+         : is_any<OutputError>(error) ? exit_output
+                                      : exit_goal;
+}
+
+void declare_common(Program& program) {
+  CommonValues& common = program.common;
+  const std::size_t own = program.options.size();
+  program.text("output,o", &common.output, "FILE", "where to write; - is stdout");
+  if (program.may_write_mesh()) {
+    program.choice("format", &common.format, {"ply", "ply-ascii", "ply-be", "off"},
+                   program.is_evolution() ? "format of the output (default ply)"
+                                          : "format of the output instead of the input's");
+    if (!program.is_evolution()) {
+      program.flag("float", &common.as_float, "write coordinates as 32-bit floats");
+      program.flag("double", &common.as_double, "write coordinates as 64-bit floats");
+    }
+    program.flag("no-provenance", &common.no_provenance, "add no comment with the options used");
+    if (program.reads_mesh()) program.reference_edge();
+  }
+  if (program.may_print_report()) program.flag("json", &common.json, "print the report as JSON");
+  program.text("report", &common.report, "FILE", "also write a JSON report there");
+  program.integer("threads", &common.threads, 0, 1024, "threads to use, 0: one per core");
+  program.flag("progress", &common.progress,
+               "report progress on stderr, also where it is not a terminal");
+  program.flag("no-progress", &common.no_progress, "never report progress");
+  program.flag("quiet,q", &common.quiet, "print errors only");
+  program.flag("verbose,v", &common.verbose, "print the settings and what was done");
+  program.flag("help,h", &common.help, "print this text");
+  program.flag("version", &common.version, "print the version");
+  for (std::size_t i = own; i < program.options.size(); ++i) program.options[i].is_common = true;
 }
 
 }  // namespace
 
-Program::Program(std::string its_name, std::string its_synopsis, std::string its_summary,
-                 Reads what_it_reads, Writes what_it_writes)
-    : name(std::move(its_name)),
-      synopsis(std::move(its_synopsis)),
-      summary(std::move(its_summary)),
-      reads(what_it_reads),
-      writes(what_it_writes) {}
-
-void Program::declare_common() {
-  const std::size_t own = options.size();
-  text("output,o", &common.output, "FILE", "where to write; - is stdout");
-  if (may_write_mesh()) {
-    choice("format", &common.format, {"ply", "ply-ascii", "ply-be", "off"},
-           is_evolution() ? "format of the output (default ply)"
-                          : "format of the output instead of the input's");
-    if (!is_evolution()) {
-      flag("float", &common.as_float, "write coordinates as 32-bit floats");
-      flag("double", &common.as_double, "write coordinates as 64-bit floats");
-    }
-    flag("no-provenance", &common.no_provenance, "add no comment with the options used");
-    if (reads_mesh()) reference_edge();
-  }
-  if (may_print_report()) flag("json", &common.json, "print the report as JSON");
-  text("report", &common.report, "FILE", "also write a JSON report there");
-  integer("threads", &common.threads, 0, 1024, "threads to use, 0: one per core");
-  flag("progress", &common.progress, "report progress on stderr, also where it is not a terminal");
-  flag("no-progress", &common.no_progress, "never report progress");
-  flag("quiet,q", &common.quiet, "print errors only");
-  flag("verbose,v", &common.verbose, "print the settings and what was done");
-  flag("help,h", &common.help, "print this text");
-  flag("version", &common.version, "print the version");
-  for (std::size_t i = own; i < options.size(); ++i) options[i].is_common = true;
-}
-
 int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
   prepare_process();
   Terminal terminal(name);
+  std::optional<Run> run;
   try {
-    return run_unguarded({argv + 1, argv + argc}, body, terminal);
-  } catch (...) {
-    return tell_failure(terminal);
-  }
-}
-
-int Program::run_unguarded(const std::vector<std::string>& arguments,
-                           const std::function<void(Run&)>& body, Terminal& terminal) {
-  declare_common();
-  const std::vector<std::string> words = parse(arguments);
-  if (common.help) return print(help_text(*this));
-  if (common.version) return print(name + " " TM_VERSION "\n");
-  check_together(common);
-  if (reads_input() && words.empty() && is_terminal(STDIN_FILENO)) {
-    // The user wants to know how to use this.
-    write_all(STDERR_FILENO, short_help_text(*this));
-    return exit_usage;
-  }
-  inputs = inputs_of(*this, words);
-  check_needed(*this);
-  terminal.configure(common.quiet, common.verbose, common.progress, common.no_progress);
-  const ThreadLimit limit(common.threads);
-  Run run(*this, terminal);
-  try {
-    run.start();
-    body(run);
-  } catch (...) {
-    if (!run.kept_) throw;
-    const int code = tell_failure(terminal);
-    run.write_kept();
+    declare_common(*this);
+    const std::vector<std::string> words = parse({argv + 1, argv + argc});
+    if (common.help || common.version) {
+      write_file("-", common.help ? help_text(*this) : name + " " TM_VERSION "\n");
+      return exit_done;
+    }
+    check_together(common);
+    if (reads_input() && words.empty() && isatty(STDIN_FILENO) == 1) {
+      // The user wants to know how to use this.
+      write_all(STDERR_FILENO, short_help_text(*this));
+      return exit_usage;
+    }
+    inputs = inputs_of(*this, words);
+    check_needed(*this);
+    terminal.configure(common.quiet, common.verbose, common.progress, common.no_progress);
+    const ThreadLimit limit(common.threads);
+    run.emplace(*this, terminal);
+    run->start();
+    body(*run);
+    return run->finish();
+  } catch (const std::exception& error) {
+    const int code = tell(error, terminal);
+    if (run) run->write_kept();
     return code;
   }
-  return run.finish();
 }
 
 }  // namespace transformesh::tool

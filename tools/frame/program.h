@@ -15,7 +15,6 @@
 namespace transformesh::tool {
 
 class Run;
-class Terminal;
 
 /// The exit codes of every program; a signal's is 128 and its number. 124 to 127 and 137 stay free
 /// for timeout and the shell.
@@ -81,13 +80,19 @@ struct CommonValues {
 
 /// A program as it was declared: help, settings, provenance and report come from the same options
 /// as parsing, which touches no file. Declaration order is the order of the help text.
-class Program {
- public:
-  /// `summary` is one line without full stop; `synopsis` the usage without the program's name.
-  Program(std::string its_name, std::string its_synopsis, std::string its_summary,
-          Reads what_it_reads = Reads::mesh, Writes what_it_writes = Writes::mesh);
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
+struct Program {
+  const std::string name;
+  const std::string synopsis;  ///< the usage without the program's name
+  const std::string summary;   ///< one line without full stop
+  const Reads reads = Reads::mesh;
+  const Writes writes = Writes::mesh;
+  std::pair<std::string, std::string> words_entry = {};  ///< placeholder and help of Reads::words
+  std::string epilog = {};                    ///< shown after the options: examples, formulas
+  std::function<bool()> writes_mesh_if = {};  ///< where this holds, a mesh is written, no report
+  const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
+  CommonValues common = CommonValues();   // {} would make GCC 12 warn
+  std::deque<Option> options = {};
+  std::vector<std::string> inputs = {};  ///< or words
 
   Option& flag(const std::string& names, bool* value, const std::string& help);
   Option& number(const std::string& names, double* value, double minimum, double maximum,
@@ -128,24 +133,6 @@ class Program {
   bool may_write_mesh() const { return writes == Writes::mesh || is_evolution() || writes_mesh_if; }
   bool may_print_report() const { return writes == Writes::report || writes == Writes::answer; }
   bool writes_mesh() const { return writes_mesh_if ? writes_mesh_if() : may_write_mesh(); }
-
-  const std::string name, synopsis, summary;
-  const Reads reads;
-  const Writes writes;
-  std::pair<std::string, std::string> words_entry;  ///< placeholder and help of Reads::words
-  std::string epilog;                               ///< shown after the options: examples, formulas
-  std::function<bool()> writes_mesh_if;   ///< where this holds, a mesh is written and no report
-  const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
-  CommonValues common;
-  std::deque<Option> options;
-  std::vector<std::string> inputs;  ///< or words
-
- private:
-  Option& add(const std::string& names, const std::string& placeholder, const std::string& help,
-              auto* variable, auto read);
-  void declare_common();
-  int run_unguarded(const std::vector<std::string>& arguments,
-                    const std::function<void(Run&)>& body, Terminal& terminal);
 };
 
 /// The whole help: usage, summary, own options, common options, epilog, exit codes.

@@ -59,11 +59,10 @@ void read_smoothing(const std::string& text, RemeshOptions& options) {
 
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run) {
   RemeshOptions result = choices.remesh;
-  if (choices.adaptive) {
-    result.adaptive_error = run.length(*choices.adaptive);
-    if (result.adaptive_error == 0) throw UsageError("--adaptive: the error must be above 0");
-  }
   const bool adapts = choices.adaptive.has_value();
+  if (adapts) result.adaptive_error = run.length(*choices.adaptive);
+  if (adapts && result.adaptive_error == 0)
+    throw UsageError("--adaptive: the error must be above 0");
   const bool has_sizes = !result.size_column.empty();
   result.min_edge = edge_length(choices.min_edge, adapts ? 0.1 : 0.7, "--min-edge", has_sizes, run);
   result.max_edge = edge_length(choices.max_edge, adapts ? 5 : 1.5, "--max-edge", has_sizes, run);

@@ -31,6 +31,12 @@ Json json_of(const Value& value) {
   return std::visit([](const auto& held) { return converted(held); }, value);
 }
 
+Json object_of(const Entries& entries) {
+  Json json = Json::object();
+  for (const auto& [name, value] : entries) json[name] = json_of(value);
+  return json;
+}
+
 std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -38,8 +44,7 @@ std::string json_text(const Json& json) {
 void Phases::begin(std::string_view name) {
   if (name == current_ && !name.empty()) return;
   const double passed = phase_.lap();
-  const auto known = std::find_if(seconds_.begin(), seconds_.end(),
-                                  [&](const auto& phase) { return phase.first == current_; });
+  const auto known = std::ranges::find(seconds_, current_, &decltype(seconds_)::value_type::first);
   if (known != seconds_.end()) {
     known->second += passed;
   } else if (!current_.empty()) {

@@ -21,8 +21,12 @@ using Value =
 /// true or false, shortest numbers, text as it is, the values of a list with separators.
 std::string text_of(const Value& value, const std::string& separator = " ");
 
+/// Values by name, in their order.
+using Entries = std::vector<std::pair<std::string, Value>>;
+
 /// The same for JSON, where a length is text.
 Json json_of(const Value& value);
+Json object_of(const Entries& entries);
 
 /// Indented, with a line end; bytes that are not UTF-8 are replaced.
 std::string json_text(const Json& json);

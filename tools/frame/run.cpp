@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "tm/io/comments.h"
 #include "tm/io/mesh_io.h"
@@ -22,10 +23,14 @@ std::string described(const Document& document) {
          counted(document.mesh.faces.size(), "face");
 }
 
-Json object_of(const std::vector<std::pair<std::string, Value>>& entries) {
-  Json json = Json::object();
-  for (const auto& [key, value] : entries) json[key] = json_of(value);
-  return json;
+Entries counts_of(std::span<const Document> documents) {
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  for (const Document& document : documents) {
+    vertices += document.mesh.positions.size();
+    faces += document.mesh.faces.size();
+  }
+  return {{"vertices", vertices}, {"faces", faces}};
 }
 
 }  // namespace
@@ -47,7 +52,7 @@ void Run::start() {
   const CommonValues& values = program_.common;
   if (values.json && program_.writes_mesh())
     throw UsageError("--json needs a report on standard output");
-  if (program_.writes == Writes::picture && output() == "-" && is_terminal(STDOUT_FILENO))
+  if (program_.writes == Writes::picture && output() == "-" && isatty(STDOUT_FILENO) == 1)
     throw UsageError("not writing a picture to a terminal: redirect it or name a file with -o");
   if (program_.is_evolution()) {
     if (program_.writes_mesh()) set_output_style(document());
@@ -60,7 +65,6 @@ void Run::start() {
 
 Document& Run::read_input() {
   documents_.clear();
-  input_counts_.emplace();
   const std::size_t count = program_.reads == Reads::meshes ? inputs().size() : 1;
   for (std::size_t i = 0; i < count; ++i) {
     Document& document = documents_.emplace_back(read(inputs()[i]));
@@ -69,9 +73,8 @@ Document& Run::read_input() {
     } else if (program_.writes_mesh()) {
       set_output_style(document);
     }
-    input_counts_->vertices += document.mesh.positions.size();
-    input_counts_->faces += document.mesh.faces.size();
   }
+  input_counts_ = counts_of(documents_);
   refer_to(documents_[0]);
   return documents_[0];
 }
@@ -116,7 +119,7 @@ void Run::set_output_style(Document& document) {
   const Format format = format_for(document.style.format, values.format, output());
   const std::size_t collapsed = set_format(document, format, coordinate);
   if (collapsed > 0) note(counted(collapsed, "face") + " with two corners in one place as floats");
-  if (output() == "-" && !is_text(format) && is_terminal(STDOUT_FILENO))
+  if (output() == "-" && !is_text(format) && isatty(STDOUT_FILENO) == 1)
     throw UsageError(
         "not writing binary PLY to a terminal: redirect it with > or |, name a file with -o, or "
         "ask for text with --format ply-ascii");
@@ -129,10 +132,6 @@ void Run::stage(const std::string& path, std::string_view bytes) {
     if (other.has_target_of(file))
       throw UsageError("two outputs are called '" + file.target() + "': give each its own file");
   staged_.push_back(std::move(file));
-}
-
-void Run::commit() {
-  for (AtomicFile& file : staged_) file.commit();
 }
 
 void Run::write(const std::string& path, std::string bytes) {
@@ -177,16 +176,17 @@ void Run::write_mesh() {
   const WriteResult result = transformesh::write_mesh(document());
   for (const std::string& line : result.notes) note(line);
   detail((output() == "-" ? "standard output" : output()) + ": " + described(document()));
-  output_counts_ = {document().mesh.positions.size(), document().mesh.faces.size()};
+  output_counts_ = counts_of({&document(), 1});
   stage(output(), result.bytes);
 }
 
 void Run::write_kept() {
+  if (!kept_) return;
   std::string outcome = "is not written";
   try {
     if (output() != "-") {
       write_mesh();
-      commit();
+      staged_.back().commit();
       outcome = "holds " + kept_->second;
     }
   } catch (const std::runtime_error& error) {
@@ -210,7 +210,7 @@ int Run::finish() {
     if (!prints_report) detail(key + ": " + text_of(value));
   for (const auto& [path, bytes] : further_files_) stage(path, bytes);
   if (!program_.common.report.empty()) stage(program_.common.report, full_report());
-  commit();
+  for (AtomicFile& file : staged_) file.commit();
   if (when_written_) when_written_();
   return answer_ ? exit_done : exit_no;
 }
@@ -261,11 +261,8 @@ std::string Run::full_report() {
     const auto absolute = resolved(option);
     report["options"][key] = absolute ? Json(*absolute) : json_of(option.value());
   }
-  const auto add = [&report](const char* key, const std::optional<Counts>& counts) {
-    if (counts) report[key] = {{"vertices", counts->vertices}, {"faces", counts->faces}};
-  };
-  add("input", input_counts_);
-  add("output", output_counts_);
+  if (!input_counts_.empty()) report["input"] = object_of(input_counts_);
+  if (!output_counts_.empty()) report["output"] = object_of(output_counts_);
   report["result"] = object_of(result_);
   report["timings"] = phases_.seconds();
   report["peak_memory_bytes"] = peak_memory_bytes();

@@ -86,19 +86,13 @@ class Run {
   /// Called when all outputs have their names. The body has ended by then.
   void when_written(std::function<void()> hook) { when_written_ = std::move(hook); }
 
- private:
-  friend class Program;
-  struct Counts {
-    std::size_t vertices = 0;
-    std::size_t faces = 0;
-  };
-
   /// What the frame does before the body, and after it; returns the exit code.
   void start();
   int finish();
-  /// Instead of finish() where the body has failed and kept something.
+  /// After a failure: writes what the body has kept, if anything.
   void write_kept();
 
+ private:
   Bytes read_once(const std::string& path);
   void refer_to(const Document& document);
   /// In input units, where the option is a length and there is what it refers to.
@@ -108,9 +102,8 @@ class Run {
   void write_mesh();
   std::string report_text() const;
   std::string full_report();
-  /// Writes a file that gets its name with all others by commit().
+  /// Writes a file that gets its name with all others at the end.
   void stage(const std::string& path, std::string_view bytes);
-  void commit();
 
   Program& program_;
   Terminal& terminal_;
@@ -118,8 +111,7 @@ class Run {
   Progress progress_;
   Phases phases_;
   std::vector<Document> documents_ = std::vector<Document>(1);
-  std::optional<Counts> input_counts_, output_counts_;
-  std::vector<std::pair<std::string, Value>> result_;
+  Entries input_counts_, output_counts_, result_;
   std::string bytes_;
   std::vector<std::pair<std::string, std::string>> further_files_;
   std::vector<AtomicFile> staged_;

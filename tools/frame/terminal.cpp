@@ -54,7 +54,7 @@ std::string environment(const char* name) {
 // A terminal that understands escape sequences.
 bool is_capable_terminal(int descriptor) {
   const std::string name = environment("TERM");
-  return is_terminal(descriptor) && !name.empty() && name != "dumb";
+  return isatty(descriptor) == 1 && !name.empty() && name != "dumb";
 }
 
 void draw_bar(const std::string& text) {
@@ -64,16 +64,13 @@ void draw_bar(const std::string& text) {
 
 }  // namespace
 
-void occupy_standard_descriptors() {
+void prepare_streams_and_signals() {
   // Reading from the first and writing to the others must go on failing.
   const std::array<int, 3> useless_mode = {O_WRONLY, O_RDONLY, O_RDONLY};
   for (int descriptor = 0; descriptor < 3; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) != -1) continue;
     open("/dev/null", useless_mode[static_cast<std::size_t>(descriptor)]);
   }
-}
-
-void install_signal_handlers() {
   struct sigaction action {};
   action.sa_handler = end_process;
   sigfillset(&action.sa_mask);
@@ -92,19 +89,14 @@ void tell_interruption(const std::string& program, const std::string& advice) {
       {SIGINT, message("SIGINT")}, {SIGTERM, message("SIGTERM")}, {SIGHUP, message("SIGHUP")}};
 }
 
-bool is_terminal(int descriptor) { return isatty(descriptor) == 1; }
-
 void Terminal::configure(bool quiet, bool verbose, bool progress, bool no_progress) {
   is_quiet_ = quiet;
   is_verbose_ = verbose;
-  if (no_progress || (quiet && !progress)) {
-    progress_style_ = ProgressStyle::none;
-  } else if (is_capable_terminal(STDERR_FILENO)) {
-    progress_style_ = ProgressStyle::bar;
-  } else if (progress) {
-    progress_style_ = ProgressStyle::lines;
-  }
-  next_progress_ = started_ + (progress_style_ == ProgressStyle::bar ? bar_delay : line_interval);
+  if (no_progress || (quiet && !progress)) return;
+  if (progress) progress_style_ = ProgressStyle::lines;
+  if (is_capable_terminal(STDERR_FILENO)) progress_style_ = ProgressStyle::bar;
+  next_progress_ =
+      Clock::now() + (progress_style_ == ProgressStyle::bar ? bar_delay : line_interval);
 }
 
 void Terminal::error(std::string_view message) {

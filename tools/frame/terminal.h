@@ -7,19 +7,14 @@
 
 namespace transformesh::tool {
 
-/// Opens unusable descriptors in place of closed standard ones, so that no file takes their number.
-void occupy_standard_descriptors();
-
-/// SIGINT, SIGTERM, SIGPIPE, SIGXCPU and, unless nohup has it ignored, SIGHUP end the process at
-/// once with 128 + their number, clear the terminal's line and remove temporary files. SIGXFSZ is
-/// ignored: the write that grew too large fails and tells.
-void install_signal_handlers();
+/// Before anything else: closed standard descriptors become unusable ones, so that no file takes
+/// their number. SIGINT, SIGTERM, SIGPIPE, SIGXCPU and, unless nohup has it ignored, SIGHUP end the
+/// process at once with 128 + their number, clear the terminal's line and remove temporary files.
+/// SIGXFSZ is ignored: the write that grew too large fails and tells.
+void prepare_streams_and_signals();
 
 /// From now on SIGINT, SIGTERM and SIGHUP are told: `tm-x: interrupted by SIGINT` and the advice.
 void tell_interruption(const std::string& program, const std::string& advice);
-
-/// Whether this descriptor is a terminal.
-bool is_terminal(int descriptor);
 
 /// How progress is shown.
 enum class ProgressStyle { none, bar, lines };
@@ -58,8 +53,7 @@ class Terminal {
   bool is_quiet_ = false;
   bool is_verbose_ = false;
   ProgressStyle progress_style_ = ProgressStyle::none;
-  Clock::time_point started_ = Clock::now();
-  Clock::time_point next_progress_ = started_;
+  Clock::time_point next_progress_;
 };
 
 }  // namespace transformesh::tool

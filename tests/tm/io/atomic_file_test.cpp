@@ -5,9 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "helpers/folder.h"
+#include "helpers/temporary_folder.h"
 
 using namespace transformesh;
+using namespace transformesh::test;
 
 namespace {
 
@@ -31,48 +32,48 @@ std::string message_of(const std::string& path) {
 }  // namespace
 
 TEST_CASE("a file keeps its old content until the new one is committed") {
-  const Folder folder;
+  const TemporaryFolder folder;
   make_file(folder / "a", "old");
   AtomicFile file(folder / "a", "new");
-  CHECK(content(folder / "a") == "old");
+  CHECK(content_of(folder / "a") == "old");
   CHECK(folder.count() == 2);
   file.commit();
-  CHECK(content(folder / "a") == "new");
+  CHECK(content_of(folder / "a") == "new");
   CHECK(folder.count() == 1);
 }
 
 TEST_CASE("a file that is not committed leaves nothing behind, wherever it was moved") {
-  const Folder folder;
+  const TemporaryFolder folder;
   make_file(folder / "a", "old");
   {
     AtomicFile file(folder / "a", "new");
     const AtomicFile moved(std::move(file));
   }
-  CHECK(content(folder / "a") == "old");
+  CHECK(content_of(folder / "a") == "old");
   CHECK(folder.count() == 1);
 }
 
 TEST_CASE("permissions and symbolic links of a target stay") {
-  const Folder folder;
+  const TemporaryFolder folder;
   make_file(folder / "a", "old");
   chmod((folder / "a").c_str(), 0640);
   fs::create_symlink("a", folder / "link");
   write_file(folder / "link", "new");
   CHECK(fs::is_symlink(folder / "link"));
-  CHECK(content(folder / "a") == "new");
+  CHECK(content_of(folder / "a") == "new");
   CHECK(mode_of(folder / "a") == 0640);
 }
 
 TEST_CASE("a link to where no file is yet stays a link") {
-  const Folder folder;
+  const TemporaryFolder folder;
   fs::create_symlink("a", folder / "link");
   write_file(folder / "link", "new");
   CHECK(fs::is_symlink(folder / "link"));
-  CHECK(content(folder / "a") == "new");
+  CHECK(content_of(folder / "a") == "new");
 }
 
 TEST_CASE("a new file has the permissions that the mask leaves") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const mode_t mask = umask(027);
   write_file(folder / "a", "new");
   umask(mask);
@@ -80,16 +81,16 @@ TEST_CASE("a new file has the permissions that the mask leaves") {
 }
 
 TEST_CASE("a temporary file of another run is not touched") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string other = folder / (".a." + std::to_string(getpid()) + "-0.tmp");
   make_file(other, "other");
   write_file(folder / "a", "new");
-  CHECK(content(folder / "a") == "new");
-  CHECK(content(other) == "other");
+  CHECK(content_of(folder / "a") == "new");
+  CHECK(content_of(other) == "other");
 }
 
 TEST_CASE("what cannot be written is refused, at once where that can be known") {
-  const Folder folder;
+  const TemporaryFolder folder;
   CHECK_THROWS_AS(check_writable(""), OutputError);
   CHECK_THROWS_AS(check_writable(folder / "none/a"), OutputError);
   CHECK_THROWS_AS(check_writable(folder / "."), OutputError);
@@ -101,7 +102,7 @@ TEST_CASE("what cannot be written is refused, at once where that can be known") 
 }
 
 TEST_CASE("devices and pipes are written directly and stay what they are") {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_file("/dev/null", "bytes");
   CHECK(fs::is_character_file("/dev/null"));
   mkfifo((folder / "pipe").c_str(), 0600);
@@ -115,7 +116,7 @@ TEST_CASE("devices and pipes are written directly and stay what they are") {
 }
 
 TEST_CASE("two files have the same target, however it is named") {
-  const Folder folder;
+  const TemporaryFolder folder;
   fs::create_symlink("a", folder / "link");
   const AtomicFile file(folder / "a", "one");
   CHECK(file.has_target_of(AtomicFile(folder / "link", "two")));
@@ -123,12 +124,12 @@ TEST_CASE("two files have the same target, however it is named") {
 }
 
 TEST_CASE("what waits for its commit is removed when the process has to end") {
-  const Folder folder;
+  const TemporaryFolder folder;
   AtomicFile first(folder / "a", "new");
   write_file(folder / "b", "new");
   const AtomicFile third(folder / "c", "new");
   remove_temporary_files();
   CHECK(folder.count() == 1);
-  CHECK(content(folder / "b") == "new");
+  CHECK(content_of(folder / "b") == "new");
   CHECK_THROWS_AS(first.commit(), OutputError);
 }

@@ -24,7 +24,7 @@ TEST_CASE("provenance holds the words and options given that affect the result")
   std::string axis = "z";
   bool keep = false;
   bool quiet = false;
-  Program program("tm-remesh", "", "", Reads::words);
+  Program program{"tm-remesh", "", "", Reads::words};
   program.length("min-edge", &edge, "");
   program.text("target", &target, "FILE", "");
   program.text("axis", &axis, "AXIS", "");
@@ -42,7 +42,7 @@ TEST_CASE("provenance holds the words and options given that affect the result")
 TEST_CASE("short names") {
   std::string output;
   bool quiet = false;
-  Program program("tm-x", "", "");
+  Program program{"tm-x", "", ""};
   program.text("output,o", &output, "FILE", "");
   program.flag("quiet,q", &quiet, "");
   program.parse({"-qo", "a.ply"});
@@ -52,7 +52,7 @@ TEST_CASE("short names") {
 
 TEST_CASE("the reference edge is auto or a positive length") {
   const auto parse = [](const std::string& value) {
-    Program program("tm-x", "", "");
+    Program program{"tm-x", "", ""};
     program.reference_edge();
     program.parse({"--reference-edge", value});
   };

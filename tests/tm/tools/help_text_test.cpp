@@ -9,7 +9,7 @@ TEST_CASE("help is made from the options") {
   Length edge{0.01, Length::Unit::diagonal};
   bool keep = false;
   std::string kind = "sphere";
-  Program program("tm-x", "[OPTION]... KIND", "Does it");
+  Program program{"tm-x", "[OPTION]... KIND", "Does it"};
   program.words_entry = {"KIND", "which"};
   program.epilog = "Once more.";
   program.length("edge", &edge, "mean edge length");

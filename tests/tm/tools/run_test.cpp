@@ -8,11 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "helpers/folder.h"
+#include "helpers/temporary_folder.h"
 #include "tm/io/mesh_io.h"
 #include "tm/support/error.h"
 
 using namespace transformesh;
+using namespace transformesh::test;
 using namespace transformesh::tool;
 
 namespace {
@@ -35,7 +36,7 @@ class Place {
       if (chdir((folder_ / ".").c_str()) != 0) _exit(99);
       dup2(open("stdout", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
       dup2(open("stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-      Program program("tm-x", "[INPUT]", "Tests", reads, writes);
+      Program program{"tm-x", "[INPUT]", "Tests", reads, writes};
       if (declare) declare(program);
       std::string name = "tm-x";
       std::vector<char*> words{name.data()};
@@ -53,14 +54,14 @@ class Place {
     });
   }
 
-  std::string text(const std::string& name) const { return content(folder_ / name); }
+  std::string text(const std::string& name) const { return content_of(folder_ / name); }
   bool has(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
   Document mesh(const std::string& name) const { return read_mesh(text(name), name).document; }
   std::string errors() const { return text("stderr"); }
 
  private:
   static inline std::string csv_;
-  Folder folder_;
+  TemporaryFolder folder_;
 };
 
 void move_up(Document& document) {

@@ -1,0 +1,251 @@
+// The kinds of options, and the way from a command line to their values and back.
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "frame/program.h"
+#include "tm/support/error.h"
+#include "tm/support/number.h"
+#include "tm/support/suggestion.h"
+
+namespace transformesh::tool {
+namespace {
+
+Value value_of(const auto& variable) { return variable; }
+template <typename Held>
+Value value_of(const std::optional<Held>& variable) {
+  return variable ? Value(*variable) : Value("");
+}
+
+std::string quoted(const std::string& text) { return "'" + text + "'"; }
+
+template <typename Number>
+Number parse_whole(const std::string& text, const char* kind) {
+  if (const auto number = number_in<Number>(text)) return *number;
+  throw UsageError(quoted(text) + " is not " + kind);
+}
+
+double parse_finite(const std::string& text) {
+  const auto number = parse_whole<double>(text, "a number");
+  if (!std::isfinite(number)) throw UsageError(quoted(text) + " is not a finite number");
+  return number;
+}
+
+template <typename Number>
+Number in_range(Number number, const std::string& text, Number minimum, Number maximum) {
+  if (number >= minimum && number <= maximum) return number;
+  throw UsageError(quoted(text) + (number < minimum
+                                       ? " is too small: at least " + text_of(minimum)
+                                       : " is too large: at most " + text_of(maximum)));
+}
+
+std::string join(const std::vector<std::string>& words, const std::string& separator) {
+  std::string joined;
+  for (const std::string& word : words) joined += (joined.empty() ? "" : separator) + word;
+  return joined;
+}
+
+// An option whose variable becomes what `read` makes of a word, or throws.
+Option& add(Program& program, const std::string& names, const std::string& placeholder,
+            const std::string& help, auto* variable, auto read) {
+  Option& option = program.options.emplace_back();
+  option.names = names;
+  option.placeholder = placeholder;
+  option.help = help;
+  option.assign = [=](const std::string& text) {
+    *variable = static_cast<std::decay_t<decltype(*variable)>>(read(text));
+  };
+  option.value = [=] { return value_of(*variable); };
+  option.default_text = option.text();
+  return option;
+}
+
+namespace po = boost::program_options;
+
+[[noreturn]] void throw_unknown(const std::string& token, const std::deque<Option>& options) {
+  if (token.size() > 1 && (std::isdigit(static_cast<unsigned char>(token[1])) || token[1] == '.')) {
+    throw UsageError("unknown option '" + token + "'; if it is no option, write -- before it");
+  }
+  std::string word = token.substr(0, token.find('='));
+  word.erase(0, word.find_first_not_of('-'));
+  std::vector<std::string> names;
+  for (const Option& option : options) names.push_back(option.name());
+  throw UsageError("unknown option '" + token + "'; did you mean '--" + nearest_name(word, names) +
+                   "'?");
+}
+
+[[noreturn]] void throw_missing(const std::string& name) {
+  throw UsageError((name.size() == 1 ? "-" : "--") + name + " needs a value");
+}
+
+// Boost's own messages name the option in several ways; ours is always `--name`.
+[[noreturn]] void rethrow_in_words(const po::error_with_option_name& error) {
+  std::string name = error.get_option_name();
+  name.erase(0, name.find_first_not_of('-'));
+  const auto* syntax = dynamic_cast<const po::invalid_syntax*>(&error);
+  if (syntax != nullptr && syntax->kind() == po::invalid_syntax::extra_parameter)
+    throw UsageError("--" + name + " takes no value");
+  throw_missing(name);
+}
+
+std::vector<po::option> split(const std::vector<std::string>& arguments,
+                              const std::deque<Option>& options) {
+  const int style = po::command_line_style::unix_style ^ po::command_line_style::allow_guessing;
+  po::options_description known;
+  for (const Option& option : options)
+    known.add_options()(option.names.c_str(), new po::untyped_value(option.is_flag()));
+  try {
+    po::command_line_parser parser(arguments);
+    return parser.options(known).style(style).allow_unregistered().run().options;
+  } catch (const po::error_with_option_name& error) {
+    rethrow_in_words(error);
+  } catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+}
+
+// Common options say how to write and what to tell; these three also say what.
+bool is_in_provenance(const Option& option) {
+  for (const char* file : {"FILE", "FOLDER", "WHERE"})
+    if (option.placeholder.find(file) != std::string::npos) return false;
+  const std::string name = option.name();
+  const bool says_what = name == "float" || name == "double" || name == "reference-edge";
+  return option.is_given && option.affects_result && (!option.is_common || says_what);
+}
+
+// A word as a shell would need it; control characters could end the comment's line.
+std::string shell_word(std::string word) {
+  for (char& character : word) {
+    if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
+  }
+  const bool is_plain = !word.empty() && word.find_first_of(" '\"\\$`*?") == std::string::npos;
+  return is_plain ? word : "'" + word + "'";
+}
+
+}  // namespace
+
+// --- Kinds of options ----------------------------------------------------------------------------
+
+Option& Program::flag(const std::string& names, bool* value, const std::string& help) {
+  return add(*this, names, "", help, value, [](const std::string&) { return true; });
+}
+
+Option& Program::number(const std::string& names, double* value, double minimum, double maximum,
+                        const std::string& help) {
+  return add(*this, names, "NUMBER", help, value, [=](const std::string& text) {
+    return in_range(parse_finite(text), text, minimum, maximum);
+  });
+}
+
+Option& Program::integer(const std::string& names, Integer value, long minimum, long maximum,
+                         const std::string& help) {
+  const auto read = [=](const std::string& text) {
+    return in_range(parse_whole<long>(text, "a whole number"), text, minimum, maximum);
+  };
+  return std::visit(
+      [&](auto* variable) -> Option& { return add(*this, names, "N", help, variable, read); },
+      value);
+}
+
+Option& Program::length(const std::string& names, LengthOrNone value, const std::string& help,
+                        bool may_be_negative) {
+  const auto read = [=](const std::string& text) {
+    const Length length = parse_length(text);
+    if (length.value >= 0 || may_be_negative) return length;
+    throw UsageError(quoted(text) + " is too small: a length of at least 0");
+  };
+  return std::visit(
+      [&](auto* variable) -> Option& { return add(*this, names, "LENGTH", help, variable, read); },
+      value);
+}
+
+Option& Program::text(const std::string& names, std::string* value, const std::string& placeholder,
+                      const std::string& help) {
+  return add(*this, names, placeholder, help, value, [](const std::string& text) { return text; });
+}
+
+Option& Program::choice(const std::string& names, std::string* value,
+                        const std::vector<std::string>& words, const std::string& help) {
+  return add(*this, names, join(words, "|"), help, value, [=](const std::string& text) {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return text;
+    throw UsageError(quoted(text) + " is not known; did you mean " +
+                     quoted(nearest_name(text, words)) + "? (" + join(words, ", ") + ")");
+  });
+}
+
+Option& Program::numbers(const std::string& names, std::vector<double>* value,
+                         const std::string& placeholder, const std::string& help) {
+  const auto count = std::count(placeholder.begin(), placeholder.end(), ',') + 1;
+  return add(*this, names, placeholder, help, value, [=](const std::string& text) {
+    std::vector<double> numbers;
+    std::istringstream words(text + ',');
+    for (std::string word; std::getline(words, word, ',');) numbers.push_back(parse_finite(word));
+    if (std::ssize(numbers) == count) return numbers;
+    throw UsageError(quoted(text) + " is not " + std::to_string(count) + " numbers with commas");
+  });
+}
+
+Option& Program::seed(long* value) {
+  return integer("seed", value, 0, std::numeric_limits<long>::max(), "seed of the random numbers");
+}
+
+Option& Program::reference_edge() {
+  const std::string help =
+      is_evolution()
+          ? "length that x refers to; auto: the source's mean edge (default: that of its "
+            "tm:reference-edge comment, else auto)"
+          : "length that x refers to: measured anew, or set (default: the mesh's "
+            "tm:reference-edge comment, else measured)";
+  return add(*this, "reference-edge", "auto|LENGTH", help, &common.reference_edge,
+             [](const std::string& text) {
+               if (text == "auto" || parse_length(text).value > 0) return text;
+               throw UsageError(quoted(text) + " must be positive, or auto to measure it");
+             });
+}
+
+// --- The command line ----------------------------------------------------------------------------
+
+Option* Program::find(const std::string& option) {
+  const std::size_t begin = std::min(option.find_first_not_of('-'), option.size());
+  const auto found = std::ranges::find(options, option.substr(begin), &Option::name);
+  return found == options.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> Program::parse(const std::vector<std::string>& arguments) {
+  std::vector<std::string> others;
+  for (const po::option& parsed : split(arguments, options)) {
+    if (parsed.unregistered) throw_unknown(parsed.original_tokens.at(0), options);
+    if (parsed.string_key.empty()) {
+      others.insert(others.end(), parsed.value.begin(), parsed.value.end());
+      continue;
+    }
+    Option& option = *find(parsed.string_key);
+    const std::string text = parsed.value.empty() ? "" : parsed.value[0];
+    // `--output --quiet`: the value was forgotten.
+    if (text.starts_with("--") && find(text) != nullptr) throw_missing(option.name());
+    try {
+      option.assign(text);
+    } catch (const UsageError& error) {
+      throw UsageError("--" + option.name() + ": " + error.what());
+    }
+    option.is_given = true;
+  }
+  return others;
+}
+
+std::string provenance(const Program& program) {
+  std::string line = program.name + " " TM_VERSION;
+  if (program.reads == Reads::words)
+    for (const std::string& word : program.inputs) line += ' ' + shell_word(word);
+  for (const Option& option : program.options) {
+    if (!is_in_provenance(option)) continue;
+    line += " --" + option.name();
+    if (!option.is_flag()) line += ' ' + shell_word(option.text());
+  }
+  return line;
+}
+
+}  // namespace transformesh::tool
