@@ -1,4 +1,4 @@
-/// A picture in memory: rows from the top, four bytes a pixel, alpha not multiplied in.
+/// Pixels in memory: rows from the top.
 #pragma once
 
 #include <array>
@@ -8,21 +8,23 @@
 
 namespace transformesh {
 
-using Pixel = std::array<std::uint8_t, 4>;  ///< red, green, blue (sRGB) and alpha
-
-struct Image {
+template <typename Value>
+struct Raster {
   int width = 0;
   int height = 0;
-  std::vector<Pixel> pixels;
+  std::vector<Value> pixels;
 
-  Image() = default;
-  Image(int columns, int rows)
+  Raster() = default;
+  Raster(int columns, int rows, const Value& value = {})
       : width(columns),
         height(rows),
-        pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+        pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), value) {}
 
-  Pixel& at(int x, int y) { return pixels[index(x, y)]; }
-  const Pixel& at(int x, int y) const { return pixels[index(x, y)]; }
+  bool empty() const { return pixels.empty(); }
+  Value* row(int y) { return pixels.data() + index(0, y); }
+  const Value* row(int y) const { return pixels.data() + index(0, y); }
+  Value& at(int x, int y) { return pixels[index(x, y)]; }
+  const Value& at(int x, int y) const { return pixels[index(x, y)]; }
 
  private:
   std::size_t index(int x, int y) const {
@@ -30,5 +32,9 @@ struct Image {
            static_cast<std::size_t>(x);
   }
 };
+
+/// Red, green, blue (sRGB) and alpha, which is not multiplied in.
+using Pixel = std::array<std::uint8_t, 4>;
+using Image = Raster<Pixel>;
 
 }  // namespace transformesh

@@ -166,9 +166,7 @@ FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides) {
   });
 
   // Rows in bands: each band is drawn by one thread, in face order.
-  FaceBuffer buffer{camera.width, camera.height, {}};
-  buffer.pixels.resize(static_cast<std::size_t>(camera.width) *
-                       static_cast<std::size_t>(camera.height));
+  FaceBuffer buffer(camera.width, camera.height);
   const std::vector<std::vector<Index>> bands = faces_of_bands(setups, camera.height);
   parallel_for(bands.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t band = first; band < last; ++band)

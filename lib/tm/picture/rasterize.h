@@ -9,10 +9,11 @@
 /// Cost: O(faces + pixels covered), parallel over rows; deterministic for any number of threads.
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include "tm/mesh/mesh.h"
 #include "tm/picture/camera.h"
+#include "tm/picture/image.h"
 
 namespace transformesh {
 
@@ -22,16 +23,7 @@ struct FacePixel {
   std::array<float, 2> weight{};  ///< of the face's corners 0 and 1; that of corner 2 is the rest
 };
 
-struct FaceBuffer {
-  int width = 0;
-  int height = 0;
-  std::vector<FacePixel> pixels;  ///< rows from the top
-
-  const FacePixel& at(int x, int y) const {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(x)];
-  }
-};
+using FaceBuffer = Raster<FacePixel>;
 
 enum class Sides { both, outside };
 

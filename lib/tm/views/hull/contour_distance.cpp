@@ -34,7 +34,7 @@ class ContourDistance {
   ContourDistance(const GrayImage& silhouette, float limit)
       : silhouette_(silhouette),
         squared_(silhouette.width, silhouette.height, limit * limit),
-        nearest_(silhouette.pixels.size(), no_segment) {}
+        nearest_(silhouette.width, silhouette.height, no_segment) {}
 
   GrayImage compute() {
     for (int y = 0; y + 1 < silhouette_.height; ++y)
@@ -80,14 +80,14 @@ class ContourDistance {
     const float squared = segments_[static_cast<std::size_t>(segment)].squared_distance(pixel);
     if (squared >= squared_.at(x, y)) return;
     squared_.at(x, y) = squared;
-    nearest(x, y) = segment;
+    nearest_.at(x, y) = segment;
   }
 
   void offer_from(int from_x, int from_y, int x, int y) {
     if (from_x < 0 || from_x >= silhouette_.width || from_y < 0 || from_y >= silhouette_.height)
       return;
-    const std::int32_t segment = nearest(from_x, from_y);
-    if (segment != nearest(x, y)) offer(segment, x, y);
+    const std::int32_t segment = nearest_.at(from_x, from_y);
+    if (segment != nearest_.at(x, y)) offer(segment, x, y);
   }
 
   void sweep_row(int y, int from_y) {
@@ -115,14 +115,9 @@ class ContourDistance {
     return distances;
   }
 
-  std::int32_t& nearest(int x, int y) {
-    return nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(silhouette_.width) +
-                    static_cast<std::size_t>(x)];
-  }
-
   const GrayImage& silhouette_;
   GrayImage squared_;
-  std::vector<std::int32_t> nearest_;
+  Raster<std::int32_t> nearest_;
   std::vector<Segment> segments_;
 };
 
