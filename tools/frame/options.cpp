@@ -72,6 +72,7 @@ namespace po = boost::program_options;
   std::string word = token.substr(0, token.find('='));
   word.erase(0, word.find_first_not_of('-'));
   std::vector<std::string> names;
+  names.reserve(options.size());
   for (const Option& option : options) names.push_back(option.name());
   throw UsageError("unknown option '" + token + "'; did you mean '--" + nearest_name(word, names) +
                    "'?");

@@ -125,7 +125,7 @@ struct Program {
   /// options. Throws UsageError.
   std::vector<std::string> parse(const std::vector<std::string>& arguments);
   /// Takes a name with or without dashes; null where there is none.
-  Option* find(const std::string& name);
+  Option* find(const std::string& option);
 
   bool is_evolution() const { return writes == Writes::evolved_mesh; }
   bool reads_mesh() const { return reads == Reads::mesh || reads == Reads::meshes; }

@@ -21,6 +21,7 @@ namespace transformesh::tool {
 class Run {
  public:
   Run(Program& program, Terminal& terminal);
+  ~Run() = default;
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 

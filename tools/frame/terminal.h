@@ -43,7 +43,7 @@ class Terminal {
   /// Text in the place of the bar, or a line of its own; nothing with -q.
   void progress_line(std::string_view text);
   /// To be called before anything else writes to the terminal.
-  void clear_bar();
+  static void clear_bar();
 
   /// What progress() shows, for tests.
   void set_progress_style(ProgressStyle style) { progress_style_ = style; }
