@@ -14,7 +14,7 @@ namespace {
 class MorphingLoop : public Loop {
  public:
   MorphingLoop(const Target& target, const MorphingOptions& options, const Progress& progress)
-      : target_(target), options_(options), rule_(options.scales) {
+      : target_(target), query_(target), options_(options), rule_(options.scales) {
     result_.expected = topology_of_target(target, progress);
   }
 
@@ -39,6 +39,7 @@ class MorphingLoop : public Loop {
   }
 
   const Target& target_;
+  const TargetQuery query_;
   const MorphingOptions& options_;
   MorphRule rule_;
   MorphingResult result_;
@@ -56,7 +57,7 @@ bool MorphingLoop::takes_iteration(Document& document, const Progress& progress)
   IterationOptions iteration = options_.iteration;
   iteration.edge_factor = std::ldexp(1.0, scale_);
   const auto step = [&](Mesh& mesh, const Progress& step_progress) {
-    step_ = morph_step(mesh, target_, options_.step, step_progress);
+    step_ = morph_step(mesh, query_, options_.step, step_progress);
     return step_.displaced;
   };
   try {
@@ -111,7 +112,7 @@ void MorphingLoop::finish(Document& document, const Progress& progress) {
   at_rest.distance = options_.step.distance;
   at_rest.displace.alpha = 0;
   Mesh mesh = document.mesh;
-  result_.distances = morph_step(mesh, target_, at_rest, progress);
+  result_.distances = morph_step(mesh, query_, at_rest, progress);
   const bool is_converged = result_.stop == MorphingStop::converged;
   const bool is_known = is_converged && !cleaned.changed && agreement_.has_value();
   result_.agreement = is_known ? *agreement_ : agreement_of(document, result_.topology, progress);

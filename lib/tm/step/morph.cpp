@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "tm/geometry/closest_point.h"
-#include "tm/geometry/kd_tree.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/measure.h"
 #include "tm/step/sample_distance.h"
@@ -33,8 +31,9 @@ std::vector<double> room_for_thickness(const Mesh& mesh, const Target& target) {
   return room;
 }
 
-Found search_surface(const Mesh& mesh, const Target& target, double exact_within) {
-  const ClosestPointQuery closest(target.mesh, target.face_order);
+Found search_surface(const Mesh& mesh, const TargetQuery& query, double exact_within) {
+  const Target& target = query.target();
+  const ClosestPointQuery& closest = query.surface();
   Found found{{}, room_for_thickness(mesh, target)};
   found.distances = sample_distance(mesh.positions, exact_within, [&](Index v, double sign) {
     const Vec3& p = mesh.positions[v];
@@ -74,9 +73,10 @@ double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
 }
 
 // Distances to tangent planes jump from vertex to vertex, so they are never estimated.
-Found search_vertices(const Mesh& mesh, const Target& target, std::size_t planes) {
-  const KdTree tree(target.mesh.positions);
-  const std::vector<Vec3> normals = target.is_mesh() ? vertex_normals(target.mesh) : target.normals;
+Found search_vertices(const Mesh& mesh, const TargetQuery& query, std::size_t planes) {
+  const Target& target = query.target();
+  const KdTree& tree = query.vertices();
+  const std::vector<Vec3>& normals = query.normals();
   Found found{std::vector<double>(mesh.positions.size()), room_for_thickness(mesh, target)};
   parallel_for(mesh.positions.size(), queries_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
@@ -123,11 +123,11 @@ DistanceSummary summary(std::span<const double> distances) {
 
 }  // namespace
 
-MorphVelocities morph_velocities(const Mesh& mesh, const Target& target,
+MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
                                  const MorphOptions& options, const Progress& progress) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces to move");
   const bool by_surface = options.distance == MorphDistance::surface;
-  if (by_surface && !target.is_mesh()) {
+  if (by_surface && !target.target().is_mesh()) {
     throw UsageError("the target has no faces: only the distance to its vertices is known");
   }
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "tm/mesh/mesh.h"
-#include "tm/step/target.h"
+#include "tm/step/target_query.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
@@ -45,7 +45,7 @@ struct MorphVelocities {
 };
 
 /// Throws InputError for a mesh without faces, UsageError for surface distance to points.
-MorphVelocities morph_velocities(const Mesh& mesh, const Target& target,
+MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
                                  const MorphOptions& options = {},
                                  const Progress& progress = Progress());
 

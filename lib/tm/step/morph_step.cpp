@@ -30,15 +30,16 @@ void set_sizes(Mesh& mesh, std::span<const double> thickness, const MorphStepOpt
 
 }  // namespace
 
-MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOptions& options,
+MorphStepResult morph_step(Mesh& mesh, const TargetQuery& query, const MorphStepOptions& options,
                            const Progress& progress) {
+  const Target& target = query.target();
   MorphStepResult result;
   const auto natural = target.is_mesh() ? MorphDistance::surface : MorphDistance::points;
   result.distance = options.distance.value_or(natural);
 
   const HalfedgeLengths edges = halfedge_lengths(mesh);
   MorphVelocities morph =
-      morph_velocities(mesh, target, {result.distance, exact_within(options, edges)}, progress);
+      morph_velocities(mesh, query, {result.distance, exact_within(options, edges)}, progress);
   result.to_target = morph.to_target;
   result.from_target =
       distance_from_target(target, mesh, far_from_target_in_edges * edges.mean, progress);

@@ -31,7 +31,8 @@ struct MorphStepResult {
   DisplaceResult displaced;
 };
 
-MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOptions& options = {},
+MorphStepResult morph_step(Mesh& mesh, const TargetQuery& target,
+                           const MorphStepOptions& options = {},
                            const Progress& progress = Progress());
 
 }  // namespace transformesh
