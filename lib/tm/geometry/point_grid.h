@@ -56,7 +56,8 @@ class PointGrid {
   }
   /// The i-th of the 27 cells around one, of which the 13th is the cell itself.
   static Cell neighbor(const Cell& cell, int i) {
-    return {cell[0] + (i % 3 - 1), cell[1] + (i / 3 % 3 - 1), cell[2] + (i / 9 - 1)};
+    const std::array<int, 3> offset{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+    return {cell[0] + offset[0], cell[1] + offset[1], cell[2] + offset[2]};
   }
 
   double width_;

@@ -22,7 +22,8 @@ class BinaryCursor {
   std::uint64_t count(const PlyProperty& property) {
     const double value = load(*property.count_type, property);
     const std::size_t size = byte_size(property.type);
-    if (value < 0 || value > static_cast<double>(bytes_left() / size)) {
+    const std::size_t most = bytes_left() / size;
+    if (value < 0 || value > static_cast<double>(most)) {
       fail("the length of " + table_.value_name(row_, property) + " is " +
            std::to_string(static_cast<long>(value)) + ", with only " +
            counted(bytes_left(), "byte") + " left");

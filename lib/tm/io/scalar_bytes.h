@@ -26,11 +26,11 @@ template <class T>
 T load_scalar(const char* from, bool swapped) {
   T value;
   if constexpr (sizeof(T) == 4) {  // swap before the bits become a float: a copy may change NaNs
-    std::uint32_t bits;
+    std::uint32_t bits = 0;
     std::memcpy(&bits, from, sizeof(bits));
     return std::bit_cast<T>(swapped ? byte_swapped(bits) : bits);
   } else if constexpr (sizeof(T) == 8) {
-    std::uint64_t bits;
+    std::uint64_t bits = 0;
     std::memcpy(&bits, from, sizeof(bits));
     return std::bit_cast<T>(swapped ? byte_swapped(bits) : bits);
   } else {

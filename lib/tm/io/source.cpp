@@ -24,7 +24,7 @@ void Source::fail_at_byte(const char* place, const std::string& what) const {
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
-  constexpr char digits[] = "0123456789abcdef";
+  constexpr std::string_view digits = "0123456789abcdef";
   std::string result = "'";
   for (const char c : text.substr(0, longest)) {
     const auto byte = static_cast<unsigned char>(c);

@@ -31,7 +31,7 @@ Scalar united(Scalar first, Scalar second) {
 }
 
 std::uint32_t heaviest_source(const RowBlend& row) {
-  const auto heaviest = std::max_element(row.weight.begin(), row.weight.end());
+  const auto* const heaviest = std::max_element(row.weight.begin(), row.weight.end());
   return row.source[static_cast<std::size_t>(heaviest - row.weight.begin())];
 }
 

@@ -39,6 +39,7 @@ Color color_of_srgb(double red, double green, double blue) {
 std::uint8_t srgb_byte(float light) {
   static const std::array<float, steps + 1> levels = make_levels();
   const float place = std::sqrt(std::clamp(light, 0.0F, 1.0F)) * steps;
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): nothing here is negative
   return static_cast<std::uint8_t>(levels[static_cast<std::size_t>(place + 0.5F)] + 0.5F);
 }
 

@@ -72,8 +72,8 @@ class Shader {
     const float rest = 1 - hit.weight[0] - hit.weight[1];
     const Eigen::Vector3f normal =
         (hit.weight[0] * corners[0] + hit.weight[1] * corners[1] + rest * corners[2]).normalized();
-    const Color lit = lights_.reflected(color_.at(hit, is_front), is_front ? normal : -normal,
-                                        to_eye.normalized().cast<float>());
+    Color lit = lights_.reflected(color_.at(hit, is_front), is_front ? normal : -normal,
+                                  to_eye.normalized().cast<float>());
     if (!options_.draw_edges || !is_on_line(face, x, y)) return lit;
     return lit + line_strength * (line_color - lit);
   }

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* advice = "; mend it with tm-stitch --orient";
 
 void check_corners(const Mesh& mesh) {
-  const Index halfedges = static_cast<Index>(3 * mesh.faces.size());
+  const auto halfedges = static_cast<Index>(3 * mesh.faces.size());
   for (Index h = 0; h < halfedges; ++h) {
     const Index vertex = halfedge_source(mesh, h);
     if (vertex >= mesh.positions.size()) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "tm/shapes/assembly.h"
 #include "tm/support/random.h"
@@ -14,8 +15,8 @@ namespace {
 /// The surface of a lattice of cells, whose points are numbered as they are met.
 class BoxBuilder {
  public:
-  BoxBuilder(const Vec3& edges, const std::array<std::size_t, 3>& cells)
-      : edges_(edges), cells_(cells) {}
+  BoxBuilder(Vec3 edges, const std::array<std::size_t, 3>& cells)
+      : edges_(std::move(edges)), cells_(cells) {}
 
   Mesh build() {
     for (int axis = 0; axis < 3; ++axis)
@@ -60,7 +61,7 @@ class BoxBuilder {
       Vec3 share;
       for (int axis = 0; axis < 3; ++axis)
         share[axis] = static_cast<double>(point[axis]) / static_cast<double>(cells_[axis]) - 0.5;
-      mesh_.positions.push_back(share.cwiseProduct(edges_));
+      mesh_.positions.emplace_back(share.cwiseProduct(edges_));
     }
     return entry->second;
   }

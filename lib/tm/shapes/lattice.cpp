@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -70,7 +71,8 @@ class Marcher {
     for (int axis = 0; axis < 3; ++axis) {
       Site high = low;
       high[axis] += 2;
-      constexpr int turn[5][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}};
+      constexpr std::array<std::array<int, 2>, 5> turn{
+          {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}}};
       std::array<Index, 5> center;
       for (int i = 0; i < 5; ++i) {
         Site site = low;

@@ -43,8 +43,8 @@ class PinchBuilder {
   void add_opposites() {
     for (std::size_t ring = rings_below_; ring-- > 0;)
       for (std::size_t i = 0; i < around_; ++i)
-        mesh_.positions.push_back(-mesh_.positions[vertex(ring, i)]);
-    mesh_.positions.push_back(-mesh_.positions[0]);
+        mesh_.positions.emplace_back(-mesh_.positions[vertex(ring, i)]);
+    mesh_.positions.emplace_back(-mesh_.positions[0]);
   }
 
   void add_caps() {

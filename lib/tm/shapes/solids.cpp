@@ -24,7 +24,7 @@ struct PerforatedPlate {
     const double ring = count == 1 ? 0 : spacing / (2 * std::sin(pi / static_cast<double>(count)));
     for (long i = 0; i < count; ++i) {
       const double angle = pi / 2 + 2 * pi * static_cast<double>(i) / static_cast<double>(count);
-      holes.push_back(ring * Vec2(std::cos(angle), std::sin(angle)));
+      holes.emplace_back(ring * Vec2(std::cos(angle), std::sin(angle)));
     }
     hub = count < 3 ? 0 : ring;
     scale(1.2 / (ring + hole_radius + wall));

@@ -107,7 +107,7 @@ Mesh spheres_of(const std::vector<Vec3>& centers, const std::vector<double>& rad
                 std::size_t faces) {
   double area_left = 0;
   for (const double radius : radii) area_left += radius * radius;
-  double faces_left = static_cast<double>(faces);
+  auto faces_left = static_cast<double>(faces);
   Mesh mesh;
   for (std::size_t i = 0; i < centers.size(); ++i) {
     const double area = radii[i] * radii[i];

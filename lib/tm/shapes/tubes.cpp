@@ -205,6 +205,7 @@ double torus_knot_thickness(long p, long q, double ring) {
   const auto samples = static_cast<std::size_t>(128 * (p + q));
   const auto parameters = equal_pieces(knot, samples).first;
   std::vector<Vec3> points;
+  points.reserve(parameters.size());
   for (const double t : parameters) points.push_back(knot.point(t));
 
   // The thickness is the radius of the smallest circle that touches the curve at one point and

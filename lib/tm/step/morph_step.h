@@ -31,7 +31,7 @@ struct MorphStepResult {
   DisplaceResult displaced;
 };
 
-MorphStepResult morph_step(Mesh& mesh, const TargetQuery& target,
+MorphStepResult morph_step(Mesh& mesh, const TargetQuery& query,
                            const MorphStepOptions& options = {},
                            const Progress& progress = Progress());
 

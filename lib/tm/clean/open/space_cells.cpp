@@ -39,7 +39,7 @@ SpaceCells::SpaceCells(const Arrangement& arrangement, const Patches& patches,
 // Joins the facing sides of neighbors in angular order, as between them lies one cell. So the two
 // sides of a patch become one around a free border.
 void SpaceCells::join_around_edges(const Arrangement& arrangement, const Patches& patches,
-                                   DisjointSets& sides) const {
+                                   DisjointSets& sides) {
   std::vector<char> counts(arrangement.pieces.size());
   for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = patches.patch_of[p] != no_index;
   const Edges edges = piece_edges(arrangement, counts);
@@ -71,8 +71,8 @@ std::vector<double> SpaceCells::volumes(const Arrangement& arrangement,
       const auto& [a, b, c] = arrangement.pieces[p].corners;
       volume += positions[a].dot(positions[b].cross(positions[c]));
     }
-    volumes[cell_of_[2 * patch]] -= volume;
-    volumes[cell_of_[2 * patch + 1]] += volume;
+    volumes[cell_of_[std::size_t{2} * patch]] -= volume;
+    volumes[cell_of_[std::size_t{2} * patch + 1]] += volume;
   }
   return volumes;
 }

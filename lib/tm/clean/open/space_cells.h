@@ -24,8 +24,8 @@ class SpaceCells {
   int winding_behind(Index patch) const { return winding_[cell_of_[std::size_t{2} * patch + 1]]; }
 
  private:
-  void join_around_edges(const Arrangement& arrangement, const Patches& patches,
-                         DisjointSets& sides) const;
+  static void join_around_edges(const Arrangement& arrangement, const Patches& patches,
+                                DisjointSets& sides);
   std::vector<double> volumes(const Arrangement& arrangement, const Patches& patches) const;
   std::vector<Index> unbounded_cells(const std::vector<double>& volumes) const;
   void spread_winding(const Arrangement& arrangement, const Patches& patches);

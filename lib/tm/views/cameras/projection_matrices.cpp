@@ -65,7 +65,7 @@ CameraList read_matrices(const Source& source, const std::string& stem) {
     CameraRecord record;
     record.place = place_of(rows, source);
     const std::string number = std::to_string(list.cameras.size() + 1);
-    record.name = rows.comments.empty() ? stem + '-' + number : rows.comments.back();
+    record.name = rows.comments.empty() ? (stem + '-').append(number) : rows.comments.back();
     rows.comments.clear();
     const std::string who = "matrix " + number;
     const Projection projection = read_projection(rows, who);

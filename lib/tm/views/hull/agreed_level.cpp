@@ -90,6 +90,7 @@ double agreed_level(std::span<const View> views, const ThresholdOptions& options
   const std::vector<SmallView> small = shrunk(views);
   if (small.empty()) throw UsageError("without photographs there is no level that divides them");
   std::vector<GrayImage> images;
+  images.reserve(small.size());
   for (const SmallView& view : small) images.push_back(view.view.image);
   const double dividing = dividing_level(images);
 

@@ -79,8 +79,9 @@ Tiff open(Input& input) {
 }
 
 /// Samples that are not initialized, so that memory is touched only as far as libtiff decodes.
-template <class Sample>
+template <class Sample>  // NOLINTNEXTLINE(*-avoid-c-arrays)
 std::unique_ptr<Sample[]> samples(std::uint64_t count) {
+  // NOLINTNEXTLINE(*-avoid-c-arrays)
   return std::unique_ptr<Sample[]>(new Sample[count]);
 }
 

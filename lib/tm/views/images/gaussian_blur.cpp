@@ -64,7 +64,7 @@ GrayImage blur_rows(const GrayImage& image, const std::vector<double>& weights) 
     std::copy_n(row, image.width, wide.begin() + reach);
     for (int i = 1; i <= reach; ++i) {
       wide[static_cast<std::size_t>(reach - i)] = row[mirrored(-i, image.width)];
-      wide[static_cast<std::size_t>(reach + image.width - 1 + i)] =
+      wide[static_cast<std::size_t>(image.width) + static_cast<std::size_t>(reach - 1 + i)] =
           row[mirrored(image.width - 1 + i, image.width)];
     }
     weigh(weights, rows, image.width, result.row(y));
@@ -79,6 +79,7 @@ GrayImage blur_columns(const GrayImage& image, const std::vector<double>& weight
                                  weights.end());
   std::vector<Row> sums(half.size(), make_row(image.width));
   std::vector<const double*> rows;
+  rows.reserve(sums.size());
   for (const Row& sum : sums) rows.push_back(sum.data());
   for (int y = 0; y < image.height; ++y) {
     std::copy_n(image.row(y), image.width, sums[0].begin());
@@ -86,7 +87,7 @@ GrayImage blur_columns(const GrayImage& image, const std::vector<double>& weight
       const float* above = image.row(mirrored(y - i, image.height));
       const float* below = image.row(mirrored(y + i, image.height));
       std::transform(below, below + image.width, above, sums[static_cast<std::size_t>(i)].begin(),
-                     std::plus<float>());
+                     std::plus<>());
     }
     weigh(half, rows, image.width, result.row(y));
   }
