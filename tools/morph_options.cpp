@@ -1,6 +1,6 @@
 #include "morph_options.h"
 
-#include "frame/remesh_options.h"
+#include "frame/smoothing_option.h"
 #include "tm/support/error.h"
 
 namespace transformesh::tool {

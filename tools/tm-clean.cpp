@@ -1,4 +1,4 @@
-#include "frame/cleaning_report.h"
+#include "cleaning_report.h"
 #include "frame/run.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/stitch/separate.h"

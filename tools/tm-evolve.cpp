@@ -3,7 +3,7 @@
 
 #include "filter_process.h"
 #include "frame/loop_options.h"
-#include "frame/remesh_options.h"
+#include "frame/smoothing_option.h"
 #include "tm/evolution/evolve.h"
 #include "tm/evolution/filter_step.h"
 #include "tm/support/counted.h"

@@ -1,6 +1,6 @@
 /// tm-remesh: edges between two lengths, six at a vertex, round triangles (paper 5.1.2).
-#include "frame/remesh_options.h"
 #include "frame/run.h"
+#include "remesh_options.h"
 #include "tm/remesh/remesh.h"
 
 namespace {

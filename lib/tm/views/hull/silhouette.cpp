@@ -79,8 +79,10 @@ double dividing_level(std::span<const GrayImage> images) {
   if (std::none_of(counts.begin(), counts.end(), is_used)) return contour_level;
 
   // Otsu's level may be any of those without a pixel that follow the brightest dark one.
-  const auto* const first_bright = counts.begin() + otsu_level(counts) + 1;
-  const auto* const bright = std::find_if(first_bright, counts.end(), is_used);
+  // NOLINTBEGIN(readability-qualified-auto): an iterator of an array is a pointer here only
+  const auto first_bright = counts.begin() + otsu_level(counts) + 1;
+  const auto bright = std::find_if(first_bright, counts.end(), is_used);
+  // NOLINTEND(readability-qualified-auto)
   const auto dark = std::find_if(std::make_reverse_iterator(first_bright), counts.rend(), is_used);
   const auto brightest_dark = std::max<std::ptrdiff_t>(dark.base() - counts.begin() - 1, 0);
   const auto darkest_bright = std::min<std::ptrdiff_t>(bright - counts.begin(), 255);

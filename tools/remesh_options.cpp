@@ -1,7 +1,7 @@
-#include "frame/remesh_options.h"
+#include "remesh_options.h"
 
+#include "frame/smoothing_option.h"
 #include "tm/support/error.h"
-#include "tm/support/number.h"
 
 namespace transformesh::tool {
 namespace {
@@ -44,17 +44,6 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
   program.flag("keep-border", &remesh.keep_border, "leave borders as they are");
   program.flag("project", &remesh.project,
                "tangential smoothing puts vertices back onto the input");
-}
-
-void read_smoothing(const std::string& text, RemeshOptions& options) {
-  if (text == "tangential") return;
-  options.smoothing = text == "none" ? Smoothing::none : Smoothing::laplace;
-  if (text == "none") return;
-  const auto factor = number_in<double>(text);
-  if (!factor)
-    throw UsageError("--smooth: '" + text +
-                     "' is not a number; write tangential, none or a factor such as 0.1");
-  options.smooth_first = *factor;
 }
 
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run) {

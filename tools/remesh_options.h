@@ -1,4 +1,4 @@
-/// The options of remeshing.
+/// The options of tm-remesh.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,6 @@ struct RemeshChoices {
 };
 
 void declare_remeshing(Program& program, RemeshChoices& choices);
-
-/// --smooth: `tangential`, which is the options' default, `none` or a factor. Throws UsageError.
-void read_smoothing(const std::string& text, RemeshOptions& options);
 
 /// For the document. Fills in the default lengths, so that settings and report show them.
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run);

@@ -1,0 +1,24 @@
+/// --smooth of tm-remesh and of the loops.
+#pragma once
+
+#include <string>
+
+#include "tm/remesh/remesh.h"
+#include "tm/support/error.h"
+#include "tm/support/number.h"
+
+namespace transformesh::tool {
+
+/// `tangential`, which is the options' default, `none` or a factor. Throws UsageError.
+inline void read_smoothing(const std::string& text, RemeshOptions& options) {
+  if (text == "tangential") return;
+  options.smoothing = text == "none" ? Smoothing::none : Smoothing::laplace;
+  if (text == "none") return;
+  const auto factor = number_in<double>(text);
+  if (!factor)
+    throw UsageError("--smooth: '" + text +
+                     "' is not a number; write tangential, none or a factor such as 0.1");
+  options.smooth_first = *factor;
+}
+
+}  // namespace transformesh::tool
