@@ -48,9 +48,9 @@ DisplaceResult movement(const Mesh& before, const Mesh& after) {
 }
 
 // Those that the filter added do not stay.
-void drop_velocities(const Mesh& before, Mesh& mesh) {
+void drop_velocities(const Mesh& before, Mesh& after) {
   for (const char* name : velocity_names)
-    if (before.vertex_columns.find(name) == nullptr) mesh.vertex_columns.erase(name);
+    if (before.vertex_columns.find(name) == nullptr) after.vertex_columns.erase(name);
 }
 
 }  // namespace
