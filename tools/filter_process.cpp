@@ -46,8 +46,9 @@ pid_t start(const std::string& command, const File& input, const File& output) {
   posix_spawn_file_actions_adddup2(&actions, fileno(output.get()), STDOUT_FILENO);
   const std::array<const char*, 5> words{"sh", "-c", "--", command.c_str(), nullptr};
   pid_t child = 0;
-  const int error = posix_spawn(&child, "/bin/sh", &actions, nullptr,
-                                const_cast<char* const*>(words.data()), environ);
+  // posix_spawn does not change words, though it takes them without const.
+  auto* const arguments = const_cast<char* const*>(words.data());  // NOLINT(*-const-cast)
+  const int error = posix_spawn(&child, "/bin/sh", &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   errno = error;
   if (error != 0) throw_not_run(command);

@@ -11,7 +11,7 @@ using namespace transformesh;
 void note_misfits(const std::vector<std::string>& names, const std::string& element,
                   tool::Run& run) {
   for (const std::string& name : names)
-    run.note(element + " property '" + name +
+    run.note((element + " property '").append(name) +
              "' is a list in one input and a number in another: missing in the later one");
 }
 

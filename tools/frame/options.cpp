@@ -189,6 +189,7 @@ Option& Program::numbers(const std::string& names, std::vector<double>* value,
   });
 }
 
+// NOLINTNEXTLINE(readability-non-const-parameter): the option writes to it
 Option& Program::seed(long* value) {
   return integer("seed", value, 0, std::numeric_limits<long>::max(), "seed of the random numbers");
 }

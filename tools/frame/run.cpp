@@ -126,7 +126,7 @@ void Run::set_output_style(Document& document) {
 }
 
 void Run::stage(const std::string& path, std::string_view bytes) {
-  terminal_.clear_bar();
+  Terminal::clear_bar();
   AtomicFile file(path, bytes);
   for (const AtomicFile& other : staged_)
     if (other.has_target_of(file))
