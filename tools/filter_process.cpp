@@ -47,7 +47,8 @@ pid_t start(const std::string& command, const File& input, const File& output) {
   const std::array<const char*, 5> words{"sh", "-c", "--", command.c_str(), nullptr};
   pid_t child = 0;
   // posix_spawn does not change words, though it takes them without const.
-  auto* const arguments = const_cast<char* const*>(words.data());  // NOLINT(*-const-cast)
+  // NOLINTNEXTLINE(*-const-cast,*-qualified-auto)
+  auto* const arguments = const_cast<char* const*>(words.data());
   const int error = posix_spawn(&child, "/bin/sh", &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   errno = error;
