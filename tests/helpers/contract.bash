@@ -65,6 +65,20 @@ two_cameras() {
     "b.png 300 0 79.5 0 300 59.5 0 0 1 0.8 0 -0.6 0 1 0 0.6 0 0.8 0 0 5"
 }
 
+# make_contract_inputs FOLDER: what for_each feeds to the programs; needs scene.bash.
+make_contract_inputs() {
+  export mesh=$1/torus.ply crossing=$1/crossing.ply binary=$1/binary.ply scene=$1/scene
+  export tm_cameras_input=$1/cameras_par.txt tm_photograph_input=$mesh tm_wrap_input=$mesh
+  make_scene "$scene"
+  two_cameras >"$tm_cameras_input"
+  torus 24 12 >"$mesh"
+  mkdir "$scene/photos"
+  tm-photograph --ring 12 --size 80x60 --write-images "$scene/photos" \
+    --write-silhouettes "$scene/outlines" -o "$scene/photos.txt" "$mesh"
+  tm-convert --no-provenance --format ply -o "$binary" "$mesh"
+  torus 24 12 1.1 | tm-cat --no-provenance --format ply -o "$crossing" "$mesh" -
+}
+
 # for_each KIND... -- FUNCTION: calls FUNCTION for every program of these kinds with $program,
 # $kind and the array $arguments set, and fails, naming the program, where FUNCTION does. Programs
 # of other kinds are named: the check makes no sense for them.

@@ -5,21 +5,7 @@ load ../helpers/contract
 load ../helpers/scene
 
 setup_file() {
-  export mesh=$BATS_FILE_TMPDIR/torus.ply
-  export crossing=$BATS_FILE_TMPDIR/crossing.ply
-  export binary=$BATS_FILE_TMPDIR/binary.ply
-  export scene=$BATS_FILE_TMPDIR/scene
-  make_scene "$scene"
-  export tm_cameras_input=$BATS_FILE_TMPDIR/cameras_par.txt
-  two_cameras >"$tm_cameras_input"
-  export tm_photograph_input=$mesh
-  export tm_wrap_input=$mesh
-  torus 24 12 >"$mesh"
-  mkdir "$scene/photos"
-  tm-photograph --ring 12 --size 80x60 --write-images "$scene/photos" \
-    --write-silhouettes "$scene/outlines" -o "$scene/photos.txt" "$mesh"
-  tm-convert --no-provenance --format ply -o "$binary" "$mesh"
-  torus 24 12 1.1 | tm-cat --no-provenance --format ply -o "$crossing" "$mesh" -
+  make_contract_inputs "$BATS_FILE_TMPDIR"
 }
 
 setup() {

@@ -1,0 +1,12 @@
+# Locales for tests, made from their sources, as the system may have none.
+
+# make_locales FOLDER NAME...: de_DE makes de_DE.UTF-8, to be used with LOCPATH=FOLDER.
+make_locales() {
+  local folder=$1 name
+  shift
+  for name in "$@"; do
+    localedef -f UTF-8 -i "$name" "$folder/$name.UTF-8"
+    [ "$(LOCPATH=$folder LC_ALL=$name.UTF-8 bash -c 'printf %.1f 0,5')" = 0,5 ] ||
+      fail "localedef made no $name"
+  done
+}
