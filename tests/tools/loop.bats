@@ -78,3 +78,118 @@ setup() {
   run --separate-stderr bash -c 'tm-reconstruct --help >/dev/full'
   assert_status 5
 }
+
+# A run that waits in its step until it is allowed to go on.
+start_waiting_run() { # ARGUMENT...
+  rm -f began go
+  tm-evolve -q --no-provenance --step 'touch began; while [ ! -e go ]; do sleep 0.02; done; cat' --iterations 1 \
+    "$@" sphere.ply 3>&- &
+  while [ ! -e began ]; do sleep 0.02; done
+}
+
+@test "a second run with the same output is refused, and a killed one is in nobody's way" {
+  start_waiting_run -o out.ply
+  for options in '-o out.ply' '-o ./out.ply --resume' '-o out.ply --restart'; do
+    run --separate-stderr tm-evolve --step cat --iterations 1 $options sphere.ply
+    assert_status 5
+    one_line "$stderr"
+    [[ $stderr == *"another run is writing the same output"* ]] || fail "$stderr"
+  done
+  tm-evolve -q --no-provenance --step cat --iterations 1 -o other.ply sphere.ply
+  touch go
+  wait $!
+  cmp out.ply other.ply
+
+  start_waiting_run -o out.ply --restart
+  kill -KILL $!
+  wait $! || true
+  touch go
+  tm-evolve -q --no-provenance --step cat --iterations 1 -o out.ply --restart sphere.ply
+  cmp out.ply other.ply
+}
+
+@test "tm-morph and tm-reconstruct are alone with their outputs as well" {
+  mkfifo fifo
+  tm-morph fifo --target torus.ply --iterations 1 -q -o out.ply 3>&- 9>&- &
+  while [ ! -e out.ply.tm-morph ]; do sleep 0.02; done
+  run --separate-stderr tm-morph sphere.ply --target torus.ply --iterations 1 -o out.ply
+  assert_status 5
+  cat sphere.ply >fifo
+  wait $!
+  tm-morph sphere.ply --target torus.ply --iterations 1 -q -o alone.ply
+  cmp out.ply alone.ply
+
+  mkdir photos
+  tm-photograph -q --ring 12 --size 80x60 --write-images photos -o photos.txt torus.ply
+  reconstruct() {
+    tm-reconstruct -q --images photos --coarsest 1 --passes 1 --iterations 1 --robust 0 \
+      --start sphere.ply -o seen.ply "$@"
+  }
+  reconstruct --cameras fifo 3>&- &
+  while [ ! -e seen.ply.tm-reconstruct ]; do sleep 0.02; done
+  run --separate-stderr reconstruct --cameras photos.txt
+  assert_status 5
+  one_line "$stderr"
+  cat photos.txt >fifo
+  wait $! || true
+}
+
+@test "a run that fails or is interrupted before its first iteration leaves no state" {
+  mkdir folder
+  run --separate-stderr tm-evolve --step cat --iterations 1 -o folder/out.ply /dev/null
+  assert_status 3
+  [ -z "$(ls -A folder)" ]
+  mkfifo fifo
+  tm-evolve --step cat --iterations 1 -o folder/out.ply fifo 3>&- &
+  while [ ! -e folder/out.ply.tm-evolve ]; do sleep 0.02; done
+  kill -TERM $!
+  wait $! || code=$?
+  [ "$code" -eq 143 ]
+  [ -z "$(ls -A folder)" ]
+}
+
+@test "descriptors and pipes are outputs of loops too, and have no state" {
+  evolve() { tm-evolve -q --step cat --iterations 3 "$@" sphere.ply; }
+  evolve -o expected --csv log
+  cut -d, -f1-5 log >rows
+  [ "$(wc -l <rows)" -eq 4 ]
+  rm -r expected.tm-evolve
+  evolve -o /dev/stdout | cmp - expected
+  echo before >appended
+  evolve -o /dev/stdout >>appended
+  cmp <(echo before | cat - expected) appended
+  evolve -o >(cat >piped; touch piped-is-done) --report >(cat >report; touch report-is-done)
+  while [ ! -e piped-is-done ] || [ ! -e report-is-done ]; do sleep 0.02; done
+  cmp piped expected
+  [ "$(jq -r .tool report)" = tm-evolve ]
+  evolve -o out --csv /dev/stderr 2>messages
+  cut -d, -f1-5 messages | cmp - rows
+  evolve -o /dev/null --csv /dev/fd/7 7>messages
+  cut -d, -f1-5 messages | cmp - rows
+  evolve -o out --csv >(cut -d, -f1-5 >piped-rows; touch rows-are-done) --restart
+  while [ ! -e rows-are-done ]; do sleep 0.02; done
+  cmp piped-rows rows
+  mkfifo fifo
+  evolve -o out --csv fifo 3>&- &
+  cut -d, -f1-5 fifo | cmp - rows
+  wait $!
+  [ ! -e /dev/stdout.tm-evolve ] && [ ! -e /dev/null.tm-evolve ]
+  run --separate-stderr evolve -o /dev/stdout --resume
+  assert_status 2
+  one_line "$stderr"
+}
+
+@test "when the report fails no output appears, named or on standard output" {
+  evolve() { tm-evolve -q --step cat --iterations 1 "$@" sphere.ply; }
+  run --separate-stderr evolve -o out.ply --report /dev/full
+  assert_status 5
+  one_line "$stderr"
+  [ ! -e out.ply ]
+  run --separate-stderr evolve --report /dev/full
+  assert_status 5
+  [ -z "$output" ]
+  run --separate-stderr evolve -o out.ply --csv /dev/full --restart
+  assert_status 5
+  one_line "$stderr"
+  [ ! -e out.ply ]
+}

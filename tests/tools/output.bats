@@ -38,12 +38,53 @@ setup() {
   done
 }
 
+@test "a chain of links leads to its end, and all links stay" {
+  mkdir far
+  ln -s b a
+  ln -s far/c b
+  ln -s ../d far/c
+  for _ in 1 2; do
+    tm-convert --no-provenance -o a t.ply
+    [ -L a ] && [ -L b ] && [ -L far/c ]
+    [ ! -L d ]
+    cmp d t.ply
+  done
+}
+
+@test "links that run in a circle are exit 5, and stay" {
+  ln -s a a
+  ln -s c b
+  ln -s b c
+  for name in a b; do
+    for options in "-o $name" "-o out.ply --report $name"; do
+      run --separate-stderr tm-convert $options t.ply
+      assert_status 5
+      one_line "$stderr"
+      [[ $stderr == *"cannot write '$name': Too many levels of symbolic links"* ]] || fail "$stderr"
+      [ -L a ] && [ -L b ] && [ -L c ]
+      [ ! -e out.ply ]
+    done
+  done
+}
+
 @test "devices and descriptors as targets are written directly" {
   tm-convert -o /dev/null t.ply
   [ -c /dev/null ]
   tm-convert --no-provenance -o /dev/stdout t.ply | cmp - t.ply
   tm-convert --no-provenance -o /dev/stdout t.ply >out.ply
   cmp out.ply t.ply
+  echo before >out.ply
+  tm-convert --no-provenance -o /dev/stdout t.ply >>out.ply
+  cmp <(echo before | cat - t.ply) out.ply
+  ln -s /dev/fd/7 link
+  tm-convert --no-provenance -o link t.ply 7>out.ply
+  [ -L link ]
+  cmp out.ply t.ply
+  tm-convert -q -o >(cat >piped; touch piped-is-done) --no-provenance \
+    --report >(cat >report; touch report-is-done) t.ply
+  while [ ! -e piped-is-done ] || [ ! -e report-is-done ]; do sleep 0.02; done
+  cmp piped t.ply
+  [ "$(jq -r .tool report)" = tm-convert ]
   run --separate-stderr tm-convert -o /dev/full t.ply
   assert_status 5
   one_line "$stderr"
@@ -67,6 +108,9 @@ setup() {
   run --separate-stderr tm-convert --report report.json t.ply -o /dev/full
   assert_status 5
   [ ! -e report.json ]
+  run --separate-stderr tm-convert --report /dev/full t.ply
+  assert_status 5
+  [ -z "$output" ]
   [ -z "$(find . -name '*.tmp')" ]
 }
 

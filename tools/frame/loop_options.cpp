@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "tm/io/output_target.h"
 #include "tm/support/error.h"
 
 namespace transformesh::tool {
@@ -44,9 +45,10 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
 
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
   RecordOptions options = choices.record;
-  const bool is_continuable = run.output() != "-";
+  // What has no file has no place for a state.
+  const bool is_continuable = !is_written_directly(end_of_links(run.output())) || !state.empty();
   if (options.resume && !is_continuable)
-    throw UsageError("--resume needs -o OUT: what to continue");
+    throw UsageError("--resume needs -o OUT, a file: what to continue");
   if (options.resume && options.restart)
     throw UsageError("give either --resume or --restart, not both");
   std::vector<std::string> files{"report", "csv"};
@@ -54,10 +56,11 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   run.check_outputs(files);
   const std::string& name = run.program().name;
   tell_interruption(name, is_continuable ? "; --resume continues" : "");
-  if (state.empty() && is_continuable) state = run.output() + '.' + name;
+  if (state.empty() && is_continuable) state = name_beside(run.output(), "", '.' + name);
   options.state = std::move(state);
   options.settings = settings_of(run);
   options.every = static_cast<std::size_t>(choices.every.value_or(every));
+  options.is_alone = true;
   options.keep_state_at_end = true;
   Record record(options);
   if (is_continuable) run.detail("state in " + options.state);
@@ -82,8 +85,7 @@ void evolve_or_keep(Run& run, const Record& record, const std::string& noun,
     evolve();
   } catch (const std::exception&) {
     if (record.iteration() > 0) {
-      const std::string continued =
-          run.output() == "-" ? "" : ", and --resume continues from there";
+      const std::string continued = record.has_state() ? ", and --resume continues from there" : "";
       run.keep("stopped in " + noun + ' ' + std::to_string(record.iteration() + 1),
                "the mesh of " + noun + ' ' + std::to_string(record.iteration()) + continued);
     }

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <ranges>
 #include <span>
 
 #include "tm/io/comments.h"
 #include "tm/io/mesh_io.h"
+#include "tm/io/output_target.h"
 #include "tm/support/counted.h"
 
 namespace transformesh::tool {
@@ -125,13 +126,22 @@ void Run::set_output_style(Document& document) {
         "ask for text with --format ply-ascii");
 }
 
-void Run::stage(const std::string& path, std::string_view bytes) {
-  Terminal::clear_bar();
-  AtomicFile file(path, bytes);
+void Run::stage(const std::string& path, std::string bytes) {
+  AtomicFile file(path, std::move(bytes));
   for (const AtomicFile& other : staged_)
     if (other.has_target_of(file))
       throw UsageError("two outputs are called '" + file.target() + "': give each its own file");
   staged_.push_back(std::move(file));
+}
+
+// What has no name to be given comes first, and of that the output last: where it fails, no file
+// appears, and no output seems complete where another one has failed.
+void Run::commit() {
+  Terminal::clear_bar();
+  for (AtomicFile& file : staged_ | std::views::reverse)
+    if (file.is_direct()) file.commit();
+  for (AtomicFile& file : staged_)
+    if (!file.is_direct()) file.commit();
 }
 
 void Run::write(const std::string& path, std::string bytes) {
@@ -149,17 +159,18 @@ void Run::write_into(const std::string& folder, const std::string& name, std::st
 }
 
 void Run::check_outputs(const std::vector<std::string>& options) {
-  std::map<fs::path, std::string> names;
+  std::vector<std::pair<std::string, std::string>> names;
   for (const std::string& name : options) {
     const std::string path = program_.find(name)->text();
     if (path == "-" && name != "output")
       throw UsageError("--" + name + ": name a file, as standard output is the mesh's");
     if (path == "-" || (path.empty() && name != "output")) continue;
-    const auto [other, is_new] = names.emplace(fs::weakly_canonical(fs::absolute(path)), name);
-    if (!is_new && (fs::is_regular_file(path) || !fs::exists(path)))
-      throw UsageError("give either --" + other->second + " or --" + name +
-                       " its own file, not both");
     check_writable(path);
+    if (is_written_directly(end_of_links(path))) continue;
+    for (const auto& [other, other_path] : names)
+      if (is_same_place(path, other_path))
+        throw UsageError("give either --" + other + " or --" + name + " its own file, not both");
+    names.emplace_back(name, path);
   }
 }
 
@@ -173,11 +184,11 @@ void Run::stamp(Document& document) {
 void Run::write_mesh() {
   set_output_style(document());
   if (!is_stamped_) stamp(document());
-  const WriteResult result = transformesh::write_mesh(document());
+  WriteResult result = transformesh::write_mesh(document());
   for (const std::string& line : result.notes) note(line);
   detail((output() == "-" ? "standard output" : output()) + ": " + described(document()));
   output_counts_ = counts_of({&document(), 1});
-  stage(output(), result.bytes);
+  stage(output(), std::move(result.bytes));
 }
 
 void Run::write_kept() {
@@ -202,15 +213,15 @@ int Run::finish() {
   if (prints_report) bytes_ = report_text();
   if (!writes_nothing_) {
     phases_.begin("write");
-    program_.writes_mesh() ? write_mesh() : stage(output(), bytes_);
+    program_.writes_mesh() ? write_mesh() : stage(output(), std::move(bytes_));
     phases_.begin("");
   }
   show_settings();
   for (const auto& [key, value] : result_)
     if (!prints_report) detail(key + ": " + text_of(value));
-  for (const auto& [path, bytes] : further_files_) stage(path, bytes);
+  for (auto& [path, bytes] : further_files_) stage(path, std::move(bytes));
   if (!program_.common.report.empty()) stage(program_.common.report, full_report());
-  for (AtomicFile& file : staged_) file.commit();
+  commit();
   if (when_written_) when_written_();
   return answer_ ? exit_done : exit_no;
 }

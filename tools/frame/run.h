@@ -104,7 +104,8 @@ class Run {
   std::string report_text() const;
   std::string full_report();
   /// Writes a file that gets its name with all others at the end.
-  void stage(const std::string& path, std::string_view bytes);
+  void stage(const std::string& path, std::string bytes);
+  void commit();
 
   Program& program_;
   Terminal& terminal_;

@@ -1,9 +1,7 @@
 #include "tm/evolution/record.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,6 +9,7 @@
 
 #include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
+#include "tm/io/output_target.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -74,20 +73,13 @@ void check_may_begin(const SavedState& state, const RecordOptions& options) {
 
 /// The header, and the rows of iterations up to the last one.
 std::string rows_until(const std::string& path, const std::string& header, std::size_t last) {
-  std::ifstream csv(path);
   std::string kept;
+  if (is_written_directly(end_of_links(path))) return header + '\n';
+  std::ifstream csv(path);
   for (std::string line; std::getline(csv, line);) {
     if (kept.empty() || std::strtoull(line.c_str(), nullptr, 10) <= last) kept += line + '\n';
   }
   return kept.empty() ? header + '\n' : kept;
-}
-
-/// Whole lines only: a line is one write.
-void append_line(const std::string& path, const std::string& line) {
-  std::ofstream file(path, std::ios::app);
-  file << line + '\n';
-  file.close();
-  if (!file) throw OutputError("cannot write '" + path + "': " + std::strerror(errno));
 }
 
 std::string frame_name(std::size_t iteration) {
@@ -98,17 +90,29 @@ std::string frame_name(std::size_t iteration) {
 
 }  // namespace
 
-void remove_state(const std::string& folder) {
+namespace {
+
+void remove_files_in(const std::string& folder) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
     if (entry.is_regular_file(ignored)) std::filesystem::remove(entry.path(), ignored);
+}
+
+}  // namespace
+
+void remove_state(const std::string& folder) {
+  remove_files_in(folder);
+  std::error_code ignored;
   std::filesystem::remove(folder, ignored);
 }
 
 Record::Record(RecordOptions options) : options_(std::move(options)) {
   options_.settings = one_line(options_.settings);
   std::optional<SavedState> state;
-  if (!options_.state.empty()) state = saved_in(options_.state);
+  if (!options_.state.empty()) {
+    if (options_.is_alone) lock_ = std::make_shared<FolderLock>(options_.state);
+    state = saved_in(options_.state);
+  }
   if (!state) return;
   if (!options_.resume) {
     check_may_begin(*state, options_);
@@ -126,11 +130,12 @@ std::optional<std::string> Record::find(const std::string& name) const {
 void Record::begin(const Document& document, const std::string& csv_header, const Memory& memory) {
   iteration_ = resumed_ ? resumed_->iteration : 0;
   if (!options_.csv.empty())
-    write_file(options_.csv,
-               resumed_ ? rows_until(options_.csv, csv_header, iteration_) : csv_header + '\n');
+    rows_ = std::make_shared<LineFile>(
+        options_.csv,
+        resumed_ ? rows_until(options_.csv, csv_header, iteration_) : csv_header + '\n');
   if (resumed_) return;
   if (!options_.state.empty()) {
-    remove_state();
+    remove_files_in(options_.state);
     make_folder(options_.state);
     for (const auto& [name, bytes] : std::exchange(added_, {}))
       write_file(options_.state + '/' + name, bytes);
@@ -141,7 +146,7 @@ void Record::begin(const Document& document, const std::string& csv_header, cons
 
 void Record::keep(const Document& document, std::size_t iteration, const std::string& row,
                   const Memory& memory) {
-  if (!options_.csv.empty()) append_line(options_.csv, row);
+  if (rows_) rows_->append(row);
   keep_frame(document, iteration);
   save(document, iteration, memory);
   iteration_ = iteration;

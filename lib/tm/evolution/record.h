@@ -9,13 +9,16 @@
 /// Throws OutputError where something cannot be written. Deterministic but for times in rows.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tm/evolution/folder_lock.h"
 #include "tm/evolution/memory.h"
 #include "tm/io/document.h"
+#include "tm/io/line_file.h"
 
 namespace transformesh {
 
@@ -28,6 +31,7 @@ struct RecordOptions {
   std::string frames;      ///< folder for frame-00000.ply and so on
   std::size_t every = 10;  ///< iterations from one frame to the next
   std::string csv;
+  bool is_alone = false;           ///< refuse to run beside another process that has this state
   bool keep_state_at_end = false;  ///< the caller calls remove_state() once the result is safe
 };
 
@@ -44,11 +48,13 @@ void remove_state(const std::string& folder);
 
 class Record {
  public:
-  /// Looks for a state and changes nothing. Throws UsageError where the state is of a run with
-  /// other settings, or of an interrupted one that is neither to be continued nor thrown away;
-  /// InputError where what is there is no state.
+  /// Looks for a state and changes nothing but that its folder is locked, if so wanted. Throws
+  /// UsageError where the state is of a run with other settings, or of an interrupted one that is
+  /// neither to be continued nor thrown away; InputError where what is there is no state;
+  /// OutputError where another process has it.
   explicit Record(RecordOptions options = {});
 
+  bool has_state() const { return !options_.state.empty(); }
   /// The last iteration that was completed, earlier runs included.
   std::size_t iteration() const { return iteration_; }
   /// The state from which the run continues, if it does.
@@ -80,7 +86,9 @@ class Record {
             bool is_paused = false) const;
 
   RecordOptions options_;
+  std::shared_ptr<const FolderLock> lock_;
   std::optional<SavedState> resumed_;
+  std::shared_ptr<const LineFile> rows_;
   std::size_t iteration_ = 0;
   std::vector<std::pair<std::string, std::string>> added_;
 };

@@ -7,11 +7,11 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "tm/io/output_target.h"
 #include "tm/io/streams.h"
 
 namespace transformesh {
@@ -32,35 +32,12 @@ void note_temporary(const std::string& path, bool exists) {
   if (exists) temporary_files = new TemporaryFile{path, temporary_files};
 }
 
-[[noreturn]] void throw_failed(const std::string& path) {
-  throw OutputError("cannot write " + (path == "-" ? "standard output" : "'" + path + "'") + ": " +
-                    std::strerror(errno));
-}
-
 void write_and_close(int descriptor, const std::string& path, std::string_view bytes) {
   const bool is_written = write_all(descriptor, bytes);
   const int write_error = errno;
   const bool is_closed = close(descriptor) == 0;
   if (!is_written) errno = write_error;
-  if (!is_written || !is_closed) throw_failed(path);
-}
-
-// Where a symbolic link leads, be it to a file or to where none is yet, so that the link itself
-// stays.
-std::string resolved(const std::string& path) {
-  const std::filesystem::path named = path;
-  std::error_code error;
-  const std::filesystem::path real = std::filesystem::canonical(named, error);
-  if (!error) return real;
-  const std::filesystem::path link = std::filesystem::read_symlink(named, error);
-  return error ? named : named.parent_path() / link;
-}
-
-bool is_same_place(const std::filesystem::path& first, const std::filesystem::path& second) {
-  std::error_code error;
-  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(first), error);
-  return !error &&
-         place == std::filesystem::weakly_canonical(std::filesystem::absolute(second), error);
+  if (!is_written || !is_closed) throw_not_written(path);
 }
 
 std::string folder_of(const std::string& path) {
@@ -75,36 +52,16 @@ std::optional<mode_t> existing_mode(const std::string& path) {
   return status.st_mode;
 }
 
-// Stdout, devices, FIFOs, and names like /dev/stdout and /dev/fd/63 that stand for an open
-// descriptor.
-bool is_written_directly(const std::string& path) {
-  if (path == "-") return true;
-  for (const char* prefix : {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"}) {
-    if (path.starts_with(prefix)) return true;
-  }
-  const auto mode = existing_mode(path);
-  return mode && !S_ISREG(*mode);
-}
-
 void write_directly(const std::string& path, std::string_view bytes) {
-  const int descriptor =
-      path == "-" ? STDOUT_FILENO : open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
-  if (descriptor < 0) throw_failed(path);
-  write_and_close(descriptor, path, bytes);
-}
-
-std::string temporary_name(const std::string& target, int attempt) {
-  const std::size_t slash = target.rfind('/');
-  const std::size_t begin = slash == std::string::npos ? 0 : slash + 1;
-  // Long names are cut, as 255 bytes is what file systems allow.
-  return target.substr(0, begin) + "." + target.substr(begin, 200) + "." +
-         std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp";
+  // Stdout is closed, as some file systems tell only then that they have failed.
+  write_and_close(path == "-" ? STDOUT_FILENO : open_directly(path), path, bytes);
 }
 
 // Creates the temporary file; its name is noted before it exists.
 int open_temporary(const std::string& target, std::string& name) {
   for (int attempt = 0; attempt < 100; ++attempt) {
-    name = temporary_name(target, attempt);
+    name = name_beside(target, ".",
+                       "." + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp");
     note_temporary(name, true);
     const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) return descriptor;
@@ -112,7 +69,7 @@ int open_temporary(const std::string& target, std::string& name) {
     if (errno != EEXIST) break;
   }
   name.clear();
-  throw_failed(target);
+  throw_not_written(target);
 }
 
 void remove_temporary(const std::string& path) {
@@ -123,13 +80,9 @@ void remove_temporary(const std::string& path) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path, std::string_view bytes) : target_(path) {
-  if (is_written_directly(path)) {
-    write_directly(path, bytes);
-  } else {
-    target_ = resolved(path);
-    write_temporary(bytes);
-  }
+AtomicFile::AtomicFile(const std::string& path, std::string bytes)
+    : target_(end_of_links(path)), is_direct_(is_written_directly(target_)) {
+  is_direct_ ? bytes_.swap(bytes) : write_temporary(bytes);
 }
 
 void AtomicFile::write_temporary(std::string_view bytes) {
@@ -144,13 +97,17 @@ void AtomicFile::write_temporary(std::string_view bytes) {
 }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
-    : target_(std::move(other.target_)), temporary_(std::exchange(other.temporary_, "")) {}
+    : target_(std::move(other.target_)),
+      is_direct_(other.is_direct_),
+      bytes_(std::move(other.bytes_)),
+      temporary_(std::exchange(other.temporary_, "")) {}
 
 AtomicFile::~AtomicFile() { remove_temporary(temporary_); }
 
 void AtomicFile::commit() {
+  if (is_direct_) return write_directly(target_, std::exchange(bytes_, ""));
   if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw_failed(target_);
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw_not_written(target_);
   note_temporary(std::exchange(temporary_, ""), false);
 }
 
@@ -159,7 +116,9 @@ bool AtomicFile::has_target_of(const AtomicFile& other) const {
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
-  AtomicFile(path, bytes).commit();
+  const std::string target = end_of_links(path);
+  is_written_directly(target) ? write_directly(target, bytes)
+                              : AtomicFile(target, std::string(bytes)).commit();
 }
 
 void make_folder(const std::string& path) {
@@ -170,20 +129,24 @@ void make_folder(const std::string& path) {
 
 void check_writable(const std::string& path) {
   if (path.empty()) throw OutputError("cannot write a file without a name");
-  const std::string target = path == "-" ? path : resolved(path);
+  const std::string target = end_of_links(path);
   if (is_written_directly(target)) {
     if (S_ISDIR(existing_mode(target).value_or(0))) {
       errno = EISDIR;
-      throw_failed(path);
+      throw_not_written(path);
     }
-  } else if (access(folder_of(target).c_str(), W_OK | X_OK) != 0) {
-    throw_failed(path);
+    return;
   }
+  struct stat status {};
+  const bool is_named = lstat(target.c_str(), &status) == 0 || errno == ENOENT;
+  if (!is_named || access(folder_of(target).c_str(), W_OK | X_OK) != 0) throw_not_written(path);
 }
+
+void remove_folder_at_signal(const std::string& path) { note_temporary(path, true); }
 
 void remove_temporary_files() noexcept {
   for (const TemporaryFile* file = temporary_files; file != nullptr; file = file->next)
-    if (file->exists) unlink(file->path.c_str());
+    if (file->exists && unlink(file->path.c_str()) != 0) rmdir(file->path.c_str());
 }
 
 }  // namespace transformesh

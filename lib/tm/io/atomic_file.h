@@ -2,8 +2,9 @@
 /// file in the same folder, which is then renamed: a reader sees the old file or the new one, also
 /// where the process is killed in between. A symbolic link stays and its target is replaced; the
 /// permissions of a file replaced stay. What is not a regular file (/dev/null, a FIFO, /dev/fd/3)
-/// is written directly and never replaced; `-` is stdout, which is closed. Nothing is flushed to
-/// the disk itself, so a failure of the machine may lose what a failure of the process does not.
+/// is written directly when it is committed, and never replaced; `-` is stdout, which is closed.
+/// Nothing is flushed to the disk itself, so a failure of the machine may lose what a failure of
+/// the process does not.
 #pragma once
 
 #include <string>
@@ -16,7 +17,7 @@ namespace transformesh {
 class AtomicFile {
  public:
   /// Writes all bytes to where they wait for commit(). Throws OutputError.
-  AtomicFile(const std::string& path, std::string_view bytes);
+  AtomicFile(const std::string& path, std::string bytes);
   /// Removes what was not committed.
   ~AtomicFile();
   AtomicFile(AtomicFile&& other) noexcept;
@@ -24,8 +25,9 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
   AtomicFile& operator=(AtomicFile&&) = delete;
 
-  /// Gives the file its name. Throws OutputError.
+  /// Gives the file its name, or writes what is written directly. Throws OutputError.
   void commit();
+  bool is_direct() const { return is_direct_; }
   /// Where the file will be: the end of the path's symbolic links.
   const std::string& target() const { return target_; }
   /// Whether both wait for the same name.
@@ -35,6 +37,8 @@ class AtomicFile {
   void write_temporary(std::string_view bytes);
 
   std::string target_;
+  bool is_direct_;
+  std::string bytes_;      ///< to be written directly
   std::string temporary_;  ///< empty once there is none
 };
 
@@ -50,5 +54,7 @@ void check_writable(const std::string& path);
 /// Removes all files that wait for their commit: for a handler of signals that ends the process,
 /// and async-signal-safe. Files are written by one thread at a time.
 void remove_temporary_files() noexcept;
+/// From now on also this folder, where there is nothing in it.
+void remove_folder_at_signal(const std::string& path);
 
 }  // namespace transformesh

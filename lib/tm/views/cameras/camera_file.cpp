@@ -50,8 +50,18 @@ void check_names(const CameraList& list) {
   }
 }
 
+// Every format has a name in a line of its own or in one with numbers.
+void check_written_name(const CameraRecord& record) {
+  const std::string& name = record.name;
+  const bool is_padded = name.starts_with(' ') || name.ends_with(' ');
+  if (!is_padded && name.find_first_of("\n\r\t\v\f") == std::string::npos) return;
+  throw InputError("no camera file can hold the name " + transformesh::quoted(name) + " (" +
+                   record.place + "): rename the image, without line breaks and outer blanks");
+}
+
 void check_complete(const CameraList& list) {
   for (const CameraRecord& record : list.cameras) {
+    check_written_name(record);
     if (!record.is_centered) continue;
     throw InputError("the principal point of " + transformesh::quoted(record.name) +
                      " is the center of an image of unknown size (" + record.place +
