@@ -1,7 +1,10 @@
 /// tm-info: what a mesh is: counts, topology, sizes, and the quality of its triangles.
+#include <cmath>
+
 #include "frame/run.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/measure.h"
+#include "tm/support/error.h"
 
 namespace {
 
@@ -21,6 +24,16 @@ void report_topology(const Mesh& mesh, std::size_t edges, tool::Run& run) {
   run.report("boundary_loops", boundary_loops);
 }
 
+// What is not asked for may be beyond what numbers hold.
+void report_size(const std::string& key, double size, tool::Run& run) {
+  const std::string& only = *run.program().only_key;
+  if (!std::isfinite(size) && (only.empty() || only == key))
+    throw InputError("the " + key +
+                     " of the mesh is beyond what a number can hold: scale the mesh down, or ask "
+                     "for something else with --get");
+  run.report(key, size);
+}
+
 void describe(tool::Run& run) {
   const Mesh& mesh = run.document().mesh;
   run.progress()("measuring");
@@ -28,15 +41,15 @@ void describe(tool::Run& run) {
   report_topology(mesh, lengths.count, run);
 
   const Box box = bounding_box(mesh);
-  run.report("area", surface_area(mesh));
-  run.report("volume", volume(mesh));
+  report_size("area", surface_area(mesh), run);
+  report_size("volume", volume(mesh), run);
   run.report("bbox_min", coordinates(box.minimum));
   run.report("bbox_max", coordinates(box.maximum));
 
   const Angles smallest = angles(mesh);
-  run.report("edge_mean", lengths.mean);
-  run.report("edge_min", lengths.minimum);
-  run.report("edge_max", lengths.maximum);
+  report_size("edge_mean", lengths.mean, run);
+  report_size("edge_min", lengths.minimum, run);
+  report_size("edge_max", lengths.maximum, run);
   run.report("angle_min", smallest.minimum_deg);
   run.report("angle_min_mean", smallest.minimum_mean_deg);
   run.report("valence6", valence_six_share(mesh));

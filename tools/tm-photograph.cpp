@@ -49,16 +49,24 @@ void declare(tool::Program& program, Options& options) {
   program.seed(&options.seed);
 }
 
+// Cameras multiply lengths.
+void check_size(double diagonal) {
+  if (!(diagonal > 0)) throw InputError("the mesh is empty or a single point");
+  if (diagonal < 1e-100 || diagonal > 1e100)
+    throw InputError("the mesh is " + shortest_text(diagonal) +
+                     " across: scale it to a size from 1e-100 to 1e100");
+}
+
 void photograph(Options& options, tool::Run& run) {
   const Mesh mesh = run.read(run.input()).mesh;
-  if (!(bounding_box(mesh).diagonal() > 0)) throw InputError("the mesh is empty or a single point");
-  run.set_basis(bounding_box(mesh).diagonal());
+  const Box box = bounding_box(mesh);
+  check_size(box.diagonal());
+  run.set_basis(box.diagonal());
   CameraRing ring;
   std::tie(ring.width, ring.height) = parse_size(options.size);
   ring.count = static_cast<int>(options.ring);
   ring.elevations_deg = options.elevations;
   ring.focal_length = options.focal * ring.width;
-  const Box box = bounding_box(mesh);
   ring.center = box.minimum + (box.maximum - box.minimum) / 2;
   ring.distance =
       options.distance ? run.length(*options.distance) : distance_for(mesh.positions, ring);

@@ -103,6 +103,15 @@ camera_file_code() { # NAME FORMAT
   done
 }
 
+needs_no_temporary_folder() {
+  [ "$kind" = source ] || arguments+=("$mesh")
+  TMPDIR=$PWD/none "$program" -q "${arguments[@]}" >without
+  "$program" -q "${arguments[@]}" | cmp - without
+}
+@test "no program needs a folder for temporary files" {
+  for_each filter predicate picture source converter loop -- needs_no_temporary_folder
+}
+
 @test "a name that is too long is exit 5 before anything is done" {
   mkdir empty
   cd empty

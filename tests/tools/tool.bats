@@ -47,11 +47,11 @@ setup() {
 @test "a mean edge that x cannot refer to is told" {
   sed 's/^1 1 0/1e200 0 0/' t.ply >huge.ply
   sed -E 's/^-?[01] -?[01] -?[01]$/0 0 0/' t.ply >point.ply
-  for case in 'huge inf*scale' 'point 0, so'; do
+  for case in 'huge too large*scale' 'point mean edge of the mesh is 0, so'; do
     run --separate-stderr tm-remesh "${case%% *}.ply"
     assert_status 3
     # shellcheck disable=SC2053
-    [[ $stderr == *"mean edge of the mesh is "${case#* }* ]] || fail "$stderr"
+    [[ $stderr == *${case#* }* ]] || fail "$stderr"
   done
 }
 
@@ -69,6 +69,19 @@ setup() {
   one_line "$stderr"
   [[ $stderr == *reference-edge* ]]
   tm-convert --reference-edge auto bad.ply >/dev/null
+}
+
+@test "a malformed reference edge is not passed on, and that is told once" {
+  for edge in nan inf -inf -1 0 x ''; do
+    sed "s/^element vertex/comment tm:reference-edge $edge\n&/" t.ply >bad.ply
+    run --separate-stderr tm-convert bad.ply
+    assert_status 0
+    one_line "$stderr"
+    [[ $stderr == *"tm:reference-edge comment"*dropped* ]]
+    [[ $output != *reference-edge* ]]
+    run --separate-stderr tm-cat t.ply bad.ply
+    [[ $output != *reference-edge* ]]
+  done
 }
 
 @test "stdin named twice is exit 2 and says so" {

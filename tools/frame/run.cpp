@@ -178,6 +178,8 @@ void Run::stamp(Document& document) {
   std::vector<std::string>& comments = document.style.comments;
   is_stamped_ = true;
   if (basis_.has_reference_edge()) set_reference_edge(comments, basis_.reference_edge());
+  if (drop_bad_reference_edges(comments) > 0)
+    note("a tm:reference-edge comment that holds no positive length is dropped");
   if (!program_.common.no_provenance) add_provenance(comments, provenance(program_));
 }
 

@@ -10,6 +10,7 @@
 #include "tm/geometry/surface_samples.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
+#include "tm/support/number.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double accuracy_share = 0.9;
 constexpr double default_distance_share = 0.01;  ///< of the reference's diagonal
+constexpr double largest_extent = 1e75;
 constexpr std::size_t points_per_task = 256;
 constexpr std::size_t points_per_report = 16384;
 /// Less than what rounding adds to a distance.
@@ -91,12 +93,15 @@ OneWay measure(const Mesh& from, const Mesh& to, const CompareOptions& options,
   return result;
 }
 
-/// Whether distances between points of the two can be squared.
-bool has_finite_distances(const Mesh& mesh, const Mesh& reference) {
+/// Areas of faces are squared on the way.
+void check_extent(const Mesh& mesh, const Mesh& reference) {
   const Box a = bounding_box(mesh);
   const Box b = bounding_box(reference);
   const Box both{a.minimum.cwiseMin(b.minimum), a.maximum.cwiseMax(b.maximum)};
-  return std::isfinite(both.diagonal());
+  if (both.diagonal() < largest_extent) return;
+  throw InputError("the meshes are " + shortest_text(both.diagonal()) +
+                   " across, too large to compare them: scale both to less than " +
+                   shortest_text(largest_extent));
 }
 
 /// The smallest value that is not below the given share of the values.
@@ -151,9 +156,7 @@ Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions
   if (mesh.positions.empty()) throw InputError("the mesh has no vertices: nothing to compare");
   if (reference.positions.empty())
     throw InputError("the reference has no vertices: nothing to compare with");
-  if (!has_finite_distances(mesh, reference))
-    throw InputError("squared distances exceed what a double holds: scale both meshes down");
-
+  check_extent(mesh, reference);
   const OneWay there = measure(mesh, reference, options, progress, "to the reference");
   const OneWay back = measure(reference, mesh, options, progress, "from the reference");
   const double distance = options.distance < 0

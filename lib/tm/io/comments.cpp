@@ -32,6 +32,12 @@ bool is_reference_edge(const std::string& comment) {
          comment.starts_with(std::string(reference_edge_key) + ' ');
 }
 
+std::optional<double> length_in(const std::string& comment) {
+  const std::string text = comment.substr(std::min(comment.size(), reference_edge_key.size() + 1));
+  const auto length = number_in<double>(text);
+  return length && std::isfinite(*length) && *length > 0 ? length : std::nullopt;
+}
+
 }  // namespace
 
 void add_provenance(std::vector<std::string>& comments, const std::string& line) {
@@ -51,11 +57,15 @@ void add_provenance(std::vector<std::string>& comments, const std::string& line)
 std::optional<double> reference_edge_of(const std::vector<std::string>& comments) {
   const auto last = std::find_if(comments.rbegin(), comments.rend(), is_reference_edge);
   if (last == comments.rend()) return std::nullopt;
-  const std::string text = last->substr(std::min(last->size(), reference_edge_key.size() + 1));
-  const auto length = number_in<double>(text);
-  if (length && std::isfinite(*length) && *length > 0) return length;
+  if (const auto length = length_in(*last)) return length;
   throw InputError("the comment '" + *last +
                    "' does not hold a positive length; measure it anew with --reference-edge auto");
+}
+
+std::size_t drop_bad_reference_edges(std::vector<std::string>& comments) {
+  return std::erase_if(comments, [](const std::string& comment) {
+    return is_reference_edge(comment) && !length_in(comment);
+  });
 }
 
 void set_reference_edge(std::vector<std::string>& comments, double length) {

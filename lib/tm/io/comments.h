@@ -15,6 +15,9 @@ void add_provenance(std::vector<std::string>& comments, const std::string& line)
 /// The length in the last `tm:reference-edge` comment. Throws InputError where it is no length.
 std::optional<double> reference_edge_of(const std::vector<std::string>& comments);
 
+/// Drops those that are no length, and returns their number.
+std::size_t drop_bad_reference_edges(std::vector<std::string>& comments);
+
 /// Replaces all `tm:reference-edge` comments by one.
 void set_reference_edge(std::vector<std::string>& comments, double length);
 

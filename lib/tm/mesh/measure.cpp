@@ -16,6 +16,35 @@ namespace {
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 constexpr std::size_t faces_per_task = 4096;
 
+/// Squares and products of three of coordinates between these neither overflow nor vanish.
+constexpr double large = 1e60;
+constexpr double small = 1e-60;
+
+/// Of the power of two that brings coordinates near 1 where they are very large or small; else 0,
+/// so that usual results keep their last digits.
+int extreme_exponent(const Mesh& mesh) {
+  double largest = 0;
+  for (const Vec3& point : mesh.positions)
+    largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
+  const bool is_extreme = largest > large || (largest > 0 && largest < small);
+  return is_extreme ? std::ilogb(largest) : 0;
+}
+
+Mesh scaled_down(const Mesh& mesh, int exponent) {
+  Mesh scaled;
+  scaled.faces = mesh.faces;
+  scaled.positions.reserve(mesh.positions.size());
+  for (const Vec3& point : mesh.positions)
+    scaled.positions.push_back(point.unaryExpr([&](double x) { return std::ldexp(x, -exponent); }));
+  return scaled;
+}
+
+/// Also where squares overflow or vanish.
+double length_of(const Vec3& vector) {
+  const double length = vector.norm();
+  return length > small && length < large ? length : vector.stableNorm();
+}
+
 /// The angle between two vectors in [0, pi]; accurate for small and for flat ones.
 double angle_between(const Vec3& u, const Vec3& v) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
@@ -49,6 +78,8 @@ void extend(Box& box, const Vec3& point) {
 
 }  // namespace
 
+double Box::diagonal() const { return length_of(maximum - minimum); }
+
 std::vector<Vec3> used_positions(const Mesh& mesh) {
   std::vector<bool> is_used(mesh.positions.size(), false);
   for (const Face& face : mesh.faces)
@@ -75,9 +106,11 @@ Vec3 face_normal(const Mesh& mesh, Index face) {
   return normal_of(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
 }
 
-double face_area(const Mesh& mesh, Index face) { return face_normal(mesh, face).norm() / 2; }
+double face_area(const Mesh& mesh, Index face) { return length_of(face_normal(mesh, face)) / 2; }
 
 double surface_area(const Mesh& mesh) {
+  if (const int exponent = extreme_exponent(mesh); exponent != 0)
+    return std::ldexp(surface_area(scaled_down(mesh, exponent)), 2 * exponent);
   double area = 0;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     area += face_area(mesh, static_cast<Index>(f));
@@ -85,6 +118,8 @@ double surface_area(const Mesh& mesh) {
 }
 
 double volume(const Mesh& mesh) {
+  if (const int exponent = extreme_exponent(mesh); exponent != 0)
+    return std::ldexp(volume(scaled_down(mesh, exponent)), 3 * exponent);
   // Tetrahedra end in the middle of the mesh, because with the origin far away they would cancel
   // out.
   const Box box = bounding_box(mesh);
@@ -100,6 +135,12 @@ double volume(const Mesh& mesh) {
 }
 
 EdgeLengths edge_lengths(const Mesh& mesh) {
+  if (const int exponent = extreme_exponent(mesh); exponent != 0) {
+    EdgeLengths lengths = edge_lengths(scaled_down(mesh, exponent));
+    for (double* length : {&lengths.mean, &lengths.minimum, &lengths.maximum})
+      *length = std::ldexp(*length, exponent);
+    return lengths;
+  }
   const Edges edges(mesh);
   EdgeLengths result;
   result.count = edges.size();
@@ -146,6 +187,8 @@ HalfedgeLengths halfedge_lengths(const Mesh& mesh) {
 
 Angles angles(const Mesh& mesh) {
   if (mesh.faces.empty()) return {};
+  if (const int exponent = extreme_exponent(mesh); exponent != 0)
+    return angles(scaled_down(mesh, exponent));
   std::vector<double> smallest(mesh.faces.size());
   parallel_for(mesh.faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) smallest[f] = smallest_angle(mesh, mesh.faces[f]);
@@ -157,6 +200,8 @@ Angles angles(const Mesh& mesh) {
 }
 
 std::vector<Vec3> vertex_normals(const Mesh& mesh) {
+  if (const int exponent = extreme_exponent(mesh); exponent != 0)
+    return vertex_normals(scaled_down(mesh, exponent));
   std::vector<std::array<double, 3>> weights(mesh.faces.size());
   parallel_for(mesh.faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f)

@@ -1,5 +1,6 @@
 /// Sizes of a mesh: lengths in input units, angles in degrees. Degenerate faces count with area 0
-/// and angle 0. Sums run in face order: the same result for any number of threads.
+/// and angle 0. Sums run in face order: the same result for any number of threads. Coordinates of
+/// any size do; an area or volume that no double can hold is infinite.
 #pragma once
 
 #include <span>
@@ -11,7 +12,7 @@ namespace transformesh {
 struct Box {
   Vec3 minimum = Vec3::Zero();
   Vec3 maximum = Vec3::Zero();
-  double diagonal() const { return (maximum - minimum).norm(); }
+  double diagonal() const;
 };
 
 /// The vertices that faces use, in their order.

@@ -26,6 +26,13 @@ TEST_CASE("comments that only look like provenance stay") {
   CHECK(comments[2] == "tm-x 1.2.x");
 }
 
+TEST_CASE("reference edges that are no lengths are dropped") {
+  std::vector<std::string> comments = {"tm:reference-edge nan", "a", "tm:reference-edge 1",
+                                       "tm:reference-edge -2", "tm:reference-edge"};
+  CHECK(drop_bad_reference_edges(comments) == 3);
+  CHECK(comments == std::vector<std::string>{"a", "tm:reference-edge 1"});
+}
+
 TEST_CASE("the reference edge is read, replaced and checked") {
   std::vector<std::string> comments = {"tm:reference-edge 0.5", "a", "tm:reference-edge 0.25"};
   CHECK(reference_edge_of(comments) == 0.25);

@@ -107,8 +107,23 @@ TEST_CASE("vertex normals weigh by angle, not by how a side is cut") {
   CHECK(vertex_normals(lonely)[0] == Vec3::Zero());
 }
 
+TEST_CASE("measures of tiny and of huge meshes are those of the mesh, scaled") {
+  const Mesh mesh = test::torus(2, 0.5, 24, 12);
+  for (const double scale : {1e-300, 1e-160, 1e-70, 1e70, 1e100, 1e155, 1e300}) {
+    const Mesh scaled = test::scaled(mesh, scale);
+    CHECK(bounding_box(scaled).diagonal() == Approx(bounding_box(mesh).diagonal() * scale));
+    CHECK(edge_lengths(scaled).mean == Approx(edge_lengths(mesh).mean * scale));
+    CHECK(edge_lengths(scaled).maximum == Approx(edge_lengths(mesh).maximum * scale));
+    CHECK(angles(scaled).minimum_deg == Approx(angles(mesh).minimum_deg));
+    if (scale < 1e150) CHECK(surface_area(scaled) == Approx(surface_area(mesh) * scale * scale));
+    if (scale < 1e100) CHECK(volume(scaled) == Approx(volume(mesh) * scale * scale * scale));
+    if (scale > 1e160) CHECK(std::isinf(surface_area(scaled)));
+    if (scale > 1e110) CHECK(std::isinf(volume(scaled)));
+  }
+}
+
 TEST_CASE("vertex normals of tiny and of huge meshes are unit") {
-  for (const double scale : {1e-30, 1e30})
+  for (const double scale : {1e-300, 1e-100, 1e-30, 1e30, 1e100, 1e300})
     for (const Vec3& normal : vertex_normals(test::scaled(test::icosphere(1), scale)))
       CHECK(normal.norm() == Approx(1));
 }

@@ -1,6 +1,8 @@
 #include "tm/clean/exterior/close_borders.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -15,6 +17,15 @@ constexpr double body_share = 0.05;      // least volume of a body, per sphere o
 constexpr double far_behind = 10;        // in diagonals of the bounding box
 
 using Loop = std::vector<Index>;
+
+/// The power of two that brings points of extreme size near 1, so that products of their
+/// coordinates neither overflow nor vanish; 1 for others.
+double scale_of(const std::vector<Vec3>& points) {
+  double largest = 0;
+  for (const Vec3& p : points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+  const bool is_usual = largest == 0 || (largest > 1e-60 && largest < 1e60);
+  return is_usual ? 1 : std::ldexp(1, -std::ilogb(largest));
+}
 
 /// Measures of faces that are connected across edges of two faces.
 struct Component {
@@ -42,10 +53,13 @@ class BorderCloser {
   void measure_faces();
   void measure_loop(const Loop& loop);
   Index face_of(const Loop& loop) const;
+  Vec3 point(Index p) const { return welded_.points[p] * scale_; }
+  Vec3 corner(Index face, int i) const { return point(welded_.faces[face][i]); }
   Vec3 centroid_of(const Loop& loop) const;
   Vec3 added_point(const Loop& loop, const Component& component) const;
 
   const WeldedMesh& welded_;
+  const double scale_;  ///< of all that is measured
   const std::vector<Loop>& loops_;
   std::vector<Index> root_;            ///< per face: the first of its component
   std::vector<Component> components_;  ///< by root
@@ -54,7 +68,10 @@ class BorderCloser {
 };
 
 BorderCloser::BorderCloser(const WeldedMesh& welded, const std::vector<Loop>& loops)
-    : welded_(welded), loops_(loops), components_(welded.faces.size()) {
+    : welded_(welded),
+      scale_(scale_of(welded.points)),
+      loops_(loops),
+      components_(welded.faces.size()) {
   connect_faces();
   measure_faces();
   for (const Loop& loop : loops) measure_loop(loop);
@@ -78,21 +95,21 @@ void BorderCloser::connect_faces() {
 }
 
 void BorderCloser::measure_faces() {
-  Vec3 low = welded_.points.front();
+  Vec3 low = point(0);
   Vec3 high = low;
-  for (const Vec3& p : welded_.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+  for (Index p = 0; p < welded_.points.size(); ++p) {
+    low = low.cwiseMin(point(p));
+    high = high.cwiseMax(point(p));
   }
   diagonal_ = (high - low).norm();
 
   // Volumes are measured from a corner of the component, to stay accurate far from the origin.
   for (Index f = 0; f < welded_.faces.size(); ++f) {
-    const Triangle t = welded_.triangle(f);
-    const Vec3 twice_area = (t[1] - t[0]).cross(t[2] - t[0]);
+    const Vec3 a = corner(f, 0);
+    const Vec3 twice_area = (corner(f, 1) - a).cross(corner(f, 2) - a);
     Component& component = components_[root_[f]];
     component.area += twice_area.norm() / 2;
-    component.volume += twice_area.dot(t[0] - welded_.triangle(root_[f])[0]);
+    component.volume += twice_area.dot(a - corner(root_[f], 0));
     component.area_vector += twice_area;
   }
 }
@@ -101,11 +118,11 @@ void BorderCloser::measure_loop(const Loop& loop) {
   const Index face = face_of(loop);
   if (face == no_index) return;
   Component& component = components_[root_[face]];
-  const Vec3 origin = welded_.triangle(root_[face])[0];
+  const Vec3 origin = corner(root_[face], 0);
   const Vec3 centroid = centroid_of(loop) - origin;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec3 from = welded_.points[loop[i]] - origin;
-    const Vec3 to = welded_.points[loop[(i + 1) % loop.size()]] - origin;
+    const Vec3 from = point(loop[i]) - origin;
+    const Vec3 to = point(loop[(i + 1) % loop.size()]) - origin;
     component.volume += to.cross(from).dot(centroid);
   }
   component.border_sum += centroid_of(loop) * static_cast<double>(loop.size());
@@ -124,7 +141,7 @@ Index BorderCloser::face_of(const Loop& loop) const {
 
 Vec3 BorderCloser::centroid_of(const Loop& loop) const {
   Vec3 centroid = Vec3::Zero();
-  for (const Index p : loop) centroid += welded_.points[p] / static_cast<double>(loop.size());
+  for (const Index p : loop) centroid += point(p) / static_cast<double>(loop.size());
   return centroid;
 }
 
@@ -136,11 +153,14 @@ Vec3 BorderCloser::added_point(const Loop& loop, const Component& component) con
 
 // A border runs along its faces, so its fan runs against it.
 BorderClosure BorderCloser::close() const {
+  constexpr double farthest = std::numeric_limits<double>::max();
   BorderClosure closure;
   for (const Loop& loop : loops_) {
     const Index face = face_of(loop);
     if (face == no_index) continue;
-    const Vec3 added = added_point(loop, components_[root_[face]]);
+    const Vec3 added = (added_point(loop, components_[root_[face]]) / scale_)
+                           .cwiseMax(-farthest)
+                           .cwiseMin(farthest);
     for (std::size_t i = 0; i < loop.size(); ++i) {
       closure.triangles.push_back(
           {welded_.points[loop[(i + 1) % loop.size()]], welded_.points[loop[i]], added});

@@ -57,6 +57,23 @@ Mesh bowl(double height) {
 
 }  // namespace
 
+TEST_CASE("a closure does not depend on the unit of length") {
+  const auto count_in_sheet = [](const BorderClosure& closure) {
+    return std::count(closure.in_sheet.begin(), closure.in_sheet.end(), 1);
+  };
+  for (const Mesh& mesh : {bowl(0.6), bowl(-0.9), test::grid(5)}) {
+    const BorderClosure usual = closure_of(mesh);
+    for (const double scale : {1e-300, 1e-155, 1e100, 1e155, 1e200, 1e300}) {
+      const Mesh scaled = test::scaled(mesh, scale);
+      const BorderClosure closure = closure_of(scaled);
+      CHECK(count_in_sheet(closure) == count_in_sheet(usual));
+      REQUIRE(closure.triangles.size() == usual.triangles.size());
+      for (std::size_t i = 0; i < usual.triangles.size(); ++i)
+        CHECK((closure.triangles[i][2] / scale - usual.triangles[i][2]).norm() < 1e-9);
+    }
+  }
+}
+
 TEST_CASE("a closed mesh has an empty closure") {
   CHECK(closure_of(test::cube()).empty());
   CHECK(closure_of(test::cube()).in_sheet.empty());
