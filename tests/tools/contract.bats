@@ -135,15 +135,16 @@ header_survives() {
 
 threads_make_no_difference() {
   [ "$kind" = source ] || arguments+=("$crossing")
-  for threads in 1 2 4; do
+  for threads in 1 2 4 8; do
     # A predicate's no is an answer too.
     "$program" "${arguments[@]}" --threads "$threads" >"$threads" || [ $? -eq 1 ]
   done
   [ -s 1 ]
   cmp 1 2
   cmp 1 4
+  cmp 1 8
 }
-@test "11: 1, 2 and 4 threads give the same bytes" {
+@test "11: 1, 2, 4 and 8 threads give the same bytes" {
   for_each filter predicate picture source converter loop -- threads_make_no_difference
 }
 

@@ -336,6 +336,13 @@ frames_are_piped() {
   [ "$(value converged r.json)" = true ]
 }
 
+@test "a step so long that it turns a coarse mesh inside out is taken with shorter edges" {
+  tm-shape torus --faces 1000 -o target.ply
+  tm-shape sphere --around target.ply --faces 600 -o start.ply
+  tm-morph start.ply --target target.ply -o out.ply --scales 3 --alpha 0.5 -q
+  tm-intersect --check out.ply
+}
+
 @test "tiny bodies are as good as large ones" {
   tm-shape sphere --radius 1e-5 --faces 800 -o tiny.ply
   tm-shape sphere --radius 1.05e-5 --faces 800 -o around.ply

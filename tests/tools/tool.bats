@@ -131,9 +131,12 @@ setup() {
 }
 
 @test "--threads takes any positive number, and the result stays" {
-  for threads in 0 1 3 64; do
+  for threads in 0 1 3 64 1024; do
     tm-convert --no-provenance --threads "$threads" t.ply | cmp - t.ply
   done
+  run --separate-stderr tm-convert --threads 1025 t.ply
+  assert_status 2
+  one_line "$stderr"
   run tm-convert --threads many t.ply
   assert_status 2
 }

@@ -86,6 +86,13 @@ CleanedTopology clean_in_place(Document& document, const Progress& progress) {
   return {topology, result.changed, result.pairs};
 }
 
+RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
+                             const Progress& progress) {
+  RemeshResult result = remesh(document.mesh, remesh_options(document, options), progress);
+  round_as_written(document);
+  return result;
+}
+
 IterationResult iterate(Document& document, const Step& step, const IterationOptions& options,
                         const Progress& progress) {
   IterationResult result;
@@ -99,8 +106,7 @@ IterationResult iterate(Document& document, const Step& step, const IterationOpt
   result.pairs = cleaned.pairs;
   result.seconds_clean = watch.lap();
 
-  const RemeshResult remeshed = remesh(document.mesh, remesh_options(document, options), progress);
-  round_as_written(document);
+  const RemeshResult remeshed = remesh_in_place(document, options, progress);
   result.topology = {cleaned.topology.components - remeshed.components_removed,
                      cleaned.topology.genus};
   result.faces = document.mesh.faces.size();

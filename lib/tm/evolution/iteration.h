@@ -74,6 +74,10 @@ struct IterationResult {
 IterationResult iterate(Document& document, const Step& step, const IterationOptions& options,
                         const Progress& progress = Progress());
 
+/// Its third part alone.
+RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
+                             const Progress& progress = Progress());
+
 struct CleanedTopology {
   Topology topology;
   bool changed = false;

@@ -32,7 +32,8 @@ class MorphingLoop : public Loop {
   const MorphingResult& result() const { return result_; }
 
  private:
-  bool takes_iteration(Document& document, const Progress& progress);
+  bool takes_iteration(Document& document, bool remeshes_first, const Progress& progress);
+  void take_iteration(Document& document, const Progress& progress);
   Agreement agreement_of(const Document& document, const Topology& topology,
                          const Progress& progress) const {
     return agreement(document.mesh, topology, target_, result_.expected, progress);
@@ -51,8 +52,10 @@ class MorphingLoop : public Loop {
   std::optional<Agreement> agreement_;  ///< if it was looked at
 };
 
-// False where the scale has no edges for what is left: then the next finer one is to be tried.
-bool MorphingLoop::takes_iteration(Document& document, const Progress& progress) {
+// False where that fails, and something else is to be tried. With the edges of the scale first, the
+// step is shorter.
+bool MorphingLoop::takes_iteration(Document& document, bool remeshes_first,
+                                   const Progress& progress) {
   scale_ = rule_.scale();
   IterationOptions iteration = options_.iteration;
   iteration.edge_factor = std::ldexp(1.0, scale_);
@@ -61,20 +64,32 @@ bool MorphingLoop::takes_iteration(Document& document, const Progress& progress)
     return step_.displaced;
   };
   try {
+    if (remeshes_first) remesh_in_place(document, iteration, progress);
     last_ = iterate(document, step, iteration, progress);
     return true;
   } catch (const GoalError&) {
-    if (scale_ == 0) throw;
-    rule_.skip_scale();
+    if (options_.scales == 1 || (scale_ == 0 && remeshes_first)) throw;
     return false;
+  }
+}
+
+// A coarse scale may have no edges for what is left, or steps so long that they turn it inside out.
+void MorphingLoop::take_iteration(Document& document, const Progress& progress) {
+  const Document before = options_.scales > 1 ? document : Document();
+  bool is_first_try = true;
+  bool remeshes_first = false;
+  while (!takes_iteration(document, remeshes_first, progress)) {
+    document = before;
+    remeshes_first = !remeshes_first && (!is_first_try || scale_ == 0);
+    if (!remeshes_first) rule_.skip_scale();
+    is_first_try = false;
   }
 }
 
 void MorphingLoop::advance(Document& document, std::size_t /*iteration*/,
                            const Progress& progress) {
   const Stopwatch watch;
-  const Document before = rule_.scale() > 0 ? document : Document();
-  while (!takes_iteration(document, progress)) document = before;
+  take_iteration(document, progress);
   last_.seconds = watch.seconds();
 
   const MorphVerdict verdict = rule_.add(step_, last_.vertices);

@@ -117,9 +117,7 @@ void parallel_invoke(const std::function<void()>& first, const std::function<voi
 }
 
 struct ThreadLimit::Control {
-  explicit Control(std::size_t count) : before(allowed_threads) {
-    allowed_threads = std::min(before, count);
-  }
+  explicit Control(std::size_t count) : before(allowed_threads) { allowed_threads = count; }
   ~Control() { allowed_threads = before; }
   Control(const Control&) = delete;
   Control& operator=(const Control&) = delete;
