@@ -1,5 +1,6 @@
 /// tm-cat: several meshes as one, one after the other.
-#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "frame/run.h"
@@ -29,31 +30,32 @@ void append_mesh(Mesh& all, const Mesh& other, tool::Run& run) {
   }
 }
 
-void append_element(std::vector<OtherElement>& all, const OtherElement& other, tool::Run& run) {
-  const auto same = std::find_if(all.begin(), all.end(), [&](const OtherElement& element) {
-    return element.name == other.name;
-  });
-  if (same == all.end()) {
-    all.push_back(other);
-    return;
+void append_elements(std::vector<OtherElement>& all, const std::vector<OtherElement>& others,
+                     tool::Run& run) {
+  std::unordered_map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < all.size(); ++i) places.emplace(all[i].name, i);
+  for (const OtherElement& other : others) {
+    const auto [place, is_new] = places.emplace(other.name, all.size());
+    if (is_new) {
+      all.push_back(other);
+      continue;
+    }
+    OtherElement& same = all[place->second];
+    note_misfits(same.columns.concatenate(other.columns, same.rows, other.rows), other.name, run);
+    same.rows += other.rows;
   }
-  note_misfits(same->columns.concatenate(other.columns, same->rows, other.rows), other.name, run);
-  same->rows += other.rows;
 }
 
 // Lines that are not there yet. A reference edge belongs to one mesh: the first keeps its own.
 void append_lines(std::vector<std::string>& all, const std::vector<std::string>& other) {
-  for (const std::string& line : other) {
-    const bool is_present = std::find(all.begin(), all.end(), line) != all.end();
-    if (!is_present && !line.starts_with("tm:reference-edge")) all.push_back(line);
-  }
+  std::unordered_set<std::string> present(all.begin(), all.end());
+  for (const std::string& line : other)
+    if (!line.starts_with("tm:reference-edge") && present.insert(line).second) all.push_back(line);
 }
 
 void append(Document& all, const Document& other, tool::Run& run) {
   append_mesh(all.mesh, other.mesh, run);
-  for (const OtherElement& element : other.other_elements) {
-    append_element(all.other_elements, element, run);
-  }
+  append_elements(all.other_elements, other.other_elements, run);
   append_lines(all.style.comments, other.style.comments);
   append_lines(all.style.obj_info, other.style.obj_info);
   if (other.style.coordinate == Scalar::float64) all.style.coordinate = Scalar::float64;

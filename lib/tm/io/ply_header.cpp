@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <unordered_set>
 
 #include "tm/io/number_text.h"
 #include "tm/io/ply.h"
@@ -110,9 +111,8 @@ class HeaderReader {
     if (element.name.empty() || parsed != Parsed::ok || first != last) {
       fail("'element NAME COUNT' needs a name and a count of 0 or more, not " + quoted(line_));
     }
-    for (const PlyElement& other : header_.elements) {
-      if (other.name == element.name) fail("the element " + quoted(element.name) + " comes twice");
-    }
+    if (!names_.insert(element.name).second)
+      fail("the element " + quoted(element.name) + " comes twice");
     header_.elements.push_back(std::move(element));
   }
 
@@ -149,6 +149,7 @@ class HeaderReader {
   std::string_view line_;
   std::string_view words_;  ///< of the line, not read yet
   PlyHeader header_;
+  std::unordered_set<std::string> names_;  ///< of its elements
 };
 
 }  // namespace

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <map>
+#include <unordered_set>
 
 #include "tm/io/ply.h"
 #include "tm/io/scalar.h"
@@ -92,12 +94,11 @@ OutElement other_element(const OtherElement& other) {
 /// The names of all elements, in the order in which they are written.
 std::vector<std::string> element_names(const Document& document) {
   std::vector<std::string> names = document.style.element_order;
-  const auto missing = [&](const std::string& name) {
-    return std::find(names.begin(), names.end(), name) == names.end();
-  };
+  std::unordered_set<std::string> known(names.begin(), names.end());
+  const auto missing = [&](const std::string& name) { return known.insert(name).second; };
   if (missing("vertex")) names.insert(names.begin(), "vertex");
   const bool is_point_cloud = !document.style.element_order.empty() && document.mesh.faces.empty();
-  if (missing("face") && !is_point_cloud) {
+  if (!is_point_cloud && missing("face")) {
     names.insert(std::find(names.begin(), names.end(), "vertex") + 1, "face");
   }
   for (const OtherElement& other : document.other_elements) {
@@ -107,6 +108,8 @@ std::vector<std::string> element_names(const Document& document) {
 }
 
 std::vector<OutElement> out_elements(const Document& document) {
+  std::multimap<std::string_view, const OtherElement*> others;
+  for (const OtherElement& other : document.other_elements) others.emplace(other.name, &other);
   std::vector<OutElement> elements;
   for (const std::string& name : element_names(document)) {
     if (name == "vertex") {
@@ -114,9 +117,9 @@ std::vector<OutElement> out_elements(const Document& document) {
     } else if (name == "face") {
       elements.push_back(face_element(document));
     } else {
-      for (const OtherElement& other : document.other_elements) {
-        if (other.name == name) elements.push_back(other_element(other));
-      }
+      const auto [first, last] = others.equal_range(name);
+      for (auto other = first; other != last; ++other)
+        elements.push_back(other_element(*other->second));
     }
   }
   return elements;

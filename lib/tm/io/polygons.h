@@ -1,4 +1,6 @@
-/// Gathers the polygons of a file as triangles: fans from the first corner.
+/// Gathers the polygons of a file as triangles: fans from the first corner. A polygon that visits a
+/// corner again is cut into loops there, whose oriented edges are its own but for spikes that run
+/// forth and back.
 #pragma once
 
 #include <cstdint>
@@ -29,6 +31,8 @@ class PolygonFans {
 
  private:
   void remember_sources();
+  void add_fan(std::span<const Index> corners);
+  void add_loops(std::span<const Index> corners);
 
   std::vector<Face> faces_;
   bool remembers_sources_ = false;     ///< from the first polygon on that is no triangle
@@ -36,6 +40,7 @@ class PolygonFans {
   std::uint32_t rows_ = 0;
   std::size_t polygons_ = 0;
   std::size_t polygon_faces_ = 0;
+  std::size_t repeating_ = 0;
   std::size_t dropped_ = 0;
 };
 

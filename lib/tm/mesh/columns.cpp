@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <unordered_map>
 #include <utility>
 
 namespace transformesh {
@@ -88,6 +90,13 @@ void append_column(Column& to, const Column& from) {
   }
 }
 
+/// The first of each name.
+std::unordered_map<std::string_view, const Column*> by_name(const std::vector<Column>& columns) {
+  std::unordered_map<std::string_view, const Column*> found;
+  for (const Column& column : columns) found.emplace(column.name, &column);
+  return found;
+}
+
 }  // namespace
 
 Column* Columns::find(std::string_view name) {
@@ -142,8 +151,10 @@ void Columns::append(const RowBlend& row) {
 std::vector<std::string> Columns::concatenate(const Columns& other, std::size_t rows,
                                               std::size_t other_rows) {
   std::vector<std::string> misfits;
+  const auto sources = by_name(other.columns);
+  const auto known = by_name(columns);
   for (Column& column : columns) {
-    const Column* source = other.find(column.name);
+    const Column* source = sources.contains(column.name) ? sources.at(column.name) : nullptr;
     const bool fits =
         source && source->list_count_type.has_value() == column.list_count_type.has_value();
     if (fits) {
@@ -153,12 +164,14 @@ std::vector<std::string> Columns::concatenate(const Columns& other, std::size_t 
       if (source) misfits.push_back(column.name);
     }
   }
+  std::vector<Column> added;
   for (const Column& column : other.columns) {
-    if (find(column.name)) continue;
-    Column& copy = columns.emplace_back(empty_copy(column));
+    if (known.contains(column.name) || sources.at(column.name) != &column) continue;
+    Column& copy = added.emplace_back(empty_copy(column));
     append_zeros(copy, rows);
     append_column(copy, column);
   }
+  std::move(added.begin(), added.end(), std::back_inserter(columns));
   return misfits;
 }
 

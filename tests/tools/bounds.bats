@@ -1,0 +1,85 @@
+# Small inputs cost little time and memory, whatever they claim and however they repeat themselves.
+# The limits are wide, for slow machines: what is meant would take minutes or gigabytes.
+
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+}
+
+# cheap COMMAND...: within 20 seconds and a gigabyte of addresses, beyond which it fails.
+cheap() {
+  (
+    ulimit -v 1000000
+    timeout 20 "$@"
+  )
+}
+
+# A PLY header with the lines of standard input among its elements, behind those of the vertices.
+tetrahedron_with() {
+  tetrahedron | sed '/^element face/,$d'
+  cat
+  tetrahedron | sed -n '/^element face/,/^end_header/p'
+}
+
+@test "a polygon that goes round and round is cut into loops" {
+  {
+    printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n20000'
+    for _ in {1..5000}; do printf ' 0 1 2 3'; done
+    echo
+  } >round.off
+  run --separate-stderr cheap tm-info --json round.off
+  assert_status 0
+  [ "$(jq .faces <<<"$output")" -eq 10000 ]
+  [ "$(grep -c 'cut into loops where a corner is visited again' <<<"$stderr")" -eq 1 ]
+}
+
+@test "100 000 elements, properties and comments in a header cost no more than their bytes" {
+  seq 100000 | sed 's/.*/element e& 0\nproperty int a/' | tetrahedron_with >elements.ply
+  tetrahedron | sed '1,/^end_header/d' >>elements.ply
+  seq 100000 | sed 's/.*/comment & is here/' >lines
+  seq 100000 | sed 's/.*/obj_info &/' >>lines
+  tetrahedron | sed '2r lines' >comments.ply
+  seq 100000 | sed 's/.*/property char p&/' | tetrahedron_with >properties.ply
+  ones=$(printf ' 1%.0s' {1..100000})
+  tetrahedron | sed "1,/^end_header/d" | sed "1,4s/\$/ONES/" | while read -r line; do
+    printf '%s\n' "${line/ONES/$ones}"
+  done >>properties.ply
+  for name in elements properties comments; do
+    cheap tm-convert --no-provenance -o out.ply "$name.ply"
+    cmp out.ply "$name.ply" || fail "$name"
+    cheap tm-cat "$name.ply" "$name.ply" >/dev/null
+    cheap tm-clean -q "$name.ply" >/dev/null
+    cheap tm-convert -q --format off "$name.ply" >/dev/null
+  done
+}
+
+@test "counts are claims: what does not follow is refused, and takes no memory" {
+  header() { printf 'ply\nformat %s 1.0\nelement vertex %s\nproperty double x\nproperty double y\nproperty double z\n' "$@"; }
+  {
+    header binary_little_endian 4000000000
+    printf 'end_header\n'
+  } >vertices.ply
+  {
+    header binary_little_endian 0
+    printf 'element face 4000000000\nproperty list uchar int vertex_indices\nend_header\n'
+  } >faces.ply
+  {
+    header binary_little_endian 0
+    printf 'element face 1\nproperty list uint int vertex_indices\nend_header\n\377\377\377\377'
+  } >corners.ply
+  {
+    header ascii 0
+    printf 'element more 4000000000\nproperty list uchar int a\nend_header\n'
+  } >lists.ply
+  printf 'OFF\n4000000000 1 0\n' >vertices.off
+  printf 'OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n' >faces.off
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n' >corners.off
+  { head -c 80 /dev/zero && printf '\377\377\377\377' && head -c 50 /dev/zero; } >facets.stl
+  printf 'v 0 0 0\nf 1 4000000000 1\n' >corners.obj
+  for name in *.ply *.off facets.stl corners.obj; do
+    run --separate-stderr bash -c "ulimit -v 200000; exec tm-info --threads 1 $name"
+    assert_status 3
+    one_line "$stderr"
+  done
+}
