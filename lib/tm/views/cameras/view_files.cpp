@@ -151,7 +151,7 @@ CameraList cameras_of_images(CameraList cameras, const std::string& where,
       ordered(names_of(cameras, where), image_files("image", images), cameras.names_images);
   std::vector<SizedCamera> sized;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const GrayImage image = decode_photograph(file_bytes(paths[i]), paths[i]);
+    const GrayImage image = decode_size(file_bytes(paths[i]), paths[i]);
     cameras.cameras[i].set_size(image.width, image.height, paths[i]);
     sized.push_back({cameras.cameras[i].camera.intrinsics, image.width, image.height, paths[i]});
     cameras.cameras[i].name = std::filesystem::path(paths[i]).filename().string();

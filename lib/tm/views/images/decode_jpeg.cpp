@@ -90,13 +90,14 @@ class Reader {
       jpeg_.out_color_space = JCS_CMYK;
     else if (jpeg_.num_components != 1)
       jpeg_.out_color_space = JCS_RGB;
-    demand([this] { jpeg_start_decompress(&jpeg_); });
+    demand([this] { jpeg_calc_output_dimensions(&jpeg_); });
     const int channels = jpeg_.output_components == 1 ? 1 : 3;
     return {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), channels,
             jpeg_.output_components, 255};
   }
 
   void read(LevelRows& rows) {
+    demand([this] { jpeg_start_decompress(&jpeg_); });
     std::vector<JSAMPLE> row(std::size_t{jpeg_.output_width} *
                              static_cast<std::size_t>(jpeg_.output_components));
     JSAMPROW start = row.data();
@@ -141,8 +142,7 @@ class Reader {
 
 void decode_jpeg(const Source& source, LevelRows& rows) {
   Reader reader(source);
-  rows.start(reader.read_layout());
-  reader.read(rows);
+  if (rows.start(reader.read_layout())) reader.read(rows);
 }
 
 }  // namespace transformesh

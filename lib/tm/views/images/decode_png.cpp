@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstring>
+#include <memory>
 
 #include "tm/views/images/decoders.h"
 
@@ -83,10 +84,13 @@ class Reader {
     const auto height = static_cast<std::size_t>(layout.height);
     const std::size_t row_size = png_get_rowbytes(png_, info_);
     // Interlaced images need room for all rows, none of which is complete before the last pass.
-    std::vector<png_byte> samples(passes_ == 1 ? row_size : height * row_size);
-    for (int pass = 1; pass < passes_; ++pass) read_pass(height, row_size, samples);
+    // They are not initialized, so that memory is touched only as far as libpng decodes.
+    // NOLINTNEXTLINE(*-avoid-c-arrays)
+    const std::unique_ptr<png_byte[]> samples(
+        new png_byte[passes_ == 1 ? row_size : height * row_size]);
+    for (int pass = 1; pass < passes_; ++pass) read_pass(height, row_size, samples.get());
     for (std::size_t y = 0; y < height; ++y) {
-      png_bytep row = samples.data() + (passes_ == 1 ? 0 : y * row_size);
+      png_bytep row = samples.get() + (passes_ == 1 ? 0 : y * row_size);
       demand([&] { png_read_row(png_, row, nullptr); });
       layout.maximum > 255 ? rows.add(reinterpret_cast<const std::uint16_t*>(row)) : rows.add(row);
     }
@@ -98,10 +102,9 @@ class Reader {
   void demand(const Action& action) {
     if (!completes(png_, action)) source_.fail("not a complete PNG image: " + input_.failure);
   }
-  void read_pass(std::size_t height, std::size_t row_size, std::vector<png_byte>& samples) {
+  void read_pass(std::size_t height, std::size_t row_size, png_bytep samples) {
     demand([&] {
-      for (std::size_t y = 0; y < height; ++y)
-        png_read_row(png_, samples.data() + y * row_size, nullptr);
+      for (std::size_t y = 0; y < height; ++y) png_read_row(png_, samples + y * row_size, nullptr);
     });
   }
 
@@ -117,8 +120,7 @@ class Reader {
 void decode_png(const Source& source, LevelRows& rows) {
   Reader reader(source);
   const SampleLayout layout = reader.read_layout();
-  rows.start(layout);
-  reader.read(layout, rows);
+  if (rows.start(layout)) reader.read(layout, rows);
 }
 
 }  // namespace transformesh

@@ -109,8 +109,9 @@ void decode_pnm(const Source& source, LevelRows& rows) {
   const char* place =
       is_text ? nullptr : start_of_samples(source, numbers.place(), height * row_size);
   SampleReader reader(source, numbers, static_cast<unsigned>(maximum));
-  rows.start({static_cast<int>(width), static_cast<int>(height), channels, channels,
-              static_cast<double>(maximum)});
+  const bool wants_rows = rows.start({static_cast<int>(width), static_cast<int>(height), channels,
+                                      channels, static_cast<double>(maximum)});
+  if (!wants_rows) return;
   for (std::uint64_t y = 0; y < height; ++y) {
     is_text ? reader.read_text(row) : reader.read_binary(place + y * row_size, row);
     rows.add(row.data());

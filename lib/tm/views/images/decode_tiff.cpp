@@ -108,8 +108,9 @@ class Reader {
 
   void read(LevelRows& rows) {
     check_kind();
-    rows.start({static_cast<int>(width_), static_cast<int>(height_), is_gray() ? 1 : 3, stride_,
-                bits_ == 16 ? 65535.0 : 255.0});
+    const bool wants_rows = rows.start({static_cast<int>(width_), static_cast<int>(height_),
+                                        is_gray() ? 1 : 3, stride_, bits_ == 16 ? 65535.0 : 255.0});
+    if (!wants_rows) return;
     bits_ == 16 ? read_bands<std::uint16_t>(rows) : read_bands<std::uint8_t>(rows);
   }
 

@@ -20,13 +20,15 @@ void append(const Sample* pixel, const SampleLayout& layout, const Value& value,
 
 }  // namespace
 
-void LevelRows::start(const SampleLayout& layout) {
+bool LevelRows::start(const SampleLayout& layout) {
+  constexpr std::size_t most_at_once = 1 << 24;
   layout_ = layout;
   image_.width = layout.width;
   image_.height = layout.height;
-  // Reserving does not touch the memory.
-  image_.pixels.reserve(static_cast<std::size_t>(layout.width) *
-                        static_cast<std::size_t>(layout.height));
+  if (kind_ == Kind::size) return false;
+  image_.pixels.reserve(std::min(most_at_once, static_cast<std::size_t>(layout.width) *
+                                                   static_cast<std::size_t>(layout.height)));
+  return true;
 }
 
 template <class Sample>

@@ -1,7 +1,7 @@
 /// What decodes the formats of image files, each row by row into levels. Internal to image_file.
 ///
-/// Memory is touched only as far as rows are decoded, so a file that claims more than it holds
-/// costs nothing.
+/// Memory is taken only as far as rows are decoded, so a file that claims more than it holds costs
+/// nothing.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,12 @@ struct SampleLayout {
 /// Collects the levels of an image, row by row from the top.
 class LevelRows {
  public:
-  enum class Kind { photograph, silhouette };
+  enum class Kind { photograph, silhouette, size };
 
   explicit LevelRows(Kind kind) : kind_(kind) {}
 
-  /// Comes before the first row.
-  void start(const SampleLayout& layout);
+  /// Comes before the first row; false where none is wanted, as the size is all that was asked for.
+  bool start(const SampleLayout& layout);
   void add(const std::uint8_t* row) { add_row(row); }
   void add(const std::uint16_t* row) { add_row(row); }
   GrayImage take() { return std::move(image_); }

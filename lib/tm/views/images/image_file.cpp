@@ -70,6 +70,10 @@ GrayImage decode_photograph(std::string_view bytes, const std::string& name) {
   return decode(bytes, name, LevelRows::Kind::photograph);
 }
 
+GrayImage decode_size(std::string_view bytes, const std::string& name) {
+  return decode(bytes, name, LevelRows::Kind::size);
+}
+
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name) {
   return decode(bytes, name, LevelRows::Kind::silhouette);
 }

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "helpers/encoded_images.h"
+#include "tm/support/error.h"
 
 using namespace transformesh;
 using namespace transformesh::test;
@@ -20,6 +21,28 @@ TEST_CASE("the format is told by the first bytes") {
   }
   CHECK(!is_image("ply\nformat ascii 1.0"));
   CHECK(!is_image(""));
+}
+
+TEST_CASE("the size is known without the pixels") {
+  const Rows rows = noise(3 * 60 * 40);
+  const Rows gray = noise(60 * 40);
+  const std::array images{jpeg_of({3}, 60, 40, rows),
+                          jpeg_of({3, true}, 60, 40, rows),
+                          png_of({0, 8}, 60, 40, gray),
+                          png_of({2, 8, true}, 60, 40, rows),
+                          tiff_of({8, 3, 2}, 60, 40, rows),
+                          "P6 60 40 255\n" + std::string(7200, 'x'),
+                          "P2 60 40 9" + std::string(2400, '\n') + "no sample"};
+  for (const std::string& bytes : images) {
+    const GrayImage size = decode_size(bytes, "a.image");
+    CHECK(size.width == 60);
+    CHECK(size.height == 40);
+    CHECK(size.pixels.empty());
+  }
+  // Of the pixels, nothing need be there.
+  CHECK(decode_size(images[0].substr(0, images[0].size() - 100), "a.image").width == 60);
+  CHECK(decode_size(images[2].substr(0, images[2].size() - 100), "a.image").width == 60);
+  CHECK_THROWS_AS(decode_size("", "a.image"), InputError);
 }
 
 TEST_CASE("an image of another format is refused with the way to convert it") {
