@@ -120,3 +120,15 @@ setup() {
   echo 1 2 3 | tm-wrap --alpha 0.2 --offset 0.1 | tm-checkmanifold --closed >/dev/null
   tm-shape sphere --faces 320 | tm-stitch --flip | tm-wrap --alpha 20% | tm-checkmanifold --closed >/dev/null
 }
+
+@test "a heap of equal points is one point" {
+  tm-shape sphere --faces 3000 --format off | awk 'NF == 3 && !/OFF/ && seen++ { print }' >points.xyz
+  for normal in '' ' 0 0 1'; do
+    sed "s/\$/$normal/" points.xyz >cloud.xyz
+    [ -z "$normal" ] || awk '{ print $1, $2, $3, $1, $2, $3 }' points.xyz >cloud.xyz
+    echo "0 0 0$normal" | cat cloud.xyz - >one.xyz
+    yes "0 0 0$normal" | head -n 50000 | cat cloud.xyz - >heap.xyz
+    tm-wrap one.xyz >expected
+    tm-wrap heap.xyz | cmp - expected
+  done
+}

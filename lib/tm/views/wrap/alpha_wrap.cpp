@@ -64,6 +64,14 @@ AlphaWrap wrap(const Cloud& cloud, double alpha, double offset) {
   return {mesh_of(surface), alpha};
 }
 
+Cloud cloud_of(const std::vector<Vec3>& points) {
+  const std::vector<std::size_t> first = first_equals(points);
+  Cloud cloud;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (first[i] == i) cloud.emplace_back(points[i].x(), points[i].y(), points[i].z());
+  return cloud;
+}
+
 double expected_faces(const Cloud& cloud, double alpha, double offset, double diagonal) {
   const double faces_of_unit_area = faces_by_area / (alpha * alpha);
   const double balls = 4 * std::numbers::pi * offset * offset * static_cast<double>(cloud.size());
@@ -133,9 +141,7 @@ AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& optio
   const UnitScale scale(largest);
   check_detail(points, finest, largest);
 
-  Cloud cloud;
-  for (const Vec3& point : scale.to_unit(points))
-    cloud.emplace_back(point.x(), point.y(), point.z());
+  const Cloud cloud = cloud_of(scale.to_unit(points));
   const double unit_offset = scale.to_unit(offset);
   if (options.alpha > 0)
     check_cost(cloud, scale.to_unit(options.alpha), unit_offset, scale.to_unit(diagonal), scale);

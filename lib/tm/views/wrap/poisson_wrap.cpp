@@ -35,11 +35,29 @@ constexpr double shaken_by_spacing = 0.03;
 constexpr double margin_by_diagonal = 0.1;
 constexpr float outside = 1;
 
+/// The normals of equal points together stand at the first of them, and none at the others.
+std::vector<Vec3> sums_at_firsts(std::span<const Vec3> points, std::span<const Vec3> normals) {
+  const std::vector<std::size_t> first = first_equals(points);
+  std::vector<Vec3> sums(normals.begin(), normals.end());
+  sums.resize(points.size(), Vec3::Zero());
+  std::vector<char> is_sum(points.size(), 0);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    Vec3& sum = sums[first[i]];
+    if (first[i] == i || sums[i].isZero()) continue;
+    if (!is_sum[first[i]] && !sum.isZero()) sum.normalize();
+    is_sum[first[i]] = 1;
+    sum += sums[i].normalized();
+    sums[i].setZero();
+  }
+  return sums;
+}
+
 std::vector<Oriented> oriented_points(std::span<const Vec3> points, std::span<const Vec3> normals) {
+  const std::vector<Vec3> sums = sums_at_firsts(points, normals);
   std::vector<Oriented> cloud;
-  for (std::size_t i = 0; i < points.size() && i < normals.size(); ++i) {
-    if (normals[i].isZero()) continue;
-    const Vec3 n = normals[i].normalized();
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (sums[i].isZero()) continue;
+    const Vec3 n = sums[i].normalized();
     cloud.emplace_back(Kernel::Point_3(points[i].x(), points[i].y(), points[i].z()),
                        Kernel::Vector_3(n.x(), n.y(), n.z()));
   }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "tm/mesh/manifold.h"
@@ -53,6 +55,23 @@ double diagonal_of(std::span<const Vec3> points) {
   cloud.positions.assign(points.begin(), points.end());
   const Box box = bounding_box(cloud);
   return (box.maximum - box.minimum).stableNorm();
+}
+
+std::vector<std::size_t> first_equals(std::span<const Vec3> points) {
+  const auto key = [&](std::size_t i) {
+    return std::tuple(points[i].x(), points[i].y(), points[i].z());
+  };
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(key(a), a) < std::pair(key(b), b);
+  });
+  std::vector<std::size_t> first(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_new = i == 0 || points[order[i]] != points[order[i - 1]];
+    first[order[i]] = is_new ? order[i] : first[order[i - 1]];
+  }
+  return first;
 }
 
 void check_detail(std::span<const Vec3> points, double detail, double largest) {

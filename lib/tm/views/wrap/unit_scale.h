@@ -28,6 +28,10 @@ class UnitScale {
 /// The diagonal of the points' bounding box; finite wherever a double can hold it.
 double diagonal_of(std::span<const Vec3> points);
 
+/// For each point the index of the first one that is equal, which is its own where there is none
+/// before. Heaps of equal points are too much for CGAL's trees. O(n log n).
+std::vector<std::size_t> first_equals(std::span<const Vec3> points);
+
 /// Throws InputError where a detail of that length is lost in the rounding of the points'
 /// coordinates, or of the largest length.
 void check_detail(std::span<const Vec3> points, double detail, double largest);
