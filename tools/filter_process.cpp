@@ -44,13 +44,18 @@ pid_t start(const std::string& command, const File& input, const File& output) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, fileno(input.get()), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, fileno(output.get()), STDOUT_FILENO);
+  // Of its own group, which ends with this process.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   const std::array<const char*, 5> words{"sh", "-c", "--", command.c_str(), nullptr};
   pid_t child = 0;
   // posix_spawn does not change words, though it takes them without const.
   // NOLINTNEXTLINE(*-const-cast,*-qualified-auto)
   auto* const arguments = const_cast<char* const*>(words.data());
-  const int error = posix_spawn(&child, "/bin/sh", &actions, nullptr, arguments, environ);
+  const int error = posix_spawn(&child, "/bin/sh", &actions, &attributes, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
   errno = error;
   if (error != 0) throw_not_run(command);
   return child;
@@ -85,11 +90,13 @@ std::string run_filter(const std::string& command, std::string_view input) {
   const File from_child = opened(ends[0], "r", command);
   File child_output = opened(ends[1], "w", command);
   const pid_t child = start(command, child_input, child_output);
+  set_child_group(child);
   child_output.reset();
   std::string output = all_of(from_child);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  set_child_group(0);
   check_ending(command, status);
   return output;
 }

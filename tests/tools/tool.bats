@@ -187,7 +187,7 @@ large_mesh() {
   run --separate-stderr bash -c 'large_mesh 2>/dev/null |
     (ulimit -v 300000 && exec tm-convert --threads 1 >/dev/null)'
   assert_status 6
-  [ "$stderr" = "tm-convert: out of memory" ]
+  [ "$stderr" = "tm-convert: out of memory: more is needed than the 293M that ulimit allows" ]
 }
 
 @test "an option that must be given is asked for before anything is read" {

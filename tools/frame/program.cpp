@@ -10,6 +10,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "frame/limits.h"
 #include "frame/run.h"
 #include "tm/io/streams.h"
 #include "tm/support/error.h"
@@ -97,6 +98,17 @@ void declare_common(Program& program) {
   if (program.may_print_report()) program.flag("json", &common.json, "print the report as JSON");
   program.text("report", &common.report, "FILE", "also write a JSON report there");
   program.integer("threads", &common.threads, 0, 1024, "threads to use, 0: one per core");
+  program
+      .text("max-memory", &common.max_memory, "SIZE",
+            "end with exit code 6 rather than take more, such as 2G (default: what there is)")
+      .assign = [&common](const std::string& text) {
+    parse_size(text);
+    common.max_memory = text;
+  };
+  program
+      .number("max-time", &common.max_time, 0, 1e9,
+              "end with exit code 4 after so many seconds, 0: never")
+      .placeholder = "SECONDS";
   program.flag("progress", &common.progress,
                "report progress on stderr, also where it is not a terminal");
   program.flag("no-progress", &common.no_progress, "never report progress");
@@ -105,6 +117,13 @@ void declare_common(Program& program) {
   program.flag("help,h", &common.help, "print this text");
   program.flag("version", &common.version, "print the version");
   for (std::size_t i = own; i < program.options.size(); ++i) program.options[i].is_common = true;
+}
+
+void limit_resources(const CommonValues& values, const std::string& name, Terminal& terminal) {
+  std::optional<std::uint64_t> most;
+  if (!values.max_memory.empty()) most = parse_size(values.max_memory);
+  terminal.set_out_of_memory(limit_memory(name, most));
+  if (values.max_time > 0) limit_time(name, values.max_time);
 }
 
 }  // namespace
@@ -128,6 +147,7 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
     }
     inputs = inputs_of(*this, words);
     check_needed(*this);
+    limit_resources(common, name, terminal);
     terminal.configure(common.quiet, common.verbose, common.progress, common.no_progress);
     const ThreadLimit limit(common.threads);
     run.emplace(*this, terminal);

@@ -73,6 +73,8 @@ struct CommonValues {
   std::string output = "-";
   std::string format, reference_edge, report;
   int threads = 0;
+  std::string max_memory;
+  double max_time = 0;
   bool as_float = false, as_double = false, no_provenance = false, json = false;
   bool progress = false, no_progress = false, quiet = false, verbose = false;
   bool help = false, version = false;

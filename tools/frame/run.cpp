@@ -140,6 +140,8 @@ void Run::commit() {
   Terminal::clear_bar();
   for (AtomicFile& file : staged_ | std::views::reverse)
     if (file.is_direct()) file.commit();
+  // From here on it would leave some files without the others.
+  release_time();
   for (AtomicFile& file : staged_)
     if (!file.is_direct()) file.commit();
 }
@@ -202,6 +204,8 @@ void Run::write_kept() {
       staged_.back().commit();
       outcome = "holds " + kept_->second;
     }
+  } catch (const std::bad_alloc&) {
+    terminal_.out_of_memory();
   } catch (const std::runtime_error& error) {
     terminal_.error(error.what());
   }

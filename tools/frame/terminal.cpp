@@ -1,6 +1,7 @@
 #include "frame/terminal.h"
 
 #include <fcntl.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,8 +12,10 @@
 #include <cstdlib>
 #include <map>
 
+#include "frame/program.h"
 #include "tm/io/atomic_file.h"
 #include "tm/io/streams.h"
+#include "tm/support/number.h"
 
 namespace transformesh::tool {
 namespace {
@@ -28,6 +31,8 @@ constexpr const char* erase_line = "\r\033[K";
 using Messages = std::map<int, std::string>;
 // Complete before it can be seen, and never freed.
 std::atomic<const Messages*> messages{nullptr};
+std::string time_message;
+std::atomic<pid_t> child_group{0};
 std::atomic<bool> bar_stands{false};
 
 void write_once(std::string_view text) {
@@ -37,13 +42,12 @@ void write_once(std::string_view text) {
 
 // Async-signal-safe, as is all that it calls.
 void end_process(int signal_number) {
-  remove_temporary_files();
-  if (bar_stands) write_once(erase_line);
+  std::string_view message;
   if (messages != nullptr) {
-    const auto message = messages.load()->find(signal_number);
-    if (message != messages.load()->end()) write_once(message->second);
+    const auto known = messages.load()->find(signal_number);
+    if (known != messages.load()->end()) message = known->second;
   }
-  _exit(128 + signal_number);
+  end_process_with(message, signal_number == SIGALRM ? exit_goal : 128 + signal_number);
 }
 
 std::string environment(const char* name) {
@@ -81,12 +85,50 @@ void prepare_streams_and_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+void end_process_with(std::string_view message, int exit_code) noexcept {
+  remove_temporary_files();
+  const pid_t group = child_group;
+  if (group > 0) kill(-group, SIGTERM);
+  if (bar_stands) write_once(erase_line);
+  write_once(message);
+  _exit(exit_code);
+}
+
+void set_child_group(pid_t group) { child_group = group; }
+
+void limit_time(const std::string& program, double seconds) {
+  time_message = program + ": stopped after " + shortest_text(seconds) + " s, as --max-time says";
+  messages = new Messages{{SIGALRM, time_message + "; nothing is written\n"}};
+  struct sigaction action {};
+  action.sa_handler = end_process;
+  sigfillset(&action.sa_mask);
+  sigaction(SIGALRM, &action, nullptr);
+  sigset_t alarm;
+  sigemptyset(&alarm);
+  sigaddset(&alarm, SIGALRM);
+  sigprocmask(SIG_UNBLOCK, &alarm, nullptr);
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  // No time at all would be no limit.
+  timer.it_value.tv_usec =
+      std::max<suseconds_t>(1, static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))));
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+void release_time() {
+  const itimerval none{};
+  setitimer(ITIMER_REAL, &none, nullptr);
+}
+
 void tell_interruption(const std::string& program, const std::string& advice) {
   const auto message = [&](const char* name) {
     return program + ": interrupted by " + name + advice + '\n';
   };
   messages = new Messages{
-      {SIGINT, message("SIGINT")}, {SIGTERM, message("SIGTERM")}, {SIGHUP, message("SIGHUP")}};
+      {SIGINT, message("SIGINT")},
+      {SIGTERM, message("SIGTERM")},
+      {SIGHUP, message("SIGHUP")},
+      {SIGALRM, time_message + (advice.empty() ? "; nothing is written" : advice) + '\n'}};
 }
 
 void Terminal::configure(bool quiet, bool verbose, bool progress, bool no_progress) {
@@ -113,7 +155,9 @@ void Terminal::error(std::string_view message) {
 
 void Terminal::out_of_memory() {
   write_all(STDERR_FILENO, name_);
-  write_all(STDERR_FILENO, ": out of memory\n");
+  write_all(STDERR_FILENO, ": ");
+  write_all(STDERR_FILENO, out_of_memory_);
+  write_all(STDERR_FILENO, "\n");
 }
 
 void Terminal::note(std::string_view message) {

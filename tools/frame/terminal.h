@@ -1,6 +1,8 @@
 /// What the user sees on stderr, and what a signal leaves behind.
 #pragma once
 
+#include <sys/types.h>
+
 #include <chrono>
 #include <string>
 #include <string_view>
@@ -15,6 +17,17 @@ void prepare_streams_and_signals();
 
 /// From now on SIGINT, SIGTERM and SIGHUP are told: `tm-x: interrupted by SIGINT` and the advice.
 void tell_interruption(const std::string& program, const std::string& advice);
+
+/// The process ends with exit code 4 after so many seconds, as by a signal and with a message of
+/// that kind, unless release_time() comes first.
+void limit_time(const std::string& program, double seconds);
+void release_time();
+
+/// Ends the process as a signal does, with this message. Takes no memory.
+[[noreturn]] void end_process_with(std::string_view message, int exit_code) noexcept;
+
+/// A group of processes of ours, which ends with this one; 0: none.
+void set_child_group(pid_t group);
 
 /// How progress is shown.
 enum class ProgressStyle { none, bar, lines };
@@ -32,7 +45,8 @@ class Terminal {
   void configure(bool quiet, bool verbose, bool progress, bool no_progress);
 
   void error(std::string_view message);
-  void out_of_memory();                   ///< takes none
+  void out_of_memory();  ///< takes none
+  void set_out_of_memory(std::string reason) { out_of_memory_ = std::move(reason); }
   void note(std::string_view message);    ///< unless -q
   void detail(std::string_view message);  ///< with -v
   bool is_verbose() const { return is_verbose_; }
@@ -50,6 +64,7 @@ class Terminal {
 
  private:
   std::string name_;
+  std::string out_of_memory_ = "out of memory";
   bool is_quiet_ = false;
   bool is_verbose_ = false;
   ProgressStyle progress_style_ = ProgressStyle::none;
