@@ -105,3 +105,15 @@ tetrahedron_with() {
   run --separate-stderr bash -c "ulimit -v 100000; exec tm-cameras --threads 1 --images interlaced par.txt"
   assert_status 0
 }
+
+@test "heaps of points within the tolerance are joined in no time" {
+  awk 'BEGIN {
+    print "OFF\n100005 33335 0"
+    for (i = 0; i < 50000; ++i) print "0 0 0"
+    for (i = 0; i < 50000; ++i) print (i % 37) * 1e-5, (i % 41) * 1e-5, i * 1e-8
+    for (i = 0; i < 5; ++i) print i % 2, int(i / 2) % 2, int(i / 4)
+    for (i = 0; i < 33335; ++i) print 3, 3 * i, 3 * i + 1, 3 * i + 2
+  }' >heaps.off
+  cheap tm-stitch -q --tolerance 0.01 heaps.off >joined.off
+  [ "$(tm-info --get faces joined.off)" -le 10 ]
+}

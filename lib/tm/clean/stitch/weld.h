@@ -10,7 +10,8 @@
 namespace transformesh {
 
 /// For each position the smallest index of those that it is joined with: equal positions, or all
-/// that a chain of steps of at most `tolerance` connects. O(n log n) on usual data; deterministic.
+/// that a chain of steps of at most `tolerance` connects. O(n log n), heaps of points within the
+/// tolerance included; deterministic.
 std::vector<Index> weld_positions(const std::vector<Vec3>& positions, double tolerance);
 
 /// Snaps positions to others nearby: for each position the index of the one that it takes. The

@@ -55,6 +55,24 @@ TEST_CASE("positions are welded with all that short steps lead to") {
   CHECK(weld_positions({}, 1).empty());
 }
 
+TEST_CASE("heaps of points within the tolerance are welded as by steps") {
+  for (const double tolerance : {0.01, 0.05, 0.1, 0.25}) {
+    test::Random random(static_cast<std::uint64_t>(1000 * tolerance));
+    std::vector<Vec3> plate;  // many are in one place along x
+    std::vector<Vec3> heaps;  // nearly as far apart as the tolerance
+    std::vector<Vec3> lattice;
+    for (int i = 0; i < 700; ++i) {
+      plate.push_back(random.point(0, 1).cwiseProduct(Vec3(1e-3, 1, 1)));
+      const double heap = static_cast<double>(random.below(3));
+      heaps.push_back(Vec3(heap * 1.02 * tolerance, 0, 0) + random.point(0, 0.02 * tolerance));
+      lattice.push_back(0.05 * Vec3(0, static_cast<double>(random.below(40)),
+                                    static_cast<double>(random.below(40))));
+    }
+    for (const auto& positions : {plate, heaps, lattice})
+      CHECK(weld_positions(positions, tolerance) == welded_by_steps(positions, tolerance));
+  }
+}
+
 TEST_CASE("snapped positions go to the nearest that is kept, and those are apart") {
   std::size_t snapped = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
