@@ -71,7 +71,8 @@ std::optional<std::uint64_t> number_in_file(const std::string& path) {
 std::uint64_t group_limit(const std::string& root, std::string group, const std::string& name) {
   std::uint64_t limit = UINT64_MAX;
   while (true) {
-    limit = std::min(limit, number_in_file(root + group + '/' + name).value_or(UINT64_MAX));
+    limit = std::min(limit, number_in_file(std::string(root).append(group).append("/").append(name))
+                                .value_or(UINT64_MAX));
     if (group.empty()) return limit;
     group.erase(group.rfind('/'));
   }
@@ -142,7 +143,7 @@ std::string limit_memory(const std::string& program, std::optional<std::uint64_t
   const std::string source = inherited < wanted ? "ulimit allows"
                              : limit            ? "--max-memory allows"
                                                 : "there are";
-  const std::string reason =
+  std::string reason =
       "out of memory: more is needed than the " + size_text(most) + " that " + source;
   memory_message = new std::string(program + ": " + reason + '\n');
   mp_set_memory_functions(allocate, reallocate, release);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <span>
 
 #include "tm/io/comments.h"
@@ -138,8 +137,9 @@ void Run::stage(const std::string& path, std::string bytes) {
 // appears, and no output seems complete where another one has failed.
 void Run::commit() {
   Terminal::clear_bar();
-  for (AtomicFile& file : staged_ | std::views::reverse)
+  std::for_each(staged_.rbegin(), staged_.rend(), [](AtomicFile& file) {
     if (file.is_direct()) file.commit();
+  });
   // From here on it would leave some files without the others.
   release_time();
   for (AtomicFile& file : staged_)
@@ -171,7 +171,11 @@ void Run::check_outputs(const std::vector<std::string>& options) {
     if (is_written_directly(end_of_links(path))) continue;
     for (const auto& [other, other_path] : names)
       if (is_same_place(path, other_path))
-        throw UsageError("give either --" + other + " or --" + name + " its own file, not both");
+        throw UsageError(std::string("give either --")
+                             .append(other)
+                             .append(" or --")
+                             .append(name)
+                             .append(" its own file, not both"));
     names.emplace_back(name, path);
   }
 }

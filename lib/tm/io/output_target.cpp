@@ -94,7 +94,8 @@ std::string name_beside(const std::string& path, const std::string& prefix,
     const std::string number = std::to_string(hash_of(name));
     std::size_t end = longest_name - prefix.size() - suffix.size() - number.size();
     while (end > 0 && is_continuation(name[end])) --end;
-    name.replace(end, std::string::npos, number);
+    name.resize(end);
+    name += number;
   }
   return folder + prefix + name + suffix;
 }

@@ -35,7 +35,8 @@ Mesh scaled_down(const Mesh& mesh, int exponent) {
   scaled.faces = mesh.faces;
   scaled.positions.reserve(mesh.positions.size());
   for (const Vec3& point : mesh.positions)
-    scaled.positions.push_back(point.unaryExpr([&](double x) { return std::ldexp(x, -exponent); }));
+    scaled.positions.emplace_back(
+        point.unaryExpr([&](double x) { return std::ldexp(x, -exponent); }));
   return scaled;
 }
 

@@ -75,12 +75,12 @@ class HeapWeld {
   using Place = std::map<Key, Cell>::iterator;
 
   void join_around(Place cell, DisjointSets& sets) {
-    constexpr double reach = 3;
+    constexpr int reach = 3;
     const Key key = cell->first;
-    for (double x = key[0]; x <= key[0] + reach; ++x) {
-      for (double y = key[1] - reach; y <= key[1] + reach; ++y) {
-        const Key last{x, y, key[2] + reach};
-        auto other = cells_.lower_bound({x, y, key[2] - reach});
+    for (int i = 0; i <= reach; ++i) {
+      for (int j = -reach; j <= reach; ++j) {
+        const Key last{key[0] + i, key[1] + j, key[2] + reach};
+        auto other = cells_.lower_bound({key[0] + i, key[1] + j, key[2] - reach});
         for (; other != cells_.end() && other->first <= last; ++other) {
           const Index a = cell->second.points.front();
           const Index b = other->second.points.front();
