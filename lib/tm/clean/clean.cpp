@@ -29,7 +29,9 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
     result.new_vertices = rounded.new_vertices;
     result.copied_vertices = rounded.copied_vertices;
     result.rounding_repairs = rounded.repairs;
-    result.grid_steps = rounded.grid_steps;
+    result.rounding_places = rounded.places;
+    result.rounding_displacement = rounded.displacement.length;
+    result.rounding_spacings = rounded.displacement.spacings;
     result.mesh = std::move(rounded.mesh);
   }
   // A mesh of a single patch has nothing inside.

@@ -42,9 +42,10 @@ struct CleanResult {
   std::size_t patches = 0;
   std::size_t rays = 0;
   std::size_t dropped_components = 0;  ///< by `outermost`
-  std::size_t rounding_repairs = 0;    ///< rounds in which rounding made crossings
-  std::size_t grid_steps =
-      0;  ///< how often input vertices went to a coarser grid (snap_rounding.h)
+  std::size_t rounding_repairs = 0;    ///< rounds of repair after rounding (snap_rounding.h)
+  std::size_t rounding_places = 0;     ///< places where rounding broke faces
+  double rounding_displacement = 0;    ///< how far rounding moved the surface at most
+  double rounding_spacings = 0;        ///< the same in spacings of numbers at each place
 };
 
 CleanResult clean(const Mesh& mesh, const CleanOptions& options = {},

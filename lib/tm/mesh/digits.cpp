@@ -35,6 +35,12 @@ double spacing_at(double coordinate, Scalar type) {
   return type == Scalar::float32 ? std::ldexp(spacing, float_digits_fewer) : spacing;
 }
 
+double spacing_around(const Vec3& point, Scalar type) {
+  const double least = type == Scalar::float32 ? std::numeric_limits<float>::denorm_min()
+                                               : std::numeric_limits<double>::denorm_min();
+  return std::max(spacing_at(point.cwiseAbs().maxCoeff(), type), least);
+}
+
 double coordinate_spacing(const Mesh& mesh, Scalar type) {
   double largest = 0;
   for (const Vec3& position : mesh.positions)

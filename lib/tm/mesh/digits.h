@@ -14,11 +14,21 @@ double spacing_at(double coordinate, Scalar type = Scalar::float64);
 /// The spacing at the largest coordinate of any vertex.
 double coordinate_spacing(const Mesh& mesh, Scalar type = Scalar::float64);
 
+/// The spacing at the largest coordinate of a point; never zero.
+double spacing_around(const Vec3& point, Scalar type);
+
 /// Rounds to float and back. A pair of casts does not: g++ 12 with optimization drops it where it
 /// handles two coordinates at once, and leaves doubles that no float can hold.
 inline double round_to_single(double value) {
   const volatile auto single = static_cast<float>(value);  // volatile: the casts must happen
   return single;
+}
+
+/// The position as numbers of that type hold it.
+inline Vec3 rounded_to(Vec3 position, Scalar type) {
+  if (type == Scalar::float32)
+    for (double& x : position) x = round_to_single(x);
+  return position;
 }
 
 struct RoundingLoss {

@@ -25,21 +25,10 @@ std::vector<Vec3> normalized_positions(const Arrangement& arrangement) {
 
 }  // namespace
 
-SpaceCells::SpaceCells(const Arrangement& arrangement, const Patches& patches,
-                       const std::vector<char>& is_transparent) {
-  DisjointSets sides(2 * patches.size());
-  join_around_edges(arrangement, patches, sides);
-  for (Index patch = 0; patch < patches.size(); ++patch) {
-    if (is_transparent[patch]) sides.join(2 * patch, 2 * patch + 1);
-  }
-  for (Index side = 0; side < 2 * patches.size(); ++side) cell_of_.push_back(sides.find(side));
-  spread_winding(arrangement, patches);
-}
-
 // Joins the facing sides of neighbors in angular order, as between them lies one cell. So the two
 // sides of a patch become one around a free border.
-void SpaceCells::join_around_edges(const Arrangement& arrangement, const Patches& patches,
-                                   DisjointSets& sides) {
+DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches) {
+  DisjointSets sides(2 * patches.size());
   std::vector<char> counts(arrangement.pieces.size());
   for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = patches.patch_of[p] != no_index;
   const Edges edges = piece_edges(arrangement, counts);
@@ -58,6 +47,17 @@ void SpaceCells::join_around_edges(const Arrangement& arrangement, const Patches
                  2 * patch(next) + (forward(next) ? 1 : 0));
     }
   }
+  return sides;
+}
+
+SpaceCells::SpaceCells(const Arrangement& arrangement, const Patches& patches,
+                       const std::vector<char>& is_transparent) {
+  DisjointSets sides = join_sides_around_edges(arrangement, patches);
+  for (Index patch = 0; patch < patches.size(); ++patch) {
+    if (is_transparent[patch]) sides.join(2 * patch, 2 * patch + 1);
+  }
+  for (Index side = 0; side < 2 * patches.size(); ++side) cell_of_.push_back(sides.find(side));
+  spread_winding(arrangement, patches);
 }
 
 // The volume of each cell as its patches bound it: positive where these lie around the cell.

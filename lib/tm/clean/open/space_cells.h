@@ -11,6 +11,10 @@
 
 namespace transformesh {
 
+/// Joins the sides of patches that bound one cell beside a common edge: 2 * patch is the side in
+/// front of a patch, 2 * patch + 1 that behind it.
+DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches);
+
 class SpaceCells {
  public:
   /// Patches that are marked as transparent part nothing.
@@ -24,8 +28,6 @@ class SpaceCells {
   int winding_behind(Index patch) const { return winding_[cell_of_[std::size_t{2} * patch + 1]]; }
 
  private:
-  static void join_around_edges(const Arrangement& arrangement, const Patches& patches,
-                                DisjointSets& sides);
   std::vector<double> volumes(const Arrangement& arrangement, const Patches& patches) const;
   std::vector<Index> unbounded_cells(const std::vector<double>& volumes) const;
   void spread_winding(const Arrangement& arrangement, const Patches& patches);

@@ -52,6 +52,7 @@ CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Pro
   pass.exterior = find_exterior(arrangement, options.level, options.method,
                                 close_borders(*arrangement.welded, borders.loops), progress);
 
+  if (options.change_kept) options.change_kept(arrangement, pass.exterior.kept);
   count_faces(mesh, arrangement, borders, pass);
   progress("stitch");
   if (!pass.unchanged) pass.assembly = assemble(mesh, arrangement, pass.exterior.kept);

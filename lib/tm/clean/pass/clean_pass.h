@@ -3,6 +3,7 @@
 /// Throws as clean.h says.
 #pragma once
 
+#include <functional>
 #include <limits>
 
 #include "tm/clean/exterior/exterior.h"
@@ -26,6 +27,8 @@ struct PassOptions {
   int level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
   bool check_orientation = true;  ///< refuse a mesh that is not oriented
+  /// Changes which pieces are kept, before these are stitched.
+  std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
   /// Where more pairs intersect, the pass ends there.
   std::size_t most_pairs = std::numeric_limits<std::size_t>::max();
 };

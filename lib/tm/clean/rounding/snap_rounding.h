@@ -2,20 +2,25 @@
 /// and repairs what rounding broke, until no face crosses another or has no area in the coordinates
 /// as stored.
 ///
-/// Each round unites parts near the broken faces that are a few spacings of numbers apart at most
-/// (unite_close.h), and cleans again. Where hundreds of faces pass one place, the points of a
-/// cluster there (clusters.h) become one, however wide it is, and new vertices merge that are
-/// close, up to 256 spacings where less failed. Where rounds do not end with a mesh that is whole,
-/// all starts over, and each place that stayed broken is treated by other distances
-/// (trouble_spots.h). Where none of these helps, as the input is nearly degenerate there, its
-/// vertices go to a grid, which is coarser with every further start: what a grid leaves apart is
-/// far apart by the measure of rounding. Input vertices move in no other case. Deterministic.
-/// References: Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002, for
-/// segments in the plane; Valque & Lazard, "Removing self-intersections in 3D meshes while
-/// preserving floating-point coordinates", 2025, where every round snaps to one grid.
+/// Every new vertex takes the nearest numbers, or the position of a vertex less than a spacing
+/// away. That is all where nothing breaks. Around broken faces, in rounds: close vertices merge
+/// (close_vertices.h), slivers are flipped away (slivers.h), films come apart (push_out.h), and the
+/// surface is cleaned again, where cells that are too thin to matter go to the side that leaves
+/// less surface (thin_cells.h). What counts as close and thin doubles from round to round. Where
+/// that does not end, all starts over with eight times as much.
+///
+/// Guaranteed: the result has no crossing. All that moves or goes is within `displacement` of where
+/// it was, so winding numbers farther than that from the surface are those of the input (a homotopy
+/// that does not meet a point keeps its winding number). Nothing moves that takes no part in an
+/// intersection, but around broken faces. That repair ends well is measured, not proven; its work
+/// is bounded by a multiple of that of the first pass. Deterministic. References: Halperin &
+/// Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002; Valque & Lazard, "Removing
+/// self-intersections in 3D meshes while preserving floating-point coordinates", 2025, where every
+/// round snaps to one grid.
 #pragma once
 
 #include "tm/clean/pass/clean_pass.h"
+#include "tm/clean/rounding/displacement.h"
 
 namespace transformesh {
 
@@ -32,12 +37,13 @@ struct SnapRoundingResult {
   std::size_t copied_vertices = 0;
   std::size_t cut_faces = 0;      ///< input faces that were whole after `pass` and are cut now
   std::size_t removed_faces = 0;  ///< input faces that were whole after `pass` and are gone now
-  std::size_t repairs = 0;        ///< rounds of cleaning after rounding
-  std::size_t grid_steps = 0;     ///< how often input vertices went to a coarser grid
+  std::size_t repairs = 0;        ///< rounds of repair
+  std::size_t places = 0;         ///< where rounding broke faces
+  Displacement displacement;
 };
 
-/// `pass` is that of the mesh, and is not unchanged. Throws GoalError, with the place, where the
-/// coarsest grid does not help.
+/// `pass` is that of the mesh, and is not unchanged. Throws GoalError, with the place, where repair
+/// does not end, and where nothing is left that is thicker than rounding moves it.
 SnapRoundingResult snap_round(const Mesh& mesh, CleanPass pass, const SnapRoundingOptions& options,
                               const Progress& progress);
 

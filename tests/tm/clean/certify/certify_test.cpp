@@ -75,7 +75,7 @@ TEST_CASE("rotated boxes and moved pinches, whose films rounding closes, are cer
         const Certificate certificate = certify(input, result.mesh, options);
         CHECK(certificate.problem == "");
         CHECK(certificate.undecided_share() < 0.04);
-        CHECK(result.grid_steps == 0);
+        CHECK(result.rounding_spacings < 200);
       }
 }
 

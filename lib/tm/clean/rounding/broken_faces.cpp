@@ -1,0 +1,191 @@
+#include "tm/clean/rounding/broken_faces.h"
+
+#include <algorithm>
+#include <array>
+
+#include "tm/clean/intersect/contacts.h"
+#include "tm/clean/intersect/welded_mesh.h"
+#include "tm/geometry/bvh.h"
+#include "tm/mesh/disjoint_sets.h"
+
+namespace transformesh {
+namespace {
+
+// The new faces of a welded mesh, and a hierarchy over them.
+struct NewFaces {
+  std::vector<Index> faces;
+  Bvh bvh;
+};
+
+NewFaces collect_new_faces(const Assembly& assembly, const WeldedMesh& welded) {
+  NewFaces result;
+  std::vector<FloatBox> boxes;
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (!assembly.face_is_new[welded.face_of[f]]) continue;
+    result.faces.push_back(f);
+    boxes.push_back(welded.box(f));
+  }
+  result.bvh = Bvh(boxes);
+  return result;
+}
+
+void mark_faces_without_area(const Mesh& mesh, const WeldedMesh& welded,
+                             std::vector<char>& broken) {
+  std::vector<char> has_area(mesh.faces.size(), 0);
+  for (const Index f : welded.face_of) has_area[f] = 1;
+  for (std::size_t f = 0; f < has_area.size(); ++f) broken[f] |= has_area[f] == 0;
+}
+
+// Calls visit(face, other) with the mesh faces of each crossing of which one face is new.
+template <class Visit>
+void visit_crossings(const Assembly& assembly, const WeldedMesh& welded, const Visit& visit) {
+  const NewFaces news = collect_new_faces(assembly, welded);
+  if (news.faces.empty()) return;
+  const auto meet = [&](Index i, Index k) {
+    return find_contacts(welded, news.faces[i], news.faces[k]).meet;
+  };
+  for (const auto& [i, k] : news.bvh.overlapping_pairs(meet))
+    visit(welded.face_of[news.faces[i]], welded.face_of[news.faces[k]]);
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (assembly.face_is_new[welded.face_of[f]]) continue;
+    news.bvh.visit_overlaps(welded.box(f), [&](Index i) {
+      if (find_contacts(welded, f, news.faces[i]).meet)
+        visit(welded.face_of[f], welded.face_of[news.faces[i]]);
+      return true;
+    });
+  }
+}
+
+std::vector<Index> marked(const std::vector<char>& marks) {
+  std::vector<Index> result;
+  for (Index i = 0; i < marks.size(); ++i) {
+    if (marks[i]) result.push_back(i);
+  }
+  return result;
+}
+
+/// A face by its corners in ascending order, and by its sense.
+struct UnorderedFace {
+  std::array<Index, 3> corners;
+  bool is_even;  ///< the corners were in this order but for turning the face
+  Index face;
+  auto key() const { return std::tie(corners, is_even, face); }
+};
+
+UnorderedFace unordered(const Face& face, Index index) {
+  std::array<Index, 3> corners = {face[0], face[1], face[2]};
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  const bool is_even = corners[1] < corners[2];
+  if (!is_even) std::swap(corners[1], corners[2]);
+  return {corners, is_even, index};
+}
+
+// The faces of which all corners are those of new faces, in the order of their corners.
+std::vector<UnorderedFace> sorted_faces_at_new_ones(const Assembly& assembly) {
+  const std::vector<Face>& faces = assembly.mesh.faces;
+  std::vector<char> is_at_new(assembly.mesh.positions.size(), 0);
+  for (Index f = 0; f < faces.size(); ++f) {
+    if (!assembly.face_is_new[f]) continue;
+    for (const Index v : faces[f]) is_at_new[v] = 1;
+  }
+  std::vector<UnorderedFace> sorted;
+  for (Index f = 0; f < faces.size(); ++f) {
+    const auto& [a, b, c] = faces[f];
+    if (is_at_new[a] && is_at_new[b] && is_at_new[c]) sorted.push_back(unordered(faces[f], f));
+  }
+  std::sort(sorted.begin(), sorted.end(),
+            [](const UnorderedFace& a, const UnorderedFace& b) { return a.key() < b.key(); });
+  return sorted;
+}
+
+// Unmarks as many faces of one sense as of the other among those with the same corners.
+void cancel_opposite_faces(const Assembly& assembly, std::vector<char>& keep) {
+  const std::vector<UnorderedFace> sorted = sorted_faces_at_new_ones(assembly);
+  for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
+    std::size_t odd = 0;
+    for (last = first; last < sorted.size() && sorted[last].corners == sorted[first].corners;
+         ++last)
+      odd += sorted[last].is_even ? 0 : 1;
+    const std::size_t pairs = std::min(odd, last - first - odd);
+    for (std::size_t i = 0; i < pairs; ++i)
+      keep[sorted[first + i].face] = keep[sorted[last - 1 - i].face] = 0;
+  }
+}
+
+void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
+  Mesh& mesh = assembly.mesh;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    mesh.faces[i] = mesh.faces[rows[i]];
+    assembly.source_face[i] = assembly.source_face[rows[i]];
+    assembly.face_is_new[i] = assembly.face_is_new[rows[i]];
+  }
+  mesh.faces.resize(rows.size());
+  assembly.source_face.resize(rows.size());
+  assembly.face_is_new.resize(rows.size());
+  mesh.face_columns = mesh.face_columns.select(rows);
+}
+
+}  // namespace
+
+std::vector<Index> find_broken_faces(const Assembly& assembly) {
+  const WeldedMesh welded = weld(assembly.mesh);
+  std::vector<char> broken(assembly.mesh.faces.size(), 0);
+  mark_faces_without_area(assembly.mesh, welded, broken);
+  visit_crossings(assembly, welded, [&](Index f, Index g) { broken[f] = broken[g] = 1; });
+  return marked(broken);
+}
+
+std::vector<std::pair<Index, Index>> find_crossings(const Assembly& assembly) {
+  std::vector<std::pair<Index, Index>> crossings;
+  visit_crossings(assembly, weld(assembly.mesh), [&](Index f, Index g) {
+    crossings.emplace_back(std::min(f, g), std::max(f, g));
+  });
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+std::vector<Index> find_new_faces(const Assembly& assembly) { return marked(assembly.face_is_new); }
+
+std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces) {
+  std::vector<char> is_corner(mesh.positions.size(), 0);
+  for (const Index face : faces)
+    for (const Index v : mesh.faces[face]) is_corner[v] = 1;
+  std::vector<Index> result;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    if (is_corner[a] || is_corner[b] || is_corner[c]) result.push_back(f);
+  }
+  return result;
+}
+
+std::size_t count_places(const Mesh& mesh, const std::vector<Index>& faces) {
+  DisjointSets sets(mesh.positions.size());
+  std::vector<char> is_corner(mesh.positions.size(), 0);
+  std::size_t places = 0;
+  for (const Index face : faces) {
+    const auto& [a, b, c] = mesh.faces[face];
+    for (const Index v : {a, b, c}) {
+      places += is_corner[v] ? 0 : 1;
+      is_corner[v] = 1;
+    }
+    places -= (sets.join(a, b) ? 1 : 0) + (sets.join(a, c) ? 1 : 0);
+  }
+  return places;
+}
+
+bool drop_collapsed_faces(Assembly& assembly) {
+  Mesh& mesh = assembly.mesh;
+  const WeldedMesh welded = weld(mesh);
+  std::vector<char> keep(mesh.faces.size(), 1);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    for (Index& v : mesh.faces[f]) v = welded.vertex_of[welded.point_of[v]];
+    keep[f] = is_collapsed(mesh.faces[f]) ? 0 : 1;
+  }
+  cancel_opposite_faces(assembly, keep);
+  const std::vector<Index> rows = marked(keep);
+  if (rows.size() == keep.size()) return false;
+  keep_faces(assembly, rows);
+  return true;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,74 @@
+#include "tm/clean/rounding/push_out.h"
+
+#include <Eigen/Geometry>
+#include <limits>
+
+#include "tm/mesh/triangle.h"
+
+namespace transformesh {
+namespace {
+
+/// The least cosine to the normals of all faces for which a direction leads outside.
+constexpr double least_outside = 1e-9;
+
+Vec3 unit_normal(const Triangle& t) {
+  const Vec3 along = (t[1] - t[0]).stableNormalized();
+  return along.cross((t[2] - t[0]).stableNormalized()).stableNormalized();
+}
+
+// The step of a grid that leads farthest outside of all planes with these normals, or none.
+Vec3 step_outside(const std::vector<Vec3>& normals) {
+  Vec3 best = Vec3::Zero();
+  double farthest = least_outside;
+  for (int i = 0; i < 27; ++i) {
+    const Vec3 step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    double outside = std::numeric_limits<double>::infinity();
+    for (const Vec3& normal : normals) outside = std::min(outside, normal.dot(step));
+    if (outside <= farthest || normals.empty()) continue;
+    farthest = outside;
+    best = step;
+  }
+  return best;
+}
+
+// Per position the normals of the faces at it. Positions that are to stay get none.
+std::vector<std::vector<Vec3>> normals_at(const Assembly& assembly, const CornerPositions& corners,
+                                          bool moves_input) {
+  const Mesh& mesh = assembly.mesh;
+  std::vector<std::vector<Vec3>> normals(corners.positions().size());
+  std::vector<char> stays(normals.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    for (const Index v : mesh.faces[f]) {
+      const Index found = corners.find(mesh.positions[v]);
+      if (found == no_index) continue;
+      if (!assembly.vertex_is_new[v] && !moves_input) stays[found] = 1;
+      const Vec3 normal = unit_normal(triangle_of(mesh, f));
+      if (!normal.isZero(0)) normals[found].push_back(normal);
+    }
+  }
+  for (std::size_t i = 0; i < stays.size(); ++i)
+    if (stays[i]) normals[i].clear();
+  return normals;
+}
+
+}  // namespace
+
+Displacement push_out(Assembly& assembly, const std::vector<Index>& faces, const MoveRule& rule,
+                      Scalar coordinate) {
+  const CornerPositions corners(assembly.mesh, faces);
+  const std::vector<std::vector<Vec3>> normals = normals_at(assembly, corners, rule.moves_input);
+  std::vector<Vec3> moved = corners.positions();
+  Displacement displacement;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const double spacing = spacing_around(moved[i], coordinate);
+    const Vec3 to =
+        rounded_to(moved[i] + rule.spacings * spacing * step_outside(normals[i]), coordinate);
+    if (!to.allFinite()) continue;
+    displacement.note((to - moved[i]).stableNorm(), spacing);
+    moved[i] = to;
+  }
+  if (displacement.length > 0) corners.move(assembly, moved);
+  return displacement;
+}
+
+}  // namespace transformesh

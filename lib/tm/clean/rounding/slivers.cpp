@@ -1,0 +1,127 @@
+#include "tm/clean/rounding/slivers.h"
+
+#include <Eigen/Geometry>
+#include <map>
+#include <utility>
+
+#include "tm/clean/rounding/broken_faces.h"
+
+namespace transformesh {
+namespace {
+
+constexpr int most_flips_of_face = 3;
+
+class SliverFlipper {
+ public:
+  SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double spacings,
+                Scalar coordinate);
+  Displacement flip_all();
+
+ private:
+  /// A face with its longest edge from a to b, and its height over that.
+  struct Sliver {
+    Index a, b, apex;
+    double height;
+  };
+
+  Sliver sliver_of(const Face& face) const;
+  void try_flip(Index face);
+  void flip(Index face, Index across, const Sliver& sliver);
+  void link(Index face);
+  void unlink(Index face);
+
+  Assembly& assembly_;
+  Mesh& mesh_;
+  double spacings_;
+  Scalar coordinate_;
+  std::vector<Index> stack_;
+  std::map<std::pair<Index, Index>, Index> face_at_;  ///< per halfedge, of faces around
+  std::map<Index, int> flips_;                        ///< per face: how often it was tried
+  Displacement displacement_;
+};
+
+SliverFlipper::SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double spacings,
+                             Scalar coordinate)
+    : assembly_(assembly),
+      mesh_(assembly.mesh),
+      spacings_(spacings),
+      coordinate_(coordinate),
+      stack_(faces.rbegin(), faces.rend()) {
+  for (const Index face : with_faces_around(mesh_, faces)) link(face);
+}
+
+void SliverFlipper::link(Index face) {
+  const Face& f = mesh_.faces[face];
+  for (std::size_t i = 0; i < 3; ++i) face_at_[{f[i], f[(i + 1) % 3]}] = face;
+}
+
+void SliverFlipper::unlink(Index face) {
+  const Face& f = mesh_.faces[face];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto found = face_at_.find({f[i], f[(i + 1) % 3]});
+    if (found != face_at_.end() && found->second == face) face_at_.erase(found);
+  }
+}
+
+SliverFlipper::Sliver SliverFlipper::sliver_of(const Face& face) const {
+  Sliver sliver{};
+  double longest = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Index a = face[i], b = face[(i + 1) % 3];
+    const double length = (mesh_.positions[b] - mesh_.positions[a]).stableNorm();
+    if (length <= longest) continue;
+    longest = length;
+    sliver = {a, b, face[(i + 2) % 3], 0};
+  }
+  const Vec3& from = mesh_.positions[sliver.a];
+  const Vec3 along = (mesh_.positions[sliver.b] - from).stableNormalized();
+  sliver.height = along.cross(mesh_.positions[sliver.apex] - from).stableNorm();
+  return sliver;
+}
+
+void SliverFlipper::try_flip(Index face) {
+  if (is_collapsed(mesh_.faces[face]) || ++flips_[face] > most_flips_of_face) return;
+  const Sliver sliver = sliver_of(mesh_.faces[face]);
+  const double spacing = spacing_around(mesh_.positions[sliver.apex], coordinate_);
+  if (!(sliver.height <= spacings_ * spacing)) return;
+  const auto across = face_at_.find({sliver.b, sliver.a});
+  if (across == face_at_.end() || across->second == face) return;
+  displacement_.note(sliver.height, spacing);
+  flip(face, across->second, sliver);
+}
+
+// The faces a b apex and b a opposite become a opposite apex and opposite b apex.
+void SliverFlipper::flip(Index face, Index across, const Sliver& sliver) {
+  Index opposite = sliver.a;
+  for (const Index v : mesh_.faces[across])
+    if (v != sliver.a && v != sliver.b) opposite = v;
+  unlink(face);
+  unlink(across);
+  assembly_.source_face[face] = assembly_.source_face[across];
+  assembly_.face_is_new[face] = assembly_.face_is_new[across] = 1;
+  mesh_.faces[face] = {sliver.a, opposite, sliver.apex};
+  mesh_.faces[across] = {opposite, sliver.b, sliver.apex};
+  for (const Index f : {across, face}) {
+    if (is_collapsed(mesh_.faces[f])) continue;
+    link(f);
+    stack_.push_back(f);
+  }
+}
+
+Displacement SliverFlipper::flip_all() {
+  while (!stack_.empty()) {
+    const Index face = stack_.back();
+    stack_.pop_back();
+    try_flip(face);
+  }
+  return displacement_;
+}
+
+}  // namespace
+
+Displacement flip_slivers(Assembly& assembly, const std::vector<Index>& faces, double spacings,
+                          Scalar coordinate) {
+  return SliverFlipper(assembly, faces, spacings, coordinate).flip_all();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,20 @@
+# Tiny meshes that are made to break rounding: two seeds of every family that is always quick.
+# hostile_grid --seeds 200 --jobs 2 runs them all, with limits of 2 s and 200 MB.
+
+load ../helpers/common
+
+@test "hostile: results are right, by winding numbers with local tolerances" {
+  run "$tm_build/bin-test/hostile_grid" --seeds 2 --jobs 2 --seconds 60 --megabytes 1000 --hang 100 \
+    near-vertices spike far-coordinates nearly-flat stacked-plates needles-in-ball \
+    tetrahedra-at-edge tetrahedra-of-magnitudes tilted-plates sliver-fan lattice-tetrahedra \
+    lattice-sphere spikes denormals near-copies exact-copies far-from-origin random-sphere
+  echo "$output"
+  assert_status 0
+  [[ $output == *"all "*" 72 "*" 72 "* ]]
+}
+
+@test "hostile: the grid can fail: a limit that nothing keeps" {
+  run "$tm_build/bin-test/hostile_grid" --seeds 1 --megabytes 0 spike
+  assert_status 1
+  [[ $output == *"FAILED spike 1 double"* ]]
+}
