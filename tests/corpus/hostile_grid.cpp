@@ -72,8 +72,7 @@ bool is_enclosed_nothing(const std::string& message) {
          message.find("winding number") != std::string::npos;
 }
 
-std::string problem_of(const Mesh& input, const Mesh& output, const Trial& trial,
-                       double spacings) {
+std::string problem_of(const Mesh& input, const Mesh& output, const Trial& trial, double spacings) {
   const std::string manifold = describe_problem(output, check_manifold(output), true);
   if (!manifold.empty()) return "WRONG " + manifold;
   const std::size_t pairs = find_intersections(output).size();
@@ -82,8 +81,8 @@ std::string problem_of(const Mesh& input, const Mesh& output, const Trial& trial
     for (const double x : p)
       if (trial.type == Scalar::float32 && static_cast<double>(static_cast<float>(x)) != x)
         return "WRONG not a float";
-  const LocalSamples samples =
-      sample_locally(input, output, trial.type, output.faces.size() > 5000 ? 40 : 300, spacings, trial.seed);
+  const LocalSamples samples = sample_locally(
+      input, output, trial.type, output.faces.size() > 5000 ? 40 : 300, spacings, trial.seed);
   if (samples.wrong > 0)
     return "WRONG " + std::to_string(samples.wrong) + " of " + std::to_string(samples.tested) +
            ": " + samples.first_wrong;
@@ -176,8 +175,8 @@ void Grid::note(const Trial& trial, const std::string& text) {
   if (is_passed) return;
   std::cout << "FAILED " << trial.family->name << ' ' << trial.seed << ' ' << name_of(trial.type)
             << " (" << faces << " faces, " << seconds << " s, " << megabytes << " MB, " << repairs
-            << " repairs, " << steps << " steps)" << (is_hung ? " ended without an answer" : outcome)
-            << std::endl;
+            << " repairs, " << steps << " steps)"
+            << (is_hung ? " ended without an answer" : outcome) << std::endl;
 }
 
 int Grid::print() const {
@@ -243,8 +242,8 @@ int write_one(const std::string& family, const std::string& seed, const std::str
     Document document;
     document.style.coordinate = type == "float" ? Scalar::float32 : Scalar::float64;
     document.style.format = Format::ply_little;
-    document.mesh = hostile_mesh(one, std::strtoull(seed.c_str(), nullptr, 10),
-                                 document.style.coordinate);
+    document.mesh =
+        hostile_mesh(one, std::strtoull(seed.c_str(), nullptr, 10), document.style.coordinate);
     std::cout << write_mesh(document).bytes;
     return 0;
   }

@@ -59,8 +59,8 @@ int side_of(const Vec3& a, const Vec3& b, const Vec3& p) {
   if (absolute(left - right) > (absolute(left) + absolute(right)) * Wide(0x1p-106))
     return left > right ? 1 : -1;
   const auto minus = [](double x, double y) { return Rational(Rational(x) - Rational(y)); };
-  const Rational exact = minus(a.y(), p.y()) * minus(b.z(), p.z()) -
-                         minus(a.z(), p.z()) * minus(b.y(), p.y());
+  const Rational exact =
+      minus(a.y(), p.y()) * minus(b.z(), p.z()) - minus(a.z(), p.z()) * minus(b.y(), p.y());
   return exact.sign();
 }
 
@@ -91,9 +91,7 @@ std::optional<int> winding_at(const Mesh& mesh, const Vec3& p) {
 WidePoint difference(const Vec3& a, const Vec3& b) {
   return {Wide(a[0]) - b[0], Wide(a[1]) - b[1], Wide(a[2]) - b[2]};
 }
-Wide dot(const WidePoint& a, const WidePoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+Wide dot(const WidePoint& a, const WidePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// The squared distance of the origin from a + s u + t v within the triangle.
 Wide squared_distance(const Corners& corners, const Vec3& p) {
@@ -116,7 +114,8 @@ Wide squared_distance(const Corners& corners, const Vec3& p) {
   const WidePoint n = cross(u, v);
   const Wide nn = dot(n, n);
   if (!(nn > 0)) return least;
-  const bool is_over = dot(cross(a, b), n) > 0 && dot(cross(b, c), n) > 0 && dot(cross(c, a), n) > 0;
+  const bool is_over =
+      dot(cross(a, b), n) > 0 && dot(cross(b, c), n) > 0 && dot(cross(c, a), n) > 0;
   const Wide height = dot(a, n);
   return is_over ? std::min(least, height * height / nn) : least;
 }

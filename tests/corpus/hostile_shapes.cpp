@@ -110,7 +110,8 @@ Mesh stacked_plates(std::uint64_t seed, Scalar type) {
   const long plates = integer(random, 12, 50);
   for (long i = 0; i < plates; ++i) {
     const Vec3 low(-random.uniform(0.3, 1), -random.uniform(0.3, 1), unit * i);
-    const Vec3 high(random.uniform(0.3, 1), random.uniform(0.3, 1), unit * (i + integer(random, 1, 2)));
+    const Vec3 high(random.uniform(0.3, 1), random.uniform(0.3, 1),
+                    unit * (i + integer(random, 1, 2)));
     const Rotation about(random.uniform(0, 7), Vec3::UnitZ());
     mesh = joined(mesh, rotated(cuboid(low, high), about));
   }
@@ -124,8 +125,8 @@ Mesh needles_in_ball(std::uint64_t seed, Scalar type) {
   for (long i = integer(random, 30, 60); i > 0; --i) {
     const Vec3 along = unit_vector(random), middle = radius * random.point(-1, 1);
     const Vec3 across = radius * random.point(-1, 1), other = radius * random.point(-1, 1);
-    mesh = joined(mesh, any_tetrahedron(middle - along, middle + along, middle + across,
-                                        middle + other));
+    mesh = joined(mesh,
+                  any_tetrahedron(middle - along, middle + along, middle + across, middle + other));
   }
   return mesh;
 }
@@ -135,8 +136,8 @@ Mesh tetrahedra_at_apex(std::uint64_t seed, Scalar) {
   const Vec3 apex = random.point(-1, 1);
   Mesh mesh;
   for (long i = integer(random, 40, 150); i > 0; --i)
-    mesh = joined(mesh, any_tetrahedron(apex, random.point(-1, 1), random.point(-1, 1),
-                                        random.point(-1, 1)));
+    mesh = joined(
+        mesh, any_tetrahedron(apex, random.point(-1, 1), random.point(-1, 1), random.point(-1, 1)));
   return mesh;
 }
 

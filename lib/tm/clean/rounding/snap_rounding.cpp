@@ -12,6 +12,7 @@
 #include "tm/clean/rounding/push_out.h"
 #include "tm/clean/rounding/slivers.h"
 #include "tm/clean/rounding/thin_cells.h"
+#include "tm/mesh/components.h"
 #include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
 
@@ -34,8 +35,8 @@ struct Tolerances {
 
 Tolerances tolerances(int start, int round) {
   const int step = round + rounds_ahead * start;
-  const double coarser = std::exp2(step / 2.0);
-  return {3 * coarser, 4 * coarser, coarser, 16 * coarser * coarser, step > 0};
+  const double coarser = std::exp2(step / 4.0);
+  return {3 * coarser, 4 * coarser, coarser, 4 * coarser * coarser, step > 0};
 }
 
 std::string place_of(const Mesh& mesh, Index face) {
@@ -62,7 +63,7 @@ class SnapRounder {
  private:
   bool repair(Assembly& assembly, int start);
   void round_and_merge(Assembly& assembly);
-  std::vector<Index> mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most);
+  void mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most);
   bool clean_again(Assembly& assembly, bool is_mended, const Tolerances& most);
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   [[noreturn]] void give_up() const;
@@ -105,9 +106,11 @@ void SnapRounder::round_and_merge(Assembly& assembly) {
   result_.displacement += moved;
 }
 
-// Unites what is close around the broken faces. Returns those that are broken after that.
-std::vector<Index> SnapRounder::mend(Assembly& assembly, std::vector<Index> broken,
-                                     const Tolerances& most) {
+// Unites what is close around the broken faces.
+void SnapRounder::mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most) {
+  const Scalar type = options_.coordinate;
+  result_.displacement += merge_close_vertices(assembly, with_faces_around(assembly.mesh, broken),
+                                               {most.vertices, most.moves_input}, type);
   drop_collapsed_faces(assembly);
   broken = find_broken_faces(assembly);
   const auto mend_by = [&](const auto& unite) {
@@ -118,16 +121,11 @@ std::vector<Index> SnapRounder::mend(Assembly& assembly, std::vector<Index> brok
     drop_collapsed_faces(assembly);
     broken = find_broken_faces(assembly);
   };
-  const Scalar type = options_.coordinate;
-  mend_by([&](const auto& around) {
-    return merge_close_vertices(assembly, around, {most.vertices, most.moves_input}, type);
-  });
   mend_by([&](const auto& around) { return flip_slivers(assembly, around, most.slivers, type); });
   mend_by([&](const auto&) {
     return push_out(assembly, broken, {most.push, most.moves_input}, type);
   });
   mend_by([&](const auto&) { return split_at_contacts(assembly, most.slivers, type); });
-  return broken;
 }
 
 // Cleans what was rounded. Where it was mended, thin cells are given away. Returns whether nothing
@@ -169,6 +167,8 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     fewest = std::min(fewest, broken.size());
     if (broken.size() > 2 * fewest + few) return false;
     const Tolerances most = tolerances(start, round);
+      std::fprintf(stderr, "start %d round %d faces %zu broken %zu moved %g\n", start, round,
+                   assembly.mesh.faces.size(), broken.size(), result_.displacement.spacings);
     if (!broken.empty()) {
       if (place_.empty()) {
         place_ = place_of(assembly.mesh, broken.front());
@@ -181,6 +181,19 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     if (is_hopeless_) return false;
   }
   return false;
+}
+
+// What was mended may leave vertices that no face uses.
+void drop_unused_vertices(Assembly& assembly) {
+  std::vector<char> is_used(assembly.mesh.positions.size(), 0);
+  for (const Face& face : assembly.mesh.faces)
+    for (const Index v : face) is_used[v] = 1;
+  if (std::find(is_used.begin(), is_used.end(), 0) == is_used.end()) return;
+  std::vector<char> is_new;
+  for (std::size_t v = 0; v < is_used.size(); ++v)
+    if (is_used[v]) is_new.push_back(assembly.vertex_is_new[v]);
+  assembly.vertex_is_new = std::move(is_new);
+  assembly.mesh = select_faces(assembly.mesh, std::vector<bool>(assembly.mesh.faces.size(), true));
 }
 
 // Marks the faces of the mesh that are whole faces of the assembly.
@@ -216,6 +229,7 @@ SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
     result_.displacement = {};
     is_hopeless_ = false;
   }
+  drop_unused_vertices(assembly);
   count_faces(was_whole, assembly);
   const auto& is_new = assembly.vertex_is_new;
   result_.new_vertices = static_cast<std::size_t>(std::count(is_new.begin(), is_new.end(), 1));

@@ -4,10 +4,11 @@
 ///
 /// Every new vertex takes the nearest numbers, or the position of a vertex less than a spacing
 /// away. That is all where nothing breaks. Around broken faces, in rounds: close vertices merge
-/// (close_vertices.h), slivers are flipped away (slivers.h), films come apart (push_out.h), and the
-/// surface is cleaned again, where cells that are too thin to matter go to the side that leaves
-/// less surface (thin_cells.h). What counts as close and thin doubles from round to round. Where
-/// that does not end, all starts over with eight times as much.
+/// (close_vertices.h), slivers are flipped away (slivers.h), films come apart (push_out.h), what
+/// crosses barely comes to share corners (contact_splits.h), and the surface is cleaned again,
+/// where cells too thin to matter go to the side that leaves less surface (thin_cells.h). What
+/// counts as close and thin is 3 and 4 spacings at first, and grows by 2^(1/4) and 2^(1/2) from
+/// round to round. Where that does not end, all starts over, a few rounds ahead.
 ///
 /// Guaranteed: the result has no crossing. All that moves or goes is within `displacement` of where
 /// it was, so winding numbers farther than that from the surface are those of the input (a homotopy

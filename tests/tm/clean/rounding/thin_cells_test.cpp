@@ -18,7 +18,7 @@ using test::joined;
 
 /// The arrangement of a mesh and what it keeps, before and after thin cells are given away.
 struct Cells {
-  explicit Cells(const Mesh& mesh) : mesh(mesh) {
+  explicit Cells(const Mesh& mesh) {
     const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
     arrangement = arrange(welded, find_intersections(*welded, Progress()), Progress());
     kept = find_exterior(arrangement, 1, ExteriorMethod::grow, BorderClosure(), Progress()).kept;
@@ -36,7 +36,6 @@ struct Cells {
     return give_thin_cells_away(arrangement, kept, spacings, Scalar::float32);
   }
 
-  Mesh mesh;
   Arrangement arrangement;
   std::vector<char> kept;
 };
