@@ -167,8 +167,6 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     fewest = std::min(fewest, broken.size());
     if (broken.size() > 2 * fewest + few) return false;
     const Tolerances most = tolerances(start, round);
-      std::fprintf(stderr, "start %d round %d faces %zu broken %zu moved %g\n", start, round,
-                   assembly.mesh.faces.size(), broken.size(), result_.displacement.spacings);
     if (!broken.empty()) {
       if (place_.empty()) {
         place_ = place_of(assembly.mesh, broken.front());
