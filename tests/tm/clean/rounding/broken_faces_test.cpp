@@ -3,26 +3,15 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/assembly_of.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 
 namespace transformesh {
-namespace {
-
-Assembly assembly_of(const Mesh& mesh) {
-  Assembly assembly;
-  assembly.mesh = mesh;
-  assembly.vertex_is_new.assign(mesh.positions.size(), 1);
-  assembly.face_is_new.assign(mesh.faces.size(), 1);
-  for (Index f = 0; f < mesh.faces.size(); ++f) assembly.source_face.push_back(f);
-  return assembly;
-}
-
-}  // namespace
 
 TEST_CASE("crossing faces are broken where one of them is new, and faces without area always") {
   Assembly assembly =
-      assembly_of(test::joined(test::cube(), test::moved(test::cube(), {0.5, 0.4, 0.3})));
+      test::assembly_of(test::joined(test::cube(), test::moved(test::cube(), {0.5, 0.4, 0.3})));
   const std::vector<Index> all = find_broken_faces(assembly);
   CHECK(all.size() > 6);
   CHECK(!find_crossings(assembly).empty());
@@ -35,7 +24,7 @@ TEST_CASE("crossing faces are broken where one of them is new, and faces without
   assembly.face_is_new[all.front()] = 1;
   CHECK(!find_broken_faces(assembly).empty());
 
-  Assembly flat = assembly_of(test::cube());
+  Assembly flat = test::assembly_of(test::cube());
   CHECK(find_broken_faces(flat).empty());
   flat.mesh.positions[1] = flat.mesh.positions[0];
   CHECK(!find_broken_faces(flat).empty());
@@ -49,7 +38,7 @@ TEST_CASE("places are counted by common corners") {
 }
 
 TEST_CASE("a collapsed edge takes its two faces along, and a flattened body vanishes") {
-  Assembly cube = assembly_of(test::cube());
+  Assembly cube = test::assembly_of(test::cube());
   cube.mesh.positions[1] = cube.mesh.positions[0];
   CHECK(drop_collapsed_faces(cube));
   CHECK(cube.mesh.faces.size() == 10);
@@ -57,7 +46,7 @@ TEST_CASE("a collapsed edge takes its two faces along, and a flattened body vani
   CHECK(cube.source_face.size() == 10);
   CHECK(!drop_collapsed_faces(cube));
 
-  Assembly flat = assembly_of(test::tetrahedron());
+  Assembly flat = test::assembly_of(test::tetrahedron());
   flat.mesh.positions[3] = flat.mesh.positions[0];
   CHECK(drop_collapsed_faces(flat));
   CHECK(flat.mesh.faces.empty());
@@ -65,7 +54,7 @@ TEST_CASE("a collapsed edge takes its two faces along, and a flattened body vani
 
 TEST_CASE("of faces upon each other as many go as cancel out") {
   const Mesh cube = test::cube();
-  Assembly three = assembly_of(test::joined(test::joined(cube, test::reversed(cube)), cube));
+  Assembly three = test::assembly_of(test::joined(test::joined(cube, test::reversed(cube)), cube));
   CHECK(drop_collapsed_faces(three));
   CHECK(three.mesh.faces.size() == 12);
   CHECK(test::signed_volume(three.mesh) == doctest::Approx(1));

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "helpers/assembly_of.h"
+
 namespace transformesh {
 namespace {
 
@@ -25,14 +27,8 @@ Assembly faces_at(const std::vector<Vec3>& corners) {
   return assembly;
 }
 
-std::vector<Index> all_faces(const Assembly& assembly) {
-  std::vector<Index> faces;
-  for (Index f = 0; f < assembly.mesh.faces.size(); ++f) faces.push_back(f);
-  return faces;
-}
-
 Displacement merge(Assembly& assembly, const MoveRule& rule) {
-  return merge_close_vertices(assembly, all_faces(assembly), rule, Scalar::float64);
+  return merge_close_vertices(assembly, test::all_faces(assembly.mesh), rule, Scalar::float64);
 }
 
 const double spacing_at_one = 0x1p-52;

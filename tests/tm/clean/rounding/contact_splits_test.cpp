@@ -3,21 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/assembly_of.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 
 namespace transformesh {
 namespace {
-
-Assembly assembly_of(const Mesh& mesh) {
-  Assembly assembly;
-  assembly.mesh = mesh;
-  assembly.vertex_is_new.assign(mesh.positions.size(), 1);
-  assembly.input_vertex.assign(mesh.positions.size(), no_index);
-  assembly.face_is_new.assign(mesh.faces.size(), 1);
-  for (Index f = 0; f < mesh.faces.size(); ++f) assembly.source_face.push_back(f);
-  return assembly;
-}
 
 /// A tetrahedron that points down into the top of a cube, by a depth.
 Mesh pricked_cube(double depth) {
@@ -31,7 +22,7 @@ Mesh pricked_cube(double depth) {
 
 TEST_CASE("a corner that is a few spacings deep in a face splits it") {
   const Mesh before = pricked_cube(2 * 0x1p-52);
-  Assembly assembly = assembly_of(before);
+  Assembly assembly = test::assembly_of(before);
   const Displacement moved = split_at_contacts(assembly, 4, Scalar::float64);
   CHECK(moved.spacings > 0);
   CHECK(assembly.mesh.faces.size() == before.faces.size() + 2);
@@ -41,7 +32,7 @@ TEST_CASE("a corner that is a few spacings deep in a face splits it") {
 }
 
 TEST_CASE("a corner that is deep in a face does not") {
-  Assembly assembly = assembly_of(pricked_cube(0.1));
+  Assembly assembly = test::assembly_of(pricked_cube(0.1));
   CHECK(split_at_contacts(assembly, 4, Scalar::float64).spacings == 0);
   CHECK(assembly.mesh.faces.size() == 16);
 }
@@ -58,7 +49,7 @@ TEST_CASE("edges that pass each other closely are both split at one position") {
   Mesh both = test::moved(test::joined(lower, upper), away);
   for (Vec3& p : both.positions) p.z() += 1;
   for (Index v = 4; v < 6; ++v) both.positions[v].z() = 1 - 0x1p-51;
-  Assembly assembly = assembly_of(both);
+  Assembly assembly = test::assembly_of(both);
   CHECK(split_at_contacts(assembly, 4, Scalar::float64).spacings > 0);
   CHECK(assembly.mesh.positions.size() == 9);
   CHECK(assembly.mesh.faces.size() == 12);

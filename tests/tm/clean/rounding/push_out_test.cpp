@@ -3,34 +3,18 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/assembly_of.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 
 namespace transformesh {
-namespace {
-
-Assembly assembly_of(const Mesh& mesh) {
-  Assembly assembly;
-  assembly.mesh = mesh;
-  assembly.vertex_is_new.assign(mesh.positions.size(), 1);
-  assembly.face_is_new.assign(mesh.faces.size(), 0);
-  for (Index f = 0; f < mesh.faces.size(); ++f) assembly.source_face.push_back(f);
-  return assembly;
-}
-
-std::vector<Index> all_faces(const Mesh& mesh) {
-  std::vector<Index> faces;
-  for (Index f = 0; f < mesh.faces.size(); ++f) faces.push_back(f);
-  return faces;
-}
-
-}  // namespace
 
 TEST_CASE("a cube grows by its spacings on all sides") {
   const Mesh cube = test::moved(test::cube(), {1, 1, 1});
-  Assembly assembly = assembly_of(cube);
+  Assembly assembly = test::assembly_of(cube);
+  assembly.face_is_new.assign(12, 0);
   const double share = 1024;
-  push_out(assembly, all_faces(cube), {share, false}, Scalar::float32);
+  push_out(assembly, test::all_faces(cube), {share, false}, Scalar::float32);
   for (Index v = 0; v < 8; ++v) {
     const Vec3 out = assembly.mesh.positions[v] - cube.positions[v];
     const Vec3 from_middle = cube.positions[v] - Vec3(1.5, 1.5, 1.5);
@@ -42,11 +26,11 @@ TEST_CASE("a cube grows by its spacings on all sides") {
 
 TEST_CASE("input vertices stay unless the rule moves them") {
   const Mesh cube = test::moved(test::cube(), {1, 1, 1});
-  Assembly assembly = assembly_of(cube);
+  Assembly assembly = test::assembly_of(cube);
   assembly.vertex_is_new.assign(8, 0);
-  CHECK(push_out(assembly, all_faces(cube), {1, false}, Scalar::float64).spacings == 0);
+  CHECK(push_out(assembly, test::all_faces(cube), {1, false}, Scalar::float64).spacings == 0);
   CHECK(assembly.mesh.positions == cube.positions);
-  CHECK(push_out(assembly, all_faces(cube), {1, true}, Scalar::float64).spacings > 0.9);
+  CHECK(push_out(assembly, test::all_faces(cube), {1, true}, Scalar::float64).spacings > 0.9);
   CHECK(test::signed_volume(assembly.mesh) > 1);
 }
 
@@ -55,7 +39,7 @@ TEST_CASE("a vertex that no direction leads outside stays") {
   Mesh flat;
   flat.positions = {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}};
   flat.faces = {{0, 1, 2}, {0, 2, 1}};
-  Assembly assembly = assembly_of(flat);
+  Assembly assembly = test::assembly_of(flat);
   push_out(assembly, {0, 1}, {1, true}, Scalar::float64);
   CHECK(assembly.mesh.positions == flat.positions);
 }

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/assembly_of.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 #include "tm/clean/rounding/broken_faces.h"
@@ -28,17 +29,11 @@ Assembly cube_with_sliver(double height) {
   return assembly;
 }
 
-std::vector<Index> all_faces(const Assembly& assembly) {
-  std::vector<Index> faces;
-  for (Index f = 0; f < assembly.mesh.faces.size(); ++f) faces.push_back(f);
-  return faces;
-}
-
 }  // namespace
 
 TEST_CASE("a sliver lower than the rule is flipped, a higher one stays") {
   Assembly low = cube_with_sliver(2 * spacing_at(0.4));
-  const Displacement moved = flip_slivers(low, all_faces(low), 4, Scalar::float64);
+  const Displacement moved = flip_slivers(low, test::all_faces(low.mesh), 4, Scalar::float64);
   CHECK(moved.spacings == doctest::Approx(2));
   CHECK(test::count(low.mesh).is_closed_and_oriented);
   CHECK(low.mesh.faces.size() == 14);
@@ -51,7 +46,7 @@ TEST_CASE("a sliver lower than the rule is flipped, a higher one stays") {
 
   Assembly high = cube_with_sliver(8 * spacing_at(0.4));
   const Mesh before = high.mesh;
-  CHECK(flip_slivers(high, all_faces(high), 4, Scalar::float64).spacings == 0);
+  CHECK(flip_slivers(high, test::all_faces(high.mesh), 4, Scalar::float64).spacings == 0);
   CHECK(high.mesh.faces == before.faces);
 }
 

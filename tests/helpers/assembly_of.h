@@ -1,0 +1,25 @@
+/// A mesh as the repair of rounding sees it, for tests of its steps.
+#pragma once
+
+#include "tm/clean/stitch/assemble.h"
+
+namespace transformesh::test {
+
+/// All vertices and faces of the mesh are new, each face cut from one of its own.
+inline Assembly assembly_of(const Mesh& mesh) {
+  Assembly assembly;
+  assembly.mesh = mesh;
+  assembly.vertex_is_new.assign(mesh.positions.size(), 1);
+  assembly.input_vertex.assign(mesh.positions.size(), no_index);
+  assembly.face_is_new.assign(mesh.faces.size(), 1);
+  for (Index f = 0; f < mesh.faces.size(); ++f) assembly.source_face.push_back(f);
+  return assembly;
+}
+
+inline std::vector<Index> all_faces(const Mesh& mesh) {
+  std::vector<Index> faces;
+  for (Index f = 0; f < mesh.faces.size(); ++f) faces.push_back(f);
+  return faces;
+}
+
+}  // namespace transformesh::test
