@@ -117,3 +117,17 @@ tetrahedron_with() {
   cheap tm-stitch -q --tolerance 0.01 heaps.off >joined.off
   [ "$(tm-info --get faces joined.off)" -le 10 ]
 }
+
+@test "20 000 copies of a tetrahedron are cleaned as one" {
+  tetrahedron | tm-convert --no-provenance --format off >one.off
+  {
+    printf 'OFF\n4 80000 0\n'
+    sed -n 3,6p one.off
+    for _ in {1..20000}; do echo; done | sed "s/^/$(sed -n 7,10p one.off | paste -sd , | sed 's/,/\\n/g')/"
+  } >copies.off
+  cheap tm-clean copies.off --report report.json -o out.off
+  [ "$(jq .result.pairs report.json)" -eq $((4 * 20000 * 19999 / 2)) ]
+  tm-checkmanifold -q out.off
+  [ "$(tm-info --get volume out.off)" = "$(tm-info --get volume one.off)" ]
+  [ "$(tm-info --get faces out.off)" -eq 4 ]
+}

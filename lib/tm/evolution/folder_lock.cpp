@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 #include "tm/io/atomic_file.h"
@@ -21,6 +23,16 @@ bool is_still_named(int descriptor, const std::string& folder) {
   struct stat named {};
   return fstat(descriptor, &opened) == 0 && stat(folder.c_str(), &named) == 0 &&
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+// A run that is killed while it starts a child leaves it the lock until the child has begun: so a
+// lock that is held is asked for again for a second.
+bool is_locked_by_another(int descriptor) {
+  for (int tries = 0; tries < 50; ++tries) {
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return true;
 }
 
 }  // namespace
@@ -39,7 +51,7 @@ bool FolderLock::lock() {
   make_folder(folder_);
   descriptor_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ < 0) return errno != ENOENT;
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+  if (is_locked_by_another(descriptor_)) {
     close(descriptor_);
     throw OutputError("another run is writing the same output, with its state in '" + folder_ +
                       "': wait for its end, or name another output");

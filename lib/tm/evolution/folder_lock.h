@@ -8,8 +8,9 @@ namespace transformesh {
 
 class FolderLock {
  public:
-  /// Makes the folder where it is missing. Throws OutputError where another process has the lock,
-  /// or the folder cannot be made. A file system without locks gives none, and no error.
+  /// Makes the folder where it is missing. Throws OutputError where another process keeps the lock
+  /// for a second, or the folder cannot be made. A file system without locks gives none, and no
+  /// error.
   explicit FolderLock(std::string folder);
   /// Removes the folder if there is nothing in it, and so the one above it where that was missing,
   /// as a signal that ends the process does.

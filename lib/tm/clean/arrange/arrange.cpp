@@ -17,7 +17,7 @@ constexpr double largest_coordinate = 1e306;
 
 // Planes of faces that are cut together, because they are coplanar and meet.
 struct Planes {
-  std::vector<std::vector<Index>> faces;              ///< of each plane, ascending
+  std::vector<std::vector<Index>> faces;              ///< of each plane, ascending; first copies
   std::vector<std::vector<const Meeting*>> meetings;  ///< of its faces with faces across it
   std::vector<Index> plane_of;                        ///< per welded face; no_index if whole
 };
@@ -40,12 +40,20 @@ Planes group_planes(const WeldedMesh& welded, const std::vector<Meeting>& meetin
     is_cut[meeting.first] = is_cut[meeting.second] = true;
     if (meeting.contacts.coplanar) sets.join(meeting.first, meeting.second);
   }
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    const Index first = welded.first_copy[f];
+    if (first != f) is_cut[first] = is_cut[f] = true;
+  }
 
   // The first face of a plane is the root of its set, so planes come in the order of their faces.
   Planes planes;
   planes.plane_of.assign(welded.faces.size(), no_index);
   for (Index f = 0; f < welded.faces.size(); ++f) {
     if (!is_cut[f]) continue;
+    if (welded.first_copy[f] != f) {
+      planes.plane_of[f] = planes.plane_of[welded.first_copy[f]];
+      continue;
+    }
     const Index root = sets.find(f);
     if (root == f) {
       planes.plane_of[f] = static_cast<Index>(planes.faces.size());
@@ -159,18 +167,56 @@ void add_whole_pieces(const WeldedMesh& welded, const Planes& planes, Arrangemen
   result.whole_pieces = result.pieces.size();
 }
 
-void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, Arrangement& result) {
+// The faces that have the three points of another one, as sources in its place.
+class Copies {
+ public:
+  explicit Copies(const WeldedMesh& welded)
+      : welded_(welded), next_(welded.faces.size(), no_index) {
+    std::vector<Index> last(welded.faces.size(), no_index);
+    for (Index f = 0; f < welded.faces.size(); ++f) {
+      const Index first = welded.first_copy[f];
+      if (first != f) next_[last[first]] = f;
+      last[first] = f;
+    }
+  }
+
+  /// Adds the copies of the sources from `begin` on, and keeps them in the order of the faces.
+  void add(std::vector<PieceSource>& sources, std::size_t begin) const {
+    const std::size_t end = sources.size();
+    for (std::size_t s = begin; s < end; ++s) {
+      const PieceSource source = sources[s];
+      for (Index copy = next_[source.face]; copy != no_index; copy = next_[copy]) {
+        sources.push_back({copy, source.reversed != is_reversed(source.face, copy)});
+      }
+    }
+    if (sources.size() == end) return;
+    std::sort(sources.begin() + static_cast<std::ptrdiff_t>(begin), sources.end(),
+              [](const PieceSource& a, const PieceSource& b) { return a.face < b.face; });
+  }
+
+ private:
+  bool is_reversed(Index face, Index copy) const {
+    const Face &f = welded_.faces[face], &c = welded_.faces[copy];
+    const auto at = static_cast<std::size_t>(std::find(c.begin(), c.end(), f[0]) - c.begin());
+    return c[(at + 1) % 3] != f[1];
+  }
+
+  const WeldedMesh& welded_;
+  std::vector<Index> next_;  ///< the next copy of each face
+};
+
+void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, const Copies& copies,
+                    Arrangement& result) {
   for (std::size_t i = 0; i < cut.facets.size(); ++i) {
     const Face& v = cut.facets[i];
-    const Index begin = cut.source_offsets[i];
-    const Index end = cut.source_offsets[i + 1];
-    Piece piece{{ids[v[0]], ids[v[1]], ids[v[2]]},
-                static_cast<Index>(result.sources.size()),
-                end - begin,
-                0};
-    for (Index s = begin; s < end; ++s) {
-      result.sources.push_back(cut.sources[s]);
-      piece.multiplicity += cut.sources[s].reversed ? -1 : 1;
+    const auto first = static_cast<Index>(result.sources.size());
+    result.sources.insert(result.sources.end(), cut.sources.begin() + cut.source_offsets[i],
+                          cut.sources.begin() + cut.source_offsets[i + 1]);
+    copies.add(result.sources, first);
+    const auto count = static_cast<std::uint32_t>(result.sources.size() - first);
+    Piece piece{{ids[v[0]], ids[v[1]], ids[v[2]]}, first, count, 0};
+    for (const PieceSource& source : result.sources_of(piece)) {
+      piece.multiplicity += source.reversed ? -1 : 1;
     }
     // A piece is oriented as most of its sources are.
     if (piece.multiplicity < 0) {
@@ -210,7 +256,9 @@ Arrangement arrange(const std::shared_ptr<const WeldedMesh>& welded,
   PointUnifier unifier(*welded, cuts);
   result.cut_points = std::move(unifier.cut_points);
   add_whole_pieces(*welded, planes, result);
-  for (std::size_t i = 0; i < cuts.size(); ++i) add_cut_pieces(cuts[i], unifier.ids[i], result);
+  const Copies copies(*welded);
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    add_cut_pieces(cuts[i], unifier.ids[i], copies, result);
   return result;
 }
 

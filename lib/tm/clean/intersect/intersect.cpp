@@ -1,6 +1,6 @@
 #include "tm/clean/intersect/intersect.h"
 
-#include <memory>
+#include <algorithm>
 
 #include "tm/clean/intersect/contacts.h"
 #include "tm/geometry/bvh.h"
@@ -15,20 +15,74 @@ std::vector<Index> welded_faces(const WeldedMesh& welded, std::size_t mesh_faces
   return result;
 }
 
+bool has_copies(const WeldedMesh& welded) {
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (welded.first_copy[f] != f) return true;
+  }
+  return false;
+}
+
+// The copies of each face that is the first of its kind, ascending, itself among them.
+std::vector<std::vector<Index>> list_copies(const WeldedMesh& welded) {
+  std::vector<std::vector<Index>> copies(welded.faces.size());
+  for (Index f = 0; f < welded.faces.size(); ++f) copies[welded.first_copy[f]].push_back(f);
+  return copies;
+}
+
+// The pairs of which only first copies were named.
+std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<FacePair> pairs) {
+  if (!has_copies(welded)) return pairs;
+  const auto copies = list_copies(welded);
+  std::vector<FacePair> result;
+  for (const auto& [f, g] : pairs) {
+    for (const Index a : copies[f]) {
+      for (const Index b : copies[g]) result.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  for (const auto& same : copies) {
+    for (std::size_t i = 0; i < same.size(); ++i) {
+      for (std::size_t j = i + 1; j < same.size(); ++j) result.emplace_back(same[i], same[j]);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 }  // namespace
 
 std::vector<FacePair> find_intersections(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
+  std::vector<Index> firsts;
   std::vector<FloatBox> boxes;
+  firsts.reserve(welded.faces.size());
   boxes.reserve(welded.faces.size());
-  for (Index f = 0; f < welded.faces.size(); ++f) boxes.push_back(welded.box(f));
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (welded.first_copy[f] != f) continue;
+    firsts.push_back(f);
+    boxes.push_back(welded.box(f));
+  }
   const Bvh bvh(boxes);
-  return bvh.overlapping_pairs([&](Index f, Index g) { return find_contacts(welded, f, g).meet; });
+  std::vector<FacePair> pairs = bvh.overlapping_pairs(
+      [&](Index i, Index j) { return find_contacts(welded, firsts[i], firsts[j]).meet; });
+  for (auto& [f, g] : pairs) {
+    f = firsts[f];
+    g = firsts[g];
+  }
+  return pairs;
+}
+
+std::size_t count_pairs(const WeldedMesh& welded, const std::vector<FacePair>& pairs) {
+  std::vector<std::size_t> copies(welded.faces.size(), 0);
+  for (const Index first : welded.first_copy) ++copies[first];
+  std::size_t count = 0;
+  for (const auto& [f, g] : pairs) count += copies[f] * copies[g];
+  for (const std::size_t same : copies) count += same * (same - (same > 0 ? 1 : 0)) / 2;
+  return count;
 }
 
 std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress) {
   const WeldedMesh welded = weld(mesh);
-  std::vector<FacePair> pairs = find_intersections(welded, progress);
+  std::vector<FacePair> pairs = pairs_of_copies(welded, find_intersections(welded, progress));
   // Welded faces are in the order of the mesh, so the pairs stay sorted.
   for (auto& [f, g] : pairs) {
     f = welded.face_of[f];

@@ -1,5 +1,6 @@
 #include "tm/clean/intersect/welded_mesh.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace transformesh {
@@ -35,6 +36,20 @@ void number_points(const Mesh& mesh, WeldedMesh& welded) {
   }
 }
 
+Face sorted(Face face) {
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+std::uint64_t hash(const Face& face) {
+  std::uint64_t h = 0x9e3779b97f4a7c15ULL;
+  for (const Index point : face) {
+    h = (h ^ point) * 0xff51afd7ed558ccdULL;
+    h ^= h >> 32;
+  }
+  return h;
+}
+
 bool is_degenerate(const WeldedMesh& welded, const Face& face) {
   return is_collapsed(face) ||
          collinear(welded.points[face[0]], welded.points[face[1]], welded.points[face[2]]);
@@ -56,7 +71,23 @@ WeldedMesh weld(const Mesh& mesh) {
     welded.faces.push_back(face);
     welded.face_of.push_back(f);
   }
+  find_copies(welded);
   return welded;
+}
+
+void find_copies(WeldedMesh& welded) {
+  const std::size_t size = std::bit_ceil(2 * welded.faces.size() + 1);
+  std::vector<Index> slots(size, no_index);
+  welded.first_copy.resize(welded.faces.size());
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    const Face key = sorted(welded.faces[f]);
+    std::size_t slot = hash(key) & (size - 1);
+    while (slots[slot] != no_index && sorted(welded.faces[slots[slot]]) != key) {
+      slot = (slot + 1) & (size - 1);
+    }
+    if (slots[slot] == no_index) slots[slot] = f;
+    welded.first_copy[f] = slots[slot];
+  }
 }
 
 }  // namespace transformesh

@@ -11,12 +11,13 @@
 namespace transformesh {
 
 struct WeldedMesh {
-  std::vector<Vec3> points;      ///< all different
-  std::vector<Index> vertex_of;  ///< the first mesh vertex at each point
-  std::vector<Index> point_of;   ///< the point of each mesh vertex
-  std::vector<Face> faces;       ///< corners as points; none is degenerate
-  std::vector<Index> face_of;    ///< the mesh face of each face; ascending
-  BoxFrame frame;                ///< of the points
+  std::vector<Vec3> points;       ///< all different
+  std::vector<Index> vertex_of;   ///< the first mesh vertex at each point
+  std::vector<Index> point_of;    ///< the point of each mesh vertex
+  std::vector<Face> faces;        ///< corners as points; none is degenerate
+  std::vector<Index> face_of;     ///< the mesh face of each face; ascending
+  std::vector<Index> first_copy;  ///< per face: the first with the same three points, in any order
+  BoxFrame frame;                 ///< of the points
 
   Triangle triangle(Index face) const { return triangle_of(points, faces[face]); }
   FloatBox box(Index face) const { return box(triangle(face)); }
@@ -28,5 +29,8 @@ struct WeldedMesh {
 /// Points come in the order of their first vertex, faces in that of the mesh. O(n); exact;
 /// deterministic.
 WeldedMesh weld(const Mesh& mesh);
+
+/// Names the first copy of each face, as `weld` does. O(n).
+void find_copies(WeldedMesh& welded);
 
 }  // namespace transformesh

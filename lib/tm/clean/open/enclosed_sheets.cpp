@@ -123,6 +123,7 @@ WeldedMesh without_faces(const WeldedMesh& welded, const std::vector<char>& mark
     rest.faces.push_back(welded.faces[f]);
     rest.face_of.push_back(welded.face_of[f]);
   }
+  find_copies(rest);
   return rest;
 }
 

@@ -40,7 +40,7 @@ CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Pro
                                               : find_borders(*welded, mesh);
   const std::vector<FacePair> pairs = find_intersections(*welded, progress);
   CleanPass pass;
-  pass.pairs = pairs.size();
+  pass.pairs = count_pairs(*welded, pairs);
   if (pass.pairs > options.most_pairs) return pass;
 
   Arrangement arrangement = arrange(welded, pairs, progress);
