@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tm/io/scalar.h"
+
 namespace transformesh {
 
 void ColorRows::set(std::size_t row, const Color& color) {
@@ -17,8 +19,11 @@ void ColorRows::see_word(std::string_view word) {
 void ColorRows::add_columns(std::size_t rows, Columns& columns) {
   if (colors_.empty()) return;
   colors_.resize(rows, no_color);
-  if (!is_any(1)) return add_column("color_index", Scalar::int32, 0, 0, columns);
   const Scalar type = type_of_values();
+  if (!is_any(1)) {
+    const Scalar index_type = type == Scalar::uint8 ? Scalar::int32 : type;
+    return add_column("color_index", index_type, 0, 0, columns);
+  }
   add_column("red", type, 0, 0, columns);
   add_column("green", type, 1, 0, columns);
   add_column("blue", type, 2, 0, columns);
@@ -37,11 +42,18 @@ bool ColorRows::is_any(std::size_t channel) const {
 
 Scalar ColorRows::type_of_values() const {
   if (!is_integer_) return Scalar::float64;
-  const bool is_byte = std::all_of(colors_.begin(), colors_.end(), [](const Color& color) {
-    return std::all_of(color.begin(), color.end(),
-                       [](double value) { return !(value < 0 || value > 255); });
-  });
-  return is_byte ? Scalar::uint8 : Scalar::int32;
+  for (const Scalar type : {Scalar::uint8, Scalar::int32}) {
+    const auto fits = [&](double value) {
+      return std::isnan(value) || with_scalar(type, [&](auto zero) {
+               return static_cast<double>(to_scalar<decltype(zero)>(value)) == value;
+             });
+    };
+    if (std::all_of(colors_.begin(), colors_.end(), [&](const Color& color) {
+          return std::all_of(color.begin(), color.end(), fits);
+        }))
+      return type;
+  }
+  return Scalar::float64;
 }
 
 void ColorRows::add_column(const char* name, Scalar type, std::size_t channel, double absent,

@@ -22,7 +22,8 @@ class ColorRows {
   void see_word(std::string_view word);
 
   /// Adds red green blue (alpha), or color_index where rows have one number only. Integers become
-  /// uchar where they fit. Rows without color get zeros, without alpha are opaque.
+  /// uchar (an index int) where they fit, then int, else double. Rows without color get zeros,
+  /// without alpha are opaque.
   void add_columns(std::size_t rows, Columns& columns);
   std::size_t missing_rows() const;
 

@@ -17,9 +17,11 @@
 namespace transformesh {
 namespace {
 
+/// In the header of binary STL the mark is a part of the name.
 std::string_view without_byte_order_mark(std::string_view bytes) {
   constexpr std::string_view mark = "\xef\xbb\xbf";
-  return bytes.substr(0, mark.size()) == mark ? bytes.substr(mark.size()) : bytes;
+  const bool is_marked = bytes.starts_with(mark) && !is_binary_stl_by_size(bytes);
+  return is_marked ? bytes.substr(mark.size()) : bytes;
 }
 
 void check_columns(const Columns& columns, std::size_t rows, const std::string& element) {

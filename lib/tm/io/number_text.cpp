@@ -5,9 +5,9 @@
 namespace transformesh {
 
 bool is_below_one(std::string_view number) {
-  // Of an exponent that does not fit a long, the sign alone decides.
+  // Of an exponent that does not fit an int, the sign alone decides: no number has as many digits.
   const std::size_t exponent_mark = number.find_first_of("eE");
-  long exponent = 0;
+  int exponent = 0;
   if (exponent_mark != std::string_view::npos) {
     const char* first = number.data() + exponent_mark + 1;
     const bool negative = *first == '-';
@@ -20,7 +20,7 @@ bool is_below_one(std::string_view number) {
   if (first_digit == std::string_view::npos) return true;
   const auto point = static_cast<long>(std::min(digits.find('.'), digits.size()));
   const long place = point - static_cast<long>(first_digit);
-  return exponent < 0 ? place <= -exponent : place + exponent <= 0;
+  return place + exponent <= 0;
 }
 
 }  // namespace transformesh

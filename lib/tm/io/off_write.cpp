@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tm/io/losses.h"
 #include "tm/io/off.h"
 #include "tm/io/scalar.h"
@@ -75,13 +77,16 @@ class OffWriter {
     }
   }
 
-  /// Whether colors are floating point shows in their spelling alone.
+  /// Whether colors are floating point shows in their spelling alone, and is so for all channels.
   void add_colors(const Columns& columns, const std::vector<std::string_view>& names,
                   std::size_t row) {
+    const bool are_decimal = std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+      return is_floating(columns.find(name)->type);
+    });
     for (const std::string_view name : names) {
       const Column& column = *columns.find(name);
       text_.add(' ');
-      if (is_floating(column.type)) {
+      if (are_decimal) {
         text_.add_decimal(column.values[row]);
       } else {
         text_.add_number(to_scalar<std::int64_t>(column.values[row]));

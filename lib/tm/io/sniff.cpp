@@ -49,13 +49,6 @@ bool is_ply_start(std::string_view bytes) {
   return next == std::string_view::npos || bytes[next] == '\r' || bytes[next] == '\n';
 }
 
-bool is_binary_stl_by_size(std::string_view bytes) {
-  if (bytes.size() < stl_header_size) return false;
-  const bool swapped = !host_is_little;
-  const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, swapped);
-  return bytes.size() == stl_header_size + stl_facet_size * facets;
-}
-
 /// Many binary files start with `solid` too: only text goes on with `facet` or `endsolid`.
 bool is_ascii_stl(std::string_view bytes) {
   const std::string start = lower_case(bytes.substr(0, 2000));
@@ -76,8 +69,9 @@ bool is_obj_start(std::string_view bytes, std::string_view word) {
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   const std::string_view word = first_word(bytes);
   if (is_ply_start(bytes)) return FileKind::ply;
-  if (is_off_keyword(word)) return FileKind::off;
+  // No text has the size that its characters would mean.
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
+  if (is_off_keyword(word)) return FileKind::off;
   if (is_ascii_stl(bytes)) return FileKind::stl_ascii;
   if (is_obj_start(bytes, word)) return FileKind::obj;
   return {};
@@ -92,6 +86,13 @@ std::optional<FileKind> kind_of_name(const Source& source) {
 }
 
 }  // namespace
+
+bool is_binary_stl_by_size(std::string_view bytes) {
+  if (bytes.size() < stl_header_size) return false;
+  const bool swapped = !host_is_little;
+  const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, swapped);
+  return bytes.size() == stl_header_size + stl_facet_size * facets;
+}
 
 FileKind sniff(const Source& source) {
   const std::string_view bytes = source.bytes;

@@ -11,4 +11,7 @@ enum class FileKind { ply, off, obj, stl_ascii, stl_binary };
 /// wrong size, files of comments. Throws InputError showing the first bytes where nothing fits.
 FileKind sniff(const Source& source);
 
+/// Whether the bytes have the size that they say as binary STL, whose header may be anything.
+bool is_binary_stl_by_size(std::string_view bytes);
+
 }  // namespace transformesh

@@ -118,12 +118,13 @@ class TextReader {
 
 constexpr bool swapped = !host_is_little;
 
-/// The header without its padding, where it is text.
+/// The header without its padding, where it is ASCII text.
 std::string header_text(const Source& source) {
   std::string text(source.bytes.substr(0, header_size));
   text.resize(std::min(text.find('\0'), text.size()));
   while (!text.empty() && text.back() == ' ') text.pop_back();
-  const bool is_text = std::all_of(text.begin(), text.end(), [](char c) { return c >= ' '; });
+  const bool is_text =
+      std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
   return is_text ? text : std::string();
 }
 

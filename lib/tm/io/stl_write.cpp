@@ -30,17 +30,25 @@ Facet facet_of(const Mesh& mesh, const Face& face) {
   return facet;
 }
 
-/// The first comment that a program of this suite did not write, without a leading `solid`, by
-/// which many readers tell text from binary.
+bool is_blank(char c) { return c == ' ' || (c >= '\0' && c < ' '); }
+
+/// What a reader finds again as the name: without blanks around it, and without a leading `solid`,
+/// by which many readers tell text from binary.
+std::string as_name(std::string comment) {
+  constexpr std::string_view word = "solid";
+  std::replace_if(comment.begin(), comment.end(), is_blank, ' ');
+  std::string_view name = comment;
+  while (!name.empty() && (name.front() == ' ' || name.starts_with(word)))
+    name.remove_prefix(name.front() == ' ' ? 1 : word.size());
+  while (!name.empty() && name.back() == ' ') name.remove_suffix(1);
+  return std::string(name);
+}
+
+/// The first comment that a program of this suite did not write.
 std::string name_of(const Document& document) {
-  for (std::string comment : document.style.comments) {
-    if (is_own_comment(comment)) continue;
-    std::replace_if(
-        comment.begin(), comment.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
-    const bool says_solid = comment.rfind("solid", 0) == 0;
-    return says_solid ? comment.substr(std::min<std::size_t>(6, comment.size())) : comment;
-  }
-  return {};
+  const std::vector<std::string>& comments = document.style.comments;
+  const auto first = std::find_if_not(comments.begin(), comments.end(), is_own_comment);
+  return first == comments.end() ? std::string() : as_name(*first);
 }
 
 void add_point(std::string_view keyword, const Eigen::Vector3f& point, TextBuffer& text) {

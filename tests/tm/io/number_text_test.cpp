@@ -40,12 +40,14 @@ TEST_CASE("number text: what is too small is zero, what is too large is refused"
   double value = 7;
   std::size_t used = 0;
   const std::string zeros(400, '0');
-  for (const std::string text : {"1e-400", "-1e-400", "2e-324", "1e-99999999999999999999"}) {
+  for (const std::string text : {"1e-400", "-1e-400", "2e-324", "1e-99999999999999999999",
+                                 "1e-9223372036854775808", "1e-2147483648"}) {
     CHECK(parse(text, value, used) == Parsed::ok);
     CHECK(value == 0);
   }
   CHECK(parse("0." + zeros + "1", value, used) == Parsed::ok);
-  for (const std::string text : {"1e400", "-1e400", "1e99999999999999999999"}) {
+  for (const std::string text :
+       {"1e400", "-1e400", "1e99999999999999999999", "10e9223372036854775807", "10e2147483647"}) {
     CHECK(parse(text, value, used) == Parsed::out_of_range);
   }
   CHECK(parse("1" + zeros, value, used) == Parsed::out_of_range);

@@ -89,6 +89,21 @@ TEST_CASE("off: colors of faces as integers, as decimals and as an index") {
   CHECK(column(mesh.face_columns, "color_index").values == std::vector<double>{7, 8});
 }
 
+TEST_CASE("off: colors that no int holds are doubles, and come back") {
+  const std::string start = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 ";
+  for (const std::string color : {"23.25", "3000000000", "1 2 3000000000", "-3000000000 0 0 1"}) {
+    CAPTURE(color);
+    const Document document = read_document(start + color + '\n');
+    const Columns& columns = document.mesh.face_columns;
+    CHECK(columns.columns.at(0).type == Scalar::float64);
+    const Document again = read_document(write_mesh(document).bytes);
+    for (const Column& given : columns.columns) {
+      CHECK(column(again.mesh.face_columns, given.name).values == given.values);
+      CHECK(column(again.mesh.face_columns, given.name).type == given.type);
+    }
+  }
+}
+
 TEST_CASE("off: faces without a color among others are black and opaque, and that is said") {
   const ReadResult result =
       read_mesh("OFF\n4 3 0\n" + points + "3 0 1 2\n3 0 1 3 1 2 3 4\n3 1 2 3 5 6 7\n", "input");
@@ -113,6 +128,14 @@ TEST_CASE("off: what cannot be kept is named once") {
                                  "off: face property 'label' cannot be stored in OFF, dropped",
                                  "off: element 'edge' cannot be stored in OFF, dropped",
                                  "off: obj_info cannot be stored in OFF, dropped"});
+}
+
+TEST_CASE("off: where one channel is floating point, all are written as such") {
+  Document document = read_document("OFF\n1 0 0\n0 0 0 1 2 3\n");
+  document.mesh.vertex_columns.find("green")->type = Scalar::float32;
+  const std::string text = write_mesh(document).bytes;
+  CHECK(text == "COFF\n1 0 0\n0 0 0 1.0 2.0 3.0\n");
+  CHECK(rewritten(text) == text);
 }
 
 TEST_CASE("off: float coordinates are written as the doubles that they are") {

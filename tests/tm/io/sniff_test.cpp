@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "tm/io/mesh_io.h"
 #include "tm/support/error.h"
 
 using namespace transformesh;
@@ -47,6 +48,10 @@ TEST_CASE("binary STL is told by its size, also where the header says solid") {
   CHECK(kind(binary_stl(3, 3)) == FileKind::stl_binary);
   CHECK(kind(binary_stl(2, 2, "solid facet")) == FileKind::stl_binary);
   CHECK(kind(binary_stl(0, 0, "solid")) == FileKind::stl_binary);
+  for (const std::string header : {"OFF", "OFF of a box", "# \nOFF 3 1 0\n", "\xef\xbb\xbfname"}) {
+    CHECK(kind(binary_stl(2, 2, header)) == FileKind::stl_binary);
+    CHECK(read_mesh(binary_stl(2, 2, header), "-").document.mesh.faces.size() == 2);
+  }
   CHECK_FALSE(refusal(binary_stl(3, 2)).empty());
 }
 

@@ -51,6 +51,21 @@ TEST_CASE("stl: attributes, headers that say solid, bytes behind the end") {
   CHECK(write_mesh(result.document).bytes.substr(0, 11) == std::string("but binary\0", 11));
 }
 
+TEST_CASE("stl: a name is written as it will be read") {
+  Document document;
+  document.style.format = Format::stl_ascii;
+  for (const auto& [comment, name] : {std::pair("solidarity", "arity"), std::pair(" a  b ", "a  b"),
+                                      std::pair("solid solid x", "x"), std::pair("\tsolid", "")}) {
+    document.style.comments = {comment};
+    const Document again = read_document(write_mesh(document).bytes);
+    CHECK(again.style.comments ==
+          (*name ? std::vector<std::string>{name} : std::vector<std::string>{}));
+  }
+  // Bytes beyond ASCII are no name on any machine, whether its characters have a sign or not.
+  Bytes file = binary_start("COLOR=\xff\xff", 0);
+  CHECK(read_document(file.str()).style.comments.empty());
+}
+
 TEST_CASE("stl: text by hand") {
   const Document document = read_document(text_file);
   CHECK(document.style.format == Format::stl_ascii);

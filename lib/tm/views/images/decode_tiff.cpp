@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "tm/support/counted.h"
 #include "tm/views/images/decoders.h"
 
 namespace transformesh {
@@ -151,11 +152,25 @@ class Reader {
     return std::clamp(rows, 1U, height_);
   }
 
+  /// Strips and tiles are decoded as a whole, so that their room is taken before they show what
+  /// they hold. No compression in use makes of a photograph as much as this.
+  template <class Sample>
+  std::unique_ptr<Sample[]> claimed_samples(std::uint64_t count) const {  // NOLINT(*-c-arrays)
+    constexpr std::uint64_t always_fine = 1 << 24;
+    constexpr std::uint64_t most_of_a_byte = 1 << 16;
+    const std::uint64_t size = sizeof(Sample) * count;
+    if (size > std::max(always_fine, most_of_a_byte * source_.bytes.size())) {
+      source_.fail("a strip or tile of the image cannot have " + counted(size, "byte") + " in " +
+                   counted(source_.bytes.size(), "byte"));
+    }
+    return samples<Sample>(count);
+  }
+
   template <class Sample>
   void read_bands(LevelRows& rows) {
     const std::uint64_t row_size = std::uint64_t{width_} * stride_;
     const std::uint32_t most = rows_per_band();
-    const auto band = samples<Sample>(most * row_size);
+    const auto band = claimed_samples<Sample>(most * row_size);
     std::vector<Sample> row(row_size);
     for (std::uint32_t y = 0, count = 0; y < height_; y += count) {
       count = std::min(most, height_ - y);
@@ -180,7 +195,7 @@ class Reader {
   void read_tiles(std::uint32_t y, std::uint32_t count, Sample* band) const {
     const auto tile_width = field<std::uint32_t>(TIFFTAG_TILEWIDTH);
     const tmsize_t size = TIFFTileSize(tiff_.get());
-    const auto tile = samples<Sample>(static_cast<std::uint64_t>(size) / sizeof(Sample));
+    const auto tile = claimed_samples<Sample>(static_cast<std::uint64_t>(size) / sizeof(Sample));
     for (std::uint32_t x = 0; x < width_; x += std::min(tile_width, width_ - x)) {
       const std::uint32_t index = TIFFComputeTile(tiff_.get(), x, y, 0, 0);
       demand(TIFFReadEncodedTile(tiff_.get(), index, tile.get(), size) == size);

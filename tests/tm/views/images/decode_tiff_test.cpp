@@ -45,6 +45,27 @@ void check_levels(const GrayImage& image, const Rows& rows, const TiffKind& kind
   CHECK(largest < 1e-4);
 }
 
+std::size_t little_endian(const std::string& bytes, std::size_t place, std::size_t count) {
+  std::size_t value = 0;
+  while (count-- > 0) value = 256 * value + static_cast<unsigned char>(bytes[place + count]);
+  return value;
+}
+
+/// Changes a label of a little-endian file, which has it already.
+void set_label(std::string& bytes, unsigned label, std::uint32_t value) {
+  const std::size_t start = little_endian(bytes, 4, 4);
+  const std::size_t labels = little_endian(bytes, start, 2);
+  for (std::size_t i = 0; i < labels; ++i) {
+    const std::size_t place = start + 2 + 12 * i;
+    if (little_endian(bytes, place, 2) != label) continue;
+    bytes[place + 2] = 4;  // whole numbers of four bytes
+    for (std::size_t byte = 0; byte < 4; ++byte)
+      bytes[place + 8 + byte] = static_cast<char>(value >> 8 * byte & 0xff);
+    return;
+  }
+  FAIL("no such label");
+}
+
 /// Of this process so far, in kB.
 long peak_memory() {
   rusage usage{};
@@ -137,17 +158,10 @@ TEST_CASE("a TIFF that is cut short is refused, and damage does no harm") {
 }
 
 TEST_CASE("a TIFF that claims what its bytes cannot hold costs nothing") {
-  // Width and height are the first two labels, of 12 bytes each.
   const auto claim = [](const TiffKind& kind, std::uint32_t size) {
     std::string bytes = tiff_of(kind, 16, 2, noise(kind.bits == 1 ? 4 : 32));
-    std::size_t labels = 0;
-    for (std::size_t i = 4; i-- > 0;)
-      labels = 256 * labels + static_cast<unsigned char>(bytes[4 + i]);
-    for (const std::size_t label : {labels + 2, labels + 14}) {
-      bytes[label + 2] = 4;  // whole numbers of four bytes
-      for (std::size_t i = 0; i < 4; ++i)
-        bytes[label + 8 + i] = static_cast<char>(size >> 8 * i & 0xff);
-    }
+    set_label(bytes, TIFFTAG_IMAGEWIDTH, size);
+    set_label(bytes, TIFFTAG_IMAGELENGTH, size);
     return image_refusal(bytes);
   };
   const long before = peak_memory();
@@ -158,4 +172,15 @@ TEST_CASE("a TIFF that claims what its bytes cannot hold costs nothing") {
   CHECK(claim({8, 1, 3, COMPRESSION_LZW}, 20000) != "");
   CHECK(claim({1, 1, 0, COMPRESSION_CCITT_T6}, 20000) != "");
   CHECK(peak_memory() - before < 500000);
+}
+
+// Tiles are decoded as a whole: here one of 12 GB in less than 300 bytes.
+TEST_CASE("a TIFF whose tile claims what its bytes cannot hold takes no memory for it") {
+  TiffKind kind{16, 1, PHOTOMETRIC_MINISBLACK, COMPRESSION_ADOBE_DEFLATE};
+  kind.tile = 16;
+  std::string bytes = tiff_of(kind, 9, 5, noise(90));
+  set_label(bytes, TIFFTAG_TILELENGTH, 23312);
+  set_label(bytes, TIFFTAG_SAMPLESPERPIXEL, 16129);
+  CHECK(image_refusal(bytes).starts_with(
+      "a strip or tile of the image cannot have 12031975936 bytes in "));
 }
