@@ -1,0 +1,64 @@
+// Camera files: what is read can be written in every format, and is read again as the same cameras.
+#include <Eigen/LU>
+
+#include "fuzz/fuzz.h"
+#include "tm/support/error.h"
+#include "tm/views/cameras/camera_file.h"
+
+using namespace transformesh;
+using namespace transformesh::fuzz;
+
+namespace {
+
+/// How far the rows of R are from orthonormal, as in files with few digits.
+double rotation_error(const PinholeCamera& camera) {
+  const Eigen::Matrix3d product = camera.rotation * camera.rotation.transpose();
+  return (product - Eigen::Matrix3d::Identity()).norm();
+}
+
+/// What decomposing a matrix must do to it: nothing, where it is far from singular. COLMAP makes a
+/// rotation of R.
+void compare(const CameraRecord& given, const CameraRecord& again) {
+  demand_same(given.name, again.name, "another name");
+  const Projection a = given.camera.projection();
+  const Projection b = again.camera.projection();
+  const Eigen::Matrix3d left = a.leftCols<3>().rowwise().normalized();
+  if (!(std::abs(left.determinant()) > 0.01) || !a.allFinite()) return;
+  const double tolerance = 1e-9 + 100 * rotation_error(given.camera);
+  for (int i = 0; i < 3; ++i)
+    demand((a.row(i) - b.row(i)).norm() <= tolerance * a.row(i).norm(), "another projection");
+}
+
+void write_and_compare(const CameraList& list, CameraFormat format) {
+  std::string text;
+  try {
+    text = write_cameras(list, format);
+  } catch (const InputError&) {
+    return;  // the format cannot hold them
+  }
+  // A single matrix is called after its file.
+  const CameraList again = parse_cameras(text, "written.txt", list.cameras.front().name);
+  demand(list.cameras.size() == again.cameras.size(), "another number of cameras");
+  for (std::size_t i = 0; i < list.cameras.size(); ++i) compare(list.cameras[i], again.cameras[i]);
+}
+
+}  // namespace
+
+void transformesh::fuzz::run_target(std::string_view bytes) {
+  CameraList list;
+  try {
+    list = parse_cameras(bytes, "input.txt");
+  } catch (const InputError&) {
+    return;
+  }
+  for (const CameraRecord& record : list.cameras) {
+    const PinholeCamera& camera = record.camera;
+    demand(camera.intrinsics.allFinite() && camera.translation.allFinite(), "no finite number");
+    demand(camera.intrinsics(0, 0) > 0 && camera.intrinsics(1, 1) > 0, "a focal length below 0");
+    // Files with three digits are read.
+    demand(std::abs(camera.rotation.determinant() - 1) < 0.01, "no rotation");
+  }
+  for (const CameraFormat format :
+       {CameraFormat::middlebury, CameraFormat::colmap, CameraFormat::matrices})
+    write_and_compare(list, format);
+}

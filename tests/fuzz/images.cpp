@@ -1,0 +1,33 @@
+// Image files of any format that is read. A header is a claim: scripts/fuzz limits the memory of a
+// run, and of one allocation.
+#include "fuzz/fuzz.h"
+#include "tm/support/error.h"
+#include "tm/views/images/image_file.h"
+
+using namespace transformesh;
+using namespace transformesh::fuzz;
+
+namespace {
+
+void check_levels(const GrayImage& image) {
+  demand(image.width > 0 && image.height > 0, "an image without pixels");
+  demand(image.pixels.size() ==
+             static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+         "another number of pixels");
+  for (const float level : image.pixels) demand(level >= 0 && level <= 255.001F, "a level beyond");
+}
+
+}  // namespace
+
+void transformesh::fuzz::run_target(std::string_view bytes) {
+  const std::string name = "input.image";
+  try {
+    const GrayImage image = decode_photograph(bytes, name);
+    check_levels(image);
+    const GrayImage size = decode_size(bytes, name);
+    demand(size.width == image.width && size.height == image.height, "another size");
+    const GrayImage silhouette = decode_silhouette(bytes, name);
+    demand(silhouette.pixels.size() == image.pixels.size(), "a silhouette of another size");
+  } catch (const InputError&) {
+  }
+}

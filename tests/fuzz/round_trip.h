@@ -1,0 +1,126 @@
+/// Judges the readers and writers of meshes: what was read is written in every format and read
+/// again as the same, bit for bit, as far as the format can hold it.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "fuzz/fuzz.h"
+#include "tm/io/mesh_io.h"
+#include "tm/support/error.h"
+
+namespace transformesh::fuzz {
+
+inline bool is_same(double first, double second) {
+  const bool are_nan = std::isnan(first) && std::isnan(second);
+  return are_nan || (first == second && std::signbit(first) == std::signbit(second));
+}
+
+inline bool is_same(const Vec3& first, const Vec3& second) {
+  return is_same(first.x(), second.x()) && is_same(first.y(), second.y()) &&
+         is_same(first.z(), second.z());
+}
+
+inline bool is_same(const Columns& first, const Columns& second) {
+  if (first.columns.size() != second.columns.size()) return false;
+  for (std::size_t i = 0; i < first.columns.size(); ++i) {
+    const Column& a = first.columns[i];
+    const Column& b = second.columns[i];
+    if (a.name != b.name || a.type != b.type || a.values.size() != b.values.size()) return false;
+    if (a.list_offsets != b.list_offsets) return false;
+    for (std::size_t row = 0; row < a.values.size(); ++row)
+      if (!is_same(a.values[row], b.values[row])) return false;
+  }
+  return true;
+}
+
+inline bool is_ply(Format format) {
+  return format == Format::ply_ascii || format == Format::ply_little || format == Format::ply_big;
+}
+
+inline bool is_stl(Format format) {
+  return format == Format::stl_ascii || format == Format::stl_binary;
+}
+
+/// STL has corners and no vertices.
+inline void compare_meshes(const Mesh& given, const Mesh& again, Format format) {
+  demand(given.faces.size() == again.faces.size(), "another number of faces");
+  if (!is_stl(format)) {
+    demand(given.positions.size() == again.positions.size(), "another number of vertices");
+    demand(given.faces == again.faces, "other faces");
+    for (std::size_t v = 0; v < given.positions.size(); ++v)
+      demand(is_same(given.positions[v], again.positions[v]), "another position");
+    return;
+  }
+  for (std::size_t f = 0; f < given.faces.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i)
+      demand(is_same(given.positions[given.faces[f][i]], again.positions[again.faces[f][i]]),
+             "another corner");
+}
+
+/// Line ends of old Macintoshes inside of a comment become blanks.
+inline std::string lines_of(const std::vector<std::string>& comments) {
+  std::string lines;
+  for (const std::string& comment : comments) lines += comment + '\n';
+  std::replace(lines.begin(), lines.end(), '\r', ' ');
+  return lines;
+}
+
+/// PLY holds everything.
+inline void compare_documents(const Document& given, const Document& again) {
+  const Mesh& mesh = given.mesh;
+  demand(is_same(mesh.vertex_columns, again.mesh.vertex_columns), "other vertex columns");
+  demand(is_same(mesh.face_columns, again.mesh.face_columns), "other face columns");
+  demand_same(lines_of(given.style.comments), lines_of(again.style.comments), "other comments");
+  demand_same(lines_of(given.style.obj_info), lines_of(again.style.obj_info), "other obj_info");
+  demand(given.other_elements.size() == again.other_elements.size(), "other elements");
+  for (std::size_t i = 0; i < given.other_elements.size(); ++i)
+    demand(given.other_elements[i].name == again.other_elements[i].name &&
+               given.other_elements[i].rows == again.other_elements[i].rows &&
+               is_same(given.other_elements[i].columns, again.other_elements[i].columns),
+           "another element");
+}
+
+/// Written twice, the bytes are the same. Only ASCII text in the header of binary STL is a name.
+inline void write_and_compare(const Document& document) {
+  const Format format = document.style.format;
+  const std::string bytes = write_mesh(document).bytes;
+  const std::string name = "written." + std::string(name_of(format));
+  const Document again = read_mesh(bytes, name).document;
+  demand(again.style.format == format, "another format");
+  compare_meshes(document.mesh, again.mesh, format);
+  if (is_ply(format)) compare_documents(document, again);
+  if (format == Format::stl_binary) return;
+  demand_same(bytes, write_mesh(again).bytes, "other bytes when written again");
+}
+
+/// Coordinates that floats cannot hold are refused.
+inline void write_as(Document document, Format format, Scalar coordinate) {
+  try {
+    set_format(document, format, coordinate);
+    write_and_compare(document);
+  } catch (const GoalError&) {
+  }
+}
+
+/// Reads a mesh and judges what was read; input that is refused is fine.
+inline void check_mesh_file(std::string_view bytes, const std::string& name) {
+  ReadResult result;
+  try {
+    result = read_mesh(bytes, name);
+  } catch (const InputError&) {
+    return;
+  }
+  const Document& document = result.document;
+  for (const Face& face : document.mesh.faces)
+    for (const Index corner : face)
+      demand(corner < document.mesh.positions.size(), "an index out of range");
+  write_and_compare(document);
+  for (const Format format : {Format::ply_ascii, Format::ply_little, Format::ply_big, Format::off,
+                              Format::obj, Format::stl_ascii, Format::stl_binary})
+    for (const Scalar coordinate : {Scalar::float64, Scalar::float32})
+      write_as(document, format, coordinate);
+}
+
+}  // namespace transformesh::fuzz

@@ -1,0 +1,172 @@
+// Makes what the targets start from, by the generators of the library and of tests/corpus.
+//   fuzz_seeds FOLDER     writes FOLDER/TARGET/NUMBER
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "corpus/cases.h"
+#include "corpus/hostile_shapes.h"
+#include "fuzz/tiny_mesh.h"
+#include "helpers/encoded_images.h"
+#include "tm/io/mesh_io.h"
+#include "tm/shapes/shapes.h"
+#include "tm/views/cameras/camera_ring.h"
+
+using namespace transformesh;
+
+namespace {
+
+class Seeds {
+ public:
+  explicit Seeds(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  void add(const std::string& target, const std::string& bytes) {
+    const std::filesystem::path folder = folder_ / target;
+    std::filesystem::create_directories(folder);
+    std::ofstream file(folder / std::to_string(count_[target]++), std::ios::binary);
+    file << bytes;
+    if (!file) throw std::runtime_error("cannot write into " + folder.string());
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::map<std::string, int> count_;
+};
+
+/// Small ones of the library's shapes, the corpus and the hostile families.
+std::vector<Mesh> tiny_meshes() {
+  std::vector<Mesh> meshes;
+  const auto add = [&](Mesh mesh) {
+    if (mesh.faces.size() <= fuzz::most_faces) meshes.push_back(std::move(mesh));
+  };
+  for (const char* kind : {"sphere", "box", "torus", "two-spheres"}) {
+    ShapeOptions options;
+    options.kind = kind;
+    options.faces = 16;
+    add(make_shape(options));
+  }
+  corpus::Cases cases;
+  for (const auto add_cases :
+       {corpus::add_coplanar_cases, corpus::add_contact_cases, corpus::add_degenerate_cases,
+        corpus::add_nesting_cases, corpus::add_coordinate_cases, corpus::add_open_cases})
+    add_cases(cases);
+  for (const corpus::Case& shape : cases) add(shape.make());
+  for (const corpus::HostileFamily& family : corpus::hostile_families())
+    for (const std::uint64_t seed : {1, 2}) add(hostile_mesh(family, seed, Scalar::float64));
+  return meshes;
+}
+
+/// With columns and comments, so that all parts of a file are there.
+Document documented(const Mesh& mesh) {
+  Document document;
+  document.mesh = mesh;
+  const std::size_t vertices = mesh.positions.size(), faces = mesh.faces.size();
+  for (const char* channel : {"red", "green", "blue"})
+    document.mesh.vertex_columns.get(channel, Scalar::uint8, vertices);
+  document.mesh.face_columns.get("label", Scalar::int16, faces);
+  Column& list = document.mesh.face_columns.get("uv", Scalar::float32, 0);
+  list.list_count_type = Scalar::uint8;
+  list.values = {1, 2};
+  list.list_offsets.assign(faces + 1, 2);
+  list.list_offsets[0] = 0;
+  document.other_elements.push_back({"edge", 2, {}});
+  document.other_elements[0].columns.get("vertex1", Scalar::uint32, 2);
+  document.style.comments = {"a comment"};
+  return document;
+}
+
+void add_mesh_files(const Mesh& mesh, Seeds& seeds) {
+  constexpr std::size_t largest = 4096;
+  for (Document document : {Document{mesh, {}, {}}, documented(mesh)}) {
+    const std::pair<const char*, Format> kinds[] = {
+        {"ply", Format::ply_ascii}, {"ply", Format::ply_little}, {"ply", Format::ply_big},
+        {"off", Format::off},       {"obj", Format::obj},        {"stl", Format::stl_ascii},
+        {"stl", Format::stl_binary}};
+    for (const auto& [target, format] : kinds) {
+      document.style.format = format;
+      try {
+        const std::string bytes = write_mesh(document).bytes;
+        if (bytes.size() <= largest) seeds.add(target, bytes);
+      } catch (const GoalError&) {  // too large for floats
+      }
+    }
+  }
+}
+
+void add_meshes(Seeds& seeds) {
+  constexpr std::size_t most_files = 40;
+  const std::vector<Mesh> meshes = tiny_meshes();
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const std::string bytes = fuzz::tiny_mesh_bytes(meshes[i]);
+    if (i % (meshes.size() / most_files + 1) == 0) add_mesh_files(meshes[i], seeds);
+    if (bytes.empty()) continue;
+    seeds.add("clean", std::string(1, '\0') + bytes);
+    seeds.add("stitch", std::string(3, '\0') + bytes);
+    seeds.add("remesh", std::string("\x20\x20\2\1\1\0\0\0\0\0\0\0", 12) + bytes);
+    seeds.add("step", std::string("\0\x40\x33\0\0", 5) + bytes + bytes);
+  }
+}
+
+void add_images(Seeds& seeds) {
+  using namespace transformesh::test;
+  for (const int channels : {1, 3, 4})
+    for (const bool is_progressive : {false, true})
+      seeds.add("images", jpeg_of({channels, is_progressive, is_progressive ? 0U : 1U}, 9, 5,
+                                  noise(static_cast<std::size_t>(45 * channels))));
+  // Color types of PNG: gray 0, color 2, palette 3, with alpha 4 and 6.
+  const std::array<std::pair<int, std::size_t>, 5> types{{{0, 1}, {2, 3}, {3, 1}, {4, 2}, {6, 4}}};
+  for (const auto& [type, channels] : types)
+    for (const bool is_interlaced : {false, true})
+      seeds.add("images", png_of({type, 8, is_interlaced}, 9, 5, Rows(45 * channels, 1)));
+  for (const int samples : {1, 3})
+    for (const int bits : {8, 16})
+      for (const int compression : {1, 5, 8, 32773})  // none, LZW, Deflate, PackBits
+        for (const int tile : {0, 16}) {
+          TiffKind kind;
+          kind.bits = bits, kind.samples = samples, kind.photometric = samples == 1 ? 1 : 2;
+          kind.compression = compression, kind.tile = tile;
+          const auto size = static_cast<std::size_t>(45 * samples * bits / 8);
+          seeds.add("images", tiff_of(kind, 9, 5, noise(size)));
+        }
+  for (const char* text : {"P2 2 2 255 0 1 2 3", "P3 1 1 9 1 2 3", "P5 2 1 65535 abcd"})
+    seeds.add("images", text);
+  seeds.add("images", "P6\n# a comment\n1 1\n255\nabc");
+}
+
+void add_cameras(Seeds& seeds) {
+  CameraRing ring;
+  ring.count = 3;
+  const CameraList list = camera_ring(ring);
+  for (const CameraFormat format :
+       {CameraFormat::middlebury, CameraFormat::colmap, CameraFormat::matrices})
+    seeds.add("cameras", write_cameras(list, format));
+  seeds.add("cameras", "# Bundle file v0.3\n1 0\n1000 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -5\n");
+  seeds.add("cameras", "CONTOUR\n1 0 0 0\n0 1 0 0\n0 0 1 5\n");
+}
+
+void add_words(Seeds& seeds) {
+  for (const char* line :
+       {"--flag\n--number=3\n-n\n1e3\n--integer\n7", "--length=5%\n-l\n0.7x\n--text\na b",
+        "--choice\ntwo\n--numbers=1,2,3\n--seed=9\nfile.ply", "--reference-edge\nauto\n--\n-x",
+        "-ft\nname\n--optional-integer=-3\n1.5GiB\n500M", "--lenght=1"})
+    seeds.add("options", line);
+  for (const char* names :
+       {"view1.png\nview2.png\nview1.txt\nview2.txt", "a9\na10\nb09-mask\nb10-mask",
+        "001.pgm\n002.pgm\ncamera1_P\ncamera2_P", "x/y.tar.gz\n.hidden\nx\n"})
+    seeds.add("names", names);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "fuzz_seeds: name the folder to write to, and nothing else\n";
+    return 2;
+  }
+  Seeds seeds(argv[1]);
+  add_meshes(seeds);
+  add_images(seeds);
+  add_cameras(seeds);
+  add_words(seeds);
+  return 0;
+}

@@ -1,0 +1,31 @@
+// Stitching: whatever the triangles are, the result is an oriented manifold, with borders only
+// where faces are left over.
+#include "tm/clean/stitch/stitch.h"
+
+#include "fuzz/tiny_mesh.h"
+#include "tm/mesh/manifold.h"
+#include "tm/support/error.h"
+
+using namespace transformesh;
+using namespace transformesh::fuzz;
+
+void transformesh::fuzz::run_target(std::string_view bytes) {
+  Choices choices(bytes);
+  const StitchOptions options{choices.flag() ? choices.byte() / 16.0 : 0, choices.flag(),
+                              choices.flag()};
+  Mesh mesh = tiny_mesh(choices);
+  const bool is_closed = is_closed_by_position(mesh);
+  StitchResult result;
+  try {
+    result = stitch(mesh, options);
+  } catch (const InputError&) {
+    demand(options.orient, "refused, although nothing is to be oriented");
+    return;
+  }
+  const ManifoldReport report = check_manifold(mesh);
+  const std::string problem = describe_problem(mesh, report, is_closed && options.tolerance == 0);
+  demand(problem.empty(), problem);
+  // These have several borders each.
+  if (result.misoriented_edges + result.split_edges > 0) return;
+  demand(report.border_halfedges.size() == result.border_edges, "another number of border edges");
+}
