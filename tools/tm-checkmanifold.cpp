@@ -65,6 +65,7 @@ Certificate certify_document(const Document& document, const Mesh& input, const 
   run.report("undecided_samples", certificate.undecided);
   run.report("undecided_share", certificate.undecided_share());
   run.report("wrong_samples", certificate.wrong);
+  if (certificate.input_is_closed) run.report("margin", certificate.margin);
   return certificate;
 }
 

@@ -105,12 +105,14 @@ void finish(Certificate& certificate) {
 }
 
 std::vector<Judgement> judge(const Meshes& meshes, const FaceMatch& match,
-                             const CertifyOptions& options, const Progress& progress) {
+                             const CertifyOptions& options, const Progress& progress,
+                             Certificate& certificate) {
   const Mesh& input = meshes.input;
   const Mesh& output = meshes.output;
   const std::vector<FaceSide> sides = choose_sides(input, match, options, progress);
   progress("sample");
   const SampleFinder finder(input, output, match, options.coordinate);
+  certificate.margin = meshes.unit * finder.zone().largest_margin();
   std::vector<Judgement> judgements(sides.size());
   parallel_for(sides.size(), 16, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -150,7 +152,7 @@ void compare_with_solid_angles(const Mesh& mesh, int WindingSample::*number,
 
 void certify_winding(const Meshes& meshes, const FaceMatch& match, const CertifyOptions& options,
                      const Progress& progress, Certificate& certificate) {
-  std::vector<Judgement> judgements = judge(meshes, match, options, progress);
+  std::vector<Judgement> judgements = judge(meshes, match, options, progress, certificate);
   compare_with_solid_angles(meshes.input, &WindingSample::input_winding, judgements);
   compare_with_solid_angles(meshes.output, &WindingSample::output_winding, judgements);
   for (const Judgement& judgement : judgements) {

@@ -10,8 +10,12 @@
 /// A sample is undecided where no point beside the face is farther from all new faces, and from the
 /// faces that are gone, than rounding may have moved them: along each axis twice the spacing of
 /// `coordinate` at the face; for a new face 4 times as far as it is seen to be from the input, if
-/// that is more, up to 1024 times the spacing at the largest coordinate. So a vertex moved by more
-/// than that is noticed.
+/// that is more, up to 1024 times that spacing. So a vertex moved by more than that is noticed, and
+/// a far vertex excuses nothing elsewhere.
+///
+/// A surface that moves by at most e keeps its winding numbers at all points farther than e from
+/// it, since it sweeps over none of them: the samples speak for every such point of their cells, e
+/// being the certificate's margin.
 ///
 /// The winding number of an input with a border is no integer. Then all that is tested is that each
 /// new face is a piece of a face of the input, with its orientation, to the same distance.
@@ -39,6 +43,7 @@ struct Certificate {
   std::size_t samples = 0;       ///< how many were judged, wrong ones included
   std::size_t undecided = 0;
   std::size_t wrong = 0;
+  double margin = 0;    ///< the farthest that rounding may have moved a new face unnoticed
   std::string problem;  ///< the first wrong sample, or too many undecided ones; empty if none
 
   double undecided_share() const;

@@ -24,6 +24,7 @@ class SampleFinder {
 
   /// A sample in front of the face (side 1) or behind it (-1); nothing where no point will do.
   std::optional<WindingSample> find(const Mesh& mesh, Index face, int side) const;
+  const RoundingZone& zone() const { return zone_; }
 
  private:
   std::optional<WindingSample> find_above(const Vec3& base, const Vec3& direction,

@@ -8,7 +8,6 @@
 
 #include "tm/geometry/closest_point.h"
 #include "tm/mesh/digits.h"
-#include "tm/mesh/measure.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -26,11 +25,6 @@ constexpr double measuring_error = 8 * std::numeric_limits<double>::epsilon();
 
 Vec3 spacings_at(const Vec3& point, Scalar coordinate) {
   return point.unaryExpr([=](double x) { return x == 0 ? 0 : spacing_at(x, coordinate); });
-}
-
-double largest_coordinate(const Mesh& mesh) {
-  const Box box = bounding_box(mesh);
-  return box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).maxCoeff();
 }
 
 /// Whether no plane across the direction parts the triangle from the cube |x|, |y|, |z| <= half.
@@ -95,7 +89,6 @@ std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
                                    const std::vector<Index>& faces, Scalar coordinate) {
   const ClosestPointQuery surface(input);
   const std::vector<Vec3> shifts = vertex_shifts(surface, output, faces);
-  const double spacing = spacing_at(largest_coordinate(output), coordinate);
   std::vector<Vec3> margins(faces.size());
   parallel_for(faces.size(), 64, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -104,7 +97,8 @@ std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
       for (std::size_t k = 0; k < 3; ++k)
         shift = shift.cwiseMax(shifts[output.faces[faces[i]][k]])
                     .cwiseMax(shift_from(surface, (t[k] + t[(k + 1) % 3]) / 2));
-      margins[i] = (4 * shift).cwiseMin(1024 * spacing).cwiseMax(least_margins(t, coordinate));
+      const Vec3 least = least_margins(t, coordinate);
+      margins[i] = (4 * shift).cwiseMin(512 * least.maxCoeff()).cwiseMax(least);
     }
   });
   return margins;
@@ -158,6 +152,12 @@ Vec3 RoundingZone::margins_at(const Vec3& point) const {
     return true;
   });
   return margins;
+}
+
+double RoundingZone::largest_margin() const {
+  double largest = 0;
+  for (const Vec3& margins : margins_) largest = std::max(largest, margins.maxCoeff());
+  return largest;
 }
 
 }  // namespace transformesh

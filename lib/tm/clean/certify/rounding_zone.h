@@ -14,7 +14,7 @@ namespace transformesh {
 /// How far rounding may have moved each of the faces along each axis: four times as far as its
 /// corners, the midpoints of its edges and its centroid are from the input, but at least twice the
 /// spacing of numbers of the type `coordinate` at the face, and at most 1024 times that at the
-/// largest coordinate of the mesh.
+/// face's largest coordinate.
 std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
                                    const std::vector<Index>& faces, Scalar coordinate);
 
@@ -30,6 +30,8 @@ class RoundingZone {
   bool contains(const Vec3& point) const;
   /// How far a surface, or a point on it, may be misplaced at that point along each axis.
   Vec3 margins_at(const Vec3& point) const;
+  /// The largest of all margins along any axis.
+  double largest_margin() const;
 
  private:
   std::vector<Triangle> triangles_;
