@@ -131,3 +131,9 @@ tetrahedron_with() {
   [ "$(tm-info --get volume out.off)" = "$(tm-info --get volume one.off)" ]
   [ "$(tm-info --get faces out.off)" -eq 4 ]
 }
+
+@test "a vertex that is far away costs the rest of the mesh nothing" {
+  tm-shape sphere --faces 50000 --format off --no-provenance | sed '4s/.*/1e15 2e15 3e15/' >stray.off
+  cheap tm-intersect -q stray.off >/dev/null
+  cheap tm-clean -q stray.off >/dev/null
+}

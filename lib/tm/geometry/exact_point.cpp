@@ -9,6 +9,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tm/geometry/number_vector.h"
+#include "tm/geometry/wide_ball.h"
+
 namespace transformesh {
 
 /// Homogeneous coordinates with positive weight.
@@ -22,31 +25,10 @@ namespace {
 using Exact = CGAL::Mpzf;
 using Interval = CGAL::Interval_nt<false>;
 template <class Number>
-using Vector = std::array<Number, 3>;
+using Vector = NumberVector<Number>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double underflow_guard = 1e-280;
-
-template <class Number>
-Vector<Number> difference(const Vec3& p, const Vec3& origin) {
-  return {Number(p[0]) - Number(origin[0]), Number(p[1]) - Number(origin[1]),
-          Number(p[2]) - Number(origin[2])};
-}
-
-template <class Number>
-Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <class Number>
-Number dot(const Vector<Number>& a, const Vector<Number>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class Number>
-Vector<Number> normal(const Triangle& t) {
-  return cross<Number>(difference<Number>(t[1], t[0]), difference<Number>(t[2], t[0]));
-}
 
 /// A point as origin + numerator / denominator, the origin a given point.
 template <class Number>
@@ -126,21 +108,42 @@ void set_ball(ExactPoint& point, int i, double low, double high) {
   point.radius[i] = radius == 0 ? 0 : radius * (1 + 4 * epsilon) + 1e-300;
 }
 
-// The ball from the fraction in intervals, cut down to the box that is known to hold the point.
-void set_balls(ExactPoint& point, const Fraction<Interval>& fraction, const Vec3& low,
+bool has_sign(const Interval& number) { return !number.do_overlap(Interval(0)); }
+bool has_sign(const WideBall& number) { return number.sign() != 0; }
+std::array<double, 2> ends_of(const Interval& number) { return {number.inf(), number.sup()}; }
+std::array<double, 2> ends_of(const WideBall& number) { return {number.low(), number.high()}; }
+
+// The ball from the fraction, cut down to the box that is known to hold the point. Returns whether
+// the fraction told anything.
+template <class Number>
+bool set_balls(ExactPoint& point, const Fraction<Number>& fraction, const Vec3& low,
                const Vec3& high) {
-  const bool uncertain = fraction.denominator.do_overlap(Interval(0));
+  const bool is_certain = has_sign(fraction.denominator);
+  bool is_finite = is_certain;
   for (int i = 0; i < 3; ++i) {
     double from = low[i];
     double to = high[i];
-    if (!uncertain) {
-      const Interval x = Interval(fraction.origin[i]) +
-                         fraction.numerator[static_cast<std::size_t>(i)] / fraction.denominator;
-      from = std::max(from, x.inf());
-      to = std::min(to, x.sup());
+    if (is_certain) {
+      const auto [least, most] =
+          ends_of(Number(fraction.origin[i]) +
+                  fraction.numerator[static_cast<std::size_t>(i)] / fraction.denominator);
+      is_finite = is_finite && std::isfinite(least) && std::isfinite(most);
+      from = std::max(from, least);
+      to = std::min(to, most);
     }
     set_ball(point, i, from, to);
   }
+  return is_finite;
+}
+
+// In intervals, and in wide balls where those overflow. `fraction_in` computes the fraction in the
+// numbers of a kind, which it is given as a value.
+template <class FractionIn>
+void set_balls(ExactPoint& point, const FractionIn& fraction_in, const Vec3& low,
+               const Vec3& high) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  if (!set_balls(point, fraction_in(Interval(0)), low, high))
+    set_balls(point, fraction_in(WideBall(0)), low, high);
 }
 
 struct Bound {
@@ -167,6 +170,23 @@ int sign_of_difference(const Bound& a, const Bound& b) {
   if (value > error) return 1;
   if (value < -error) return -1;
   return 0;
+}
+
+// Products of doubles that leave their range are decided in balls if those allow it.
+bool leaves_range(double size) { return !(size > 1e-260 && size < 1e300); }
+
+Vector<WideBall> wide_difference(const ExactPoint& a, const ExactPoint& b) {
+  const auto minus = [&](int i) {
+    return WideBall(a.center[i], a.radius[i]) - WideBall(b.center[i], b.radius[i]);
+  };
+  return {minus(0), minus(1), minus(2)};
+}
+
+int wide_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                  PlaneProjection p) {
+  const Vector<WideBall> ab = wide_difference(b, a), ac = wide_difference(c, a);
+  const auto u = static_cast<std::size_t>(p.u), v = static_cast<std::size_t>(p.v);
+  return (ab[u] * ac[v] - ab[v] * ac[u]).sign();
 }
 
 int exact_sign(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
@@ -200,9 +220,11 @@ ExactPoint ExactGeometry::line_plane(Index u, Index v, Index face) const {
   ExactPoint point;
   point.kind = ExactPoint::Kind::line_plane;
   point.definition = {u, v, face, 0};
-  const CGAL::Protect_FPU_rounding<true> upward;
-  set_balls(point, line_plane_fraction<Interval>(positions_[u], positions_[v], triangle(face)),
-            positions_[u].cwiseMin(positions_[v]), positions_[u].cwiseMax(positions_[v]));
+  const auto fraction = [&]<class Number>(const Number&) {
+    return line_plane_fraction<Number>(positions_[u], positions_[v], triangle(face));
+  };
+  set_balls(point, fraction, positions_[u].cwiseMin(positions_[v]),
+            positions_[u].cwiseMax(positions_[v]));
   return point;
 }
 
@@ -230,9 +252,11 @@ ExactPoint ExactGeometry::line_line(Index u, Index v, Index x, Index y) const {
   point.definition = {u, v, x, y};
   const Vec3 &a = positions_[u], &b = positions_[v], &c = positions_[x], &d = positions_[y];
   const PlaneProjection projection = projection_of_edges(a, b, c, d);
-  const CGAL::Protect_FPU_rounding<true> upward;
-  set_balls(point, line_line_fraction<Interval>(a, b, c, d, projection),
-            a.cwiseMin(b).cwiseMax(c.cwiseMin(d)), a.cwiseMax(b).cwiseMin(c.cwiseMax(d)));
+  const auto fraction = [&]<class Number>(const Number&) {
+    return line_line_fraction<Number>(a, b, c, d, projection);
+  };
+  set_balls(point, fraction, a.cwiseMin(b).cwiseMax(c.cwiseMin(d)),
+            a.cwiseMax(b).cwiseMin(c.cwiseMax(d)));
   return point;
 }
 
@@ -249,8 +273,10 @@ ExactPoint ExactGeometry::three_planes(Index f, Index g, Index h) const {
     low = low.cwiseMax(t[0].cwiseMin(t[1]).cwiseMin(t[2]));
     high = high.cwiseMin(t[0].cwiseMax(t[1]).cwiseMax(t[2]));
   }
-  const CGAL::Protect_FPU_rounding<true> upward;
-  set_balls(point, three_planes_fraction<Interval>(planes[0], planes[1], planes[2]), low, high);
+  const auto fraction = [&]<class Number>(const Number&) {
+    return three_planes_fraction<Number>(planes[0], planes[1], planes[2]);
+  };
+  set_balls(point, fraction, low, high);
   return point;
 }
 
@@ -295,6 +321,10 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
   const Bound right = bounded_product(bounded_difference(b, a, p.v), bounded_difference(c, a, p.u));
   const int sign = sign_of_difference(left, right);
   if (sign != 0) return sign;
+  if (leaves_range(std::abs(left.value) + std::abs(right.value))) {
+    const int wide = wide_orient2d(a, b, c, p);
+    if (wide != 0) return wide;
+  }
 
   // Expand the determinant of the rows (x, y, w) along the weights.
   const ExactCoordinates &ea = exact(a), &eb = exact(b), &ec = exact(c);
@@ -320,6 +350,10 @@ int ExactGeometry::orient3d(const Triangle& t, const ExactPoint& point) const {
   const double bound = error * (1 + 64 * epsilon) + underflow_guard;
   if (value > bound) return 1;
   if (value < -bound) return -1;
+  if (leaves_range(size * d.norm())) {
+    const int sign = dot(normal<WideBall>(t), wide_difference(point, free(t[0]))).sign();
+    if (sign != 0) return sign;
+  }
 
   const ExactCoordinates& e = exact(point);
   const Vector<Exact> exact_n = normal<Exact>(t);

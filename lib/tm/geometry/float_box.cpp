@@ -10,9 +10,24 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t boxes_per_task = 4096;
+constexpr std::size_t most_sampled_points = 1024;
 
 FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
   return float_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+}
+
+// The median of some points along each axis: a few points that are far away do not move it.
+Vec3 middle_of_most(std::span<const Vec3> points) {
+  const std::size_t stride = points.size() / most_sampled_points + 1;
+  Vec3 middle;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < points.size(); i += stride) values.push_back(points[i][axis]);
+    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), half, values.end());
+    middle[axis] = *half;
+  }
+  return middle;
 }
 
 }  // namespace
@@ -36,14 +51,10 @@ FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
 // Rounding keeps the order of numbers, and so boxes that overlap still do.
 BoxFrame::BoxFrame(std::span<const Vec3> points) {
   if (points.empty()) return;
-  Vec3 low = points.front();
-  Vec3 high = low;
-  for (const Vec3& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  origin_ = low / 2 + high / 2;
-  const double size = (high / 2 - low / 2).maxCoeff();
+  origin_ = middle_of_most(points);
+  double size = 0;
+  for (const Vec3& point : points)
+    size = std::max(size, (point / 2 - origin_ / 2).cwiseAbs().maxCoeff());
   if (size > 0) scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(size)));
 }
 

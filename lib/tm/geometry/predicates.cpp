@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tm/geometry/number_vector.h"
+#include "tm/geometry/wide_ball.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -18,6 +20,9 @@ constexpr double bound_3d = (7.0 + 64.0 * epsilon) * epsilon;
 constexpr double bound_2d = (3.0 + 16.0 * epsilon) * epsilon;
 // Below this a product may have lost bits to underflow, and no filter decides.
 constexpr double underflow_guard = 1e-280;
+// Between these, products of doubles neither underflow nor overflow.
+constexpr double least_size = 1e-260;
+constexpr double most_size = 1e300;
 
 // The sign of a computed determinant, or 0 where the error bound does not allow one.
 int filtered_sign(double determinant, double bound) {
@@ -26,33 +31,40 @@ int filtered_sign(double determinant, double bound) {
   return 0;
 }
 
-int exact_sign(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
+int sign_of(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
 
-std::array<Exact, 3> exact_difference(const Vec3& p, const Vec3& origin) {
-  return {Exact(p[0]) - Exact(origin[0]), Exact(p[1]) - Exact(origin[1]),
-          Exact(p[2]) - Exact(origin[2])};
-}
-
-std::array<Exact, 3> exact_cross(const std::array<Exact, 3>& a, const std::array<Exact, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Exact exact_dot(const std::array<Exact, 3>& a, const std::array<Exact, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-std::array<Exact, 3> exact_normal(const Triangle& t) {
-  return exact_cross(exact_difference(t[1], t[0]), exact_difference(t[2], t[0]));
-}
+// Products of doubles that leave their range are decided in balls if those allow it. Elsewhere
+// balls would say no more than the filter did.
+bool leaves_range(double size) { return !(size > least_size && size < most_size); }
 
 int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return exact_sign(exact_dot(exact_normal({a, b, c}), exact_difference(d, a)));
+  return sign_of(dot(normal<Exact>({a, b, c}), difference<Exact>(d, a)));
 }
 
 int exact_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
-  const Exact left = (Exact(b[p.u]) - Exact(a[p.u])) * (Exact(c[p.v]) - Exact(a[p.v]));
-  const Exact right = (Exact(b[p.v]) - Exact(a[p.v])) * (Exact(c[p.u]) - Exact(a[p.u]));
-  return exact_sign(left - right);
+  const auto minus = [](double x, double y) { return Exact(x) - Exact(y); };
+  return sign_of(minus(b[p.u], a[p.u]) * minus(c[p.v], a[p.v]) -
+                 minus(b[p.v], a[p.v]) * minus(c[p.u], a[p.u]));
+}
+
+// x_a y_b - x_b y_a.
+WideBall minor(const Vec3& a, const Vec3& b, PlaneProjection p) {
+  return WideBall(a[p.u]) * WideBall(b[p.v]) - WideBall(b[p.u]) * WideBall(a[p.v]);
+}
+
+// By the coordinates themselves: differences of numbers of very different magnitudes would lose the
+// smaller ones.
+WideBall turn(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
+  return minor(a, b, p) + minor(b, c, p) + minor(c, a, p);
+}
+
+int wide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  constexpr PlaneProjection xy{0, 1};
+  const WideBall ab = minor(a, b, xy), ac = minor(a, c, xy), ad = minor(a, d, xy);
+  const WideBall bc = minor(b, c, xy), bd = minor(b, d, xy), cd = minor(c, d, xy);
+  return (WideBall(d[2]) * (ab - ac + bc) - WideBall(c[2]) * (ab - ad + bd) +
+          WideBall(b[2]) * (ac - ad + cd) - WideBall(a[2]) * (bc - bd + cd))
+      .sign();
 }
 
 constexpr PlaneProjection along(int axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
@@ -71,15 +83,19 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                            std::abs(dy) * (std::abs(bzcx) + std::abs(bxcz)) +
                            std::abs(dz) * (std::abs(bxcy) + std::abs(bycx));
   const int sign = filtered_sign(determinant, bound_3d * permanent + underflow_guard);
-  return sign != 0 ? sign : exact_orient3d(a, b, c, d);
+  if (sign != 0) return sign;
+  const int wide = leaves_range(permanent) ? wide_orient3d(a, b, c, d) : 0;
+  return wide != 0 ? wide : exact_orient3d(a, b, c, d);
 }
 
 int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
   const double left = (b[p.u] - a[p.u]) * (c[p.v] - a[p.v]);
   const double right = (b[p.v] - a[p.v]) * (c[p.u] - a[p.u]);
-  const double bound = bound_2d * (std::abs(left) + std::abs(right)) + underflow_guard;
-  const int sign = filtered_sign(left - right, bound);
-  return sign != 0 ? sign : exact_orient2d(a, b, c, p);
+  const double permanent = std::abs(left) + std::abs(right);
+  const int sign = filtered_sign(left - right, bound_2d * permanent + underflow_guard);
+  if (sign != 0) return sign;
+  const int wide = leaves_range(permanent) ? turn(a, b, c, p).sign() : 0;
+  return wide != 0 ? wide : exact_orient2d(a, b, c, p);
 }
 
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -113,7 +129,7 @@ int normals_dot(const Triangle& first, const Triangle& second) {
   const double size = (first[1] - first[0]).norm() * (first[2] - first[0]).norm() *
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
   const int sign = filtered_sign(n.dot(m), 32 * epsilon * size + underflow_guard);
-  return sign != 0 ? sign : exact_sign(exact_dot(exact_normal(first), exact_normal(second)));
+  return sign != 0 ? sign : sign_of(dot(normal<Exact>(first), normal<Exact>(second)));
 }
 
 int normals_cross(const Triangle& first, const Triangle& second, int coordinate) {
@@ -123,8 +139,8 @@ int normals_cross(const Triangle& first, const Triangle& second, int coordinate)
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
   const int sign = filtered_sign(n.cross(m)[coordinate], 32 * epsilon * size + underflow_guard);
   if (sign != 0) return sign;
-  return exact_sign(
-      exact_cross(exact_normal(first), exact_normal(second))[static_cast<std::size_t>(coordinate)]);
+  return sign_of(
+      cross(normal<Exact>(first), normal<Exact>(second))[static_cast<std::size_t>(coordinate)]);
 }
 
 std::vector<Index> degenerate_faces(const Mesh& mesh) {

@@ -68,3 +68,12 @@ TEST_CASE("face boxes hold their corners, also of a selection of faces") {
   REQUIRE(selected.size() == 3);
   for (std::size_t i = 0; i < 3; ++i) CHECK(selected[i].minimum == boxes[some[i]].minimum);
 }
+TEST_CASE("a point that is far away does not keep boxes from being told apart") {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 1000; ++i) points.emplace_back(4e6 + i, 5e6, 1e-3 * i);
+  points.emplace_back(1e15, -2e17, 0);
+  const BoxFrame frame(points);
+  for (std::size_t i = 0; i + 2 < points.size(); ++i)
+    CHECK(frame.box(points[i], points[i]).maximum[0] <
+          frame.box(points[i + 1], points[i + 1]).minimum[0]);
+}

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "helpers/random.h"
+#include "helpers/rational.h"
 #include "helpers/shapes.h"
 
 // The oracle is integer arithmetic: points on small lattices are often coplanar, collinear or
@@ -57,6 +58,29 @@ TEST_CASE("orient3d has the sign of the integer determinant, far out, tiny and h
     }
   }
   CHECK(zeros > 1000);
+}
+
+TEST_CASE("signs are those of rationals where coordinates are of very different magnitudes") {
+  test::Random random(11);
+  const auto number = [&] {
+    const int exponent = static_cast<int>(random.below(1000)) - 500;
+    return std::ldexp(static_cast<double>(random.below(7)) - 3, exponent);
+  };
+  const auto point = [&] {
+    const double x = number(), y = number();
+    return Vec3(x, y, number());
+  };
+  int signs = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::array<Vec3, 4> p = {point(), point(), point(), i % 5 == 0 ? Vec3::Zero() : point()};
+    const test::RationalTriangle t = {test::exact(p[0]), test::exact(p[1]), test::exact(p[2])};
+    const test::RationalPoint n = test::normal(t);
+    const test::Rational volume = test::dot(n, test::minus(test::exact(p[3]), t[0]));
+    CHECK(orient3d(p[0], p[1], p[2], p[3]) == volume.sign());
+    CHECK(orient2d(p[0], p[1], p[2], {0, 1}) == n[2].sign());
+    signs += volume != 0 ? 1 : 0;
+  }
+  CHECK(signs > 2000);
 }
 
 TEST_CASE("orient2d and collinear agree with integers") {

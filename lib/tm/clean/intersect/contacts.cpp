@@ -149,10 +149,21 @@ std::array<Index, 2> edge_at(const WeldedMesh& welded, Index face, FaceSimplex s
   return {std::min(u, v), std::max(u, v)};
 }
 
+// In doubles: boxes in floats overlap more often, much more where coordinates are of very different
+// magnitudes.
+bool boxes_overlap(const Triangle& a, const Triangle& b) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::max({a[0][i], a[1][i], a[2][i]}) < std::min({b[0][i], b[1][i], b[2][i]})) return false;
+    if (std::max({b[0][i], b[1][i], b[2][i]}) < std::min({a[0][i], a[1][i], a[2][i]})) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
   Contacts result;
+  if (!boxes_overlap(welded.triangle(first), welded.triangle(second))) return result;
   Side a = make_side(welded, first);
   Side b = make_side(welded, second);
   const int shared = match_shared_corners(welded.faces[first], welded.faces[second], a, b);
