@@ -20,10 +20,18 @@ bool has_two_sides(const Triangle& t) { return !collinear(t[0], t[1], t[2]); }
 
 }  // namespace
 
-RayWinding::RayWinding(const Mesh& mesh) : mesh_(&mesh), bvh_(mesh) {}
+RayWinding::RayWinding(const Mesh& mesh) : mesh_(&mesh), frame_(mesh.positions) {
+  std::vector<FloatBox> boxes;
+  boxes.reserve(mesh.faces.size());
+  for (const auto& [a, b, c] : mesh.faces) {
+    const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    boxes.push_back(frame_.box(p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)));
+  }
+  bvh_ = Bvh(boxes);
+}
 
 std::optional<int> RayWinding::cast(const Vec3& point, int axis, bool towards_infinity) const {
-  FloatBox ray = float_box(point, point);
+  FloatBox ray = frame_.box(point, point);
   const auto along = static_cast<std::size_t>(axis);
   (towards_infinity ? ray.maximum[along] : ray.minimum[along]) =
       towards_infinity ? infinity : -infinity;
@@ -60,7 +68,7 @@ std::optional<int> RayWinding::operator()(const Vec3& point) const {
 
 bool RayWinding::blocks(const Vec3& from, const Vec3& to) const {
   bool is_blocked = false;
-  bvh_.visit_overlaps(float_box(from.cwiseMin(to), from.cwiseMax(to)), [&](Index face) {
+  bvh_.visit_overlaps(frame_.box(from.cwiseMin(to), from.cwiseMax(to)), [&](Index face) {
     const Triangle t = triangle_of(*mesh_, face);
     const int start = orient3d(t[0], t[1], t[2], from);
     const int end = orient3d(t[0], t[1], t[2], to);

@@ -33,6 +33,7 @@ class RayWinding {
   std::optional<int> cast(const Vec3& point, int axis, bool towards_infinity) const;
 
   const Mesh* mesh_;
+  BoxFrame frame_;
   Bvh bvh_;
 };
 
