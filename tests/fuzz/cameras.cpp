@@ -26,7 +26,9 @@ void compare(const CameraRecord& given, const CameraRecord& again) {
   if (!(std::abs(left.determinant()) > 0.01) || !a.allFinite()) return;
   const double tolerance = 1e-9 + 100 * rotation_error(given.camera);
   for (int i = 0; i < 3; ++i)
-    demand((a.row(i) - b.row(i)).norm() <= tolerance * a.row(i).norm(), "another projection");
+    demand((a - b).leftCols<3>().row(i).norm() <= tolerance * a.leftCols<3>().row(i).norm(),
+           "another projection");
+  demand((a - b).col(3).norm() <= tolerance * a.col(3).norm(), "another place");
 }
 
 void write_and_compare(const CameraList& list, CameraFormat format) {

@@ -17,9 +17,12 @@ namespace transformesh::fuzz {
 /// Every target defines it; whatever it throws is a finding.
 void run_target(std::string_view bytes);
 
+/// Shown with a finding: the input in words, where a target has them.
+inline std::string input_text;
+
 /// libFuzzer then keeps the input.
 [[noreturn]] inline void fail(const std::string& what) {
-  std::fprintf(stderr, "finding: %s\n", what.c_str());
+  std::fprintf(stderr, "finding: %s\n%s", what.c_str(), input_text.c_str());
   std::abort();
 }
 

@@ -9,15 +9,19 @@
 #include <map>
 
 #include "fuzz/fuzz.h"
-#include "tm/mesh/mesh.h"
+#include "tm/io/mesh_io.h"
 
 namespace transformesh::fuzz {
 
 inline constexpr std::size_t most_vertices = 24;
 inline constexpr std::size_t most_faces = 30;
 
-inline double coordinate(Choices& choices) {
-  const unsigned kind = choices.below(8);
+/// Those that are hostile are so close, or so large, that rounding matters.
+enum class Coordinates { any, plain };
+
+inline double coordinate(Choices& choices, Coordinates coordinates) {
+  unsigned kind = choices.below(8);
+  if (coordinates == Coordinates::plain && kind != 5) kind = 0;
   const int value = choices.byte();
   switch (kind) {
     case 4:
@@ -33,19 +37,28 @@ inline double coordinate(Choices& choices) {
   }
 }
 
+/// A finding then shows the mesh as OFF.
+inline void show(const Mesh& mesh) {
+  Document document;
+  document.mesh = mesh;
+  document.style.format = Format::off;
+  input_text = write_mesh(document).bytes;
+}
+
 /// Two bytes for the numbers of vertices and faces, two for each coordinate, one for each corner.
-inline Mesh tiny_mesh(Choices& choices) {
+inline Mesh tiny_mesh(Choices& choices, Coordinates coordinates = Coordinates::any) {
   Mesh mesh;
   const unsigned vertices = 1 + choices.below(most_vertices);
   const unsigned faces = 1 + choices.below(most_faces);
   for (unsigned v = 0; v < vertices; ++v) {
-    const double x = coordinate(choices), y = coordinate(choices);
-    mesh.positions.emplace_back(x, y, coordinate(choices));
+    Vec3& position = mesh.positions.emplace_back();
+    for (double& x : position) x = coordinate(choices, coordinates);
   }
   for (unsigned f = 0; f < faces && !choices.is_empty(); ++f) {
     const Index a = choices.below(vertices), b = choices.below(vertices);
     mesh.faces.push_back({a, b, choices.below(vertices)});
   }
+  show(mesh);
   return mesh;
 }
 

@@ -44,11 +44,13 @@ std::string as_name(std::string comment) {
   return std::string(name);
 }
 
-/// The first comment that a program of this suite did not write.
+/// The first comment that no program of this suite wrote, nor would be taken to have written.
 std::string name_of(const Document& document) {
-  const std::vector<std::string>& comments = document.style.comments;
-  const auto first = std::find_if_not(comments.begin(), comments.end(), is_own_comment);
-  return first == comments.end() ? std::string() : as_name(*first);
+  for (const std::string& comment : document.style.comments) {
+    std::string name = as_name(comment);
+    if (!is_own_comment(comment) && !is_own_comment(name)) return name;
+  }
+  return {};
 }
 
 void add_point(std::string_view keyword, const Eigen::Vector3f& point, TextBuffer& text) {

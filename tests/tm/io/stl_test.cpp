@@ -54,8 +54,9 @@ TEST_CASE("stl: attributes, headers that say solid, bytes behind the end") {
 TEST_CASE("stl: a name is written as it will be read") {
   Document document;
   document.style.format = Format::stl_ascii;
-  for (const auto& [comment, name] : {std::pair("solidarity", "arity"), std::pair(" a  b ", "a  b"),
-                                      std::pair("solid solid x", "x"), std::pair("\tsolid", "")}) {
+  for (const auto& [comment, name] :
+       {std::pair("solidarity", "arity"), std::pair(" a  b ", "a  b"),
+        std::pair("solid solid x", "x"), std::pair("\tsolid", ""), std::pair(" tm:x", "")}) {
     document.style.comments = {comment};
     const Document again = read_document(write_mesh(document).bytes);
     CHECK(again.style.comments ==
