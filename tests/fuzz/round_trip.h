@@ -29,8 +29,12 @@ inline bool is_same(const Columns& first, const Columns& second) {
     const Column& b = second.columns[i];
     if (a.name != b.name || a.type != b.type || a.values.size() != b.values.size()) return false;
     if (a.list_offsets != b.list_offsets) return false;
-    for (std::size_t row = 0; row < a.values.size(); ++row)
-      if (!is_same(a.values[row], b.values[row])) return false;
+    const bool has_sign_of_zero = a.type == Scalar::float32 || a.type == Scalar::float64;
+    for (std::size_t row = 0; row < a.values.size(); ++row) {
+      const bool are_same =
+          has_sign_of_zero ? is_same(a.values[row], b.values[row]) : a.values[row] == b.values[row];
+      if (!are_same) return false;
+    }
   }
   return true;
 }
@@ -82,7 +86,8 @@ inline void compare_documents(const Document& given, const Document& again) {
            "another element");
 }
 
-/// Written twice, the bytes are the same. Only ASCII text in the header of binary STL is a name.
+/// Written twice, the bytes are the same. Only ASCII text in the header of binary STL is a name,
+/// and OFF without vertices has no colors.
 inline void write_and_compare(const Document& document) {
   const Format format = document.style.format;
   const std::string bytes = write_mesh(document).bytes;
@@ -92,6 +97,7 @@ inline void write_and_compare(const Document& document) {
   compare_meshes(document.mesh, again.mesh, format);
   if (is_ply(format)) compare_documents(document, again);
   if (format == Format::stl_binary) return;
+  if (format == Format::off && document.mesh.positions.empty()) return;
   demand_same(bytes, write_mesh(again).bytes, "other bytes when written again");
 }
 
