@@ -8,7 +8,7 @@
 
 #include "tm/clean/arrange/refine.h"
 #include "tm/clean/rounding/broken_faces.h"
-#include "tm/mesh/triangle.h"
+#include "tm/clean/rounding/local_distance.h"
 
 namespace transformesh {
 namespace {
@@ -33,7 +33,7 @@ class ContactSplitter {
   std::optional<Ends> edge_beside(Index face, Index vertex) const;
   bool is_over(Index face, const Vec3& point) const;
   bool split_edges(const Ends& first, const Ends& second);
-  std::optional<Vec3> point_between(const Ends& first, const Ends& second);
+  std::optional<Vec3> point_between(Ends first, Ends second);
   Index find_free_face(const Ends& ends) const;
   Index add_vertex(const Vec3& position, Index face);
   bool split_edge(const Ends& ends, Index vertex);
@@ -108,13 +108,9 @@ std::optional<ContactSplitter::Ends> ContactSplitter::edge_beside(Index face, In
   double least = reach(at(vertex));
   for (std::size_t i = 0; i < 3; ++i) {
     const Ends ends = edge(face, i);
-    const Vec3 along = at(ends[1]) - at(ends[0]), to = at(vertex) - at(ends[0]);
-    const double length = along.stableNorm();
-    const double share = to.dot(along / length);
-    if (!(share > 0 && share < length)) continue;
-    const double distance = (to - share * (along / length)).stableNorm();
-    if (distance > least) continue;
-    least = distance;
+    const LineDistance from_edge = distance_from_line(at(ends[0]), at(ends[1]), at(vertex));
+    if (!from_edge.is_between || from_edge.distance > least) continue;
+    least = from_edge.distance;
     best = ends;
   }
   return best;
@@ -123,9 +119,8 @@ std::optional<ContactSplitter::Ends> ContactSplitter::edge_beside(Index face, In
 // Whether the point is within reach of the interior of the face.
 bool ContactSplitter::is_over(Index face, const Vec3& point) const {
   const Triangle t = triangle_of(mesh_, face);
-  const Vec3 along = (t[1] - t[0]).stableNormalized();
-  const Vec3 normal = along.cross((t[2] - t[0]).stableNormalized()).stableNormalized();
-  if (normal.isZero(0) || std::abs((point - t[0]).dot(normal)) > reach(point)) return false;
+  const Vec3 normal = unit_normal(t);
+  if (normal.isZero(0) || std::abs(height_over(t, normal, point)) > reach(point)) return false;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 side = (t[(i + 1) % 3] - t[i]).stableNormalized();
     if (!(side.cross(point - t[i]).dot(normal) > 0)) return false;
@@ -149,8 +144,14 @@ bool ContactSplitter::split_at_corners(Index face, Index other) {
                      [&](Index vertex) { return split_at_corner(face, vertex); });
 }
 
-// The point in the middle between two edges where they pass each other within reach.
-std::optional<Vec3> ContactSplitter::point_between(const Ends& first, const Ends& second) {
+// The point in the middle between two edges where they pass each other within reach. They are
+// followed from the ends that have the smaller coordinates, which locate it best.
+std::optional<Vec3> ContactSplitter::point_between(Ends first, Ends second) {
+  const auto is_smaller = [&](Index a, Index b) {
+    return at(a).cwiseAbs().maxCoeff() < at(b).cwiseAbs().maxCoeff();
+  };
+  if (is_smaller(first[1], first[0])) std::swap(first[0], first[1]);
+  if (is_smaller(second[1], second[0])) std::swap(second[0], second[1]);
   const Vec3 u = at(first[1]) - at(first[0]), v = at(second[1]) - at(second[0]);
   const Vec3 w = at(first[0]) - at(second[0]);
   const double determinant = u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v);

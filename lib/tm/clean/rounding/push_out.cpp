@@ -1,20 +1,14 @@
 #include "tm/clean/rounding/push_out.h"
 
-#include <Eigen/Geometry>
 #include <limits>
 
-#include "tm/mesh/triangle.h"
+#include "tm/clean/rounding/local_distance.h"
 
 namespace transformesh {
 namespace {
 
 /// The least cosine to the normals of all faces for which a direction leads outside.
 constexpr double least_outside = 1e-9;
-
-Vec3 unit_normal(const Triangle& t) {
-  const Vec3 along = (t[1] - t[0]).stableNormalized();
-  return along.cross((t[2] - t[0]).stableNormalized()).stableNormalized();
-}
 
 // The step of a grid that leads farthest outside of all planes with these normals, or none.
 Vec3 step_outside(const std::vector<Vec3>& normals) {

@@ -1,10 +1,11 @@
 #include "tm/clean/rounding/slivers.h"
 
-#include <Eigen/Geometry>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "tm/clean/rounding/broken_faces.h"
+#include "tm/clean/rounding/local_distance.h"
 
 namespace transformesh {
 namespace {
@@ -18,13 +19,13 @@ class SliverFlipper {
   Displacement flip_all();
 
  private:
-  /// A face with its longest edge from a to b, and its height over that.
+  /// A face with the longest edge from a to b that its apex is beside, and its height over that.
   struct Sliver {
     Index a, b, apex;
     double height;
   };
 
-  Sliver sliver_of(const Face& face) const;
+  std::optional<Sliver> sliver_of(const Face& face) const;
   void try_flip(Index face);
   void flip(Index face, Index across, const Sliver& sliver);
   void link(Index face);
@@ -63,31 +64,32 @@ void SliverFlipper::unlink(Index face) {
   }
 }
 
-SliverFlipper::Sliver SliverFlipper::sliver_of(const Face& face) const {
-  Sliver sliver{};
+std::optional<SliverFlipper::Sliver> SliverFlipper::sliver_of(const Face& face) const {
+  std::optional<Sliver> sliver;
   double longest = -1;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Index a = face[i], b = face[(i + 1) % 3];
-    const double length = (mesh_.positions[b] - mesh_.positions[a]).stableNorm();
+    const Index a = face[i], b = face[(i + 1) % 3], apex = face[(i + 2) % 3];
+    const Vec3 &p = mesh_.positions[a], &q = mesh_.positions[b];
+    const double length = (q - p).stableNorm();
     if (length <= longest) continue;
+    const LineDistance from_edge = distance_from_line(p, q, mesh_.positions[apex]);
+    if (!from_edge.is_between) continue;
     longest = length;
-    sliver = {a, b, face[(i + 2) % 3], 0};
+    sliver = {a, b, apex, from_edge.distance};
   }
-  const Vec3& from = mesh_.positions[sliver.a];
-  const Vec3 along = (mesh_.positions[sliver.b] - from).stableNormalized();
-  sliver.height = along.cross(mesh_.positions[sliver.apex] - from).stableNorm();
   return sliver;
 }
 
 void SliverFlipper::try_flip(Index face) {
   if (is_collapsed(mesh_.faces[face]) || ++flips_[face] > most_flips_of_face) return;
-  const Sliver sliver = sliver_of(mesh_.faces[face]);
-  const double spacing = spacing_around(mesh_.positions[sliver.apex], coordinate_);
-  if (!(sliver.height <= spacings_ * spacing)) return;
-  const auto across = face_at_.find({sliver.b, sliver.a});
+  const std::optional<Sliver> sliver = sliver_of(mesh_.faces[face]);
+  if (!sliver) return;
+  const double spacing = spacing_around(mesh_.positions[sliver->apex], coordinate_);
+  if (!(sliver->height <= spacings_ * spacing)) return;
+  const auto across = face_at_.find({sliver->b, sliver->a});
   if (across == face_at_.end() || across->second == face) return;
-  displacement_.note(sliver.height, spacing);
-  flip(face, across->second, sliver);
+  displacement_.note(sliver->height, spacing);
+  flip(face, across->second, *sliver);
 }
 
 // The faces a b apex and b a opposite become a opposite apex and opposite b apex.

@@ -5,7 +5,7 @@
 
 #include "tm/clean/exterior/patches.h"
 #include "tm/clean/open/space_cells.h"
-#include "tm/mesh/triangle.h"
+#include "tm/clean/rounding/local_distance.h"
 
 namespace transformesh {
 namespace {
@@ -27,7 +27,8 @@ class LabeledCells {
 
  private:
   struct Plane {
-    Vec3 base = Vec3::Zero(), normal = Vec3::Zero();
+    Triangle triangle;
+    Vec3 normal = Vec3::Zero();
   };
 
   void spread_labels(const std::vector<char>& kept);
@@ -106,8 +107,7 @@ LabeledCells::Plane LabeledCells::largest_plane(Index cell) const {
   for (const Index side : sides_[cell])
     if (areas_[side / 2] > areas_[largest]) largest = side / 2;
   const Triangle t = triangle_of(positions_, arrangement_.pieces[largest_[largest]].corners);
-  const Vec3 along = (t[1] - t[0]).stableNormalized();
-  return {t[0], along.cross((t[2] - t[0]).stableNormalized()).stableNormalized()};
+  return {t, unit_normal(t)};
 }
 
 // Calls visit(position) for the corners of the pieces around the cell, until it returns false.
@@ -126,17 +126,17 @@ bool LabeledCells::is_thin(Index cell, double spacings, Displacement& thickness)
   double low = 0, high = 0;
   bool is_thin = true;
   const auto check = [&](const Vec3& p) {
-    const double height = plane.normal.dot(p - plane.base);
+    const double height = height_over(plane.triangle, plane.normal, p);
     low = std::min(low, height);
     high = std::max(high, height);
-    const double error = measuring_error * (p - plane.base).stableNorm();
+    const double error = measuring_error * (p - plane.triangle[0]).stableNorm();
     const double spacing = spacing_around(p, coordinate_);
     is_thin = std::max(high - height, height - low) + error <= spacings * spacing;
     return is_thin;
   };
   visit_corners(cell, check);
   if (is_thin) visit_corners(cell, check);  // now that both planes are known
-  if (is_thin) thickness.note(high - low, spacing_around(plane.base, coordinate_));
+  if (is_thin) thickness.note(high - low, spacing_around(plane.triangle[0], coordinate_));
   return is_thin;
 }
 
