@@ -1,11 +1,13 @@
 #include "corpus/hostile_oracle.h"
 
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 #include "corpus/build.h"
 #include "tm/mesh/digits.h"
@@ -15,7 +17,6 @@ namespace {
 
 using Wide = __float128;
 using Rational = boost::multiprecision::cpp_rational;
-using WidePoint = std::array<Wide, 3>;
 using Corners = std::array<Vec3, 3>;
 
 Wide absolute(Wide x) { return x < 0 ? -x : x; }
@@ -88,46 +89,61 @@ std::optional<int> winding_at(const Mesh& mesh, const Vec3& p) {
   return winding;
 }
 
-WidePoint difference(const Vec3& a, const Vec3& b) {
-  return {Wide(a[0]) - b[0], Wide(a[1]) - b[1], Wide(a[2]) - b[2]};
-}
-Wide dot(const WidePoint& a, const WidePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-/// The squared distance of the origin from a + s u + t v within the triangle.
-Wide squared_distance(const Corners& corners, const Vec3& p) {
-  const WidePoint a = difference(corners[0], p), b = difference(corners[1], p),
-                  c = difference(corners[2], p);
-  const auto segment = [&](const WidePoint& from, const WidePoint& to) {
-    const WidePoint along = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-    const Wide length = dot(along, along);
-    Wide share = length > 0 ? -dot(from, along) / length : Wide(0);
-    share = share < 0 ? Wide(0) : share > 1 ? Wide(1) : share;
-    const WidePoint q = {from[0] + share * along[0], from[1] + share * along[1],
-                         from[2] + share * along[2]};
-    return dot(q, q);
-  };
-  const Wide least = std::min({segment(a, b), segment(b, c), segment(c, a)});
-  const auto cross = [](const WidePoint& u, const WidePoint& v) -> WidePoint {
-    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  };
-  const WidePoint u = difference(corners[1], corners[0]), v = difference(corners[2], corners[0]);
-  const WidePoint n = cross(u, v);
-  const Wide nn = dot(n, n);
-  if (!(nn > 0)) return least;
-  const bool is_over =
-      dot(cross(a, b), n) > 0 && dot(cross(b, c), n) > 0 && dot(cross(c, a), n) > 0;
-  const Wide height = dot(a, n);
-  return is_over ? std::min(least, height * height / nn) : least;
-}
-
-bool is_near(const Mesh& mesh, const Vec3& p, double reach) {
-  for (const Face& face : mesh.faces) {
-    const Corners t = corners_of(mesh, face);
-    const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-    if (((p - low).array() < -reach).any() || ((p - high).array() > reach).any()) continue;
-    if (squared_distance(t, p) <= Wide(reach) * reach) return true;
+/// A half plane of weights (u, v) of two corners: at + along_u u + along_v v >= 0.
+struct HalfPlane {
+  Wide at, along_u, along_v;
+  Wide operator()(const std::array<Wide, 2>& w) const {
+    return at + along_u * w[0] + along_v * w[1];
   }
-  return false;
+};
+
+/// Cuts off the part of a convex polygon where the half plane is not.
+std::vector<std::array<Wide, 2>> cut(const std::vector<std::array<Wide, 2>>& polygon,
+                                     const HalfPlane& half_plane) {
+  std::vector<std::array<Wide, 2>> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+    const Wide start = half_plane(from), end = half_plane(to);
+    if (start >= 0) result.push_back(from);
+    if ((start < 0) == (end < 0)) continue;
+    const Wide share = start / (start - end);
+    result.push_back({from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])});
+  }
+  return result;
+}
+
+/// Whether the face may reach the point once each corner moves by its reach along each axis:
+/// whether some point of the face is that close, its reach being that of the corners by the same
+/// weights.
+bool may_reach(const Corners& t, const std::array<double, 3>& reach, const Vec3& p) {
+  std::vector<std::array<Wide, 2>> weights = {{0, 0}, {1, 0}, {0, 1}};
+  for (int k = 0; k < 3; ++k) {
+    for (const int sign : {1, -1}) {
+      const auto slack = [&](std::size_t i) -> Wide {
+        return reach[i] + sign * (Wide(t[i][k]) - p[k]);
+      };
+      weights = cut(weights, {slack(0), slack(1) - slack(0), slack(2) - slack(0)});
+      if (weights.empty()) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether a face of the mesh may reach the point if its corners move by so many of their own
+/// spacings, or of the point's.
+bool is_near(const Mesh& mesh, const Vec3& p, double spacings, Scalar type) {
+  const double least = spacing_around(p, type);
+  return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) {
+    Corners t = corners_of(mesh, face);
+    const auto is_smaller = [](const Vec3& a, const Vec3& b) {
+      return a.cwiseAbs().maxCoeff() < b.cwiseAbs().maxCoeff();
+    };
+    std::swap(t[0], *std::min_element(t.begin(), t.end(), is_smaller));
+    std::array<double, 3> reach;
+    for (std::size_t i = 0; i < 3; ++i)
+      reach[i] = spacings * std::max(least, spacing_around(t[i], type));
+    return may_reach(t, reach, p);
+  });
 }
 
 /// A point beside a face of the mesh: often close to a corner, at any distance between the
@@ -153,8 +169,7 @@ LocalSamples sample_locally(const Mesh& input, const Mesh& output, Scalar type, 
   for (int i = 0; i < samples; ++i) {
     const bool is_of_output = i % 4 == 0 && !output.faces.empty();
     const Vec3 p = draw_sample(is_of_output ? output : input, epsilon, random);
-    const double spacing = spacing_around(p, type);
-    if (!p.allFinite() || is_near(input, p, spacings * spacing)) {
+    if (!p.allFinite() || is_near(input, p, spacings, type)) {
       ++result.undecided;
       continue;
     }

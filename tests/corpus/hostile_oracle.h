@@ -1,7 +1,9 @@
 /// Judges a result of clean() by winding numbers at sample points, in exact arithmetic, with
-/// tolerances that are local: a sample counts where it is farther from every face of the input than
-/// a number of spacings of its own coordinates. So a far vertex excuses nothing near the origin.
-/// Shares no code with the floors that it judges.
+/// tolerances that are local. A vertex may move by a number of spacings of its own coordinates, and
+/// so a point of a face by what the face's corners may, by the same weights: a sample counts where
+/// no face of the input reaches it by that. So a far vertex excuses nothing but along its own
+/// faces, and there in proportion; what has no far vertex is judged to the spacing of its own
+/// coordinates. Shares no code with the floors that it judges.
 #pragma once
 
 #include <cstdint>

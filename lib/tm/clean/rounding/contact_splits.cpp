@@ -109,7 +109,7 @@ std::optional<ContactSplitter::Ends> ContactSplitter::edge_beside(Index face, In
   for (std::size_t i = 0; i < 3; ++i) {
     const Ends ends = edge(face, i);
     const LineDistance from_edge = distance_from_line(at(ends[0]), at(ends[1]), at(vertex));
-    if (!from_edge.is_between || from_edge.distance > least) continue;
+    if (from_edge.beyond >= 0 || from_edge.distance > least) continue;
     least = from_edge.distance;
     best = ends;
   }

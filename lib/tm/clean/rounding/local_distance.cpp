@@ -31,8 +31,7 @@ LineDistance distance_from_line(const Vec3& a, const Vec3& b, const Vec3& point)
   const Vec3& near = is_a_nearer ? a : b;
   const Vec3 along = ((is_a_nearer ? b : a) - near).stableNormalized();
   const Vec3 to = point - near;
-  const double share = to.dot(along);
-  return {along.cross(to).stableNorm(), share > 0 && share < (b - a).stableNorm()};
+  return {along.cross(to).stableNorm(), -to.dot(along)};
 }
 
 }  // namespace transformesh

@@ -14,10 +14,11 @@ Vec3 unit_normal(const Triangle& triangle);
 /// The distance from the plane through the triangle with that normal, positive in front.
 double height_over(const Triangle& triangle, const Vec3& unit_normal, const Vec3& point);
 
-/// The distance from the line through a and b, and whether its foot lies between them.
+/// The distance from the line through a and b, and how far the foot lies beyond the nearer of them;
+/// negative where it lies between them.
 struct LineDistance {
   double distance = 0;
-  bool is_between = false;
+  double beyond = 0;
 };
 LineDistance distance_from_line(const Vec3& a, const Vec3& b, const Vec3& point);
 

@@ -25,6 +25,9 @@ class SliverFlipper {
     double height;
   };
 
+  double reach(Index vertex) const {
+    return spacings_ * spacing_around(mesh_.positions[vertex], coordinate_);
+  }
   std::optional<Sliver> sliver_of(const Face& face) const;
   void try_flip(Index face);
   void flip(Index face, Index across, const Sliver& sliver);
@@ -73,7 +76,7 @@ std::optional<SliverFlipper::Sliver> SliverFlipper::sliver_of(const Face& face) 
     const double length = (q - p).stableNorm();
     if (length <= longest) continue;
     const LineDistance from_edge = distance_from_line(p, q, mesh_.positions[apex]);
-    if (!from_edge.is_between) continue;
+    if (from_edge.beyond > reach(apex)) continue;
     longest = length;
     sliver = {a, b, apex, from_edge.distance};
   }
@@ -84,11 +87,11 @@ void SliverFlipper::try_flip(Index face) {
   if (is_collapsed(mesh_.faces[face]) || ++flips_[face] > most_flips_of_face) return;
   const std::optional<Sliver> sliver = sliver_of(mesh_.faces[face]);
   if (!sliver) return;
-  const double spacing = spacing_around(mesh_.positions[sliver->apex], coordinate_);
-  if (!(sliver->height <= spacings_ * spacing)) return;
+  const double most = reach(sliver->apex);
+  if (!(sliver->height <= most)) return;
   const auto across = face_at_.find({sliver->b, sliver->a});
   if (across == face_at_.end() || across->second == face) return;
-  displacement_.note(sliver->height, spacing);
+  displacement_.note(sliver->height, most / spacings_);
   flip(face, across->second, *sliver);
 }
 
