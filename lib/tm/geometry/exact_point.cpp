@@ -172,9 +172,6 @@ int sign_of_difference(const Bound& a, const Bound& b) {
   return 0;
 }
 
-// Products of doubles that leave their range are decided in balls if those allow it.
-bool leaves_range(double size) { return !(size > 1e-260 && size < 1e300); }
-
 Vector<WideBall> wide_difference(const ExactPoint& a, const ExactPoint& b) {
   const auto minus = [&](int i) {
     return WideBall(a.center[i], a.radius[i]) - WideBall(b.center[i], b.radius[i]);
@@ -321,7 +318,7 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
   const Bound right = bounded_product(bounded_difference(b, a, p.v), bounded_difference(c, a, p.u));
   const int sign = sign_of_difference(left, right);
   if (sign != 0) return sign;
-  if (leaves_range(std::abs(left.value) + std::abs(right.value))) {
+  if (leaves_double_range(std::abs(left.value) + std::abs(right.value))) {
     const int wide = wide_orient2d(a, b, c, p);
     if (wide != 0) return wide;
   }
@@ -350,7 +347,7 @@ int ExactGeometry::orient3d(const Triangle& t, const ExactPoint& point) const {
   const double bound = error * (1 + 64 * epsilon) + underflow_guard;
   if (value > bound) return 1;
   if (value < -bound) return -1;
-  if (leaves_range(size * d.norm())) {
+  if (leaves_double_range(size * d.norm())) {
     const int sign = dot(normal<WideBall>(t), wide_difference(point, free(t[0]))).sign();
     if (sign != 0) return sign;
   }

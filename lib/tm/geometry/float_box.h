@@ -25,8 +25,8 @@ float float_above(double value);
 FloatBox float_box(const Vec3& minimum, const Vec3& maximum);
 
 /// Moves and scales boxes so that floats resolve them best, however small the shape is or however
-/// far from the origin: the middle of most points becomes the origin and the size about 1. So a point
-/// that is far away costs the others nothing. Overlaps stay overlaps.
+/// far from the origin: the middle of most points becomes the origin and the size about 1. So a
+/// point that is far away costs the others nothing. Overlaps stay overlaps.
 class BoxFrame {
  public:
   BoxFrame() = default;

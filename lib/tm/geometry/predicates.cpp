@@ -20,9 +20,6 @@ constexpr double bound_3d = (7.0 + 64.0 * epsilon) * epsilon;
 constexpr double bound_2d = (3.0 + 16.0 * epsilon) * epsilon;
 // Below this a product may have lost bits to underflow, and no filter decides.
 constexpr double underflow_guard = 1e-280;
-// Between these, products of doubles neither underflow nor overflow.
-constexpr double least_size = 1e-260;
-constexpr double most_size = 1e300;
 
 // The sign of a computed determinant, or 0 where the error bound does not allow one.
 int filtered_sign(double determinant, double bound) {
@@ -32,10 +29,6 @@ int filtered_sign(double determinant, double bound) {
 }
 
 int sign_of(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
-
-// Products of doubles that leave their range are decided in balls if those allow it. Elsewhere
-// balls would say no more than the filter did.
-bool leaves_range(double size) { return !(size > least_size && size < most_size); }
 
 int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return sign_of(dot(normal<Exact>({a, b, c}), difference<Exact>(d, a)));
@@ -84,7 +77,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                            std::abs(dz) * (std::abs(bxcy) + std::abs(bycx));
   const int sign = filtered_sign(determinant, bound_3d * permanent + underflow_guard);
   if (sign != 0) return sign;
-  const int wide = leaves_range(permanent) ? wide_orient3d(a, b, c, d) : 0;
+  const int wide = leaves_double_range(permanent) ? wide_orient3d(a, b, c, d) : 0;
   return wide != 0 ? wide : exact_orient3d(a, b, c, d);
 }
 
@@ -94,7 +87,7 @@ int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
   const double permanent = std::abs(left) + std::abs(right);
   const int sign = filtered_sign(left - right, bound_2d * permanent + underflow_guard);
   if (sign != 0) return sign;
-  const int wide = leaves_range(permanent) ? turn(a, b, c, p).sign() : 0;
+  const int wide = leaves_double_range(permanent) ? turn(a, b, c, p).sign() : 0;
   return wide != 0 ? wide : exact_orient2d(a, b, c, p);
 }
 

@@ -76,4 +76,10 @@ class WideBall {
   int exponent_ = 0;
 };
 
+/// Whether sums of products of doubles that came to this size may have lost by over- or underflow
+/// what wide balls keep; elsewhere these say no more than the doubles. A sum of zeros is none.
+inline bool leaves_double_range(double size) {
+  return size != 0 && !(size > 1e-260 && size < 1e300);
+}
+
 }  // namespace transformesh
