@@ -46,8 +46,9 @@ struct Arrangement {
 };
 
 /// `pairs` are the intersecting pairs of welded faces, sorted, without those of copies, which are
-/// cut as one: the work does not grow with their number, but for the sources. Throws InputError where there is a
-/// pair and a coordinate beyond 1e306. Parallel; deterministic for any number of threads.
+/// cut as one: the work does not grow with their number, but for the sources. Throws InputError
+/// where there is a pair and a coordinate beyond 1e306. Parallel; deterministic for any number of
+/// threads.
 Arrangement arrange(const std::shared_ptr<const WeldedMesh>& welded,
                     const std::vector<FacePair>& pairs, const Progress& progress);
 }  // namespace transformesh
