@@ -1,6 +1,7 @@
 #include "tm/io/losses.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tm/io/source.h"
 #include "tm/support/counted.h"
@@ -57,7 +58,9 @@ bool is_own_comment(const std::string& comment) {
 bool has_columns(const Columns& columns, std::initializer_list<std::string_view> names) {
   return std::all_of(names.begin(), names.end(), [&](std::string_view name) {
     const Column* column = columns.find(name);
-    return column && !column->list_count_type;
+    return column && !column->list_count_type &&
+           std::all_of(column->values.begin(), column->values.end(),
+                       [](double value) { return std::isfinite(value); });
   });
 }
 

@@ -24,7 +24,8 @@ std::vector<std::string> losses(const Document& document, const Keeps& keeps);
 /// gets them anew, and nobody misses them.
 bool is_own_comment(const std::string& comment);
 
-/// Whether all of these columns are there and no lists.
+/// Whether all of these columns are there and no lists, and all their numbers finite: formats other
+/// than PLY have no others.
 bool has_columns(const Columns& columns, std::initializer_list<std::string_view> names);
 
 }  // namespace transformesh

@@ -130,6 +130,19 @@ TEST_CASE("off: what cannot be kept is named once") {
                                  "off: obj_info cannot be stored in OFF, dropped"});
 }
 
+TEST_CASE("off: a color or normal that is not finite cannot be kept") {
+  Document document;
+  document.mesh = tetrahedron();
+  document.style.format = Format::off;
+  for (const char* name : {"red", "green", "blue", "nx", "ny", "nz"})
+    document.mesh.vertex_columns.get(name, Scalar::float32, 4);
+  document.mesh.vertex_columns.get("green", Scalar::float32, 4).values[2] = std::nan("");
+  document.mesh.vertex_columns.get("nz", Scalar::float32, 4).values[1] = INFINITY;
+  const WriteResult written = write_mesh(document);
+  CHECK(written.notes.size() == 6);
+  CHECK(read_mesh(written.bytes, "written").document.mesh.faces == document.mesh.faces);
+}
+
 TEST_CASE("off: where one channel is floating point, all are written as such") {
   Document document = read_document("OFF\n1 0 0\n0 0 0 1 2 3\n");
   document.mesh.vertex_columns.find("green")->type = Scalar::float32;
