@@ -1,6 +1,15 @@
 #include "tm/io/text_buffer.h"
 
 namespace transformesh {
+namespace {
+
+/// Line ends would end the comment, and bytes that no text has could make the file look binary.
+bool is_blanked(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < '\t' || byte == '\n' || byte == '\r';
+}
+
+}  // namespace
 
 void TextBuffer::add_decimal(double value) {
   const auto start = static_cast<std::size_t>(end_ - text_.data());
@@ -26,7 +35,7 @@ void add_comments(std::string_view mark, const std::vector<std::string>& comment
   for (const std::string& comment : comments) {
     text.add(mark);
     if (!comment.empty()) text.add(' ');
-    for (const char c : comment) text.add(c == '\n' || c == '\r' ? ' ' : c);
+    for (const char c : comment) text.add(is_blanked(c) ? ' ' : c);
     text.add('\n');
   }
 }

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tm/io/mesh_io.h"
 #include "tm/support/error.h"
@@ -31,6 +33,18 @@ std::string binary_stl(std::size_t says, std::size_t holds, std::string header =
   return header + std::string(50 * holds, '\0');
 }
 
+/// A triangle with the comment, which goes on until the file has that size if it is shorter.
+std::string file_of_size(const std::string& comment, Format format, std::size_t size) {
+  Document document;
+  document.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  document.mesh.faces = {{0, 1, 2}};
+  document.style.format = format;
+  document.style.comments = {comment};
+  const std::size_t written = write_mesh(document).bytes.size();
+  if (written < size) document.style.comments[0] += std::string(size - written, 'y');
+  return write_mesh(document).bytes;
+}
+
 }  // namespace
 
 TEST_CASE("formats are told by their first words, whatever the name says") {
@@ -53,6 +67,28 @@ TEST_CASE("binary STL is told by its size, also where the header says solid") {
     CHECK(read_mesh(binary_stl(2, 2, header), "-").document.mesh.faces.size() == 2);
   }
   CHECK_FALSE(refusal(binary_stl(3, 2)).empty());
+}
+
+TEST_CASE("what is written in a format is told as that format, whatever its comment holds") {
+  // Behind marks of any length, the count of a binary STL of exactly so many bytes.
+  std::vector<std::pair<std::string, std::size_t>> comments{
+      {"OFF OFF\xb6", 0}, {"ply", 0}, {"solid", 0}, {"v 0 0 0", 0}, {"\rOFF 0 0 0", 0}};
+  for (std::size_t padding = 60; padding < 80; ++padding) {
+    for (const int count : {0, 1, 2, 8, 9, 118, 182}) {
+      const std::string text = std::string(padding, 'x') + static_cast<char>(count);
+      comments.emplace_back(text + std::string(3, '\0'), 84 + 50 * count);
+    }
+  }
+  for (const auto& [comment, size] : comments) {
+    for (const Format format : {Format::ply_ascii, Format::ply_little, Format::ply_big, Format::off,
+                                Format::obj, Format::stl_ascii, Format::stl_binary}) {
+      const std::string bytes = file_of_size(comment, format, size);
+      CAPTURE(bytes);
+      const Document again = read_mesh(bytes, "-").document;
+      CHECK(again.style.format == format);
+      CHECK(again.mesh.faces.size() == 1);
+    }
+  }
 }
 
 TEST_CASE("the name decides where bytes cannot") {
