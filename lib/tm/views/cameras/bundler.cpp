@@ -41,6 +41,7 @@ CameraRecord read_camera(TextRows& rows, const Source& source, std::size_t numbe
   }
   check_rotation(rows, record.camera.rotation, who);
   record.camera.translation = turned.cwiseProduct(read_vector(rows, "t of " + who));
+  check_translation(rows, record.camera.translation, who);
   record.is_centered = true;
   return record;
 }

@@ -53,8 +53,9 @@ void check_names(const CameraList& list) {
 // Every format has a name in a line of its own or in one with numbers.
 void check_written_name(const CameraRecord& record) {
   const std::string& name = record.name;
-  const bool is_padded = name.starts_with(' ') || name.ends_with(' ');
-  if (!is_padded && name.find_first_of("\n\r\t\v\f") == std::string::npos) return;
+  const bool is_padded = name.empty() || name.starts_with(' ') || name.ends_with(' ');
+  constexpr std::string_view refused("\n\r\t\v\f\0", 6);
+  if (!is_padded && name.find_first_of(refused) == std::string::npos) return;
   throw InputError("no camera file can hold the name " + transformesh::quoted(name) + " (" +
                    record.place + "): rename the image, without line breaks and outer blanks");
 }
@@ -66,6 +67,19 @@ void check_complete(const CameraList& list) {
     throw InputError("the principal point of " + transformesh::quoted(record.name) +
                      " is the center of an image of unknown size (" + record.place +
                      "): name the images");
+  }
+}
+
+/// Each matrix needs a file of its own that is found in its folder.
+void check_files(const std::vector<CameraText>& files, const CameraList& list) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string& name = files[i].name;
+    const bool is_new = names.insert(name).second;
+    if (is_new && !name.starts_with('.')) continue;
+    throw InputError("the matrix of " + transformesh::quoted(list.cameras[i].name) + " (" +
+                     list.cameras[i].place + ") would be in " + transformesh::quoted(name) +
+                     (is_new ? ", a hidden file" : ", as another one is") + ": rename the image");
   }
 }
 
@@ -153,15 +167,16 @@ CameraList read_file(const std::string& path) {
 
 std::optional<CameraFormat> camera_format(std::string_view bytes) {
   if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) return {};
-  if (bytes.starts_with("# Bundle file")) return CameraFormat::bundler;
   const Source source{bytes, ""};
   TextRows rows(source, 0, {'\0', false});
-  if (!first_row(rows)) return {};
-  const std::size_t words = rows.words_left();
-  if (!are_numbers(rows)) return format_of_words(rows);
-  if (words == 1) return CameraFormat::middlebury;
-  if (words == 4 || words == 12) return CameraFormat::matrices;
-  return {};
+  const bool has_row = first_row(rows);
+  const std::size_t words = has_row ? rows.words_left() : 0;
+  const bool has_numbers = has_row && are_numbers(rows);
+  // Behind the comment may be the name of a matrix.
+  if (has_numbers && (words == 4 || words == 12)) return CameraFormat::matrices;
+  if (bytes.starts_with("# Bundle file")) return CameraFormat::bundler;
+  if (has_numbers && words == 1) return CameraFormat::middlebury;
+  return has_row && !has_numbers ? format_of_words(rows) : std::nullopt;
 }
 
 CameraList parse_cameras(std::string_view bytes, const std::string& name, const std::string& stem) {
@@ -192,7 +207,7 @@ std::string write_cameras(const CameraList& list, CameraFormat format) {
   if (format == CameraFormat::colmap) return write_colmap_cameras(list) + write_colmap_images(list);
   std::string text;
   for (const CameraRecord& record : list.cameras) {
-    text += "# " + record.name + '\n' + write_matrix(record.camera);
+    text += "# " + record.name + '\n' + write_matrix(record);
   }
   return text;
 }
@@ -207,8 +222,9 @@ std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat 
   if (format != CameraFormat::matrices) return {{"cameras_par.txt", write_cameras(list, format)}};
   std::vector<CameraText> files;
   for (const CameraRecord& record : list.cameras) {
-    files.push_back({stem_of(record.name) + ".txt", write_matrix(record.camera)});
+    files.push_back({stem_of(record.name) + ".txt", write_matrix(record)});
   }
+  check_files(files, list);
   return files;
 }
 

@@ -8,7 +8,8 @@
 /// file, each perhaps after a comment `# name`.
 ///
 /// All of them throw InputError naming file and line for cameras that a pinhole without distortion
-/// is not, for numbers that are missing, not finite or no numbers, and for counts that disagree.
+/// is not, for numbers that are missing, not finite, beyond 1e100 or no numbers, for focal lengths
+/// that are nothing beside the principal point, and for counts that disagree.
 #pragma once
 
 #include <optional>
@@ -42,7 +43,7 @@ struct CameraText {
 
 /// One text that reads back as the same cameras. Throws InputError for what the format cannot hold:
 /// Bundler is only read, COLMAP needs the images' sizes and no skew, Middlebury names without
-/// blanks; and for cameras that are still to be centered.
+/// blanks, all of them names that are not empty; and for cameras that are still to be centered.
 std::string write_cameras(const CameraList& list, CameraFormat format);
 
 /// As the programs of the format expect it in a folder: COLMAP's three files, a matrix for each

@@ -1,12 +1,23 @@
 #include "tm/views/cameras/camera_record.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "tm/support/error.h"
 #include "tm/views/cameras/camera_formats.h"
 
 namespace transformesh {
 namespace {
+
+/// Products of three numbers and their squares then stay in the range of doubles.
+constexpr double largest_number = 1e100;
+/// How large the skew and the principal point may be beside the focal lengths: with more, doubles
+/// cannot tell K R from a matrix without an inverse.
+constexpr double most_oblique = 1e12;
+
+bool is_in_range(const Eigen::MatrixXd& numbers) {
+  return numbers.allFinite() && numbers.cwiseAbs().maxCoeff() <= largest_number;
+}
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
@@ -39,11 +50,39 @@ std::string place_of(const TextRows& rows, const Source& source) {
   return source.name + " line " + std::to_string(source.line_of(rows.place()));
 }
 
+std::string intrinsics_problem(const Eigen::Matrix3d& intrinsics, const std::string& who) {
+  const double x = intrinsics(0, 0);
+  const double y = intrinsics(1, 1);
+  if (x <= 0 || y <= 0) return "the focal lengths of " + who + " must be positive";
+  if (!is_in_range(intrinsics) || std::min(x, y) < 1 / largest_number) {
+    return "the calibration of " + who + " is out of range: focal lengths are 1e-100 to 1e100";
+  }
+  const double obliqueness = intrinsics.row(0).norm() / x * (intrinsics.row(1).norm() / y);
+  if (obliqueness <= most_oblique) return {};
+  return "the calibration of " + who +
+         " is singular: its focal lengths are nothing beside its principal point or skew";
+}
+
+std::string translation_problem(const Vec3& translation, const std::string& who) {
+  return is_in_range(translation) ? "" : "t of " + who + " is out of range: more than 1e100";
+}
+
 void check_intrinsics(const TextRows& rows, const Eigen::Matrix3d& intrinsics,
                       const std::string& who) {
-  if (intrinsics(0, 0) <= 0 || intrinsics(1, 1) <= 0) {
-    rows.fail("the focal lengths of " + who + " must be positive");
-  }
+  const std::string problem = intrinsics_problem(intrinsics, who);
+  if (!problem.empty()) rows.fail(problem);
+}
+
+void check_translation(const TextRows& rows, const Vec3& translation, const std::string& who) {
+  const std::string problem = translation_problem(translation, who);
+  if (!problem.empty()) rows.fail(problem);
+}
+
+void check_read_again(const CameraRecord& record, const PinholeCamera& again) {
+  const std::string who = quoted(record.name);
+  std::string problem = intrinsics_problem(again.intrinsics, who);
+  if (problem.empty()) problem = translation_problem(again.translation, who);
+  if (!problem.empty()) throw InputError(problem + " (" + record.place + ")");
 }
 
 void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who) {

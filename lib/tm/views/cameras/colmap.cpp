@@ -88,6 +88,7 @@ CameraRecord read_image(TextRows& rows, const Source& source, const Lenses& lens
     constexpr std::array names{"tx", "ty", "tz"};
     record.camera.translation[i] = read_parameter(rows, names[static_cast<std::size_t>(i)], who);
   }
+  check_translation(rows, record.camera.translation, who);
   if (!rows.has_more()) rows.fail("the camera of " + who + " is missing");
   const std::string_view id = rows.word();
   const auto lens = lenses.find(id);

@@ -7,6 +7,9 @@
 namespace transformesh {
 namespace {
 
+/// COLMAP's first pixel has its center at 0.5, 0.5.
+constexpr double pixel_center = 0.5;
+
 bool is_same_lens(const CameraRecord& a, const CameraRecord& b) {
   return a.camera.intrinsics == b.camera.intrinsics && a.width == b.width && a.height == b.height;
 }
@@ -28,6 +31,10 @@ void check(const CameraRecord& record) {
     throw InputError("COLMAP's pinhole has no skew, but the camera of " + quoted(record.name) +
                      " has (" + record.place + ")");
   }
+  PinholeCamera again = record.camera;
+  again.intrinsics.col(2).head<2>().array() += pixel_center;
+  again.intrinsics.col(2).head<2>().array() -= pixel_center;
+  check_read_again(record, again);
 }
 
 }  // namespace
@@ -45,8 +52,7 @@ std::string write_colmap_cameras(const CameraList& list) {
     text.add_number(record.width);
     text.add(' ');
     text.add_number(record.height);
-    // COLMAP's first pixel has its center at 0.5, 0.5.
-    for (const double value : {k(0, 0), k(1, 1), k(0, 2) + 0.5, k(1, 2) + 0.5}) {
+    for (const double value : {k(0, 0), k(1, 1), k(0, 2) + pixel_center, k(1, 2) + pixel_center}) {
       text.add(' ');
       text.add_number(value);
     }

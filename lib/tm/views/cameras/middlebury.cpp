@@ -43,6 +43,7 @@ CameraRecord read_camera(TextRows& rows, const Source& source) {
   rows.end_row([&] { return "the camera of " + who; });
   normalize(rows, record.camera.intrinsics, who);
   check_rotation(rows, record.camera.rotation, who);
+  check_translation(rows, record.camera.translation, who);
   return record;
 }
 
@@ -95,6 +96,7 @@ std::string write_middlebury(const CameraList& list) {
       throw InputError("a name in a Middlebury camera file has no blank and no #: " +
                        quoted(record.name) + " (" + record.place + ")");
     }
+    check_read_again(record, record.camera);
     text.add(record.name);
     add_matrix(text, record.camera.intrinsics);
     add_matrix(text, record.camera.rotation);

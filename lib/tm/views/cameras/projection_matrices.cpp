@@ -1,7 +1,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
+#include "tm/support/error.h"
 #include "tm/views/cameras/camera_formats.h"
 
 namespace transformesh {
@@ -32,6 +34,24 @@ bool is_singular(const Projection& projection) {
   const Eigen::Matrix3d left = projection.leftCols<3>();
   const double size = left.row(0).norm() * left.row(1).norm() * left.row(2).norm();
   return !(std::abs(left.determinant()) > 1e-12 * size);
+}
+
+/// Why no camera has the matrix; empty where the camera is made of it.
+std::string decompose(const Projection& projection, const std::string& who, PinholeCamera& camera) {
+  if (!projection.allFinite() || is_singular(projection)) {
+    return who + " is singular: no camera has it";
+  }
+  camera = decomposed(projection);
+  const std::string problem = intrinsics_problem(camera.intrinsics, who);
+  return problem.empty() ? translation_problem(camera.translation, who) : problem;
+}
+
+/// The name that a comment before a matrix gives it, without blanks around it.
+std::string name_in(std::string_view comment) {
+  constexpr std::string_view blanks = " \t\r\v\f";
+  const std::size_t first = std::min(comment.find_first_not_of(blanks), comment.size());
+  comment.remove_prefix(first);
+  return std::string(comment.substr(0, comment.find_last_not_of(blanks) + 1));
 }
 
 /// Reads twelve numbers in one row, or in three rows of four.
@@ -65,12 +85,13 @@ CameraList read_matrices(const Source& source, const std::string& stem) {
     CameraRecord record;
     record.place = place_of(rows, source);
     const std::string number = std::to_string(list.cameras.size() + 1);
-    record.name = rows.comments.empty() ? (stem + '-').append(number) : rows.comments.back();
+    if (!rows.comments.empty()) record.name = name_in(rows.comments.back());
+    if (record.name.empty()) record.name = (stem + '-').append(number);
     rows.comments.clear();
     const std::string who = "matrix " + number;
     const Projection projection = read_projection(rows, who);
-    if (is_singular(projection)) rows.fail(who + " is singular: no camera has it");
-    record.camera = decomposed(projection);
+    const std::string problem = decompose(projection, who, record.camera);
+    if (!problem.empty()) rows.fail(problem);
     list.cameras.push_back(std::move(record));
   }
   if (list.cameras.empty()) rows.fail("there is no camera in the file");
@@ -79,8 +100,12 @@ CameraList read_matrices(const Source& source, const std::string& stem) {
   return list;
 }
 
-std::string write_matrix(const PinholeCamera& camera) {
-  const Projection projection = camera.projection();
+std::string write_matrix(const CameraRecord& record) {
+  const Projection projection = record.camera.projection();
+  PinholeCamera again;
+  const std::string problem =
+      decompose(projection, "the matrix of " + transformesh::quoted(record.name), again);
+  if (!problem.empty()) throw InputError(problem + " (" + record.place + ")");
   TextBuffer text;
   for (int i = 0; i < 12; ++i) {
     text.add_number(projection(i / 4, i % 4));

@@ -138,6 +138,10 @@ TEST_CASE("matrices: rows of four or one of twelve, with names or Furukawa's fir
   CHECK(named.cameras[1].place == "a.txt line 6");
   CHECK(parse_cameras(matrix + matrix, "a.txt").cameras[1].name == "a-2");
   CHECK(parse_cameras("# projection matrix\n" + matrix, "a.txt").cameras[0].name == "a");
+  const auto odd = parse_cameras("#  left \t\r\n" + matrix + "# \n" + matrix, "a.txt");
+  CHECK(odd.cameras[0].name == "left");
+  CHECK(odd.cameras[1].name == "a-2");
+  CHECK(parse_cameras("# Bundle file v0.3\n" + matrix, "a.txt").cameras.size() == 1);
 }
 
 TEST_CASE("matrices: every mistake is refused with its line") {
@@ -149,6 +153,46 @@ TEST_CASE("matrices: every mistake is refused with its line") {
   CHECK(is_refused("1 2 3 0\n4 5 6 0\n7 8 9 1\n", "singular", 3));
   CHECK(is_refused("0 0 0 0\n0 0 0 0\n0 0 0 0\n", "singular", 3));
   CHECK(is_refused("1 0 0 0\n0 1 0 0\n0 0 0 1\n", "singular", 3));
+}
+
+TEST_CASE("cameras of numbers that products or inverses have no room for are refused") {
+  const std::string pose = " 1 0 0 0 1 0 0 0 1 0 0 5\n";
+  CHECK(refusal("1\na.png 9 0 1e12 0 9 0 0 0 1" + pose).empty());
+  CHECK(is_refused("1\na.png 9 0 1e13 0 9 0 0 0 1" + pose, "is singular", 2));
+  CHECK(is_refused("1\na.png 9 0 0 0 9 -1e13 0 0 1" + pose, "is singular", 2));
+  CHECK(is_refused("1\na.png 9 1e13 0 0 9 0 0 0 1" + pose, "is singular", 2));
+  CHECK(is_refused("1\na.png 9 0 0 0 9 0 0 0 1e-120" + pose, "out of range", 2));
+  CHECK(is_refused("1\na.png 1e-101 0 0 0 1e-101 0 0 0 1" + pose, "out of range", 2));
+  CHECK(is_refused("1\na.png 9 0 0 0 9 0 0 0 1 1 0 0 0 1 0 0 0 1 0 0 1e101\n", "t of", 2));
+  CHECK(is_refused("1 PINHOLE 320 240 9 9 1e48 120\n1 1 0 0 0 0 0 1 1 a.png\n", "singular", 1));
+  CHECK(is_refused("1 PINHOLE 3 2 9 9 1 1\n1 1 0 0 0 1e200 0 1 1 a.png\n", "out of range", 2));
+  CHECK(is_refused(bundle + "1e200 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -5\n", "out of range", 3));
+  CHECK(is_refused(bundle + "9 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1e200\n", "out of range", 7));
+}
+
+TEST_CASE("cameras at the limit of what is read are written as what is read, or not at all") {
+  test::Random random(9);
+  std::array<int, 2> counts{};
+  for (int round = 0; round < 2000; ++round) {
+    CameraList list = random_cameras(2, static_cast<std::uint64_t>(round));
+    Eigen::Matrix3d& k = list.cameras[0].camera.intrinsics;
+    k(1, 2) = 0;
+    k(0, 2) = k(0, 0) * 1e12 * (1 + random.uniform(-1e-3, 1e-3));
+    for (const CameraFormat format :
+         {CameraFormat::middlebury, CameraFormat::colmap, CameraFormat::matrices}) {
+      std::string text;
+      try {
+        text = write_cameras(list, format);
+      } catch (const InputError&) {
+        ++counts[0];
+        continue;
+      }
+      ++counts[1];
+      CHECK(parse_cameras(text, "back.txt").cameras.size() == 2);
+    }
+  }
+  CHECK(counts[0] > 500);
+  CHECK(counts[1] > 500);
 }
 
 TEST_CASE("formats are told apart by their content") {
@@ -231,6 +275,14 @@ TEST_CASE("what a format cannot hold is refused") {
   CHECK(refused(list, CameraFormat::colmap, "sizes"));
   list.cameras[0].name = "a b.png";
   CHECK(refused(list, CameraFormat::middlebury, "'a b.png'"));
+  list = random_cameras(2, 5);
+  for (const std::string& name : {std::string(), std::string(" a"), std::string("a "),
+                                  std::string("a\tb"), std::string("a\rb"), std::string(1, '\0')}) {
+    list.cameras[1].name = name;
+    for (const CameraFormat format :
+         {CameraFormat::middlebury, CameraFormat::colmap, CameraFormat::matrices})
+      CHECK(refused(list, format, "can hold the name"));
+  }
   list.cameras[0].is_centered = true;
   CHECK(refused(list, CameraFormat::matrices, "principal point"));
 }
@@ -245,4 +297,13 @@ TEST_CASE("files of a folder are what the format's programs expect") {
   CHECK(names(CameraFormat::middlebury) == "cameras_par.txt ");
   CHECK(names(CameraFormat::colmap) == "cameras.txt images.txt points3D.txt ");
   CHECK(names(CameraFormat::matrices) == "view0.txt view1.txt ");
+}
+
+TEST_CASE("matrices of a folder are each in a file of its own that is found there") {
+  for (const char* name : {"left/view0.png", "view0.jpg", ".view1.png"}) {
+    CameraList list = random_cameras(2, 5);
+    list.cameras[1].name = name;
+    CHECK_THROWS_AS(write_camera_files(list, CameraFormat::matrices), InputError);
+    CHECK_NOTHROW(write_camera_files(list, CameraFormat::colmap));
+  }
 }
