@@ -43,8 +43,8 @@ class TextBuffer {
   char* end_ = nullptr;
 };
 
-/// Appends one line for each comment: the mark, a space, the text, with blanks for line ends and for
-/// bytes below the tab.
+/// Appends one line for each comment: the mark, a space, the text, with blanks for line ends and
+/// for bytes below the tab.
 void add_comments(std::string_view mark, const std::vector<std::string>& comments,
                   TextBuffer& text);
 
