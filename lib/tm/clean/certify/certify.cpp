@@ -1,5 +1,6 @@
 #include "tm/clean/certify/certify.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "tm/clean/certify/certify_faces.h"
@@ -163,6 +164,21 @@ void certify_winding(const Meshes& meshes, const FaceMatch& match, const Certify
   }
 }
 
+/// Whether the piece has the orientation of the face, or is so thin that moving its corners by the
+/// margins can turn it: to first order, each corner changes the dot product of the normals by its
+/// move along the opposite edge's cross product with the face's normal.
+bool has_orientation(const Triangle& piece, const Triangle& face, const Vec3& margins) {
+  if (normals_dot(piece, face) > 0) return true;
+  const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]);
+  const double product = normal.dot((piece[1] - piece[0]).cross(piece[2] - piece[0]));
+  double change = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 opposite = piece[(i + 2) % 3] - piece[(i + 1) % 3];
+    change += opposite.cross(normal).cwiseAbs().dot(margins);
+  }
+  return -product < change;
+}
+
 /// Whether all corners lie on one face of the input, but for rounding, that has the same
 /// orientation.
 bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, const Vec3& margins) {
@@ -170,7 +186,7 @@ bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, const Ve
   bvh.visit_overlaps(float_box(piece[0] - margins, piece[0] + margins), [&](Index face) {
     const Triangle t = triangle_of(input, face);
     const auto is_on = [&](const Vec3& corner) { return is_within(margins, corner, t); };
-    is_found = std::all_of(piece.begin(), piece.end(), is_on) && normals_dot(piece, t) > 0;
+    is_found = std::all_of(piece.begin(), piece.end(), is_on) && has_orientation(piece, t, margins);
     return !is_found;
   });
   return is_found;

@@ -8,6 +8,7 @@
 #include "helpers/shapes.h"
 #include "tm/clean/certify/certify_faces.h"
 #include "tm/clean/clean.h"
+#include "tm/geometry/predicates.h"
 #include "tm/mesh/digits.h"
 #include "tm/support/parallel.h"
 
@@ -224,6 +225,35 @@ TEST_CASE("of an open input the new faces must be pieces of its faces") {
   CHECK(!certify(sheet, finer).holds());
   finer.positions[7] += Vec3(5, 0, -1e-6);
   CHECK(!certify(sheet, finer).holds());
+}
+
+TEST_CASE("of an open input, a piece that rounding can turn has no orientation") {
+  Mesh sheet;
+  sheet.positions = {{-1, 0, 1}, {0, 0, 9}, {0, -1, 1}};
+  sheet.faces = {{0, 1, 2}};
+  const auto turned_sliver = [](double width) {
+    Mesh sliver;
+    sliver.positions = {{0, -0.25, 7}, {-width / 2, -0.5 + width / 2, 5}, {0, -0.75, 3}};
+    sliver.faces = {{0, 1, 2}};
+    return sliver;
+  };
+  CHECK(normals_dot(triangle_of(sheet, 0), triangle_of(turned_sliver(1e-9), 0)) < 0);
+  CHECK(certify(sheet, turned_sliver(1e-15)).holds());
+  CHECK(certify(sheet, turned_sliver(1e-13)).wrong == 1);
+  CHECK(certify(sheet, turned_sliver(1e-9)).wrong == 1);
+}
+
+// The sliver is 2e-30 wide where numbers are 3e-26 apart: in exact arithmetic its orientation is
+// the face's, rounded to either neighbor it may be the other one.
+TEST_CASE("a piece of an open mesh of many magnitudes may turn by rounding") {
+  constexpr double tiny = 0x1p-32;
+  Mesh mesh;
+  mesh.positions = {{-tiny, 0, -tiny},    {0, 0, 9}, {0, -tiny, -0x1p-47}, {0, -tiny, 1 - 0x1p-47},
+                    {-tiny, 0x1.cp31, 0}, {0, 0, 0}};
+  mesh.faces = {{0, 1, 2}, {5, 4, 3}, {3, 4, 5}, {3, 5, 2}};
+  const Mesh result = clean(mesh).mesh;
+  CHECK(certify(mesh, result).wrong == 0);
+  CHECK(certify(mesh, reversed(result)).wrong > 0);
 }
 
 TEST_CASE("patches are bounded by the faces that meet others") {
