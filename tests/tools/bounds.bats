@@ -85,17 +85,21 @@ tetrahedron_with() {
 }
 
 @test "images are as large as their bytes, not as their headers" {
-  mkdir huge interlaced plain baseline
+  local names=(huge interlaced plain baseline progressive gray color)
+  mkdir "${names[@]}"
   # 60000 x 60000, 20000 x 20000 interlaced, and that as rows; their data are no data.
   printf '\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\352\140\000\000\352\140\010\000\000\000\000\245\271\052\236' >huge/a.png
   printf '\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\116\040\000\000\116\040\010\000\000\000\001\261\034\051\163' >interlaced/a.png
   printf '\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\116\040\000\000\116\040\010\000\000\000\000\306\033\031\345' >plain/a.png
-  # 20000 x 20000 as well.
+  # 20000 x 20000 as well, and of 16 bits.
   printf '\377\330\377\300\000\013\010\116\040\116\040\001\001\021\000' >baseline/a.png
+  printf '\377\330\377\302\000\013\010\116\040\116\040\001\001\021\000' >progressive/a.png
+  printf 'P5 20000 20000 255\n' >gray/a.png
+  printf 'P6 20000 20000 65535\n' >color/a.png
   for name in interlaced plain; do printf '\000\007\241\040IDAT' >>$name/a.png; done
-  for name in interlaced plain baseline; do head -c 500000 /dev/zero >>$name/a.png; done
+  for name in "${names[@]:1}"; do head -c 500000 /dev/zero >>$name/a.png; done
   printf '%s\n' 1 "a.png 300 0 79.5 0 300 59.5 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5" >par.txt
-  for name in huge interlaced plain baseline; do
+  for name in "${names[@]}"; do
     run --separate-stderr bash -c "ulimit -v 600000; exec tm-hull --threads 1 --cameras par.txt --silhouettes $name"
     assert_status 3
     one_line "$stderr"

@@ -25,7 +25,7 @@ memory_is_limited() {
   "$program" "${arguments[@]}" --max-memory 1.5GiB -o folder/out 2>/dev/null
 }
 @test "--max-memory ends every program with exit 6 and a line, and nothing is written" {
-  for_each filter picture source converter loop -- memory_is_limited
+  for_each filter predicate picture source converter loop -- memory_is_limited
 }
 
 # The program waits for the rest of its input, or for a reader of its output, when its time is over.

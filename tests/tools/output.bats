@@ -67,6 +67,16 @@ setup() {
   done
 }
 
+@test "links that run in a circle are no input" {
+  ln -s a a
+  for program in tm-convert tm-cameras tm-wrap 'tm-compare --reference t.ply' 'tm-morph-step --target t.ply'; do
+    run --separate-stderr $program a
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr == *"Too many levels of symbolic links"* ]] || fail "$stderr"
+  done
+}
+
 @test "devices and descriptors as targets are written directly" {
   tm-convert -o /dev/null t.ply
   [ -c /dev/null ]

@@ -33,9 +33,11 @@ has_only_numbers() {
     read -ra arguments <<<"$arguments"
     has_only_numbers || fail "$program ${arguments[*]}"
   done <<'TABLE'
+tm-cat
 tm-checkmanifold
 tm-clean
 tm-compare --reference TARGET
+tm-convert
 tm-displace --normal-speed 1%
 tm-evolve --step cat --iterations 1 --format off
 tm-info
@@ -44,6 +46,7 @@ tm-morph --target TARGET --iterations 1 --format off
 tm-morph-step --target TARGET
 tm-photograph --ring 2 --size 40x30
 tm-remesh
+tm-render
 tm-stitch
 tm-wrap
 TABLE

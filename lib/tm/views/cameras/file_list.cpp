@@ -61,6 +61,13 @@ std::vector<std::string> files_matching(const std::string& pattern) {
   return files;
 }
 
+[[noreturn]] void fail_to_find(const std::string& path) {
+  std::error_code error;
+  const bool is_missing = fs::status(path, error).type() == fs::file_type::not_found;
+  throw InputError(path + (is_missing ? ": there is no such file or folder"
+                                      : ": cannot be read: " + error.message()));
+}
+
 }  // namespace
 
 bool is_folder(const std::string& path) {
@@ -103,7 +110,7 @@ std::vector<std::string> files_at(const std::string& where) {
   } else if (where.find_first_of("*?[") != std::string::npos) {
     files = files_matching(where);
   } else {
-    throw InputError(where + ": there is no such file or folder");
+    fail_to_find(where);
   }
   std::sort(files.begin(), files.end(), is_natural_less);
   return files;
