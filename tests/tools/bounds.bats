@@ -136,6 +136,30 @@ tetrahedron_with() {
   [ "$(tm-info --get faces out.off)" -eq 4 ]
 }
 
+@test "2 000 boxes whose faces lie in four planes become one" {
+  awk 'BEGIN {
+    split("0 2 1,1 2 3,4 5 6,5 7 6,0 1 4,1 5 4,2 6 3,3 6 7,0 4 2,2 4 6,1 3 5,3 7 5", faces, ",")
+    print "OFF\n16000 24000 0"
+    for (v = 0; v < 16000; ++v) print 0.5 * int(v / 8) + v % 2, int(v / 2) % 2, int(v / 4) % 2
+    for (v = 0; v < 16000; v += 8)
+      for (f = 1; f <= 12; ++f) {
+        split(faces[f], corners, " ")
+        print 3, v + corners[1], v + corners[2], v + corners[3]
+      }
+  }' >boxes.off
+  cheap tm-clean -q boxes.off -o bar.off
+  tm-checkmanifold -q --closed --intersections --certify boxes.off bar.off
+  tm-info bar.off >facts
+  grep -qx 'components: 1' facts
+  grep -qx 'volume: 1000.5' facts
+}
+
+@test "hundreds of edges through one point are cut and joined" {
+  tm-shape pinch --faces 20000 -o pinch.ply
+  cheap tm-clean -q pinch.ply -o apart.ply
+  tm-checkmanifold -q --closed --intersections --certify pinch.ply apart.ply
+}
+
 @test "a vertex that is far away costs the rest of the mesh nothing" {
   tm-shape sphere --faces 50000 --format off --no-provenance | sed '4s/.*/1e15 2e15 3e15/' >stray.off
   cheap tm-intersect -q stray.off >/dev/null
