@@ -1,0 +1,73 @@
+/// Sums of two doubles, of about 104 bits, by IEEE operations alone: the same on every machine.
+/// Numbers are between 2^-480 and 2^480 in magnitude, or 0.
+/// References: Dekker, "A floating-point technique for extending the available precision",
+/// Numerische Mathematik 18, 1971; Knuth, "The Art of Computer Programming", vol. 2, 4.2.2.
+#pragma once
+
+namespace transformesh::elementary {
+
+/// `low` is at most half a unit in the last place of `high`.
+struct DoubleDouble {
+  double high = 0;
+  double low = 0;
+
+  constexpr double value() const { return high + low; }
+  constexpr DoubleDouble operator-() const { return {-high, -low}; }
+};
+
+/// Where a is 0 or larger than b.
+constexpr DoubleDouble fast_sum(double a, double b) {
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+constexpr DoubleDouble exact_sum(double a, double b) {
+  const double sum = a + b;
+  const double of_b = sum - a;
+  return {sum, (a - (sum - of_b)) + (b - of_b)};
+}
+
+constexpr DoubleDouble exact_product(double a, double b) {
+  constexpr double splitter = 0x1p27 + 1;
+  const double a_high = splitter * a - (splitter * a - a);
+  const double b_high = splitter * b - (splitter * b - b);
+  const double a_low = a - a_high;
+  const double b_low = b - b_high;
+  const double product = a * b;
+  return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
+}
+
+constexpr DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble high = exact_sum(a.high, b.high);
+  const DoubleDouble low = exact_sum(a.low, b.low);
+  const DoubleDouble sum = fast_sum(high.high, high.low + low.high);
+  return fast_sum(sum.high, sum.low + low.low);
+}
+
+constexpr DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble product = exact_product(a.high, b.high);
+  return fast_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
+}
+
+constexpr DoubleDouble operator*(const DoubleDouble& a, double b) { return a * DoubleDouble{b, 0}; }
+
+constexpr DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+  const double first = a.high / b.high;
+  const DoubleDouble rest = a + -(b * first);
+  const double second = rest.high / b.high;
+  const DoubleDouble remainder = rest + -(b * second);
+  const DoubleDouble quotient = fast_sum(first, second);
+  return fast_sum(quotient.high, quotient.low + remainder.high / b.high);
+}
+
+constexpr DoubleDouble operator/(const DoubleDouble& a, double b) { return a / DoubleDouble{b, 0}; }
+
+/// The integer nearest to a number below 2^51 in magnitude.
+constexpr double nearest_integer(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
+
+constexpr DoubleDouble one{1, 0};
+constexpr DoubleDouble pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+constexpr DoubleDouble half_pi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
+constexpr DoubleDouble log_of_2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+
+}  // namespace transformesh::elementary
