@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "tm/geometry/number_vector.h"
+#include "tm/geometry/precise_ball.h"
 #include "tm/geometry/wide_ball.h"
 
 namespace transformesh {
@@ -18,6 +19,11 @@ namespace transformesh {
 struct ExactCoordinates {
   std::array<CGAL::Mpzf, 3> x;
   CGAL::Mpzf w;
+};
+
+/// To twice the digits of a double, where that can be told.
+struct PreciseCoordinates {
+  std::array<PreciseBall, 3> x;
 };
 
 namespace {
@@ -192,18 +198,22 @@ bool is_exact(const ExactPoint& point) { return point.radius == Vec3::Zero(); }
 
 }  // namespace
 
-bool same_definition(const ExactPoint& a, const ExactPoint& b) {
-  const bool has_definition = a.kind != ExactPoint::Kind::free && a.kind != ExactPoint::Kind::mean;
-  return has_definition && a.kind == b.kind && a.definition == b.definition;
-}
-
 Triangle ExactGeometry::triangle(Index face) const { return triangle_of(positions_, faces_[face]); }
 
-ExactPoint ExactGeometry::given(Index vertex) const {
-  ExactPoint point = free(positions_[vertex]);
-  point.kind = ExactPoint::Kind::given;
-  point.definition[0] = vertex;
-  return point;
+ExactPoint ExactGeometry::point(const PointDefinition& definition) const {
+  switch (definition.kind) {
+    case ExactPoint::Kind::given: {
+      ExactPoint point = free(positions_[definition.indices[0]]);
+      point.definition = definition;
+      return point;
+    }
+    case ExactPoint::Kind::line_plane:
+      return line_plane(definition);
+    case ExactPoint::Kind::line_line:
+      return line_line(definition);
+    default:
+      throw std::logic_error("a definition does not make a point");
+  }
 }
 
 ExactPoint ExactGeometry::free(const Vec3& position) {
@@ -212,16 +222,16 @@ ExactPoint ExactGeometry::free(const Vec3& position) {
   return point;
 }
 
-ExactPoint ExactGeometry::line_plane(Index u, Index v, Index face) const {
-  if (u > v) std::swap(u, v);
+ExactPoint ExactGeometry::line_plane(const PointDefinition& definition) const {
+  const auto [u, v, face, none] = definition.indices;
+  const Vec3 &a = positions_[u], &b = positions_[v];
+  const Triangle plane = triangle(face);
   ExactPoint point;
-  point.kind = ExactPoint::Kind::line_plane;
-  point.definition = {u, v, face, 0};
+  point.definition = definition;
   const auto fraction = [&]<class Number>(const Number&) {
-    return line_plane_fraction<Number>(positions_[u], positions_[v], triangle(face));
+    return line_plane_fraction<Number>(a, b, plane);
   };
-  set_balls(point, fraction, positions_[u].cwiseMin(positions_[v]),
-            positions_[u].cwiseMax(positions_[v]));
+  set_balls(point, fraction, a.cwiseMin(b), a.cwiseMax(b));
   return point;
 }
 
@@ -237,17 +247,12 @@ PlaneProjection projection_of_edges(const Vec3& u, const Vec3& v, const Vec3& x,
 
 }  // namespace
 
-ExactPoint ExactGeometry::line_line(Index u, Index v, Index x, Index y) const {
-  if (u > v) std::swap(u, v);
-  if (x > y) std::swap(x, y);
-  if (u > x || (u == x && v > y)) {
-    std::swap(u, x);
-    std::swap(v, y);
-  }
+ExactPoint ExactGeometry::line_line(const PointDefinition& definition) const {
+  const auto& ends = definition.indices;
+  const Vec3 &a = positions_[ends[0]], &b = positions_[ends[1]];
+  const Vec3 &c = positions_[ends[2]], &d = positions_[ends[3]];
   ExactPoint point;
-  point.kind = ExactPoint::Kind::line_line;
-  point.definition = {u, v, x, y};
-  const Vec3 &a = positions_[u], &b = positions_[v], &c = positions_[x], &d = positions_[y];
+  point.definition = definition;
   const PlaneProjection projection = projection_of_edges(a, b, c, d);
   const auto fraction = [&]<class Number>(const Number&) {
     return line_line_fraction<Number>(a, b, c, d, projection);
@@ -258,11 +263,9 @@ ExactPoint ExactGeometry::line_line(Index u, Index v, Index x, Index y) const {
 }
 
 ExactPoint ExactGeometry::three_planes(Index f, Index g, Index h) const {
-  std::array<Index, 3> ids{f, g, h};
-  std::sort(ids.begin(), ids.end());
   ExactPoint point;
-  point.kind = ExactPoint::Kind::three_planes;
-  point.definition = {ids[0], ids[1], ids[2], 0};
+  point.definition = PointDefinition::three_planes(f, g, h);
+  const auto& ids = point.definition.indices;
   std::array<Triangle, 3> planes{triangle(ids[0]), triangle(ids[1]), triangle(ids[2])};
   Vec3 low = Vec3::Constant(-std::numeric_limits<double>::max());
   Vec3 high = -low;
@@ -277,36 +280,81 @@ ExactPoint ExactGeometry::three_planes(Index f, Index g, Index h) const {
   return point;
 }
 
-const ExactCoordinates& ExactGeometry::exact(const ExactPoint& point) const {
-  if (point.exact) return *point.exact;
-  const auto& d = point.definition;
-  ExactCoordinates coordinates;
-  switch (point.kind) {
-    case ExactPoint::Kind::given:
-    case ExactPoint::Kind::free:
-      coordinates = {{Exact(point.center[0]), Exact(point.center[1]), Exact(point.center[2])},
-                     Exact(1)};
-      break;
+namespace {
+
+// In numbers of a given kind.
+template <class Number>
+Fraction<Number> fraction_of(const PointDefinition& definition, std::span<const Vec3> positions,
+                             std::span<const Face> faces) {
+  const auto& d = definition.indices;
+  const auto plane = [&](int i) { return triangle_of(positions, faces[d[i]]); };
+  switch (definition.kind) {
     case ExactPoint::Kind::line_plane:
-      coordinates = exact_coordinates(
-          line_plane_fraction<Exact>(positions_[d[0]], positions_[d[1]], triangle(d[2])));
-      break;
+      return line_plane_fraction<Number>(positions[d[0]], positions[d[1]], plane(2));
     case ExactPoint::Kind::line_line: {
-      const Vec3 &a = positions_[d[0]], &b = positions_[d[1]];
-      const Vec3 &x = positions_[d[2]], &y = positions_[d[3]];
-      coordinates =
-          exact_coordinates(line_line_fraction<Exact>(a, b, x, y, projection_of_edges(a, b, x, y)));
-      break;
+      const Vec3 &a = positions[d[0]], &b = positions[d[1]];
+      const Vec3 &x = positions[d[2]], &y = positions[d[3]];
+      return line_line_fraction<Number>(a, b, x, y, projection_of_edges(a, b, x, y));
     }
     case ExactPoint::Kind::three_planes:
-      coordinates = exact_coordinates(
-          three_planes_fraction<Exact>(triangle(d[0]), triangle(d[1]), triangle(d[2])));
-      break;
-    case ExactPoint::Kind::mean:
-      throw std::logic_error("a mean carries its exact coordinates from the start");
+      return three_planes_fraction<Number>(plane(0), plane(1), plane(2));
+    default:
+      throw std::logic_error("this point carries its coordinates from the start");
   }
+}
+
+PreciseCoordinates precise_coordinates(const Fraction<PreciseBall>& fraction) {
+  PreciseCoordinates result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.x[i] = fraction.denominator.sign() == 0
+                      ? PreciseBall::unknown()
+                      : PreciseBall(fraction.origin[static_cast<int>(i)]) +
+                            fraction.numerator[i] / fraction.denominator;
+  }
+  return result;
+}
+
+}  // namespace
+
+const ExactCoordinates& ExactGeometry::exact(const ExactPoint& point) const {
+  if (point.exact) return *point.exact;
+  const Vec3& p = point.center;
+  ExactCoordinates coordinates =
+      is_exact(point) ? ExactCoordinates{{Exact(p[0]), Exact(p[1]), Exact(p[2])}, Exact(1)}
+                      : exact_coordinates(fraction_of<Exact>(point.definition, positions_, faces_));
   point.exact = std::make_shared<const ExactCoordinates>(std::move(coordinates));
   return *point.exact;
+}
+
+const PreciseCoordinates& ExactGeometry::precise(const ExactPoint& point) const {
+  if (point.precise) return *point.precise;
+  PreciseCoordinates coordinates;
+  coordinates.x.fill(PreciseBall::unknown());
+  if (is_exact(point)) {
+    for (std::size_t i = 0; i < 3; ++i)
+      coordinates.x[i] = PreciseBall(point.center[static_cast<int>(i)]);
+  } else if (point.definition.is_known()) {
+    coordinates =
+        precise_coordinates(fraction_of<PreciseBall>(point.definition, positions_, faces_));
+  }
+  point.precise = std::make_shared<const PreciseCoordinates>(coordinates);
+  return *point.precise;
+}
+
+namespace {
+
+std::array<Bound, 2> products_of_turn(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                      PlaneProjection p) {
+  return {bounded_product(bounded_difference(b, a, p.u), bounded_difference(c, a, p.v)),
+          bounded_product(bounded_difference(b, a, p.v), bounded_difference(c, a, p.u))};
+}
+
+}  // namespace
+
+int ExactGeometry::quick_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                  PlaneProjection p) {
+  const auto [left, right] = products_of_turn(a, b, c, p);
+  return sign_of_difference(left, right);
 }
 
 int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
@@ -314,19 +362,21 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
   if (is_exact(a) && is_exact(b) && is_exact(c)) {
     return transformesh::orient2d(a.center, b.center, c.center, p);
   }
-  const Bound left = bounded_product(bounded_difference(b, a, p.u), bounded_difference(c, a, p.v));
-  const Bound right = bounded_product(bounded_difference(b, a, p.v), bounded_difference(c, a, p.u));
+  const auto [left, right] = products_of_turn(a, b, c, p);
   const int sign = sign_of_difference(left, right);
   if (sign != 0) return sign;
   if (leaves_double_range(std::abs(left.value) + std::abs(right.value))) {
     const int wide = wide_orient2d(a, b, c, p);
     if (wide != 0) return wide;
   }
+  const auto i = static_cast<std::size_t>(p.u);
+  const auto j = static_cast<std::size_t>(p.v);
+  const Vector<PreciseBall>&pa = precise(a).x, &pb = precise(b).x, &pc = precise(c).x;
+  const PreciseBall turn = (pb[i] - pa[i]) * (pc[j] - pa[j]) - (pb[j] - pa[j]) * (pc[i] - pa[i]);
+  if (turn.sign() != 0) return turn.sign();
 
   // Expand the determinant of the rows (x, y, w) along the weights.
   const ExactCoordinates &ea = exact(a), &eb = exact(b), &ec = exact(c);
-  const auto i = static_cast<std::size_t>(p.u);
-  const auto j = static_cast<std::size_t>(p.v);
   return exact_sign(ea.w * (eb.x[i] * ec.x[j] - eb.x[j] * ec.x[i]) -
                     eb.w * (ea.x[i] * ec.x[j] - ea.x[j] * ec.x[i]) +
                     ec.w * (ea.x[i] * eb.x[j] - ea.x[j] * eb.x[i]));
@@ -352,6 +402,11 @@ int ExactGeometry::orient3d(const Triangle& t, const ExactPoint& point) const {
     if (sign != 0) return sign;
   }
 
+  Vector<PreciseBall> step = precise(point).x;
+  for (std::size_t i = 0; i < 3; ++i) step[i] = step[i] - PreciseBall(t[0][static_cast<int>(i)]);
+  const int sign = dot(normal<PreciseBall>(t), step).sign();
+  if (sign != 0) return sign;
+
   const ExactCoordinates& e = exact(point);
   const Vector<Exact> exact_n = normal<Exact>(t);
   Vector<Exact> offset;
@@ -367,8 +422,10 @@ int ExactGeometry::compare_coordinate(const ExactPoint& a, const ExactPoint& b, 
   if (value > error) return 1;
   if (value < -error) return -1;
   if (a.radius[i] == 0 && b.radius[i] == 0) return 0;
-  const ExactCoordinates &ea = exact(a), &eb = exact(b);
   const auto k = static_cast<std::size_t>(i);
+  const int sign = (precise(a).x[k] - precise(b).x[k]).sign();
+  if (sign != 0) return sign;
+  const ExactCoordinates &ea = exact(a), &eb = exact(b);
   return exact_sign(ea.x[k] * eb.w - eb.x[k] * ea.w);
 }
 
@@ -396,7 +453,7 @@ ExactPoint ExactGeometry::mean(const ExactPoint& a, const ExactPoint& b, const E
   const std::array<const ExactPoint*, 3> points{&a, &b, &c};
   const int total = weights[0] + weights[1] + weights[2];
   ExactPoint result;
-  result.kind = ExactPoint::Kind::mean;
+  result.definition.kind = ExactPoint::Kind::mean;
 
   // The ball.
   for (std::size_t k = 0; k < 3; ++k) {

@@ -12,25 +12,28 @@
 #include <memory>
 #include <span>
 
+#include "tm/geometry/point_definition.h"
 #include "tm/geometry/predicates.h"
 
 namespace transformesh {
 
 struct ExactCoordinates;
+struct PreciseCoordinates;
 
 struct ExactPoint {
-  enum class Kind : std::uint8_t { given, free, line_plane, line_line, three_planes, mean };
+  using Kind = PointDefinition::Kind;
 
-  Kind kind = Kind::free;
-  std::array<Index, 4> definition{};  ///< vertex | - | u v face | u v x y | three faces | -
-  Vec3 center = Vec3::Zero();         ///< the point is within radius of center, per coordinate
+  PointDefinition definition;
+  Vec3 center = Vec3::Zero();  ///< the point is within radius of center, per coordinate
   Vec3 radius = Vec3::Zero();
-  mutable std::shared_ptr<const ExactCoordinates> exact;  ///< filled when first needed
+  mutable std::shared_ptr<const PreciseCoordinates> precise;  ///< filled when first needed
+  mutable std::shared_ptr<const ExactCoordinates> exact;      ///< likewise
 };
 
-/// Whether both have the same definition, and so are equal without any arithmetic. Free points and
-/// means have no definition.
-bool same_definition(const ExactPoint& a, const ExactPoint& b);
+/// Whether both have the same definition, and so are equal without any arithmetic.
+inline bool same_definition(const ExactPoint& a, const ExactPoint& b) {
+  return a.definition == b.definition && a.definition.is_known();
+}
 
 class ExactGeometry {
  public:
@@ -38,19 +41,20 @@ class ExactGeometry {
   ExactGeometry(std::span<const Vec3> positions, std::span<const Face> faces)
       : positions_(positions), faces_(faces) {}
 
-  ExactPoint given(Index vertex) const;
+  /// The point of a definition, but of those by three planes.
+  ExactPoint point(const PointDefinition& definition) const;
+  /// Where the planes of three faces meet, inside g and h.
+  ExactPoint three_planes(Index f, Index g, Index h) const;
+  ExactPoint given(Index vertex) const { return point(PointDefinition::given(vertex)); }
   /// A point with coordinates of its own: for scaffolding.
   static ExactPoint free(const Vec3& position);
-  /// Where edge uv crosses the plane of the face, which it must do.
-  ExactPoint line_plane(Index u, Index v, Index face) const;
-  /// Where two coplanar edges that are not parallel cross.
-  ExactPoint line_line(Index u, Index v, Index x, Index y) const;
-  /// Where the planes of three faces meet, which they must do in one point inside g and h.
-  ExactPoint three_planes(Index f, Index g, Index h) const;
 
   /// As in predicates.h.
   int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                PlaneProjection projection) const;
+  /// The same where the balls tell it, else 0.
+  static int quick_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                            PlaneProjection projection);
   int orient3d(const Triangle& triangle, const ExactPoint& point) const;
   /// An order by x, then y, then z: -1, 0 or +1. Zero exactly where the points are equal.
   int compare(const ExactPoint& a, const ExactPoint& b) const;
@@ -62,6 +66,9 @@ class ExactGeometry {
                   const std::array<int, 3>& weights) const;
 
  private:
+  ExactPoint line_plane(const PointDefinition& definition) const;
+  ExactPoint line_line(const PointDefinition& definition) const;
+  const PreciseCoordinates& precise(const ExactPoint& point) const;
   const ExactCoordinates& exact(const ExactPoint& point) const;
   Triangle triangle(Index face) const;
 

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "tm/geometry/expansion.h"
 #include "tm/geometry/number_vector.h"
+#include "tm/geometry/precise_ball.h"
 #include "tm/geometry/wide_ball.h"
 #include "tm/support/parallel.h"
 
@@ -30,11 +32,82 @@ int filtered_sign(double determinant, double bound) {
 
 int sign_of(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
 
-int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+/// Whether determinants of such numbers neither over- nor underflow as expansions.
+bool is_moderate(const Vec3& p) {
+  const auto is_usual = [](double x) {
+    return x == 0 || (std::abs(x) > 0x1p-200 && std::abs(x) < 0x1p200);
+  };
+  return is_usual(p[0]) && is_usual(p[1]) && is_usual(p[2]);
+}
+
+/// a - b, and whether that is what doubles make of it.
+struct Difference {
+  Vec3 value;
+  bool is_exact = true;
+};
+
+Difference difference_of(const Vec3& a, const Vec3& b) {
+  Difference result;
+  for (int i = 0; i < 3; ++i) {
+    const elementary::DoubleDouble sum = elementary::exact_sum(a[i], -b[i]);
+    result.value[i] = sum.high;
+    result.is_exact &= sum.low == 0;
+  }
+  return result;
+}
+
+// a b - c d.
+Expansion<4> minor(double a, double b, double c, double d) {
+  return Expansion<2>::product(a, b) + Expansion<2>::product(-c, d);
+}
+
+// Of three vectors.
+int sign_of_determinant(const Vec3& b, const Vec3& c, const Vec3& d) {
+  return (minor(b[1], c[2], b[2], c[1]) * d[0] + minor(b[2], c[0], b[0], c[2]) * d[1] +
+          minor(b[0], c[1], b[1], c[0]) * d[2])
+      .sign();
+}
+
+using elementary::DoubleDouble;
+
+struct PreciseVector {
+  DoubleDouble x, y, z;
+};
+
+PreciseVector precise_difference(const Vec3& a, const Vec3& b) {
+  return {elementary::exact_sum(a[0], -b[0]), elementary::exact_sum(a[1], -b[1]),
+          elementary::exact_sum(a[2], -b[2])};
+}
+
+// Of three vectors, to about 100 bits.
+DoubleDouble precise_determinant(const PreciseVector& b, const PreciseVector& c,
+                                 const PreciseVector& d) {
+  return (b.y * c.z + -(b.z * c.y)) * d.x + (b.z * c.x + -(b.x * c.z)) * d.y +
+         (b.x * c.y + -(b.y * c.x)) * d.z;
+}
+
+// Zeros come mostly from coordinates whose differences are exact, for which expansions are fast.
+// Most other signs are clear from twice the digits.
+int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double permanent) {
+  if (is_moderate(a) && is_moderate(b) && is_moderate(c) && is_moderate(d)) {
+    const Difference ab = difference_of(b, a), ac = difference_of(c, a), ad = difference_of(d, a);
+    if (ab.is_exact && ac.is_exact && ad.is_exact)
+      return sign_of_determinant(ab.value, ac.value, ad.value);
+    constexpr double bound = 0x1p-94;
+    const DoubleDouble determinant = precise_determinant(
+        precise_difference(b, a), precise_difference(c, a), precise_difference(d, a));
+    const int sign = filtered_sign(determinant.high, bound * permanent + underflow_guard);
+    if (sign != 0) return sign;
+  }
   return sign_of(dot(normal<Exact>({a, b, c}), difference<Exact>(d, a)));
 }
 
 int exact_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
+  if (is_moderate(a) && is_moderate(b) && is_moderate(c)) {
+    const Difference ab = difference_of(b, a), ac = difference_of(c, a);
+    if (ab.is_exact && ac.is_exact)
+      return minor(ab.value[p.u], ac.value[p.v], ab.value[p.v], ac.value[p.u]).sign();
+  }
   const auto minus = [](double x, double y) { return Exact(x) - Exact(y); };
   return sign_of(minus(b[p.u], a[p.u]) * minus(c[p.v], a[p.v]) -
                  minus(b[p.v], a[p.v]) * minus(c[p.u], a[p.u]));
@@ -78,7 +151,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const int sign = filtered_sign(determinant, bound_3d * permanent + underflow_guard);
   if (sign != 0) return sign;
   const int wide = leaves_double_range(permanent) ? wide_orient3d(a, b, c, d) : 0;
-  return wide != 0 ? wide : exact_orient3d(a, b, c, d);
+  return wide != 0 ? wide : exact_orient3d(a, b, c, d, permanent);
 }
 
 int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
@@ -122,7 +195,9 @@ int normals_dot(const Triangle& first, const Triangle& second) {
   const double size = (first[1] - first[0]).norm() * (first[2] - first[0]).norm() *
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
   const int sign = filtered_sign(n.dot(m), 32 * epsilon * size + underflow_guard);
-  return sign != 0 ? sign : sign_of(dot(normal<Exact>(first), normal<Exact>(second)));
+  if (sign != 0) return sign;
+  const int precise = dot(normal<PreciseBall>(first), normal<PreciseBall>(second)).sign();
+  return precise != 0 ? precise : sign_of(dot(normal<Exact>(first), normal<Exact>(second)));
 }
 
 int normals_cross(const Triangle& first, const Triangle& second, int coordinate) {
@@ -132,8 +207,9 @@ int normals_cross(const Triangle& first, const Triangle& second, int coordinate)
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
   const int sign = filtered_sign(n.cross(m)[coordinate], 32 * epsilon * size + underflow_guard);
   if (sign != 0) return sign;
-  return sign_of(
-      cross(normal<Exact>(first), normal<Exact>(second))[static_cast<std::size_t>(coordinate)]);
+  const auto i = static_cast<std::size_t>(coordinate);
+  const int precise = cross(normal<PreciseBall>(first), normal<PreciseBall>(second))[i].sign();
+  return precise != 0 ? precise : sign_of(cross(normal<Exact>(first), normal<Exact>(second))[i]);
 }
 
 std::vector<Index> degenerate_faces(const Mesh& mesh) {

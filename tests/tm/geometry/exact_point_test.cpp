@@ -121,7 +121,7 @@ void add_points(Scene& scene) {
           0) {
         continue;
       }
-      scene.points.push_back(geometry.line_plane(v, w, f));
+      scene.points.push_back(geometry.point(PointDefinition::line_plane(v, w, f)));
       scene.truth.push_back(solve_line_plane(scene.positions[v], scene.positions[w],
                                              plane_of(scene.positions, scene.faces[f])));
     }
@@ -185,10 +185,10 @@ TEST_CASE("crossing edges and weighted means are where rationals put them") {
   const std::vector<Vec3> positions{{0, 0, 0}, {3, 1, 2}, {0, 1, 2}, {3, 0, 0}, {1e6, 1, 7}};
   const std::vector<Face> faces{{0, 1, 2}};
   const ExactGeometry geometry(positions, faces);
-  const ExactPoint crossing = geometry.line_line(0, 1, 2, 3);
+  const ExactPoint crossing = geometry.point(PointDefinition::line_line(0, 1, 2, 3));
   const ExactPoint middle = ExactGeometry::free({1.5, 0.5, 1});
   CHECK(geometry.compare(crossing, middle) == 0);
-  CHECK(geometry.compare(geometry.line_line(3, 2, 1, 0), middle) == 0);
+  CHECK(geometry.compare(geometry.point(PointDefinition::line_line(3, 2, 1, 0)), middle) == 0);
 
   // (2 a + 3 b + 5 c) / 10 of given points and of a crossing.
   const ExactPoint mean = geometry.mean(geometry.given(4), crossing, geometry.given(3), {2, 3, 5});
@@ -207,14 +207,15 @@ TEST_CASE("only a definition makes points the same: means and free points have n
   const std::vector<Face> faces{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}};
   const ExactGeometry geometry(positions, faces);
   const ExactPoint a = geometry.given(0), b = geometry.given(1), c = geometry.given(2);
-  CHECK(same_definition(geometry.line_line(0, 1, 2, 3), geometry.line_line(3, 2, 1, 0)));
+  CHECK(same_definition(geometry.point(PointDefinition::line_line(0, 1, 2, 3)),
+                        geometry.point(PointDefinition::line_line(3, 2, 1, 0))));
   CHECK(same_definition(geometry.three_planes(0, 1, 2), geometry.three_planes(2, 0, 1)));
   CHECK(!same_definition(a, b));
   CHECK(same_definition(a, geometry.given(0)));
 
   const ExactPoint first = geometry.mean(a, b, c, {1, 2, 3});
   const ExactPoint second = geometry.mean(a, b, c, {3, 2, 1});
-  CHECK(first.kind == ExactPoint::Kind::mean);
+  CHECK(first.definition.kind == ExactPoint::Kind::mean);
   CHECK(geometry.compare(first, second) != 0);
   CHECK(!same_definition(first, second));
   CHECK(!same_definition(first, geometry.three_planes(0, 1, 2)));

@@ -46,9 +46,16 @@ struct Arrangement {
 };
 
 /// `pairs` are the intersecting pairs of welded faces, sorted, without those of copies, which are
-/// cut as one: the work does not grow with their number, but for the sources. Throws InputError
-/// where there is a pair and a coordinate beyond 1e306. Parallel; deterministic for any number of
-/// threads.
+/// cut as one: the work does not grow with their number, but for the sources. Throws as
+/// refuse_overflow does. Parallel; deterministic for any number of threads.
 Arrangement arrange(const std::shared_ptr<const WeldedMesh>& welded,
                     const std::vector<FacePair>& pairs, const Progress& progress);
+
+/// The arrangement of planes that are cut. Whole faces may be left out.
+Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Planes& planes,
+                      const std::vector<PlaneCut>& cuts, const std::vector<char>& is_left_out = {});
+
+/// Throws InputError where a coordinate is beyond 1e306.
+void refuse_overflow(const WeldedMesh& welded);
+
 }  // namespace transformesh

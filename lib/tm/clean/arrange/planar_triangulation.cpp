@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <stdexcept>
 
 namespace transformesh {
@@ -53,22 +54,57 @@ PlanarTriangulation::PlanarTriangulation(const ExactGeometry& geometry, const Tr
   facet_of_.assign(3, 0);
 }
 
-int PlanarTriangulation::orientation(Index a, Index b, const ExactPoint& c) const {
-  return geometry_.orient2d(points_[a], points_[b], c, projection_);
+bool PlanarTriangulation::begin_with_triangle(const std::array<ExactPoint, 3>& corners) {
+  // The scaffold is the triangle reversed in its middle, enlarged: a corner lies across every edge.
+  const Vec3 middle = corners[0].center / 3 + corners[1].center / 3 + corners[2].center / 3;
+  const std::vector<ExactPoint> old_points = points_;
+  constexpr double enlarged = 6;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& across = corners[(i + 2) % 3].center;
+    points_[i] = ExactGeometry::free(middle + enlarged * (middle - across));
+    if (!points_[i].center.allFinite()) return points_ = old_points, false;
+  }
+  points_.insert(points_.end(), corners.begin(), corners.end());
+  lines_.resize(points_.size());
+  constexpr std::array<Face, 7> facets{
+      {{3, 4, 5}, {4, 3, 0}, {5, 4, 1}, {3, 5, 2}, {3, 2, 0}, {4, 0, 1}, {5, 1, 2}}};
+  for (const Face& v : facets) {
+    if (orientation(v[0], v[1], v[2]) > 0) continue;
+    points_ = old_points;
+    lines_.resize(points_.size());
+    return false;
+  }
+
+  constexpr Index none = no_index;
+  constexpr std::array<std::array<Index, 3>, 7> next{
+      {{1, 2, 3}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {3, none, 1}, {1, none, 2}, {2, none, 3}}};
+  facets_.clear();
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    facets_.push_back({facets[i], next[i], {none, none, none}});
+  facet_of_ = {4, 5, 6, 0, 0, 0};
+  for (Index i = 0; i < 3; ++i) mark(i, i);
+  return true;
 }
 
-// Where all three points are known to lie on one line, this needs no arithmetic.
+// Where arithmetic in doubles leaves it open, points may be known to lie on one line.
 int PlanarTriangulation::orientation(Index a, Index b, Index c) const {
-  const std::vector<Index>* shortest = &lines_[a];
-  if (lines_[b].size() < shortest->size()) shortest = &lines_[b];
-  if (lines_[c].size() < shortest->size()) shortest = &lines_[c];
-  for (const Index line : *shortest) {
-    const auto holds = [line](const std::vector<Index>& lines) {
-      return std::binary_search(lines.begin(), lines.end(), line);
-    };
-    if (holds(lines_[a]) && holds(lines_[b]) && holds(lines_[c])) return 0;
-  }
+  const int sign = ExactGeometry::quick_orient2d(points_[a], points_[b], points_[c], projection_);
+  if (sign != 0) return sign;
+  if (share_line(lines_of(a), lines_of(b), lines_of(c))) return 0;
   return geometry_.orient2d(points_[a], points_[b], points_[c], projection_);
+}
+
+bool PlanarTriangulation::share_line(std::span<const Index> a, std::span<const Index> b,
+                                     std::span<const Index> c) {
+  std::span<const Index> shortest = c;
+  if (a.size() < shortest.size()) shortest = a;
+  if (b.size() < shortest.size()) shortest = b;
+  const auto is_in = [](std::span<const Index> lines, Index line) {
+    return std::binary_search(lines.begin(), lines.end(), line);
+  };
+  return std::any_of(shortest.begin(), shortest.end(), [&](Index line) {
+    return is_in(a, line) && is_in(b, line) && is_in(c, line);
+  });
 }
 
 // Whether `through` lies on the same side of `from` as `to`, the three being collinear.
@@ -89,21 +125,28 @@ Index PlanarTriangulation::add_point(const ExactPoint& point) {
 }
 
 void PlanarTriangulation::add_line(Index point, Index line) {
-  std::vector<Index>& lines = lines_[point];
+  Lines& lines = lines_[point];
   const auto at = std::lower_bound(lines.begin(), lines.end(), line);
   if (at == lines.end() || *at != line) lines.insert(at, line);
 }
 
 // Walks towards the point. A walk may circle where the triangulation is not Delaunay; then all
 // facets are tried.
-PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& point) const {
-  Location location{static_cast<Index>(facets_.size() - 1), {}};
+PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& point,
+                                                          std::span<const Index> lines) const {
+  const auto side_of = [&](Index a, Index b) {
+    const int sign = ExactGeometry::quick_orient2d(points_[a], points_[b], point, projection_);
+    if (sign != 0) return sign;
+    if (share_line(lines_of(a), lines_of(b), lines)) return 0;
+    return geometry_.orient2d(points_[a], points_[b], point, projection_);
+  };
+  Location location{facet_of_.back(), {}};
   const auto leave_by = [&](Index first) {
     Index exit = no_index;
     for (Index k = 0; k < 3; ++k) {
       const Index i = (first + k) % 3;
       const Facet& facet = facets_[location.facet];
-      location.side[i] = orientation(facet.v[i], facet.v[next_corner(i)], point);
+      location.side[i] = side_of(facet.v[i], facet.v[next_corner(i)]);
       if (location.side[i] < 0) {
         exit = i;
         break;
@@ -123,8 +166,8 @@ PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& poin
   throw std::logic_error("a point lies outside its plane's scaffold");
 }
 
-Index PlanarTriangulation::insert(const ExactPoint& point, std::initializer_list<Index> lines) {
-  const Location location = locate(point);
+Index PlanarTriangulation::insert(const ExactPoint& point, std::span<const Index> lines) {
+  const Location location = locate(point, lines);
   const Facet facet = facets_[location.facet];
   const auto zeros = std::count(location.side.begin(), location.side.end(), 0);
   Index index = no_index;
@@ -138,7 +181,7 @@ Index PlanarTriangulation::insert(const ExactPoint& point, std::initializer_list
       if (location.side[i] == 0) split_edge(3 * location.facet + i, index);
     }
     legalize(index);
-  } else if (point.kind == ExactPoint::Kind::given) {
+  } else if (point.definition.kind == ExactPoint::Kind::given) {
     points_[index] = point;  // a vertex of the mesh is named as such in every plane
   }
   for (const Index line : lines) add_line(index, line);
@@ -184,7 +227,7 @@ void PlanarTriangulation::split_edge(Index edge, Index p) {
   const Facet left = facets_[f], right = facets_[g];
   const Index a = left.v[i], b = left.v[next_corner(i)];
   const Index c = left.v[previous_corner(i)], d = right.v[previous_corner(k)];
-  const Index line = left.line[i];
+  const Index line = left.line[i], line_back = right.line[k];
   const auto f2 = static_cast<Index>(facets_.size());
   const Index g2 = f2 + 1;
   facets_.resize(facets_.size() + 2, left);
@@ -193,23 +236,19 @@ void PlanarTriangulation::split_edge(Index edge, Index p) {
   facets_[f] = {{a, p, c},
                 {g, f2, left.next[previous_corner(i)]},
                 {line, none, left.line[previous_corner(i)]}};
-  facets_[g] = {
-      {p, a, d}, {f, right.next[next_corner(k)], g2}, {line, right.line[next_corner(k)], none}};
+  facets_[g] = {{p, a, d},
+                {f, right.next[next_corner(k)], g2},
+                {line_back, right.line[next_corner(k)], none}};
   set_facet(f2, {p, b, c}, {g2, left.next[next_corner(i)], f},
             {line, left.line[next_corner(i)], none});
   set_facet(g2, {b, p, d}, {f2, g, right.next[previous_corner(k)]},
-            {line, none, right.line[previous_corner(k)]});
+            {line_back, none, right.line[previous_corner(k)]});
   set_facet(f, facets_[f].v, facets_[f].next, facets_[f].line);
   set_facet(g, facets_[g].v, facets_[g].next, facets_[g].line);
-  if (line != no_index) {
-    const std::vector<Index>& from = lines_[a];
-    for (const Index candidate : from) {
-      if (std::binary_search(lines_[b].begin(), lines_[b].end(), candidate)) {
-        add_line(p, candidate);
-      }
-    }
-    add_line(p, line);
-  }
+  // Lines through both ends pass through all points between.
+  const Lines of_a = lines_[a];
+  std::set_intersection(of_a.begin(), of_a.end(), lines_[b].begin(), lines_[b].end(),
+                        std::back_inserter(lines_[p]));
 }
 
 Index PlanarTriangulation::opposite(Index edge) const {
@@ -310,9 +349,10 @@ void PlanarTriangulation::legalize(Index p) {
   }
 }
 
-void PlanarTriangulation::improve() {
+void PlanarTriangulation::improve(const std::vector<char>& marked) {
   std::vector<Index> stack;
-  for (auto edge = static_cast<Index>(3 * facets_.size()); edge-- > 0;) stack.push_back(edge);
+  for (auto edge = static_cast<Index>(3 * facets_.size()); edge-- > 0;)
+    if (marked.empty() || marked[edge / 3]) stack.push_back(edge);
   for (std::size_t budget = 100 + 30 * facets_.size(); !stack.empty() && budget > 0; --budget) {
     const Index edge = stack.back();
     stack.pop_back();
@@ -334,10 +374,11 @@ Index PlanarTriangulation::edge_between(Index from, Index to) const {
 
 void PlanarTriangulation::mark(Index edge, Index line) {
   const Index back = opposite(edge);
-  for (const Index e : {edge, back}) {
-    Index& slot = facets_[e / 3].line[e % 3];
-    if (slot == no_index) slot = line;
-  }
+  Index& list = facets_[edge / 3].line[edge % 3];
+  const auto number = static_cast<Index>(2 * lists_.size());
+  lists_.push_back({line, list, list == no_index ? line : lists_[list / 2].oldest});
+  list = number;
+  facets_[back / 3].line[back % 3] = number + 1;
   add_line(facets_[edge / 3].v[edge % 3], line);
   add_line(facets_[back / 3].v[back % 3], line);
 }
@@ -369,9 +410,9 @@ Index PlanarTriangulation::march(Index edge, Index from, Index to, Index line) {
   Index end = no_index;
   while (end == no_index) {
     const Facet& facet = facets_[edge / 3];
-    const Index other_line = facet.line[edge % 3];
-    if (other_line != no_index) {
-      end = add_point(crossing_(line, other_line));
+    const Index others = facet.line[edge % 3];
+    if (others != no_index) {
+      end = add_point(crossing_(line, lists_[others / 2].oldest));
       add_line(end, line);
       split_edge(edge, end);
       break;

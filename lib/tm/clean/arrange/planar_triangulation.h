@@ -7,7 +7,9 @@
 /// triangulations", Computers & Structures 1993.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "tm/geometry/exact_point.h"
@@ -19,7 +21,12 @@ class PlanarTriangulation {
   struct Facet {
     std::array<Index, 3> v;     ///< points, counter-clockwise in the projection
     std::array<Index, 3> next;  ///< the facet across the edge from v[i] to v[i + 1]
-    std::array<Index, 3> line;  ///< the constraint on that edge, or no_index
+    std::array<Index, 3> line;  ///< the constraints on that edge as a list, or no_index
+  };
+  /// A constraint on an edge: `is_along` where the edge runs the way that it was constrained.
+  struct OnEdge {
+    Index line;
+    bool is_along;
   };
   /// The point where two constraint lines cross.
   using Crossing = std::function<ExactPoint(Index first_line, Index second_line)>;
@@ -28,37 +35,73 @@ class PlanarTriangulation {
   PlanarTriangulation(const ExactGeometry& geometry, const Triangle& plane, const Vec3& low,
                       const Vec3& high, Crossing crossing);
 
+  /// Inserts the triangle of the plane, the whole of what is cut, before anything else: its corners
+  /// become the points 3, 4 and 5, and its edges the lines 0, 1 and 2. Returns whether that was
+  /// simple; if not, nothing was done.
+  bool begin_with_triangle(const std::array<ExactPoint, 3>& corners);
   /// Returns the index of the point, or of an equal one that is there. It is known to be on the
   /// given lines.
-  Index insert(const ExactPoint& point, std::initializer_list<Index> lines);
+  Index insert(const ExactPoint& point, std::span<const Index> lines);
+  Index insert(const ExactPoint& point, std::initializer_list<Index> lines) {
+    return insert(point, std::span<const Index>(lines.begin(), lines.size()));
+  }
+  /// Adds lines on which a point is known to be.
+  void add_lines(Index point, std::span<const Index> lines) {
+    for (const Index line : lines) add_line(point, line);
+  }
   /// Makes the segment a chain of constrained edges. Both ends are on the line.
   void constrain(Index from, Index to, Index line);
-  /// Flips diagonals that no constraint holds until they are Delaunay.
-  void improve();
+  /// Flips diagonals that no constraint holds until they are Delaunay. Constraints bound what is
+  /// marked per facet, if anything is; the rest is left as it is.
+  void improve(const std::vector<char>& marked = {});
+  /// The constraints on an edge of a facet.
+  template <class Visit>
+  void for_each_line(Index facet, Index i, const Visit& visit) const {
+    bool is_along = true;
+    for (Index at = facets_[facet].line[i]; at != no_index; at = lists_[at / 2].rest) {
+      is_along ^= at % 2 == 1;
+      visit(OnEdge{lists_[at / 2].line, is_along});
+    }
+  }
   /// The edges (facet * 3 + i) from one point straight to another; they must exist.
   std::vector<Index> chain(Index from, Index to) const;
 
   const std::vector<Facet>& facets() const { return facets_; }
   const ExactPoint& point(Index i) const { return points_[i]; }
   std::size_t point_count() const { return points_.size(); }
+  /// Where an edge starts.
+  Index source(Index edge) const { return facets_[edge / 3].v[edge % 3]; }
   static constexpr Index scaffold_points = 3;  ///< the first points are the scaffold
 
  private:
+  using Lines = boost::container::small_vector<Index, 4>;
   struct Location {
     Index facet;
     std::array<int, 3> side;  ///< of each edge on which the point is; two zeros: at a corner
   };
+  /// A list of the constraints on an edge. Lists are shared by the parts of an edge that was split.
+  /// The number of list i is 2 i along the edge, and 2 i + 1 from its other side.
+  struct ListOnEdge {
+    Index line;
+    Index rest;    ///< a list, or no_index
+    Index oldest;  ///< the line that was there first
+  };
 
   int orientation(Index a, Index b, Index c) const;
-  int orientation(Index a, Index b, const ExactPoint& c) const;
+  std::span<const Index> lines_of(Index point) const {
+    return {lines_[point].data(), lines_[point].size()};
+  }
+  static bool share_line(std::span<const Index> a, std::span<const Index> b,
+                         std::span<const Index> c);
   bool is_ahead(Index from, Index through, Index to) const;
-  Location locate(const ExactPoint& point) const;
+  Location locate(const ExactPoint& point, std::span<const Index> lines) const;
   Index add_point(const ExactPoint& point);
   void add_line(Index point, Index line);
   void set_facet(Index facet, const std::array<Index, 3>& v, const std::array<Index, 3>& next,
                  const std::array<Index, 3>& line);
   void split_facet(Index facet, Index point);
   void split_edge(Index edge, Index point);
+  void add_lines_of_edge(Index edge, Index point);
   Index flip(Index edge);
   bool is_convex(Index edge) const;
   bool wants_flip(Index edge) const;
@@ -77,9 +120,10 @@ class PlanarTriangulation {
   PlaneProjection projection_;
   Crossing crossing_;
   std::vector<ExactPoint> points_;
-  std::vector<std::vector<Index>> lines_;  ///< through each point, ascending
-  std::vector<Index> facet_of_;            ///< some facet at each point
+  std::vector<Lines> lines_;     ///< through each point, ascending
+  std::vector<Index> facet_of_;  ///< some facet at each point
   std::vector<Facet> facets_;
+  std::vector<ListOnEdge> lists_;
 };
 
 }  // namespace transformesh

@@ -23,7 +23,7 @@ enum class ExteriorMethod { grow, static_test };
 
 struct Exterior {
   std::vector<char> kept;   ///< per piece
-  std::size_t patches = 0;  ///< 0 for static_test
+  std::size_t patches = 0;  ///< 0 where there was no need to tell them
   std::size_t rays = 0;
 };
 

@@ -11,7 +11,7 @@ namespace transformesh {
 namespace {
 
 constexpr int most_attempts = 20000;  // whose squares fit into an int
-constexpr std::size_t few_rays = 4;
+constexpr std::size_t few_rays = 8;
 
 Bvh build_bvh(const WeldedMesh& welded, const std::vector<Triangle>& closure) {
   std::vector<FloatBox> boxes;
@@ -29,21 +29,24 @@ std::array<int, 3> weights(int attempt) { return {1, attempt, attempt * attempt}
 
 WindingRay::WindingRay(const Arrangement& arrangement, const BorderClosure& closure,
                        std::size_t rays)
-    : arrangement_(arrangement), closure_(closure.triangles) {
-  if (rays > few_rays) bvh_ = build_bvh(*arrangement.welded, closure_);
+    : welded_(*arrangement.welded), arrangement_(&arrangement), closure_(closure.triangles) {
+  if (rays > few_rays) bvh_ = build_bvh(welded_, closure_);
   if (!closure.empty()) limit_sheets(closure);
 }
 
+WindingRay::WindingRay(const WeldedMesh& welded, std::size_t rays) : welded_(welded) {
+  if (rays > few_rays) bvh_ = build_bvh(welded_, closure_);
+}
+
 Triangle WindingRay::triangle(Index i) const {
-  const WeldedMesh& welded = *arrangement_.welded;
-  return i < welded.faces.size() ? welded.triangle(i) : closure_[i - welded.faces.size()];
+  const std::size_t faces = welded_.faces.size();
+  return i < faces ? welded_.triangle(i) : closure_[i - faces];
 }
 
 void WindingRay::visit_overlaps(const Vec3& low, const Vec3& high,
                                 const std::function<bool(Index)>& visit) const {
-  const WeldedMesh& welded = *arrangement_.welded;
-  if (!bvh_.empty()) return bvh_.visit_overlaps(welded.frame.box(low, high), visit);
-  const auto count = static_cast<Index>(welded.faces.size() + closure_.size());
+  if (!bvh_.empty()) return bvh_.visit_overlaps(welded_.frame.box(low, high), visit);
+  const auto count = static_cast<Index>(welded_.faces.size() + closure_.size());
   for (Index i = 0; i < count; ++i) {
     const Triangle t = triangle(i);
     if ((t[0].cwiseMin(t[1]).cwiseMin(t[2]).array() <= high.array()).all() &&
@@ -54,50 +57,58 @@ void WindingRay::visit_overlaps(const Vec3& low, const Vec3& high,
 
 // A sheet counts only for pieces of its own component, as it bounds nothing but what it meets.
 void WindingRay::limit_sheets(const BorderClosure& closure) {
-  DisjointSets sets(arrangement_.point_count());
-  for (const Piece& piece : arrangement_.pieces) {
+  DisjointSets sets(arrangement_->point_count());
+  for (const Piece& piece : arrangement_->pieces) {
     sets.join(piece.corners[0], piece.corners[1]);
     sets.join(piece.corners[0], piece.corners[2]);
   }
-  component_of_.resize(arrangement_.point_count());
+  component_of_.resize(arrangement_->point_count());
   for (Index p = 0; p < component_of_.size(); ++p) component_of_[p] = sets.find(p);
 
   const auto limit = [&](Index face) {
-    const Index point = arrangement_.welded->faces[face][0];
+    const Index point = welded_.faces[face][0];
     only_for_.push_back(closure.in_sheet[face] ? component_of_[point] : no_index);
   };
-  for (Index f = 0; f < arrangement_.welded->faces.size(); ++f) limit(f);
+  for (Index f = 0; f < welded_.faces.size(); ++f) limit(f);
   for (const Index face : closure.face_of) limit(face);
 }
 
 int WindingRay::in_front_of(const Piece& piece) const {
+  const Index component = component_of_.empty() ? no_index : component_of_[piece.corners[0]];
+  const auto& [a, b, c] = piece.corners;
+  return in_front_of({arrangement_->point(a), arrangement_->point(b), arrangement_->point(c)},
+                     arrangement_->sources_of(piece).front(), component);
+}
+
+int WindingRay::in_front_of(const std::array<ExactPoint, 3>& part, Index face) const {
+  return in_front_of(part, {face, false}, no_index);
+}
+
+int WindingRay::in_front_of(const std::array<ExactPoint, 3>& part, const PieceSource& source,
+                            Index component) const {
   // The ray runs to the front, along the axis that is nearest to the normal.
-  const PieceSource source = arrangement_.sources_of(piece).front();
-  const PlaneProjection projection = projection_of(arrangement_.welded->triangle(source.face));
+  const PlaneProjection projection = projection_of(welded_.triangle(source.face));
   const bool even = projection.v == (projection.u + 1) % 3;
   const int axis = 3 - projection.u - projection.v;
   const int direction = even != source.reversed ? 1 : -1;
 
-  const ExactGeometry geometry = arrangement_.geometry();
-  const ExactPoint a = arrangement_.point(piece.corners[0]);
-  const ExactPoint b = arrangement_.point(piece.corners[1]);
-  const ExactPoint c = arrangement_.point(piece.corners[2]);
+  const ExactGeometry geometry(welded_.points, welded_.faces);
   // A ray grazes an edge where its origin lies on the projection of that edge to the piece: a
   // segment, which has at most two points on the conic. So every edge spoils at most two attempts.
-  const Index component = component_of_.empty() ? no_index : component_of_[piece.corners[0]];
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
-    const Count count = cast(geometry.mean(a, b, c, weights(attempt)), axis, direction, component);
+    const ExactPoint origin = geometry.mean(part[0], part[1], part[2], weights(attempt));
+    const Count count = cast(origin, axis, direction, component);
     if (!count.grazes) return count.winding;
   }
   throw GoalError("more than " + std::to_string(most_attempts / 2) + " edges line up along the " +
-                  "xyz"[axis] + " axis at " + point_text(geometry.position(a)) +
+                  "xyz"[axis] + " axis at " + point_text(geometry.position(part[0])) +
                   ": turn the mesh a little");
 }
 
 WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direction,
                                    Index component) const {
   const PlaneProjection projection{(axis + 1) % 3, (axis + 2) % 3};
-  const ExactGeometry geometry = arrangement_.geometry();
+  const ExactGeometry geometry(welded_.points, welded_.faces);
   Vec3 low = origin.center - origin.radius;
   Vec3 high = origin.center + origin.radius;
   (direction > 0 ? high : low)[axis] = direction * std::numeric_limits<double>::max();

@@ -17,25 +17,32 @@ class WindingRay {
   /// is about how many will be cast: where they are few, each is tested with all faces, which costs
   /// less than building a hierarchy. Keeps a reference to the arrangement.
   WindingRay(const Arrangement& arrangement, const BorderClosure& closure, std::size_t rays);
+  /// Of a closed mesh, for triangles only.
+  WindingRay(const WeldedMesh& welded, std::size_t rays);
 
   /// The winding number just in front of a piece. A ray that grazes an edge or a corner is replaced
   /// by one from another point of the piece, until one crosses faces in their interiors only.
   /// Throws GoalError where there is none among 20000.
   int in_front_of(const Piece& piece) const;
+  /// Just in front of a part of a face, which is a triangle within it.
+  int in_front_of(const std::array<ExactPoint, 3>& part, Index face) const;
 
  private:
   struct Count {
     bool grazes = false;
     int winding = 0;
   };
+  int in_front_of(const std::array<ExactPoint, 3>& part, const PieceSource& source,
+                  Index component) const;
   Count cast(const ExactPoint& origin, int axis, int direction, Index component) const;
   Triangle triangle(Index i) const;
   void visit_overlaps(const Vec3& low, const Vec3& high,
                       const std::function<bool(Index)>& visit) const;
   void limit_sheets(const BorderClosure& closure);
 
-  const Arrangement& arrangement_;
-  std::vector<Triangle> closure_;    ///< they are numbered behind the faces of the mesh
+  const WeldedMesh& welded_;
+  const Arrangement* arrangement_ = nullptr;  ///< null where there is none
+  std::vector<Triangle> closure_;             ///< they are numbered behind the faces of the mesh
   std::vector<Index> component_of_;  ///< per point of the arrangement; empty without sheets
   std::vector<Index> only_for_;  ///< per triangle: the one component for which it counts, if any
   Bvh bvh_;                      ///< of all triangles; empty where rays are few

@@ -183,24 +183,33 @@ Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
   add_contacts(b, a, true, result);
   if (!result.meet) return result;
   for (std::size_t i = 0; i < 3; ++i) {
+    result.first_sides[i] = static_cast<std::int8_t>(a.sign[i]);
+    result.second_sides[i] = static_cast<std::int8_t>(b.sign[i]);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
     if (a.shared[i] >= 0)
       add(result, static_cast<FaceSimplex>(i), static_cast<FaceSimplex>(a.shared[i]));
   }
   return result;
 }
 
-ExactPoint contact_point(const WeldedMesh& welded, const ExactGeometry& geometry, Index first,
-                         Index second, Contact contact) {
-  if (contact.first < 3) return geometry.given(welded.faces[first][contact.first]);
-  if (contact.second < 3) return geometry.given(welded.faces[second][contact.second]);
+PointDefinition contact_definition(const WeldedMesh& welded, Index first, Index second,
+                                   Contact contact) {
+  if (contact.first < 3) return PointDefinition::given(welded.faces[first][contact.first]);
+  if (contact.second < 3) return PointDefinition::given(welded.faces[second][contact.second]);
   if (contact.second == interior) {
     const auto [u, v] = edge_at(welded, first, contact.first);
-    return geometry.line_plane(u, v, second);
+    return PointDefinition::line_plane(u, v, second);
   }
   const auto [x, y] = edge_at(welded, second, contact.second);
-  if (contact.first == interior) return geometry.line_plane(x, y, first);
+  if (contact.first == interior) return PointDefinition::line_plane(x, y, first);
   const auto [u, v] = edge_at(welded, first, contact.first);
-  return geometry.line_line(u, v, x, y);
+  return PointDefinition::line_line(u, v, x, y);
+}
+
+ExactPoint contact_point(const WeldedMesh& welded, const ExactGeometry& geometry, Index first,
+                         Index second, Contact contact) {
+  return geometry.point(contact_definition(welded, first, second, contact));
 }
 
 }  // namespace transformesh

@@ -29,13 +29,20 @@ struct Contacts {
   /// corners included. One end never takes two entries: equal points lie in equal simplices.
   std::array<Contact, 4> contacts{};
   int count = 0;
+  /// On which side of the other's plane each corner lies, +1 in front; of faces in different planes
+  /// that meet.
+  std::array<std::int8_t, 3> first_sides{}, second_sides{};
 };
 
 /// Exact. Faces that share a corner share the point index.
 Contacts find_contacts(const WeldedMesh& welded, Index first, Index second);
 
-/// The exact point of a contact, known by what defines it: a given point, an edge and a face, or
-/// two edges. The definition is the same from whichever faces it is seen.
+/// What defines the point of a contact: a given point, an edge and a face, or two edges. It is the
+/// same from whichever faces it is seen.
+PointDefinition contact_definition(const WeldedMesh& welded, Index first, Index second,
+                                   Contact contact);
+
+/// The exact point of a contact.
 ExactPoint contact_point(const WeldedMesh& welded, const ExactGeometry& geometry, Index first,
                          Index second, Contact contact);
 

@@ -6,6 +6,7 @@
 
 #include "tm/clean/arrange/arrange.h"
 #include "tm/clean/exterior/close_borders.h"
+#include "tm/clean/exterior/exterior_arrangement.h"
 #include "tm/clean/intersect/intersect.h"
 #include "tm/clean/open/borders.h"
 #include "tm/clean/open/enclosed_sheets.h"
@@ -20,43 +21,90 @@ void refuse_static_test(std::size_t borders) {
                    (borders == 1 ? " border" : " borders") + ": use --method grow");
 }
 
-void count_faces(const Mesh& mesh, const Arrangement& arrangement, const Borders& borders,
-                 CleanPass& pass) {
+void count_faces(const Mesh& mesh, const Arrangement& arrangement, std::size_t whole_faces,
+                 const Borders& borders, CleanPass& pass) {
   const auto& kept = pass.exterior.kept;
   const auto whole_end = kept.begin() + static_cast<std::ptrdiff_t>(arrangement.whole_pieces);
-  pass.cut_faces = arrangement.welded->faces.size() - arrangement.whole_pieces;
-  pass.removed_faces += static_cast<std::size_t>(std::count(kept.begin(), whole_end, 0));
+  pass.cut_faces = arrangement.welded->faces.size() - whole_faces;
+  pass.removed_faces +=
+      whole_faces - static_cast<std::size_t>(std::count(kept.begin(), whole_end, 1));
   pass.unchanged = pass.cut_faces == 0 && pass.removed_faces == 0 &&
                    arrangement.welded->faces.size() == mesh.faces.size() &&
                    is_stitched(mesh, borders);
+}
+
+class Pass {
+ public:
+  Pass(const Mesh& mesh, const PassOptions& options, const Progress& progress)
+      : mesh_(mesh),
+        options_(options),
+        progress_(progress),
+        welded_(std::make_shared<const WeldedMesh>(weld(mesh))),
+        borders_(options.check_orientation ? find_oriented_borders(*welded_, mesh)
+                                           : find_borders(*welded_, mesh)) {}
+  CleanPass run();
+
+ private:
+  bool arrange_what_is_exterior(const std::vector<FacePair>& pairs);
+  void arrange_everything(const std::vector<FacePair>& pairs);
+
+  const Mesh& mesh_;
+  const PassOptions& options_;
+  const Progress& progress_;
+  std::shared_ptr<const WeldedMesh> welded_;
+  Borders borders_;
+  Arrangement arrangement_;
+  std::size_t whole_faces_ = 0;
+  CleanPass pass_;
+};
+
+// Returns whether there is anything.
+bool Pass::arrange_what_is_exterior(const std::vector<FacePair>& pairs) {
+  ExteriorArrangement exterior = arrange_exterior(welded_, pairs, options_.level, progress_);
+  arrangement_ = std::move(exterior.arrangement);
+  whole_faces_ = exterior.whole_faces;
+  pass_.exterior.kept.assign(arrangement_.pieces.size(), 1);
+  pass_.exterior.rays = exterior.rays;
+  return !arrangement_.pieces.empty();
+}
+
+void Pass::arrange_everything(const std::vector<FacePair>& pairs) {
+  arrangement_ = arrange(welded_, pairs, progress_);
+  whole_faces_ = arrangement_.whole_pieces;
+  if (pass_.is_open) {
+    pass_.removed_faces =
+        drop_enclosed_sheets(mesh_, options_.level, arrangement_, borders_, progress_);
+    welded_ = arrangement_.welded;
+    whole_faces_ = arrangement_.whole_pieces;
+    if (options_.method == ExteriorMethod::static_test && !borders_.loops.empty())
+      refuse_static_test(borders_.loops.size());
+  }
+  pass_.exterior = find_exterior(arrangement_, options_.level, options_.method,
+                                 close_borders(*welded_, borders_.loops), progress_);
+  if (options_.change_kept) options_.change_kept(arrangement_, pass_.exterior.kept);
+}
+
+// Where everything is needed, or nothing is kept and it is to be told why, everything is arranged.
+CleanPass Pass::run() {
+  const std::vector<FacePair> pairs = find_intersections(*welded_, progress_);
+  pass_.pairs = count_pairs(*welded_, pairs);
+  if (pass_.pairs > options_.most_pairs) return std::move(pass_);
+  pass_.is_open = !borders_.loops.empty();
+  const bool needs_everything =
+      pass_.is_open || options_.change_kept || options_.method == ExteriorMethod::static_test;
+  if (needs_everything || !arrange_what_is_exterior(pairs)) arrange_everything(pairs);
+
+  count_faces(mesh_, arrangement_, whole_faces_, borders_, pass_);
+  progress_("stitch");
+  if (!pass_.unchanged) pass_.assembly = assemble(mesh_, arrangement_, pass_.exterior.kept);
+  return std::move(pass_);
 }
 
 }  // namespace
 
 CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Progress& progress) {
   progress("intersect");
-  const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-  Borders borders = options.check_orientation ? find_oriented_borders(*welded, mesh)
-                                              : find_borders(*welded, mesh);
-  const std::vector<FacePair> pairs = find_intersections(*welded, progress);
-  CleanPass pass;
-  pass.pairs = count_pairs(*welded, pairs);
-  if (pass.pairs > options.most_pairs) return pass;
-
-  Arrangement arrangement = arrange(welded, pairs, progress);
-  pass.is_open = !borders.loops.empty();
-  if (pass.is_open)
-    pass.removed_faces = drop_enclosed_sheets(mesh, options.level, arrangement, borders, progress);
-  if (options.method == ExteriorMethod::static_test && !borders.loops.empty())
-    refuse_static_test(borders.loops.size());
-  pass.exterior = find_exterior(arrangement, options.level, options.method,
-                                close_borders(*arrangement.welded, borders.loops), progress);
-
-  if (options.change_kept) options.change_kept(arrangement, pass.exterior.kept);
-  count_faces(mesh, arrangement, borders, pass);
-  progress("stitch");
-  if (!pass.unchanged) pass.assembly = assemble(mesh, arrangement, pass.exterior.kept);
-  return pass;
+  return Pass(mesh, options, progress).run();
 }
 
 }  // namespace transformesh

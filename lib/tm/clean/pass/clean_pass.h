@@ -1,5 +1,6 @@
 /// One pass of TransforMesh (paper 3, Fig. 3): weld, intersect (3.1), arrange (3.2.3), find the
-/// exterior (3.2), stitch (3.3). Exact but for the positions of new vertices, which are in doubles.
+/// exterior (3.2), stitch (3.3). Of a closed mesh only what is exterior is arranged, unless all is
+/// asked for. Exact but for the positions of new vertices, which are in doubles.
 /// Throws as clean.h says.
 #pragma once
 

@@ -20,8 +20,8 @@ namespace transformesh {
 namespace {
 
 constexpr int most_rounds = 14;
-constexpr int most_starts = 5;
-constexpr int rounds_ahead = 6;   // every start begins as coarse as that round of the one before
+constexpr int most_starts = 8;
+constexpr int rounds_ahead = 3;   // every start begins as coarse as that round of the one before
 constexpr std::size_t few = 100;  // by so many the broken faces may grow in number
 constexpr std::size_t few_pairs = 1000;
 /// How close new vertices become one where nothing is broken, in spacings.

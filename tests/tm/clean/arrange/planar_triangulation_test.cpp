@@ -63,7 +63,7 @@ class Triangulated {
                        Vec3(5, 5, 11), [this](Index a, Index b) {
                          const auto [u, v] = drawing_.segments[a];
                          const auto [x, y] = drawing_.segments[b];
-                         return geometry_.line_line(u, v, x, y);
+                         return geometry_.point(PointDefinition::line_line(u, v, x, y));
                        }) {
     for (Index s = 0; s < drawing.segments.size(); ++s) {
       for (const Index end : drawing.segments[s])
@@ -90,6 +90,16 @@ double twice_area(const Triangulated& triangulated, const Face& v) {
   return b.x() * c.y() - b.y() * c.x();
 }
 
+/// The lines on an edge, each with the way it runs, from the latest on.
+std::vector<std::pair<Index, int>> lines_on(const PlanarTriangulation& triangulation, Index facet,
+                                            Index i, int sign) {
+  std::vector<std::pair<Index, int>> lines;
+  triangulation.for_each_line(facet, i, [&](const PlanarTriangulation::OnEdge& on) {
+    lines.emplace_back(on.line, on.is_along ? sign : -sign);
+  });
+  return lines;
+}
+
 /// Facets that cover the scaffold once and know their neighbors.
 void check_facets(const Triangulated& triangulated) {
   const auto& facets = (*triangulated).facets();
@@ -107,7 +117,8 @@ void check_facets(const Triangulated& triangulated) {
       const auto k = static_cast<std::size_t>(back - facets[g].next.begin());
       REQUIRE(facets[g].v[k] == facets[f].v[(i + 1) % 3]);
       REQUIRE(facets[g].v[(k + 1) % 3] == facets[f].v[i]);
-      REQUIRE(facets[g].line[k] == facets[f].line[i]);
+      REQUIRE(lines_on(*triangulated, f, i, 1) ==
+              lines_on(*triangulated, g, static_cast<Index>(k), -1));
     }
   }
   CHECK(sum == doctest::Approx(twice_area(triangulated, {0, 1, 2})));
@@ -124,8 +135,10 @@ void check_chains(const Triangulated& triangulated, const Drawing& drawing,
                       [&](const test::RationalPoint& p) { return test::contains(a, b, p); });
     const auto chain = (*triangulated).chain(triangulated.ids[2 * s], triangulated.ids[2 * s + 1]);
     REQUIRE(static_cast<std::ptrdiff_t>(chain.size()) == on_segment - 1);
-    for (const Index edge : chain)
-      REQUIRE((*triangulated).facets()[edge / 3].line[edge % 3] != no_index);
+    for (const Index edge : chain) {
+      const auto lines = lines_on(*triangulated, edge / 3, edge % 3, 1);
+      REQUIRE(std::count(lines.begin(), lines.end(), std::pair(static_cast<Index>(s), 1)) == 1);
+    }
   }
 }
 

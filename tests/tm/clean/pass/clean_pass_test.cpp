@@ -44,7 +44,7 @@ TEST_CASE("pairs, cut faces and removed faces are those of the input") {
   CHECK(inside > 100);
   CHECK(!pass.is_open);
   CHECK(!pass.unchanged);
-  CHECK(pass.exterior.patches == 4);
+  CHECK(pass.exterior.rays == 2);
   CHECK(test::count(pass.assembly.mesh).is_manifold);
 }
 

@@ -1,0 +1,24 @@
+/// The pieces of a closed mesh that bound the region of points p with w(p) >= level, and no others
+/// (paper 3.2): what is obviously hidden is not even cut, and of each plane only its exterior
+/// facets become pieces. w in front of a facet is carried over the plane from a corner at which it
+/// is known (exterior/corner_windings.h), or from a ray. Exact; parallel; deterministic for any
+/// number of threads; throws as `arrange` does.
+#pragma once
+
+#include "tm/clean/arrange/arrange.h"
+#include "tm/support/progress.h"
+
+namespace transformesh {
+
+struct ExteriorArrangement {
+  Arrangement arrangement;
+  std::size_t whole_faces = 0;  ///< that take no part in any intersection, kept or not
+  std::size_t rays = 0;
+};
+
+/// `pairs` as for `arrange`.
+ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
+                                     const std::vector<FacePair>& pairs, int level,
+                                     const Progress& progress);
+
+}  // namespace transformesh
