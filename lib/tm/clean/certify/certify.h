@@ -17,9 +17,8 @@
 /// it, since it sweeps over none of them: the samples speak for every such point of their cells, e
 /// being the certificate's margin.
 ///
-/// The winding number of an input with a border is no integer. Then all that is tested is that each
-/// new face is a piece of a face of the input, to the same distance, with its orientation unless it
-/// is so thin that moves of that distance turn it.
+/// Winding numbers of an input with a border are no integers. Then all that is tested is that each
+/// new face is a piece of one of the input to the same distance, and not turned but by such moves.
 ///
 /// The input's intersections are searched for. Whether the output has any, and whether it is a
 /// manifold, is for the caller to check. Deterministic for any number of threads. Cost: O(n log n),
