@@ -19,7 +19,7 @@ constexpr std::array parts = {0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3
 ReducedAngle reduced_by_parts(double x) {
   constexpr double all_but_first = 0x1.0b4611a626331p-34;
   constexpr double near = 0x1p-6;
-  const double n = nearest_integer(x * (1 / half_pi.high));
+  const double n = nearest_integer(x * inverse(half_pi.high));
   const int quarters = static_cast<int>(n) & 3;
   const double difference = x - n * parts[0];
   const double rest = difference - n * all_but_first;

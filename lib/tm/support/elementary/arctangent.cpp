@@ -36,8 +36,9 @@ DoubleDouble angle_by_series(double low, double high) {
   const DoubleDouble product = exact_product(quotient, high);
   const double rest = ((low - product.high) - product.low) / high;
   const double z = quotient * quotient;
-  const double late = 1.0 / 11 - z * (1.0 / 13 - z * (1.0 / 15 - z / 17));
-  const double series = -1.0 / 3 + z * (1.0 / 5 - z * (1.0 / 7 - z * (1.0 / 9 - z * late)));
+  const double late = inverse(11) - z * (inverse(13) - z * (inverse(15) - z * inverse(17)));
+  const double series =
+      inverse(-3) + z * (inverse(5) - z * (inverse(7) - z * (inverse(9) - z * late)));
   return fast_sum(quotient, rest + quotient * z * series);
 }
 
@@ -50,7 +51,7 @@ DoubleDouble angle_by_table(double low, double high) {
   const double numerator = (low - tangent * first) - tangent * (high - first);
   const double x = numerator / (high + tangent * low);
   const double z = x * x;
-  const double series = -1.0 / 3 + z * (1.0 / 5 - z * (1.0 / 7 - z / 9));
+  const double series = inverse(-3) + z * (inverse(5) - z * (inverse(7) - z * inverse(9)));
   const DoubleDouble& nearest = table[static_cast<std::size_t>(step)];
   return fast_sum(nearest.high, x + (nearest.low + x * z * series));
 }

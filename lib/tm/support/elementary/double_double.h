@@ -62,6 +62,9 @@ constexpr DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
 
 constexpr DoubleDouble operator/(const DoubleDouble& a, double b) { return a / DoubleDouble{b, 0}; }
 
+/// 1/x, as a constant: where rounding may change, compilers leave quotients to the running program.
+consteval double inverse(double x) { return 1 / x; }
+
 /// The integer nearest to a number below 2^51 in magnitude.
 constexpr double nearest_integer(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
 

@@ -79,7 +79,7 @@ double erf_of_positive(double x) {
 double erf(double x) {
   const double size = std::abs(x);
   if (std::isnan(x)) return std::numeric_limits<double>::quiet_NaN();
-  if (size < 0x1p-30) return x * two_over_root_of_pi.high + x * two_over_root_of_pi.low;
+  if (size < 0x1p-400) return x * two_over_root_of_pi.high + x * two_over_root_of_pi.low;
   return std::copysign(size < limit ? erf_of_positive(size) : 1, x);
 }
 

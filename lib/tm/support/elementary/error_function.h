@@ -1,5 +1,5 @@
 /// The error function, the same on every machine, by IEEE operations alone.
-/// Errors are at most .53 units in the last place, and one where a result is subnormal.
+/// Errors are at most .53 units in the last place, and one below 2^-400.
 /// Reference: Abramowitz & Stegun, "Handbook of Mathematical Functions", 1964, 7.1.6 and 7.1.19.
 #pragma once
 

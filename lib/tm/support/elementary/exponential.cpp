@@ -42,7 +42,9 @@ double scaled(double value, int exponent) {
 /// 2^(n/64) exp(x) for |x| of at most log(2)/128.
 double scaled_exp(int n, double x) {
   const double rest =
-      x + x * x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24 + x * (1.0 / 120 + x * (1.0 / 720)))));
+      x + x * x *
+              (inverse(2) +
+               x * (inverse(6) + x * (inverse(24) + x * (inverse(120) + x * inverse(720)))));
   const int step = ((n % steps) + steps) % steps;
   const DoubleDouble& root = roots_of_2[step];
   return scaled(root.high + (root.low + root.high * rest), (n - step) / steps);
@@ -53,7 +55,7 @@ double exp_of(const DoubleDouble& x) {
   if (x.high > largest_argument) return infinity;
   if (x.high < smallest_argument) return 0;
   // The product of n and the first part of log(2)/64, of 36 bits, is exact.
-  const double n = nearest_integer(x.high * (steps / log_of_2.high));
+  const double n = nearest_integer(x.high * (steps * inverse(log_of_2.high)));
   const double first = x.high - n * 0x1.62e42fefa0000p-7;
   return scaled_exp(static_cast<int>(n), first + (x.low - n * 0x1.cf79abc9e3b3ap-46));
 }
@@ -89,8 +91,9 @@ constexpr auto inverses = [] {
 DoubleDouble log_near_1(const DoubleDouble& x) {
   const double r = x.high;
   const DoubleDouble square = exact_product(r, r);
-  const double late = 1.0 / 7 - r * (1.0 / 8 - r * (1.0 / 9 - r / 10));
-  const double series = 1.0 / 3 - r * (1.0 / 4 - r * (1.0 / 5 - r * (1.0 / 6 - r * late)));
+  const double late = inverse(7) - r * (inverse(8) - r * (inverse(9) - r * inverse(10)));
+  const double series =
+      inverse(3) - r * (inverse(4) - r * (inverse(5) - r * (inverse(6) - r * late)));
   const double low = (x.low - r * x.low) - square.low / 2 + square.high * r * series;
   const DoubleDouble first = fast_sum(r, -square.high / 2);
   return fast_sum(first.high, first.low + low);
@@ -149,7 +152,7 @@ double log10(double x) {
 }
 
 double pow(double base, double exponent) {
-  if (exponent == 0) return 1;
+  if (exponent == 0 || base == 1) return 1;
   if (!(base >= 0) || std::isnan(exponent)) return not_a_number;
   if (base == 0 || base == infinity) return (base == 0) == (exponent > 0) ? 0 : infinity;
   const DoubleDouble logarithm = log_of(base);

@@ -16,8 +16,8 @@ double log(double x);
 double log2(double x);
 double log10(double x);
 
-/// The base is at least 0, else the result is not a number; pow(x, 0) = 1. Exact where a double
-/// holds the result.
+/// The base is at least 0, else the result is not a number; pow(x, 0) = pow(1, x) = 1. Exact where
+/// a double holds the result.
 double pow(double base, double exponent);
 /// Exact for cubes.
 double cbrt(double x);

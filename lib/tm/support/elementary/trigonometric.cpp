@@ -45,9 +45,9 @@ SineAndCosine of_positive(const DoubleDouble& x) {
   const double angle = x.high - step / steps;
   const double square = angle * angle;
   const double sine_rest =
-      x.low + angle * square * (-1.0 / 6 + square * (1.0 / 120 - square / 5040));
+      x.low + angle * square * (inverse(-6) + square * (inverse(120) - square * inverse(5040)));
   const double cosine_less_1 =
-      square * square * (1.0 / 24 - square / 720) - square / 2 - angle * x.low;
+      square * square * (inverse(24) - square * inverse(720)) - square / 2 - angle * x.low;
 
   const DoubleDouble first = fast_sum(sine.high, angle);
   const double sine_low =
