@@ -17,7 +17,7 @@ namespace transformesh::test {
 
 inline Arrangement arranged(const Mesh& mesh) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-  return arrange(welded, find_intersections(*welded, Progress()), Progress());
+  return arrange(welded, find_meetings(*welded, Progress()), Progress());
 }
 
 /// Balls about random points, every third of them inside out.

@@ -33,12 +33,20 @@ class Bvh {
   /// All pairs (box here, box there), likewise.
   std::vector<Pair> overlapping_pairs(const Bvh& other, const Accept& accept) const;
 
+  /// Calls visit(list, first, second) for all pairs of overlapping boxes, several lists at once;
+  /// the pairs of one list come one after the other, and always in the same order. Before that, it
+  /// calls prepare with the number of lists.
+  using Prepare = std::function<void(std::size_t lists)>;
+  using VisitPair = std::function<void(std::size_t list, Index first, Index second)>;
+  void visit_pairs(const Prepare& prepare, const VisitPair& visit) const;
+
   /// Calls visit(i) for every box that overlaps `box`, until it returns false.
   void visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit) const;
   bool empty() const { return order_.empty(); }
 
  private:
   class PairSearch;
+  std::vector<Pair> collect_pairs(const PairSearch& search, const Accept& accept) const;
 
   std::vector<Index> order_;                  ///< box ids, four for each quad of level 0
   std::vector<std::vector<BoxQuad>> levels_;  ///< below box c of quad q lies quad 4q + c

@@ -3,6 +3,7 @@
 
 #include "tm/geometry/bvh.h"
 #include "tm/geometry/quad_overlap.h"
+#include "tm/geometry/sort_pairs.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -21,51 +22,22 @@ struct Task {
   Index second;
 };
 
-/// Sorts pairs whose first entries are below `bound`.
-void sort_pairs(std::vector<Pair>& pairs, std::size_t bound) {
-  if (pairs.size() < bound / 4) return std::sort(pairs.begin(), pairs.end());
-
-  // Where pairs are many, a counting sort by the first entry leaves little to compare.
-  std::vector<std::size_t> slot(bound + 1, 0);
-  for (const Pair& pair : pairs) ++slot[pair.first + 1];
-  for (std::size_t i = 1; i < slot.size(); ++i) slot[i] += slot[i - 1];
-  std::vector<Pair> sorted(pairs.size());
-  for (const Pair& pair : pairs) sorted[slot[pair.first]++] = pair;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < bound; ++i) {
-    const std::size_t end = slot[i];
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin),
-              sorted.begin() + static_cast<std::ptrdiff_t>(end));
-    begin = end;
-  }
-  pairs.swap(sorted);
-}
-
 }  // namespace
 
 /// Descends two trees at once, level by level. The trees may be one and the same.
 class Bvh::PairSearch {
  public:
-  PairSearch(const Bvh& here, const Bvh& there, const Accept& accept)
-      : here_(here), there_(there), accept_(accept), is_self_(&here == &there) {}
+  PairSearch(const Bvh& here, const Bvh& there)
+      : here_(here), there_(there), is_self_(&here == &there) {}
 
-  std::vector<Pair> run() const {
+  void run(const Prepare& prepare, const VisitPair& visit) const {
     std::vector<Task> tasks = first_tasks();
     while (!tasks.empty() && tasks.size() < task_count && tasks[0].level > 0)
       tasks = refined(tasks);
-
-    // Each task has its own list, and lists are joined in the order of the tasks.
-    std::vector<std::vector<Pair>> found(tasks.size());
+    prepare(tasks.size());
     parallel_for(tasks.size(), 1, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) collect(tasks[i], found[i]);
+      for (std::size_t i = first; i < last; ++i) descend(tasks[i], i, visit);
     });
-    std::size_t count = 0;
-    for (const auto& list : found) count += list.size();
-    std::vector<Pair> pairs;
-    pairs.reserve(count);
-    for (const auto& list : found) pairs.insert(pairs.end(), list.begin(), list.end());
-    sort_pairs(pairs, here_.order_.size());
-    return pairs;
   }
 
  private:
@@ -100,31 +72,47 @@ class Bvh::PairSearch {
     return result;
   }
 
-  void collect(const Task& task, std::vector<Pair>& found) const {
+  void descend(const Task& task, std::size_t list, const VisitPair& visit) const {
     if (task.level > 0) {
-      for_each_overlap(task, [&](Index i, Index j) { collect({task.level - 1, i, j}, found); });
+      for_each_overlap(task, [&](Index i, Index j) {
+        descend({task.level - 1, i, j}, list, visit);
+      });
       return;
     }
     for_each_overlap(task, [&](Index i, Index j) {
       Index first = here_.order_[i];
       Index second = there_.order_[j];
       if (is_self_ && second < first) std::swap(first, second);
-      if (accept_(first, second)) found.emplace_back(first, second);
+      visit(list, first, second);
     });
   }
 
   const Bvh& here_;
   const Bvh& there_;
-  const Accept& accept_;
   bool is_self_;
 };
 
+void Bvh::visit_pairs(const Prepare& prepare, const VisitPair& visit) const {
+  PairSearch(*this, *this).run(prepare, visit);
+}
+
+std::vector<Pair> Bvh::collect_pairs(const PairSearch& search, const Accept& accept) const {
+  std::vector<std::vector<Pair>> lists;
+  search.run([&](std::size_t count) { lists.resize(count); },
+             [&](std::size_t list, Index first, Index second) {
+               if (accept(first, second)) lists[list].emplace_back(first, second);
+             });
+  std::vector<Pair> pairs = joined(lists);
+  sort_pairs(pairs, order_.size());
+  return pairs;
+}
+
 std::vector<Pair> Bvh::overlapping_pairs(const Accept& accept) const {
-  return PairSearch(*this, *this, accept).run();
+  return collect_pairs(PairSearch(*this, *this), accept);
 }
 
 std::vector<Pair> Bvh::overlapping_pairs(const Bvh& other, const Accept& accept) const {
-  return PairSearch(*this, other, accept).run();
+  return collect_pairs(PairSearch(*this, other), accept);
 }
 
 }  // namespace transformesh

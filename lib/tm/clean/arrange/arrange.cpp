@@ -113,10 +113,10 @@ Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Pla
 }
 
 Arrangement arrange(const std::shared_ptr<const WeldedMesh>& welded,
-                    const std::vector<FacePair>& pairs, const Progress& progress) {
+                    const std::vector<Meeting>& meetings, const Progress& progress) {
   progress("arrange");
-  if (!pairs.empty()) refuse_overflow(*welded);
-  const Planes planes(*welded, pairs);
+  if (!meetings.empty()) refuse_overflow(*welded);
+  const Planes planes(*welded, meetings);
   std::vector<PlaneCut> cuts(planes.size());
   parallel_for(cuts.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) cuts[i] = cut_plane(*welded, planes[i]);

@@ -45,11 +45,11 @@ struct Arrangement {
   }
 };
 
-/// `pairs` are the intersecting pairs of welded faces, sorted, without those of copies, which are
-/// cut as one: the work does not grow with their number, but for the sources. Throws as
+/// `meetings` are those of the intersecting pairs of welded faces, sorted, without those of copies,
+/// which are cut as one: the work does not grow with their number, but for the sources. Throws as
 /// refuse_overflow does. Parallel; deterministic for any number of threads.
 Arrangement arrange(const std::shared_ptr<const WeldedMesh>& welded,
-                    const std::vector<FacePair>& pairs, const Progress& progress);
+                    const std::vector<Meeting>& meetings, const Progress& progress);
 
 /// The arrangement of planes that are cut. Whole faces may be left out.
 Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Planes& planes,

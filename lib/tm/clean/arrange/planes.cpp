@@ -3,23 +3,9 @@
 #include <numeric>
 
 #include "tm/mesh/disjoint_sets.h"
-#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
-
-constexpr std::size_t pairs_per_task = 256;
-
-std::vector<Meeting> find_meetings(const WeldedMesh& welded, const std::vector<FacePair>& pairs) {
-  std::vector<Meeting> meetings(pairs.size());
-  parallel_for(pairs.size(), pairs_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto [f, g] = pairs[i];
-      meetings[i] = {f, g, find_contacts(welded, f, g)};
-    }
-  });
-  return meetings;
-}
 
 /// Files items by bucket: `for_each` calls its argument with every bucket and item, the same each
 /// time.
@@ -36,8 +22,8 @@ void file(std::size_t buckets, const ForEach& for_each, std::vector<Index>& offs
 
 }  // namespace
 
-Planes::Planes(const WeldedMesh& welded, const std::vector<FacePair>& pairs)
-    : all_meetings_(find_meetings(welded, pairs)), plane_of_(welded.faces.size(), no_index) {
+Planes::Planes(const WeldedMesh& welded, const std::vector<Meeting>& meetings)
+    : all_meetings_(meetings), plane_of_(welded.faces.size(), no_index) {
   number_planes(welded);
   file_faces(welded);
   file_meetings();

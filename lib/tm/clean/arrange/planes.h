@@ -1,21 +1,13 @@
-/// The faces that meet, and the planes in which they are cut: coplanar faces that meet are cut
-/// together (paper 3.2.3). Cost: O(n + k log k) for k pairs, parallel. Exact; deterministic.
+/// The planes in which faces that meet are cut: coplanar faces that meet are cut together (paper
+/// 3.2.3). Cost: O(n + k) for k pairs. Exact; deterministic.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "tm/clean/intersect/contacts.h"
-#include "tm/clean/intersect/intersect.h"
 
 namespace transformesh {
-
-/// Two faces that meet, and where.
-struct Meeting {
-  Index first;
-  Index second;
-  Contacts contacts;
-};
 
 /// Faces that are cut together, usually a single one.
 struct Plane {
@@ -25,8 +17,9 @@ struct Plane {
 
 class Planes {
  public:
-  /// `pairs` are the intersecting pairs of first copies.
-  Planes(const WeldedMesh& welded, const std::vector<FacePair>& pairs);
+  /// Keeps a reference to the meetings.
+  Planes(const WeldedMesh& welded, const std::vector<Meeting>& meetings);
+  Planes(const WeldedMesh& welded, std::vector<Meeting>&& meetings) = delete;
 
   /// In the order of their first faces.
   std::size_t size() const { return face_offsets_.size() - 1; }
@@ -44,7 +37,7 @@ class Planes {
   void file_faces(const WeldedMesh& welded);
   void file_meetings();
 
-  std::vector<Meeting> all_meetings_;
+  const std::vector<Meeting>& all_meetings_;
   std::vector<Index> plane_of_;
   std::size_t count_ = 0;
   std::vector<Index> face_offsets_, faces_;

@@ -74,7 +74,7 @@ class Refiner {
 
 Mesh refine(const Mesh& mesh, const Progress& progress) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-  const Arrangement arrangement = arrange(welded, find_intersections(*welded, progress), progress);
+  const Arrangement arrangement = arrange(welded, find_meetings(*welded, progress), progress);
   return Refiner(mesh, arrangement).refine();
 }
 

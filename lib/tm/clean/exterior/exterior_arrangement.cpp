@@ -93,11 +93,11 @@ std::size_t count_without_corner(const Planes& planes, const CornerWindings& win
 }  // namespace
 
 ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
-                                     const std::vector<FacePair>& pairs, int level,
+                                     const std::vector<Meeting>& meetings, int level,
                                      const Progress& progress) {
   progress("arrange");
-  if (!pairs.empty()) refuse_overflow(*welded);
-  const Planes planes(*welded, pairs);
+  if (!meetings.empty()) refuse_overflow(*welded);
+  const Planes planes(*welded, meetings);
   const WindingSteps steps(*welded, planes);
   const CornerWindings windings(*welded, planes, steps);
   progress("arrange", 0.2);

@@ -16,9 +16,9 @@ struct ExteriorArrangement {
   std::size_t rays = 0;
 };
 
-/// `pairs` as for `arrange`.
+/// `meetings` as for `arrange`.
 ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
-                                     const std::vector<FacePair>& pairs, int level,
+                                     const std::vector<Meeting>& meetings, int level,
                                      const Progress& progress);
 
 }  // namespace transformesh

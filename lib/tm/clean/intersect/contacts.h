@@ -34,6 +34,13 @@ struct Contacts {
   std::array<std::int8_t, 3> first_sides{}, second_sides{};
 };
 
+/// Two faces that meet, and where.
+struct Meeting {
+  Index first;
+  Index second;
+  Contacts contacts;
+};
+
 /// Exact. Faces that share a corner share the point index.
 Contacts find_contacts(const WeldedMesh& welded, Index first, Index second);
 

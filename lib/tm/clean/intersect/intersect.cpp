@@ -4,6 +4,7 @@
 
 #include "tm/clean/intersect/contacts.h"
 #include "tm/geometry/bvh.h"
+#include "tm/geometry/sort_pairs.h"
 
 namespace transformesh {
 namespace {
@@ -50,7 +51,7 @@ std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<Face
 
 }  // namespace
 
-std::vector<FacePair> find_intersections(const WeldedMesh& welded, const Progress& progress) {
+std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
   std::vector<Index> firsts;
   std::vector<FloatBox> boxes;
@@ -61,28 +62,33 @@ std::vector<FacePair> find_intersections(const WeldedMesh& welded, const Progres
     firsts.push_back(f);
     boxes.push_back(welded.box(f));
   }
-  const Bvh bvh(boxes);
-  std::vector<FacePair> pairs = bvh.overlapping_pairs(
-      [&](Index i, Index j) { return find_contacts(welded, firsts[i], firsts[j]).meet; });
-  for (auto& [f, g] : pairs) {
-    f = firsts[f];
-    g = firsts[g];
-  }
-  return pairs;
+  std::vector<std::vector<Meeting>> lists;
+  Bvh(boxes).visit_pairs([&](std::size_t count) { lists.resize(count); },
+                         [&](std::size_t list, Index i, Index k) {
+                           const Contacts contacts = find_contacts(welded, firsts[i], firsts[k]);
+                           if (contacts.meet)
+                             lists[list].push_back({firsts[i], firsts[k], contacts});
+                         });
+  std::vector<Meeting> meetings = joined(lists);
+  sort_pairs(meetings, welded.faces.size());
+  return meetings;
 }
 
-std::size_t count_pairs(const WeldedMesh& welded, const std::vector<FacePair>& pairs) {
+std::size_t count_pairs(const WeldedMesh& welded, const std::vector<Meeting>& meetings) {
   std::vector<std::size_t> copies(welded.faces.size(), 0);
   for (const Index first : welded.first_copy) ++copies[first];
   std::size_t count = 0;
-  for (const auto& [f, g] : pairs) count += copies[f] * copies[g];
+  for (const Meeting& meeting : meetings) count += copies[meeting.first] * copies[meeting.second];
   for (const std::size_t same : copies) count += same * (same - (same > 0 ? 1 : 0)) / 2;
   return count;
 }
 
 std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress) {
   const WeldedMesh welded = weld(mesh);
-  std::vector<FacePair> pairs = pairs_of_copies(welded, find_intersections(welded, progress));
+  std::vector<FacePair> pairs;
+  for (const Meeting& meeting : find_meetings(welded, progress))
+    pairs.emplace_back(meeting.first, meeting.second);
+  pairs = pairs_of_copies(welded, std::move(pairs));
   // Welded faces are in the order of the mesh, so the pairs stay sorted.
   for (auto& [f, g] : pairs) {
     f = welded.face_of[f];

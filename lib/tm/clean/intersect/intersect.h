@@ -15,6 +15,7 @@
 
 namespace transformesh {
 
+struct Meeting;
 struct WeldedMesh;
 
 using FacePair = std::pair<Index, Index>;
@@ -22,12 +23,12 @@ using FacePair = std::pair<Index, Index>;
 /// Pairs of face indices, first < second, sorted.
 std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress = Progress());
 
-/// The same for the faces of a welded mesh, where the first of equal faces stands for its copies:
-/// k of them are no pairs here.
-std::vector<FacePair> find_intersections(const WeldedMesh& welded, const Progress& progress);
+/// The same for the faces of a welded mesh, with their contacts. The first of equal faces stands
+/// for its copies: k of them are no pairs here.
+std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress);
 
 /// How many pairs these are when every copy counts.
-std::size_t count_pairs(const WeldedMesh& welded, const std::vector<FacePair>& pairs);
+std::size_t count_pairs(const WeldedMesh& welded, const std::vector<Meeting>& meetings);
 
 /// The common segments of the intersecting pairs as end points, in the order of the pairs. Where
 /// two faces only touch in a point both ends are equal. Coplanar pairs contribute none.

@@ -130,7 +130,7 @@ WeldedMesh without_faces(const WeldedMesh& welded, const std::vector<char>& mark
 Arrangement arrange_without(const WeldedMesh& welded, const std::vector<char>& marks,
                             const Progress& progress) {
   const auto rest = std::make_shared<const WeldedMesh>(without_faces(welded, marks));
-  return arrange(rest, find_intersections(*rest, progress), progress);
+  return arrange(rest, find_meetings(*rest, progress), progress);
 }
 
 // Marks the faces of enclosed sheets. Where faces lie upon each other, the contradictions of some

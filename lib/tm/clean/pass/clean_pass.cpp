@@ -45,8 +45,8 @@ class Pass {
   CleanPass run();
 
  private:
-  bool arrange_what_is_exterior(const std::vector<FacePair>& pairs);
-  void arrange_everything(const std::vector<FacePair>& pairs);
+  bool arrange_what_is_exterior(const std::vector<Meeting>& meetings);
+  void arrange_everything(const std::vector<Meeting>& meetings);
 
   const Mesh& mesh_;
   const PassOptions& options_;
@@ -59,8 +59,8 @@ class Pass {
 };
 
 // Returns whether there is anything.
-bool Pass::arrange_what_is_exterior(const std::vector<FacePair>& pairs) {
-  ExteriorArrangement exterior = arrange_exterior(welded_, pairs, options_.level, progress_);
+bool Pass::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
+  ExteriorArrangement exterior = arrange_exterior(welded_, meetings, options_.level, progress_);
   arrangement_ = std::move(exterior.arrangement);
   whole_faces_ = exterior.whole_faces;
   pass_.exterior.kept.assign(arrangement_.pieces.size(), 1);
@@ -68,8 +68,8 @@ bool Pass::arrange_what_is_exterior(const std::vector<FacePair>& pairs) {
   return !arrangement_.pieces.empty();
 }
 
-void Pass::arrange_everything(const std::vector<FacePair>& pairs) {
-  arrangement_ = arrange(welded_, pairs, progress_);
+void Pass::arrange_everything(const std::vector<Meeting>& meetings) {
+  arrangement_ = arrange(welded_, meetings, progress_);
   whole_faces_ = arrangement_.whole_pieces;
   if (pass_.is_open) {
     pass_.removed_faces =
@@ -86,13 +86,13 @@ void Pass::arrange_everything(const std::vector<FacePair>& pairs) {
 
 // Where everything is needed, or nothing is kept and it is to be told why, everything is arranged.
 CleanPass Pass::run() {
-  const std::vector<FacePair> pairs = find_intersections(*welded_, progress_);
-  pass_.pairs = count_pairs(*welded_, pairs);
+  const std::vector<Meeting> meetings = find_meetings(*welded_, progress_);
+  pass_.pairs = count_pairs(*welded_, meetings);
   if (pass_.pairs > options_.most_pairs) return std::move(pass_);
   pass_.is_open = !borders_.loops.empty();
   const bool needs_everything =
       pass_.is_open || options_.change_kept || options_.method == ExteriorMethod::static_test;
-  if (needs_everything || !arrange_what_is_exterior(pairs)) arrange_everything(pairs);
+  if (needs_everything || !arrange_what_is_exterior(meetings)) arrange_everything(meetings);
 
   count_faces(mesh_, arrangement_, whole_faces_, borders_, pass_);
   progress_("stitch");

@@ -43,7 +43,7 @@ Mesh random_triangles(std::uint64_t seed, std::size_t faces, std::uint64_t size,
 
 Arrangement arrange_mesh(const Mesh& mesh) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-  return arrange(welded, find_intersections(*welded, Progress()), Progress());
+  return arrange(welded, find_meetings(*welded, Progress()), Progress());
 }
 
 /// The corners, the points in which edges cross faces and other edges, and those in which three

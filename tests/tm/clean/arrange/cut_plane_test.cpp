@@ -35,9 +35,7 @@ Mesh blades(int count) {
 
 /// The cut of the first face and of the faces that are coplanar with it.
 PlaneCut cut_first(const WeldedMesh& welded, const std::vector<Index>& faces) {
-  std::vector<Meeting> meetings;
-  for (const auto& [f, g] : find_intersections(welded, Progress()))
-    meetings.push_back({f, g, find_contacts(welded, f, g)});
+  const std::vector<Meeting> meetings = find_meetings(welded, Progress());
   std::vector<const Meeting*> across;
   for (const Meeting& meeting : meetings) {
     const bool here = std::count(faces.begin(), faces.end(), meeting.first) > 0;

@@ -25,7 +25,8 @@ TEST_CASE("w in front of corners agrees with solid angles") {
     CAPTURE(seed);
     const Mesh mesh = test::random_balls(seed, 5);
     const WeldedMesh welded = weld(mesh);
-    const Planes planes(welded, find_intersections(welded, Progress()));
+    const std::vector<Meeting> meetings = find_meetings(welded, Progress());
+    const Planes planes(welded, meetings);
     const WindingSteps steps(welded, planes);
     const CornerWindings windings(welded, planes, steps);
     CHECK(windings.rays() <= 5);
@@ -50,7 +51,8 @@ TEST_CASE("a hidden face has no exterior part, and most faces inside are told") 
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Mesh mesh = test::random_balls(seed, 9);
     const WeldedMesh welded = weld(mesh);
-    const Planes planes(welded, find_intersections(welded, Progress()));
+    const std::vector<Meeting> meetings = find_meetings(welded, Progress());
+    const Planes planes(welded, meetings);
     const WindingSteps steps(welded, planes);
     const CornerWindings windings(welded, planes, steps);
     test::Random random(seed);
@@ -74,7 +76,8 @@ TEST_CASE("nothing is said of corners that other faces meet, nor where no face i
   const Mesh first = test::tetrahedron();
   const Mesh mesh = test::joined(first, test::moved(first, {0.25, 0.25, 0}));
   const WeldedMesh welded = weld(mesh);
-  const Planes planes(welded, find_intersections(welded, Progress()));
+  const std::vector<Meeting> meetings = find_meetings(welded, Progress());
+  const Planes planes(welded, meetings);
   const WindingSteps steps(welded, planes);
   const CornerWindings windings(welded, planes, steps);
   for (Index f = 0; f < welded.faces.size(); ++f)

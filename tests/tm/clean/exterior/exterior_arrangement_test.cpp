@@ -31,9 +31,9 @@ Facet facet_of(const Arrangement& arrangement, const Piece& piece) {
 std::vector<Facet> expected(const Arrangement& arrangement, int level) {
   std::vector<char> kept(arrangement.pieces.size(), 0);
   try {
-    kept = find_exterior(arrangement, level, ExteriorMethod::static_test, BorderClosure(),
-                         Progress())
-               .kept;
+    kept =
+        find_exterior(arrangement, level, ExteriorMethod::static_test, BorderClosure(), Progress())
+            .kept;
   } catch (const GoalError&) {  // nothing is kept
   }
   std::vector<Facet> facets;
@@ -45,7 +45,7 @@ std::vector<Facet> expected(const Arrangement& arrangement, int level) {
 
 ExteriorArrangement exterior_of(const Mesh& mesh, int level) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-  return arrange_exterior(welded, find_intersections(*welded, Progress()), level, Progress());
+  return arrange_exterior(welded, find_meetings(*welded, Progress()), level, Progress());
 }
 
 std::vector<Facet> found(const ExteriorArrangement& exterior) {

@@ -24,7 +24,7 @@ TEST_CASE("the search finds the pairs that testing all pairs finds") {
       }
     }
     CHECK(find_intersections(mesh) == expected);
-    CHECK(count_pairs(welded, find_intersections(welded, Progress())) == expected.size());
+    CHECK(count_pairs(welded, find_meetings(welded, Progress())) == expected.size());
     const ThreadLimit limit(1);
     CHECK(find_intersections(mesh) == expected);
   }

@@ -20,7 +20,7 @@ using test::joined;
 struct Cells {
   explicit Cells(const Mesh& mesh) {
     const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-    arrangement = arrange(welded, find_intersections(*welded, Progress()), Progress());
+    arrangement = arrange(welded, find_meetings(*welded, Progress()), Progress());
     kept = find_exterior(arrangement, 1, ExteriorMethod::grow, BorderClosure(), Progress()).kept;
   }
   double volume() const {
