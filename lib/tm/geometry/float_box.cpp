@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "tm/support/parallel.h"
 
@@ -11,23 +12,40 @@ namespace {
 
 constexpr std::size_t boxes_per_task = 4096;
 constexpr std::size_t most_sampled_points = 1024;
+constexpr double smallest_usual = 1e-30;  ///< less is hardly told apart by floats
 
 FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
   return float_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
 }
 
-// The median of some points along each axis: a few points that are far away do not move it.
-Vec3 middle_of_most(std::span<const Vec3> points) {
+/// The entry that is `share` of the way up among those of some points.
+template <class Value>
+double quantile(std::span<const Vec3> points, double share, const Value& value) {
   const std::size_t stride = points.size() / most_sampled_points + 1;
-  Vec3 middle;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < points.size(); i += stride) values.push_back(points[i][axis]);
-    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), half, values.end());
-    middle[axis] = *half;
-  }
-  return middle;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < points.size(); i += stride) values.push_back(value(points[i]));
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(
+                                       share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// The median along each axis: a few points that are far away do not move it.
+Vec3 middle_of_most(std::span<const Vec3> points) {
+  const auto middle = [&](int axis) {
+    return quantile(points, 0.5, [axis](const Vec3& p) { return p[axis]; });
+  };
+  return {middle(0), middle(1), middle(2)};
+}
+
+/// Ascends with the number, and by 1 where its magnitude doubles.
+double exponent_and_fraction(double x) {
+  const auto bits = static_cast<double>(std::bit_cast<std::uint64_t>(std::abs(x)));
+  return std::copysign(bits * 0x1p-52, x);
+}
+
+Vec3 exponents(const Vec3& p) {
+  return {exponent_and_fraction(p[0]), exponent_and_fraction(p[1]), exponent_and_fraction(p[2])};
 }
 
 }  // namespace
@@ -56,6 +74,15 @@ BoxFrame::BoxFrame(std::span<const Vec3> points) {
   for (const Vec3& point : points)
     size = std::max(size, (point / 2 - origin_ / 2).cwiseAbs().maxCoeff());
   if (size > 0) scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(size)));
+  for (int axis = 0; axis < 3; ++axis)
+    is_wide_ |= quantile(points, 0.25, [&](const Vec3& p) {
+                  const double x = std::abs(p[axis] - origin_[axis]) * scale_;
+                  return x > 0 ? x : 1;
+                }) < smallest_usual;
+}
+
+FloatBox BoxFrame::wide_box(const Vec3& minimum, const Vec3& maximum) const {
+  return float_box(exponents(minimum - origin_), exponents(maximum - origin_));
 }
 
 std::vector<FloatBox> face_boxes(const Mesh& mesh) {

@@ -26,18 +26,23 @@ FloatBox float_box(const Vec3& minimum, const Vec3& maximum);
 
 /// Moves and scales boxes so that floats resolve them best, however small the shape is or however
 /// far from the origin: the middle of most points becomes the origin and the size about 1. So a
-/// point that is far away costs the others nothing. Overlaps stay overlaps.
+/// point that is far away costs the others nothing. Where magnitudes go beyond what floats hold,
+/// coordinates are replaced by what ascends with their logarithms. Overlaps stay overlaps.
 class BoxFrame {
  public:
   BoxFrame() = default;
   explicit BoxFrame(std::span<const Vec3> points);
   FloatBox box(const Vec3& minimum, const Vec3& maximum) const {
-    return float_box((minimum - origin_) * scale_, (maximum - origin_) * scale_);
+    return is_wide_ ? wide_box(minimum, maximum)
+                    : float_box((minimum - origin_) * scale_, (maximum - origin_) * scale_);
   }
 
  private:
+  FloatBox wide_box(const Vec3& minimum, const Vec3& maximum) const;
+
   Vec3 origin_ = Vec3::Zero();
   double scale_ = 1;
+  bool is_wide_ = false;
 };
 
 /// The middle of a box along an axis, infinite bounds counted as the largest float.

@@ -77,3 +77,33 @@ TEST_CASE("a point that is far away does not keep boxes from being told apart") 
     CHECK(frame.box(points[i], points[i]).maximum[0] <
           frame.box(points[i + 1], points[i + 1]).minimum[0]);
 }
+
+TEST_CASE("magnitudes that floats do not hold are told apart, and keep their order") {
+  std::vector<Vec3> points;
+  for (int i = -150; i <= 150; ++i) {
+    const double x = std::pow(10.0, i);
+    points.emplace_back(x, -x, i % 2 == 0 ? x : -x);
+    points.emplace_back(-x, x, 0);
+  }
+  const BoxFrame frame(points);
+  for (const Vec3& p : points) {
+    for (const Vec3& q : points) {
+      const FloatBox at_p = frame.box(p, p), at_q = frame.box(q, q);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        CHECK(at_p.minimum[i] <= at_p.maximum[i]);
+        if (p[axis] < q[axis]) CHECK(at_p.maximum[i] < at_q.minimum[i]);
+        if (p[axis] == q[axis]) CHECK(at_p.minimum[i] <= at_q.maximum[i]);
+      }
+    }
+  }
+  // Boxes of rays reach to the largest numbers.
+  constexpr double farthest = std::numeric_limits<double>::max();
+  const FloatBox all = frame.box(Vec3::Constant(-farthest), Vec3::Constant(farthest));
+  for (const Vec3& p : points)
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(all.minimum[i] <= frame.box(p, p).minimum[i]);
+      CHECK(all.maximum[i] >= frame.box(p, p).maximum[i]);
+    }
+}
+

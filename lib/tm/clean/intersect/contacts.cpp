@@ -151,10 +151,11 @@ std::array<Index, 2> edge_at(const WeldedMesh& welded, Index face, FaceSimplex s
 
 // In doubles: boxes in floats overlap more often, much more where coordinates are of very different
 // magnitudes.
-bool boxes_overlap(const Triangle& a, const Triangle& b) {
+bool boxes_overlap(const Side& a, const Side& b) {
   for (int i = 0; i < 3; ++i) {
-    if (std::max({a[0][i], a[1][i], a[2][i]}) < std::min({b[0][i], b[1][i], b[2][i]})) return false;
-    if (std::max({b[0][i], b[1][i], b[2][i]}) < std::min({a[0][i], a[1][i], a[2][i]})) return false;
+    const auto [least_a, most_a] = std::minmax({(*a.p[0])[i], (*a.p[1])[i], (*a.p[2])[i]});
+    const auto [least_b, most_b] = std::minmax({(*b.p[0])[i], (*b.p[1])[i], (*b.p[2])[i]});
+    if (most_a < least_b || most_b < least_a) return false;
   }
   return true;
 }
@@ -163,10 +164,10 @@ bool boxes_overlap(const Triangle& a, const Triangle& b) {
 
 Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
   Contacts result;
-  if (!boxes_overlap(welded.triangle(first), welded.triangle(second))) return result;
   Side a = make_side(welded, first);
   Side b = make_side(welded, second);
   const int shared = match_shared_corners(welded.faces[first], welded.faces[second], a, b);
+  if (shared == 0 && !boxes_overlap(a, b)) return result;
 
   // Most pairs of neighbors and most pairs whose boxes overlap are decided by these signs.
   compute_signs(a, b);
