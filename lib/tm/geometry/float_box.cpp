@@ -24,8 +24,8 @@ double quantile(std::span<const Vec3> points, double share, const Value& value) 
   const std::size_t stride = points.size() / most_sampled_points + 1;
   std::vector<double> values;
   for (std::size_t i = 0; i < points.size(); i += stride) values.push_back(value(points[i]));
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(
-                                       share * static_cast<double>(values.size()));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

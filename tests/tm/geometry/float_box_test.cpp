@@ -106,4 +106,3 @@ TEST_CASE("magnitudes that floats do not hold are told apart, and keep their ord
       CHECK(all.maximum[i] >= frame.box(p, p).maximum[i]);
     }
 }
-

@@ -17,8 +17,8 @@ int sign_of(const Rational& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 
 /// A number with a random exponent, now and then a short one.
 double some_number(test::Random& random, int exponents) {
-  const double mantissa = random.below(4) == 0 ? static_cast<double>(random.below(5)) - 2
-                                               : random.uniform(-1, 1);
+  const double mantissa =
+      random.below(4) == 0 ? static_cast<double>(random.below(5)) - 2 : random.uniform(-1, 1);
   const auto shift = static_cast<int>(random.below(static_cast<std::uint64_t>(2 * exponents + 1)));
   return std::ldexp(mantissa, shift - exponents);
 }
@@ -41,7 +41,8 @@ TEST_CASE("a sign that balls tell is right, and they tell all but the closest") 
     if (ball.sign() != 0) REQUIRE(ball.sign() == sign_of(truth));
     const Rational size =
         (abs(Rational(a) * Rational(b)) + abs(Rational(c))) / abs(Rational(d)) + abs(Rational(e));
-    const bool is_clear = abs(truth) * Rational(std::ldexp(1.0, 90)) > size && size > Rational(1e-200);
+    const bool is_clear =
+        abs(truth) * Rational(std::ldexp(1.0, 90)) > size && size > Rational(1e-200);
     if (is_clear) REQUIRE(ball.sign() == sign_of(truth));
     told += ball.sign() != 0 ? 1 : 0;
     near += is_clear && abs(truth) * Rational(std::ldexp(1.0, 50)) < size ? 1 : 0;
