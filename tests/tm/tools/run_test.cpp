@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "helpers/temporary_folder.h"
@@ -31,6 +32,7 @@ class Place {
   int run(Reads reads, Writes writes, std::vector<std::string> arguments,
           const std::function<void(Run&)>& body,
           const std::function<void(Program&)>& declare = {}) {
+    std::fflush(nullptr);  // or the child writes what the tests have said as well
     const pid_t child = fork();
     if (child == 0) {
       if (chdir((folder_ / ".").c_str()) != 0) _exit(99);
