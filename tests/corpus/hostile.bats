@@ -13,6 +13,11 @@ load ../helpers/common
   [[ $output == *"all "*" 72 "*" 72 "* ]]
 }
 
+@test "hostile: films between the same few points, which rounding would cut anew for ever" {
+  run "$tm_build/bin-test/hostile_grid" --first 139 --seeds 1 --seconds 60 near-vertices
+  assert_status 0
+}
+
 @test "hostile: the grid can fail: a limit that nothing keeps" {
   run "$tm_build/bin-test/hostile_grid" --seeds 1 --megabytes 0 spike
   assert_status 1

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 #include "tm/clean/rounding/broken_faces.h"
@@ -22,6 +23,7 @@ namespace {
 constexpr int most_rounds = 14;
 constexpr int most_starts = 8;
 constexpr int rounds_ahead = 3;   // every start begins as coarse as that round of the one before
+constexpr int first_united = 5;   // the start from which on close vertices of the input are united
 constexpr std::size_t few = 100;  // by so many the broken faces may grow in number
 constexpr std::size_t few_pairs = 1000;
 /// How close new vertices become one where nothing is broken, in spacings.
@@ -32,6 +34,9 @@ struct Tolerances {
   double vertices, slivers, push, cells;
   bool moves_input;  ///< vertices of the input may move as well
 };
+
+/// How close vertices of the input become one before everything begins anew.
+double united_spacings(int start) { return std::ldexp(16, 3 * (start - first_united)); }
 
 Tolerances tolerances(int start, int round) {
   const int step = round + rounds_ahead * start;
@@ -62,9 +67,10 @@ class SnapRounder {
 
  private:
   bool repair(Assembly& assembly, int start);
+  Assembly united_input(int start);
   void round_and_merge(Assembly& assembly);
   void mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most);
-  bool clean_again(Assembly& assembly, bool is_mended, const Tolerances& most);
+  bool clean_again(Assembly& assembly, bool is_mended, const Tolerances& most, int level = 1);
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   [[noreturn]] void give_up() const;
   [[noreturn]] void throw_nothing_left() const;
@@ -74,7 +80,8 @@ class SnapRounder {
   const Progress& progress_;
   std::size_t most_pairs_ = 0;  ///< with more than these, repair is hopeless
   bool is_hopeless_ = false;
-  std::string place_;  ///< the first place that was broken
+  std::string place_;            ///< the first place that was broken
+  std::vector<Index> troubled_;  ///< the faces of the mesh that rounding broke first
   SnapRoundingResult result_;
 };
 
@@ -130,8 +137,9 @@ void SnapRounder::mend(Assembly& assembly, std::vector<Index> broken, const Tole
 
 // Cleans what was rounded. Where it was mended, thin cells are given away. Returns whether nothing
 // is left to be rounded again.
-bool SnapRounder::clean_again(Assembly& assembly, bool is_mended, const Tolerances& most) {
-  PassOptions options{1, options_.method, false, {}, most_pairs_};
+bool SnapRounder::clean_again(Assembly& assembly, bool is_mended, const Tolerances& most,
+                              int level) {
+  PassOptions options{level, options_.method, false, {}, most_pairs_};
   bool is_given = false;
   if (is_mended && !options_.is_open)
     options.change_kept = [&](Arrangement& arrangement, std::vector<char>& kept) {
@@ -166,10 +174,11 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     if (broken.empty() && round == 0 && !options_.is_open) return true;
     fewest = std::min(fewest, broken.size());
     if (broken.size() > 2 * fewest + few) return false;
-    const Tolerances most = tolerances(start, round);
+    const Tolerances most = tolerances(start < first_united ? start : 0, round);
     if (!broken.empty()) {
       if (place_.empty()) {
         place_ = place_of(assembly.mesh, broken.front());
+        for (const Index face : broken) troubled_.push_back(assembly.source_face[face]);
         result_.places = count_places(assembly.mesh, broken);
       }
       ++result_.repairs;
@@ -217,15 +226,39 @@ void SnapRounder::count_faces(const std::vector<char>& was_whole, const Assembly
     if (was_whole[f] && !is_whole[f]) ++(is_left[f] ? result_.cut_faces : result_.removed_faces);
 }
 
+/// The mesh as if it were the result of a pass that changed nothing.
+Assembly unchanged_assembly(const Mesh& mesh) {
+  Assembly assembly;
+  assembly.mesh = mesh;
+  assembly.vertex_is_new.assign(mesh.positions.size(), 0);
+  assembly.face_is_new.assign(mesh.faces.size(), 0);
+  assembly.input_vertex.resize(mesh.positions.size());
+  std::iota(assembly.input_vertex.begin(), assembly.input_vertex.end(), Index{0});
+  assembly.source_face.resize(mesh.faces.size());
+  std::iota(assembly.source_face.begin(), assembly.source_face.end(), Index{0});
+  return assembly;
+}
+
+// Where faces lie upon each other but for a few spacings, all along, rounding their crossings makes
+// new ones. So the vertices of the faces in trouble are united first, and all is cleaned anew.
+Assembly SnapRounder::united_input(int start) {
+  Assembly assembly = unchanged_assembly(mesh_);
+  result_.displacement += merge_close_vertices(assembly, with_faces_around(mesh_, troubled_),
+                                               {united_spacings(start), true}, options_.coordinate);
+  drop_collapsed_faces(assembly);
+  clean_again(assembly, false, tolerances(0, 0), options_.level);
+  return assembly;
+}
+
 SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
   most_pairs_ = 4 * pass.pairs + few_pairs;
   Assembly assembly = pass.assembly;
   for (int start = 0; !repair(assembly, start);) {
     if (++start == most_starts) give_up();
-    assembly = pass.assembly;
     result_.displacement = {};
     is_hopeless_ = false;
+    assembly = start < first_united ? pass.assembly : united_input(start);
   }
   drop_unused_vertices(assembly);
   count_faces(was_whole, assembly);
