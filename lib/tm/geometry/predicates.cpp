@@ -154,6 +154,23 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return wide != 0 ? wide : exact_orient3d(a, b, c, d, permanent);
 }
 
+OrientedPlane::OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a), b_(b), c_(c) {
+  const Vec3 u = b - a, v = c - a;
+  const Vec3 plus(u[1] * v[2], u[2] * v[0], u[0] * v[1]);
+  const Vec3 minus(u[2] * v[1], u[0] * v[2], u[1] * v[0]);
+  normal_ = plus - minus;
+  size_ = plus.cwiseAbs() + minus.cwiseAbs();
+}
+
+int OrientedPlane::side_of(const Vec3& point) const {
+  const Vec3 d = point - a_;
+  const double determinant = d[0] * normal_[0] + d[1] * normal_[1] + d[2] * normal_[2];
+  const double permanent =
+      std::abs(d[0]) * size_[0] + std::abs(d[1]) * size_[1] + std::abs(d[2]) * size_[2];
+  const int sign = filtered_sign(determinant, bound_3d * permanent + underflow_guard);
+  return sign != 0 ? sign : orient3d(a_, b_, c_, point);
+}
+
 int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
   const double left = (b[p.u] - a[p.u]) * (c[p.v] - a[p.v]);
   const double right = (b[p.v] - a[p.v]) * (c[p.u] - a[p.u]);

@@ -23,6 +23,18 @@ struct PlaneProjection {
 /// side, 0 in the plane (also when abc is degenerate).
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// The plane of a triangle, to find the sides of several points as orient3d does. Keeps references.
+class OrientedPlane {
+ public:
+  OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c);
+  int side_of(const Vec3& point) const;
+
+ private:
+  const Vec3 &a_, &b_, &c_;
+  Vec3 normal_;
+  Vec3 size_;  ///< of the products that make the normal
+};
+
 /// +1 where abc turns counter-clockwise in the projection, 0 where its image is collinear.
 int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection projection);
 

@@ -53,8 +53,10 @@ TEST_CASE("orient3d has the sign of the integer determinant, far out, tiny and h
                                        {0.0, std::ldexp(1.0, -700)},
                                        {0.0, std::ldexp(1.0, 700)},
                                        {3e7, std::ldexp(1.0, -40)}}) {
-      REQUIRE(orient3d(place(a, shift, scale), place(b, shift, scale), place(c, shift, scale),
-                       place(d, shift, scale)) == expected);
+      const Vec3 pa = place(a, shift, scale), pb = place(b, shift, scale);
+      const Vec3 pc = place(c, shift, scale), pd = place(d, shift, scale);
+      REQUIRE(orient3d(pa, pb, pc, pd) == expected);
+      REQUIRE(OrientedPlane(pa, pb, pc).side_of(pd) == expected);
     }
   }
   CHECK(zeros > 1000);
@@ -77,6 +79,7 @@ TEST_CASE("signs are those of rationals where coordinates are of very different 
     const test::RationalPoint n = test::normal(t);
     const test::Rational volume = test::dot(n, test::minus(test::exact(p[3]), t[0]));
     CHECK(orient3d(p[0], p[1], p[2], p[3]) == volume.sign());
+    CHECK(OrientedPlane(p[0], p[1], p[2]).side_of(p[3]) == volume.sign());
     CHECK(orient2d(p[0], p[1], p[2], {0, 1}) == n[2].sign());
     signs += volume != 0 ? 1 : 0;
   }

@@ -35,9 +35,8 @@ int match_shared_corners(const Face& f, const Face& g, Side& a, Side& b) {
 }
 
 void compute_signs(Side& a, const Side& b) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    a.sign[i] = a.shared[i] >= 0 ? 0 : orient3d(*b.p[0], *b.p[1], *b.p[2], *a.p[i]);
-  }
+  const OrientedPlane plane(*b.p[0], *b.p[1], *b.p[2]);
+  for (std::size_t i = 0; i < 3; ++i) a.sign[i] = a.shared[i] >= 0 ? 0 : plane.side_of(*a.p[i]);
 }
 
 // Whether the face has points in the other's plane beyond shared corners.
@@ -153,9 +152,10 @@ std::array<Index, 2> edge_at(const WeldedMesh& welded, Index face, FaceSimplex s
 // magnitudes.
 bool boxes_overlap(const Side& a, const Side& b) {
   for (int i = 0; i < 3; ++i) {
-    const auto [least_a, most_a] = std::minmax({(*a.p[0])[i], (*a.p[1])[i], (*a.p[2])[i]});
-    const auto [least_b, most_b] = std::minmax({(*b.p[0])[i], (*b.p[1])[i], (*b.p[2])[i]});
-    if (most_a < least_b || most_b < least_a) return false;
+    const double a0 = (*a.p[0])[i], a1 = (*a.p[1])[i], a2 = (*a.p[2])[i];
+    const double b0 = (*b.p[0])[i], b1 = (*b.p[1])[i], b2 = (*b.p[2])[i];
+    if (std::max(std::max(a0, a1), a2) < std::min(std::min(b0, b1), b2)) return false;
+    if (std::max(std::max(b0, b1), b2) < std::min(std::min(a0, a1), a2)) return false;
   }
   return true;
 }
