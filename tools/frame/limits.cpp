@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -15,6 +14,7 @@
 
 #include "frame/program.h"
 #include "frame/terminal.h"
+#include "tm/support/elementary/exponential.h"
 #include "tm/support/error.h"
 #include "tm/support/number.h"
 
@@ -109,7 +109,7 @@ std::uint64_t parse_size(const std::string& text) {
   if (unit.ends_with("iB")) unit.resize(unit.size() - 2);
   if (unit.ends_with('B')) unit.pop_back();
   const std::size_t power = unit.empty() ? 0 : 1 + unit_letters.find(unit[0]);
-  const double bytes = number.value_or(-1) * std::pow(unit_step, static_cast<double>(power));
+  const double bytes = number.value_or(-1) * elementary::pow(unit_step, static_cast<double>(power));
   const bool is_unit = unit.empty() || (unit.size() == 1 && power > 0);
   if (!is_unit || !(bytes >= 1 && bytes < 1e18))
     throw UsageError("'" + text + "' is not a size such as 500M or 2G");

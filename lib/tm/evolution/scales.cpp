@@ -1,12 +1,12 @@
 #include "tm/evolution/scales.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/remesh.h"
+#include "tm/support/elementary/exponential.h"
 #include "tm/support/number.h"
 
 namespace transformesh {
@@ -17,7 +17,7 @@ constexpr double largest_scale = 11.3;
 /// Of a scale or an edge that is nearly the one wanted.
 constexpr double tolerance = 0.999;
 
-double scale_after(int steps) { return std::exp(steps / 2.0 * std::log(2.0)); }
+double scale_after(int steps) { return elementary::exp2(steps / 2.0); }
 
 Level rounded(double scale, double edge) {
   return {read_back(fixed(scale, 4)), read_back(significant(edge, 9))};

@@ -56,7 +56,7 @@ class MedianTree {
     Halves() = default;
     Halves(const FloatBox& left, const FloatBox& right);
     FloatBox both() const;
-    Eigen::Array2d squared_distances(const Vec3& query) const;
+    std::array<double, 2> squared_distances(const Vec3& query) const;
   };
   /// Build a cell, and return its box.
   FloatBox build(std::span<const FloatBox> boxes, std::vector<Center>& centers, const Cell& cell);

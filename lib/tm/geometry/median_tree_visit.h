@@ -7,17 +7,20 @@
 
 namespace transformesh {
 
-inline Eigen::Array2d MedianTree::Halves::squared_distances(const Vec3& query) const {
-  const auto outside = [&](std::size_t axis) -> Eigen::Array2d {
-    const Eigen::Array2d low(minimum[axis][0], minimum[axis][1]);
-    const Eigen::Array2d high(maximum[axis][0], maximum[axis][1]);
+inline std::array<double, 2> MedianTree::Halves::squared_distances(const Vec3& query) const {
+  using Pair [[gnu::vector_size(16)]] = double;  // of the halves, for vector instructions
+  const auto larger = [](Pair a, Pair b) { return a > b ? a : b; };
+  const auto outside = [&](std::size_t axis) {
+    const Pair low = {minimum[axis][0], minimum[axis][1]};
+    const Pair high = {maximum[axis][0], maximum[axis][1]};
     const double coordinate = query.data()[axis];
-    return (low - coordinate).max(coordinate - high).max(0.0);
+    return larger(larger(low - coordinate, coordinate - high), Pair{});
   };
-  const Eigen::Array2d x = outside(0);
-  const Eigen::Array2d y = outside(1);
-  const Eigen::Array2d z = outside(2);
-  return x * x + y * y + z * z;
+  const Pair x = outside(0);
+  const Pair y = outside(1);
+  const Pair z = outside(2);
+  const Pair squares = x * x + y * y + z * z;
+  return {squares[0], squares[1]};
 }
 
 template <class Bound, class Visit>
@@ -31,9 +34,9 @@ void MedianTree::visit_nearest(const Vec3& query, const Bound& bound, const Visi
     Cell cell = stack[--waiting];
     while (cell.distance <= bound() && cell.last - cell.first > bucket_size_) {
       const std::size_t child = 2 * cell.node + 1;
-      const Eigen::Array2d squares = nodes_[cell.node].squared_distances(query);
-      const Cell left{cell.first, cell.middle(), child, squares[0]};
-      const Cell right{cell.middle(), cell.last, child + 1, squares[1]};
+      const auto [left_square, right_square] = nodes_[cell.node].squared_distances(query);
+      const Cell left{cell.first, cell.middle(), child, left_square};
+      const Cell right{cell.middle(), cell.last, child + 1, right_square};
       const bool is_left_nearer = left.distance <= right.distance;
       stack[waiting] = is_left_nearer ? right : left;
       if (stack[waiting].distance <= bound()) ++waiting;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tm/mesh/measure.h"
+#include "tm/support/elementary/arctangent.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -38,7 +39,9 @@ struct Turns {
     real /= size;
     imaginary /= size;
   }
-  double total() const { return turns + std::atan2(imaginary, real) / (2 * std::numbers::pi); }
+  double total() const {
+    return turns + elementary::atan2(imaginary, real) / (2 * std::numbers::pi);
+  }
 };
 
 /// The scale, a power of two, that makes numbers up to `largest` safe to square and add.

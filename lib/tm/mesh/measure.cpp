@@ -8,6 +8,7 @@
 
 #include "tm/mesh/edges.h"
 #include "tm/mesh/triangle.h"
+#include "tm/support/elementary/arctangent.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -48,7 +49,7 @@ double length_of(const Vec3& vector) {
 
 /// The angle between two vectors in [0, pi]; accurate for small and for flat ones.
 double angle_between(const Vec3& u, const Vec3& v) {
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  return elementary::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 double corner_angle(const Mesh& mesh, const Face& face, int corner) {
@@ -72,9 +73,18 @@ double smallest_angle(const Mesh& mesh, const Face& face) {
   return corner_angle(mesh, face, apex);
 }
 
-void extend(Box& box, const Vec3& point) {
-  box.minimum = box.minimum.cwiseMin(point);
-  box.maximum = box.maximum.cwiseMax(point);
+// Of values, where std::min compares references: these take an instruction each.
+double lesser(double a, double b) { return a < b ? a : b; }
+double greater(double a, double b) { return a > b ? a : b; }
+
+/// Corners are compared with each other first, so that a face waits once for the one before.
+void extend(Box& box, const Vec3& a, const Vec3& b, const Vec3& c) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = lesser(lesser(a[axis], b[axis]), c[axis]);
+    const double high = greater(greater(a[axis], b[axis]), c[axis]);
+    box.minimum[axis] = lesser(low, box.minimum[axis]);
+    box.maximum[axis] = greater(high, box.maximum[axis]);
+  }
 }
 
 }  // namespace
@@ -95,10 +105,10 @@ Box bounding_box(const Mesh& mesh) {
   if (mesh.positions.empty()) return {};
   const Vec3& first = mesh.positions[mesh.faces.empty() ? 0 : mesh.faces[0][0]];
   Box box{first, first};
-  for (const Face& face : mesh.faces)
-    for (const Index vertex : face) extend(box, mesh.positions[vertex]);
+  for (const auto& [a, b, c] : mesh.faces)
+    extend(box, mesh.positions[a], mesh.positions[b], mesh.positions[c]);
   if (mesh.faces.empty())
-    for (const Vec3& point : mesh.positions) extend(box, point);
+    for (const Vec3& point : mesh.positions) extend(box, point, point, point);
   return box;
 }
 

@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+
+#include "tm/support/elementary/trigonometric.h"
 
 namespace transformesh {
 namespace {
@@ -28,7 +29,7 @@ EyeAxes front_axes(Axis up) {
 
 /// Pixels per unit of x / depth, where there is no zoom.
 double focal_length(int width, int height) {
-  return 0.5 * std::min(width, height) / std::tan(radians(field_of_view_deg / 2));
+  return 0.5 * std::min(width, height) / elementary::tan(radians(field_of_view_deg / 2));
 }
 
 /// Along one direction of the image: the middle of the points, and how far back the eye must be.
@@ -70,9 +71,10 @@ EyeAxes eye_axes(const Orbit& orbit) {
   const EyeAxes front = front_axes(orbit.up);
   const double azimuth = radians(orbit.azimuth_deg);
   const double elevation = radians(orbit.elevation_deg);
-  const Vec3 right = std::cos(azimuth) * front.right - std::sin(azimuth) * front.back;
-  const Vec3 level_back = std::sin(azimuth) * front.right + std::cos(azimuth) * front.back;
-  const Vec3 back = std::cos(elevation) * level_back + std::sin(elevation) * front.up;
+  const Vec3 right = elementary::cos(azimuth) * front.right - elementary::sin(azimuth) * front.back;
+  const Vec3 level_back =
+      elementary::sin(azimuth) * front.right + elementary::cos(azimuth) * front.back;
+  const Vec3 back = elementary::cos(elevation) * level_back + elementary::sin(elevation) * front.up;
   return {right, back.cross(right), back};
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "tm/support/elementary/exponential.h"
+
 namespace transformesh {
 namespace {
 
@@ -24,12 +26,12 @@ std::array<float, steps + 1> make_levels() {
 float light_of_srgb(double channel) {
   channel = std::clamp(channel, 0.0, 1.0);
   return static_cast<float>(channel <= 0.04045 ? channel / 12.92
-                                               : std::pow((channel + 0.055) / 1.055, 2.4));
+                                               : elementary::pow((channel + 0.055) / 1.055, 2.4));
 }
 
 double srgb_of_light(float light) {
   const double value = std::clamp(static_cast<double>(light), 0.0, 1.0);
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+  return value <= 0.0031308 ? 12.92 * value : 1.055 * elementary::pow(value, 1 / 2.4) - 0.055;
 }
 
 Color color_of_srgb(double red, double green, double blue) {

@@ -1,12 +1,13 @@
 #include "tm/picture/corner_normals.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <numbers>
 
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/measure.h"
+#include "tm/support/elementary/arctangent.h"
+#include "tm/support/elementary/trigonometric.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -26,7 +27,7 @@ std::vector<Vec3> unit_normals(const Mesh& mesh) {
 /// Joins the corners 3 * face + i that share a normal.
 DisjointSets smooth_corners(const Mesh& mesh, const std::vector<Vec3>& normals,
                             double crease_angle_deg) {
-  const double flattest = std::cos(crease_angle_deg * std::numbers::pi / 180);
+  const double flattest = elementary::cos(crease_angle_deg * std::numbers::pi / 180);
   const std::vector<Index> opposites = opposite_halfedges(mesh);
   DisjointSets corners(3 * mesh.faces.size());
   for (Index halfedge = 0; halfedge < opposites.size(); ++halfedge) {
@@ -46,7 +47,7 @@ double corner_angle(const Mesh& mesh, const Face& face, std::size_t corner) {
   const Vec3& apex = mesh.positions[face[corner]];
   const Vec3 u = mesh.positions[face[(corner + 1) % 3]] - apex;
   const Vec3 v = mesh.positions[face[(corner + 2) % 3]] - apex;
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  return elementary::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 }  // namespace

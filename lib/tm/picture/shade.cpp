@@ -85,7 +85,7 @@ class Shader {
                                                    camera_.project(mesh_.positions[face[2]]));
     const double width = line_half_width * options_.samples;
     return std::any_of(functions.edge.begin(), functions.edge.end(), [&](const Vec3& edge) {
-      return edge.dot(Vec3(x, y, 1)) < width * std::hypot(edge.x(), edge.y());
+      return edge.dot(Vec3(x, y, 1)) < width * edge.head<2>().norm();
     });
   }
 

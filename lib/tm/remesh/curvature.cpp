@@ -1,10 +1,33 @@
 #include "tm/remesh/curvature.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "tm/support/elementary/arctangent.h"
+#include "tm/support/elementary/trigonometric.h"
 
 namespace transformesh {
 namespace {
+
+/// The largest magnitude of an eigenvalue of a symmetric matrix, by the roots of its characteristic
+/// polynomial: Smith, "Eigenvalues of a symmetric 3 x 3 matrix", CACM 4(4), 1961.
+double spectral_radius(const Eigen::Matrix3d& matrix) {
+  const double scale = matrix.cwiseAbs().maxCoeff();
+  if (!(scale > 0)) return 0;
+  const Eigen::Matrix3d scaled = matrix / scale;
+  const double mean = scaled.trace() / 3;
+  const Eigen::Matrix3d deviation = scaled - mean * Eigen::Matrix3d::Identity();
+  const double spread = std::sqrt(deviation.squaredNorm() / 6);
+  if (!(spread > 0)) return scale * std::abs(mean);
+  const Eigen::Matrix3d unit = deviation / spread;
+  const double cosine = std::clamp(unit.determinant() / 2, -1.0, 1.0);
+  const double angle = elementary::atan2(std::sqrt((1 - cosine) * (1 + cosine)), cosine) / 3;
+  const double largest = mean + 2 * spread * elementary::cos(angle);
+  const double smallest = mean + 2 * spread * elementary::cos(angle + 2 * std::numbers::pi / 3);
+  return scale * std::max(largest, -smallest);
+}
 
 /// Curvature summed over a part of the surface, and its area.
 struct Bending {
@@ -15,20 +38,14 @@ struct Bending {
     tensor += other.tensor;
     area += other.area;
   }
-  double largest() const {
-    if (!(area > 0)) return 0;
-    const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
-                                       .computeDirect(tensor, Eigen::EigenvaluesOnly)
-                                       .eigenvalues();
-    return values.cwiseAbs().maxCoeff() / area;
-  }
+  double largest() const { return area > 0 ? spectral_radius(tensor) / area : 0; }
 };
 
 /// The angle between the normals of the faces at an edge, positive where it is convex.
 double bend_angle(const EditableMesh& mesh, Index halfedge, const Vec3& unit_edge) {
   const Vec3 here = mesh.face_normal(halfedge / 3);
   const Vec3 there = mesh.face_normal(mesh.opposite(halfedge) / 3);
-  return std::atan2(here.cross(there).dot(unit_edge), here.dot(there));
+  return elementary::atan2(here.cross(there).dot(unit_edge), here.dot(there));
 }
 
 /// The area of a face, and half of the bending at its edges: the other faces there have the rest.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tm/support/elementary/exponential.h"
+
 namespace transformesh {
 namespace {
 
@@ -82,7 +84,8 @@ std::size_t remove_small_components(EditableMesh& mesh, double edge, bool keep_b
     if (!mesh.has_face(face) || !component.walk(face)) continue;
     if (keep_border && component.has_border()) continue;
     const double diameter = edge * component.mean_size();
-    if (std::abs(component.volume()) >= std::numbers::pi / 6 * std::pow(diameter, 3)) continue;
+    if (std::abs(component.volume()) >= std::numbers::pi / 6 * elementary::pow(diameter, 3))
+      continue;
     remove_faces(mesh, component.faces());
     ++removed;
   }

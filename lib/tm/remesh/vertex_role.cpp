@@ -1,8 +1,9 @@
 #include "tm/remesh/vertex_role.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <numbers>
+
+#include "tm/support/elementary/trigonometric.h"
 
 namespace transformesh {
 namespace {
@@ -15,7 +16,7 @@ constexpr double corner_cosine = 0.7071067811865476;
 void mark_features(EditableMesh& mesh, double feature_angle_deg) {
   mesh.clear_features();
   if (feature_angle_deg >= 180) return;
-  const double cosine = std::cos(feature_angle_deg * std::numbers::pi / 180);
+  const double cosine = elementary::cos(feature_angle_deg * std::numbers::pi / 180);
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
     if (!mesh.is_edge(h) || mesh.is_border(h)) continue;
     const Vec3 here = mesh.face_normal(h / 3);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tm/shapes/assembly.h"
+#include "tm/support/elementary/exponential.h"
 #include "tm/support/random.h"
 
 namespace transformesh::shapes {
@@ -115,7 +116,7 @@ Mesh box(const Vec3& edges, std::size_t faces) {
 
 Mesh boxes(std::size_t count, std::uint64_t seed) {
   constexpr long longest = 4;
-  const long world = longest + std::lround(2 * std::cbrt(static_cast<double>(count)));
+  const long world = longest + std::lround(2 * elementary::cbrt(static_cast<double>(count)));
   Random random(seed);
   Mesh mesh;
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,10 +1,10 @@
 #include "tm/shapes/figure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "tm/shapes/implicit.h"
+#include "tm/support/elementary/trigonometric.h"
 
 namespace transformesh::shapes {
 namespace {
@@ -61,7 +61,7 @@ Arm arm_at(double time, double side) {
   const Pose raised{{0.62, -0.5, 0.6}, {-0.2, 0.7, 0.7}};
   const Pose crossed{{0.32, -0.66, 0.69}, {-0.85, 0.38 + 0.05 * side, 0.4 + 0.15 * side}};
   const Pose& open = time < 0.5 ? ahead : raised;
-  const double wave = std::sin(std::numbers::pi * time);
+  const double wave = elementary::sin(std::numbers::pi * time);
   const auto direction = [&](const Vec3& from, const Vec3& to) {
     const Vec3 turned = (from + wave * wave * (to - from)).normalized();
     return Vec3(side * turned.x(), turned.y(), turned.z());

@@ -10,6 +10,7 @@
 #include "tm/shapes/lattice.h"
 #include "tm/shapes/relax.h"
 #include "tm/support/counted.h"
+#include "tm/support/elementary/exponential.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 
@@ -23,7 +24,8 @@ constexpr double good_enough = 0.01;  // relative error of the number of faces
 constexpr double acceptable = 0.05;
 
 double error_of(const Mesh& mesh, std::size_t faces) {
-  return std::abs(std::log(static_cast<double>(mesh.faces.size()) / static_cast<double>(faces)));
+  return std::abs(
+      elementary::log(static_cast<double>(mesh.faces.size()) / static_cast<double>(faces)));
 }
 
 bool has_topology(const Mesh& mesh, long genus) {

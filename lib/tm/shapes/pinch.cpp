@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tm/support/elementary/trigonometric.h"
+
 namespace transformesh::shapes {
 namespace {
 
@@ -30,11 +32,11 @@ class PinchBuilder {
     mesh_.positions.emplace_back(0, 0, -1.2);
     for (std::size_t ring = 1; ring <= rings_below_; ++ring) {
       const double t = pi / 2 * (1 - static_cast<double>(ring) / (rings_below_ + 0.5));
-      const double radius = 1.2 * std::sin(t) * std::cos(t);
+      const double radius = 1.2 * elementary::sin(t) * elementary::cos(t);
       for (std::size_t i = 0; i < around_; ++i) {
         const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(around_);
-        mesh_.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
-                                     -1.2 * std::sin(t));
+        mesh_.positions.emplace_back(radius * elementary::cos(angle),
+                                     radius * elementary::sin(angle), -1.2 * elementary::sin(t));
       }
     }
   }

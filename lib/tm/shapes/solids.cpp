@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tm/shapes/implicit.h"
+#include "tm/support/elementary/trigonometric.h"
 
 namespace transformesh::shapes {
 namespace {
@@ -21,10 +22,11 @@ struct PerforatedPlate {
 
   explicit PerforatedPlate(long count) {
     const double spacing = 2 * hole_radius + wall;
-    const double ring = count == 1 ? 0 : spacing / (2 * std::sin(pi / static_cast<double>(count)));
+    const double ring =
+        count == 1 ? 0 : spacing / (2 * elementary::sin(pi / static_cast<double>(count)));
     for (long i = 0; i < count; ++i) {
       const double angle = pi / 2 + 2 * pi * static_cast<double>(i) / static_cast<double>(count);
-      holes.emplace_back(ring * Vec2(std::cos(angle), std::sin(angle)));
+      holes.emplace_back(ring * Vec2(elementary::cos(angle), elementary::sin(angle)));
     }
     hub = count < 3 ? 0 : ring;
     scale(1.2 / (ring + hole_radius + wall));
@@ -68,7 +70,7 @@ Mesh genus(long holes, std::size_t faces, const Progress& progress) {
   ImplicitSolid solid;
   solid.function = [plate, rounding](const Vec3& point) {
     const double beside = std::max(plate.distance(point.head<2>()) + rounding, 0.0);
-    return std::hypot(beside, point.z()) - rounding;
+    return Vec2(beside, point.z()).norm() - rounding;
   };
   solid.genus = holes;
   return mesh_implicit(solid, faces, progress);
@@ -82,8 +84,8 @@ Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
   solid.function = [radius](const Vec3& point) {
     const double from_axis = point.head<2>().norm();
     const double z = std::abs(point.z());
-    const double from_segment = std::hypot(from_axis, std::max(z - ball_center, 0.0));
-    return smooth_minimum(std::hypot(from_axis, z - ball_center) - ball, from_segment - radius,
+    const double from_segment = Vec2(from_axis, std::max(z - ball_center, 0.0)).norm();
+    return smooth_minimum(Vec2(from_axis, z - ball_center).norm() - ball, from_segment - radius,
                           0.2);
   };
   Mesh mesh = mesh_implicit(solid, faces, progress);
@@ -102,7 +104,7 @@ Mesh bowl(std::size_t faces, const Progress& progress) {
   constexpr double radius = 0.9;
   constexpr double thickness = 0.27;       // half of it
   constexpr double rim_angle = 0.05 * pi;  // above the horizon
-  const Vec2 rim = radius * Vec2(std::cos(rim_angle), std::sin(rim_angle));
+  const Vec2 rim = radius * Vec2(elementary::cos(rim_angle), elementary::sin(rim_angle));
   ImplicitSolid solid;
   solid.function = [rim](const Vec3& point) {
     const Vec2 profile(point.head<2>().norm(), point.z());

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "tm/shapes/assembly.h"
+#include "tm/support/elementary/exponential.h"
+#include "tm/support/elementary/trigonometric.h"
 #include "tm/support/random.h"
 
 namespace transformesh::shapes {
@@ -157,13 +159,13 @@ Mesh two_spheres(double radius, double gap, std::size_t faces) {
 Mesh dented_sphere(double radius, std::size_t faces) {
   const auto dent = [](const Vec3& direction, const Vec3& axis, double depth, double width) {
     const double distance = (direction - axis.normalized()).squaredNorm();
-    return depth * std::exp(-distance / (2 * width * width));
+    return depth * elementary::exp(-distance / (2 * width * width));
   };
   Mesh mesh = geodesic_sphere(geodesic_frequency(static_cast<double>(faces)));
   for (Vec3& position : mesh.positions) {
     const Vec3 n = position;
-    const double relief =
-        0.05 * std::sin(4 * n.x() + 1) * std::cos(5 * n.y()) + 0.04 * std::sin(6 * n.z());
+    const double relief = 0.05 * elementary::sin(4 * n.x() + 1) * elementary::cos(5 * n.y()) +
+                          0.04 * elementary::sin(6 * n.z());
     const double dents =
         dent(n, {0.8, 0.5, 0.33}, 0.30, 0.25) + dent(n, {-0.6, 0.7, -0.2}, 0.18, 0.2);
     position = radius * (1 + relief - dents) * n;
@@ -174,7 +176,7 @@ Mesh dented_sphere(double radius, std::size_t faces) {
 Mesh many_spheres(std::size_t count, std::uint64_t seed, std::size_t faces) {
   // The spheres' volumes sum up to about twice that of the ball in which they lie.
   constexpr double world = 1.2;
-  const double typical = std::min(0.6, world * std::cbrt(4 / static_cast<double>(count)));
+  const double typical = std::min(0.6, world * elementary::cbrt(4 / static_cast<double>(count)));
   Random random(seed);
   std::vector<Vec3> centers;
   std::vector<double> radii;

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "tm/shapes/assembly.h"
+#include "tm/support/elementary/arctangent.h"
+#include "tm/support/elementary/trigonometric.h"
 
 namespace transformesh::shapes {
 namespace {
@@ -71,19 +73,19 @@ struct TorusKnot {
   Vec3 point(double t) const {
     const double around = 2 * pi * p * t;
     const double across = 2 * pi * q * t;
-    const double radius = ring * (1 + tube_share * std::cos(across));
-    return {radius * std::cos(around), radius * std::sin(around),
-            ring * tube_share * std::sin(across)};
+    const double radius = ring * (1 + tube_share * elementary::cos(across));
+    return {radius * elementary::cos(around), radius * elementary::sin(around),
+            ring * tube_share * elementary::sin(across)};
   }
 
   Vec3 tangent(double t) const {
     const double around = 2 * pi * p * t;
     const double across = 2 * pi * q * t;
-    const double radius = 1 + tube_share * std::cos(across);
-    const double outwards = -tube_share * q * std::sin(across);
-    const Vec3 derivative(outwards * std::cos(around) - radius * p * std::sin(around),
-                          outwards * std::sin(around) + radius * p * std::cos(around),
-                          tube_share * q * std::cos(across));
+    const double radius = 1 + tube_share * elementary::cos(across);
+    const double outwards = -tube_share * q * elementary::sin(across);
+    const Vec3 derivative(outwards * elementary::cos(around) - radius * p * elementary::sin(around),
+                          outwards * elementary::sin(around) + radius * p * elementary::cos(around),
+                          tube_share * q * elementary::cos(across));
     return derivative.normalized();
   }
 };
@@ -122,6 +124,11 @@ Vec3 carried_normal(const Vec3& normal, const Vec3& from, const Vec3& from_tange
   return second.squaredNorm() == 0 ? reflected : reflect(second, reflected);
 }
 
+/// A vector across the axis, a unit vector, turned around it.
+Vec3 turned(const Vec3& vector, const Vec3& axis, double angle) {
+  return elementary::cos(angle) * vector + elementary::sin(angle) * axis.cross(vector);
+}
+
 /// Points along a closed curve with normals that turn as little as closing up allows.
 struct FramedCurve {
   std::vector<Vec3> points, tangents, normals;
@@ -144,11 +151,12 @@ struct FramedCurve {
   // The last normal came around to the first point: the angle between the two is shared out.
   void spread_turn() {
     const Vec3 binormal = tangents[0].cross(normals[0]);
-    const double turn = std::atan2(normals.back().dot(binormal), normals.back().dot(normals[0]));
+    const double turn =
+        elementary::atan2(normals.back().dot(binormal), normals.back().dot(normals[0]));
     normals.pop_back();
     for (std::size_t i = 0; i < normals.size(); ++i) {
       const double angle = -turn * static_cast<double>(i) / static_cast<double>(normals.size());
-      normals[i] = Eigen::AngleAxisd(angle, tangents[i]) * normals[i];
+      normals[i] = turned(normals[i], tangents[i], angle);
     }
   }
 };
@@ -164,9 +172,9 @@ Mesh torus(double ring, double tube, std::size_t faces, double phase) {
   return grid.mesh([&](double along, double across) -> Vec3 {
     const double u = 2 * pi * (along + phase / static_cast<double>(grid.columns));
     const double w = pi * (across + phase / static_cast<double>(grid.rows));
-    const double v = 2 * std::atan2(stretch * std::sin(w), std::cos(w));
-    const double radius = ring + tube * std::cos(v);
-    return {radius * std::cos(u), radius * std::sin(u), tube * std::sin(v)};
+    const double v = 2 * elementary::atan2(stretch * elementary::sin(w), elementary::cos(w));
+    const double radius = ring + tube * elementary::cos(v);
+    return {radius * elementary::cos(u), radius * elementary::sin(u), tube * elementary::sin(v)};
   });
 }
 
@@ -180,7 +188,9 @@ Mesh tori(double gap, std::size_t faces) {
   Mesh other = torus(ring, tube, faces / 2, 0.618);
   const Vec3 offset(ring / 2, 0, 0);
   transform(mesh, Eigen::Matrix3d::Identity(), -offset);
-  transform(other, Eigen::AngleAxisd(pi / 2, Vec3::UnitX()).toRotationMatrix(), offset);
+  Eigen::Matrix3d quarter_turn;
+  quarter_turn << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  transform(other, quarter_turn, offset);
   append(mesh, other);
   return mesh;
 }
@@ -196,7 +206,7 @@ Mesh torus_knot(long p, long q, double ring, double tube, std::size_t faces) {
     const double angle = 2 * pi * across;
     const Vec3 binormal = frames.tangents[i].cross(frames.normals[i]);
     return frames.points[i] +
-           tube * (std::cos(angle) * frames.normals[i] - std::sin(angle) * binormal);
+           tube * (elementary::cos(angle) * frames.normals[i] - elementary::sin(angle) * binormal);
   });
 }
 

@@ -7,6 +7,7 @@
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/measure.h"
 #include "tm/step/sample_distance.h"
+#include "tm/support/elementary/exponential.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 
@@ -64,7 +65,7 @@ double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
   double sum = 0;
   double weights = 0;
   for (const Index q : nearest) {
-    const double weight = spread > 0 ? std::exp(-2 * (squared(q) - least) / spread) : 1;
+    const double weight = spread > 0 ? elementary::exp(-2 * (squared(q) - least) / spread) : 1;
     sum += weight * to_plane(q);
     weights += weight;
   }

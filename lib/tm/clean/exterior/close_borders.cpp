@@ -8,6 +8,7 @@
 
 #include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/edges.h"
+#include "tm/support/elementary/exponential.h"
 
 namespace transformesh {
 namespace {
@@ -37,7 +38,7 @@ struct Component {
 };
 
 bool is_sheet(const Component& component) {
-  const double sphere = std::pow(component.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
+  const double sphere = elementary::pow(component.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
   return component.border_points > 0 &&
          component.area_vector.norm() / 2 >= sheet_share * component.area &&
          component.volume / 6 <= body_share * sphere;

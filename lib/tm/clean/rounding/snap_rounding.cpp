@@ -1,7 +1,6 @@
 #include "tm/clean/rounding/snap_rounding.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -15,6 +14,7 @@
 #include "tm/clean/rounding/thin_cells.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/location_text.h"
+#include "tm/support/elementary/exponential.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -40,7 +40,7 @@ double united_spacings(int start) { return std::ldexp(16, 3 * (start - first_uni
 
 Tolerances tolerances(int start, int round) {
   const int step = round + rounds_ahead * start;
-  const double coarser = std::exp2(step / 4.0);
+  const double coarser = elementary::exp2(step / 4.0);
   return {3 * coarser, 4 * coarser, coarser, 4 * coarser * coarser, step > 0};
 }
 

@@ -2,12 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "tm/clean/intersect/contacts.h"
 #include "tm/geometry/bvh.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/digits.h"
+#include "tm/support/elementary/arctangent.h"
 
 namespace transformesh {
 namespace {
@@ -35,7 +35,7 @@ Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
     const Vec3 second = (mesh.positions[face[(i + 2) % 3]] - apex).stableNormalized();
     const Vec3 normal = first.cross(second).stableNormalized();
     cone.sides.push_back({first, second, normal});
-    const double angle = std::atan2(first.cross(second).norm(), first.dot(second));
+    const double angle = elementary::atan2(first.cross(second).norm(), first.dot(second));
     cone.normal += angle * normal;
     cone.axis += angle * (first + second).stableNormalized();
   }

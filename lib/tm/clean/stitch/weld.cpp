@@ -22,8 +22,7 @@ constexpr double largest_cell = 0x1p45;    ///< of which doubles still tell wher
 constexpr double surely = 1 + 1e-9;
 
 bool is_within(const Vec3& a, const Vec3& b, double tolerance) {
-  const Vec3 step = b - a;
-  return std::hypot(step[0], step[1], step[2]) <= tolerance;
+  return (b - a).stableNorm() <= tolerance;
 }
 
 // A sweep along x, in which the points are sorted: what is joined lies within the tolerance there.

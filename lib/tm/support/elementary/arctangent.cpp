@@ -61,14 +61,20 @@ DoubleDouble angle_of(double low, double high) {
   return low * steps < high * first_step ? angle_by_series(low, high) : angle_by_table(low, high);
 }
 
+/// The sum, of which the first is the larger.
+double rounded_sum(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble high = fast_sum(a.high, b.high);
+  return high.high + (high.low + (a.low + b.low));
+}
+
 /// Of a point of positive coordinates, or of its mirror image left of the y axis.
 double angle_in_half_plane(double y, double x, bool is_left) {
   if (y > x) {
     const DoubleDouble from_axis = angle_of(x, y);
-    return (half_pi + (is_left ? from_axis : -from_axis)).value();
+    return rounded_sum(half_pi, is_left ? from_axis : -from_axis);
   }
   const DoubleDouble angle = angle_of(y, x);
-  return (is_left ? pi + -angle : angle).value();
+  return is_left ? rounded_sum(pi, -angle) : angle.value();
 }
 
 bool is_moderate(double x) { return x > 0x1p-450 && x < 0x1p450; }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "tm/support/elementary/arctangent.h"
+#include "tm/support/elementary/trigonometric.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -27,12 +29,13 @@ void check(const CameraRing& ring) {
 }
 
 PinholeCamera camera_towards(const CameraRing& ring, double azimuth, double elevation) {
-  const Vec3 back(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-                  std::sin(elevation));
+  const Vec3 back(elementary::cos(elevation) * elementary::cos(azimuth),
+                  elementary::cos(elevation) * elementary::sin(azimuth),
+                  elementary::sin(elevation));
   PinholeCamera camera;
   camera.intrinsics << ring.focal_length, 0, (ring.width - 1) / 2.0, 0, ring.focal_length,
       (ring.height - 1) / 2.0, 0, 0, 1;
-  const Vec3 right(-std::sin(azimuth), std::cos(azimuth), 0);
+  const Vec3 right(-elementary::sin(azimuth), elementary::cos(azimuth), 0);
   camera.rotation.row(0) = right;
   camera.rotation.row(1) = right.cross(back);  // downwards
   camera.rotation.row(2) = -back;
@@ -51,7 +54,7 @@ double distance_for(std::span<const Vec3> points, const CameraRing& ring) {
   double radius = 0;
   for (const Vec3& point : points) radius = std::max(radius, (point - ring.center).norm());
   const double half_side = filled_share * std::min(ring.width, ring.height) / 2;
-  return radius / std::sin(std::atan(half_side / ring.focal_length));
+  return radius / elementary::sin(elementary::atan(half_side / ring.focal_length));
 }
 
 CameraList camera_ring(const CameraRing& ring) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tm/support/elementary/error_function.h"
+#include "tm/support/elementary/exponential.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -28,8 +30,8 @@ class Kernel {
 
   double reach() const { return half_area_ + deviations_kept * width_ / std::numbers::sqrt2; }
   double operator()(double x) const {
-    if (half_area_ == 0) return std::exp(-x * x / (width_ * width_));
-    return std::erf((x + half_area_) / width_) - std::erf((x - half_area_) / width_);
+    if (half_area_ == 0) return elementary::exp(-x * x / (width_ * width_));
+    return elementary::erf((x + half_area_) / width_) - elementary::erf((x - half_area_) / width_);
   }
 
  private:

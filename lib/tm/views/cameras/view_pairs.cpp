@@ -2,8 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+
+#include "tm/support/elementary/arctangent.h"
 
 namespace transformesh {
 namespace {
@@ -16,7 +17,7 @@ double badness(const ViewPair& pair) {
 }
 
 double angle_deg(const Vec3& first, const Vec3& second) {
-  const double angle = std::atan2(first.cross(second).norm(), first.dot(second));
+  const double angle = elementary::atan2(first.cross(second).norm(), first.dot(second));
   return angle * 180 / std::numbers::pi;
 }
 

@@ -1,11 +1,11 @@
 #include "tm/views/hull/agreed_level.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <vector>
 
+#include "tm/support/elementary/exponential.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 #include "tm/views/cameras/view.h"
@@ -97,7 +97,7 @@ double agreed_level(std::span<const View> views, const ThresholdOptions& options
   std::vector<Candidate> candidates;
   for (int step = 0; step <= steps_down; ++step) {
     progress("level", static_cast<double>(step) / (steps_down + 1));
-    const double level = dividing * std::exp2(-step / 4.0);
+    const double level = dividing * elementary::exp2(-step / 4.0);
     const std::optional<double> agreement = hull_agreement(views_at(level, small, options));
     if (agreement) candidates.push_back({level, *agreement});
   }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <numeric>
 
+#include "tm/support/elementary/exponential.h"
 #include "tm/views/images/gray_image.h"
 
 namespace transformesh {
@@ -22,7 +23,7 @@ std::vector<double> gaussian_weights(double deviation) {
   const auto reach = static_cast<int>(std::lrint(8 * deviation + 1)) / 2;
   std::vector<double> weights;
   for (int i = -reach; i <= reach; ++i)
-    weights.push_back(std::exp(-0.5 * i * i / (deviation * deviation)));
+    weights.push_back(elementary::exp(-0.5 * i * i / (deviation * deviation)));
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& weight : weights) weight = static_cast<float>(weight / sum);
   return weights;

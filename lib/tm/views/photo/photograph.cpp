@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "tm/picture/rasterize.h"
+#include "tm/support/elementary/exponential.h"
+#include "tm/support/elementary/trigonometric.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 #include "tm/support/random.h"
@@ -23,8 +25,8 @@ void check(const PhotographOptions& options) {
 
 /// A normal deviate, by Box and Muller.
 double deviate(Random& random) {
-  const double radius = std::sqrt(-2 * std::log(1 - random.uniform(0, 1)));
-  return radius * std::cos(2 * std::numbers::pi * random.uniform(0, 1));
+  const double radius = std::sqrt(-2 * elementary::log(1 - random.uniform(0, 1)));
+  return radius * elementary::cos(2 * std::numbers::pi * random.uniform(0, 1));
 }
 
 class Exposure {

@@ -11,6 +11,7 @@
 
 #include "tm/geometry/ray_winding.h"
 #include "tm/mesh/measure.h"
+#include "tm/support/elementary/exponential.h"
 #include "tm/support/error.h"
 #include "tm/support/length.h"
 #include "tm/views/wrap/unit_scale.h"
@@ -82,9 +83,10 @@ double expected_faces(const Cloud& cloud, double alpha, double offset, double di
 
 /// The length with two digits, rounded up.
 std::string rounded_up(double length) {
-  const double power = std::floor(std::log10(length)) - 1;
-  const double digits = std::ceil(length / std::pow(10, power));
-  return shortest_text(power < 0 ? digits / std::pow(10, -power) : digits * std::pow(10, power));
+  const double power = std::floor(elementary::log10(length)) - 1;
+  const double digits = std::ceil(length / elementary::pow(10, power));
+  return shortest_text(power < 0 ? digits / elementary::pow(10, -power)
+                                 : digits * elementary::pow(10, power));
 }
 
 /// Throws UsageError for an alpha that is far too small.
