@@ -1,8 +1,9 @@
 #include "tm/clean/arrange/unify_points.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
+
+#include "tm/clean/arrange/definition_table.h"
 
 namespace transformesh {
 namespace {
@@ -10,23 +11,17 @@ namespace {
 /// Different definitions and their points, numbered as they come.
 class DefinedPoints {
  public:
-  explicit DefinedPoints(std::size_t most) : slots_(std::bit_ceil(2 * most + 1), no_index) {}
-
   Index number(const ExactPoint& point) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = PointDefinitionHash()(point.definition) & mask;
-    while (slots_[slot] != no_index && !same_definition(*points_[slots_[slot]], point))
-      slot = (slot + 1) & mask;
-    if (slots_[slot] == no_index) {
-      slots_[slot] = static_cast<Index>(points_.size());
-      points_.push_back(&point);
-    }
-    return slots_[slot];
+    const Index known = numbers_.find(point.definition);
+    if (known != no_index) return known;
+    points_.push_back(&point);
+    numbers_.insert(point.definition, static_cast<Index>(points_.size() - 1));
+    return static_cast<Index>(points_.size() - 1);
   }
   const std::vector<const ExactPoint*>& points() const { return points_; }
 
  private:
-  std::vector<Index> slots_;
+  DefinitionTable numbers_;
   std::vector<const ExactPoint*> points_;
 };
 
@@ -46,17 +41,11 @@ std::vector<Index> find_equal_points(const WeldedMesh& welded,
   return first;
 }
 
-std::size_t count_points(const std::vector<PlaneCut>& cuts) {
-  std::size_t count = 0;
-  for (const PlaneCut& cut : cuts) count += cut.points.size();
-  return count;
-}
-
 }  // namespace
 
 UnifiedPoints unify_points(const WeldedMesh& welded, const std::vector<PlaneCut>& cuts) {
   UnifiedPoints result;
-  DefinedPoints defined(count_points(cuts));
+  DefinedPoints defined;
   for (const PlaneCut& cut : cuts) {
     std::vector<Index>& ids = result.ids.emplace_back();
     ids.reserve(cut.points.size());

@@ -17,6 +17,15 @@ int winding_in_front(const Mesh& mesh, const Triangle& t, const Vec3& p) {
   return static_cast<int>(std::lround(w));
 }
 
+struct Grown {
+  explicit Grown(const Mesh& mesh) : welded(weld(mesh)) {}
+  WeldedMesh welded;
+  std::vector<Meeting> meetings = find_meetings(welded, Progress());
+  Planes planes{welded, meetings};
+  WindingSteps steps{welded, planes};
+  CornerWindings windings{welded, planes, steps};
+};
+
 }  // namespace
 
 TEST_CASE("w in front of corners agrees with solid angles") {
@@ -24,11 +33,8 @@ TEST_CASE("w in front of corners agrees with solid angles") {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     CAPTURE(seed);
     const Mesh mesh = test::random_balls(seed, 5);
-    const WeldedMesh welded = weld(mesh);
-    const std::vector<Meeting> meetings = find_meetings(welded, Progress());
-    const Planes planes(welded, meetings);
-    const WindingSteps steps(welded, planes);
-    const CornerWindings windings(welded, planes, steps);
+    const Grown grown(mesh);
+    const auto& [welded, meetings, planes, steps, windings] = grown;
     CHECK(windings.rays() <= 5);
     for (Index f = 0; f < welded.faces.size(); ++f) {
       for (Index i = 0; i < 3; ++i) {
@@ -50,11 +56,8 @@ TEST_CASE("a hidden face has no exterior part, and most faces inside are told") 
   std::size_t hidden = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Mesh mesh = test::random_balls(seed, 9);
-    const WeldedMesh welded = weld(mesh);
-    const std::vector<Meeting> meetings = find_meetings(welded, Progress());
-    const Planes planes(welded, meetings);
-    const WindingSteps steps(welded, planes);
-    const CornerWindings windings(welded, planes, steps);
+    const Grown grown(mesh);
+    const auto& [welded, meetings, planes, steps, windings] = grown;
     test::Random random(seed);
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
       if (!windings.is_hidden(planes[plane], 1)) continue;
@@ -75,11 +78,8 @@ TEST_CASE("nothing is said of corners that other faces meet, nor where no face i
   // The second tetrahedron has a corner on a face of the first, the third crosses all of them.
   const Mesh first = test::tetrahedron();
   const Mesh mesh = test::joined(first, test::moved(first, {0.25, 0.25, 0}));
-  const WeldedMesh welded = weld(mesh);
-  const std::vector<Meeting> meetings = find_meetings(welded, Progress());
-  const Planes planes(welded, meetings);
-  const WindingSteps steps(welded, planes);
-  const CornerWindings windings(welded, planes, steps);
+  const Grown grown(mesh);
+  const auto& [welded, meetings, planes, steps, windings] = grown;
   for (Index f = 0; f < welded.faces.size(); ++f)
     if (planes.is_whole(f)) CHECK(windings.at(f, 0) == windings.at(f, 1));
   std::size_t unknown = 0;
