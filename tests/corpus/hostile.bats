@@ -18,6 +18,11 @@ load ../helpers/common
   assert_status 0
 }
 
+@test "hostile: sheets within 256 spacings that cross at tiny angles all over" {
+  run "$tm_build/bin-test/hostile_grid" --first 10 --seeds 8 --jobs 2 --seconds 60 nearly-flat
+  assert_status 0
+}
+
 @test "hostile: the grid can fail: a limit that nothing keeps" {
   run "$tm_build/bin-test/hostile_grid" --seeds 1 --megabytes 0 spike
   assert_status 1

@@ -21,10 +21,10 @@ namespace transformesh {
 namespace {
 
 constexpr int most_rounds = 14;
-constexpr int most_starts = 8;
-constexpr int rounds_ahead = 3;   // every start begins as coarse as that round of the one before
-constexpr int first_united = 5;   // the start from which on close vertices of the input are united
-constexpr std::size_t few = 100;  // by so many the broken faces may grow in number
+constexpr int most_starts = 7;
+constexpr int last_given = 3;    // the last start before which thin cells are given away
+constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
+constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before
 constexpr std::size_t few_pairs = 1000;
 /// How close new vertices become one where nothing is broken, in spacings.
 constexpr double close_to_new = 0.75;
@@ -35,8 +35,14 @@ struct Tolerances {
   bool moves_input;  ///< vertices of the input may move as well
 };
 
-/// How close vertices of the input become one before everything begins anew.
-double united_spacings(int start) { return std::ldexp(16, 3 * (start - first_united)); }
+/// Which cells are given away where the surface is cleaned.
+struct GivenCells {
+  double spacings;                      ///< the most in thickness
+  std::vector<char> marked_faces = {};  ///< beside these faces only, where there are any
+};
+
+/// How thin the cells of the input are that are given away before a further start, in spacings.
+double given_spacings(int start) { return std::ldexp(32, 3 * start); }
 
 Tolerances tolerances(int start, int round) {
   const int step = round + rounds_ahead * start;
@@ -67,10 +73,10 @@ class SnapRounder {
 
  private:
   bool repair(Assembly& assembly, int start);
-  Assembly united_input(int start);
+  Assembly begin_anew(const CleanPass& pass, int start);
   void round_and_merge(Assembly& assembly);
   void mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most);
-  bool clean_again(Assembly& assembly, bool is_mended, const Tolerances& most, int level = 1);
+  bool clean_again(Assembly& assembly, const GivenCells& given, int level = 1);
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   [[noreturn]] void give_up() const;
   [[noreturn]] void throw_nothing_left() const;
@@ -81,7 +87,7 @@ class SnapRounder {
   std::size_t most_pairs_ = 0;  ///< with more than these, repair is hopeless
   bool is_hopeless_ = false;
   std::string place_;            ///< the first place that was broken
-  std::vector<Index> troubled_;  ///< the faces of the mesh that rounding broke first
+  std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
   SnapRoundingResult result_;
 };
 
@@ -135,15 +141,15 @@ void SnapRounder::mend(Assembly& assembly, std::vector<Index> broken, const Tole
   mend_by([&](const auto&) { return split_at_contacts(assembly, most.slivers, type); });
 }
 
-// Cleans what was rounded. Where it was mended, thin cells are given away. Returns whether nothing
-// is left to be rounded again.
-bool SnapRounder::clean_again(Assembly& assembly, bool is_mended, const Tolerances& most,
-                              int level) {
+// Cleans what was rounded, and gives thin cells away. Returns whether nothing is left to be rounded
+// again.
+bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int level) {
   PassOptions options{level, options_.method, false, {}, most_pairs_};
   bool is_given = false;
-  if (is_mended && !options_.is_open)
+  if (cells.spacings > 0 && !options_.is_open)
     options.change_kept = [&](Arrangement& arrangement, std::vector<char>& kept) {
-      const auto given = give_thin_cells_away(arrangement, kept, most.cells, options_.coordinate);
+      const auto given = give_thin_cells_away(arrangement, kept, cells.spacings,
+                                              options_.coordinate, cells.marked_faces);
       is_given = given.has_value();
       if (given) result_.displacement += *given;
     };
@@ -167,24 +173,26 @@ bool SnapRounder::clean_again(Assembly& assembly, bool is_mended, const Toleranc
 // borders now. Returns whether it succeeded.
 bool SnapRounder::repair(Assembly& assembly, int start) {
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  int vain = 0;
   for (int round = 0; round < most_rounds; ++round) {
     progress_("round");
     round_and_merge(assembly);
     const std::vector<Index> broken = find_broken_faces(assembly);
     if (broken.empty() && round == 0 && !options_.is_open) return true;
+    vain = broken.empty() || broken.size() < fewest ? 0 : vain + 1;
+    if (vain == most_vain) return false;
     fewest = std::min(fewest, broken.size());
-    if (broken.size() > 2 * fewest + few) return false;
-    const Tolerances most = tolerances(start < first_united ? start : 0, round);
+    const Tolerances most = tolerances(start, round);
+    for (const Index face : broken) is_broken_[assembly.source_face[face]] = 1;
     if (!broken.empty()) {
       if (place_.empty()) {
         place_ = place_of(assembly.mesh, broken.front());
-        for (const Index face : broken) troubled_.push_back(assembly.source_face[face]);
         result_.places = count_places(assembly.mesh, broken);
       }
       ++result_.repairs;
       mend(assembly, broken, most);
     }
-    if (clean_again(assembly, !broken.empty(), most)) return true;
+    if (clean_again(assembly, {broken.empty() ? 0 : most.cells})) return true;
     if (is_hopeless_) return false;
   }
   return false;
@@ -239,26 +247,27 @@ Assembly unchanged_assembly(const Mesh& mesh) {
   return assembly;
 }
 
-// Where faces lie upon each other but for a few spacings, all along, rounding their crossings makes
-// new ones. So the vertices of the faces in trouble are united first, and all is cleaned anew.
-Assembly SnapRounder::united_input(int start) {
+// Where parts are so thin and so nearly parallel that rounding their crossings makes new ones again
+// and again, they are given away in the exact arrangement of the input, before anything is rounded.
+// What that cannot help begins from the result once more, and coarser, as open meshes do, of which
+// it is not known what is inside.
+Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
+  result_.displacement = {};
+  is_hopeless_ = false;
+  if (options_.is_open || start > last_given) return pass.assembly;
   Assembly assembly = unchanged_assembly(mesh_);
-  result_.displacement += merge_close_vertices(assembly, with_faces_around(mesh_, troubled_),
-                                               {united_spacings(start), true}, options_.coordinate);
-  drop_collapsed_faces(assembly);
-  clean_again(assembly, false, tolerances(0, 0), options_.level);
+  clean_again(assembly, {given_spacings(start), is_broken_}, options_.level);
   return assembly;
 }
 
 SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
   most_pairs_ = 4 * pass.pairs + few_pairs;
+  is_broken_.assign(mesh_.faces.size(), 0);
   Assembly assembly = pass.assembly;
   for (int start = 0; !repair(assembly, start);) {
     if (++start == most_starts) give_up();
-    result_.displacement = {};
-    is_hopeless_ = false;
-    assembly = start < first_united ? pass.assembly : united_input(start);
+    assembly = begin_anew(pass, start);
   }
   drop_unused_vertices(assembly);
   count_faces(was_whole, assembly);

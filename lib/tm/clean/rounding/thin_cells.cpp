@@ -22,7 +22,8 @@ constexpr double measuring_error = std::numeric_limits<double>::epsilon() / 2;
 class LabeledCells {
  public:
   LabeledCells(Arrangement& arrangement, const std::vector<char>& kept, Scalar coordinate);
-  std::optional<Displacement> give_thin_ones_away(double spacings);
+  std::optional<Displacement> give_thin_ones_away(double spacings,
+                                                  const std::vector<char>& marked_faces);
   void keep_boundary(std::vector<char>& kept) const;
 
  private:
@@ -34,6 +35,7 @@ class LabeledCells {
   void spread_labels(const std::vector<char>& kept);
   void measure_patches();
   Plane largest_plane(Index cell) const;
+  bool is_beside(Index cell, const std::vector<char>& faces) const;
   bool is_thin(Index cell, double spacings, Displacement& thickness) const;
   bool wants_change(Index cell) const;
   template <class Visit>
@@ -119,6 +121,15 @@ void LabeledCells::visit_corners(Index cell, const Visit& visit) const {
         if (!visit(positions_[corner])) return;
 }
 
+// Whether one of the marked faces bounds the cell.
+bool LabeledCells::is_beside(Index cell, const std::vector<char>& faces) const {
+  for (const Index side : sides_[cell])
+    for (const Index piece : patches_.pieces[side / 2])
+      for (const PieceSource& source : arrangement_.sources_of(arrangement_.pieces[piece]))
+        if (faces[arrangement_.welded->face_of[source.face]]) return true;
+  return false;
+}
+
 // Whether all corners are between two planes that are that close at each of them.
 bool LabeledCells::is_thin(Index cell, double spacings, Displacement& thickness) const {
   const Plane plane = largest_plane(cell);
@@ -151,13 +162,15 @@ bool LabeledCells::wants_change(Index cell) const {
   return unlike > alike;
 }
 
-std::optional<Displacement> LabeledCells::give_thin_ones_away(double spacings) {
+std::optional<Displacement> LabeledCells::give_thin_ones_away(
+    double spacings, const std::vector<char>& marked_faces) {
   std::vector<Index> thin;
   Displacement thickness;
   std::optional<Displacement> given;
   for (Index cell = 0; cell < sides_.size(); ++cell) {
-    if (!sides_[cell].empty() && is_inside_[cell] != unknown && is_thin(cell, spacings, thickness))
-      thin.push_back(cell);
+    if (sides_[cell].empty() || is_inside_[cell] == unknown) continue;
+    if (!marked_faces.empty() && !is_beside(cell, marked_faces)) continue;
+    if (is_thin(cell, spacings, thickness)) thin.push_back(cell);
   }
   bool is_changed = true;
   for (int turn = 0; turn < most_turns && is_changed; ++turn) {
@@ -193,9 +206,10 @@ void LabeledCells::keep_boundary(std::vector<char>& kept) const {
 }  // namespace
 
 std::optional<Displacement> give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
-                                                 double spacings, Scalar coordinate) {
+                                                 double spacings, Scalar coordinate,
+                                                 const std::vector<char>& marked_faces) {
   LabeledCells cells(arrangement, kept, coordinate);
-  const std::optional<Displacement> given = cells.give_thin_ones_away(spacings);
+  const std::optional<Displacement> given = cells.give_thin_ones_away(spacings, marked_faces);
   if (given) cells.keep_boundary(kept);
   return given;
 }

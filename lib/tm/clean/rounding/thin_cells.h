@@ -15,8 +15,10 @@ namespace transformesh {
 
 /// Changes which pieces are kept, and turns those over that bound a body with their other side now.
 /// Thin is a cell between two planes that are at most `spacings` apart at each of its corners.
+/// Where faces of the arranged mesh are marked, only cells beside them go.
 /// Returns the thickness of the thickest thin cell where one was given away.
 std::optional<Displacement> give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
-                                                 double spacings, Scalar coordinate);
+                                                 double spacings, Scalar coordinate,
+                                                 const std::vector<char>& marked_faces = {});
 
 }  // namespace transformesh

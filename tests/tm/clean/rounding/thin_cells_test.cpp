@@ -32,8 +32,8 @@ struct Cells {
     }
     return sum / 6;
   }
-  std::optional<Displacement> give(double spacings) {
-    return give_thin_cells_away(arrangement, kept, spacings, Scalar::float32);
+  std::optional<Displacement> give(double spacings, const std::vector<char>& marked_faces = {}) {
+    return give_thin_cells_away(arrangement, kept, spacings, Scalar::float32, marked_faces);
   }
 
   Arrangement arrangement;
@@ -79,6 +79,21 @@ TEST_CASE("a film beside a body vanishes, and the body stays") {
       joined(cuboid({1, 1, 1}, {1.5, 1.5, 1.5}), cuboid({1.6, 1, 1}, {1.9, 1.5, 1 + 3 * spacing})));
   REQUIRE(cells.give(16).has_value());
   CHECK(cells.volume() == doctest::Approx(0.125).epsilon(1e-14));
+}
+
+TEST_CASE("of two films only that one vanishes of which a face is marked") {
+  const double thickness = 3 * spacing;
+  const Mesh film = cuboid({1.6, 1, 1}, {1.9, 1.5, 1 + thickness});
+  const Mesh other = cuboid({1, 1.6, 1}, {1.5, 1.8, 1 + thickness});
+  const Mesh both = joined(film, other);
+  Cells cells(both);
+  std::vector<char> marked(both.faces.size(), 0);
+  CHECK(!cells.give(16, marked).has_value());
+  marked[film.faces.size() + 5] = 1;
+  CHECK(cells.give(16, marked).has_value());
+  CHECK(cells.volume() == doctest::Approx(0.3 * 0.5 * thickness).epsilon(1e-6));
+  CHECK(cells.give(16).has_value());
+  CHECK(cells.volume() == 0);
 }
 
 TEST_CASE("thickness counts in spacings of the place: the same film is thick near the origin") {
