@@ -51,7 +51,41 @@ Bvh::Bvh(std::span<const FloatBox> boxes) : order_(hilbert_order(boxes)) {
 
 Bvh::Bvh(const Mesh& mesh) : Bvh(face_boxes(mesh)) {}
 
-void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit) const {
+Bvh::Bvh(std::span<const FloatBox> boxes, const Links& links, std::span<const Index> faces)
+    : Bvh(boxes) {
+  if (!links.empty()) add_links(links, faces);
+}
+
+void Bvh::add_links(const Links& links, std::span<const Index> faces) {
+  links_ = links.boxes;
+  std::vector<Index> rows;
+  rows.reserve(order_.size());
+  for (const Index box : order_) rows.push_back(links.row_of[faces[box]]);
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    std::vector<Index> above;
+    for (std::size_t i = 0; i < rows.size(); i += 4)
+      above.push_back(
+          add_common_links(std::span(rows).subspan(i, std::min(rows.size() - i, std::size_t{4}))));
+    link_rows_.push_back(std::exchange(rows, std::move(above)));
+  }
+}
+
+Index Bvh::add_common_links(std::span<const Index> rows) {
+  if (std::count(rows.begin(), rows.end(), no_index) > 0) return no_index;
+  LinkBoxes common = links_[rows[0]];
+  for (const Index row : rows) common = common_links(common, links_[row]);
+  if (common[0].link == no_index) return no_index;
+  links_.push_back(common);
+  return static_cast<Index>(links_.size() - 1);
+}
+
+const LinkBoxes* Bvh::links_of(std::size_t level, std::size_t place) const {
+  const Index row = link_rows_.empty() ? no_index : link_rows_[level][place];
+  return row == no_index ? nullptr : &links_[row];
+}
+
+void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit,
+                         const LinkBoxes* links) const {
   if (empty()) return;
   struct Node {
     std::size_t level;
@@ -64,6 +98,7 @@ void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& 
     const auto [level, quad] = stack[--waiting];
     for (unsigned mask = overlap_mask(levels_[level][quad], box); mask != 0; mask &= mask - 1) {
       const std::size_t below = 4 * quad + static_cast<std::size_t>(std::countr_zero(mask));
+      if (are_apart(links, links_of(level, below))) continue;
       if (level > 0) {
         stack[waiting++] = {level - 1, below};
       } else if (!visit(order_[below])) {

@@ -14,6 +14,7 @@
 
 #include "tm/geometry/box_quad.h"
 #include "tm/geometry/float_box.h"
+#include "tm/geometry/links.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
@@ -22,6 +23,9 @@ class Bvh {
  public:
   Bvh() = default;
   explicit Bvh(std::span<const FloatBox> boxes);
+  /// Box i is that of a face with the links of face faces[i]: boxes of faces that are apart in a
+  /// link that they have in common count as apart from now on.
+  Bvh(std::span<const FloatBox> boxes, const Links& links, std::span<const Index> faces);
   /// Box i is that of face i.
   explicit Bvh(const Mesh& mesh);
 
@@ -40,16 +44,25 @@ class Bvh {
   using VisitPair = std::function<void(std::size_t list, Index first, Index second)>;
   void visit_pairs(const Prepare& prepare, const VisitPair& visit) const;
 
-  /// Calls visit(i) for every box that overlaps `box`, until it returns false.
-  void visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit) const;
+  /// Calls visit(i) for every box that overlaps `box`, until it returns false. Those that are apart
+  /// from it in a link are left out.
+  void visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit,
+                      const LinkBoxes* links = nullptr) const;
   bool empty() const { return order_.empty(); }
 
  private:
   class PairSearch;
   std::vector<Pair> collect_pairs(const PairSearch& search, const Accept& accept) const;
+  void add_links(const Links& links, std::span<const Index> faces);
+  Index add_common_links(std::span<const Index> rows);
+  /// Of box `place` of a level.
+  const LinkBoxes* links_of(std::size_t level, std::size_t place) const;
 
   std::vector<Index> order_;                  ///< box ids, four for each quad of level 0
   std::vector<std::vector<BoxQuad>> levels_;  ///< below box c of quad q lies quad 4q + c
+  /// What the faces below each box have in common: rows of links_, or no_index; empty for no links.
+  std::vector<std::vector<Index>> link_rows_;
+  std::vector<LinkBoxes> links_;
 };
 
 }  // namespace transformesh

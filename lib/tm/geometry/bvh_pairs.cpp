@@ -28,7 +28,10 @@ struct Task {
 class Bvh::PairSearch {
  public:
   PairSearch(const Bvh& here, const Bvh& there)
-      : here_(here), there_(there), is_self_(&here == &there) {}
+      : here_(here),
+        there_(there),
+        is_self_(&here == &there),
+        has_links_(!here.links_.empty() && !there.links_.empty()) {}
 
   void run(const Prepare& prepare, const VisitPair& visit) const {
     std::vector<Task> tasks = first_tasks();
@@ -61,7 +64,10 @@ class Bvh::PairSearch {
     if (is_same) mask &= task.level == 0 ? 0x08ceU : 0x8cefU;  // j > i, or j >= i
     for (; mask != 0; mask &= mask - 1) {
       const auto bit = static_cast<Index>(std::countr_zero(mask));
-      visit(4 * task.first + bit / 4, 4 * task.second + bit % 4);
+      const Index i = 4 * task.first + bit / 4, j = 4 * task.second + bit % 4;
+      if (has_links_ && are_apart(here_.links_of(task.level, i), there_.links_of(task.level, j)))
+        continue;
+      visit(i, j);
     }
   }
 
@@ -90,6 +96,7 @@ class Bvh::PairSearch {
   const Bvh& here_;
   const Bvh& there_;
   bool is_self_;
+  bool has_links_;
 };
 
 void Bvh::visit_pairs(const Prepare& prepare, const VisitPair& visit) const {

@@ -162,12 +162,16 @@ OrientedPlane::OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a
   size_ = plus.cwiseAbs() + minus.cwiseAbs();
 }
 
-int OrientedPlane::side_of(const Vec3& point) const {
+int OrientedPlane::filtered_side_of(const Vec3& point) const {
   const Vec3 d = point - a_;
   const double determinant = d[0] * normal_[0] + d[1] * normal_[1] + d[2] * normal_[2];
   const double permanent =
       std::abs(d[0]) * size_[0] + std::abs(d[1]) * size_[1] + std::abs(d[2]) * size_[2];
-  const int sign = filtered_sign(determinant, bound_3d * permanent + underflow_guard);
+  return filtered_sign(determinant, bound_3d * permanent + underflow_guard);
+}
+
+int OrientedPlane::side_of(const Vec3& point) const {
+  const int sign = filtered_side_of(point);
   return sign != 0 ? sign : orient3d(a_, b_, c_, point);
 }
 

@@ -23,11 +23,13 @@ struct PlaneProjection {
 /// side, 0 in the plane (also when abc is degenerate).
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// The plane of a triangle, to find the sides of several points as orient3d does. Keeps references.
+/// The plane of a triangle, to find the sides of several points as orient3d does, or 0 where that
+/// takes more than the filter. Keeps references.
 class OrientedPlane {
  public:
   OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c);
   int side_of(const Vec3& point) const;
+  int filtered_side_of(const Vec3& point) const;
 
  private:
   const Vec3 &a_, &b_, &c_;

@@ -34,8 +34,22 @@ int match_shared_corners(const Face& f, const Face& g, Side& a, Side& b) {
   return count;
 }
 
-void compute_signs(Side& a, const Side& b) {
-  const OrientedPlane plane(*b.p[0], *b.p[1], *b.p[2]);
+OrientedPlane plane_of(const Side& side) { return {*side.p[0], *side.p[1], *side.p[2]}; }
+
+// Whether all corners but shared ones lie on the same side of the plane, as far as the filter
+// tells.
+bool lies_on_one_side(const Side& a, const OrientedPlane& plane) {
+  int common = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (a.shared[i] >= 0) continue;
+    const int side = plane.filtered_side_of(*a.p[i]);
+    if (side == 0 || side == -common) return false;
+    common = side;
+  }
+  return true;
+}
+
+void compute_signs(Side& a, const OrientedPlane& plane) {
   for (std::size_t i = 0; i < 3; ++i) a.sign[i] = a.shared[i] >= 0 ? 0 : plane.side_of(*a.p[i]);
 }
 
@@ -169,14 +183,17 @@ Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
   const int shared = match_shared_corners(welded.faces[first], welded.faces[second], a, b);
   if (shared == 0 && !boxes_overlap(a, b)) return result;
 
-  // Most pairs of neighbors and most pairs whose boxes overlap are decided by these signs.
-  compute_signs(a, b);
+  // Most pairs of neighbors and most pairs whose boxes overlap are decided here.
+  const OrientedPlane plane_a = plane_of(a), plane_b = plane_of(b);
+  if (shared < 3 && (lies_on_one_side(a, plane_b) || lies_on_one_side(b, plane_a))) return result;
+
+  compute_signs(a, plane_b);
   if (shared < 3 && !reaches_plane(a)) return result;
   if (a.sign == std::array<int, 3>{}) {
     result.coplanar = result.meet = coplanar_faces_meet(a, b, shared);
     return result;
   }
-  compute_signs(b, a);
+  compute_signs(b, plane_a);
   if (!reaches_plane(b)) return result;
 
   // The common segment ends where an edge or a corner of one meets the other.

@@ -63,12 +63,12 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
     boxes.push_back(welded.box(f));
   }
   std::vector<std::vector<Meeting>> lists;
-  Bvh(boxes).visit_pairs([&](std::size_t count) { lists.resize(count); },
-                         [&](std::size_t list, Index i, Index k) {
-                           const Contacts contacts = find_contacts(welded, firsts[i], firsts[k]);
-                           if (contacts.meet)
-                             lists[list].push_back({firsts[i], firsts[k], contacts});
-                         });
+  const Bvh bvh(boxes, find_links(welded.points, welded.faces), firsts);
+  bvh.visit_pairs([&](std::size_t count) { lists.resize(count); },
+                  [&](std::size_t list, Index i, Index k) {
+                    const Contacts contacts = find_contacts(welded, firsts[i], firsts[k]);
+                    if (contacts.meet) lists[list].push_back({firsts[i], firsts[k], contacts});
+                  });
   std::vector<Meeting> meetings = joined(lists);
   sort_pairs(meetings, welded.faces.size());
   return meetings;

@@ -14,6 +14,7 @@ namespace {
 // The new faces of a welded mesh, and a hierarchy over them.
 struct NewFaces {
   std::vector<Index> faces;
+  Links links;  // of all faces
   Bvh bvh;
 };
 
@@ -25,7 +26,9 @@ NewFaces collect_new_faces(const Assembly& assembly, const WeldedMesh& welded) {
     result.faces.push_back(f);
     boxes.push_back(welded.box(f));
   }
-  result.bvh = Bvh(boxes);
+  if (result.faces.empty()) return result;
+  result.links = find_links(welded.points, welded.faces);
+  result.bvh = Bvh(boxes, result.links, result.faces);
   return result;
 }
 
@@ -48,11 +51,12 @@ void visit_crossings(const Assembly& assembly, const WeldedMesh& welded, const V
     visit(welded.face_of[news.faces[i]], welded.face_of[news.faces[k]]);
   for (Index f = 0; f < welded.faces.size(); ++f) {
     if (assembly.face_is_new[welded.face_of[f]]) continue;
-    news.bvh.visit_overlaps(welded.box(f), [&](Index i) {
+    const auto visit_new = [&](Index i) {
       if (find_contacts(welded, f, news.faces[i]).meet)
         visit(welded.face_of[f], welded.face_of[news.faces[i]]);
       return true;
-    });
+    };
+    news.bvh.visit_overlaps(welded.box(f), visit_new, news.links.of(f));
   }
 }
 
