@@ -22,7 +22,8 @@ namespace {
 
 constexpr int most_rounds = 14;
 constexpr int most_starts = 7;
-constexpr int last_given = 3;    // the last start before which thin cells are given away
+constexpr int last_given = 2;             // the last start before which thin cells are given away
+constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are too many cells
 constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before
 constexpr std::size_t few_pairs = 1000;
@@ -42,7 +43,7 @@ struct GivenCells {
 };
 
 /// How thin the cells of the input are that are given away before a further start, in spacings.
-double given_spacings(int start) { return std::ldexp(32, 3 * start); }
+double given_spacings(int start) { return std::ldexp(4, 6 * start); }
 
 Tolerances tolerances(int start, int round) {
   const int step = round + rounds_ahead * start;
@@ -250,11 +251,12 @@ Assembly unchanged_assembly(const Mesh& mesh) {
 // Where parts are so thin and so nearly parallel that rounding their crossings makes new ones again
 // and again, they are given away in the exact arrangement of the input, before anything is rounded.
 // What that cannot help begins from the result once more, and coarser, as open meshes do, of which
-// it is not known what is inside.
+// it is not known what is inside, and what is so crowded that its complete arrangement is large.
 Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
   result_.displacement = {};
   is_hopeless_ = false;
-  if (options_.is_open || start > last_given) return pass.assembly;
+  const bool is_crowded = pass.pairs > most_crossed * mesh_.faces.size();
+  if (options_.is_open || is_crowded || start > last_given) return pass.assembly;
   Assembly assembly = unchanged_assembly(mesh_);
   clean_again(assembly, {given_spacings(start), is_broken_}, options_.level);
   return assembly;
