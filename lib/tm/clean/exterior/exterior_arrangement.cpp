@@ -43,7 +43,7 @@ std::vector<char> FacetChooser::choose(const PlaneFacets& facets, Index first_fa
   }
   std::vector<char> chosen(facets.size(), 0);
   for (Index facet = 0; facet < facets.size(); ++facet) {
-    if (!facets.is_covered(facet)) continue;
+    if (!facets.is_covered(facet) || facets.multiplicity(facet) == 0) continue;
     if (front_[facet] == unknown) {
       spread(facets, facet, ray_.in_front_of(facets.corners(facet), first_face));
       ++rays_;

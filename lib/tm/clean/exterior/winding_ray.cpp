@@ -1,5 +1,6 @@
 #include "tm/clean/exterior/winding_ray.h"
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -20,6 +21,36 @@ Bvh build_bvh(const WeldedMesh& welded, const std::vector<Triangle>& closure) {
   for (const Triangle& t : closure) boxes.push_back(welded.box(t));
   return Bvh(boxes);
 }
+
+/// On which side of edges a point lies in a projection, as far as doubles tell: 0 where they do
+/// not.
+class SideFilter {
+ public:
+  SideFilter(const ExactPoint& point, PlaneProjection p)
+      : p_(p),
+        u_(point.center[p.u]),
+        v_(point.center[p.v]),
+        radius_u_(point.radius[p.u]),
+        radius_v_(point.radius[p.v]) {}
+
+  int side_of(const Vec3& a, const Vec3& b) const {
+    const double along_u = b[p_.u] - a[p_.u], along_v = b[p_.v] - a[p_.v];
+    const double left = along_u * (v_ - a[p_.v]), right = along_v * (u_ - a[p_.u]);
+    const double error =
+        rounding * (std::abs(left) + std::abs(right)) +
+        (1 + rounding) * (std::abs(along_u) * radius_v_ + std::abs(along_v) * radius_u_) +
+        underflow_guard;
+    const double turn = left - right;
+    return turn > error ? 1 : turn < -error ? -1 : 0;
+  }
+
+ private:
+  static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  static constexpr double underflow_guard = 1e-280;
+
+  PlaneProjection p_;
+  double u_, v_, radius_u_, radius_v_;
+};
 
 // The weights of a point inside a triangle, another one for each attempt. The first is its
 // centroid, and all lie on a conic.
@@ -109,6 +140,7 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
                                    Index component) const {
   const PlaneProjection projection{(axis + 1) % 3, (axis + 2) % 3};
   const ExactGeometry geometry(welded_.points, welded_.faces);
+  const SideFilter filter(origin, projection);
   Vec3 low = origin.center - origin.radius;
   Vec3 high = origin.center + origin.radius;
   (direction > 0 ? high : low)[axis] = direction * std::numeric_limits<double>::max();
@@ -119,8 +151,11 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
     const Triangle t = triangle(i);
     bool left = false, right = false, on = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const int side_of_edge = geometry.orient2d(
-          ExactGeometry::free(t[k]), ExactGeometry::free(t[(k + 1) % 3]), origin, projection);
+      const Vec3 &a = t[k], &b = t[(k + 1) % 3];
+      int side_of_edge = filter.side_of(a, b);
+      if (side_of_edge == 0)
+        side_of_edge =
+            geometry.orient2d(ExactGeometry::free(a), ExactGeometry::free(b), origin, projection);
       left |= side_of_edge > 0;
       right |= side_of_edge < 0;
       on |= side_of_edge == 0;
