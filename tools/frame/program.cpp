@@ -2,15 +2,12 @@
 
 #include <unistd.h>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <iostream>
 #include <new>
 #include <stdexcept>
 
 #include "frame/limits.h"
+#include "frame/memory.h"
 #include "frame/run.h"
 #include "tm/io/streams.h"
 #include "tm/support/error.h"
@@ -20,13 +17,7 @@ namespace transformesh::tool {
 namespace {
 
 void prepare_process() {
-#ifdef __GLIBC__
-  // A filter lives for milliseconds: memory given back to the system and taken again costs more of
-  // them than it saves, but for large blocks.
-  mallopt(M_MMAP_THRESHOLD, 16 << 20);
-  mallopt(M_TRIM_THRESHOLD, 64 << 20);
-  mallopt(M_TOP_PAD, 4 << 20);
-#endif
+  prepare_memory();
   // Every word on stderr is a message of the program. Ours do not go through std::cerr, on which
   // CGAL says what it cannot do.
   std::cerr.setstate(std::ios::failbit);

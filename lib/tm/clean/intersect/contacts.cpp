@@ -184,8 +184,10 @@ Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
   if (shared == 0 && !boxes_overlap(a, b)) return result;
 
   // Most pairs of neighbors and most pairs whose boxes overlap are decided here.
-  const OrientedPlane plane_a = plane_of(a), plane_b = plane_of(b);
-  if (shared < 3 && (lies_on_one_side(a, plane_b) || lies_on_one_side(b, plane_a))) return result;
+  const OrientedPlane plane_b = plane_of(b);
+  if (shared < 3 && lies_on_one_side(a, plane_b)) return result;
+  const OrientedPlane plane_a = plane_of(a);
+  if (shared < 3 && lies_on_one_side(b, plane_a)) return result;
 
   compute_signs(a, plane_b);
   if (shared < 3 && !reaches_plane(a)) return result;

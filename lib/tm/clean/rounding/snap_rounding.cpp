@@ -22,7 +22,7 @@ namespace {
 
 constexpr int most_rounds = 14;
 constexpr int most_starts = 7;
-constexpr int last_given = 2;             // the last start before which thin cells are given away
+constexpr int last_given = 3;             // the last start before which thin cells are given away
 constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are too many cells
 constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before
@@ -43,7 +43,7 @@ struct GivenCells {
 };
 
 /// How thin the cells of the input are that are given away before a further start, in spacings.
-double given_spacings(int start) { return std::ldexp(4, 6 * start); }
+double given_spacings(int start) { return std::ldexp(32, 3 * start); }
 
 Tolerances tolerances(int start, int round) {
   const int step = round + rounds_ahead * start;
