@@ -16,26 +16,6 @@ std::uint64_t hash(const Vec3& p) {
   return h;
 }
 
-// A hash table with open addressing, whose slots hold points.
-void number_points(const Mesh& mesh, WeldedMesh& welded) {
-  const std::size_t size = std::bit_ceil(2 * mesh.positions.size() + 1);
-  std::vector<Index> slots(size, no_index);
-  welded.point_of.reserve(mesh.positions.size());
-  for (Index vertex = 0; vertex < mesh.positions.size(); ++vertex) {
-    const Vec3& position = mesh.positions[vertex];
-    std::size_t slot = hash(position) & (size - 1);
-    while (slots[slot] != no_index && welded.points[slots[slot]] != position) {
-      slot = (slot + 1) & (size - 1);
-    }
-    if (slots[slot] == no_index) {
-      slots[slot] = static_cast<Index>(welded.points.size());
-      welded.points.emplace_back(position + Vec3::Zero());
-      welded.vertex_of.push_back(vertex);
-    }
-    welded.point_of.push_back(slots[slot]);
-  }
-}
-
 Face sorted(Face face) {
   std::sort(face.begin(), face.end());
   return face;
@@ -43,11 +23,88 @@ Face sorted(Face face) {
 
 std::uint64_t hash(const Face& face) {
   std::uint64_t h = 0x9e3779b97f4a7c15ULL;
-  for (const Index point : face) {
+  for (const Index point : sorted(face)) {
     h = (h ^ point) * 0xff51afd7ed558ccdULL;
     h ^= h >> 32;
   }
   return h;
+}
+
+/// Tells hashes that occur once from those that may occur twice, by bits that stay in the cache: so
+/// few things need to be looked up in a table.
+class SingleHashes {
+ public:
+  explicit SingleHashes(std::size_t count)
+      : mask_(std::bit_ceil(bits_each * count + word) - 1),
+        once_(mask_ / word + 1),
+        twice_(once_.size()) {}
+
+  void add(std::uint64_t hash) {
+    const std::uint64_t bit = std::uint64_t{1} << (hash % word);
+    const std::size_t place = (hash & mask_) / word;
+    twice_[place] |= once_[place] & bit;
+    once_[place] |= bit;
+  }
+  bool is_single(std::uint64_t hash) const {
+    return (twice_[(hash & mask_) / word] >> (hash % word) & 1) == 0;
+  }
+
+ private:
+  static constexpr std::size_t bits_each = 16;
+  static constexpr std::size_t word = 64;
+  std::size_t mask_;
+  std::vector<std::uint64_t> once_, twice_;
+};
+
+/// The first of equal things: a hash table with open addressing, whose slots hold their numbers.
+class FirstOfEqual {
+ public:
+  explicit FirstOfEqual(std::size_t count) : slots_(std::bit_ceil(2 * count + 1), no_index) {}
+
+  /// The number of the first that is equal to `thing`, which has this number if it is the first.
+  template <class IsEqual>
+  Index find(std::uint64_t hash, Index thing, const IsEqual& is_equal) {
+    std::size_t slot = (hash >> 20) & (slots_.size() - 1);
+    while (slots_[slot] != no_index && !is_equal(slots_[slot]))
+      slot = (slot + 1) & (slots_.size() - 1);
+    if (slots_[slot] == no_index) slots_[slot] = thing;
+    return slots_[slot];
+  }
+
+ private:
+  std::vector<Index> slots_;
+};
+
+// Marks the things below count that may have equals.
+template <class HashOf>
+std::vector<char> find_repeated(std::size_t count, const HashOf& hash_of) {
+  SingleHashes hashes(count);
+  for (Index i = 0; i < count; ++i) hashes.add(hash_of(i));
+  std::vector<char> is_repeated(count);
+  for (Index i = 0; i < count; ++i) is_repeated[i] = hashes.is_single(hash_of(i)) ? 0 : 1;
+  return is_repeated;
+}
+
+void number_points(const Mesh& mesh, WeldedMesh& welded) {
+  const std::vector<Vec3>& positions = mesh.positions;
+  const auto is_repeated =
+      find_repeated(positions.size(), [&](Index vertex) { return hash(positions[vertex]); });
+  FirstOfEqual points(std::count(is_repeated.begin(), is_repeated.end(), 1));
+  welded.point_of.reserve(positions.size());
+  welded.points.reserve(positions.size());
+  welded.vertex_of.reserve(positions.size());
+  for (Index vertex = 0; vertex < positions.size(); ++vertex) {
+    const Vec3& position = positions[vertex];
+    const auto next = static_cast<Index>(welded.points.size());
+    const Index point =
+        !is_repeated[vertex] ? next : points.find(hash(position), next, [&](Index other) {
+          return welded.points[other] == position;
+        });
+    welded.point_of.push_back(point);
+    if (point != next) continue;
+    welded.points.emplace_back(position + Vec3::Zero());
+    welded.vertex_of.push_back(vertex);
+  }
 }
 
 bool is_degenerate(const WeldedMesh& welded, const Face& face) {
@@ -76,17 +133,13 @@ WeldedMesh weld(const Mesh& mesh) {
 }
 
 void find_copies(WeldedMesh& welded) {
-  const std::size_t size = std::bit_ceil(2 * welded.faces.size() + 1);
-  std::vector<Index> slots(size, no_index);
-  welded.first_copy.resize(welded.faces.size());
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    const Face key = sorted(welded.faces[f]);
-    std::size_t slot = hash(key) & (size - 1);
-    while (slots[slot] != no_index && sorted(welded.faces[slots[slot]]) != key) {
-      slot = (slot + 1) & (size - 1);
-    }
-    if (slots[slot] == no_index) slots[slot] = f;
-    welded.first_copy[f] = slots[slot];
+  const std::vector<Face>& faces = welded.faces;
+  const auto is_repeated = find_repeated(faces.size(), [&](Index f) { return hash(faces[f]); });
+  FirstOfEqual copies(std::count(is_repeated.begin(), is_repeated.end(), 1));
+  welded.first_copy.resize(faces.size());
+  for (Index f = 0; f < faces.size(); ++f) {
+    const auto is_copy = [&](Index other) { return sorted(faces[other]) == sorted(faces[f]); };
+    welded.first_copy[f] = is_repeated[f] ? copies.find(hash(faces[f]), f, is_copy) : f;
   }
 }
 

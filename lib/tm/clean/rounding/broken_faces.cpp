@@ -11,18 +11,71 @@
 namespace transformesh {
 namespace {
 
-// The new faces of a welded mesh, and a hierarchy over them.
+// New faces, and a hierarchy over them.
 struct NewFaces {
   std::vector<Index> faces;
   Links links;  // of all faces
   Bvh bvh;
 };
 
-NewFaces collect_new_faces(const Assembly& assembly, const WeldedMesh& welded) {
+// The new faces of an assembly, and whatever lies at them, as nothing else can cross one.
+struct Surroundings {
+  Mesh mesh;
+  std::vector<Index> face_of;  // in the assembly
+  std::vector<char> is_new;    // per face
+};
+
+FloatBox box_of(const Mesh& mesh, const BoxFrame& frame, Index face) {
+  const Triangle t = triangle_of(mesh.positions, mesh.faces[face]);
+  return frame.box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
+}
+
+std::vector<char> find_faces_at_new_ones(const Assembly& assembly) {
+  const Mesh& mesh = assembly.mesh;
+  std::vector<Vec3> corners;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (!assembly.face_is_new[f]) continue;
+    for (const Index v : mesh.faces[f]) corners.push_back(mesh.positions[v]);
+  }
+  const BoxFrame frame(corners);
+  std::vector<FloatBox> boxes;
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    if (assembly.face_is_new[f]) boxes.push_back(box_of(mesh, frame, f));
+  const Bvh bvh(boxes);
+
+  std::vector<char> is_near = assembly.face_is_new;
+  const auto note = [](char& mark) { return [&](Index) { return mark = 1, false; }; };
+  for (Index f = 0; f < mesh.faces.size() && !boxes.empty(); ++f)
+    if (!is_near[f]) bvh.visit_overlaps(box_of(mesh, frame, f), note(is_near[f]));
+  return is_near;
+}
+
+Surroundings surroundings_of_new_faces(const Assembly& assembly) {
+  const std::vector<char> is_near = find_faces_at_new_ones(assembly);
+  Surroundings result;
+  std::vector<Index> vertex(assembly.mesh.positions.size(), no_index);
+  for (Index f = 0; f < is_near.size(); ++f) {
+    if (!is_near[f]) continue;
+    Face face = assembly.mesh.faces[f];
+    for (Index& v : face) {
+      if (vertex[v] == no_index) {
+        vertex[v] = static_cast<Index>(result.mesh.positions.size());
+        result.mesh.positions.push_back(assembly.mesh.positions[v]);
+      }
+      v = vertex[v];
+    }
+    result.mesh.faces.push_back(face);
+    result.face_of.push_back(f);
+    result.is_new.push_back(assembly.face_is_new[f]);
+  }
+  return result;
+}
+
+NewFaces collect_new_faces(const Surroundings& part, const WeldedMesh& welded) {
   NewFaces result;
   std::vector<FloatBox> boxes;
   for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (!assembly.face_is_new[welded.face_of[f]]) continue;
+    if (!part.is_new[welded.face_of[f]]) continue;
     result.faces.push_back(f);
     boxes.push_back(welded.box(f));
   }
@@ -32,28 +85,33 @@ NewFaces collect_new_faces(const Assembly& assembly, const WeldedMesh& welded) {
   return result;
 }
 
-void mark_faces_without_area(const Mesh& mesh, const WeldedMesh& welded,
-                             std::vector<char>& broken) {
-  std::vector<char> has_area(mesh.faces.size(), 0);
+// Calls visit(face) for the faces without area.
+template <class Visit>
+void visit_faces_without_area(const Surroundings& part, const WeldedMesh& welded,
+                              const Visit& visit) {
+  std::vector<char> has_area(part.mesh.faces.size(), 0);
   for (const Index f : welded.face_of) has_area[f] = 1;
-  for (std::size_t f = 0; f < has_area.size(); ++f) broken[f] |= has_area[f] == 0;
+  for (std::size_t f = 0; f < has_area.size(); ++f)
+    if (!has_area[f]) visit(part.face_of[f]);
 }
 
-// Calls visit(face, other) with the mesh faces of each crossing of which one face is new.
+// Calls visit(face, other) for each crossing of which one face is new.
 template <class Visit>
-void visit_crossings(const Assembly& assembly, const WeldedMesh& welded, const Visit& visit) {
-  const NewFaces news = collect_new_faces(assembly, welded);
+void visit_crossings(const Surroundings& part, const WeldedMesh& welded, const Visit& visit) {
+  const NewFaces news = collect_new_faces(part, welded);
   if (news.faces.empty()) return;
+  const auto visit_pair = [&](Index f, Index g) {
+    visit(part.face_of[welded.face_of[f]], part.face_of[welded.face_of[g]]);
+  };
   const auto meet = [&](Index i, Index k) {
     return find_contacts(welded, news.faces[i], news.faces[k]).meet;
   };
   for (const auto& [i, k] : news.bvh.overlapping_pairs(meet))
-    visit(welded.face_of[news.faces[i]], welded.face_of[news.faces[k]]);
+    visit_pair(news.faces[i], news.faces[k]);
   for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (assembly.face_is_new[welded.face_of[f]]) continue;
+    if (part.is_new[welded.face_of[f]]) continue;
     const auto visit_new = [&](Index i) {
-      if (find_contacts(welded, f, news.faces[i]).meet)
-        visit(welded.face_of[f], welded.face_of[news.faces[i]]);
+      if (find_contacts(welded, f, news.faces[i]).meet) visit_pair(f, news.faces[i]);
       return true;
     };
     news.bvh.visit_overlaps(welded.box(f), visit_new, news.links.of(f));
@@ -132,16 +190,18 @@ void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
 }  // namespace
 
 std::vector<Index> find_broken_faces(const Assembly& assembly) {
-  const WeldedMesh welded = weld(assembly.mesh);
+  const Surroundings part = surroundings_of_new_faces(assembly);
+  const WeldedMesh welded = weld(part.mesh);
   std::vector<char> broken(assembly.mesh.faces.size(), 0);
-  mark_faces_without_area(assembly.mesh, welded, broken);
-  visit_crossings(assembly, welded, [&](Index f, Index g) { broken[f] = broken[g] = 1; });
+  visit_faces_without_area(part, welded, [&](Index f) { broken[f] = 1; });
+  visit_crossings(part, welded, [&](Index f, Index g) { broken[f] = broken[g] = 1; });
   return marked(broken);
 }
 
 std::vector<std::pair<Index, Index>> find_crossings(const Assembly& assembly) {
+  const Surroundings part = surroundings_of_new_faces(assembly);
   std::vector<std::pair<Index, Index>> crossings;
-  visit_crossings(assembly, weld(assembly.mesh), [&](Index f, Index g) {
+  visit_crossings(part, weld(part.mesh), [&](Index f, Index g) {
     crossings.emplace_back(std::min(f, g), std::max(f, g));
   });
   std::sort(crossings.begin(), crossings.end());
