@@ -94,8 +94,16 @@ void CornerWindings::spread(Index face, int w) {
     stack_.pop_back();
     const Index f = corner / 3, i = corner % 3;
     const int here = front_[corner];
+    if (planes_.is_whole(f)) {
+      for (Index k = 0; k < 3; ++k) {
+        const Index out = across_[3 * f + k];
+        if (out == no_index) continue;
+        visit_corner(out / 3, out % 3, here);
+        if (!planes_.is_whole(out / 3)) visit_corner(out / 3, corner_after(out % 3), here);
+      }
+      continue;
+    }
     step_across(f, i, here);
-    if (planes_.is_whole(f)) continue;
     const CutFace& cut = cut_faces_[planes_.plane_of(f)];
     const Index before = corner_before(i);
     visit_corner(f, corner_after(i), here + cut.along[i]);
@@ -107,10 +115,8 @@ void CornerWindings::spread(Index face, int w) {
 void CornerWindings::visit_corner(Index face, Index i, int w) {
   if (front_[3 * face + i] != unknown) return;
   if (planes_.is_whole(face)) {
-    for (Index k = 0; k < 3; ++k) {
-      front_[3 * face + k] = w;
-      stack_.push_back(3 * face + k);
-    }
+    for (Index k = 0; k < 3; ++k) front_[3 * face + k] = w;
+    stack_.push_back(3 * face + i);
     return;
   }
   if (cut_faces_[planes_.plane_of(face)].is_met[i] || welded_.first_copy[face] != face) return;

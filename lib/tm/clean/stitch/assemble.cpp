@@ -96,6 +96,10 @@ void Assembler::number_vertices() {
     if (old_vertex_[u] != no_index) fan_of[old_vertex_[u]] = u;
   }
   vertex_of_.assign(old_vertex_.size(), no_index);
+  result_.mesh.positions.reserve(old_vertex_.size());
+  result_.vertex_is_new.reserve(old_vertex_.size());
+  result_.input_vertex.reserve(old_vertex_.size());
+  vertex_rows_.reserve(old_vertex_.size());
   for (const Index u : fan_of) {
     if (u != no_index) add_vertex_row(u);
   }
@@ -124,6 +128,11 @@ void Assembler::add_vertex_row(Index fan) {
 }
 
 void Assembler::add_faces() {
+  const auto count = static_cast<std::size_t>(std::count(kept_.begin(), kept_.end(), 1));
+  result_.mesh.faces.reserve(count);
+  result_.face_is_new.reserve(count);
+  face_rows_.reserve(count);
+  output_opposite_.reserve(3 * count);
   std::vector<Index> output_face(faces_.size(), no_index);
   for (Index p = 0; p < faces_.size(); ++p) {
     if (!kept_[p]) continue;
