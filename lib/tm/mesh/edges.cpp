@@ -55,6 +55,7 @@ Edges::Edges(std::span<const Face> faces, std::size_t vertices) {
 
   // Each bucket is sorted by the larger vertex, and a new edge starts where that changes.
   halfedges_.resize(entries.size());
+  offsets_.clear();
   offsets_.reserve(entries.size() / 2 + 2);
   Index first = 0;
   for (std::size_t v = 0; v + 1 < bucket_end.size(); ++v) {

@@ -14,6 +14,7 @@ namespace transformesh {
 
 class Edges {
  public:
+  Edges() = default;
   explicit Edges(const Mesh& mesh) : Edges(mesh.faces, mesh.positions.size()) {}
   Edges(std::span<const Face> faces, std::size_t vertices);
 
@@ -24,7 +25,7 @@ class Edges {
 
  private:
   std::vector<Index> halfedges_;
-  std::vector<Index> offsets_;
+  std::vector<Index> offsets_{0};
 };
 
 /// For every halfedge the other one of its edge where that has exactly two, whichever way they run;

@@ -43,10 +43,9 @@ WindingSteps::WindingSteps(const WeldedMesh& welded, const Planes& planes)
     : welded_(welded),
       planes_(planes),
       multiplicities_(count_copies(welded)),
-      edges_(welded.faces, welded.points.size()),
       edge_of_(3 * welded.faces.size(), no_index) {
-  for (std::size_t e = 0; e < edges_.size(); ++e)
-    for (const Index h : edges_.halfedges(e)) edge_of_[h] = static_cast<Index>(e);
+  for (std::size_t e = 0; e < welded_.edges.size(); ++e)
+    for (const Index h : welded_.edges.halfedges(e)) edge_of_[h] = static_cast<Index>(e);
 }
 
 // With the normals n of the plane and m of the other face, n x m runs along the segment, and what
@@ -72,7 +71,7 @@ void WindingSteps::over_edge(Index face, Index i, Index plane,
                              std::vector<WindingStep>& steps) const {
   const Index from = welded_.faces[face][i];
   const Triangle t = welded_.triangle(plane);
-  for (const Index h : edges_.halfedges(edge_of_[3 * face + i])) {
+  for (const Index h : welded_.edges.halfedges(edge_of_[3 * face + i])) {
     const Index other = h / 3;
     if (welded_.first_copy[other] != other) continue;
     if (planes_.plane_of(other) == planes_.plane_of(plane)) continue;

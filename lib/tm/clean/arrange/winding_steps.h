@@ -24,7 +24,6 @@ class WindingSteps {
 
   /// How many copies of a face there are, less those that are reversed.
   int multiplicity(Index face) const { return multiplicities_.empty() ? 1 : multiplicities_[face]; }
-  const Edges& edges() const { return edges_; }
 
   /// Over the common segment of two faces, seen from the front of one of them (from its back, if
   /// that is `reversed`). [from, to] is the segment.
@@ -38,8 +37,7 @@ class WindingSteps {
   const WeldedMesh& welded_;
   const Planes& planes_;
   std::vector<int> multiplicities_;  ///< per first copy; empty where there are no copies
-  Edges edges_;
-  std::vector<Index> edge_of_;  ///< per halfedge
+  std::vector<Index> edge_of_;       ///< per halfedge
 };
 
 }  // namespace transformesh

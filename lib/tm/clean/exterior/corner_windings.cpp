@@ -33,7 +33,7 @@ CornerWindings::CornerWindings(const WeldedMesh& welded, const Planes& planes,
       planes_(planes),
       steps_(steps),
       cut_faces_(planes.size()),
-      across_(oriented_neighbors(welded, steps.edges())),
+      across_(oriented_neighbors(welded, welded.edges)),
       front_(3 * welded.faces.size(), unknown) {
   parallel_for(planes.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) cut_faces_[i] = trace(planes[i]);

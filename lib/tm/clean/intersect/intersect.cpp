@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tm/clean/intersect/contacts.h"
+#include "tm/clean/intersect/embedded_stars.h"
 #include "tm/geometry/bvh.h"
 #include "tm/geometry/sort_pairs.h"
 
@@ -49,6 +50,13 @@ std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<Face
   return result;
 }
 
+bool share_embedded_star(const Face& f, const Face& g, const std::vector<char>& is_embedded) {
+  for (const Index a : f)
+    for (const Index b : g)
+      if (a == b) return is_embedded[a];
+  return false;
+}
+
 }  // namespace
 
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
@@ -63,11 +71,14 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
     boxes.push_back(welded.box(f));
   }
   std::vector<std::vector<Meeting>> lists;
+  const std::vector<char> is_embedded = find_embedded_stars(welded);
   const Bvh bvh(boxes, find_links(welded.points, welded.faces), firsts);
   bvh.visit_pairs([&](std::size_t count) { lists.resize(count); },
                   [&](std::size_t list, Index i, Index k) {
-                    const Contacts contacts = find_contacts(welded, firsts[i], firsts[k]);
-                    if (contacts.meet) lists[list].push_back({firsts[i], firsts[k], contacts});
+                    const Index f = firsts[i], g = firsts[k];
+                    if (share_embedded_star(welded.faces[f], welded.faces[g], is_embedded)) return;
+                    const Contacts contacts = find_contacts(welded, f, g);
+                    if (contacts.meet) lists[list].push_back({f, g, contacts});
                   });
   std::vector<Meeting> meetings = joined(lists);
   sort_pairs(meetings, welded.faces.size());

@@ -128,11 +128,12 @@ WeldedMesh weld(const Mesh& mesh) {
     welded.faces.push_back(face);
     welded.face_of.push_back(f);
   }
-  find_copies(welded);
+  index_faces(welded);
   return welded;
 }
 
-void find_copies(WeldedMesh& welded) {
+void index_faces(WeldedMesh& welded) {
+  welded.edges = Edges(welded.faces, welded.points.size());
   const std::vector<Face>& faces = welded.faces;
   const auto is_repeated = find_repeated(faces.size(), [&](Index f) { return hash(faces[f]); });
   FirstOfEqual copies(std::count(is_repeated.begin(), is_repeated.end(), 1));

@@ -6,6 +6,7 @@
 
 #include "tm/geometry/float_box.h"
 #include "tm/geometry/predicates.h"
+#include "tm/mesh/edges.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
@@ -17,6 +18,7 @@ struct WeldedMesh {
   std::vector<Face> faces;        ///< corners as points; none is degenerate
   std::vector<Index> face_of;     ///< the mesh face of each face; ascending
   std::vector<Index> first_copy;  ///< per face: the first with the same three points, in any order
+  Edges edges;                    ///< of the faces
   BoxFrame frame;                 ///< of the points
 
   Triangle triangle(Index face) const { return triangle_of(points, faces[face]); }
@@ -30,7 +32,7 @@ struct WeldedMesh {
 /// deterministic.
 WeldedMesh weld(const Mesh& mesh);
 
-/// Names the first copy of each face, as `weld` does. O(n).
-void find_copies(WeldedMesh& welded);
+/// Finds the edges of the faces and the first copy of each, as `weld` does. O(n).
+void index_faces(WeldedMesh& welded);
 
 }  // namespace transformesh

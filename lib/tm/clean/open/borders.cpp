@@ -116,8 +116,12 @@ bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& b
 
 Borders find_borders(const WeldedMesh& welded, const Mesh& mesh,
                      const std::vector<char>& left_out) {
-  const std::vector<Face> faces = faces_by_points(welded, mesh, left_out);
-  const Edges edges(faces, welded.points.size());
+  // Most often these are the faces of the welded mesh.
+  const bool are_same = left_out.empty() && welded.faces.size() == mesh.faces.size();
+  const auto others = are_same ? std::vector<Face>() : faces_by_points(welded, mesh, left_out);
+  const Edges other_edges = are_same ? Edges() : Edges(others, welded.points.size());
+  const std::vector<Face>& faces = are_same ? welded.faces : others;
+  const Edges& edges = are_same ? welded.edges : other_edges;
   Borders borders;
   BorderEdges border;
   for (std::size_t e = 0; e < edges.size(); ++e) {

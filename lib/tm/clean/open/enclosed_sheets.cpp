@@ -15,6 +15,7 @@ namespace {
 /// The sheets of a welded mesh, which are faces connected across edges of two faces, and the edges.
 class Sheets {
  public:
+  /// Keeps a reference.
   explicit Sheets(const WeldedMesh& welded);
 
   std::vector<Index> sheet_of;  ///< per face: the first face of its sheet
@@ -25,13 +26,11 @@ class Sheets {
 
  private:
   const WeldedMesh& welded_;
-  Edges edges_;
 };
 
-Sheets::Sheets(const WeldedMesh& welded)
-    : welded_(welded), edges_(welded.faces, welded.points.size()) {
+Sheets::Sheets(const WeldedMesh& welded) : welded_(welded) {
   DisjointSets sets(welded.faces.size());
-  const std::vector<Index> across = neighbors_across(edges_, welded.faces.size());
+  const std::vector<Index> across = neighbors_across(welded_.edges, welded.faces.size());
   const auto runs_forward = [&](Index h) { return is_forward(welded.faces, h); };
   for (Index h = 0; h < across.size(); ++h) {
     if (across[h] != no_index && runs_forward(h) != runs_forward(across[h]))
@@ -42,7 +41,7 @@ Sheets::Sheets(const WeldedMesh& welded)
 
 int Sheets::sum_along(std::size_t edge, const std::vector<char>& left_out) const {
   int sum = 0;
-  for (const Index h : edges_.halfedges(edge)) {
+  for (const Index h : welded_.edges.halfedges(edge)) {
     if (!left_out[h / 3]) sum += is_forward(welded_.faces, h) ? 1 : -1;
   }
   return sum;
@@ -52,9 +51,9 @@ void Sheets::restore_needed(std::vector<char>& marks) const {
   for (bool is_stable = false; !is_stable;) {
     is_stable = true;
     std::vector<char> needed(marks.size(), 0);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
+    for (std::size_t e = 0; e < welded_.edges.size(); ++e) {
       if (sum_along(e, marks) == 0) continue;
-      for (const Index h : edges_.halfedges(e)) {
+      for (const Index h : welded_.edges.halfedges(e)) {
         if (!marks[h / 3]) continue;
         needed[sheet_of[h / 3]] = 1;
         is_stable = false;
@@ -123,7 +122,7 @@ WeldedMesh without_faces(const WeldedMesh& welded, const std::vector<char>& mark
     rest.faces.push_back(welded.faces[f]);
     rest.face_of.push_back(welded.face_of[f]);
   }
-  find_copies(rest);
+  index_faces(rest);
   return rest;
 }
 

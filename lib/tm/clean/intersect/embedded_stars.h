@@ -1,0 +1,19 @@
+/// Vertices whose faces meet nowhere but in corners and edges that they share, told by looking
+/// along an axis: where all faces around a vertex look the same way, each edge there has two of
+/// them, and they go around once, their projections only touch. Of a smooth mesh these are all
+/// vertices, so that no pair of neighbors needs to be tested. Reference: the condition on a star in
+/// Volino & Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized surface
+/// animations using geometrical shape regularity", Computer Graphics Forum 13(3), 1994.
+#pragma once
+
+#include <vector>
+
+#include "tm/clean/intersect/welded_mesh.h"
+
+namespace transformesh {
+
+/// Per point; what is marked is certain, what is not may be embedded all the same. O(n); parallel;
+/// deterministic.
+std::vector<char> find_embedded_stars(const WeldedMesh& welded);
+
+}  // namespace transformesh
