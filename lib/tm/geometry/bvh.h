@@ -37,12 +37,12 @@ class Bvh {
   /// All pairs (box here, box there), likewise.
   std::vector<Pair> overlapping_pairs(const Bvh& other, const Accept& accept) const;
 
-  /// Calls visit(list, first, second) for all pairs of overlapping boxes, several lists at once;
-  /// the pairs of one list come one after the other, and always in the same order. Before that, it
-  /// calls prepare with the number of lists.
+  /// Calls visit(list, pairs) for all pairs of overlapping boxes, some at a time, several lists at
+  /// once; the pairs of one list come one after the other, and always in the same order. Before
+  /// that, it calls prepare with the number of lists.
   using Prepare = std::function<void(std::size_t lists)>;
-  using VisitPair = std::function<void(std::size_t list, Index first, Index second)>;
-  void visit_pairs(const Prepare& prepare, const VisitPair& visit) const;
+  using VisitPairs = std::function<void(std::size_t list, std::span<const Pair> pairs)>;
+  void visit_pairs(const Prepare& prepare, const VisitPairs& visit) const;
 
   /// Calls visit(i) for every box that overlaps `box`, until it returns false. Those that are apart
   /// from it in a link are left out.

@@ -14,6 +14,8 @@ using Level = std::vector<BoxQuad>;
 
 /// Enough tasks to keep all threads busy to the end. Their number does not depend on the threads.
 constexpr std::size_t task_count = 1024;
+constexpr std::size_t pairs_at_once = 1024;
+constexpr std::size_t most_of_quads = 16;
 
 /// Two quads of one level whose pairs are wanted. For the pairs inside a quad it is named twice.
 struct Task {
@@ -33,13 +35,19 @@ class Bvh::PairSearch {
         is_self_(&here == &there),
         has_links_(!here.links_.empty() && !there.links_.empty()) {}
 
-  void run(const Prepare& prepare, const VisitPair& visit) const {
+  void run(const Prepare& prepare, const VisitPairs& visit) const {
     std::vector<Task> tasks = first_tasks();
     while (!tasks.empty() && tasks.size() < task_count && tasks[0].level > 0)
       tasks = refined(tasks);
     prepare(tasks.size());
     parallel_for(tasks.size(), 1, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) descend(tasks[i], i, visit);
+      std::vector<Pair> pairs;
+      pairs.reserve(pairs_at_once + most_of_quads);
+      for (std::size_t i = first; i < last; ++i) {
+        descend(tasks[i], pairs, [&] { visit(i, pairs); });
+        visit(i, pairs);
+        pairs.clear();
+      }
     });
   }
 
@@ -78,10 +86,12 @@ class Bvh::PairSearch {
     return result;
   }
 
-  void descend(const Task& task, std::size_t list, const VisitPair& visit) const {
+  // Calls flush when enough pairs have come together.
+  template <class Flush>
+  void descend(const Task& task, std::vector<Pair>& pairs, const Flush& flush) const {
     if (task.level > 0) {
       for_each_overlap(task, [&](Index i, Index j) {
-        descend({task.level - 1, i, j}, list, visit);
+        descend({task.level - 1, i, j}, pairs, flush);
       });
       return;
     }
@@ -89,8 +99,11 @@ class Bvh::PairSearch {
       Index first = here_.order_[i];
       Index second = there_.order_[j];
       if (is_self_ && second < first) std::swap(first, second);
-      visit(list, first, second);
+      pairs.emplace_back(first, second);
     });
+    if (pairs.size() < pairs_at_once) return;
+    flush();
+    pairs.clear();
   }
 
   const Bvh& here_;
@@ -99,15 +112,16 @@ class Bvh::PairSearch {
   bool has_links_;
 };
 
-void Bvh::visit_pairs(const Prepare& prepare, const VisitPair& visit) const {
+void Bvh::visit_pairs(const Prepare& prepare, const VisitPairs& visit) const {
   PairSearch(*this, *this).run(prepare, visit);
 }
 
 std::vector<Pair> Bvh::collect_pairs(const PairSearch& search, const Accept& accept) const {
   std::vector<std::vector<Pair>> lists;
   search.run([&](std::size_t count) { lists.resize(count); },
-             [&](std::size_t list, Index first, Index second) {
-               if (accept(first, second)) lists[list].emplace_back(first, second);
+             [&](std::size_t list, std::span<const Pair> pairs) {
+               for (const auto& [first, second] : pairs)
+                 if (accept(first, second)) lists[list].emplace_back(first, second);
              });
   std::vector<Pair> pairs = joined(lists);
   sort_pairs(pairs, order_.size());

@@ -50,11 +50,14 @@ std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<Face
   return result;
 }
 
+// Without branches, as chance decides.
 bool share_embedded_star(const Face& f, const Face& g, const std::vector<char>& is_embedded) {
-  for (const Index a : f)
-    for (const Index b : g)
-      if (a == b) return is_embedded[a];
-  return false;
+  unsigned result = 0;
+  for (const Index a : f) {
+    const unsigned is_shared = unsigned{a == g[0]} | unsigned{a == g[1]} | unsigned{a == g[2]};
+    result |= is_shared & static_cast<unsigned>(is_embedded[a]);
+  }
+  return result != 0;
 }
 
 }  // namespace
@@ -74,11 +77,14 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
   const std::vector<char> is_embedded = find_embedded_stars(welded);
   const Bvh bvh(boxes, find_links(welded.points, welded.faces), firsts);
   bvh.visit_pairs([&](std::size_t count) { lists.resize(count); },
-                  [&](std::size_t list, Index i, Index k) {
-                    const Index f = firsts[i], g = firsts[k];
-                    if (share_embedded_star(welded.faces[f], welded.faces[g], is_embedded)) return;
-                    const Contacts contacts = find_contacts(welded, f, g);
-                    if (contacts.meet) lists[list].push_back({f, g, contacts});
+                  [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
+                    for (const auto& [i, k] : pairs) {
+                      const Index f = firsts[i], g = firsts[k];
+                      if (share_embedded_star(welded.faces[f], welded.faces[g], is_embedded))
+                        continue;
+                      const Contacts contacts = find_contacts(welded, f, g);
+                      if (contacts.meet) lists[list].push_back({f, g, contacts});
+                    }
                   });
   std::vector<Meeting> meetings = joined(lists);
   sort_pairs(meetings, welded.faces.size());
