@@ -45,8 +45,8 @@ namespace transformesh::tool {
 void prepare_memory() {
   // A filter lives for milliseconds: memory given back to the system and taken again costs more of
   // them than it saves, but for large blocks.
-  mallopt(M_MMAP_THRESHOLD, 16 << 20);
-  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, 512 << 20);
   mallopt(M_TOP_PAD, 4 << 20);
 }
 
