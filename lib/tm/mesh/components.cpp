@@ -63,8 +63,13 @@ Components connected_components(const Mesh& mesh) {
   const auto component_of = [&](Index halfedge) -> Component& {
     return result.components[result.of_face[halfedge / 3]];
   };
-  for (std::size_t edge = 0; edge < edges.size(); ++edge)
-    ++component_of(edges.halfedges(edge)[0]).edges;
+  bool is_closed = true;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    const auto halfedges = edges.halfedges(edge);
+    ++component_of(halfedges[0]).edges;
+    is_closed = is_closed && halfedges.size() != 1;
+  }
+  if (is_closed) return result;
   for (const Index halfedge : boundary_loops(edges, find_fans(mesh, edges)))
     ++component_of(halfedge).boundary_loops;
   return result;

@@ -30,6 +30,7 @@ class Assembler {
   const std::vector<char>& kept_;
   std::vector<Face> faces_;  ///< corners of kept pieces as points
   std::vector<Index> opposite_;
+  bool has_singular_edges_ = false;
   Fans fans_;
   std::vector<Index> old_vertex_;  ///< per fan: the input vertex that it keeps
   std::vector<Index> example_;     ///< per fan: a halfedge that starts there
@@ -48,6 +49,8 @@ Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
     if (kept[p]) faces_[p] = arrangement.pieces[p].corners;
   }
   const Edges edges(faces_, arrangement.point_count());
+  for (std::size_t e = 0; e < edges.size() && !has_singular_edges_; ++e)
+    has_singular_edges_ = edges.halfedges(e).size() > 2;
   opposite_ = pair_across_inside(faces_, edges, [&](std::span<const Index> halfedges) {
     return sort_around_edge(arrangement, halfedges);
   });
@@ -155,6 +158,7 @@ void Assembler::add_faces() {
 
 // Splits edges on which copies of the ends still leave more than two faces.
 void Assembler::split_edges() {
+  if (!has_singular_edges_) return;
   const EdgeSplits splits = split_singular_edges(result_.mesh, output_opposite_);
   result_.split_edges = splits.edges;
   for (const EdgeSplits::Midpoint& midpoint : splits.vertices) {
