@@ -191,20 +191,23 @@ bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 PlaneProjection projection_of(const Triangle& t) {
-  const Vec3 b = t[1] - t[0];
-  const Vec3 c = t[2] - t[0];
-  const Vec3 normal(std::abs(b[1] * c[2] - b[2] * c[1]), std::abs(b[2] * c[0] - b[0] * c[2]),
-                    std::abs(b[0] * c[1] - b[1] * c[0]));
+  const Vec3 b = t[1] - t[0], c = t[2] - t[0];
+  const Vec3 left(b[1] * c[2], b[2] * c[0], b[0] * c[1]);
+  const Vec3 right(b[2] * c[1], b[0] * c[2], b[1] * c[0]);
+  const Vec3 normal = left - right;
   int axis = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (normal[i] > normal[axis]) axis = i;
-  }
+  normal.cwiseAbs().maxCoeff(&axis);
+  const auto facing = [](int i, int turn) {
+    const PlaneProjection projection = along(i % 3);
+    return turn > 0 ? projection : PlaneProjection{projection.v, projection.u};
+  };
+  const double error = bound_2d * (std::abs(left[axis]) + std::abs(right[axis])) + underflow_guard;
+  const int sign = filtered_sign(normal[axis], error);
+  if (sign != 0) return facing(axis, sign);
   // The estimate may name a vanishing coordinate of a sliver: the exact sign has the last word.
-  for (int i = 0; i < 3; ++i) {
-    const PlaneProjection projection = along((axis + i) % 3);
-    const int turn = orient2d(t[0], t[1], t[2], projection);
-    if (turn > 0) return projection;
-    if (turn < 0) return {projection.v, projection.u};
+  for (int i = axis; i < axis + 3; ++i) {
+    const int turn = orient2d(t[0], t[1], t[2], along(i % 3));
+    if (turn != 0) return facing(i, turn);
   }
   return {};
 }
