@@ -142,15 +142,26 @@ bool set_balls(ExactPoint& point, const Fraction<Number>& fraction, const Vec3& 
   return is_finite;
 }
 
-// In intervals, and in wide balls where those overflow. `fraction_in` computes the fraction in the
-// numbers of a kind, which it is given as a value.
+// The products of seven differences of smaller coordinates do not overflow.
+constexpr double large = 0x1p140;
+
+// In intervals, and in wide balls where those may overflow: what they make of that depends on the
+// processor. `fraction_in` computes the fraction in the numbers of a kind, which it is given as a
+// value; `size` is that of the largest coordinate that it is made of.
 template <class FractionIn>
-void set_balls(ExactPoint& point, const FractionIn& fraction_in, const Vec3& low,
+void set_balls(ExactPoint& point, const FractionIn& fraction_in, double size, const Vec3& low,
                const Vec3& high) {
   const CGAL::Protect_FPU_rounding<true> upward;
-  if (!set_balls(point, fraction_in(Interval(0)), low, high))
-    set_balls(point, fraction_in(WideBall(0)), low, high);
+  if (size < large && set_balls(point, fraction_in(Interval(0)), low, high)) return;
+  set_balls(point, fraction_in(WideBall(0)), low, high);
 }
+
+double size_of(std::initializer_list<Vec3> points) {
+  double size = 0;
+  for (const Vec3& p : points) size = std::max(size, p.cwiseAbs().maxCoeff());
+  return size;
+}
+double size_of(const Triangle& t) { return size_of({t[0], t[1], t[2]}); }
 
 struct Bound {
   double value;  ///< computed
@@ -231,7 +242,8 @@ ExactPoint ExactGeometry::line_plane(const PointDefinition& definition) const {
   const auto fraction = [&]<class Number>(const Number&) {
     return line_plane_fraction<Number>(a, b, plane);
   };
-  set_balls(point, fraction, a.cwiseMin(b), a.cwiseMax(b));
+  set_balls(point, fraction, std::max(size_of({a, b}), size_of(plane)), a.cwiseMin(b),
+            a.cwiseMax(b));
   return point;
 }
 
@@ -257,7 +269,7 @@ ExactPoint ExactGeometry::line_line(const PointDefinition& definition) const {
   const auto fraction = [&]<class Number>(const Number&) {
     return line_line_fraction<Number>(a, b, c, d, projection);
   };
-  set_balls(point, fraction, a.cwiseMin(b).cwiseMax(c.cwiseMin(d)),
+  set_balls(point, fraction, size_of({a, b, c, d}), a.cwiseMin(b).cwiseMax(c.cwiseMin(d)),
             a.cwiseMax(b).cwiseMin(c.cwiseMax(d)));
   return point;
 }
@@ -276,7 +288,8 @@ ExactPoint ExactGeometry::three_planes(Index f, Index g, Index h) const {
   const auto fraction = [&]<class Number>(const Number&) {
     return three_planes_fraction<Number>(planes[0], planes[1], planes[2]);
   };
-  set_balls(point, fraction, low, high);
+  const double size = std::max({size_of(planes[0]), size_of(planes[1]), size_of(planes[2])});
+  set_balls(point, fraction, size, low, high);
   return point;
 }
 

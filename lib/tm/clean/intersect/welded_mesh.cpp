@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <bit>
 
+#include "tm/support/parallel.h"
+
 namespace transformesh {
 namespace {
+
+constexpr std::size_t things_per_task = 4096;
 
 std::uint64_t hash(const Vec3& p) {
   std::uint64_t h = 0x9e3779b97f4a7c15ULL;
@@ -75,20 +79,24 @@ class FirstOfEqual {
   std::vector<Index> slots_;
 };
 
-// Marks the things below count that may have equals.
-template <class HashOf>
-std::vector<char> find_repeated(std::size_t count, const HashOf& hash_of) {
-  SingleHashes hashes(count);
-  for (Index i = 0; i < count; ++i) hashes.add(hash_of(i));
-  std::vector<char> is_repeated(count);
-  for (Index i = 0; i < count; ++i) is_repeated[i] = hashes.is_single(hash_of(i)) ? 0 : 1;
+// Marks the things that may have equals.
+template <class Thing>
+std::vector<char> find_repeated(const std::vector<Thing>& things) {
+  std::vector<std::uint64_t> hash_of(things.size());
+  parallel_for(things.size(), things_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) hash_of[i] = hash(things[i]);
+  });
+  SingleHashes hashes(things.size());
+  for (const std::uint64_t hash : hash_of) hashes.add(hash);
+  std::vector<char> is_repeated(things.size());
+  for (std::size_t i = 0; i < things.size(); ++i)
+    is_repeated[i] = hashes.is_single(hash_of[i]) ? 0 : 1;
   return is_repeated;
 }
 
 void number_points(const Mesh& mesh, WeldedMesh& welded) {
   const std::vector<Vec3>& positions = mesh.positions;
-  const auto is_repeated =
-      find_repeated(positions.size(), [&](Index vertex) { return hash(positions[vertex]); });
+  const std::vector<char> is_repeated = find_repeated(positions);
   FirstOfEqual points(std::count(is_repeated.begin(), is_repeated.end(), 1));
   welded.point_of.reserve(positions.size());
   welded.points.reserve(positions.size());
@@ -107,6 +115,17 @@ void number_points(const Mesh& mesh, WeldedMesh& welded) {
   }
 }
 
+void find_copies(WeldedMesh& welded) {
+  const std::vector<Face>& faces = welded.faces;
+  const std::vector<char> is_repeated = find_repeated(faces);
+  FirstOfEqual copies(std::count(is_repeated.begin(), is_repeated.end(), 1));
+  welded.first_copy.resize(faces.size());
+  for (Index f = 0; f < faces.size(); ++f) {
+    const auto is_copy = [&](Index other) { return sorted(faces[other]) == sorted(faces[f]); };
+    welded.first_copy[f] = is_repeated[f] ? copies.find(hash(faces[f]), f, is_copy) : f;
+  }
+}
+
 bool is_degenerate(const WeldedMesh& welded, const Face& face) {
   return is_collapsed(face) ||
          collinear(welded.points[face[0]], welded.points[face[1]], welded.points[face[2]]);
@@ -118,14 +137,20 @@ WeldedMesh weld(const Mesh& mesh) {
   WeldedMesh welded;
   number_points(mesh, welded);
   welded.frame = BoxFrame(welded.points);
+  std::vector<Face> by_points(mesh.faces.size());
+  std::vector<char> has_area(mesh.faces.size());
+  parallel_for(mesh.faces.size(), things_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      const auto& [a, b, c] = mesh.faces[f];
+      by_points[f] = {welded.point_of[a], welded.point_of[b], welded.point_of[c]};
+      has_area[f] = is_degenerate(welded, by_points[f]) ? 0 : 1;
+    }
+  });
   welded.faces.reserve(mesh.faces.size());
   welded.face_of.reserve(mesh.faces.size());
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const Face& corners = mesh.faces[f];
-    const Face face{welded.point_of[corners[0]], welded.point_of[corners[1]],
-                    welded.point_of[corners[2]]};
-    if (is_degenerate(welded, face)) continue;
-    welded.faces.push_back(face);
+    if (!has_area[f]) continue;
+    welded.faces.push_back(by_points[f]);
     welded.face_of.push_back(f);
   }
   index_faces(welded);
@@ -133,15 +158,8 @@ WeldedMesh weld(const Mesh& mesh) {
 }
 
 void index_faces(WeldedMesh& welded) {
-  welded.edges = Edges(welded.faces, welded.points.size());
-  const std::vector<Face>& faces = welded.faces;
-  const auto is_repeated = find_repeated(faces.size(), [&](Index f) { return hash(faces[f]); });
-  FirstOfEqual copies(std::count(is_repeated.begin(), is_repeated.end(), 1));
-  welded.first_copy.resize(faces.size());
-  for (Index f = 0; f < faces.size(); ++f) {
-    const auto is_copy = [&](Index other) { return sorted(faces[other]) == sorted(faces[f]); };
-    welded.first_copy[f] = is_repeated[f] ? copies.find(hash(faces[f]), f, is_copy) : f;
-  }
+  parallel_invoke([&] { welded.edges = Edges(welded.faces, welded.points.size()); },
+                  [&] { find_copies(welded); });
 }
 
 }  // namespace transformesh

@@ -7,9 +7,12 @@
 #include "tm/clean/intersect/welded_mesh.h"
 #include "tm/geometry/bvh.h"
 #include "tm/mesh/disjoint_sets.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
+
+constexpr std::size_t faces_per_task = 4096;
 
 // New faces, and a hierarchy over them.
 struct NewFaces {
@@ -45,8 +48,12 @@ std::vector<char> find_faces_at_new_ones(const Assembly& assembly) {
 
   std::vector<char> is_near = assembly.face_is_new;
   const auto note = [](char& mark) { return [&](Index) { return mark = 1, false; }; };
-  for (Index f = 0; f < mesh.faces.size() && !boxes.empty(); ++f)
-    if (!is_near[f]) bvh.visit_overlaps(box_of(mesh, frame, f), note(is_near[f]));
+  if (boxes.empty()) return is_near;
+  parallel_for(is_near.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f)
+      if (!is_near[f])
+        bvh.visit_overlaps(box_of(mesh, frame, static_cast<Index>(f)), note(is_near[f]));
+  });
   return is_near;
 }
 
