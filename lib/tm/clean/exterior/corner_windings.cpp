@@ -73,6 +73,23 @@ void CornerWindings::trace_meeting(const Meeting& meeting, Index face, CutFace& 
   }
 }
 
+// Of a whole face and its whole neighbors, in front of which w is the same, the smallest: where
+// many faces meet in one place, these point there, and small ones lie around it, where rays meet
+// less.
+Index CornerWindings::seed_near(Index face) const {
+  const auto extent = [&](Index f) {
+    const Triangle t = welded_.triangle(f);
+    return std::max((t[1] - t[0]).cwiseAbs().maxCoeff(), (t[2] - t[0]).cwiseAbs().maxCoeff());
+  };
+  Index seed = face;
+  for (Index i = 0; i < 3; ++i) {
+    const Index other = across_[3 * face + i];
+    if (other != no_index && planes_.is_whole(other / 3) && extent(other / 3) < extent(seed))
+      seed = other / 3;
+  }
+  return seed;
+}
+
 // Rays are cast from whole faces only: what is cut is easier to test once it is.
 void CornerWindings::grow() {
   std::optional<WindingRay> ray;
@@ -80,10 +97,10 @@ void CornerWindings::grow() {
     if (!planes_.is_whole(f) || front_[3 * f] != unknown) continue;
     if (rays_ % few == 0 && rays_ <= few) ray.emplace(welded_, rays_ == 0 ? 1 : many);
     const ExactGeometry geometry(welded_.points, welded_.faces);
-    const Face& v = welded_.faces[f];
+    const Index seed = seed_near(f);
+    const auto& [a, b, c] = welded_.faces[seed];
     ++rays_;
-    spread(f,
-           ray->in_front_of({geometry.given(v[0]), geometry.given(v[1]), geometry.given(v[2])}, f));
+    spread(f, ray->in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, seed));
   }
 }
 

@@ -41,6 +41,7 @@ class CornerWindings {
   CutFace trace(const Plane& plane) const;
   void trace_meeting(const Meeting& meeting, Index face, CutFace& cut) const;
   void grow();
+  Index seed_near(Index face) const;
   void spread(Index face, int w);
   void visit_corner(Index face, Index i, int w);
   void step_across(Index face, Index i, int w);
