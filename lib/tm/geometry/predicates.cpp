@@ -86,9 +86,16 @@ DoubleDouble precise_determinant(const PreciseVector& b, const PreciseVector& c,
          (b.x * c.y + -(b.y * c.x)) * d.z;
 }
 
-// Zeros come mostly from coordinates whose differences are exact, for which expansions are fast.
+bool share_coordinate(const Vec3& a, const Vec3& b, const Vec3& c, int i) {
+  return a[i] == b[i] && b[i] == c[i];
+}
+
+// Zeros come mostly from planes along axes, and from coordinates whose differences are exact, for
+// which expansions are fast.
 // Most other signs are clear from twice the digits.
 int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double permanent) {
+  for (int i = 0; i < 3; ++i)
+    if (share_coordinate(a, b, c, i) && c[i] == d[i]) return 0;
   if (is_moderate(a) && is_moderate(b) && is_moderate(c) && is_moderate(d)) {
     const Difference ab = difference_of(b, a), ac = difference_of(c, a), ad = difference_of(d, a);
     if (ab.is_exact && ac.is_exact && ad.is_exact)
@@ -103,6 +110,7 @@ int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, d
 }
 
 int exact_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
+  if (share_coordinate(a, b, c, p.u) || share_coordinate(a, b, c, p.v)) return 0;
   if (is_moderate(a) && is_moderate(b) && is_moderate(c)) {
     const Difference ab = difference_of(b, a), ac = difference_of(c, a);
     if (ab.is_exact && ac.is_exact)

@@ -16,4 +16,16 @@ namespace transformesh {
 /// deterministic.
 std::vector<char> find_embedded_stars(const WeldedMesh& welded);
 
+/// Whether two faces share a vertex with such a star, and so meet in nothing but what they share.
+/// Without branches, as chance decides.
+inline bool share_embedded_star(const Face& f, const Face& g,
+                                const std::vector<char>& is_embedded) {
+  unsigned result = 0;
+  for (const Index a : f) {
+    const unsigned is_shared = unsigned{a == g[0]} | unsigned{a == g[1]} | unsigned{a == g[2]};
+    result |= is_shared & static_cast<unsigned>(is_embedded[a]);
+  }
+  return result != 0;
+}
+
 }  // namespace transformesh

@@ -50,16 +50,6 @@ std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<Face
   return result;
 }
 
-// Without branches, as chance decides.
-bool share_embedded_star(const Face& f, const Face& g, const std::vector<char>& is_embedded) {
-  unsigned result = 0;
-  for (const Index a : f) {
-    const unsigned is_shared = unsigned{a == g[0]} | unsigned{a == g[1]} | unsigned{a == g[2]};
-    result |= is_shared & static_cast<unsigned>(is_embedded[a]);
-  }
-  return result != 0;
-}
-
 }  // namespace
 
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "tm/clean/intersect/contacts.h"
+#include "tm/clean/intersect/embedded_stars.h"
 #include "tm/clean/intersect/welded_mesh.h"
 #include "tm/geometry/bvh.h"
 #include "tm/mesh/disjoint_sets.h"
@@ -110,15 +111,18 @@ void visit_crossings(const Surroundings& part, const WeldedMesh& welded, const V
   const auto visit_pair = [&](Index f, Index g) {
     visit(part.face_of[welded.face_of[f]], part.face_of[welded.face_of[g]]);
   };
-  const auto meet = [&](Index i, Index k) {
-    return find_contacts(welded, news.faces[i], news.faces[k]).meet;
+  const std::vector<char> is_embedded = find_embedded_stars(welded);
+  const auto meet = [&](Index f, Index g) {
+    return !share_embedded_star(welded.faces[f], welded.faces[g], is_embedded) &&
+           find_contacts(welded, f, g).meet;
   };
-  for (const auto& [i, k] : news.bvh.overlapping_pairs(meet))
+  const auto new_ones_meet = [&](Index i, Index k) { return meet(news.faces[i], news.faces[k]); };
+  for (const auto& [i, k] : news.bvh.overlapping_pairs(new_ones_meet))
     visit_pair(news.faces[i], news.faces[k]);
   for (Index f = 0; f < welded.faces.size(); ++f) {
     if (part.is_new[welded.face_of[f]]) continue;
     const auto visit_new = [&](Index i) {
-      if (find_contacts(welded, f, news.faces[i]).meet) visit_pair(f, news.faces[i]);
+      if (meet(f, news.faces[i])) visit_pair(f, news.faces[i]);
       return true;
     };
     news.bvh.visit_overlaps(welded.box(f), visit_new, news.links.of(f));
