@@ -163,30 +163,10 @@ double size_of(std::initializer_list<Vec3> points) {
 }
 double size_of(const Triangle& t) { return size_of({t[0], t[1], t[2]}); }
 
-struct Bound {
-  double value;  ///< computed
-  double error;  ///< the true value is within
-};
+BoundedNumber bounded(const ExactPoint& point, int i) { return {point.center[i], point.radius[i]}; }
 
-Bound bounded_difference(const ExactPoint& a, const ExactPoint& b, int i) {
-  const double value = a.center[i] - b.center[i];
-  return {value, a.radius[i] + b.radius[i] + epsilon * std::abs(value)};
-}
-
-Bound bounded_product(const Bound& a, const Bound& b) {
-  const double value = a.value * b.value;
-  return {value, std::abs(a.value) * b.error + a.error * (std::abs(b.value) + b.error) +
-                     epsilon * std::abs(value)};
-}
-
-// The sign of a - b, or 0 where the errors leave it open. The factor covers rounding in the errors.
-int sign_of_difference(const Bound& a, const Bound& b) {
-  const double value = a.value - b.value;
-  const double error =
-      (a.error + b.error + epsilon * std::abs(value)) * (1 + 16 * epsilon) + underflow_guard;
-  if (value > error) return 1;
-  if (value < -error) return -1;
-  return 0;
+Vector<BoundedNumber> bounded(const ExactPoint& point) {
+  return {bounded(point, 0), bounded(point, 1), bounded(point, 2)};
 }
 
 Vector<WideBall> wide_difference(const ExactPoint& a, const ExactPoint& b) {
@@ -356,18 +336,68 @@ const PreciseCoordinates& ExactGeometry::precise(const ExactPoint& point) const 
 
 namespace {
 
-std::array<Bound, 2> products_of_turn(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                      PlaneProjection p) {
-  return {bounded_product(bounded_difference(b, a, p.u), bounded_difference(c, a, p.v)),
-          bounded_product(bounded_difference(b, a, p.v), bounded_difference(c, a, p.u))};
+std::array<BoundedNumber, 2> products_of_turn(const ExactPoint& a, const ExactPoint& b,
+                                              const ExactPoint& c, PlaneProjection p) {
+  return {(bounded(b, p.u) - bounded(a, p.u)) * (bounded(c, p.v) - bounded(a, p.v)),
+          (bounded(b, p.v) - bounded(a, p.v)) * (bounded(c, p.u) - bounded(a, p.u))};
+}
+
+// The cotangents of the angles at c and d are dot products over areas. Of areas the projection will
+// do, as all are in one plane. The sum of the two, times both areas, given the ways from c and d to
+// a and b:
+template <class Number>
+Number delaunay_turn(const Vector<Number>& ca, const Vector<Number>& cb, const Vector<Number>& da,
+                     const Vector<Number>& db, PlaneProjection p) {
+  const auto i = static_cast<std::size_t>(p.u), j = static_cast<std::size_t>(p.v);
+  const auto area = [&](const Vector<Number>& u, const Vector<Number>& v) {
+    return u[i] * v[j] - u[j] * v[i];
+  };
+  return dot(ca, cb) * area(db, da) + dot(da, db) * area(ca, cb);
+}
+
+template <class Number>
+Vector<Number> way(const Vector<Number>& from, const Vector<Number>& to) {
+  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
+
+// Times both weights.
+Vector<Exact> way(const ExactCoordinates& from, const ExactCoordinates& to) {
+  const auto step = [&](std::size_t i) { return to.x[i] * from.w - from.x[i] * to.w; };
+  return {step(0), step(1), step(2)};
+}
+
+template <class Point>
+auto delaunay_turn_of(const Point& a, const Point& b, const Point& c, const Point& d,
+                      PlaneProjection p) {
+  return delaunay_turn(way(c, a), way(c, b), way(d, a), way(d, b), p);
 }
 
 }  // namespace
 
+BoundedNumber ExactGeometry::bounded_orient2d(const ExactPoint& a, const ExactPoint& b,
+                                              const ExactPoint& c, PlaneProjection p) {
+  const auto [left, right] = products_of_turn(a, b, c, p);
+  return left - right;
+}
+
 int ExactGeometry::quick_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                   PlaneProjection p) {
-  const auto [left, right] = products_of_turn(a, b, c, p);
-  return sign_of_difference(left, right);
+  return bounded_orient2d(a, b, c, p).sign();
+}
+
+int ExactGeometry::quick_delaunay_sign(const ExactPoint& a, const ExactPoint& b,
+                                       const ExactPoint& c, const ExactPoint& d,
+                                       PlaneProjection p) {
+  return delaunay_turn_of(bounded(a), bounded(b), bounded(c), bounded(d), p).sign();
+}
+
+int ExactGeometry::delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                 const ExactPoint& d, PlaneProjection p) const {
+  int sign = quick_delaunay_sign(a, b, c, d, p);
+  if (sign == 0)
+    sign = delaunay_turn_of(precise(a).x, precise(b).x, precise(c).x, precise(d).x, p).sign();
+  if (sign != 0) return sign;
+  return exact_sign(delaunay_turn_of(exact(a), exact(b), exact(c), exact(d), p));
 }
 
 int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
@@ -376,7 +406,7 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
     return transformesh::orient2d(a.center, b.center, c.center, p);
   }
   const auto [left, right] = products_of_turn(a, b, c, p);
-  const int sign = sign_of_difference(left, right);
+  const int sign = (left - right).sign();
   if (sign != 0) return sign;
   if (leaves_double_range(std::abs(left.value) + std::abs(right.value))) {
     const int wide = wide_orient2d(a, b, c, p);

@@ -12,6 +12,7 @@
 #include <memory>
 #include <span>
 
+#include "tm/geometry/bounded_number.h"
 #include "tm/geometry/point_definition.h"
 #include "tm/geometry/predicates.h"
 
@@ -52,9 +53,19 @@ class ExactGeometry {
   /// As in predicates.h.
   int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                PlaneProjection projection) const;
-  /// The same where the balls tell it, else 0.
+  /// Twice the area of abc in the projection, from the balls.
+  static BoundedNumber bounded_orient2d(const ExactPoint& a, const ExactPoint& b,
+                                        const ExactPoint& c, PlaneProjection projection);
+  /// orient2d where the balls tell it, else 0.
   static int quick_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                             PlaneProjection projection);
+  /// Of triangles abc and bad in one plane that turn counter-clockwise: +1 where their diagonal ab
+  /// is Delaunay, -1 where cd is, and 0 where the four are on a circle.
+  int delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                    const ExactPoint& d, PlaneProjection projection) const;
+  /// The same where the balls tell it, else 0.
+  static int quick_delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                 const ExactPoint& d, PlaneProjection projection);
   int orient3d(const Triangle& triangle, const ExactPoint& point) const;
   /// An order by x, then y, then z: -1, 0 or +1. Zero exactly where the points are equal.
   int compare(const ExactPoint& a, const ExactPoint& b) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <utility>
 
@@ -40,6 +41,7 @@ struct PointDefinition {
 
   bool is_known() const { return kind != Kind::free && kind != Kind::mean; }
   bool operator==(const PointDefinition&) const = default;
+  auto operator<=>(const PointDefinition&) const = default;
 };
 
 /// For hash tables.

@@ -274,20 +274,9 @@ std::vector<char> PlaneCutter::all_covered() const {
 // Chosen facets are made well shaped first, which keeps their sources.
 PlaneCut PlaneCutter::collect(const std::vector<char>& chosen) {
   triangulation_.improve(chosen);
-  PlaneCut result;
-  std::vector<Index> number(triangulation_.point_count(), no_index);
-  result.source_offsets.push_back(0);
-  for (Index facet = 0; facet < chosen.size(); ++facet) {
-    if (!chosen[facet]) continue;
-    Face v = triangulation_.facets()[facet].v;
-    for (Index& corner : v) {
-      if (number[corner] == no_index) {
-        number[corner] = static_cast<Index>(result.points.size());
-        result.points.push_back(triangulation_.point(corner));
-      }
-      corner = number[corner];
-    }
-    result.facets.push_back(v);
+  auto [points, facets, numbers] = triangulation_.collect(chosen);
+  PlaneCut result{std::move(points), std::move(facets), {0}, {}};
+  for (const Index facet : numbers) {
     result.sources.insert(result.sources.end(), covers_[facet].begin(), covers_[facet].end());
     result.source_offsets.push_back(static_cast<Index>(result.sources.size()));
   }

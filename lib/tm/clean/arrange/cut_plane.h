@@ -17,7 +17,8 @@ struct PieceSource {
   bool reversed;  ///< its orientation is opposite to that of the piece
 };
 
-/// The pieces of one plane. Its points have numbers of their own.
+/// The pieces of one plane, in an order that does not depend on which others there are. Its points
+/// have numbers of their own.
 struct PlaneCut {
   std::vector<ExactPoint> points;     ///< of the pieces
   std::vector<Face> facets;           ///< by points; oriented as the first face is

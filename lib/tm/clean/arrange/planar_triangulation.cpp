@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 
 namespace transformesh {
@@ -34,11 +35,6 @@ std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec
     if (!std::isfinite(corner[w])) corner[w] = middle[w];
   }
   return corners;
-}
-
-// The cotangent of the angle at c, which is negative where that is obtuse.
-double cotangent(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return (a - c).dot(b - c) / (a - c).cross(b - c).norm();
 }
 
 }  // namespace
@@ -310,15 +306,22 @@ bool PlanarTriangulation::is_convex(Index edge) const {
   return orientation(a, d, c) > 0 && orientation(b, c, d) > 0;
 }
 
-bool PlanarTriangulation::wants_flip(Index edge) const {
+// Of two diagonals that are equally good the one at the least point stays, if that is asked for.
+bool PlanarTriangulation::wants_flip(Index edge, bool tells_equal) const {
   const Facet& facet = facets_[edge / 3];
   if (facet.line[edge % 3] != no_index || facet.next[edge % 3] == no_index) return false;
   const Index back = opposite(edge);
-  const Vec3& a = points_[facet.v[edge % 3]].center;
-  const Vec3& b = points_[facets_[back / 3].v[back % 3]].center;
-  const Vec3& c = points_[facet.v[previous_corner(edge % 3)]].center;
-  const Vec3& d = points_[facets_[back / 3].v[previous_corner(back % 3)]].center;
-  return cotangent(a, b, c) + cotangent(a, b, d) < -1e-9 && is_convex(edge);
+  const Index a = facet.v[edge % 3], b = facets_[back / 3].v[back % 3];
+  const Index c = facet.v[previous_corner(edge % 3)];
+  const Index d = facets_[back / 3].v[previous_corner(back % 3)];
+  int sign = ExactGeometry::quick_delaunay_sign(points_[a], points_[b], points_[c], points_[d],
+                                                projection_);
+  if (sign == 0 && tells_equal)
+    sign = geometry_.delaunay_sign(points_[a], points_[b], points_[c], points_[d], projection_);
+  const auto least = [&](Index p, Index q) { return is_before(p, q) ? p : q; };
+  if (sign == 0 && tells_equal && is_before(least(c, d), least(a, b))) sign = -1;
+  if (sign >= 0) return false;
+  return is_convex(edge);
 }
 
 // Flips edges around a new point until its star is Delaunay. The number of flips is bounded,
@@ -342,7 +345,7 @@ void PlanarTriangulation::legalize(Index p) {
     const Index edge = stack.back();
     stack.pop_back();
     const Facet& f = facets_[edge / 3];
-    if (f.v[previous_corner(edge % 3)] != p || !wants_flip(edge)) continue;
+    if (f.v[previous_corner(edge % 3)] != p || !wants_flip(edge, false)) continue;
     const Index diagonal = flip(edge);
     push_star(diagonal / 3);
     push_star(facets_[diagonal / 3].next[diagonal % 3]);
@@ -356,7 +359,7 @@ void PlanarTriangulation::improve(const std::vector<char>& marked) {
   for (std::size_t budget = 100 + 30 * facets_.size(); !stack.empty() && budget > 0; --budget) {
     const Index edge = stack.back();
     stack.pop_back();
-    if (!wants_flip(edge)) continue;
+    if (!wants_flip(edge, true)) continue;
     const Index diagonal = flip(edge);
     const Index other = opposite(diagonal);
     for (const Index e : {diagonal, other}) {
@@ -463,6 +466,43 @@ std::vector<Index> PlanarTriangulation::chain(Index from, Index to) const {
     from = target(edge);
   }
   return edges;
+}
+
+PlanarTriangulation::Collection PlanarTriangulation::collect(
+    const std::vector<char>& marked) const {
+  Collection result;
+  for (Index facet = 0; facet < marked.size(); ++facet) {
+    if (!marked[facet]) continue;
+    Face v = facets_[facet].v;
+    const auto least =
+        std::min_element(v.begin(), v.end(), [&](Index a, Index b) { return is_before(a, b); });
+    std::rotate(v.begin(), least, v.end());
+    result.facets.push_back(v);
+    result.numbers.push_back(facet);
+  }
+  std::vector<Index> order(result.facets.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return std::lexicographical_compare(result.facets[a].begin(), result.facets[a].end(),
+                                        result.facets[b].begin(), result.facets[b].end(),
+                                        [&](Index p, Index q) { return is_before(p, q); });
+  });
+
+  Collection sorted;
+  std::vector<Index> number(points_.size(), no_index);
+  for (const Index i : order) {
+    Face v = result.facets[i];
+    for (Index& corner : v) {
+      if (number[corner] == no_index) {
+        number[corner] = static_cast<Index>(sorted.points.size());
+        sorted.points.push_back(points_[corner]);
+      }
+      corner = number[corner];
+    }
+    sorted.facets.push_back(v);
+    sorted.numbers.push_back(result.numbers[i]);
+  }
+  return sorted;
 }
 
 }  // namespace transformesh

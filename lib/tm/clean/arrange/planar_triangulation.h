@@ -1,8 +1,7 @@
 /// A constrained triangulation of exact points in one plane, inside a large scaffold triangle (the
 /// constrained 2D Delaunay triangulation of paper 3.2.3). Constraints may cross each other and pass
 /// through points: crossings become points, supplied by the caller from the definitions of both
-/// lines. Every decision about topology is exact. The choice between two valid diagonals (Delaunay,
-/// by angles in doubles) is not: it makes triangles well shaped where constraints allow.
+/// lines. Every decision is exact.
 /// Reference for constraints by flips: Sloan, "A fast algorithm for generating constrained Delaunay
 /// triangulations", Computers & Structures 1993.
 #pragma once
@@ -51,8 +50,10 @@ class PlanarTriangulation {
   }
   /// Makes the segment a chain of constrained edges. Both ends are on the line.
   void constrain(Index from, Index to, Index line);
-  /// Flips diagonals that no constraint holds until they are Delaunay. Constraints bound what is
-  /// marked per facet, if anything is; the rest is left as it is.
+  /// Flips diagonals that no constraint holds until they are Delaunay; of two that are equally good
+  /// the one at the point with the least definition stays, so that the result does not depend on
+  /// what else was inserted. Constraints bound what is marked per facet, if anything is; the rest
+  /// is left as it is.
   void improve(const std::vector<char>& marked = {});
   /// The constraints on an edge of a facet.
   template <class Visit>
@@ -65,6 +66,13 @@ class PlanarTriangulation {
   }
   /// The edges (facet * 3 + i) from one point straight to another; they must exist.
   std::vector<Index> chain(Index from, Index to) const;
+  /// The marked facets in the order of their points' definitions, and by these.
+  struct Collection {
+    std::vector<ExactPoint> points;  ///< in the order in which the facets name them
+    std::vector<Face> facets;        ///< each begins with the least
+    std::vector<Index> numbers;      ///< in facets()
+  };
+  Collection collect(const std::vector<char>& marked) const;
 
   const std::vector<Facet>& facets() const { return facets_; }
   const ExactPoint& point(Index i) const { return points_[i]; }
@@ -104,7 +112,8 @@ class PlanarTriangulation {
   void add_lines_of_edge(Index edge, Index point);
   Index flip(Index edge);
   bool is_convex(Index edge) const;
-  bool wants_flip(Index edge) const;
+  bool wants_flip(Index edge, bool tells_equal) const;
+  bool is_before(Index a, Index b) const { return points_[a].definition < points_[b].definition; }
   void legalize(Index point);
   Index edge_between(Index from, Index to) const;
   void mark(Index edge, Index line);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "tm/clean/exterior/corner_windings.h"
+#include "tm/clean/exterior/exterior_cut.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -15,7 +16,7 @@ constexpr int unknown = std::numeric_limits<int>::min();
 /// Whether the boundary of the region runs between two sides of a surface.
 bool parts(int front, int behind, int level) { return (front < level) != (behind < level); }
 
-/// Chooses the exterior facets of a plane.
+/// Chooses the exterior facets of a plane that is cut in full.
 class FacetChooser {
  public:
   FacetChooser(const CornerWindings& windings, const WindingRay& ray, int level)
@@ -107,15 +108,18 @@ ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& we
   std::atomic<std::size_t> rays = windings.rays();
   std::vector<PlaneCut> cuts(planes.size());
   parallel_for(cuts.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
+    ExteriorCutter cutter(*welded, planes, steps, windings, ray, level);
     FacetChooser chooser(windings, ray, level);
     for (std::size_t i = first; i < last; ++i) {
       if (!is_visible[i]) continue;
       const Plane plane = planes[i];
-      cuts[i] = cut_plane(*welded, plane, steps, [&](const PlaneFacets& facets) {
-        return chooser.choose(facets, plane.faces[0]);
-      });
+      auto cut = cutter.cut(plane);
+      cuts[i] =
+          cut ? std::move(*cut) : cut_plane(*welded, plane, steps, [&](const PlaneFacets& facets) {
+            return chooser.choose(facets, plane.faces[0]);
+          });
     }
-    rays += chooser.rays();
+    rays += cutter.rays() + chooser.rays();
   });
   progress("arrange", 0.9);
 

@@ -1,7 +1,8 @@
 /// The pieces of a closed mesh that bound the region of points p with w(p) >= level, and no others
-/// (paper 3.2): what is obviously hidden is not even cut, and of each plane only its exterior
-/// facets become pieces. w in front of a facet is carried over the plane from a corner at which it
-/// is known (exterior/corner_windings.h), or from a ray. Exact; parallel; deterministic for any
+/// (paper 3.2): what is obviously hidden is not even cut, a face that others merely cross is cut
+/// only along what bounds its exterior (exterior_cut.h), and of other planes only the exterior
+/// facets become pieces. w in front is carried over a plane from a corner at which it is known
+/// (corner_windings.h), or from a ray. Exact; parallel; deterministic for any
 /// number of threads; throws as `arrange` does.
 #pragma once
 

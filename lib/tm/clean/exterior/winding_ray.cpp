@@ -115,14 +115,22 @@ int WindingRay::in_front_of(const std::array<ExactPoint, 3>& part, Index face) c
   return in_front_of(part, {face, false}, no_index);
 }
 
-int WindingRay::in_front_of(const std::array<ExactPoint, 3>& part, const PieceSource& source,
-                            Index component) const {
-  // The ray runs to the front, along the axis that is nearest to the normal.
+std::optional<int> WindingRay::in_front_of(const ExactPoint& point, Index face) const {
+  const auto [axis, direction] = axis_and_direction({face, false});
+  const Count count = cast(point, axis, direction, no_index);
+  return count.grazes ? std::nullopt : std::optional(count.winding);
+}
+
+// A ray runs to the front, along the axis that is nearest to the normal.
+std::pair<int, int> WindingRay::axis_and_direction(const PieceSource& source) const {
   const PlaneProjection projection = projection_of(welded_.triangle(source.face));
   const bool even = projection.v == (projection.u + 1) % 3;
-  const int axis = 3 - projection.u - projection.v;
-  const int direction = even != source.reversed ? 1 : -1;
+  return {3 - projection.u - projection.v, even != source.reversed ? 1 : -1};
+}
 
+int WindingRay::in_front_of(const std::array<ExactPoint, 3>& part, const PieceSource& source,
+                            Index component) const {
+  const auto [axis, direction] = axis_and_direction(source);
   const ExactGeometry geometry(welded_.points, welded_.faces);
   // A ray grazes an edge where its origin lies on the projection of that edge to the piece: a
   // segment, which has at most two points on the conic. So every edge spoils at most two attempts.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "tm/clean/arrange/arrange.h"
@@ -26,6 +27,9 @@ class WindingRay {
   int in_front_of(const Piece& piece) const;
   /// Just in front of a part of a face, which is a triangle within it.
   int in_front_of(const std::array<ExactPoint, 3>& part, Index face) const;
+  /// Just in front of a face at a point inside it, which is on no other face. Nothing where the ray
+  /// from there grazes an edge or a corner.
+  std::optional<int> in_front_of(const ExactPoint& point, Index face) const;
 
  private:
   struct Count {
@@ -34,6 +38,7 @@ class WindingRay {
   };
   int in_front_of(const std::array<ExactPoint, 3>& part, const PieceSource& source,
                   Index component) const;
+  std::pair<int, int> axis_and_direction(const PieceSource& source) const;
   Count cast(const ExactPoint& origin, int axis, int direction, Index component) const;
   Triangle triangle(Index i) const;
   void visit_overlaps(const Vec3& low, const Vec3& high,

@@ -1,0 +1,142 @@
+#include "tm/clean/exterior/segment_crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace transformesh {
+
+/// On which side of a line a point is, and bounds for how far from it.
+struct SegmentCrossings::Height {
+  int side;
+  double least, most;
+
+  /// Bounds for where a segment crosses the line, one of whose ends is here, the other so far on
+  /// the other side: as a share of its length.
+  std::array<double, 2> share_before(const Height& end) const {
+    constexpr double rounding = 1e-15;
+    return {least / (least + end.most) - rounding, most / (most + end.least) + rounding};
+  }
+};
+
+int SegmentCrossings::side(Index s, const ExactPoint& of) const {
+  return geometry_.orient2d(point(segment(s).from), point(segment(s).to), of, in_.projection);
+}
+
+SegmentCrossings::Box SegmentCrossings::box_of(const ExactPoint& from, const ExactPoint& to) const {
+  Box box{};
+  const std::array<int, 2> axes{in_.projection.u, in_.projection.v};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const int axis = axes[i];
+    box.low[i] = std::min(from.center[axis] - from.radius[axis], to.center[axis] - to.radius[axis]);
+    box.high[i] =
+        std::max(from.center[axis] + from.radius[axis], to.center[axis] + to.radius[axis]);
+  }
+  return box;
+}
+
+bool SegmentCrossings::find() {
+  std::vector<Index> order(in_.segments.size());
+  for (const PlanarSegment& s : in_.segments) boxes_.push_back(box_of(point(s.from), point(s.to)));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return boxes_[a].low[0] < boxes_[b].low[0] || (boxes_[a].low[0] == boxes_[b].low[0] && a < b);
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Box& a = boxes_[order[i]];
+    for (std::size_t k = i + 1; k < order.size() && boxes_[order[k]].low[0] <= a.high[0]; ++k) {
+      if (!a.overlaps(boxes_[order[k]])) continue;
+      if (!add(order[i], order[k])) return false;
+    }
+  }
+  file();
+  return true;
+}
+
+// Segments that share an end have no other point in common, unless that is a corner.
+bool SegmentCrossings::add(Index a, Index b) {
+  const PlanarSegment &s = segment(a), &t = segment(b);
+  if (s.from == t.from || s.from == t.to || s.to == t.from) return true;
+  if (s.to == t.to) return !in_.is_corner(s.to) || side(a, point(t.from)) != 0;
+  const Height from_b = height_over(a, t.from), to_b = height_over(a, t.to);
+  if (from_b.side == to_b.side && from_b.side != 0) return true;
+  const Height from_a = height_over(b, s.from), to_a = height_over(b, s.to);
+  if (from_a.side == to_a.side && from_a.side != 0) return true;
+  if (from_a.side * to_a.side == 0 || from_b.side * to_b.side == 0) return false;
+  const auto [least_a, most_a] = from_a.share_before(to_a);
+  const auto [least_b, most_b] = from_b.share_before(to_b);
+  found_.push_back({a, b, from_a.side, least_a, most_a});
+  found_.push_back({b, a, from_b.side, least_b, most_b});
+  return true;
+}
+
+SegmentCrossings::Height SegmentCrossings::height_over(Index s, Index p) const {
+  const BoundedNumber turn = ExactGeometry::bounded_orient2d(
+      point(segment(s).from), point(segment(s).to), point(p), in_.projection);
+  const double size = std::abs(turn.value);
+  const int sign = turn.sign() != 0 ? turn.sign() : side(s, point(p));
+  return {sign, std::max(size - turn.error, 0.0), size + turn.error};
+}
+
+// On which side of a segment both ends of another one are, one of which may be on its line; else 0.
+int SegmentCrossings::common_side(Index s, Index other) const {
+  const int from = side(s, point(segment(other).from)), to = side(s, point(segment(other).to));
+  return from * to < 0 ? 0 : from + to;
+}
+
+// Which of two segments that cross another one comes first along that: -1, +1, or 0 where they
+// cross in the same point. Where that is close, one of the two may be on one side of the other.
+int SegmentCrossings::order_along(Index s, const Crossing& a, const Crossing& b) const {
+  if (a.most < b.least) return -1;
+  if (b.most < a.least) return 1;
+  const int side_of_a = common_side(b.other, a.other);
+  if (side_of_a != 0) return side_of_a * b.side > 0 ? -1 : 1;
+  const int side_of_b = common_side(a.other, b.other);
+  if (side_of_b != 0) return side_of_b * a.side > 0 ? 1 : -1;
+
+  const ExactPoint &from = point(segment(s).from), &to = point(segment(s).to);
+  const auto at = [&](const Crossing& c) {
+    return geometry_.three_planes(in_.face, segment(s).face, segment(c.other).face);
+  };
+  const ExactPoint point_a = at(a), point_b = at(b);
+  for (const int axis : {in_.projection.u, in_.projection.v}) {
+    const int along = geometry_.compare_coordinate(to, from, axis);
+    if (along != 0) return along * geometry_.compare_coordinate(point_a, point_b, axis);
+  }
+  return 0;
+}
+
+// Files the crossings by segments.
+void SegmentCrossings::file() {
+  first_.assign(in_.segments.size() + 1, 0);
+  for (const Crossing& crossing : found_) ++first_[crossing.segment + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  std::vector<Index> next = first_;
+  crossings_.resize(found_.size());
+  for (const Crossing& crossing : found_) crossings_[next[crossing.segment]++] = crossing;
+}
+
+bool SegmentCrossings::sort_along(Index s) {
+  bool is_told = true;
+  // Stable: that ends well even where the order is none.
+  std::stable_sort(crossings_.begin() + first_[s], crossings_.begin() + first_[s + 1],
+                   [&](const Crossing& a, const Crossing& b) {
+                     const int order = order_along(s, a, b);
+                     is_told = is_told && order != 0;
+                     return order < 0;
+                   });
+  return is_told;
+}
+
+std::optional<int> SegmentCrossings::change_before(const Crossing& crossing) const {
+  int change = 0;
+  for (const Crossing& earlier : of(crossing.segment)) {
+    if (earlier.other == crossing.other) continue;
+    const int order = order_along(crossing.segment, earlier, crossing);
+    if (order == 0) return std::nullopt;
+    if (order < 0) change += step_over(earlier);
+  }
+  return change;
+}
+
+}  // namespace transformesh
