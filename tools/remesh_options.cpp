@@ -1,5 +1,7 @@
 #include "remesh_options.h"
 
+#include <limits>
+
 #include "frame/smoothing_option.h"
 #include "tm/support/error.h"
 
@@ -20,6 +22,9 @@ double edge_length(std::optional<Length>& length, double default_value, const ch
 
 void declare_remeshing(Program& program, RemeshChoices& choices) {
   RemeshOptions& remesh = choices.remesh;
+  program.integer(
+      "faces", &choices.faces, 4, std::numeric_limits<long>::max(),
+      "decimate to so many faces, where the surface changes least, and do nothing else");
   program.length("min-edge", &choices.min_edge,
                  "collapse shorter edges (default 0.7x; with --adaptive 0.1x)");
   program.length("max-edge", &choices.max_edge,
@@ -32,6 +37,8 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
                  "edges as short as the curvature takes to stay this close to the surface");
   program.integer("iterations", &remesh.iterations, 0, 1000,
                   "rounds of split, collapse, flip and smooth");
+  program.choice("only", &choices.only, {"all", "smooth"},
+                 "split, collapse, flip and smooth, or only smooth: then faces stay as they are");
   program.choice("flip", &choices.flip, {"valence", "angle", "none"},
                  "flip edges for six edges at a vertex, or for larger least angles");
   program.text("smooth", &choices.smooth, "KIND",
@@ -55,6 +62,7 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   const bool has_sizes = !result.size_column.empty();
   result.min_edge = edge_length(choices.min_edge, adapts ? 0.1 : 0.7, "--min-edge", has_sizes, run);
   result.max_edge = edge_length(choices.max_edge, adapts ? 5 : 1.5, "--max-edge", has_sizes, run);
+  result.only_smooth = choices.only == "smooth";
   if (choices.flip != "valence")
     result.flip = choices.flip == "angle" ? FlipRule::angle : FlipRule::none;
   result.coordinate = document.style.coordinate;
@@ -65,6 +73,18 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   result.smooth_first = choices.smooth_twice[0];
   result.smooth_second = choices.smooth_twice[1];
   return result;
+}
+
+DecimateOptions decimate_options(const RemeshChoices& choices, const Document& document,
+                                 const Program& program) {
+  for (const Option& option : program.options) {
+    const std::string name = option.name();
+    const bool is_shared = name == "faces" || name == "feature-angle" || name == "keep-border";
+    if (option.is_given && !option.is_common && !is_shared)
+      throw UsageError("--faces decimates and --" + name + " remeshes: use one after the other");
+  }
+  return {static_cast<std::size_t>(*choices.faces), choices.remesh.feature_angle_deg,
+          choices.remesh.keep_border, document.style.coordinate};
 }
 
 }  // namespace transformesh::tool

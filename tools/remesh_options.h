@@ -6,13 +6,16 @@
 #include <vector>
 
 #include "frame/run.h"
+#include "tm/remesh/decimate.h"
 #include "tm/remesh/remesh.h"
 
 namespace transformesh::tool {
 
 /// Options as they are written; the rest are in `remesh`.
 struct RemeshChoices {
+  std::optional<long> faces;  ///< to decimate to, instead of remeshing
   std::optional<Length> min_edge, max_edge, adaptive;
+  std::string only = "all";
   std::string flip = "valence";
   std::string smooth = "tangential";
   std::vector<double> smooth_twice;
@@ -23,5 +26,9 @@ void declare_remeshing(Program& program, RemeshChoices& choices);
 
 /// For the document. Fills in the default lengths, so that settings and report show them.
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run);
+
+/// The same where faces are to be decimated. Throws UsageError where options of both are given.
+DecimateOptions decimate_options(const RemeshChoices& choices, const Document& document,
+                                 const Program& program);
 
 }  // namespace transformesh::tool

@@ -7,6 +7,16 @@ namespace {
 
 using namespace transformesh;
 
+void decimate_document(Document& document, const DecimateOptions& options, tool::Run& run) {
+  const std::size_t before = document.mesh.faces.size();
+  if (before < options.faces)
+    run.note("the mesh has " + std::to_string(before) + " faces, which are not more than " +
+             std::to_string(options.faces) + ": it stays as it is; --max-edge makes more");
+  const DecimateResult result = decimate(document.mesh, options, run.progress());
+  run.report("collapses", result.collapses);
+  run.report("faces", result.faces);
+}
+
 void remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   const RemeshOptions options = tool::remesh_options(choices, document, run);
   const RemeshResult result = remesh(document.mesh, options, run.progress());
@@ -26,6 +36,10 @@ int main(int argc, char** argv) {
                         "Keeps edges between two lengths and triangles round"};
   tool::declare_remeshing(program, choices);
   program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
-  return program.run(argc, argv,
-                     [&](tool::Run& run) { remesh_document(run.document(), choices, run); });
+  return program.run(argc, argv, [&](tool::Run& run) {
+    if (choices.faces)
+      decimate_document(run.document(), decimate_options(choices, run.document(), program), run);
+    else
+      remesh_document(run.document(), choices, run);
+  });
 }

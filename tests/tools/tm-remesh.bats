@@ -229,3 +229,42 @@ border() {
   assert_status 4
   [[ $stderr == *"the only component is smaller"* ]]
 }
+
+@test "--faces decimates to that number, keeps the shape and makes no crossing" {
+  tm-shape genus 3 --faces 20000 -o "$BATS_TEST_TMPDIR/in.ply"
+  pipe "tm-remesh --faces 1500 <$BATS_TEST_TMPDIR/in.ply >$BATS_TEST_TMPDIR/out.ply"
+  assert_status 0
+  [ "$(tm-info --get faces "$BATS_TEST_TMPDIR/out.ply")" -eq 1500 ]
+  [ "$(tm-info --get genus "$BATS_TEST_TMPDIR/out.ply")" -eq 3 ]
+  tm-intersect --check "$BATS_TEST_TMPDIR/out.ply"
+  tm-compare --json --reference "$BATS_TEST_TMPDIR/in.ply" "$BATS_TEST_TMPDIR/out.ply" \
+    >"$BATS_TEST_TMPDIR/distance.json"
+  edge=$(tm-info --get edge_mean "$BATS_TEST_TMPDIR/out.ply")
+  jq -e --argjson edge "$edge" '.rms < 0.05 * $edge' "$BATS_TEST_TMPDIR/distance.json"
+}
+
+@test "--faces leaves a mesh with fewer alone and says so, and is not mixed with remeshing" {
+  tm-shape sphere --faces 100 -o "$BATS_TEST_TMPDIR/in.ply"
+  run tm-remesh --faces 5000 "$BATS_TEST_TMPDIR/in.ply" -o "$BATS_TEST_TMPDIR/out.ply"
+  assert_status 0
+  [[ $output == *"stays as it is"* ]]
+  [ "$(tm-info --get faces "$BATS_TEST_TMPDIR/out.ply")" -eq "$(tm-info --get faces "$BATS_TEST_TMPDIR/in.ply")" ]
+  run tm-remesh --faces 50 --iterations 2 "$BATS_TEST_TMPDIR/in.ply"
+  assert_status 2
+  [[ $output == *"--iterations remeshes"* ]]
+  tm-cat "$BATS_TEST_TMPDIR/in.ply" "$BATS_TEST_TMPDIR/in.ply" >"$BATS_TEST_TMPDIR/two.ply"
+  run tm-remesh --faces 4 "$BATS_TEST_TMPDIR/two.ply" -o "$BATS_TEST_TMPDIR/none.ply"
+  assert_status 4
+  [ ! -e "$BATS_TEST_TMPDIR/none.ply" ]
+}
+
+@test "--only smooth keeps every face" {
+  tm-shape sphere --faces 2000 --noise 2% --seed 1 -o "$BATS_TEST_TMPDIR/in.ply"
+  tm-remesh --only smooth --smooth 0.5 --iterations 3 "$BATS_TEST_TMPDIR/in.ply" -o "$BATS_TEST_TMPDIR/out.ply"
+  tm-convert --format off "$BATS_TEST_TMPDIR/in.ply" | grep '^3 ' >"$BATS_TEST_TMPDIR/faces-in"
+  tm-convert --format off "$BATS_TEST_TMPDIR/out.ply" | grep '^3 ' >"$BATS_TEST_TMPDIR/faces-out"
+  cmp "$BATS_TEST_TMPDIR/faces-in" "$BATS_TEST_TMPDIR/faces-out"
+  ! cmp -s "$BATS_TEST_TMPDIR/in.ply" "$BATS_TEST_TMPDIR/out.ply"
+  run tm-remesh --only smooth --smooth none "$BATS_TEST_TMPDIR/in.ply"
+  assert_status 2
+}

@@ -10,30 +10,44 @@ namespace {
 constexpr double least_turn_cosine = 0.5;
 /// Triangles at least this round are good enough; others must not get worse.
 constexpr double round_enough = 0.3;
+/// The same where the shape of the surface counts for more than that of its triangles.
+constexpr double round_enough_for_shape = 0.05;
 /// The normal of a triangle that is no rounder than this is mostly rounding error.
 constexpr double normal_roundness = 0.02;
 
 }  // namespace
 
 Index EdgeCollapser::collapse(Index halfedge) {
-  if (!roles_.may_merge(halfedge) || !mesh_.can_collapse(halfedge)) return no_index;
+  round_enough_ = round_enough;
+  if (!prepare(halfedge)) return no_index;
+  const bool done = roles_[goes_] != roles_[stays_] ? try_bound_end() : try_free_positions();
+  return done ? stays_ : no_index;
+}
+
+Index EdgeCollapser::collapse_to(Index halfedge, const Vec3& wanted) {
+  round_enough_ = round_enough_for_shape;
+  if (!prepare(halfedge)) return no_index;
+  if (roles_[goes_] != roles_[stays_]) return try_bound_end() ? stays_ : no_index;
+  const Vec3 along = mesh_.position(goes_) - mesh_.position(stays_);
+  const double share = along.dot(wanted - mesh_.position(stays_)) / along.squaredNorm();
+  const bool done = try_position(wanted, share > 0 ? std::min(share, 1.0) : 0);
+  return done || try_free_positions() ? stays_ : no_index;
+}
+
+bool EdgeCollapser::prepare(Index halfedge) {
+  if (!roles_.may_merge(halfedge) || !mesh_.can_collapse(halfedge)) return false;
   const bool turned = !mesh_.is_border(halfedge) && mesh_.target(halfedge) > mesh_.source(halfedge);
   edge_ = turned ? mesh_.opposite(halfedge) : halfedge;
   goes_ = mesh_.source(edge_);
   stays_ = mesh_.target(edge_);
   gather();
+  return true;
+}
 
-  // The end that is bound more keeps its place.
-  const VertexRole from = roles_[goes_];
-  const VertexRole to = roles_[stays_];
-  bool done = false;
-  if (from != to) {
-    const bool source_wins = from > to;
-    done = try_position(mesh_.position(source_wins ? goes_ : stays_), source_wins ? 1 : 0);
-  } else {
-    done = try_free_positions();
-  }
-  return done ? stays_ : no_index;
+// The end that is bound more keeps its place.
+bool EdgeCollapser::try_bound_end() {
+  const bool source_wins = roles_[goes_] > roles_[stays_];
+  return try_position(mesh_.position(source_wins ? goes_ : stays_), source_wins ? 1 : 0);
 }
 
 void EdgeCollapser::gather() {
@@ -114,7 +128,7 @@ bool EdgeCollapser::is_sound(const Vec3& position) const {
     if (turns(before, after, least_turn_cosine)) return false;
     least = std::min(least, roundness(position, spoke.first, spoke.second));
   }
-  return least >= round_enough || least >= least_roundness_before();
+  return least >= round_enough_ || least >= least_roundness_before();
 }
 
 double EdgeCollapser::least_roundness_before() const {

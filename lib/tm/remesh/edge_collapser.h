@@ -16,6 +16,9 @@ class EdgeCollapser {
 
   /// The vertex that the edge became; no_index where it stays.
   Index collapse(Index halfedge);
+  /// The same, where possible to that position, if neither end is bound more than the other, and
+  /// with flatter triangles.
+  Index collapse_to(Index halfedge, const Vec3& wanted);
 
  private:
   /// A triangle that stays, without its corner at the edge.
@@ -28,6 +31,8 @@ class EdgeCollapser {
     double second_limit;
   };
 
+  bool prepare(Index halfedge);
+  bool try_bound_end();
   void gather();
   void gather_star(Index vertex);
   double longest_to(Index neighbor) const;
@@ -42,6 +47,7 @@ class EdgeCollapser {
   EmbeddingGuard& guard_;
   const VertexRoles& roles_;
   double longest_;
+  double round_enough_ = 0;
   Index edge_ = no_index;
   Index goes_ = no_index;
   Index stays_ = no_index;

@@ -58,6 +58,8 @@ void check_options(const RemeshOptions& options) {
   }
   const double first = options.smooth_first;
   const double second = options.smooth_second;
+  if (options.only_smooth && options.smoothing == Smoothing::none)
+    throw UsageError("nothing but smoothing, and no smoothing: nothing would be done");
   if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
   if (!(options.feature_angle_deg > 0 && options.feature_angle_deg <= 180)) {
     throw UsageError("the feature angle " + shortest_text(options.feature_angle_deg) +
@@ -154,6 +156,10 @@ class Iteration {
 
   void run(bool is_first) {
     task_.result.refused = settle_midpoints(mesh_, guard_, first_new_);
+    if (task_.options.only_smooth) {
+      smooth(true);
+      return relax();
+    }
     collapse();
     flip();
     smooth(is_first);
@@ -209,6 +215,7 @@ class Iteration {
 };
 
 void remove_small(const Task& task) {
+  if (task.options.only_smooth) return;
   task.result.components_removed +=
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
 }
@@ -251,14 +258,17 @@ ScaledLengths coarsen(const Task& task) {
   }
 }
 
+void refine(const Task& task) {
+  const ScaledLengths lengths = coarsen(task);
+  if (lengths.longest <= task.limits.longest) return;
+  task.result.splits +=
+      split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
+}
+
 void iterate(const Task& task, bool is_first, bool is_finish) {
   mark_features(task.mesh, task.options.feature_angle_deg);
-  const ScaledLengths lengths = coarsen(task);
   const Index first_new = task.mesh.vertex_slots();
-  if (lengths.longest > task.limits.longest) {
-    task.result.splits +=
-        split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
-  }
+  if (!task.options.only_smooth) refine(task);
   Iteration iteration(task, first_new);
   iteration.run(is_first);
   if (is_finish) iteration.finish();

@@ -33,6 +33,7 @@ struct RemeshOptions {
   /// (sizing.h)
   double adaptive_error = 0;
   int iterations = 1;  ///< >= 0; 0: only small components, degenerate faces; 3 or more: even_out.h
+  bool only_smooth = false;  ///< no splits, collapses and flips
   FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< the Laplacians slide vertices as well
   double smooth_first = 0;                      ///< b of v - b dv, or b1; in [0, 1]
