@@ -11,13 +11,15 @@ void stitch_document(Document& document, StitchOptions options, const Length& to
   const StitchResult result = stitch(document.mesh, options);
   if (result.misoriented_edges > 0) {
     run.note(result.misorientation +
-             (options.orient ? ", however sheets are turned: they stay apart; remove faces there"
-                             : ": they stay apart; --orient turns faces to agree"));
+             (options.orient || options.one_side
+                  ? ", however sheets are turned: they stay apart; remove faces there"
+                  : ": they stay apart; --orient turns faces to agree"));
   }
   run.report("joined_vertices", result.joined_vertices);
   run.report("copied_vertices", result.copied_vertices);
   run.report("split_edges", result.split_edges);
   run.report("dropped_faces", result.dropped_faces);
+  run.report("dropped_reverses", result.dropped_reverses);
   run.report("turned_faces", result.reversed_faces);
   run.report("misoriented_edges", result.misoriented_edges);
   run.report("border_edges", result.border_edges);
@@ -34,6 +36,9 @@ int main(int argc, char** argv) {
                  "join vertices within this distance; 0 joins equal positions only");
   program.flag("orient", &options.orient,
                "turn faces so that neighbors agree; closed components then look outwards");
+  program.flag("one-side", &options.one_side,
+               "of a double-sided model: drop faces whose reverse is there, turn faces so that "
+               "neighbors agree, and closed components outwards");
   program.flag("flip", &options.flip, "reverse all faces");
   return program.run(argc, argv, [&](tool::Run& run) {
     stitch_document(run.document(), options, tolerance, run);

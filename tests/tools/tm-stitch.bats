@@ -177,3 +177,15 @@ mended() {
     tm-checkmanifold --closed joined.ply
   done
 }
+
+@test "--one-side makes a solid of a double-sided model, which tm-clean names" {
+  tm-shape sphere --faces 500 -o "$BATS_TEST_TMPDIR/ball.ply"
+  tm-stitch --flip "$BATS_TEST_TMPDIR/ball.ply" -o "$BATS_TEST_TMPDIR/reverse.ply"
+  tm-cat "$BATS_TEST_TMPDIR/reverse.ply" "$BATS_TEST_TMPDIR/ball.ply" >"$BATS_TEST_TMPDIR/both.ply"
+  run --separate-stderr tm-clean "$BATS_TEST_TMPDIR/both.ply"
+  assert_status 4
+  [[ $stderr == *"as in double-sided models"*"tm-stitch --one-side"* ]]
+  pipe "tm-stitch --one-side $BATS_TEST_TMPDIR/both.ply | tm-clean >$BATS_TEST_TMPDIR/out.ply"
+  assert_status 0
+  [ "$(tm-info --get volume "$BATS_TEST_TMPDIR/out.ply")" = "$(tm-info --get volume "$BATS_TEST_TMPDIR/ball.ply")" ]
+}

@@ -1,15 +1,21 @@
 #include "tm/clean/clean.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "tm/clean/pass/clean_pass.h"
 #include "tm/clean/rounding/snap_rounding.h"
+#include "tm/clean/stitch/one_side.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
+namespace {
 
-CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
+/// Of the faces: with so many reverses a model is called double-sided.
+constexpr double double_sided_share = 0.5;
+
+CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
   CleanPass pass = run_clean_pass(mesh, {options.level, options.method, true}, progress);
   CleanResult result;
@@ -50,6 +56,21 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
                     ") and --refuse forbids it");
   }
   return result;
+}
+
+}  // namespace
+
+CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
+  try {
+    return clean_mesh(mesh, options, progress);
+  } catch (const GoalError&) {
+    const auto faces = static_cast<double>(mesh.faces.size());
+    const std::size_t both = options.refuse ? 0 : count_double_sided(mesh);
+    if (static_cast<double>(both) < std::max(1.0, double_sided_share * faces)) throw;
+    throw GoalError(std::to_string(both) + " of " + std::to_string(mesh.faces.size()) +
+                    " faces lie upon their reverses, as in double-sided models, and cancel out: "
+                    "tm-stitch --one-side keeps one of each");
+  }
 }
 
 }  // namespace transformesh

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tm/clean/exterior/angular_order.h"
+#include "tm/clean/stitch/one_side.h"
 #include "tm/clean/stitch/orient.h"
 #include "tm/clean/stitch/orientation_check.h"
 #include "tm/clean/stitch/pair_across_inside.h"
@@ -110,7 +111,8 @@ std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
 StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   StitchResult result;
   result.joined_vertices = join_vertices(mesh, options.tolerance);
-  if (options.orient) result.reversed_faces = orient_faces(mesh);
+  if (options.one_side) result.dropped_reverses = drop_reverses(mesh);
+  if (options.orient || options.one_side) result.reversed_faces = orient_faces(mesh);
   const std::vector<Face> all_faces = mesh.faces;
   result.dropped_faces = drop_collapsed_faces(mesh);
 
@@ -124,6 +126,7 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   }
   result.copied_vertices = separate_fans(mesh, find_fans(mesh.faces, opposite));
   result.split_edges = split_edges(mesh, opposite);
+  if (options.one_side) result.reversed_faces += turn_outwards(mesh);
   if (options.flip) {
     for (Face& face : mesh.faces) std::swap(face[1], face[2]);
   }

@@ -22,7 +22,9 @@ struct StitchOptions {
   double tolerance = 0;  ///< join positions within this distance, input units; 0: only equal ones
   bool orient = false;  ///< reverse faces so that neighbors agree; closed parts that needed it then
                         ///< look outwards, open ones the way most of their faces did
-  bool flip = false;    ///< reverse all faces, at the end
+  bool one_side = false;  ///< drop faces whose reverse is there (one_side.h), orient, and turn
+                          ///< closed parts outwards
+  bool flip = false;      ///< reverse all faces, at the end
 };
 
 struct StitchResult {
@@ -30,7 +32,8 @@ struct StitchResult {
   std::size_t copied_vertices = 0;  ///< duplicates made at singular vertices, edges, triangles
   std::size_t split_edges = 0;      ///< singular edges split in the middle
   std::size_t dropped_faces = 0;
-  std::size_t reversed_faces = 0;     ///< by `orient`
+  std::size_t dropped_reverses = 0;   ///< by `one_side`
+  std::size_t reversed_faces = 0;     ///< by `orient` and `one_side`
   std::size_t misoriented_edges = 0;  ///< edges at which several are, which run the same way
   std::size_t border_edges = 0;       ///< edges at which one face is left over
   std::string misorientation;         ///< the first misoriented edge in words: faces and place
