@@ -19,6 +19,7 @@ tm-info|predicate|
 tm-intersect|filter|
 tm-morph-step|filter|--target MESH
 tm-morph|loop|--target MESH --iterations 1
+tm-offset|filter|--distance 5%
 tm-photo-step|filter|--cameras SCENE/photos.txt --images SCENE/photos --max-angle 60
 tm-photograph|converter|--size 40x30 --ring 3
 tm-reconstruct|source|--cameras SCENE/photos.txt --images SCENE/photos --silhouettes SCENE/outlines --coarsest 1 --edge 5 --passes 1 --iterations 1 --robust 0

@@ -44,6 +44,7 @@ tm-info
 tm-intersect
 tm-morph --target TARGET --iterations 1 --format off
 tm-morph-step --target TARGET
+tm-offset --distance 5%
 tm-photograph --ring 2 --size 40x30
 tm-remesh
 tm-render

@@ -77,9 +77,9 @@ void IterationResult::measure_times(CsvRow& row) const {
   row.seconds("seconds", seconds);
 }
 
-CleanedTopology clean_in_place(Document& document, const Progress& progress) {
-  CleanResult result =
-      clean(document.mesh, {.outermost = true, .coordinate = document.style.coordinate}, progress);
+CleanedTopology clean_in_place(Document& document, const Progress& progress, bool outermost) {
+  CleanResult result = clean(
+      document.mesh, {.outermost = outermost, .coordinate = document.style.coordinate}, progress);
   document.mesh = std::move(result.mesh);
   const Topology topology = topology_of(document.mesh);
   round_as_written(document);
@@ -102,7 +102,7 @@ IterationResult iterate(Document& document, const Step& step, const IterationOpt
   round_as_written(document);
   result.seconds_step = watch.lap();
 
-  const CleanedTopology cleaned = clean_in_place(document, progress);
+  const CleanedTopology cleaned = clean_in_place(document, progress, options.outermost);
   result.pairs = cleaned.pairs;
   result.seconds_clean = watch.lap();
 

@@ -41,6 +41,7 @@ struct IterationOptions {
   /// All but its lengths and its coordinate type, which come from above and from the document. With
   /// a size column the lengths are factors of it.
   RemeshOptions remesh = smoothed_by(0.1);
+  bool outermost = true;  ///< of clean(): what lies inside goes, cavities too
 };
 /// With the reference edge of the mesh where there is none.
 IterationOptions completed(IterationOptions options, const Mesh& mesh);
@@ -84,7 +85,8 @@ struct CleanedTopology {
   std::size_t pairs = 0;
 };
 
-/// clean() with `outermost`, rounded as written.
-CleanedTopology clean_in_place(Document& document, const Progress& progress = Progress());
+/// clean(), rounded as written.
+CleanedTopology clean_in_place(Document& document, const Progress& progress = Progress(),
+                               bool outermost = true);
 
 }  // namespace transformesh

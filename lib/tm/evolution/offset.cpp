@@ -1,0 +1,201 @@
+#include "tm/evolution/offset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tm/evolution/stop_rules.h"
+#include "tm/geometry/closest_point.h"
+#include "tm/geometry/surface_samples.h"
+#include "tm/io/mesh_io.h"
+#include "tm/mesh/components.h"
+#include "tm/mesh/manifold.h"
+#include "tm/mesh/measure.h"
+#include "tm/mesh/triangle.h"
+#include "tm/support/error.h"
+#include "tm/support/length.h"
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t points_per_task = 512;
+constexpr std::size_t samples = 40000;
+constexpr double close_enough = 0.01;     ///< of an edge
+constexpr double least_edge = 1.0 / 400;  ///< of the diagonal
+constexpr double most_edge = 1.0 / 60;    ///< likewise
+constexpr double most_share = 0.5;        ///< of the distance
+/// A part whose vertices are farther off than this share of an edge, as root mean square, is what
+/// is left where nothing is so far inside.
+constexpr double shard_deviation = 0.5;
+constexpr std::size_t patience = 8;
+/// So near the source, as a share of the distance, its own normals tell the way.
+constexpr double at_source = 1e-6;
+/// What counts as on the true offset, as a share of the distance.
+constexpr double on_offset = 1e-6;
+
+void check(const Mesh& mesh, double distance) {
+  if (!std::isfinite(distance) || distance == 0)
+    throw UsageError("the distance must be a length other than 0");
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces, so it has no offset");
+  const ManifoldReport found = check_manifold(mesh);
+  if (!found.is_closed())
+    throw InputError("the mesh is open: an offset needs an inside; tm-fill closes holes");
+  if (!found.is_manifold() || !found.is_oriented())
+    throw InputError(
+        "the mesh is not an oriented manifold: mend it with tm-stitch --orient, and "
+        "with tm-clean");
+}
+
+class Offset {
+ public:
+  Offset(const Mesh& source, double distance)
+      : source_(source), distance_(distance), query_(source) {}
+
+  /// From every vertex to the level, along the gradient.
+  std::vector<Vec3> ways(const Mesh& mesh);
+  OffsetDeviation deviation(const Mesh& mesh, const Progress& progress) const;
+  double rms() const { return rms_; }
+  /// Removes parts that are nowhere near the level. Returns how many are left.
+  std::size_t drop_shards(Mesh& mesh, double edge) const;
+
+ private:
+  double excess(const Vec3& point) const { return query_(point).signed_distance - distance_; }
+  bool is_on_offset(const Vec3& point) const {
+    return std::abs(excess(point)) <= on_offset * std::abs(distance_);
+  }
+
+  const Mesh& source_;
+  double distance_;
+  ClosestPointQuery query_;
+  double rms_ = std::numeric_limits<double>::infinity();  ///< of the ways asked for last
+};
+
+std::vector<Vec3> Offset::ways(const Mesh& mesh) {
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  std::vector<Vec3> ways(mesh.positions.size());
+  parallel_for(ways.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      const ClosestPoint closest = query_(mesh.positions[v]);
+      const bool is_at_source = closest.distance <= at_source * std::abs(distance_);
+      const Vec3 gradient =
+          is_at_source ? normals[v]
+                       : Vec3((mesh.positions[v] - closest.point) / closest.signed_distance);
+      ways[v] = (distance_ - closest.signed_distance) * gradient;
+    }
+  });
+  double squares = 0;
+  for (const Vec3& way : ways) squares += way.squaredNorm();
+  rms_ = std::sqrt(squares / static_cast<double>(ways.size()));
+  return ways;
+}
+
+OffsetDeviation Offset::deviation(const Mesh& mesh, const Progress& progress) const {
+  progress("measure");
+  OffsetDeviation result;
+  std::vector<Vec3> points = surface_samples(mesh, samples, 1);
+  points.insert(points.end(), mesh.positions.begin(), mesh.positions.end());
+  std::vector<double> off(points.size());
+  parallel_for(points.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) off[i] = std::abs(excess(points[i]));
+  });
+  double squares = 0;
+  for (const double length : off) {
+    squares += length * length;
+    result.most = std::max(result.most, length);
+  }
+  result.rms = std::sqrt(squares / static_cast<double>(off.size()));
+
+  // Straight out from points of the source, where nothing else is nearer.
+  const ClosestPointQuery to_result(mesh);
+  points = surface_samples(source_, samples, 2);
+  std::vector<double> missed(points.size(), 0);
+  parallel_for(points.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec3 goal = points[i] + distance_ * query_(points[i]).pseudonormal;
+      if (is_on_offset(goal)) missed[i] = to_result(goal).distance;
+    }
+  });
+  for (const double length : missed) result.missed = std::max(result.missed, length);
+  return result;
+}
+
+std::size_t Offset::drop_shards(Mesh& mesh, double edge) const {
+  const Components all = connected_components(mesh);
+  std::vector<double> squares(all.components.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const Triangle t = triangle_of(mesh.positions, mesh.faces[f]);
+    const double off = excess((t[0] + t[1] + t[2]) / 3);
+    squares[all.of_face[f]] +=
+        off * off / static_cast<double>(all.components[all.of_face[f]].faces);
+  }
+  const double most = shard_deviation * edge;
+  const auto is_shard = [&](double mean_square) { return mean_square > most * most; };
+  const auto shards = std::count_if(squares.begin(), squares.end(), is_shard);
+  if (shards == 0) return squares.size();
+  std::vector<bool> keep(mesh.faces.size());
+  for (Index f = 0; f < keep.size(); ++f) keep[f] = !is_shard(squares[all.of_face[f]]);
+  mesh = select_faces(mesh, keep);
+  return squares.size() - static_cast<std::size_t>(shards);
+}
+
+}  // namespace
+
+double offset_edge(const Mesh& mesh, double distance) {
+  const double diagonal = bounding_box(mesh).diagonal();
+  const double edge = std::min(
+      {measured_reference_edge(mesh), most_share * std::abs(distance), most_edge * diagonal});
+  return std::max(edge, least_edge * diagonal);
+}
+
+namespace {
+
+OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
+                         const Progress& progress) {
+  const Mesh source = document.mesh;
+  IterationOptions iteration;
+  iteration.reference_edge =
+      options.edge > 0 ? options.edge : offset_edge(source, options.distance);
+  iteration.remesh = RemeshOptions();
+  iteration.outermost = false;
+
+  Offset level(source, options.distance);
+  const Step step = step_along([&](const Mesh& mesh, const Progress&) { return level.ways(mesh); });
+  StalledRule stalled(patience);
+  OffsetResult result;
+  while (!result.is_done && result.iterations < options.iterations) {
+    const IterationResult last = iterate(document, step, iteration, progress);
+    result.topology = last.topology;
+    ++result.iterations;
+    const bool is_close = level.rms() <= close_enough * iteration.reference_edge;
+    result.is_done = is_close || stalled.add(level.rms());
+  }
+
+  // Remeshing slid vertices off the level: one more step without it.
+  step(document.mesh, progress);
+  round_as_written(document);
+  result.topology = clean_in_place(document, progress, false).topology;
+  if (result.is_done)
+    result.topology.components = level.drop_shards(document.mesh, iteration.reference_edge);
+  if (document.mesh.faces.empty()) throw GoalError("only shards are left");
+  result.deviation = level.deviation(document.mesh, progress);
+  return result;
+}
+
+}  // namespace
+
+OffsetResult offset(Document& document, const OffsetOptions& options, const Progress& progress) {
+  check(document.mesh, options.distance);
+  try {
+    return offset_mesh(document, options, progress);
+  } catch (const GoalError&) {
+    // Where all goes, what is left for a moment is inside out, or too small.
+    if (options.distance > 0) throw;
+    throw GoalError(
+        "nothing of the surface is left, or its walls are too thin for its edges: "
+        "nothing seems to be " +
+        shortest_text(-options.distance) + " inside it");
+  }
+}
+
+}  // namespace transformesh

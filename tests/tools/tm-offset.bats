@@ -1,0 +1,47 @@
+load ../helpers/common
+
+@test "a ball grows and shrinks by pipes, and the report measures how well" {
+  tm-shape sphere --faces 3000 -o "$BATS_TEST_TMPDIR/ball.ply"
+  pipe "tm-offset --distance 0.5 --report $BATS_TEST_TMPDIR/r.json <$BATS_TEST_TMPDIR/ball.ply |
+    tm-offset --distance -0.5 >$BATS_TEST_TMPDIR/back.ply"
+  assert_status 0
+  jq -e '.result | .stop == "converged" and .deviation_max < 0.01 and .missed_max < 0.01 and
+    .components == 1 and .genus == 0' "$BATS_TEST_TMPDIR/r.json"
+  tm-compare --json --reference "$BATS_TEST_TMPDIR/ball.ply" "$BATS_TEST_TMPDIR/back.ply" \
+    >"$BATS_TEST_TMPDIR/distance.json"
+  jq -e '.hausdorff < 0.03' "$BATS_TEST_TMPDIR/distance.json"
+}
+
+@test "a torus loses its hole, and the result has no crossing" {
+  tm-shape torus --faces 3000 -o "$BATS_TEST_TMPDIR/torus.ply"
+  hole=$(tm-info --get genus "$BATS_TEST_TMPDIR/torus.ply")
+  [ "$hole" -eq 1 ]
+  tm-offset --distance 30% "$BATS_TEST_TMPDIR/torus.ply" -o "$BATS_TEST_TMPDIR/out.ply"
+  [ "$(tm-info --get genus "$BATS_TEST_TMPDIR/out.ply")" -eq 0 ]
+  tm-intersect --check "$BATS_TEST_TMPDIR/out.ply"
+  tm-checkmanifold --closed "$BATS_TEST_TMPDIR/out.ply"
+}
+
+@test "what vanishes is exit 4, what is open exit 3, and a missing distance exit 2" {
+  tm-shape box 1 1 1 --faces 500 -o "$BATS_TEST_TMPDIR/box.ply"
+  run --separate-stderr tm-offset --distance -0.6 "$BATS_TEST_TMPDIR/box.ply" -o "$BATS_TEST_TMPDIR/none.ply"
+  assert_status 4
+  [[ $stderr == *"0.6 inside"* ]]
+  [ ! -e "$BATS_TEST_TMPDIR/none.ply" ]
+  tm-convert --no-provenance --format off "$BATS_TEST_TMPDIR/box.ply" |
+    awk '/^[0-9]/ && !n { n = $1 + $2; $2 -= 1; print; next } /^[0-9-]/ && ++row == n { next } { print }' \
+      >"$BATS_TEST_TMPDIR/open.off"
+  run --separate-stderr tm-offset --distance 0.1 "$BATS_TEST_TMPDIR/open.off"
+  assert_status 3
+  [[ $stderr == *"the mesh is open"* ]]
+  run tm-offset "$BATS_TEST_TMPDIR/box.ply"
+  assert_status 2
+  [[ $output == *"--distance"* ]]
+}
+
+@test "a limit of iterations that comes first is said" {
+  tm-shape sphere --faces 500 -o "$BATS_TEST_TMPDIR/ball.ply"
+  run --separate-stderr tm-offset --distance 1 --iterations 2 "$BATS_TEST_TMPDIR/ball.ply" -o "$BATS_TEST_TMPDIR/out.ply"
+  assert_status 0
+  [[ $stderr == *"limit of iterations"* ]]
+}

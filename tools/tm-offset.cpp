@@ -1,0 +1,54 @@
+/// tm-offset: the surface at a distance from another one.
+#include "frame/run.h"
+#include "tm/evolution/offset.h"
+#include "tm/support/error.h"
+#include "tm/support/number.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Choices {
+  std::optional<Length> distance, edge;
+  OffsetOptions offset;
+};
+
+void report(const OffsetResult& result, tool::Run& run) {
+  run.report("stop", result.is_done ? "converged" : "iteration_limit");
+  run.report("iterations", result.iterations);
+  run.report("components", result.topology.components);
+  run.report("genus", result.topology.genus);
+  run.report("deviation_rms", result.deviation.rms);
+  run.report("deviation_max", result.deviation.most);
+  run.report("missed_max", result.deviation.missed);
+}
+
+void offset_document(Document& document, Choices& choices, tool::Run& run) {
+  if (!choices.distance) throw UsageError("--distance is needed: how far the surface moves");
+  choices.offset.distance = run.length(*choices.distance);
+  if (choices.edge) choices.offset.edge = run.length(*choices.edge);
+  const OffsetResult result = offset(document, choices.offset, run.progress());
+  report(result, run);
+  if (!result.is_done)
+    run.note("the limit of iterations came first: the surface is " +
+             significant(result.deviation.rms, 3) + " from the offset on average; --iterations");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Choices choices;
+  tool::Program program{"tm-offset", "[OPTION]... --distance LENGTH [INPUT]",
+                        "Moves a surface outwards or inwards by a distance"};
+  program
+      .length("distance", &choices.distance, "how far: outwards, or inwards where negative", true)
+      .is_needed = true;
+  program.length("edge", &choices.edge,
+                 "edges are 0.7 to 1.5 times as long (default the mean edge, but at most half the "
+                 "distance and a 60th of the diagonal)");
+  program.integer("iterations", &choices.offset.iterations, 1, 1000000, "at most so many");
+  program.epilog =
+      "A shell 2 thick: tm-offset --distance -2 a.ply | tm-stitch --flip | tm-cat a.ply -";
+  return program.run(argc, argv,
+                     [&](tool::Run& run) { offset_document(run.document(), choices, run); });
+}
