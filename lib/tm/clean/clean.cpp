@@ -67,8 +67,9 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
     const auto faces = static_cast<double>(mesh.faces.size());
     const std::size_t both = options.refuse ? 0 : count_double_sided(mesh);
     if (static_cast<double>(both) < std::max(1.0, double_sided_share * faces)) throw;
-    throw GoalError(std::to_string(both) + " of " + std::to_string(mesh.faces.size()) +
-                    " faces lie upon their reverses, as in double-sided models, and cancel out: "
+    throw GoalError("the faces enclose nothing: " + std::to_string(both) + " of " +
+                    std::to_string(mesh.faces.size()) +
+                    " lie upon their reverses, as in double-sided models; "
                     "tm-stitch --one-side keeps one of each");
   }
 }

@@ -59,9 +59,11 @@ void write_directly(const std::string& path, std::string_view bytes) {
 
 // Creates the temporary file; its name is noted before it exists.
 int open_temporary(const std::string& target, std::string& name) {
+  const std::string process = std::to_string(getpid());
   for (int attempt = 0; attempt < 100; ++attempt) {
-    name = name_beside(target, ".",
-                       "." + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp");
+    std::string ending = ".";
+    ending.append(process).append("-").append(std::to_string(attempt)).append(".tmp");
+    name = name_beside(target, ".", ending);
     note_temporary(name, true);
     const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) return descriptor;

@@ -102,9 +102,9 @@ std::size_t compare(const Curves& curves, int level) {
       const Vec3 p = from + at * along;
       const bool is_left = curves.winding(p + left) == level - 1;
       const bool is_right = curves.winding(p - left) == level - 1;
-      const auto part = std::find_if(parts->begin(), parts->end(), [&](const SegmentPart& part) {
-        return part.segment == s && share(curves.in, s, part.from, 0) < at &&
-               at < share(curves.in, s, part.to, 1);
+      const auto part = std::find_if(parts->begin(), parts->end(), [&](const SegmentPart& each) {
+        return each.segment == s && share(curves.in, s, each.from, 0) < at &&
+               at < share(curves.in, s, each.to, 1);
       });
       REQUIRE((part != parts->end()) == (is_left != is_right));
       if (part != parts->end()) REQUIRE(part->is_left == is_left);
