@@ -13,6 +13,7 @@ make_meshes() {
   for name in mesh part rough large target result; do cp scan.ply "$name.ply"; done
   cp b.ply source.ply
   for name in mesh.off model.stl scan.obj; do tm-convert -o "$name" scan.ply; done
+  tm-stitch --flip b.ply | tm-cat -o chair.obj b.ply -
   mkdir frames && cp a.ply b.ply frames
   tm-convert --format ply-ascii scan.ply | awk '
     /^element vertex/ { n = $3 }
@@ -77,7 +78,8 @@ setup() {
 }
 
 @test "examples of filters" {
-  run_examples tm-cat.1 tm-clean.1 tm-convert.1 tm-displace.1 tm-morph-step.1 tm-remesh.1 tm-stitch.1
+  run_examples tm-cat.1 tm-clean.1 tm-convert.1 tm-displace.1 tm-morph-step.1 tm-offset.1
+  run_examples tm-remesh.1 tm-stitch.1
 }
 
 @test "examples of what looks and judges" {
