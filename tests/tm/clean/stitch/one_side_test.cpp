@@ -65,7 +65,8 @@ TEST_CASE("cleaning says that a model is double-sided, and what to do") {
     FAIL("nothing is enclosed");
   } catch (const GoalError& error) {
     CHECK(std::string(error.what()).find("tm-stitch --one-side") != std::string::npos);
-    CHECK(std::string(error.what()).find("160 of 160 lie upon their reverses") != std::string::npos);
+    CHECK(std::string(error.what()).find("160 of 160 lie upon their reverses") !=
+          std::string::npos);
   }
 }
 
