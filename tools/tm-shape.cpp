@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh",
                         tool::Reads::words};
   program.words_entry = {"KIND [PARAMETER]...", "what to make, see below"};
+  program.word_choices = shape_kinds();
   program.integer("faces", &options.faces, 1, 1000000000, "how many, about (default 10000)");
   program.length("edge", &options.edge, "or how long their edges are on average, about");
   program.length("radius", &options.radius, "of a sphere, of the ring of a torus or a knot");

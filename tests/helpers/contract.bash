@@ -6,6 +6,7 @@
 # one may stay beside a named output.
 contract_programs() {
   cat <<'TABLE'
+tm|lister|
 tm-cameras|converter|
 tm-cat|filter|
 tm-checkmanifold|predicate|

@@ -14,7 +14,7 @@ setup() {
 
 @test "the table names every program" {
   diff <(contract_programs | cut -d'|' -f1) \
-    <(cd "$tm_root/tools" && printf '%s\n' tm-*.cpp | sed 's/\.cpp$//')
+    <(cd "$tm_root/tools" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
 }
 
 help_is_golden() {
@@ -24,17 +24,17 @@ help_is_golden() {
   [ ! -s stderr ]
 }
 @test "1: --help prints the golden text" {
-  for_each filter predicate picture source converter loop -- help_is_golden
+  for_each filter predicate picture source converter loop lister -- help_is_golden
 }
 
 version_is_printed() {
   run --separate-stderr "$program" --version
   assert_status 0
   [ -z "$stderr" ]
-  [[ $output =~ ^"$program "[0-9]+\.[0-9]+\.[0-9]+$ ]]
+  [[ $output =~ ^"$program "[0-9]+\.[0-9]+\.[0-9]+(\ \(commit\ [0-9a-f]+\))?$ ]]
 }
 @test "2: --version prints name and version" {
-  for_each filter predicate picture source converter loop -- version_is_printed
+  for_each filter predicate picture source converter loop lister -- version_is_printed
 }
 
 unknown_option_is_refused() {
@@ -45,7 +45,7 @@ unknown_option_is_refused() {
   [[ $stderr == "$program: "*"'--versoin'"*"'--version'"* ]]
 }
 @test "3: an unknown option is exit 2 and one line that names the nearest" {
-  for_each filter predicate picture source converter loop -- unknown_option_is_refused
+  for_each filter predicate picture source converter loop lister -- unknown_option_is_refused
 }
 
 stdin_equals_file() {
@@ -61,14 +61,14 @@ stdin_equals_file() {
 }
 
 output_option_equals_stdout() {
-  [ "$kind" = source ] || arguments+=("$mesh")
+  [[ $kind == source || $kind == lister ]] || arguments+=("$mesh")
   "$program" "${arguments[@]}" >expected
   "$program" "${arguments[@]}" -o target >stdout
   [ ! -s stdout ]
   cmp expected target
 }
 @test "5: -o FILE equals stdout" {
-  for_each filter predicate picture source converter loop -- output_option_equals_stdout
+  for_each filter predicate picture source converter loop lister -- output_option_equals_stdout
 }
 
 empty_input_is_refused() {
@@ -97,7 +97,7 @@ truncated_input_is_refused() {
 }
 
 closed_pipe_is_silent() {
-  [ "$kind" = source ] || arguments+=("$binary")
+  [[ $kind == source || $kind == lister ]] || arguments+=("$binary")
   exec 7> >(exit 0)
   wait $!
   code=0
@@ -105,11 +105,11 @@ closed_pipe_is_silent() {
   [ "$code $(cat stderr)" = "141 " ] || fail "exit code $code, $(cat stderr)"
 }
 @test "8: a closed output pipe ends the program silently" {
-  for_each filter predicate picture source converter loop -- closed_pipe_is_silent
+  for_each filter predicate picture source converter loop lister -- closed_pipe_is_silent
 }
 
 failed_output_is_told() {
-  [ "$kind" = source ] || arguments+=("$binary")
+  [[ $kind == source || $kind == lister ]] || arguments+=("$binary")
   code=0
   "$program" "${arguments[@]}" 2>stderr || code=$?
   [ "$code" -eq 5 ] || fail "exit code $code, $(cat stderr)"
@@ -118,8 +118,8 @@ failed_output_is_told() {
 full_disk_is_told() { failed_output_is_told >/dev/full; }
 closed_stdout_is_told() { failed_output_is_told >&-; }
 @test "9: a full disk and a closed stdout are exit 5 and told" {
-  for_each filter predicate picture source converter loop -- full_disk_is_told
-  for_each filter predicate picture source converter loop -- closed_stdout_is_told
+  for_each filter predicate picture source converter loop lister -- full_disk_is_told
+  for_each filter predicate picture source converter loop lister -- closed_stdout_is_told
 }
 
 header_survives() {
@@ -134,7 +134,7 @@ header_survives() {
 }
 
 threads_make_no_difference() {
-  [ "$kind" = source ] || arguments+=("$crossing")
+  [[ $kind == source || $kind == lister ]] || arguments+=("$crossing")
   for threads in 1 2 4 8; do
     # A predicate's no is an answer too.
     "$program" "${arguments[@]}" --threads "$threads" >"$threads" || [ $? -eq 1 ]

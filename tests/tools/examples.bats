@@ -88,7 +88,7 @@ setup() {
 }
 
 @test "examples of what makes meshes, and of the loops" {
-  run_examples tm-shape.1 tm-morph.1 tm-evolve.1 tm.7
+  run_examples tm-shape.1 tm-morph.1 tm-evolve.1 tm.1 tm.7
 }
 
 @test "examples of photographs and their cameras" {

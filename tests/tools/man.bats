@@ -3,7 +3,7 @@
 load ../helpers/common
 
 programs() {
-  (cd "$tm_root/tools" && printf '%s\n' tm-*.cpp | sed 's/\.cpp$//')
+  (cd "$tm_root/tools" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
 }
 
 # The long options that start an entry of the help.
@@ -35,8 +35,8 @@ options_of_page() {
 
 @test "every page becomes a man page that names its program" {
   needs_command pandoc
-  for program in $(programs) tm; do
-    page=$(echo "$tm_build/man/$program".[17])
+  for program in $(programs); do
+    page=$tm_build/share/man/man1/$program.1
     head -n 20 "$page" | grep -qi "^\.TH .*${program//-/.*}" || fail "$page"
   done
 }

@@ -47,7 +47,7 @@ std::string option_entry(const Option& option) {
 std::string option_entries(const Program& program, bool is_common) {
   std::string entries;
   for (const Option& option : program.options)
-    if (option.is_common == is_common) entries += option_entry(option);
+    if (option.is_common == is_common && option.is_listed) entries += option_entry(option);
   return entries;
 }
 

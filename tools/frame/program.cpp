@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "frame/completion.h"
 #include "frame/limits.h"
 #include "frame/memory.h"
 #include "frame/run.h"
@@ -107,7 +108,22 @@ void declare_common(Program& program) {
   program.flag("verbose,v", &common.verbose, "print the settings and what was done");
   program.flag("help,h", &common.help, "print this text");
   program.flag("version", &common.version, "print the version");
+  program
+      .choice("completion", &common.completion, {"bash", "zsh", "fish"},
+              "print a script that completes the command line in this shell")
+      .is_listed = false;
   for (std::size_t i = own; i < program.options.size(); ++i) program.options[i].is_common = true;
+}
+
+/// What the user asks about the program itself; empty where there is something to do.
+std::string about(const Program& program) {
+  const CommonValues& common = program.common;
+  if (common.help) return help_text(program);
+  const std::string commit = TM_COMMIT;
+  if (common.version)
+    return program.name + " " TM_VERSION + (commit.empty() ? "" : " (commit " + commit + ")") +
+           '\n';
+  return common.completion.empty() ? "" : completion(program, common.completion);
 }
 
 void limit_resources(const CommonValues& values, const std::string& name, Terminal& terminal) {
@@ -126,8 +142,8 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
   try {
     declare_common(*this);
     const std::vector<std::string> words = parse({argv + 1, argv + argc});
-    if (common.help || common.version) {
-      write_file("-", common.help ? help_text(*this) : name + " " TM_VERSION "\n");
+    if (const std::string text = about(*this); !text.empty()) {
+      write_file("-", text);
       return exit_done;
     }
     check_together(common);

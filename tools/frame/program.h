@@ -60,6 +60,7 @@ struct Option {
   bool is_needed = false;      ///< a usage error says what it is for where it is not given
   bool affects_result = true;  ///< belongs into the provenance, and to what a run continues with
   bool is_common = false;      ///< shared by all programs, in its own section of the help
+  bool is_listed = true;       ///< in the help
   bool is_given = false;
 
   std::string name() const { return names.substr(0, names.find(',')); }
@@ -73,7 +74,7 @@ struct CommonValues {
   std::string output = "-";
   std::string format, reference_edge, report;
   int threads = 0;
-  std::string max_memory;
+  std::string max_memory, completion;
   double max_time = 0;
   bool as_float = false, as_double = false, no_provenance = false, json = false;
   bool progress = false, no_progress = false, quiet = false, verbose = false;
@@ -89,8 +90,9 @@ struct Program {
   const Reads reads = Reads::mesh;
   const Writes writes = Writes::mesh;
   std::pair<std::string, std::string> words_entry = {};  ///< placeholder and help of Reads::words
-  std::string epilog = {};                    ///< shown after the options: examples, formulas
-  std::function<bool()> writes_mesh_if = {};  ///< where this holds, a mesh is written, no report
+  std::vector<std::string> word_choices = {};  ///< the first word is one of these, for completion
+  std::string epilog = {};                     ///< shown after the options: examples, formulas
+  std::function<bool()> writes_mesh_if = {};   ///< where this holds, a mesh is written, no report
   const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
   CommonValues common = CommonValues();   // {} would make GCC 12 warn
   std::deque<Option> options = {};

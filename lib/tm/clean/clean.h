@@ -17,7 +17,7 @@
 /// meshes; about 250 bytes a face.
 #pragma once
 
-#include "tm/clean/exterior/exterior.h"
+#include "tm/clean/exterior/exterior_method.h"
 #include "tm/mesh/mesh.h"
 #include "tm/support/progress.h"
 

@@ -9,7 +9,8 @@
 
 namespace transformesh {
 
-using Projection = Eigen::Matrix<double, 3, 4>;
+/// Not aligned, so that its layout does not depend on how Eigen is compiled.
+using Projection = Eigen::Matrix<double, 3, 4, Eigen::DontAlign>;
 
 struct Camera {
   Projection projection = Projection::Identity();

@@ -11,6 +11,7 @@
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "tm/clean/clean.h"
+#include "tm/mesh/triangle.h"
 
 namespace transformesh {
 namespace {

@@ -15,11 +15,10 @@
 
 #include "tm/clean/arrange/arrange.h"
 #include "tm/clean/exterior/close_borders.h"
+#include "tm/clean/exterior/exterior_method.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
-
-enum class ExteriorMethod { grow, static_test };
 
 struct Exterior {
   std::vector<char> kept;   ///< per piece

@@ -1,0 +1,49 @@
+# The library as others use it: `find_package(tm)` and `tm::tm`, or `pkg-config tm`.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+# The contracts; what they include is installed with them.
+set(public_headers
+  clean/certify/certify.h clean/clean.h clean/intersect/intersect.h clean/stitch/stitch.h
+  evolution/evolve.h evolution/filter_step.h evolution/morphing.h evolution/offset.h
+  evolution/reconstruction.h evolution/sequence.h evolution/tracking.h
+  geometry/compare.h
+  io/mesh_io.h
+  mesh/components.h mesh/manifold.h mesh/measure.h mesh/mesh.h
+  picture/picture.h picture/png.h
+  remesh/decimate.h remesh/remesh.h
+  shapes/shapes.h
+  step/displace.h step/morph_step.h step/target.h step/target_file.h step/velocity.h
+  support/parallel.h
+  views/cameras/camera_file.h views/cameras/view_files.h views/hull/hull.h
+  views/photo/photo_step.h views/photo/photograph.h views/wrap/wrap.h)
+list(TRANSFORM public_headers PREPEND tm/)
+set(installed_headers)
+while(public_headers)
+  list(POP_FRONT public_headers header)
+  if(header IN_LIST installed_headers)
+    continue()
+  endif()
+  list(APPEND installed_headers ${header})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
+  file(STRINGS ${header} includes REGEX "^#include \"tm/")
+  list(TRANSFORM includes REPLACE "^#include \"(.*)\"$" "\\1")
+  list(APPEND public_headers ${includes})
+endwhile()
+target_sources(tm PUBLIC FILE_SET HEADERS BASE_DIRS ${CMAKE_CURRENT_SOURCE_DIR}
+               FILES ${installed_headers})
+
+install(TARGETS tm EXPORT tmTargets COMPONENT development
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/tm)
+install(EXPORT tmTargets NAMESPACE tm:: DESTINATION ${package} COMPONENT development)
+configure_package_config_file(tmConfig.cmake.in tmConfig.cmake INSTALL_DESTINATION ${package})
+write_basic_package_version_file(tmConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tmConfig.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/tmConfigVersion.cmake
+        DESTINATION ${package} COMPONENT development)
+file(RELATIVE_PATH from_pkgconfig_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(tm.pc.in tm.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tm.pc
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

@@ -1,0 +1,146 @@
+# What is installed works away from the sources: programs, man pages, completions, and the library
+# from a project of somebody else.
+
+load ../helpers/common
+
+setup_file() {
+  cmake --install "$tm_build" --prefix "$BATS_FILE_TMPDIR/before" >/dev/null
+  # Nothing depends on where it was installed first.
+  mv "$BATS_FILE_TMPDIR/before" "$BATS_FILE_TMPDIR/installed tree"
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  prefix="$BATS_FILE_TMPDIR/installed tree"
+  PATH="$prefix/bin:$PATH"
+}
+
+programs() {
+  (cd "$tm_root/tools" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
+}
+
+@test "every program is installed, with its completions" {
+  diff <(programs | sort) <(ls "$prefix/bin" | sort)
+  for program in $(programs); do
+    [ -s "$prefix/share/bash-completion/completions/$program" ]
+    [ -s "$prefix/share/zsh/site-functions/_$program" ]
+    [ -s "$prefix/share/fish/vendor_completions.d/$program.fish" ]
+  done
+}
+
+@test "a pipeline runs from there" {
+  pipe "'$prefix/bin/tm-shape' sphere --faces 500 | '$prefix/bin/tm-clean' | '$prefix/bin/tm-info' --get components"
+  assert_status 0
+  [ "$output" = 1 ]
+}
+
+# The page that man finds with nothing but the folder of the programs in PATH.
+page_of() {
+  env -u MANPATH PATH="$1:/usr/bin:/bin" man -w "$2"
+}
+
+@test "man finds the pages once the programs are in PATH, installed or just built" {
+  needs_command man
+  needs_command pandoc
+  for program in $(programs); do
+    [ "$(page_of "$prefix/bin" "$program")" = "$prefix/share/man/man1/$program.1" ]
+    [ "$(page_of "$tm_build/bin" "$program")" = "$tm_build/share/man/man1/$program.1" ]
+  done
+  [ "$(page_of "$prefix/bin" tm.7)" = "$prefix/share/man/man7/tm.7" ]
+}
+
+# complete PROGRAM WORD...: what bash offers for the last word.
+complete_in_bash() {
+  bash --norc -c '
+    source "$0/share/bash-completion/completions/$1"
+    COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
+    "$(complete -p "$1" | sed -E "s/.*-F ([^ ]+).*/\1/")"
+    printf "%s\n" "${COMPREPLY[@]}"' "$prefix" "$@"
+}
+
+@test "bash completes options, choices, meshes, files and folders" {
+  mkdir folder
+  touch a.ply b.off c.txt d.STL
+  [ "$(complete_in_bash tm-clean --lev)" = --level ]
+  [ "$(complete_in_bash tm-clean --format ply-)" = "ply-ascii
+ply-be" ]
+  [ "$(complete_in_bash tm-clean '' | sort)" = "a.ply
+b.off
+folder" ]
+  [ "$(complete_in_bash tm-clean --report '' | sort | tr '\n' ' ')" = "a.ply b.off c.txt d.STL folder " ]
+  [ "$(complete_in_bash tm-morph --frames '')" = folder ]
+  [ -z "$(complete_in_bash tm-clean --threads '')" ]
+  [ "$(complete_in_bash tm-shape dumb)" = dumbbell ]
+  [ "$(complete_in_bash tm cle)" = "" ]
+  [ "$(complete_in_bash tm tm-cle)" = tm-clean ]
+  for program in $(programs); do
+    complete_in_bash "$program" -- | grep -qx -- --output || fail "$program"
+  done
+}
+
+@test "zsh reads the completions" {
+  needs_command zsh
+  export HOME=$PWD
+  for program in $(programs); do
+    # What zsh takes it for, and that it is read without an error.
+    zsh -fc 'fpath=("$1" $fpath); autoload -Uz compinit; compinit -u -D
+      print -- "$_comps[$2]"; autoload +X "_$2"' - "$prefix/share/zsh/site-functions" "$program" >taken
+    [ "$(<taken)" = "_$program" ]
+    zsh -n "$prefix/share/zsh/site-functions/_$program"
+  done
+}
+
+@test "fish completes options and choices" {
+  needs_command fish
+  for program in $(programs); do
+    fish --no-execute "$prefix/share/fish/vendor_completions.d/$program.fish"
+  done
+  export HOME=$PWD
+  fish --no-config -c 'source $argv[1]; complete -C "tm-clean --format ply-"' \
+    "$prefix/share/fish/vendor_completions.d/tm-clean.fish" >offered
+  cut -f1 offered | diff - <(printf '%s\n' ply-ascii ply-be)
+}
+
+# A wall of cubes that overlaps itself, for the project to clean.
+two_balls() {
+  tm-shape two-spheres --faces 500 -o balls.ply
+}
+
+@test "a project finds the library with find_package, and evolves with a velocity of its own" {
+  two_balls
+  cmake -S "$tm_root/tests/install/project" -B built -DCMAKE_BUILD_TYPE=Release \
+    "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >log 2>&1 || fail "$(cat log)"
+  grep -q "include" built/compile_commands.json
+  ! grep -q "$tm_root/lib" built/compile_commands.json
+  cmake --build built >>log 2>&1 || fail "$(cat log)"
+  built/outside balls.ply grown.ply
+  tm-checkmanifold --closed grown.ply >/dev/null
+  tm-intersect --check grown.ply >/dev/null
+  awk -v before="$(tm-info --get volume balls.ply)" -v after="$(tm-info --get volume grown.ply)" \
+    'BEGIN { exit !(after > 1.1 * before) }'
+}
+
+@test "the same with pkg-config, and no header of CGAL is reached" {
+  needs_command pkg-config
+  two_balls
+  pc=$(find "$prefix" -name tm.pc)
+  export PKG_CONFIG_PATH=${pc%/*}
+  flags=$(pkg-config --cflags --libs tm)
+  # The words of pkg-config are quoted for a shell.
+  eval "g++ -std=c++20 -H -o outside '$tm_root/tests/install/project/outside.cpp' $flags" 2>headers ||
+    fail "$(tail -5 headers)"
+  ! grep -q CGAL headers
+  ./outside balls.ply grown.ply
+  [ "$(tm-info --get components grown.ply)" -ge 1 ]
+}
+
+@test "every installed header compiles on its own" {
+  cd "$prefix/include"
+  find tm -name '*.h' | sort | sed 's/.*/#include "&"/' >"$BATS_TEST_TMPDIR/all"
+  [ "$(wc -l <"$BATS_TEST_TMPDIR/all")" -gt 30 ]
+  # All in one file, in both orders: a header that needs another one fails in one of them.
+  for order in cat tac; do
+    $order "$BATS_TEST_TMPDIR/all" |
+      g++ -std=c++20 -fsyntax-only -x c++ -I. -isystem /usr/include/eigen3 -
+  done
+}

@@ -1,0 +1,14 @@
+/// Completion of a program's command line in bash, zsh and fish, made from the same options as its
+/// help: names, the words of choices, files, folders, and meshes by their endings.
+#pragma once
+
+#include <string>
+
+#include "frame/program.h"
+
+namespace transformesh::tool {
+
+/// A script that the shell reads: `bash`, `zsh` or `fish`.
+std::string completion(const Program& program, const std::string& shell);
+
+}  // namespace transformesh::tool

@@ -1,0 +1,78 @@
+/// tm: the programs of the suite, and their man pages.
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "frame/run.h"
+#include "program_list.h"
+#include "tm/support/error.h"
+#include "tm/support/suggestion.h"
+
+namespace {
+
+using namespace transformesh;
+namespace fs = std::filesystem;
+
+std::string list_text() {
+  std::string text;
+  for (const auto& [name, does] : tool::program_list) {
+    std::string line = name;
+    line.resize(18, ' ');
+    text += line + does + '\n';
+  }
+  return text + "\n`tm NAME` shows a program's page, `tm tm` what all of them share.\n";
+}
+
+/// `clean` or `tm-clean`; `tm` is the suite itself.
+std::string program_named(const std::string& word) {
+  std::vector<std::string> names = {"tm"};
+  for (const auto& program : tool::program_list) names.emplace_back(program.first);
+  for (const std::string& name : {word, "tm-" + word})
+    if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+  std::string nearest = nearest_name("tm-" + word, names);
+  throw UsageError("there is no program '" + word + "'; did you mean '" + nearest + "'?");
+}
+
+/// Replaces this process by one of the commands, the first that is there.
+void run_first_of(std::vector<std::vector<std::string>> commands) {
+  for (std::vector<std::string>& words : commands) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execvp(arguments[0], arguments.data());
+  }
+}
+
+void open_page(const std::string& name) {
+  // Pages lie beside the programs, where these were built and where they are installed.
+  const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
+  const std::string page = name == "tm" ? "man7/tm.7" : "man1/" + name + ".1";
+  std::vector<std::vector<std::string>> commands;
+  if (const fs::path file = here / "../share/man" / page; fs::exists(file)) {
+    commands.push_back({"man", file.string()});
+  } else if (fs::exists(file.string() + ".gz")) {
+    commands.push_back({"man", file.string() + ".gz"});
+  }
+  commands.push_back({(here / name).string(), "--help"});
+  run_first_of(std::move(commands));
+  throw GoalError("neither man nor " + name + " can be run");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tool::Program program{"tm", "[OPTION]... [NAME]",
+                        "Lists the programs of the suite, or shows the man page of one",
+                        tool::Reads::words, tool::Writes::text};
+  program.words_entry = {"NAME", "of a program, with or without tm-; tm: what all share"};
+  for (const auto& entry : tool::program_list) program.word_choices.emplace_back(entry.first);
+  return program.run(argc, argv, [](tool::Run& run) {
+    const std::vector<std::string>& words = run.inputs();
+    if (words.size() > 1)
+      throw UsageError("one NAME at most, but '" + words[1] + "' is a second one");
+    if (!words.empty()) open_page(program_named(words[0]));
+    run.write_output(list_text());
+  });
+}
