@@ -111,7 +111,7 @@ two_balls() {
   cmake -S "$tm_root/tests/install/project" -B built -DCMAKE_BUILD_TYPE=Release \
     "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >log 2>&1 || fail "$(cat log)"
   grep -q "include" built/compile_commands.json
-  ! grep -q "$tm_root/lib" built/compile_commands.json
+  run ! grep -q "$tm_root/lib" built/compile_commands.json
   cmake --build built >>log 2>&1 || fail "$(cat log)"
   built/outside balls.ply grown.ply
   tm-checkmanifold --closed grown.ply >/dev/null
@@ -129,7 +129,7 @@ two_balls() {
   # The words of pkg-config are quoted for a shell.
   eval "g++ -std=c++20 -H -o outside '$tm_root/tests/install/project/outside.cpp' $flags" 2>headers ||
     fail "$(tail -5 headers)"
-  ! grep -q CGAL headers
+  run ! grep -q CGAL headers
   ./outside balls.ply grown.ply
   [ "$(tm-info --get components grown.ply)" -ge 1 ]
 }

@@ -1,0 +1,58 @@
+# Debian packages, by scripts/package: the programs, and the library with its headers. The programs
+# load the system's image libraries, as Debian wants it, whose faults are mended there.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME transformesh)
+set(CPACK_PACKAGE_VENDOR "The tm authors")
+set(CPACK_PACKAGE_CONTACT "The tm authors <tm@users.noreply.github.com>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "mesh evolution as Unix filters")
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL programs development)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME transformesh)
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION
+    "Small programs that read and write PLY and OFF on pipes: they remove the
+self-intersections of a triangle mesh exactly, keep it well sampled, move it,
+morph it into another one, and reconstruct surfaces from photographs.")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "man-db, jq, gnuplot-nox")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtransformesh-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libgmp-dev, libmpfr-dev, \
+libjpeg-dev, libpng-dev, libtiff-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+    "The library and its headers: exact removal of self-intersections of triangle
+meshes, remeshing, morphing, evolution with any velocity, and reconstruction
+from photographs, for C++20.")
+
+# What Debian wants beside the files themselves.
+include(GNUInstallDirs)
+find_program(TM_GZIP gzip)
+function(install_package_documents package component)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/package/${package})
+  file(MAKE_DIRECTORY ${folder})
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/copyright.in ${folder}/copyright @ONLY)
+  string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+  file(WRITE ${folder}/changelog "${package} (${PROJECT_VERSION}) unstable; urgency=medium
+
+  * See CHANGELOG.md of the project.
+
+ -- ${CPACK_PACKAGE_CONTACT}  ${date}
+")
+  execute_process(COMMAND ${TM_GZIP} -9nf ${folder}/changelog)
+  install(FILES ${folder}/copyright ${folder}/changelog.gz COMPONENT ${component}
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package})
+endfunction()
+install_package_documents(transformesh programs)
+install_package_documents(libtransformesh-dev development)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md COMPONENT programs
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/transformesh)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/install/project COMPONENT development
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libtransformesh-dev/examples)
+include(CPack)
