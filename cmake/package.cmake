@@ -8,7 +8,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "mesh evolution as Unix filters")
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL programs development)
+set(CPACK_COMPONENTS_ALL programs development python)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
@@ -31,6 +31,20 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 meshes, remeshing, morphing, evolution with any velocity, and reconstruction
 from photographs, for C++20.")
 
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-transformesh)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/python/debian/postinst
+    ${PROJECT_SOURCE_DIR}/python/debian/prerm)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python3_VERSION_MAJOR}.\
+${Python3_VERSION_MINOR}), python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+    "The module for Python, on NumPy arrays: exact removal of self-intersections of
+triangle meshes, remeshing, morphing, evolution with any velocity, and
+reconstruction from photographs.")
+
 # What Debian wants beside the files themselves.
 include(GNUInstallDirs)
 find_program(TM_GZIP gzip)
@@ -51,6 +65,9 @@ function(install_package_documents package component)
 endfunction()
 install_package_documents(transformesh programs)
 install_package_documents(libtransformesh-dev development)
+install_package_documents(python3-transformesh python)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/python.md COMPONENT python
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-transformesh)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md COMPONENT programs
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/transformesh)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/install/project COMPONENT development

@@ -8,7 +8,7 @@ set(public_headers
   evolution/evolve.h evolution/filter_step.h evolution/morphing.h evolution/offset.h
   evolution/reconstruction.h evolution/sequence.h evolution/tracking.h
   geometry/compare.h
-  io/mesh_io.h
+  io/comments.h io/concatenate.h io/length_basis.h io/mesh_io.h
   mesh/components.h mesh/manifold.h mesh/measure.h mesh/mesh.h
   picture/picture.h picture/png.h
   remesh/decimate.h remesh/remesh.h

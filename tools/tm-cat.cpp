@@ -1,69 +1,15 @@
 /// tm-cat: several meshes as one, one after the other.
-#include <unordered_map>
-#include <unordered_set>
-#include <utility>
-
 #include "frame/run.h"
+#include "tm/io/concatenate.h"
 
 namespace {
 
 using namespace transformesh;
 
-void note_misfits(const std::vector<std::string>& names, const std::string& element,
-                  tool::Run& run) {
-  for (const std::string& name : names)
-    run.note((element + " property '").append(name) +
-             "' is a list in one input and a number in another: missing in the later one");
-}
-
-void append_mesh(Mesh& all, const Mesh& other, tool::Run& run) {
-  const auto offset = static_cast<Index>(all.positions.size());
-  note_misfits(all.vertex_columns.concatenate(other.vertex_columns, all.positions.size(),
-                                              other.positions.size()),
-               "vertex", run);
-  note_misfits(
-      all.face_columns.concatenate(other.face_columns, all.faces.size(), other.faces.size()),
-      "face", run);
-  all.positions.insert(all.positions.end(), other.positions.begin(), other.positions.end());
-  for (const Face& face : other.faces) {
-    all.faces.push_back({face[0] + offset, face[1] + offset, face[2] + offset});
-  }
-}
-
-void append_elements(std::vector<OtherElement>& all, const std::vector<OtherElement>& others,
-                     tool::Run& run) {
-  std::unordered_map<std::string, std::size_t> places;
-  for (std::size_t i = 0; i < all.size(); ++i) places.emplace(all[i].name, i);
-  for (const OtherElement& other : others) {
-    const auto [place, is_new] = places.emplace(other.name, all.size());
-    if (is_new) {
-      all.push_back(other);
-      continue;
-    }
-    OtherElement& same = all[place->second];
-    note_misfits(same.columns.concatenate(other.columns, same.rows, other.rows), other.name, run);
-    same.rows += other.rows;
-  }
-}
-
-// Lines that are not there yet. A reference edge belongs to one mesh: the first keeps its own.
-void append_lines(std::vector<std::string>& all, const std::vector<std::string>& other) {
-  std::unordered_set<std::string> present(all.begin(), all.end());
-  for (const std::string& line : other)
-    if (!line.starts_with("tm:reference-edge") && present.insert(line).second) all.push_back(line);
-}
-
-void append(Document& all, const Document& other, tool::Run& run) {
-  append_mesh(all.mesh, other.mesh, run);
-  append_elements(all.other_elements, other.other_elements, run);
-  append_lines(all.style.comments, other.style.comments);
-  append_lines(all.style.obj_info, other.style.obj_info);
-  if (other.style.coordinate == Scalar::float64) all.style.coordinate = Scalar::float64;
-}
-
 void concatenate(tool::Run& run) {
   std::vector<Document>& documents = run.documents();
-  for (std::size_t i = 1; i < documents.size(); ++i) append(documents[0], documents[i], run);
+  for (std::size_t i = 1; i < documents.size(); ++i)
+    for (const std::string& line : append(documents[0], documents[i])) run.note(line);
   run.report("meshes", documents.size());
 }
 

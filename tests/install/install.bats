@@ -134,6 +134,16 @@ two_balls() {
   [ "$(tm-info --get components grown.ply)" -ge 1 ]
 }
 
+@test "the Python module is installed" {
+  folder=$(find "$prefix" -name '_transformesh.*.so')
+  [ -n "$folder" ] || skip "the Python module is not built"
+  folder=${folder%/transformesh/*}
+  python=$(sed -n 's/^Python3_EXECUTABLE:[A-Z]*=//p' "$tm_build/CMakeCache.txt")
+  PYTHONPATH=$folder "$python" -c 'import transformesh as tm
+assert tm.info(tm.clean(tm.shape("two-spheres", faces=500)))["components"] == 1'
+  [ -e "$folder/transformesh/py.typed" ]
+}
+
 @test "every installed header compiles on its own" {
   cd "$prefix/include"
   find tm -name '*.h' | sort | sed 's/.*/#include "&"/' >"$BATS_TEST_TMPDIR/all"

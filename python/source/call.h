@@ -1,0 +1,59 @@
+/// What every call from Python into the library has: threads, progress, Ctrl-C, and lengths.
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <string>
+#include <variant>
+
+#include "tm/io/document.h"
+#include "tm/support/length.h"
+#include "tm/support/parallel.h"
+#include "tm/support/progress.h"
+
+namespace transformesh::python {
+
+namespace py = pybind11;
+
+/// `transformesh.set_threads`: 0 is one per core.
+extern int threads;
+
+/// A callable of phase and fraction, or none. Ctrl-C ends the call; so does an answer of False.
+Progress progress_to(const py::object& callback);
+
+/// Calls `body(progress)` without the interpreter's lock, on as many threads as are set.
+template <typename Body>
+auto without_lock(const py::object& callback, Body body) {
+  const ThreadLimit limit(threads);
+  const Progress progress = progress_to(callback);
+  const py::gil_scoped_release unlocked;
+  return body(progress);
+}
+
+/// Input units, or text as on a command line: 0.7x, 1%.
+using PythonLength = std::variant<double, std::string>;
+
+/// Resolves lengths as the programs do: where one refers to the reference edge, the document gets
+/// the comment that says how long it is.
+class Lengths {
+ public:
+  explicit Lengths(Document& document);
+  double operator()(const PythonLength& length);
+  double operator()(const std::optional<PythonLength>& length, double otherwise) {
+    return length ? (*this)(*length) : otherwise;
+  }
+  double reference_edge();
+
+ private:
+  Document& document_;
+};
+Length parsed(const PythonLength& length);
+
+/// The parts of the module.
+void bind_errors(py::module_& module);
+void bind_filters(py::module_& module);
+void bind_measures(py::module_& module);
+void bind_evolutions(py::module_& module);
+
+}  // namespace transformesh::python

@@ -1,0 +1,117 @@
+/// The Python module: the library's functions on meshes whose numbers are NumPy arrays.
+#include <new>
+
+#include "call.h"
+#include "python_mesh.h"
+#include "tm/io/comments.h"
+#include "tm/io/length_basis.h"
+#include "tm/support/error.h"
+
+namespace transformesh::python {
+
+int threads = 0;
+
+Progress progress_to(const py::object& callback) {
+  return Progress([callback](std::string_view phase, double fraction) {
+    const py::gil_scoped_acquire locked;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (callback.is_none()) return true;
+    const py::object answer = callback(phase, fraction);
+    return answer.is_none() || py::cast<bool>(answer);
+  });
+}
+
+// --- Lengths -------------------------------------------------------------------------------------
+
+Lengths::Lengths(Document& document) : document_(document) {}
+
+Length parsed(const PythonLength& length) {
+  if (const auto* number = std::get_if<double>(&length)) return {*number, Length::Unit::absolute};
+  return parse_length(std::get<std::string>(length));
+}
+
+double Lengths::operator()(const PythonLength& length) {
+  const Length asked = parsed(length);
+  if (asked.unit == Length::Unit::reference_edge) return asked.resolve(0, reference_edge());
+  LengthBasis basis("");
+  basis.set_document(&document_);
+  return basis.resolve(asked);
+}
+
+double Lengths::reference_edge() {
+  LengthBasis basis("");
+  basis.set_document(&document_);
+  const double edge = basis.reference_edge();
+  set_reference_edge(document_.style.comments, edge);
+  return edge;
+}
+
+// --- Errors --------------------------------------------------------------------------------------
+
+namespace {
+
+/// An exception class of the module with two bases: ours, and Python's own for such a mistake.
+PyObject* add_error(py::module_& module, const char* name, PyObject* own, PyObject* builtin,
+                    const char* about) {
+  const std::string full = std::string("transformesh.") + name;
+  const py::tuple bases = own == nullptr ? py::make_tuple(py::handle(builtin))
+                                         : py::make_tuple(py::handle(own), py::handle(builtin));
+  PyObject* error = PyErr_NewExceptionWithDoc(full.c_str(), about, bases.ptr(), nullptr);
+  module.add_object(name, error);
+  return error;
+}
+
+PyObject *usage_error, *input_error, *goal_error, *output_error, *cancelled;
+
+void translate(std::exception_ptr pointer) {
+  try {
+    if (pointer) std::rethrow_exception(pointer);
+  } catch (const UsageError& error) {
+    PyErr_SetString(usage_error, error.what());
+  } catch (const InputError& error) {
+    PyErr_SetString(input_error, error.what());
+  } catch (const GoalError& error) {
+    PyErr_SetString(goal_error, error.what());
+  } catch (const OutputError& error) {
+    PyErr_SetString(output_error, error.what());
+  } catch (const CancelledError& error) {
+    PyErr_SetString(cancelled, error.what());
+  }
+}
+
+}  // namespace
+
+void bind_errors(py::module_& module) {
+  PyObject* base = add_error(module, "Error", nullptr, PyExc_Exception, "Any refusal.");
+  usage_error = add_error(module, "UsageError", base, PyExc_ValueError,
+                          "An argument that makes no sense; programs exit with 2.");
+  input_error = add_error(module, "InputError", base, PyExc_ValueError,
+                          "A mesh or a file that is not what the operation needs; exit code 3.");
+  goal_error =
+      add_error(module, "GoalError", base, PyExc_RuntimeError, "There is no result; exit code 4.");
+  output_error = add_error(module, "OutputError", base, PyExc_OSError,
+                           "A file could not be written; exit code 5.");
+  cancelled = add_error(module, "Cancelled", base, PyExc_RuntimeError,
+                        "The progress callback returned False.");
+  py::register_exception_translator(translate);
+}
+
+}  // namespace transformesh::python
+
+PYBIND11_MODULE(_transformesh, module) {
+  using namespace transformesh::python;
+  module.attr("__version__") = TM_VERSION;
+  bind_errors(module);
+  bind_mesh(module);
+  bind_filters(module);
+  bind_measures(module);
+  bind_evolutions(module);
+  module.def(
+      "set_threads",
+      [](int count) {
+        if (count < 0 || count > 1024)
+          throw transformesh::UsageError("threads: from 0, one per core, to 1024");
+        threads = count;
+      },
+      py::arg("count"), "How many threads calls use; 0, the default, is one per core.");
+}

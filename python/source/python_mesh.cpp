@@ -1,0 +1,221 @@
+#include "python_mesh.h"
+
+#include <pybind11/stl.h>
+
+#include <cmath>
+
+#include "call.h"
+#include "columns_binding.h"
+#include "tm/io/atomic_file.h"
+#include "tm/io/mesh_io.h"
+#include "tm/io/streams.h"
+#include "tm/support/error.h"
+
+namespace transformesh::python {
+namespace {
+
+template <typename Number>
+bool holds(const py::array& array) {
+  return py::isinstance<py::array_t<Number>>(array);
+}
+
+void check_rows(const py::array& array, const std::string& name) {
+  if (!array || array.ndim() != 2 || array.shape(1) != 3)
+    throw InputError(name + ": an array of shape (n, 3) is needed");
+}
+
+template <typename Number>
+std::vector<Vec3> read_vectors(const py::array& array) {
+  const auto rows = py::array_t<Number>(array).template unchecked<2>();
+  std::vector<Vec3> vectors(static_cast<std::size_t>(rows.shape(0)));
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+    vectors[static_cast<std::size_t>(i)] = Vec3(rows(i, 0), rows(i, 1), rows(i, 2));
+  return vectors;
+}
+
+template <typename Number>
+std::vector<Face> read_faces(const py::array& array, std::size_t vertices) {
+  const auto rows = py::array_t<Number>(array).template unchecked<2>();
+  std::vector<Face> faces(static_cast<std::size_t>(rows.shape(0)));
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+    for (py::ssize_t corner = 0; corner < 3; ++corner) {
+      const Number index = rows(i, corner);
+      if (std::cmp_less(index, 0) || std::cmp_greater_equal(index, vertices))
+        throw InputError("face " + std::to_string(i) + " has vertex index " +
+                         std::to_string(index) + ", but there are " + std::to_string(vertices) +
+                         " vertices");
+      faces[static_cast<std::size_t>(i)][static_cast<std::size_t>(corner)] =
+          static_cast<Index>(index);
+    }
+  return faces;
+}
+
+std::vector<Face> faces_of(const py::array& array, std::size_t vertices) {
+  check_rows(array, "faces");
+  if (holds<std::uint32_t>(array)) return read_faces<std::uint32_t>(array, vertices);
+  if (holds<std::int32_t>(array)) return read_faces<std::int32_t>(array, vertices);
+  if (holds<std::uint64_t>(array)) return read_faces<std::uint64_t>(array, vertices);
+  if (array.dtype().kind() != 'i' && array.dtype().kind() != 'u' && array.shape(0) > 0)
+    throw InputError("faces: an array of integers is needed");
+  return read_faces<std::int64_t>(array, vertices);
+}
+
+py::array positions(const MeshPointer& self) {
+  std::vector<Vec3>& rows = self->document.mesh.positions;
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  return py::array_t<double>({rows.size(), std::size_t{3}},
+                             rows.empty() ? nullptr : rows.data()->data(), py::cast(self));
+}
+
+py::array faces(const MeshPointer& self) {
+  std::vector<Face>& rows = self->document.mesh.faces;
+  return py::array_t<Index>({rows.size(), std::size_t{3}},
+                            rows.empty() ? nullptr : rows.data()->data(), py::cast(self));
+}
+
+// A file's bytes may be no UTF-8, and come back as they were.
+py::object text_of(const std::string& bytes) {
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "surrogateescape"));
+}
+
+std::string bytes_of_text(const py::handle& text) {
+  return py::bytes(text.attr("encode")("utf-8", "surrogateescape"));
+}
+
+std::string description(const PythonMesh& self) {
+  return "<transformesh.Mesh of " + std::to_string(self.document.mesh.positions.size()) +
+         " vertices and " + std::to_string(self.document.mesh.faces.size()) + " faces>";
+}
+
+// --- Reading and writing -------------------------------------------------------------------------
+
+void warn(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+MeshPointer parse(std::string_view bytes, const std::string& name) {
+  ReadResult result =
+      without_lock(py::none(), [&](const Progress&) { return read_mesh(bytes, name); });
+  warn(result.notes);
+  return mesh_of(std::move(result.document));
+}
+
+std::string path_text(const py::object& path) {
+  return py::str(py::module_::import("os").attr("fspath")(path));
+}
+
+MeshPointer read(const py::object& path) {
+  const std::string name = path_text(path);
+  const Bytes bytes = read_all(name);
+  return parse(bytes.view(), name);
+}
+
+std::string bytes_of(const PythonMesh& self, const std::string& format, const std::string& name,
+                     const std::string& scalar) {
+  Document document = self.document;
+  std::optional<Scalar> coordinate;
+  if (!scalar.empty()) coordinate = scalar == "float" ? Scalar::float32 : Scalar::float64;
+  set_format(document, format_for(document.style.format, format, name), coordinate);
+  WriteResult result = write_mesh(document);
+  warn(result.notes);
+  return std::move(result.bytes);
+}
+
+void write(const PythonMesh& self, const py::object& path, const std::string& format,
+           const std::string& scalar) {
+  const std::string name = path_text(path);
+  const std::string bytes = bytes_of(self, format, name, scalar);
+  const py::gil_scoped_release unlocked;
+  write_file(name, bytes);
+}
+
+void bind_files(py::module_& module) {
+  module.def("read", &read, py::arg("path"),
+             "Reads PLY, OFF, OBJ or STL, told apart by the first bytes. What is changed on the "
+             "way in, as polygons cut into triangles, is a warning.");
+  module.def(
+      "parse", [](const py::bytes& bytes) { return parse(std::string_view(bytes), "the bytes"); },
+      py::arg("bytes"), "The mesh that a file of these bytes holds.");
+  module.def("write", &write, py::arg("mesh"), py::arg("path"), py::kw_only(),
+             py::arg("format") = "", py::arg("scalar") = "",
+             "Writes a file, complete or not at all. The name's ending decides on the format "
+             "(.ply .off .obj .stl) unless `format` does: ply, ply-ascii, ply-be, off; else it is "
+             "that of the file read, or binary PLY. `scalar` is float or double.");
+}
+
+}  // namespace
+
+std::vector<Vec3> vectors_of(const py::array& array, const std::string& name) {
+  check_rows(array, name);
+  return holds<float>(array) ? read_vectors<float>(array) : read_vectors<double>(array);
+}
+
+py::array array_of(const std::vector<Vec3>& vectors) {
+  return py::array_t<double>({vectors.size(), std::size_t{3}},
+                             vectors.empty() ? nullptr : vectors.data()->data());
+}
+
+MeshPointer mesh_of(Document document, py::dict report) {
+  return std::make_shared<PythonMesh>(PythonMesh{std::move(document), std::move(report)});
+}
+
+MeshPointer make_mesh(const py::object& positions, const py::object& faces) {
+  Document document;
+  Mesh& mesh = document.mesh;
+  mesh.positions = vectors_of(py::array::ensure(positions), "positions");
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    if (!mesh.positions[v].allFinite())
+      throw InputError("vertex " + std::to_string(v) + " has a coordinate that is not finite");
+  if (!faces.is_none()) mesh.faces = faces_of(py::array::ensure(faces), mesh.positions.size());
+  return mesh_of(std::move(document));
+}
+
+void bind_mesh(py::module_& module) {
+  bind_columns(module);
+  py::class_<PythonMesh, MeshPointer>(
+      module, "Mesh",
+      "A triangle mesh with columns, and what else its file said. `positions` and `faces` are "
+      "arrays on the mesh's own memory: writing to them changes the mesh. Operations leave their "
+      "arguments alone and return new meshes, whose `report` says what was done.")
+      .def(py::init(&make_mesh), py::arg("positions"), py::arg("faces") = py::none(),
+           "Positions (n, 3), and faces (m, 3) of indices, counter-clockwise seen from outside.")
+      .def_property_readonly("positions", &positions, "(n, 3) doubles")
+      .def_property_readonly("faces", &faces, "(m, 3) indices")
+      .def_property_readonly(
+          "vertex_columns", [](const MeshPointer& self) { return vertex_columns(self); },
+          "named numbers per vertex, as a dict of arrays")
+      .def_property_readonly(
+          "face_columns", [](const MeshPointer& self) { return face_columns(self); },
+          "named numbers per face, as a dict of arrays")
+      .def_property(
+          "comments",
+          [](const PythonMesh& self) {
+            py::list lines;
+            for (const std::string& line : self.document.style.comments)
+              lines.append(text_of(line));
+            return lines;
+          },
+          [](PythonMesh& self, const py::list& lines) {
+            std::vector<std::string> comments;
+            for (const py::handle& line : lines) comments.push_back(bytes_of_text(line));
+            self.document.style.comments = std::move(comments);
+          },
+          "the lines of comment that a PLY file has")
+      .def_readwrite("report", &PythonMesh::report, "what the operation did that made this mesh")
+      .def("copy", [](const PythonMesh& self) { return mesh_of(self.document, self.report); })
+      .def(
+          "to_bytes",
+          [](const PythonMesh& self, const std::string& format, const std::string& scalar) {
+            return py::bytes(bytes_of(self, format, "", scalar));
+          },
+          py::arg("format") = "", py::arg("scalar") = "", "the bytes that `write` would write")
+      .def("__repr__", &description)
+      .def(py::pickle(
+          [](const PythonMesh& self) { return py::bytes(write_mesh(self.document).bytes); },
+          [](const py::bytes& bytes) { return parse(std::string_view(bytes), "the pickle"); }));
+  bind_files(module);
+}
+
+}  // namespace transformesh::python

@@ -1,0 +1,41 @@
+"""Mesh evolution: exact removal of self-intersections, remeshing, morphing, reconstruction.
+
+Meshes are `Mesh` objects whose numbers NumPy arrays show. Functions leave their arguments alone
+and return new meshes; what they did is in `mesh.report`. Lengths are numbers in the units of the
+mesh, or text as of the programs: '1%' of the box's diagonal, '0.7x' of the reference edge.
+"""
+
+from ._transformesh import (
+    Cancelled,
+    Columns,
+    Error,
+    GoalError,
+    InputError,
+    Mesh,
+    OutputError,
+    UsageError,
+    __version__,
+    cat,
+    certify,
+    clean,
+    compare,
+    decimate,
+    displace,
+    evolve,
+    hull,
+    info,
+    intersect,
+    morph,
+    offset,
+    parse,
+    read,
+    reconstruct,
+    remesh,
+    render,
+    set_threads,
+    shape,
+    stitch,
+    write,
+)
+
+__all__ = [name for name in dir() if not name.startswith("_")]

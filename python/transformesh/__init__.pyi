@@ -1,0 +1,192 @@
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, MutableMapping
+from os import PathLike
+from typing import Any, Literal, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+
+Length = Union[float, str]
+Progress = Optional[Callable[[str, float], Optional[bool]]]
+Smoothing = Union[float, Literal["tangential", "none"]]
+
+class Error(Exception): ...
+class UsageError(Error, ValueError): ...
+class InputError(Error, ValueError): ...
+class GoalError(Error, RuntimeError): ...
+class OutputError(Error, OSError): ...
+class Cancelled(Error, RuntimeError): ...
+
+class Columns(MutableMapping[str, NDArray[Any]]):
+    def __getitem__(self, name: str) -> NDArray[Any]: ...
+    def __setitem__(self, name: str, values: ArrayLike) -> None: ...
+    def __delitem__(self, name: str) -> None: ...
+    def __len__(self) -> int: ...
+    def __iter__(self) -> Iterator[str]: ...
+
+class Mesh:
+    comments: list[str]
+    report: dict[str, Any]
+    def __init__(self, positions: ArrayLike, faces: Optional[ArrayLike] = None) -> None: ...
+    @property
+    def positions(self) -> NDArray[np.float64]: ...
+    @property
+    def faces(self) -> NDArray[np.uint32]: ...
+    @property
+    def vertex_columns(self) -> Columns: ...
+    @property
+    def face_columns(self) -> Columns: ...
+    def copy(self) -> Mesh: ...
+    def to_bytes(self, format: str = "", scalar: str = "") -> bytes: ...
+
+def set_threads(count: int) -> None: ...
+def read(path: Union[str, PathLike[str]]) -> Mesh: ...
+def parse(bytes: bytes) -> Mesh: ...
+def write(
+    mesh: Mesh, path: Union[str, PathLike[str]], *, format: str = "", scalar: str = ""
+) -> None: ...
+def clean(
+    mesh: Mesh,
+    *,
+    level: int = 1,
+    outermost: bool = False,
+    method: Literal["grow", "static"] = "grow",
+    separate: Length = 0.0,
+    refuse: bool = False,
+    progress: Progress = None,
+) -> Mesh: ...
+def stitch(
+    mesh: Mesh,
+    *,
+    tolerance: Length = 0.0,
+    orient: bool = False,
+    one_side: bool = False,
+    flip: bool = False,
+) -> Mesh: ...
+def cat(*meshes: Mesh) -> Mesh: ...
+def remesh(
+    mesh: Mesh,
+    *,
+    min_edge: Optional[Length] = None,
+    max_edge: Optional[Length] = None,
+    adaptive: Optional[Length] = None,
+    size_field: str = "",
+    iterations: int = 1,
+    smooth: Smoothing = "tangential",
+    flip: Literal["valence", "angle", "none"] = "valence",
+    only: Literal["all", "smooth"] = "all",
+    feature_angle: float = 180.0,
+    keep_border: bool = False,
+    project: bool = False,
+    progress: Progress = None,
+) -> Mesh: ...
+def decimate(
+    mesh: Mesh,
+    faces: int,
+    *,
+    feature_angle: float = 180.0,
+    keep_border: bool = False,
+    progress: Progress = None,
+) -> Mesh: ...
+def displace(
+    mesh: Mesh,
+    velocities: Optional[ArrayLike] = None,
+    *,
+    normal_speed: Optional[Length] = None,
+    curvature_speed: float = 0.0,
+    time_step: float = 1.0,
+    alpha: float = 0.2,
+) -> Mesh: ...
+def offset(
+    mesh: Mesh,
+    distance: Length,
+    *,
+    edge: Optional[Length] = None,
+    iterations: int = 500,
+    progress: Progress = None,
+) -> Mesh: ...
+def shape(kind: str, *parameters: object, **options: object) -> Mesh: ...
+def intersect(mesh: Mesh, *, progress: Progress = None) -> NDArray[np.uint32]: ...
+def info(mesh: Mesh) -> dict[str, Any]: ...
+def compare(
+    mesh: Mesh,
+    reference: Mesh,
+    *,
+    distance: Optional[float] = None,
+    samples: int = 100000,
+    seed: int = 1,
+    progress: Progress = None,
+) -> dict[str, float]: ...
+def certify(
+    mesh: Mesh, input: Mesh, *, level: int = 1, progress: Progress = None
+) -> dict[str, Any]: ...
+def render(
+    *meshes: Mesh,
+    size: tuple[int, int] = (800, 600),
+    orbit: tuple[float, float] = (30.0, 20.0),
+    up: Literal["x", "y", "z"] = "y",
+    zoom: float = 1.0,
+    frame: Literal["each", "scale", "place"] = "each",
+    color: str = "",
+    highlight: str = "",
+    background: str = "#f7f7f7,#d6d9de",
+    edges: bool = False,
+    progress: Progress = None,
+) -> NDArray[np.uint8]: ...
+def evolve(
+    mesh: Mesh,
+    velocity: Callable[[Mesh], ArrayLike],
+    *,
+    iterations: int = 100,
+    time_step: float = 1.0,
+    alpha: float = 0.2,
+    min_edge: Length = "0.7x",
+    max_edge: Length = "1.5x",
+    smooth: Smoothing = 0.1,
+    outermost: bool = True,
+    until: Union[float, Literal["stalled"], None] = None,
+    on_iteration: Optional[Callable[[str], object]] = None,
+    progress: Progress = None,
+) -> Mesh: ...
+def morph(
+    source: Mesh,
+    target: Mesh,
+    *,
+    iterations: int = 1000,
+    alpha: float = 0.2,
+    time_step: float = 1.0,
+    distance: Literal["auto", "surface", "points", "vertex"] = "auto",
+    min_edge: Length = "0.7x",
+    max_edge: Length = "1.5x",
+    smooth: Smoothing = 0.1,
+    gap_edges: float = 0.0,
+    scales: int = 1,
+    on_iteration: Optional[Callable[[str], object]] = None,
+    progress: Progress = None,
+) -> Mesh: ...
+def hull(
+    cameras: str,
+    silhouettes: str,
+    *,
+    resolution: int = 100,
+    edge: Optional[float] = None,
+    keep: Union[float, Literal["largest", "all"]] = "largest",
+    progress: Progress = None,
+) -> Mesh: ...
+def reconstruct(
+    cameras: str,
+    images: str,
+    silhouettes: str = "",
+    *,
+    start: Optional[Mesh] = None,
+    edge: float = 3.0,
+    last_edge: Optional[float] = None,
+    coarsest: Optional[float] = None,
+    passes: int = 4,
+    keep: Union[float, Literal["largest", "all"]] = "largest",
+    on_pass: Optional[Callable[[str], object]] = None,
+    progress: Progress = None,
+) -> Mesh: ...
