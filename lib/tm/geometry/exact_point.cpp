@@ -9,21 +9,28 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tm/geometry/homogeneous.h"
+#include "tm/geometry/long_ball.h"
 #include "tm/geometry/number_vector.h"
 #include "tm/geometry/precise_ball.h"
 #include "tm/geometry/wide_ball.h"
 
 namespace transformesh {
 
-/// Homogeneous coordinates with positive weight.
-struct ExactCoordinates {
-  std::array<CGAL::Mpzf, 3> x;
-  CGAL::Mpzf w;
+/// With positive weight.
+struct ExactCoordinates : HomogeneousPoint<CGAL::Mpzf> {};
+
+/// With positive weight, where magnitudes in the definition are so far apart that numbers become
+/// long and digits are lost.
+struct SpreadCoordinates {
+  HomogeneousPoint<WideBall> wide;
+  HomogeneousPoint<LongBall> longer;
 };
 
 /// To twice the digits of a double, where that can be told.
 struct PreciseCoordinates {
-  std::array<PreciseBall, 3> x;
+  NumberVector<PreciseBall> x;
+  std::unique_ptr<const SpreadCoordinates> spread;  ///< where they are
 };
 
 namespace {
@@ -296,15 +303,77 @@ Fraction<Number> fraction_of(const PointDefinition& definition, std::span<const 
   }
 }
 
-PreciseCoordinates precise_coordinates(const Fraction<PreciseBall>& fraction) {
-  PreciseCoordinates result;
+Vector<PreciseBall> precise_coordinates(const Fraction<PreciseBall>& fraction) {
+  Vector<PreciseBall> result;
   for (std::size_t i = 0; i < 3; ++i) {
-    result.x[i] = fraction.denominator.sign() == 0
-                      ? PreciseBall::unknown()
-                      : PreciseBall(fraction.origin[static_cast<int>(i)]) +
-                            fraction.numerator[i] / fraction.denominator;
+    result[i] = fraction.denominator.sign() == 0
+                    ? PreciseBall::unknown()
+                    : PreciseBall(fraction.origin[static_cast<int>(i)]) +
+                          fraction.numerator[i] / fraction.denominator;
   }
   return result;
+}
+
+template <class Ball>
+HomogeneousPoint<Ball> with_positive_weight(HomogeneousPoint<Ball> point) {
+  const int sign = point.w.sign();
+  if (sign == 0) point.w = Ball::unknown();
+  if (sign >= 0) return point;
+  for (Ball& x : point.x) x = -x;
+  point.w = -point.w;
+  return point;
+}
+
+template <class Ball>
+HomogeneousPoint<Ball> homogeneous_balls(const PointDefinition& definition,
+                                         std::span<const Vec3> positions,
+                                         std::span<const Face> faces) {
+  const auto& d = definition.indices;
+  const auto plane = [&](int i) {
+    return homogeneous_plane<Ball>(triangle_of(positions, faces[d[i]]));
+  };
+  switch (definition.kind) {
+    case ExactPoint::Kind::line_plane:
+      return with_positive_weight(homogeneous_point(positions[d[0]], positions[d[1]], plane(2)));
+    case ExactPoint::Kind::three_planes:
+      return with_positive_weight(homogeneous_point(plane(0), plane(1), plane(2)));
+    default:
+      return {{Ball::unknown(), Ball::unknown(), Ball::unknown()}, Ball::unknown()};
+  }
+}
+
+// The vertices that a definition names.
+std::vector<Index> vertices_of(const PointDefinition& definition, std::span<const Face> faces) {
+  const auto& d = definition.indices;
+  const auto with_face = [&](std::vector<Index> vertices, Index face) {
+    vertices.insert(vertices.end(), faces[face].begin(), faces[face].end());
+    return vertices;
+  };
+  switch (definition.kind) {
+    case ExactPoint::Kind::line_plane:
+      return with_face({d[0], d[1]}, d[2]);
+    case ExactPoint::Kind::line_line:
+      return {d[0], d[1], d[2], d[3]};
+    case ExactPoint::Kind::three_planes:
+      return with_face(with_face(with_face({}, d[0]), d[1]), d[2]);
+    default:
+      return {};
+  }
+}
+
+// Whether magnitudes of coordinates are so far apart that numbers become long.
+bool is_spread(const PointDefinition& definition, std::span<const Vec3> positions,
+               std::span<const Face> faces) {
+  constexpr int most_spread = 128;  // binary orders
+  int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
+  for (const Index vertex : vertices_of(definition, faces)) {
+    for (const double x : positions[vertex]) {
+      if (x == 0) continue;
+      least = std::min(least, std::ilogb(x));
+      most = std::max(most, std::ilogb(x));
+    }
+  }
+  return least < most && most - least > most_spread;
 }
 
 }  // namespace
@@ -313,7 +382,7 @@ const ExactCoordinates& ExactGeometry::exact(const ExactPoint& point) const {
   if (point.exact) return *point.exact;
   const Vec3& p = point.center;
   ExactCoordinates coordinates =
-      is_exact(point) ? ExactCoordinates{{Exact(p[0]), Exact(p[1]), Exact(p[2])}, Exact(1)}
+      is_exact(point) ? ExactCoordinates{{{Exact(p[0]), Exact(p[1]), Exact(p[2])}, Exact(1)}}
                       : exact_coordinates(fraction_of<Exact>(point.definition, positions_, faces_));
   point.exact = std::make_shared<const ExactCoordinates>(std::move(coordinates));
   return *point.exact;
@@ -321,17 +390,45 @@ const ExactCoordinates& ExactGeometry::exact(const ExactPoint& point) const {
 
 const PreciseCoordinates& ExactGeometry::precise(const ExactPoint& point) const {
   if (point.precise) return *point.precise;
+  const Vec3& p = point.center;
   PreciseCoordinates coordinates;
-  coordinates.x.fill(PreciseBall::unknown());
   if (is_exact(point)) {
-    for (std::size_t i = 0; i < 3; ++i)
-      coordinates.x[i] = PreciseBall(point.center[static_cast<int>(i)]);
-  } else if (point.definition.is_known()) {
-    coordinates =
+    coordinates.x = {PreciseBall(p[0]), PreciseBall(p[1]), PreciseBall(p[2])};
+  } else if (!point.definition.is_known()) {
+    coordinates.x.fill(PreciseBall::unknown());
+  } else {
+    coordinates.x =
         precise_coordinates(fraction_of<PreciseBall>(point.definition, positions_, faces_));
+    if (is_spread(point.definition, positions_, faces_))
+      coordinates.spread = std::make_unique<const SpreadCoordinates>(spread(point));
   }
-  point.precise = std::make_shared<const PreciseCoordinates>(coordinates);
+  point.precise = std::make_shared<const PreciseCoordinates>(std::move(coordinates));
   return *point.precise;
+}
+
+SpreadCoordinates ExactGeometry::spread(const ExactPoint& point) const {
+  const PointDefinition& definition = point.definition;
+  if (is_exact(point))
+    return {{number_vector<WideBall>(point.center), WideBall(1)},
+            {number_vector<LongBall>(point.center), LongBall(1)}};
+  return {homogeneous_balls<WideBall>(definition, positions_, faces_),
+          homogeneous_balls<LongBall>(definition, positions_, faces_)};
+}
+
+template <class Compute, class... Point>
+int ExactGeometry::homogeneous_sign(const Compute& compute, const Point&... points) const {
+  const auto spread_sign = [&](const auto&... spread) {
+    const int sign = compute(spread.wide...).sign();
+    return sign != 0 ? sign : compute(spread.longer...).sign();
+  };
+  const auto spread_of = [&](const ExactPoint& point) {
+    return precise(point).spread ? *precise(point).spread : spread(point);
+  };
+  if ((precise(points).spread || ...)) {
+    const int sign = spread_sign(spread_of(points)...);
+    if (sign != 0) return sign;
+  }
+  return exact_sign(compute(exact(points)...));
 }
 
 namespace {
@@ -361,8 +458,9 @@ Vector<Number> way(const Vector<Number>& from, const Vector<Number>& to) {
 }
 
 // Times both weights.
-Vector<Exact> way(const ExactCoordinates& from, const ExactCoordinates& to) {
-  const auto step = [&](std::size_t i) { return to.x[i] * from.w - from.x[i] * to.w; };
+template <class Number>
+Vector<Number> way(const HomogeneousPoint<Number>& from, const HomogeneousPoint<Number>& to) {
+  const auto step = [&](std::size_t i) -> Number { return to.x[i] * from.w - from.x[i] * to.w; };
   return {step(0), step(1), step(2)};
 }
 
@@ -397,7 +495,8 @@ int ExactGeometry::delaunay_sign(const ExactPoint& a, const ExactPoint& b, const
   if (sign == 0)
     sign = delaunay_turn_of(precise(a).x, precise(b).x, precise(c).x, precise(d).x, p).sign();
   if (sign != 0) return sign;
-  return exact_sign(delaunay_turn_of(exact(a), exact(b), exact(c), exact(d), p));
+  const auto turn = [&](const auto&... points) { return delaunay_turn_of(points..., p); };
+  return homogeneous_sign(turn, a, b, c, d);
 }
 
 int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
@@ -419,10 +518,13 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
   if (turn.sign() != 0) return turn.sign();
 
   // Expand the determinant of the rows (x, y, w) along the weights.
-  const ExactCoordinates &ea = exact(a), &eb = exact(b), &ec = exact(c);
-  return exact_sign(ea.w * (eb.x[i] * ec.x[j] - eb.x[j] * ec.x[i]) -
-                    eb.w * (ea.x[i] * ec.x[j] - ea.x[j] * ec.x[i]) +
-                    ec.w * (ea.x[i] * eb.x[j] - ea.x[j] * eb.x[i]));
+  const auto determinant = [&]<class Point>(const Point& u, const Point& v, const Point& w) {
+    const auto minor = [&](const Point& s, const Point& t) -> decltype(s.w) {
+      return s.x[i] * t.x[j] - s.x[j] * t.x[i];
+    };
+    return u.w * minor(v, w) - v.w * minor(u, w) + w.w * minor(u, v);
+  };
+  return homogeneous_sign(determinant, a, b, c);
 }
 
 int ExactGeometry::orient3d(const Triangle& t, const ExactPoint& point) const {
@@ -450,13 +552,8 @@ int ExactGeometry::orient3d(const Triangle& t, const ExactPoint& point) const {
   const int sign = dot(normal<PreciseBall>(t), step).sign();
   if (sign != 0) return sign;
 
-  const ExactCoordinates& e = exact(point);
-  const Vector<Exact> exact_n = normal<Exact>(t);
-  Vector<Exact> offset;
-  for (std::size_t i = 0; i < 3; ++i) {
-    offset[i] = e.x[i] - Exact(t[0][static_cast<int>(i)]) * e.w;
-  }
-  return exact_sign(dot(exact_n, offset));
+  const auto height = [&](const auto& p) { return height_over(t, p); };
+  return homogeneous_sign(height, point);
 }
 
 int ExactGeometry::compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const {
@@ -468,8 +565,8 @@ int ExactGeometry::compare_coordinate(const ExactPoint& a, const ExactPoint& b, 
   const auto k = static_cast<std::size_t>(i);
   const int sign = (precise(a).x[k] - precise(b).x[k]).sign();
   if (sign != 0) return sign;
-  const ExactCoordinates &ea = exact(a), &eb = exact(b);
-  return exact_sign(ea.x[k] * eb.w - eb.x[k] * ea.w);
+  const auto difference = [&](const auto& u, const auto& v) { return u.x[k] * v.w - v.x[k] * u.w; };
+  return homogeneous_sign(difference, a, b);
 }
 
 int ExactGeometry::compare(const ExactPoint& a, const ExactPoint& b) const {
@@ -480,15 +577,25 @@ int ExactGeometry::compare(const ExactPoint& a, const ExactPoint& b) const {
   return 0;
 }
 
+namespace {
+
+// Towards 0. The fraction is not reduced: that would take most of the time.
+double quotient(const Exact& numerator, const Exact& positive_denominator) {
+  const CGAL::Gmpq p(numerator), q(positive_denominator);
+  const CGAL::Gmpz above = p.numerator() * q.denominator();
+  const CGAL::Gmpz below = p.denominator() * q.numerator();
+  mpq_t fraction;
+  *mpq_numref(fraction) = *above.mpz();
+  *mpq_denref(fraction) = *below.mpz();
+  return mpq_get_d(fraction);
+}
+
+}  // namespace
+
 Vec3 ExactGeometry::position(const ExactPoint& point) const {
   if ((point.radius.array() <= epsilon / 2 * point.center.array().abs()).all()) return point.center;
   const ExactCoordinates& e = exact(point);
-  const CGAL::Gmpq weight(e.w);
-  Vec3 position;
-  for (int i = 0; i < 3; ++i) {
-    position[i] = CGAL::to_double(CGAL::Gmpq(e.x[static_cast<std::size_t>(i)]) / weight);
-  }
-  return position;
+  return {quotient(e.x[0], e.w), quotient(e.x[1], e.w), quotient(e.x[2], e.w)};
 }
 
 ExactPoint ExactGeometry::mean(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,

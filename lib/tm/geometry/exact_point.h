@@ -20,6 +20,7 @@ namespace transformesh {
 
 struct ExactCoordinates;
 struct PreciseCoordinates;
+struct SpreadCoordinates;
 
 struct ExactPoint {
   using Kind = PointDefinition::Kind;
@@ -80,6 +81,11 @@ class ExactGeometry {
   ExactPoint line_plane(const PointDefinition& definition) const;
   ExactPoint line_line(const PointDefinition& definition) const;
   const PreciseCoordinates& precise(const ExactPoint& point) const;
+  SpreadCoordinates spread(const ExactPoint& point) const;
+  /// The sign of what `compute` makes of the points' homogeneous coordinates, by balls where these
+  /// are long, and else exactly.
+  template <class Compute, class... Point>
+  int homogeneous_sign(const Compute& compute, const Point&... points) const;
   const ExactCoordinates& exact(const ExactPoint& point) const;
   Triangle triangle(Index face) const;
 

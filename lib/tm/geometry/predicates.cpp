@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "tm/geometry/expansion.h"
+#include "tm/geometry/homogeneous.h"
+#include "tm/geometry/long_ball.h"
 #include "tm/geometry/number_vector.h"
 #include "tm/geometry/precise_ball.h"
 #include "tm/geometry/wide_ball.h"
@@ -90,6 +92,20 @@ bool share_coordinate(const Vec3& a, const Vec3& b, const Vec3& c, int i) {
   return a[i] == b[i] && b[i] == c[i];
 }
 
+template <class Ball>
+int ball_orient3d(const Triangle& t, const Vec3& d) {
+  return height_over<Ball>(t, {number_vector<Ball>(d), Ball(1)}).sign();
+}
+
+// By the coordinates themselves, as in homogeneous.h.
+template <class Ball>
+int ball_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
+  const auto minor = [&](const Vec3& u, const Vec3& v) {
+    return Ball(u[p.u]) * Ball(v[p.v]) - Ball(v[p.u]) * Ball(u[p.v]);
+  };
+  return (minor(a, b) + minor(b, c) + minor(c, a)).sign();
+}
+
 // Zeros come mostly from planes along axes, and from coordinates whose differences are exact, for
 // which expansions are fast.
 // Most other signs are clear from twice the digits.
@@ -105,6 +121,10 @@ int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, d
         precise_difference(b, a), precise_difference(c, a), precise_difference(d, a));
     const int sign = filtered_sign(determinant.high, bound * permanent + underflow_guard);
     if (sign != 0) return sign;
+  } else {
+    int sign = ball_orient3d<WideBall>({a, b, c}, d);
+    if (sign == 0) sign = ball_orient3d<LongBall>({a, b, c}, d);
+    if (sign != 0) return sign;
   }
   return sign_of(dot(normal<Exact>({a, b, c}), difference<Exact>(d, a)));
 }
@@ -115,30 +135,14 @@ int exact_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection 
     const Difference ab = difference_of(b, a), ac = difference_of(c, a);
     if (ab.is_exact && ac.is_exact)
       return minor(ab.value[p.u], ac.value[p.v], ab.value[p.v], ac.value[p.u]).sign();
+  } else {
+    int sign = ball_orient2d<WideBall>(a, b, c, p);
+    if (sign == 0) sign = ball_orient2d<LongBall>(a, b, c, p);
+    if (sign != 0) return sign;
   }
   const auto minus = [](double x, double y) { return Exact(x) - Exact(y); };
   return sign_of(minus(b[p.u], a[p.u]) * minus(c[p.v], a[p.v]) -
                  minus(b[p.v], a[p.v]) * minus(c[p.u], a[p.u]));
-}
-
-// x_a y_b - x_b y_a.
-WideBall minor(const Vec3& a, const Vec3& b, PlaneProjection p) {
-  return WideBall(a[p.u]) * WideBall(b[p.v]) - WideBall(b[p.u]) * WideBall(a[p.v]);
-}
-
-// By the coordinates themselves: differences of numbers of very different magnitudes would lose the
-// smaller ones.
-WideBall turn(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
-  return minor(a, b, p) + minor(b, c, p) + minor(c, a, p);
-}
-
-int wide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  constexpr PlaneProjection xy{0, 1};
-  const WideBall ab = minor(a, b, xy), ac = minor(a, c, xy), ad = minor(a, d, xy);
-  const WideBall bc = minor(b, c, xy), bd = minor(b, d, xy), cd = minor(c, d, xy);
-  return (WideBall(d[2]) * (ab - ac + bc) - WideBall(c[2]) * (ab - ad + bd) +
-          WideBall(b[2]) * (ac - ad + cd) - WideBall(a[2]) * (bc - bd + cd))
-      .sign();
 }
 
 constexpr PlaneProjection along(int axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
@@ -157,9 +161,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                            std::abs(dy) * (std::abs(bzcx) + std::abs(bxcz)) +
                            std::abs(dz) * (std::abs(bxcy) + std::abs(bycx));
   const int sign = filtered_sign(determinant, bound_3d * permanent + underflow_guard);
-  if (sign != 0) return sign;
-  const int wide = leaves_double_range(permanent) ? wide_orient3d(a, b, c, d) : 0;
-  return wide != 0 ? wide : exact_orient3d(a, b, c, d, permanent);
+  return sign != 0 ? sign : exact_orient3d(a, b, c, d, permanent);
 }
 
 OrientedPlane::OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a), b_(b), c_(c) {
@@ -188,9 +190,7 @@ int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
   const double right = (b[p.v] - a[p.v]) * (c[p.u] - a[p.u]);
   const double permanent = std::abs(left) + std::abs(right);
   const int sign = filtered_sign(left - right, bound_2d * permanent + underflow_guard);
-  if (sign != 0) return sign;
-  const int wide = leaves_double_range(permanent) ? turn(a, b, c, p).sign() : 0;
-  return wide != 0 ? wide : exact_orient2d(a, b, c, p);
+  return sign != 0 ? sign : exact_orient2d(a, b, c, p);
 }
 
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -220,6 +220,27 @@ PlaneProjection projection_of(const Triangle& t) {
   return {};
 }
 
+namespace {
+
+bool is_moderate(const Triangle& t) {
+  return is_moderate(t[0]) && is_moderate(t[1]) && is_moderate(t[2]);
+}
+
+// Of what `compute` makes of the normals: by balls, and exactly where these leave it open.
+template <class Compute>
+int sign_by_normals(const Triangle& first, const Triangle& second, const Compute& compute) {
+  int sign = 0;
+  if (is_moderate(first) && is_moderate(second))
+    sign = compute(normal<PreciseBall>(first), normal<PreciseBall>(second)).sign();
+  else
+    sign = compute(homogeneous_plane<LongBall>(first).normal,
+                   homogeneous_plane<LongBall>(second).normal)
+               .sign();
+  return sign != 0 ? sign : sign_of(compute(normal<Exact>(first), normal<Exact>(second)));
+}
+
+}  // namespace
+
 int normals_dot(const Triangle& first, const Triangle& second) {
   const Vec3 n = (first[1] - first[0]).cross(first[2] - first[0]);
   const Vec3 m = (second[1] - second[0]).cross(second[2] - second[0]);
@@ -228,8 +249,7 @@ int normals_dot(const Triangle& first, const Triangle& second) {
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
   const int sign = filtered_sign(n.dot(m), 32 * epsilon * size + underflow_guard);
   if (sign != 0) return sign;
-  const int precise = dot(normal<PreciseBall>(first), normal<PreciseBall>(second)).sign();
-  return precise != 0 ? precise : sign_of(dot(normal<Exact>(first), normal<Exact>(second)));
+  return sign_by_normals(first, second, [](const auto& u, const auto& v) { return dot(u, v); });
 }
 
 int normals_cross(const Triangle& first, const Triangle& second, int coordinate) {
@@ -240,8 +260,8 @@ int normals_cross(const Triangle& first, const Triangle& second, int coordinate)
   const int sign = filtered_sign(n.cross(m)[coordinate], 32 * epsilon * size + underflow_guard);
   if (sign != 0) return sign;
   const auto i = static_cast<std::size_t>(coordinate);
-  const int precise = cross(normal<PreciseBall>(first), normal<PreciseBall>(second))[i].sign();
-  return precise != 0 ? precise : sign_of(cross(normal<Exact>(first), normal<Exact>(second))[i]);
+  return sign_by_normals(first, second,
+                         [&](const auto& u, const auto& v) { return cross(u, v)[i]; });
 }
 
 std::vector<Index> degenerate_faces(const Mesh& mesh) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tm/geometry/binary_exponent.h"
+
 namespace transformesh {
 
 class WideBall {
@@ -14,6 +16,9 @@ class WideBall {
   WideBall() = default;  ///< 0
   explicit WideBall(double number) : WideBall(number, 0, 0) {}
   WideBall(double center, double radius) : WideBall(center, radius, 0) {}
+
+  /// All numbers.
+  static WideBall unknown() { return {0, std::numeric_limits<double>::infinity()}; }
 
   /// +1 or -1 where all numbers of the ball are of that sign, else 0.
   int sign() const { return value_ > error_ ? 1 : value_ < -error_ ? -1 : 0; }
@@ -27,10 +32,10 @@ class WideBall {
     if (b.value_ == 0 && b.error_ == 0) return a;
     if (a.value_ == 0 && a.error_ == 0) return b;
     const int shift = b.exponent_ - a.exponent_;
-    const double value = a.value_ + std::ldexp(b.value_, shift);
+    const double scale = power_of_two(shift);
+    const double value = a.value_ + b.value_ * scale;
     const double lost = shift < -900 ? underflow : 0;
-    return {value, a.error_ + std::ldexp(b.error_, shift) + epsilon * std::abs(value) + lost,
-            a.exponent_};
+    return {value, a.error_ + b.error_ * scale + epsilon * std::abs(value) + lost, a.exponent_};
   }
   friend WideBall operator-(const WideBall& a, const WideBall& b) { return a + -b; }
   friend WideBall operator*(const WideBall& a, const WideBall& b) {
@@ -61,9 +66,10 @@ class WideBall {
       error_ = std::numeric_limits<double>::infinity();
       return;
     }
-    const int shift = std::ilogb(size);
-    value_ = std::ldexp(value, -shift);
-    error_ = error == 0 ? 0 : std::ldexp(error, -shift) * slack + underflow;
+    const int shift = binary_exponent(size);
+    const double scale = power_of_two(-shift);
+    value_ = value * scale;
+    error_ = error == 0 ? 0 : error * scale * slack + underflow;
     exponent_ = exponent + shift;
   }
 

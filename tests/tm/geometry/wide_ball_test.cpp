@@ -78,6 +78,10 @@ TEST_CASE("what is not finite, or zero but for an error, has no sign") {
   CHECK((WideBall(3, 1) * WideBall(-2)).sign() == -1);
   CHECK((WideBall(1e-300) * WideBall(1e-300) - WideBall(1e-320)).sign() == -1);
   CHECK((WideBall(1e300) * WideBall(1e300) + WideBall(-1e308)).sign() == 1);
+  // The largest numbers, and those below the normal ones.
+  CHECK((WideBall(1.5e308) - WideBall(0.8e308) - WideBall(0.6e308)).sign() == 1);
+  CHECK((WideBall(1.5e308) - WideBall(0.8e308) - WideBall(0.8e308)).sign() == -1);
+  CHECK((WideBall(3e-322) - WideBall(2e-322)).sign() == 1);
 }
 
 }  // namespace transformesh
