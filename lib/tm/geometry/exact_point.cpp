@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tm/geometry/binary_exponent.h"
 #include "tm/geometry/homogeneous.h"
 #include "tm/geometry/long_ball.h"
 #include "tm/geometry/number_vector.h"
@@ -369,8 +370,8 @@ bool is_spread(const PointDefinition& definition, std::span<const Vec3> position
   for (const Index vertex : vertices_of(definition, faces)) {
     for (const double x : positions[vertex]) {
       if (x == 0) continue;
-      least = std::min(least, std::ilogb(x));
-      most = std::max(most, std::ilogb(x));
+      least = std::min(least, binary_exponent(std::abs(x)));
+      most = std::max(most, binary_exponent(std::abs(x)));
     }
   }
   return least < most && most - least > most_spread;
