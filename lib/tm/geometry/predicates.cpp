@@ -5,12 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "tm/geometry/expansion.h"
+#include "tm/geometry/fixed_integer.h"
 #include "tm/geometry/homogeneous.h"
 #include "tm/geometry/long_ball.h"
 #include "tm/geometry/number_vector.h"
 #include "tm/geometry/precise_ball.h"
 #include "tm/geometry/wide_ball.h"
+#include "tm/support/elementary/double_double.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -42,50 +43,28 @@ bool is_moderate(const Vec3& p) {
   return is_usual(p[0]) && is_usual(p[1]) && is_usual(p[2]);
 }
 
-/// a - b, and whether that is what doubles make of it.
-struct Difference {
-  Vec3 value;
-  bool is_exact = true;
-};
-
-Difference difference_of(const Vec3& a, const Vec3& b) {
-  Difference result;
+// By integers, scaled for each axis; nothing where coordinates are too far apart for these.
+std::optional<int> integer_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  std::array<std::array<FixedInteger<2>, 3>, 3> ways;  // per axis: from a to b, c and d
   for (int i = 0; i < 3; ++i) {
-    const elementary::DoubleDouble sum = elementary::exact_sum(a[i], -b[i]);
-    result.value[i] = sum.high;
-    result.is_exact &= sum.low == 0;
+    const auto numbers = scaled_integers<4>({a[i], b[i], c[i], d[i]});
+    if (!numbers) return {};
+    for (std::size_t k = 0; k < 3; ++k)
+      ways[static_cast<std::size_t>(i)][k] = (*numbers)[k + 1] - (*numbers)[0];
   }
-  return result;
+  const auto& [x, y, z] = ways;
+  const auto minor = [](const auto& u, const auto& v) { return u[0] * v[1] - u[1] * v[0]; };
+  return (minor(y, z) * x[2] + minor(z, x) * y[2] + minor(x, y) * z[2]).sign();
 }
 
-// a b - c d.
-Expansion<4> minor(double a, double b, double c, double d) {
-  return Expansion<2>::product(a, b) + Expansion<2>::product(-c, d);
-}
-
-// Of three vectors.
-int sign_of_determinant(const Vec3& b, const Vec3& c, const Vec3& d) {
-  return (minor(b[1], c[2], b[2], c[1]) * d[0] + minor(b[2], c[0], b[0], c[2]) * d[1] +
-          minor(b[0], c[1], b[1], c[0]) * d[2])
-      .sign();
-}
-
-using elementary::DoubleDouble;
-
-struct PreciseVector {
-  DoubleDouble x, y, z;
-};
-
-PreciseVector precise_difference(const Vec3& a, const Vec3& b) {
-  return {elementary::exact_sum(a[0], -b[0]), elementary::exact_sum(a[1], -b[1]),
-          elementary::exact_sum(a[2], -b[2])};
-}
-
-// Of three vectors, to about 100 bits.
-DoubleDouble precise_determinant(const PreciseVector& b, const PreciseVector& c,
-                                 const PreciseVector& d) {
-  return (b.y * c.z + -(b.z * c.y)) * d.x + (b.z * c.x + -(b.x * c.z)) * d.y +
-         (b.x * c.y + -(b.y * c.x)) * d.z;
+std::optional<int> integer_orient2d(const Vec3& a, const Vec3& b, const Vec3& c,
+                                    PlaneProjection p) {
+  const auto u = scaled_integers<3>({a[p.u], b[p.u], c[p.u]});
+  const auto v = scaled_integers<3>({a[p.v], b[p.v], c[p.v]});
+  if (!u || !v) return {};
+  const auto& [ua, ub, uc] = *u;
+  const auto& [va, vb, vc] = *v;
+  return ((ub - ua) * (vc - va) - (vb - va) * (uc - ua)).sign();
 }
 
 bool share_coordinate(const Vec3& a, const Vec3& b, const Vec3& c, int i) {
@@ -106,40 +85,46 @@ int ball_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p
   return (minor(a, b) + minor(b, c) + minor(c, a)).sign();
 }
 
-// Zeros come mostly from planes along axes, and from coordinates whose differences are exact, for
-// which expansions are fast.
-// Most other signs are clear from twice the digits.
-int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double permanent) {
+// Zeros come mostly from planes along axes.
+int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   for (int i = 0; i < 3; ++i)
     if (share_coordinate(a, b, c, i) && c[i] == d[i]) return 0;
-  if (is_moderate(a) && is_moderate(b) && is_moderate(c) && is_moderate(d)) {
-    const Difference ab = difference_of(b, a), ac = difference_of(c, a), ad = difference_of(d, a);
-    if (ab.is_exact && ac.is_exact && ad.is_exact)
-      return sign_of_determinant(ab.value, ac.value, ad.value);
-    constexpr double bound = 0x1p-94;
-    const DoubleDouble determinant = precise_determinant(
-        precise_difference(b, a), precise_difference(c, a), precise_difference(d, a));
-    const int sign = filtered_sign(determinant.high, bound * permanent + underflow_guard);
-    if (sign != 0) return sign;
-  } else {
-    int sign = ball_orient3d<WideBall>({a, b, c}, d);
-    if (sign == 0) sign = ball_orient3d<LongBall>({a, b, c}, d);
-    if (sign != 0) return sign;
-  }
-  return sign_of(dot(normal<Exact>({a, b, c}), difference<Exact>(d, a)));
+  if (const auto sign = integer_orient3d(a, b, c, d)) return *sign;
+  int sign = ball_orient3d<WideBall>({a, b, c}, d);
+  if (sign == 0) sign = ball_orient3d<LongBall>({a, b, c}, d);
+  return sign != 0 ? sign : sign_of(dot(normal<Exact>({a, b, c}), difference<Exact>(d, a)));
+}
+
+// a b - c d. Where two products round to one number, what rounding took away decides.
+int sign_of_minor(double a, double b, double c, double d) {
+  const elementary::DoubleDouble ab = elementary::exact_product(a, b);
+  const elementary::DoubleDouble cd = elementary::exact_product(c, d);
+  return ab.high != cd.high ? (ab.high > cd.high ? 1 : -1)
+                            : (ab.low > cd.low ? 1 : 0) - (ab.low < cd.low ? 1 : 0);
+}
+
+// Lattices are faster so: nothing where a difference is no double.
+std::optional<int> quick_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
+  if (!(is_moderate(a) && is_moderate(b) && is_moderate(c))) return {};
+  bool is_exact = true;
+  const auto minus = [&](double x, double y) {
+    const elementary::DoubleDouble difference = elementary::exact_sum(x, -y);
+    is_exact &= difference.low == 0;
+    return difference.high;
+  };
+  const double bu = minus(b[p.u], a[p.u]), bv = minus(b[p.v], a[p.v]);
+  const double cu = minus(c[p.u], a[p.u]), cv = minus(c[p.v], a[p.v]);
+  if (!is_exact) return {};
+  return sign_of_minor(bu, cv, bv, cu);
 }
 
 int exact_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
   if (share_coordinate(a, b, c, p.u) || share_coordinate(a, b, c, p.v)) return 0;
-  if (is_moderate(a) && is_moderate(b) && is_moderate(c)) {
-    const Difference ab = difference_of(b, a), ac = difference_of(c, a);
-    if (ab.is_exact && ac.is_exact)
-      return minor(ab.value[p.u], ac.value[p.v], ab.value[p.v], ac.value[p.u]).sign();
-  } else {
-    int sign = ball_orient2d<WideBall>(a, b, c, p);
-    if (sign == 0) sign = ball_orient2d<LongBall>(a, b, c, p);
-    if (sign != 0) return sign;
-  }
+  if (const auto sign = quick_orient2d(a, b, c, p)) return *sign;
+  if (const auto sign = integer_orient2d(a, b, c, p)) return *sign;
+  int sign = ball_orient2d<WideBall>(a, b, c, p);
+  if (sign == 0) sign = ball_orient2d<LongBall>(a, b, c, p);
+  if (sign != 0) return sign;
   const auto minus = [](double x, double y) { return Exact(x) - Exact(y); };
   return sign_of(minus(b[p.u], a[p.u]) * minus(c[p.v], a[p.v]) -
                  minus(b[p.v], a[p.v]) * minus(c[p.u], a[p.u]));
@@ -161,7 +146,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                            std::abs(dy) * (std::abs(bzcx) + std::abs(bxcz)) +
                            std::abs(dz) * (std::abs(bxcy) + std::abs(bycx));
   const int sign = filtered_sign(determinant, bound_3d * permanent + underflow_guard);
-  return sign != 0 ? sign : exact_orient3d(a, b, c, d, permanent);
+  return sign != 0 ? sign : exact_orient3d(a, b, c, d);
 }
 
 OrientedPlane::OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a), b_(b), c_(c) {

@@ -1,0 +1,117 @@
+/// Integers of a fixed length, and coordinates as such integers: signs of determinants of doubles
+/// are those of integers where the doubles are multiples of one power of two and not larger than
+/// about 2^120 times that, as nearly all coordinates of a mesh are along each axis. Exact, zeros
+/// included, in a tenth of the time of numbers without bounds.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace transformesh {
+
+__extension__ using TwoWords = unsigned __int128;
+
+/// In two's complement. Sums may not overflow, which is the caller's care; products cannot.
+template <std::size_t length>
+struct FixedInteger {
+  std::array<std::uint64_t, length> words{};  ///< least significant first
+
+  bool is_negative() const { return words[length - 1] >> 63U != 0; }
+  int sign() const {
+    for (const std::uint64_t word : words)
+      if (word != 0) return is_negative() ? -1 : 1;
+    return 0;
+  }
+
+  friend FixedInteger operator+(const FixedInteger& a, const FixedInteger& b) {
+    FixedInteger sum;
+    std::uint64_t carry = 0;
+    for (std::size_t i = 0; i < length; ++i) {
+      const TwoWords words = TwoWords(a.words[i]) + b.words[i] + carry;
+      sum.words[i] = static_cast<std::uint64_t>(words);
+      carry = static_cast<std::uint64_t>(words >> 64U);
+    }
+    return sum;
+  }
+  friend FixedInteger operator-(const FixedInteger& a, const FixedInteger& b) {
+    FixedInteger difference;
+    std::uint64_t borrow = 0;
+    for (std::size_t i = 0; i < length; ++i) {
+      const TwoWords words = TwoWords(a.words[i]) - b.words[i] - borrow;
+      difference.words[i] = static_cast<std::uint64_t>(words);
+      borrow = static_cast<std::uint64_t>(words >> 64U) & 1U;
+    }
+    return difference;
+  }
+
+  /// Subtracts `other`, so many words further up.
+  template <std::size_t most>
+  void subtract_at(std::size_t place, const FixedInteger<most>& other) {
+    std::uint64_t borrow = 0;
+    for (std::size_t i = place; i < length; ++i) {
+      const std::uint64_t word = i - place < most ? other.words[i - place] : 0;
+      const TwoWords words_here = TwoWords(words[i]) - word - borrow;
+      words[i] = static_cast<std::uint64_t>(words_here);
+      borrow = static_cast<std::uint64_t>(words_here >> 64U) & 1U;
+    }
+  }
+};
+
+// As numbers without sign, less what the two's complement of negative ones is too large.
+template <std::size_t a_length, std::size_t b_length>
+FixedInteger<a_length + b_length> operator*(const FixedInteger<a_length>& a,
+                                            const FixedInteger<b_length>& b) {
+  FixedInteger<a_length + b_length> product;
+  for (std::size_t i = 0; i < a_length; ++i) {
+    std::uint64_t carry = 0;
+    for (std::size_t k = 0; k < b_length; ++k) {
+      const TwoWords words = TwoWords(a.words[i]) * b.words[k] + product.words[i + k] + carry;
+      product.words[i + k] = static_cast<std::uint64_t>(words);
+      carry = static_cast<std::uint64_t>(words >> 64U);
+    }
+    product.words[i + b_length] = carry;
+  }
+  if (a.is_negative()) product.subtract_at(a_length, b);
+  if (b.is_negative()) product.subtract_at(b_length, a);
+  return product;
+}
+
+/// The numbers as multiples of one power of two, below 2^122 in size; nothing where that cannot be.
+template <std::size_t count>
+std::optional<std::array<FixedInteger<2>, count>> scaled_integers(
+    const std::array<double, count>& numbers) {
+  constexpr int most_bits = 122;
+  int low = std::numeric_limits<int>::max(), high = std::numeric_limits<int>::min();
+  std::array<std::uint64_t, count> mantissas;
+  std::array<int, count> exponents;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto bits = std::bit_cast<std::uint64_t>(numbers[i]);
+    const int biased = static_cast<int>(bits >> 52U & 0x7ffU);
+    const std::uint64_t hidden = biased == 0 ? 0 : std::uint64_t{1} << 52U;
+    mantissas[i] = (bits & ((std::uint64_t{1} << 52U) - 1)) | hidden;
+    exponents[i] = biased == 0 ? 1 : biased;
+    if (mantissas[i] == 0) continue;
+    low = std::min(low, exponents[i] + std::countr_zero(mantissas[i]));
+    high = std::max(high, exponents[i] + static_cast<int>(std::bit_width(mantissas[i])));
+  }
+  std::array<FixedInteger<2>, count> result{};
+  if (low > high) return result;
+  if (high - low > most_bits) return {};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (mantissas[i] == 0) continue;
+    const int shift = exponents[i] - low;
+    TwoWords size = mantissas[i];
+    size =
+        shift >= 0 ? size << static_cast<unsigned>(shift) : size >> static_cast<unsigned>(-shift);
+    if (std::signbit(numbers[i])) size = -size;
+    result[i].words = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64U)};
+  }
+  return result;
+}
+
+}  // namespace transformesh
