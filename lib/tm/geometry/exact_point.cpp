@@ -9,7 +9,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tm/geometry/binary_exponent.h"
 #include "tm/geometry/homogeneous.h"
 #include "tm/geometry/long_ball.h"
 #include "tm/geometry/number_vector.h"
@@ -343,38 +342,41 @@ HomogeneousPoint<Ball> homogeneous_balls(const PointDefinition& definition,
   }
 }
 
-// The vertices that a definition names.
-std::vector<Index> vertices_of(const PointDefinition& definition, std::span<const Face> faces) {
+template <class Visit>
+void visit_vertices(const PointDefinition& definition, std::span<const Face> faces,
+                    const Visit& visit) {
   const auto& d = definition.indices;
-  const auto with_face = [&](std::vector<Index> vertices, Index face) {
-    vertices.insert(vertices.end(), faces[face].begin(), faces[face].end());
-    return vertices;
+  const auto visit_face = [&](Index face) {
+    for (const Index vertex : faces[face]) visit(vertex);
   };
   switch (definition.kind) {
     case ExactPoint::Kind::line_plane:
-      return with_face({d[0], d[1]}, d[2]);
+      visit(d[0]);
+      visit(d[1]);
+      return visit_face(d[2]);
     case ExactPoint::Kind::line_line:
-      return {d[0], d[1], d[2], d[3]};
+      for (const Index vertex : d) visit(vertex);
+      return;
     case ExactPoint::Kind::three_planes:
-      return with_face(with_face(with_face({}, d[0]), d[1]), d[2]);
+      for (std::size_t i = 0; i < 3; ++i) visit_face(d[i]);
+      return;
     default:
-      return {};
+      return;
   }
 }
 
 // Whether magnitudes of coordinates are so far apart that numbers become long.
 bool is_spread(const PointDefinition& definition, std::span<const Vec3> positions,
                std::span<const Face> faces) {
-  constexpr int most_spread = 128;  // binary orders
-  int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
-  for (const Index vertex : vertices_of(definition, faces)) {
+  constexpr double most_spread = 0x1p128;
+  double least = std::numeric_limits<double>::max(), most = 0;
+  visit_vertices(definition, faces, [&](Index vertex) {
     for (const double x : positions[vertex]) {
-      if (x == 0) continue;
-      least = std::min(least, binary_exponent(std::abs(x)));
-      most = std::max(most, binary_exponent(std::abs(x)));
+      least = x == 0 ? least : std::min(least, std::abs(x));
+      most = std::max(most, std::abs(x));
     }
-  }
-  return least < most && most - least > most_spread;
+  });
+  return most / most_spread > least;
 }
 
 }  // namespace
