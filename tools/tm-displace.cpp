@@ -43,7 +43,10 @@ void move(Document& document, const Options& options, tool::Run& run) {
   std::vector<Vec3> velocities = velocities_of(mesh, options, run);
   if (!options.mask.empty()) apply_mask(mesh, options.mask, velocities);
   run.progress()("displace");
-  report_displacement(displace(mesh, velocities, options.displace), run);
+  const DisplaceResult result = displace(mesh, velocities, options.displace);
+  report_displacement(result, run);
+  note_clamped(result, options.displace.alpha, "use a smaller --time-step, or a larger --alpha",
+               run);
 }
 
 }  // namespace

@@ -48,6 +48,8 @@ void step(Document& document, Options options, tool::Run& run) {
   run.report("rms_distance_from_target", result.from_target.rms);
   run.report("max_distance_from_target", result.from_target.maximum);
   report_displacement(result.displaced, run);
+  note_clamped(result.displaced, options.step.displace.alpha,
+               "far from the target that is meant, and more steps get there", run);
 }
 
 }  // namespace

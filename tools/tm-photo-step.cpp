@@ -28,7 +28,14 @@ void report(const PhotoScene& scene, const PhotoStepsResult& result, tool::Run& 
 void step(Document& document, const tool::PhotoOptions& options, tool::Run& run) {
   run.progress()("read views");
   const PhotoScene scene = tool::read_scene(options);
-  report(scene, photo_steps(document.mesh, scene, tool::steps_of(options), run.progress()), run);
+  const PhotoStepsOptions steps = tool::steps_of(options);
+  const PhotoStepsResult result = photo_steps(document.mesh, scene, steps, run.progress());
+  report(scene, result, run);
+  const bool has_time_step = steps.step.rule == PhotoStepRule::gradient;
+  tool::note_clamped(result.last.displaced, steps.step.alpha,
+                     has_time_step ? "use a smaller --time-step, or a larger --alpha"
+                                   : "more steps get there, or a larger --alpha",
+                     run);
 }
 
 }  // namespace

@@ -28,11 +28,15 @@ moving_tetrahedron() { # VX VY VZ
 
 @test "movements are clamped to alpha times the mean edge at the vertex" {
   moving_tetrahedron 0 0 100 >in.ply
-  pipe "tm-displace --alpha 0.5 --report r.json in.ply | tail -n 8 | head -n 1"
+  pipe "tm-displace -q --alpha 0.5 --report r.json in.ply | tail -n 8 | head -n 1"
   assert_status 0
   # Half of the edge, the square root of 2.
   [[ $output == "0 0 0.7071067811865476 "* || $output == "0 0 0.7071067811865475 "* ]]
   [ "$(value clamped r.json)" -eq 4 ]
+  run --separate-stderr tm-displace --alpha 0.5 in.ply -o out.ply
+  [ "$stderr" = "tm-displace: 4 of 4 vertices clamped to 0.5 of the mean edge at the vertex, 0.707 at most; use a smaller --time-step, or a larger --alpha" ]
+  run --separate-stderr tm-displace --alpha 200 in.ply -o out.ply
+  [ -z "$stderr" ]
 }
 
 @test "--normal-speed grows and shrinks along the normals, and adds to the columns" {
