@@ -3,6 +3,7 @@
 #include "frame/run.h"
 #include "tm/io/streams.h"
 #include "tm/step/local_thickness.h"
+#include "tm/step/morph_check.h"
 #include "tm/step/morph_step.h"
 #include "tm/step/target_file.h"
 
@@ -28,6 +29,10 @@ Target target_of(const Options& options, tool::Run& run) {
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }
+  // Who wrote it in this way has been told.
+  if (!target.is_prepared)
+    for (const std::string& line : check_target(target, input_name(options.target), run.progress()))
+      run.note(line);
   if (options.step.gap_edges > 0 && target.thickness.empty())
     target.thickness =
         local_thickness(target, options.step.gap_edges * run.reference_edge(), run.progress());
@@ -38,6 +43,8 @@ Target target_of(const Options& options, tool::Run& run) {
 void step(Document& document, Options options, tool::Run& run) {
   if (options.step.gap_edges > 0) options.step.largest_size = run.reference_edge();
   const Target target = target_of(options, run);
+  for (const std::string& line : check_source(document.mesh, target, input_name(run.input())))
+    run.note(line);
   if (options.distance == "surface") options.step.distance = MorphDistance::surface;
   if (options.distance == "points") options.step.distance = MorphDistance::points;
   if (options.distance == "vertex") options.step.distance = MorphDistance::vertex;

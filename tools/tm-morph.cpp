@@ -3,6 +3,7 @@
 #include "morph_report.h"
 #include "tm/evolution/tracking.h"
 #include "tm/io/streams.h"
+#include "tm/step/morph_check.h"
 #include "tm/step/target_file.h"
 
 namespace {
@@ -11,10 +12,17 @@ using namespace transformesh;
 
 constexpr const char* state_target = "target.ply";
 
+void check_start(const Mesh& source, const Target& target, tool::Run& run) {
+  for (const std::string& line : check_source(source, target, input_name(run.input())))
+    run.note(line);
+}
+
 Target read(const std::string& name, tool::Run& run) {
   Target target = read_target(run.read_bytes(name), input_name(name));
   if (target.has_estimated_normals)
     run.note("the target's points have no normals: estimated from their neighbors");
+  for (const std::string& line : check_target(target, input_name(name), run.progress()))
+    run.note(line);
   return target;
 }
 
@@ -23,6 +31,7 @@ Target target_of(const tool::MorphChoices& choices, const MorphingOptions& optio
                  tool::Run& run) {
   if (const auto kept = record.find(state_target)) return read_target(*kept, state_target);
   Target target = read(choices.target, run);
+  check_start(run.document().mesh, target, run);
   prepare_target(target, options, run.progress());
   record.add(state_target, write_target(target));
   return target;

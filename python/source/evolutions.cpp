@@ -5,6 +5,7 @@
 #include "tm/evolution/morphing.h"
 #include "tm/evolution/reconstruction.h"
 #include "tm/io/mesh_io.h"
+#include "tm/step/morph_check.h"
 #include "tm/step/target_file.h"
 #include "tm/support/error.h"
 #include "tm/views/cameras/view_files.h"
@@ -135,6 +136,8 @@ MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::
   const MorphingResult result = without_lock(progress, [&](const Progress& to) {
     // As of a file, so that faces come in the same order.
     Target read = read_target(write_mesh(target.document).bytes, "the target");
+    check_target(read, "", to);
+    check_source(document.mesh, read, "");
     prepare_target(read, options, to);
     Record record;
     return morph(document, read, options, loop, record, to);

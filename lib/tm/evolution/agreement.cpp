@@ -10,6 +10,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t samples = 40000;
+constexpr double few_edges = 3;
 
 bool is_closed_manifold(const Mesh& mesh) {
   const ManifoldReport found = check_manifold(mesh);
@@ -30,16 +31,28 @@ std::string topology_fault(const Topology& topology, const Topology& expected, c
          at(place);
 }
 
-std::string distance_fault(const Farthest& of_mesh, const Farthest& of_target, double longest) {
+// What gets closer, by how far it is in edges: shorter edges help over a few of them.
+std::string remedy(double distance, double longest, bool has_clean_target) {
+  if (!has_clean_target)
+    return ": the target is open, no manifold, or crosses itself there or elsewhere, so that no "
+           "surface without crossings lies on all of it; clean it, or close its holes";
+  if (distance > few_edges * longest)
+    return ": take more --iterations if they ended there, else a source that overlaps all of the "
+           "target";
+  return ": take shorter edges";
+}
+
+std::string distance_fault(const Farthest& of_mesh, const Farthest& of_target, double longest,
+                           bool has_clean_target) {
   if (of_mesh.distance > longest / 2) {
     return "up to " + significant(of_mesh.distance, 3) +
            " away from the target, more than half the longest edge," + at(of_mesh.point) +
-           ": take shorter edges";
+           remedy(of_mesh.distance, longest, has_clean_target);
   }
   if (of_target.distance > longest) {
     return "parts of the target are missed by up to " + significant(of_target.distance, 3) +
            ", more than the longest edge," + at(of_target.point) +
-           ": take shorter edges, and a source that overlaps all of the target";
+           remedy(of_target.distance, longest, has_clean_target);
   }
   return {};
 }
@@ -72,7 +85,8 @@ Agreement agreement(const Mesh& mesh, const Topology& topology, const Target& ta
     result.fault =
         topology_fault(topology, *expected, is_outside ? of_mesh.point : of_target.point);
   } else {
-    result.fault = distance_fault(of_mesh, of_target, edge_lengths(mesh).maximum);
+    result.fault =
+        distance_fault(of_mesh, of_target, edge_lengths(mesh).maximum, expected.has_value());
   }
   return result;
 }

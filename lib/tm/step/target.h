@@ -16,6 +16,7 @@ struct Target {
   bool has_estimated_normals = false;
   std::vector<double> thickness;  ///< local_thickness() where measured, else empty
   FaceOrder face_order = FaceOrder::any;
+  bool is_prepared = false;  ///< read from what write_target() wrote, of what was checked before
   bool is_mesh() const { return !mesh.faces.empty(); }
 };
 

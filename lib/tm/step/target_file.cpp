@@ -36,7 +36,8 @@ Target read_target(std::string_view bytes, const std::string& name) {
   if (is_point_text(source)) return make_target(read_point_text(source));
   Document document = read_mesh(bytes, name).document;
   Target target = make_target(std::move(document.mesh));
-  if (has_comment(document, spatial_order)) target.face_order = FaceOrder::spatial;
+  target.is_prepared = has_comment(document, spatial_order);
+  if (target.is_prepared) target.face_order = FaceOrder::spatial;
   order_spatially(target);
   const Column* gaps = target.mesh.vertex_columns.find(gap_column);
   if (has_comment(document, measured_gaps) && gaps != nullptr) target.thickness = gaps->values;
