@@ -152,11 +152,12 @@ wait_for_rows() { # COUNT
   tm-shape sphere --radius 0.3 --center 9,0,0 --faces 300 -o small.ply
   run --separate-stderr tm-morph small.ply --target "$torus" -o out.ply
   assert_status 4
-  [ "${#stderr_lines[@]}" -eq 2 ]
-  [[ ${stderr_lines[0]} =~ ^tm-morph:\ iteration\ ([0-9]+):\  ]]
+  [ "${#stderr_lines[@]}" -eq 3 ]
+  [[ ${stderr_lines[0]} == *"apart from the target"* ]]
+  [[ ${stderr_lines[1]} =~ ^tm-morph:\ iteration\ ([0-9]+):\  ]]
   failed=${BASH_REMATCH[1]}
   last=$((failed - 1))
-  [ "${stderr_lines[1]}" = "tm-morph: stopped in iteration $failed; 'out.ply' holds the mesh of iteration $last, and --resume continues from there" ]
+  [ "${stderr_lines[2]}" = "tm-morph: stopped in iteration $failed; 'out.ply' holds the mesh of iteration $last, and --resume continues from there" ]
   tm-morph small.ply --target "$torus" -o last.ply --iterations "$last" --frames frames --every "$last" -q
   same_mesh out.ply "frames/frame-$(printf %05d "$last").ply"
   run --separate-stderr tm-morph small.ply --target "$torus" -o again.ply --resume
@@ -422,4 +423,34 @@ LINES
   run tm-morph "$sphere" --targt "$torus"
   [[ $output == *"'--targt'"*"'--target'"* ]]
   [ -z "$(ls)" ] || fail "left behind: $(ls)"
+}
+
+@test "targets and sources that are not oriented are refused before anything moves, doubtful ones told" {
+  tm-shape sphere --faces 500 -o ball.ply
+  tm-shape sphere --radius 1.5 --faces 500 -o large.ply
+  tm-convert -q --format ply-ascii --no-provenance ball.ply |
+    awk '!done && NF == 4 && $1 == 3 { t = $2; $2 = $3; $3 = t; done = 1 } { print }' >mixed.ply
+  tm-stitch --flip large.ply -o inside-out.ply
+  for program in tm-morph tm-morph-step; do
+    run --separate-stderr "$program" large.ply --target mixed.ply -o out.ply
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr == *"target mixed.ply is not oriented"*"tm-stitch --orient"* ]]
+    run --separate-stderr "$program" inside-out.ply --target ball.ply -o out.ply
+    assert_status 3
+    [[ $stderr == *"source inside-out.ply is inside out"*"tm-stitch --flip"* ]]
+    [ ! -e out.ply ]
+  done
+  tm-shape folded --faces 500 -o folded.ply
+  run --separate-stderr tm-morph-step large.ply --target folded.ply -o out.ply
+  assert_status 0
+  [[ $stderr == *"target folded.ply crosses itself at "*"tm-clean"* ]]
+  tm-shape sphere --center 9,0,0 --faces 500 -o apart.ply
+  run --separate-stderr tm-morph-step apart.ply --target ball.ply -o out.ply
+  assert_status 0
+  [[ $stderr == *"apart from the target"*"--around"* ]]
+  # A target as it was written has been checked.
+  tm-morph-step -q large.ply --target folded.ply --write-target prepared.ply -o out.ply
+  run --separate-stderr tm-morph-step large.ply --target prepared.ply -o out.ply
+  [[ $stderr != *crosses* ]]
 }
