@@ -1,6 +1,7 @@
 /// The entries of tm-clean's report.
 #pragma once
 
+#include "frame/column_notes.h"
 #include "frame/run.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/stitch/separate.h"
@@ -10,6 +11,7 @@ namespace transformesh::tool {
 
 inline void report_cleaning(const CleanResult& result, const SeparateResult& separated,
                             const Mesh& mesh, Run& run) {
+  note_dropped_lists(result.dropped_columns, run);
   run.report("changed", result.changed || separated.separated_vertices > 0);
   run.report("pairs", result.pairs);
   run.report("cut_faces", result.cut_faces);

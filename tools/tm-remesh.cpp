@@ -1,4 +1,5 @@
 /// tm-remesh: edges between two lengths, six at a vertex, round triangles (paper 5.1.2).
+#include "frame/column_notes.h"
 #include "frame/run.h"
 #include "remesh_options.h"
 #include "tm/remesh/remesh.h"
@@ -15,6 +16,8 @@ void decimate_document(Document& document, const DecimateOptions& options, tool:
   const DecimateResult result = decimate(document.mesh, options, run.progress());
   run.report("collapses", result.collapses);
   run.report("faces", result.faces);
+  tool::note_new_normals(result.columns.new_normals, run);
+  tool::note_dropped_lists(result.columns.dropped, run);
 }
 
 void remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
@@ -26,6 +29,8 @@ void remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run
   run.report("refused", result.refused);
   run.report("components_removed", result.components_removed);
   run.report("degenerate_faces", result.degenerate_faces);
+  tool::note_new_normals(result.columns.new_normals, run);
+  tool::note_dropped_lists(result.columns.dropped, run);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "frame/column_notes.h"
 #include "frame/run.h"
 #include "tm/clean/stitch/stitch.h"
 
@@ -15,6 +16,7 @@ void stitch_document(Document& document, StitchOptions options, const Length& to
                   ? ", however sheets are turned: they stay apart; remove faces there"
                   : ": they stay apart; --orient turns faces to agree"));
   }
+  tool::note_new_normals(result.new_normals, run);
   run.report("joined_vertices", result.joined_vertices);
   run.report("copied_vertices", result.copied_vertices);
   run.report("split_edges", result.split_edges);

@@ -2,6 +2,7 @@
 /// where they could not go as far as they should.
 #pragma once
 
+#include "frame/column_notes.h"
 #include "frame/run.h"
 #include "tm/step/displace.h"
 #include "tm/support/counted.h"
@@ -16,6 +17,7 @@ inline void report_displacement(const DisplaceResult& result, Run& run) {
   run.report("rms_displacement", result.rms_displacement);
   run.report("max_clamp_share", result.max_clamp_share);
   run.report("mean_edge", result.mean_edge);
+  note_new_normals(result.new_normals, run);
 }
 
 /// `remedy` is what to do about it.

@@ -7,6 +7,7 @@
 #include "tm/clean/pass/clean_pass.h"
 #include "tm/clean/rounding/snap_rounding.h"
 #include "tm/clean/stitch/one_side.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -39,6 +40,7 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
     result.rounding_displacement = rounded.displacement.length;
     result.rounding_spacings = rounded.displacement.spacings;
     result.mesh = std::move(rounded.mesh);
+    if (result.cut_faces > 0) result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
   }
   // A mesh of a single patch has nothing inside.
   if (options.outermost && (result.changed || result.patches != 1)) {

@@ -17,6 +17,9 @@
 /// meshes; about 250 bytes a face.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "tm/clean/exterior/exterior_method.h"
 #include "tm/mesh/mesh.h"
 #include "tm/support/progress.h"
@@ -46,6 +49,8 @@ struct CleanResult {
   std::size_t rounding_places = 0;     ///< places where rounding broke faces
   double rounding_displacement = 0;    ///< how far rounding moved the surface at most
   double rounding_spacings = 0;        ///< the same in spacings of numbers at each place
+  std::vector<std::string>
+      dropped_columns;  ///< texture coordinates of corners, where faces were cut
 };
 
 CleanResult clean(const Mesh& mesh, const CleanOptions& options = {},

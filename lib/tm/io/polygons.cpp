@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "tm/io/source.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 
@@ -66,6 +67,7 @@ void PolygonFans::move_into(Mesh& mesh, const std::string& format,
   mesh.faces = std::move(faces_);
   if (!remembers_sources_) return;
   mesh.face_columns = mesh.face_columns.select(source_);
+  split_corner_lists(mesh.face_columns, source_);
   if (polygons_ > 0) {
     notes.push_back(format + ": " + counted(polygons_, "polygon") + " cut into " +
                     counted(polygon_faces_, "triangle"));

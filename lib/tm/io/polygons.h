@@ -26,7 +26,8 @@ class PolygonFans {
   std::uint32_t rows() const { return rows_; }
 
   /// Moves the faces into the mesh, whose face columns have one row for each polygon and get one
-  /// for each triangle, and says in notes what was cut or dropped.
+  /// for each triangle (of texture coordinates, those of its corners), and says in notes what was
+  /// cut or dropped.
   void move_into(Mesh& mesh, const std::string& format, std::vector<std::string>& notes);
 
  private:

@@ -176,10 +176,10 @@ void check(const Mesh& mesh, const DecimateOptions& options) {
 
 DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progress& progress) {
   check(mesh, options);
-  if (mesh.faces.size() <= options.faces) return {0, mesh.faces.size()};
+  if (mesh.faces.size() <= options.faces) return {0, mesh.faces.size(), {}};
   progress("connect");
   Decimator decimator(mesh, options, progress);
-  const DecimateResult result = decimator.run();
+  DecimateResult result = decimator.run();
   if (static_cast<double>(result.faces) > (1 + tolerance) * static_cast<double>(options.faces)) {
     throw GoalError(std::to_string(result.faces) + " faces are left, of which no more than " +
                     std::to_string(options.faces) +
@@ -188,6 +188,7 @@ DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progre
                     "the input first (tm-clean), around which nothing collapses");
   }
   mesh = decimator.to_mesh();
+  result.columns = refresh_columns(mesh);
   return result;
 }
 

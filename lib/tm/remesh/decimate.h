@@ -7,6 +7,7 @@
 #pragma once
 
 #include "tm/mesh/mesh.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
@@ -21,6 +22,7 @@ struct DecimateOptions {
 struct DecimateResult {
   std::size_t collapses = 0;
   std::size_t faces = 0;  ///< left: those wanted or one less; all where there were no more
+  StaleColumns columns;   ///< normals, and lists of texture coordinates, as of remesh()
 };
 
 /// Throws UsageError for options out of range, InputError for what is no oriented manifold (with

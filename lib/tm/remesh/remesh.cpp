@@ -305,6 +305,7 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
                     ", so nothing would be left; use a smaller --min-edge");
   }
   mesh = std::move(remeshed);
+  result.columns = refresh_columns(mesh);
   return result;
 }
 

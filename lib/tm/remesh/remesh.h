@@ -9,7 +9,8 @@
 ///   Midpoints, which rounding moves off their edges, are moved out of contact; only sheets less
 ///   than a rounding apart may stay crossed, which counts as refused;
 /// - surviving vertices and faces keep their order, new ones follow; attributes are interpolated
-///   for new and for sliding vertices, inherited by faces.
+///   for new and for sliding vertices, inherited by faces;
+///   normals are computed anew, texture coordinates of corners dropped (surface_columns.h).
 /// Not guaranteed: that all edges reach the interval; regular valences may take 1.12 e2.
 /// Deterministic; O(n log n); about 150 bytes per face.
 #pragma once
@@ -17,6 +18,7 @@
 #include <string>
 
 #include "tm/mesh/mesh.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/remesh/edge_rules.h"
 #include "tm/support/progress.h"
 
@@ -51,6 +53,7 @@ struct RemeshResult {
   std::size_t refused = 0;  ///< of the last iteration: steps wanted that would break a guarantee
   std::size_t components_removed = 0;  ///< all edges < e1 and |volume| < pi/6 e1^3
   std::size_t degenerate_faces = 0;    ///< left
+  StaleColumns columns;                ///< normals, and lists of texture coordinates
 };
 
 /// Throws UsageError for options out of range, InputError for what is no oriented manifold (with

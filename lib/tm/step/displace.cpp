@@ -6,6 +6,7 @@
 #include "tm/mesh/digits.h"
 #include "tm/mesh/location_text.h"
 #include "tm/mesh/measure.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 
@@ -97,6 +98,7 @@ DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
   }
   if (count > 0) result.rms_displacement = std::sqrt(squares / static_cast<double>(count));
   result.mean_edge = edges.mean;
+  if (result.moved > 0) result.new_normals = refresh_normals(mesh);
   return result;
 }
 

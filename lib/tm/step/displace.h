@@ -2,7 +2,8 @@
 /// time_step * velocity(p), but by no more than alpha * e_avg(p), e_avg(p) being the mean length of
 /// the edges at p (paper 5.1.2).
 ///
-/// Changes positions only: topology, order and columns stay. The result may intersect itself; that
+/// Changes positions, and normals with them (surface_columns.h): topology, order and other columns
+/// stay. The result may intersect itself; that
 /// is what clean() is for. A vertex without edges does not move, because its clamp is 0. Edges on a
 /// border count half in e_avg. A velocity may have any finite size: what overflows is clamped.
 /// Throws GoalError where most vertices go so far that coordinates are farther apart than
@@ -29,6 +30,7 @@ struct DisplaceResult {
   double rms_displacement = 0;  ///< over all vertices
   double max_clamp_share = 0;   ///< largest movement as a fraction of the vertex's own clamp
   double mean_edge = 0;         ///< before the step, over all edges
+  bool new_normals = false;     ///< there are normals, which were computed anew
 };
 
 /// Throws UsageError for options out of range and for a number of velocities other than that of the

@@ -6,6 +6,7 @@
 
 #include "tm/clean/stitch/weld.h"
 #include "tm/mesh/components.h"
+#include "tm/mesh/surface_columns.h"
 
 namespace transformesh {
 namespace {
@@ -84,6 +85,7 @@ std::size_t turn_outwards(Mesh& mesh) {
     const Component& component = all.components[all.of_face[f]];
     if (component.boundary_loops > 0 || component.volume >= 0) continue;
     std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    reverse_corner_lists(mesh, static_cast<Index>(f));
     ++turned;
   }
   return turned;

@@ -10,6 +10,7 @@
 #include "tm/clean/exterior/angular_order.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/location_text.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -286,7 +287,9 @@ std::vector<char> Orienter::find_reversed() {
 std::size_t orient_faces(Mesh& mesh) {
   const std::vector<char> is_reversed = Orienter(mesh).find_reversed();
   for (std::size_t f = 0; f < is_reversed.size(); ++f) {
-    if (is_reversed[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    if (!is_reversed[f]) continue;
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    reverse_corner_lists(mesh, static_cast<Index>(f));
   }
   return static_cast<std::size_t>(std::count(is_reversed.begin(), is_reversed.end(), 1));
 }

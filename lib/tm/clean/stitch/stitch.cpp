@@ -10,6 +10,7 @@
 #include "tm/clean/stitch/split_singular_edges.h"
 #include "tm/clean/stitch/weld.h"
 #include "tm/mesh/fans.h"
+#include "tm/mesh/surface_columns.h"
 
 namespace transformesh {
 namespace {
@@ -106,6 +107,15 @@ std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
   return splits.edges;
 }
 
+// With what says how they look.
+void reverse_faces(Mesh& mesh) {
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    reverse_corner_lists(mesh, f);
+  }
+  reverse_normals(mesh);
+}
+
 }  // namespace
 
 StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
@@ -127,9 +137,8 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   result.copied_vertices = separate_fans(mesh, find_fans(mesh.faces, opposite));
   result.split_edges = split_edges(mesh, opposite);
   if (options.one_side) result.reversed_faces += turn_outwards(mesh);
-  if (options.flip) {
-    for (Face& face : mesh.faces) std::swap(face[1], face[2]);
-  }
+  if (options.flip) reverse_faces(mesh);
+  if (result.reversed_faces > 0) result.new_normals = refresh_normals(mesh);
   return result;
 }
 

@@ -9,6 +9,7 @@
 /// is cut off them follows. Faces that name a position twice are dropped. Faces that run the same
 /// way along an edge stay apart there, unless `orient` reverses some (orient.h). Throws InputError
 /// where a surface that is to be oriented has one side only (a Moebius strip), naming the place.
+/// Normals and texture coordinates follow faces that are reversed (surface_columns.h).
 /// Cost: O(n log n). Deterministic.
 #pragma once
 
@@ -36,6 +37,7 @@ struct StitchResult {
   std::size_t reversed_faces = 0;     ///< by `orient` and `one_side`
   std::size_t misoriented_edges = 0;  ///< edges at which several are, which run the same way
   std::size_t border_edges = 0;       ///< edges at which one face is left over
+  bool new_normals = false;           ///< of a surface that `orient` or `one_side` turned
   std::string misorientation;         ///< the first misoriented edge in words: faces and place
 };
 

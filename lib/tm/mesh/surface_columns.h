@@ -1,0 +1,45 @@
+/// Columns that describe the surface where it stands, and so go stale where it changes: normals
+/// (the numbers nx ny nz of vertices or faces), and corner lists (texture coordinates of faces:
+/// floating-point list columns with `tex` or `uv` in their names, which hold as many values for
+/// each corner, in the order of the corners). Cost: O(n), nothing without such columns.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+/// What became of such columns.
+struct StaleColumns {
+  bool new_normals = false;          ///< computed anew
+  std::vector<std::string> dropped;  ///< names of corner lists
+};
+
+/// Computes normals anew, weighted by angle; where they are undefined they stay. Whether there are
+/// any.
+bool refresh_normals(Mesh& mesh);
+
+/// Turns normals the other way, as all faces were.
+void reverse_normals(Mesh& mesh);
+
+/// Exchanges what corner lists have for the last two corners of a face.
+void reverse_corner_lists(Mesh& mesh, Index face);
+
+/// For faces that are no longer those of the rows: erases corner lists, and returns their names.
+std::vector<std::string> drop_corner_lists(Columns& face_columns);
+
+/// After polygons were cut into fans of triangles, which stand one after the other with the same
+/// source and have the whole lists of their polygon: leaves each the values of its three corners.
+/// Lists that do not have as many values for each corner stay.
+void split_corner_lists(Columns& face_columns, std::span<const std::uint32_t> source);
+
+/// Both, after faces were made or moved.
+inline StaleColumns refresh_columns(Mesh& mesh) {
+  return {refresh_normals(mesh), drop_corner_lists(mesh.face_columns)};
+}
+
+}  // namespace transformesh

@@ -1,0 +1,21 @@
+/// What programs say where columns went stale.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frame/run.h"
+
+namespace transformesh::tool {
+
+inline void note_new_normals(bool are_new, Run& run) {
+  if (are_new) run.note("the normals nx ny nz are computed anew");
+}
+
+inline void note_dropped_lists(const std::vector<std::string>& names, Run& run) {
+  for (const std::string& name : names)
+    run.note("face property '" + name +
+             "' dropped: the corners whose texture coordinates it holds are no longer the same");
+}
+
+}  // namespace transformesh::tool
