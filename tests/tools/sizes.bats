@@ -40,6 +40,7 @@ tm-compare --reference TARGET
 tm-convert
 tm-displace --normal-speed 1%
 tm-evolve --step cat --iterations 1 --format off
+tm-fill
 tm-info
 tm-intersect
 tm-morph --target TARGET --iterations 1 --format off

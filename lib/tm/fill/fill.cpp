@@ -1,0 +1,274 @@
+#include "tm/fill/fill.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "tm/clean/intersect/intersect.h"
+#include "tm/fill/hole_patch.h"
+#include "tm/geometry/predicates.h"
+#include "tm/mesh/adjacency.h"
+#include "tm/mesh/digits.h"
+#include "tm/mesh/manifold.h"
+#include "tm/mesh/measure.h"
+#include "tm/mesh/triangle.h"
+#include "tm/support/error.h"
+
+namespace transformesh {
+namespace {
+
+using Loop = std::vector<Index>;  ///< border halfedges, each starting where the one before ends
+
+void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& options) {
+  if (options.max_edges < 3) throw UsageError("a hole has at least 3 edges");
+  if (!(options.max_diameter > 0)) throw UsageError("the largest diameter must be greater than 0");
+  if (!found.is_manifold() || !found.is_oriented())
+    throw InputError("holes are filled in oriented manifolds only, and " +
+                     describe_problem(mesh, found, false) + "; tm-stitch --orient mends it");
+}
+
+/// The loops of a manifold, in the order of their first halfedges.
+std::vector<Loop> loops_of(const Mesh& mesh, const std::vector<Index>& border) {
+  std::vector<Index> from(mesh.positions.size(), no_index);
+  for (const Index h : border) from[halfedge_source(mesh, h)] = h;
+  std::vector<Loop> loops;
+  for (const Index first : border) {
+    Loop loop;
+    Index vertex = halfedge_source(mesh, first);
+    while (from[vertex] != no_index) {
+      loop.push_back(from[vertex]);
+      from[vertex] = no_index;
+      vertex = halfedge_target(mesh, loop.back());
+    }
+    if (!loop.empty()) loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/// A part of a mesh, and which vertices of that mesh its own are.
+struct Part {
+  Mesh mesh;
+  std::vector<Index> vertices;
+};
+
+/// Those faces, which ascend; vertices come in the order of the mesh.
+Part part_of(const Mesh& mesh, const std::vector<Index>& faces) {
+  Part part;
+  for (const Index f : faces)
+    part.vertices.insert(part.vertices.end(), mesh.faces[f].begin(), mesh.faces[f].end());
+  std::sort(part.vertices.begin(), part.vertices.end());
+  part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
+  for (const Index v : part.vertices) part.mesh.positions.push_back(mesh.positions[v]);
+  const auto local = [&](Index v) {
+    const auto found = std::lower_bound(part.vertices.begin(), part.vertices.end(), v);
+    return static_cast<Index>(found - part.vertices.begin());
+  };
+  for (const Index f : faces) {
+    const Face& face = mesh.faces[f];
+    part.mesh.faces.push_back({local(face[0]), local(face[1]), local(face[2])});
+  }
+  return part;
+}
+
+class Filler {
+ public:
+  Filler(Mesh& mesh, const FillOptions& options)
+      : mesh_(mesh), options_(options), around_(mesh), blends_(mesh.positions.size()) {}
+
+  void fill(const Loop& loop);
+  /// Gives rows to columns for what is new.
+  FillResult finish();
+  FillResult& result() { return result_; }
+
+ private:
+  std::vector<Index> faces_around(const Loop& loop) const;
+  bool fits(const HolePatch& patch, const Part& part) const;
+  bool crosses(const HolePatch& patch, const Part& part) const;
+  void add(const HolePatch& patch, const Part& part, const Loop& loop);
+  RowBlend blend_at(const Vec3& point, const Loop& loop) const;
+  OpenHole open_hole(const Loop& loop) const;
+  bool is_too_large(const Loop& loop) const;
+
+  Mesh& mesh_;
+  const FillOptions& options_;
+  VertexFaces around_;  ///< of the input: borders have no vertex in common
+  std::vector<RowBlend> blends_;
+  FillResult result_;
+};
+
+OpenHole Filler::open_hole(const Loop& loop) const {
+  OpenHole hole{halfedge_source(mesh_, loop.front()), loop.size(), 0};
+  for (const Index h : loop)
+    hole.length +=
+        (mesh_.positions[halfedge_target(mesh_, h)] - mesh_.positions[halfedge_source(mesh_, h)])
+            .norm();
+  return hole;
+}
+
+bool Filler::is_too_large(const Loop& loop) const {
+  Vec3 low = mesh_.positions[halfedge_source(mesh_, loop.front())], high = low;
+  for (const Index h : loop) {
+    low = low.cwiseMin(mesh_.positions[halfedge_source(mesh_, h)]);
+    high = high.cwiseMax(mesh_.positions[halfedge_source(mesh_, h)]);
+  }
+  return loop.size() > options_.max_edges || (high - low).norm() > options_.max_diameter;
+}
+
+/// The faces within two rings.
+std::vector<Index> Filler::faces_around(const Loop& loop) const {
+  std::vector<Index> vertices, faces;
+  for (const Index h : loop) vertices.push_back(halfedge_source(mesh_, h));
+  for (int ring = 0; ring < 2; ++ring) {
+    for (const Index v : vertices) faces.insert(faces.end(), around_[v].begin(), around_[v].end());
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    vertices.clear();
+    for (const Index f : faces)
+      vertices.insert(vertices.end(), mesh_.faces[f].begin(), mesh_.faces[f].end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  }
+  return faces;
+}
+
+/// Whether the patch crosses itself or any face of the mesh that is near.
+bool Filler::crosses(const HolePatch& patch, const Part& part) const {
+  // The faces that meet the box of the patch.
+  const Mesh& local = part.mesh;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  const auto position = [&](Index v) -> const Vec3& {
+    return v < local.positions.size() ? local.positions[v]
+                                      : patch.points[v - local.positions.size()];
+  };
+  for (const Face& face : patch.faces)
+    for (const Index v : face) {
+      low = low.cwiseMin(position(v));
+      high = high.cwiseMax(position(v));
+    }
+  std::vector<Index> near;
+  for (Index f = 0; f < mesh_.faces.size(); ++f) {
+    const Triangle t = triangle_of(mesh_.positions, mesh_.faces[f]);
+    const bool is_apart = (t[0].cwiseMax(t[1]).cwiseMax(t[2]).array() < low.array()).any() ||
+                          (t[0].cwiseMin(t[1]).cwiseMin(t[2]).array() > high.array()).any();
+    if (!is_apart) near.push_back(f);
+  }
+
+  // Behind them those of the patch. Equal positions are one point.
+  Mesh both = part_of(mesh_, near).mesh;
+  const std::size_t old_faces = both.faces.size();
+  for (const Face& face : patch.faces) {
+    const auto first = static_cast<Index>(both.positions.size());
+    for (const Index v : face) both.positions.push_back(position(v));
+    both.faces.push_back({first, first + 1, first + 2});
+  }
+  const std::vector<FacePair> pairs = find_intersections(both);
+  return std::any_of(pairs.begin(), pairs.end(),
+                     [&](const FacePair& pair) { return pair.second >= old_faces; });
+}
+
+bool Filler::fits(const HolePatch& patch, const Part& part) const {
+  Mesh joined = part.mesh;
+  joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
+  joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
+
+  // An edge of the patch may be one of the mesh already.
+  const ManifoldReport found = check_manifold(joined);
+  if (!found.nonmanifold_edges.empty() || !found.misoriented_edges.empty()) return false;
+  const std::vector<Index> flat = degenerate_faces(joined);
+  if (!flat.empty() && flat.back() >= part.mesh.faces.size()) return false;
+  return !crosses(patch, part);
+}
+
+/// The three nearest vertices of the border, nearer ones more.
+RowBlend Filler::blend_at(const Vec3& point, const Loop& loop) const {
+  std::vector<std::pair<double, Index>> distances;
+  for (const Index h : loop) {
+    const Index v = halfedge_source(mesh_, h);
+    distances.emplace_back((mesh_.positions[v] - point).norm(), v);
+  }
+  std::partial_sort(distances.begin(), distances.begin() + 3, distances.end());
+  RowBlend blend;
+  if (distances[0].first == 0) {
+    blend.source[0] = distances[0].second;
+    return blend;
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    blend.source.at(i) = distances[i].second;
+    blend.weight.at(i) = distances[0].first / distances[i].first;
+    sum += blend.weight.at(i);
+  }
+  for (double& weight : blend.weight) weight /= sum;
+  return blend;
+}
+
+void Filler::add(const HolePatch& patch, const Part& part, const Loop& loop) {
+  const auto first_new = static_cast<Index>(mesh_.positions.size());
+  const auto known = static_cast<Index>(part.vertices.size());
+  for (const Vec3& point : patch.points) {
+    mesh_.positions.push_back(point);
+    blends_.push_back(blend_at(point, loop));
+  }
+  for (Face face : patch.faces) {
+    for (Index& v : face) v = v < known ? part.vertices[v] : first_new + v - known;
+    mesh_.faces.push_back(face);
+  }
+  result_.new_vertices += patch.points.size();
+  result_.new_faces += patch.faces.size();
+}
+
+void Filler::fill(const Loop& loop) {
+  ++result_.holes;
+  if (is_too_large(loop)) {
+    result_.too_large.push_back(open_hole(loop));
+    return;
+  }
+  const std::vector<Index> faces = faces_around(loop);
+  const Part part = part_of(mesh_, faces);
+  const auto place = std::lower_bound(faces.begin(), faces.end(), loop.front() / 3);
+  const auto border = static_cast<Index>(3 * (place - faces.begin()) + loop.front() % 3);
+
+  const std::array<std::pair<PatchKind, std::size_t*>, 3> kinds{
+      {{PatchKind::faired, &result_.faired},
+       {PatchKind::refined, &result_.refined},
+       {PatchKind::plain, &result_.plain}}};
+  const std::size_t first_kind = !options_.refine ? 2 : options_.fair ? 0 : 1;
+  for (std::size_t i = first_kind; i < kinds.size(); ++i) {
+    std::optional<HolePatch> patch = patch_hole(part.mesh, border, kinds.at(i).first);
+    if (!patch) continue;
+    for (Vec3& point : patch->points) point = rounded_to(point, options_.coordinate);
+    if (!fits(*patch, part)) continue;
+    // One without new vertices is neither refined nor faired.
+    ++*(patch->points.empty() ? kinds[2] : kinds.at(i)).second;
+    add(*patch, part, loop);
+    return;
+  }
+  result_.crossing.push_back(open_hole(loop));
+}
+
+FillResult Filler::finish() {
+  const std::size_t old_vertices = mesh_.positions.size() - result_.new_vertices;
+  const std::vector<RowBlend> rows(blends_.begin() + static_cast<std::ptrdiff_t>(old_vertices),
+                                   blends_.end());
+  for (const RowBlend& row : rows) mesh_.vertex_columns.append(row);
+  mesh_.face_columns.concatenate(Columns(), mesh_.faces.size() - result_.new_faces,
+                                 result_.new_faces);
+  return std::move(result_);
+}
+
+}  // namespace
+
+FillResult fill_holes(Mesh& mesh, const FillOptions& options, const Progress& progress) {
+  const ManifoldReport found = check_manifold(mesh);
+  check(mesh, found, options);
+  const std::vector<Loop> loops = loops_of(mesh, found.border_halfedges);
+  Filler filler(mesh, options);
+  for (const Loop& loop : loops) {
+    progress("filling holes");
+    filler.fill(loop);
+  }
+  return filler.finish();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,26 @@
+/// A patch for one hole: the triangulation of its border with the smallest dihedral angles and then
+/// area, refined until its triangles are as dense as those around, and faired so that it continues
+/// them smoothly. Reference: Liepa, "Filling holes in meshes", SGP 2003, as CGAL has it. The patch
+/// may cross itself and the mesh. Cost: nearly O(n log n) for n border edges where the Delaunay
+/// tetrahedra of the border hold a patch, O(n^3) where they do not. Deterministic.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tm/mesh/mesh.h"
+
+namespace transformesh {
+
+enum class PatchKind { plain, refined, faired };
+
+struct HolePatch {
+  std::vector<Vec3> points;  ///< new ones: the vertices behind those of the mesh
+  std::vector<Face> faces;   ///< oriented as the faces around
+};
+
+/// For the hole beside the border halfedge of an oriented manifold that holds all faces within two
+/// rings of it. Nothing where no patch of that kind is found.
+std::optional<HolePatch> patch_hole(const Mesh& around, Index border_halfedge, PatchKind kind);
+
+}  // namespace transformesh

@@ -1,0 +1,54 @@
+#!/usr/bin/env bats
+load ../helpers/common
+
+# The upper part of a ball is missing.
+open_ball() {
+  tm-shape sphere --faces 3000 --format off --no-provenance | awk '
+    NR == 1 || /^#/ { print; next }
+    !n { n = $1; f = $2; next }
+    v < n { z[v] = $3; vertex[v++] = $0; next }
+    NF >= 4 && !(z[$2] > 0.8 && z[$3] > 0.8 && z[$4] > 0.8) { face[m++] = $0 }
+    END { print n, m, 0; for (i = 0; i < n; ++i) print vertex[i]; for (i = 0; i < m; ++i) print face[i] }'
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  open_ball | tm-stitch -q -o open.ply
+}
+
+@test "a ball without its top becomes a ball" {
+  run tm-checkmanifold --closed open.ply
+  assert_status 1
+  tm-fill --report r.json open.ply -o ball.ply
+  tm-checkmanifold --closed --intersections ball.ply
+  jq -e '.result | .holes == 1 and .filled == 1 and .faired == 1' r.json
+  tm-info --get volume ball.ply | awk '{ exit !($1 > 4.12 && $1 < 4.23) }'
+}
+
+@test "what was there stays byte for byte" {
+  tm-convert --format off --no-provenance open.ply -o open.off
+  tm-fill --no-provenance --format off open.ply -o ball.off
+  vertices=$(tm-info --get vertices open.ply)
+  faces=$(tm-info --get faces open.ply)
+  all=$(tm-info --get vertices ball.off)
+  numbers() { grep -v '^#' "$1" | sed 1,2d; }
+  diff <(numbers open.off | head -n "$vertices") <(numbers ball.off | head -n "$vertices")
+  diff <(numbers open.off | tail -n "$faces") \
+    <(numbers ball.off | tail -n +$((all + 1)) | head -n "$faces")
+}
+
+@test "limits leave a hole open, which is said with its place" {
+  run --separate-stderr tm-fill --max-edges 5 open.ply -o still.ply
+  assert_status 0
+  [[ $stderr == *"1 hole stays open, beyond the limits: "*" edges, "*" long, at vertex "* ]]
+  [ "$(tm-info --get faces still.ply)" = "$(tm-info --get faces open.ply)" ]
+  run tm-fill --max-edges 2 open.ply
+  assert_status 2
+}
+
+@test "a soup is refused, and tm-stitch named" {
+  printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n' >three.off
+  run --separate-stderr tm-fill three.off
+  assert_status 3
+  [[ $stderr == *"tm-stitch --orient"* ]]
+}

@@ -1,0 +1,65 @@
+/// tm-fill: closes the holes of a mesh.
+#include "frame/run.h"
+#include "tm/fill/fill.h"
+#include "tm/mesh/location_text.h"
+#include "tm/support/counted.h"
+#include "tm/support/number.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Choices {
+  std::optional<Length> max_diameter;
+  std::optional<long> max_edges;
+  bool no_refine = false;
+  bool no_fair = false;
+};
+
+std::string described(const std::vector<OpenHole>& holes, const Mesh& mesh, const char* why) {
+  const OpenHole& first = holes.front();
+  return counted(holes.size(), "hole") + (holes.size() == 1 ? " stays open, " : " stay open, ") +
+         why + (holes.size() == 1 ? ": " : ", the first: ") + counted(first.edges, "edge") + ", " +
+         significant(first.length, 3) + " long, at " + vertex_text(mesh, first.vertex);
+}
+
+void report(const FillResult& result, const Mesh& mesh, tool::Run& run) {
+  run.report("holes", result.holes);
+  run.report("filled", result.filled());
+  run.report("faired", result.faired);
+  run.report("refined", result.refined);
+  run.report("plain", result.plain);
+  run.report("left_crossing", result.crossing.size());
+  run.report("left_too_large", result.too_large.size());
+  run.report("new_vertices", result.new_vertices);
+  run.report("new_faces", result.new_faces);
+  if (!result.crossing.empty())
+    run.note(described(result.crossing, mesh, "as every patch would cross or be flat"));
+  if (!result.too_large.empty()) run.note(described(result.too_large, mesh, "beyond the limits"));
+}
+
+void fill_document(Document& document, const Choices& choices, tool::Run& run) {
+  FillOptions options;
+  if (choices.max_edges) options.max_edges = static_cast<std::size_t>(*choices.max_edges);
+  if (choices.max_diameter) options.max_diameter = run.length(*choices.max_diameter);
+  options.refine = !choices.no_refine;
+  options.fair = !choices.no_fair;
+  options.coordinate = document.style.coordinate;
+  report(fill_holes(document.mesh, options, run.progress()), document.mesh, run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Choices choices;
+  tool::Program program{"tm-fill", "[OPTION]... [INPUT]",
+                        "Closes holes by smooth patches, never into a crossing"};
+  program.integer("max-edges", &choices.max_edges, 3, 1000000000,
+                  "leave holes with more edges open (default: none)");
+  program.length("max-diameter", &choices.max_diameter,
+                 "leave holes open whose box has a longer diagonal (default: none)");
+  program.flag("no-fair", &choices.no_fair, "do not make patches continue smoothly what is around");
+  program.flag("no-refine", &choices.no_refine, "add no vertices: flat patches of large triangles");
+  return program.run(argc, argv,
+                     [&](tool::Run& run) { fill_document(run.document(), choices, run); });
+}
