@@ -18,6 +18,8 @@
 namespace transformesh {
 namespace {
 
+constexpr std::size_t most_edges_of_all = 200;
+
 using Loop = std::vector<Index>;  ///< border halfedges, each starting where the one before ends
 
 void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& options) {
@@ -85,6 +87,7 @@ class Filler {
   std::vector<Index> faces_around(const Loop& loop) const;
   bool fits(const HolePatch& patch, const Part& part) const;
   bool crosses(const HolePatch& patch, const Part& part) const;
+  bool try_kinds(const Loop& loop, const Part& part, Index border, Search search);
   void add(const HolePatch& patch, const Part& part, const Loop& loop);
   RowBlend blend_at(const Vec3& point, const Loop& loop) const;
   OpenHole open_hole(const Loop& loop) const;
@@ -229,22 +232,29 @@ void Filler::fill(const Loop& loop) {
   const auto place = std::lower_bound(faces.begin(), faces.end(), loop.front() / 3);
   const auto border = static_cast<Index>(3 * (place - faces.begin()) + loop.front() % 3);
 
+  // Searching all triangles takes the cube of the edges in time.
+  if (try_kinds(loop, part, border, Search::delaunay)) return;
+  if (loop.size() <= most_edges_of_all && try_kinds(loop, part, border, Search::all)) return;
+  result_.crossing.push_back(open_hole(loop));
+}
+
+bool Filler::try_kinds(const Loop& loop, const Part& part, Index border, Search search) {
   const std::array<std::pair<PatchKind, std::size_t*>, 3> kinds{
       {{PatchKind::faired, &result_.faired},
        {PatchKind::refined, &result_.refined},
        {PatchKind::plain, &result_.plain}}};
   const std::size_t first_kind = !options_.refine ? 2 : options_.fair ? 0 : 1;
   for (std::size_t i = first_kind; i < kinds.size(); ++i) {
-    std::optional<HolePatch> patch = patch_hole(part.mesh, border, kinds.at(i).first);
+    std::optional<HolePatch> patch = patch_hole(part.mesh, border, kinds.at(i).first, search);
     if (!patch) continue;
     for (Vec3& point : patch->points) point = rounded_to(point, options_.coordinate);
     if (!fits(*patch, part)) continue;
     // One without new vertices is neither refined nor faired.
     ++*(patch->points.empty() ? kinds[2] : kinds.at(i)).second;
     add(*patch, part, loop);
-    return;
+    return true;
   }
-  result_.crossing.push_back(open_hole(loop));
+  return false;
 }
 
 FillResult Filler::finish() {

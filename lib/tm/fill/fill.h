@@ -1,8 +1,9 @@
 /// Closes the holes of a mesh, but never into a crossing. Each border loop gets a patch that is
 /// triangulated, refined and faired (hole_patch.h). One that would cross the mesh, an earlier patch
-/// or itself, or has a face without area, is tried again without fairing, then unrefined; if that
-/// does not help the hole stays open. Crossings are decided exactly, in coordinates as they will be
-/// written, for pairs that involve a new face: what crosses already is no obstacle.
+/// or itself, or has a face without area, is tried again without fairing, then unrefined, then in
+/// the same order with another triangulation (up to 200 edges); if nothing helps the hole stays
+/// open. Crossings are decided exactly, in coordinates as they will be written, for pairs that
+/// involve a new face: what crosses already is no obstacle.
 ///
 /// Guarantees: vertices and faces that were there stay, with order and columns; new ones follow.
 /// The result is an oriented manifold. Number columns of new vertices are the mean of the three

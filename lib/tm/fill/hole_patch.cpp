@@ -20,9 +20,11 @@ Surface surface_of(const Mesh& mesh) {
 }
 
 /// Whether the surface has a patch of that kind now.
-bool fill_hole(Surface& surface, Surface::Halfedge_index border, PatchKind kind) {
+bool fill_hole(Surface& surface, Surface::Halfedge_index border, PatchKind kind, Search search) {
   std::vector<Surface::Face_index> faces;
-  processing::triangulate_hole(surface, border, std::back_inserter(faces));
+  processing::triangulate_hole(
+      surface, border, std::back_inserter(faces),
+      CGAL::parameters::use_delaunay_triangulation(search == Search::delaunay));
   if (faces.empty() || kind == PatchKind::plain) return !faces.empty();
 
   std::vector<Vertex> vertices;
@@ -51,13 +53,14 @@ std::optional<HolePatch> new_part(const Surface& surface, const Mesh& mesh) {
 
 }  // namespace
 
-std::optional<HolePatch> patch_hole(const Mesh& around, Index border_halfedge, PatchKind kind) {
+std::optional<HolePatch> patch_hole(const Mesh& around, Index border_halfedge, PatchKind kind,
+                                    Search search) {
   try {
     Surface surface = surface_of(around);
     if (surface.number_of_faces() != around.faces.size()) return std::nullopt;
     const auto inner = surface.halfedge(Vertex(halfedge_source(around, border_halfedge)),
                                         Vertex(halfedge_target(around, border_halfedge)));
-    if (!fill_hole(surface, surface.opposite(inner), kind)) return std::nullopt;
+    if (!fill_hole(surface, surface.opposite(inner), kind, search)) return std::nullopt;
     return new_part(surface, around);
   } catch (const CGAL::Failure_exception&) {
     return std::nullopt;  // a precondition that rounding broke

@@ -2,7 +2,8 @@
 /// area, refined until its triangles are as dense as those around, and faired so that it continues
 /// them smoothly. Reference: Liepa, "Filling holes in meshes", SGP 2003, as CGAL has it. The patch
 /// may cross itself and the mesh. Cost: nearly O(n log n) for n border edges where the Delaunay
-/// tetrahedra of the border hold a patch, O(n^3) where they do not. Deterministic.
+/// tetrahedra of the border hold a patch, O(n^3) where they do not and for Search::all.
+/// Deterministic.
 #pragma once
 
 #include <optional>
@@ -14,6 +15,10 @@ namespace transformesh {
 
 enum class PatchKind { plain, refined, faired };
 
+/// Among which triangles: those of the Delaunay tetrahedra of the border, where they hold a patch,
+/// or all.
+enum class Search { delaunay, all };
+
 struct HolePatch {
   std::vector<Vec3> points;  ///< new ones: the vertices behind those of the mesh
   std::vector<Face> faces;   ///< oriented as the faces around
@@ -21,6 +26,7 @@ struct HolePatch {
 
 /// For the hole beside the border halfedge of an oriented manifold that holds all faces within two
 /// rings of it. Nothing where no patch of that kind is found.
-std::optional<HolePatch> patch_hole(const Mesh& around, Index border_halfedge, PatchKind kind);
+std::optional<HolePatch> patch_hole(const Mesh& around, Index border_halfedge, PatchKind kind,
+                                    Search search);
 
 }  // namespace transformesh
