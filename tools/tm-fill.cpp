@@ -14,6 +14,7 @@ struct Choices {
   std::optional<long> max_edges;
   bool no_refine = false;
   bool no_fair = false;
+  bool allow_crossings = false;
 };
 
 std::string described(const std::vector<OpenHole>& holes, const Mesh& mesh, const char* why) {
@@ -29,6 +30,7 @@ void report(const FillResult& result, const Mesh& mesh, tool::Run& run) {
   run.report("faired", result.faired);
   run.report("refined", result.refined);
   run.report("plain", result.plain);
+  run.report("crossed", result.crossed);
   run.report("left_crossing", result.crossing.size());
   run.report("left_too_large", result.too_large.size());
   run.report("new_vertices", result.new_vertices);
@@ -44,6 +46,7 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
   if (choices.max_diameter) options.max_diameter = run.length(*choices.max_diameter);
   options.refine = !choices.no_refine;
   options.fair = !choices.no_fair;
+  options.allow_crossings = choices.allow_crossings;
   options.coordinate = document.style.coordinate;
   report(fill_holes(document.mesh, options, run.progress()), document.mesh, run);
 }
@@ -60,6 +63,8 @@ int main(int argc, char** argv) {
                  "leave holes open whose box has a longer diagonal (default: none)");
   program.flag("no-fair", &choices.no_fair, "do not make patches continue smoothly what is around");
   program.flag("no-refine", &choices.no_refine, "add no vertices: flat patches of large triangles");
+  program.flag("allow-crossings", &choices.allow_crossings,
+               "close also where every patch crosses, for tm-clean afterwards");
   return program.run(argc, argv,
                      [&](tool::Run& run) { fill_document(run.document(), choices, run); });
 }

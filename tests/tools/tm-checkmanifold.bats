@@ -22,7 +22,7 @@ genus: 0" ]]
   [[ $output == *"closed: false"*"boundary_loops: 1"* ]]
   run tm-checkmanifold --closed open.off
   assert_status 1
-  [[ $output == *"problem: the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) of face 0 has no face across (the first of 3 such edges)" ]]
+  [[ $output == *"problem: the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) of face 0 has no face across (the first of 3 such edges); tm-fill closes holes" ]]
 }
 
 @test "tm-checkmanifold: it says where edges, vertices, faces and orientation are wrong" {

@@ -85,9 +85,10 @@ class Filler {
 
  private:
   std::vector<Index> faces_around(const Loop& loop) const;
-  bool fits(const HolePatch& patch, const Part& part) const;
+  bool fits(const HolePatch& patch, const Part& part, bool may_cross) const;
   bool crosses(const HolePatch& patch, const Part& part) const;
-  bool try_kinds(const Loop& loop, const Part& part, Index border, Search search);
+  bool try_kinds(const Loop& loop, const Part& part, Index border, Search search,
+                 bool may_cross = false);
   void add(const HolePatch& patch, const Part& part, const Loop& loop);
   RowBlend blend_at(const Vec3& point, const Loop& loop) const;
   OpenHole open_hole(const Loop& loop) const;
@@ -170,7 +171,7 @@ bool Filler::crosses(const HolePatch& patch, const Part& part) const {
                      [&](const FacePair& pair) { return pair.second >= old_faces; });
 }
 
-bool Filler::fits(const HolePatch& patch, const Part& part) const {
+bool Filler::fits(const HolePatch& patch, const Part& part, bool may_cross) const {
   Mesh joined = part.mesh;
   joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
   joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
@@ -180,7 +181,7 @@ bool Filler::fits(const HolePatch& patch, const Part& part) const {
   if (!found.nonmanifold_edges.empty() || !found.misoriented_edges.empty()) return false;
   const std::vector<Index> flat = degenerate_faces(joined);
   if (!flat.empty() && flat.back() >= part.mesh.faces.size()) return false;
-  return !crosses(patch, part);
+  return may_cross || !crosses(patch, part);
 }
 
 /// The three nearest vertices of the border, nearer ones more.
@@ -235,10 +236,12 @@ void Filler::fill(const Loop& loop) {
   // Searching all triangles takes the cube of the edges in time.
   if (try_kinds(loop, part, border, Search::delaunay)) return;
   if (loop.size() <= most_edges_of_all && try_kinds(loop, part, border, Search::all)) return;
+  if (options_.allow_crossings && try_kinds(loop, part, border, Search::delaunay, true)) return;
   result_.crossing.push_back(open_hole(loop));
 }
 
-bool Filler::try_kinds(const Loop& loop, const Part& part, Index border, Search search) {
+bool Filler::try_kinds(const Loop& loop, const Part& part, Index border, Search search,
+                       bool may_cross) {
   const std::array<std::pair<PatchKind, std::size_t*>, 3> kinds{
       {{PatchKind::faired, &result_.faired},
        {PatchKind::refined, &result_.refined},
@@ -248,9 +251,12 @@ bool Filler::try_kinds(const Loop& loop, const Part& part, Index border, Search 
     std::optional<HolePatch> patch = patch_hole(part.mesh, border, kinds.at(i).first, search);
     if (!patch) continue;
     for (Vec3& point : patch->points) point = rounded_to(point, options_.coordinate);
-    if (!fits(*patch, part)) continue;
+    if (!fits(*patch, part, may_cross)) continue;
     // One without new vertices is neither refined nor faired.
-    ++*(patch->points.empty() ? kinds[2] : kinds.at(i)).second;
+    if (may_cross)
+      ++result_.crossed;
+    else
+      ++*(patch->points.empty() ? kinds[2] : kinds.at(i)).second;
     add(*patch, part, loop);
     return true;
   }

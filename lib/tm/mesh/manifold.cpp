@@ -83,7 +83,7 @@ std::string describe_problem(const Mesh& mesh, const ManifoldReport& report, boo
            " run along it the same way" + and_more(report.misoriented_edges.size(), "edges");
   if (closed && !report.border_halfedges.empty())
     return "the " + face_edge_text(mesh, report.border_halfedges[0]) + " has no face across" +
-           and_more(report.border_halfedges.size(), "edges");
+           and_more(report.border_halfedges.size(), "edges") + "; tm-fill closes holes";
   return "";
 }
 

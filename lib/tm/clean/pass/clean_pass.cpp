@@ -18,7 +18,8 @@ namespace {
 // In front of a piece of an open mesh the winding number is no integer.
 void refuse_static_test(std::size_t borders) {
   throw UsageError("--method static needs a closed mesh; this one has " + std::to_string(borders) +
-                   (borders == 1 ? " border" : " borders") + ": use --method grow");
+                   (borders == 1 ? " border" : " borders") +
+                   ": use --method grow, or close it with tm-fill");
 }
 
 void count_faces(const Mesh& mesh, const Arrangement& arrangement, std::size_t whole_faces,
