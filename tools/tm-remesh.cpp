@@ -2,11 +2,15 @@
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "remesh_options.h"
+#include "tm/mesh/measure.h"
 #include "tm/remesh/remesh.h"
+#include "tm/support/number.h"
 
 namespace {
 
 using namespace transformesh;
+
+constexpr double most_apart = 2;  // of reference and mean edge, without a word
 
 void decimate_document(Document& document, const DecimateOptions& options, tool::Run& run) {
   const std::size_t before = document.mesh.faces.size();
@@ -20,8 +24,27 @@ void decimate_document(Document& document, const DecimateOptions& options, tool:
   tool::note_dropped_lists(result.columns.dropped, run);
 }
 
+bool refers_to_edge(const std::optional<Length>& length) {
+  return length && length->unit == Length::Unit::reference_edge;
+}
+
+// The comment of an evolution may be older than the mesh.
+void note_reference_edge(const tool::RemeshChoices& choices, const Mesh& mesh, tool::Run& run) {
+  const bool is_used = refers_to_edge(choices.min_edge) || refers_to_edge(choices.max_edge) ||
+                       refers_to_edge(choices.adaptive);
+  const bool is_chosen = !run.program().common.reference_edge.empty();
+  if (!is_used || is_chosen || !choices.remesh.size_column.empty()) return;
+  const double mean = edge_lengths(mesh).mean;
+  const double reference = run.reference_edge();
+  if (reference <= most_apart * mean && mean <= most_apart * reference) return;
+  run.note("edges become " + significant(reference, 3) +
+           " long, as the comment tm:reference-edge " + "says, though their mean is " +
+           significant(mean, 3) + " now; --reference-edge auto measures it anew");
+}
+
 void remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   const RemeshOptions options = tool::remesh_options(choices, document, run);
+  note_reference_edge(choices, document.mesh, run);
   const RemeshResult result = remesh(document.mesh, options, run.progress());
   run.report("splits", result.splits);
   run.report("collapses", result.collapses);

@@ -193,3 +193,19 @@ is_refused() {
   assert_status 3
   [[ $output == *"the color of vertex 7 is not a finite number: 'nan'"* ]]
 }
+
+@test "endings that are not written are refused with those that are; none, or --format, stays" {
+  cd "$BATS_TEST_TMPDIR"
+  for name in a.glb a.jpg; do
+    run --separate-stderr tm-shape sphere --faces 100 -o "$name"
+    assert_status 2
+    [[ $stderr == *".ply, .off, .obj or .stl"* ]]
+    [ ! -e "$name" ]
+  done
+  tm-shape sphere --faces 100 -o plain
+  tm-convert --format obj -o a.glb plain
+  grep -q '^v ' a.glb
+  run --separate-stderr tm-render plain -o a.jpg
+  assert_status 2
+  [[ $stderr == *".png"* ]]
+}

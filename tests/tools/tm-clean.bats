@@ -33,10 +33,10 @@ load ../helpers/common
     for format in "--format ply --float" "--format ply --double" "--format off" \
       "--format ply-ascii --float"; do
       # shellcheck disable=SC2086 # several words each
-      tm-shape $kind --faces 2000 $format -o in.mesh
-      tm-clean --no-provenance in.mesh -o once.mesh
-      tm-clean --no-provenance once.mesh -o twice.mesh
-      cmp once.mesh twice.mesh || fail "$kind, $format"
+      tm-shape $kind --faces 2000 $format -o in_mesh
+      tm-clean --no-provenance in_mesh -o once_mesh
+      tm-clean --no-provenance once_mesh -o twice_mesh
+      cmp once_mesh twice_mesh || fail "$kind, $format"
     done
   done
 }

@@ -74,8 +74,10 @@ namespace po = boost::program_options;
   std::vector<std::string> names;
   names.reserve(options.size());
   for (const Option& option : options) names.push_back(option.name());
-  throw UsageError("unknown option '" + token + "'; did you mean '--" + nearest_name(word, names) +
-                   "'?");
+  const std::string nearest = nearest_name(word, names);
+  throw UsageError("unknown option '" + token + "'; " +
+                   (is_near(word, nearest) ? "did you mean '--" + nearest + "'?"
+                                           : "--help lists those that there are"));
 }
 
 [[noreturn]] void throw_missing(const std::string& name) {

@@ -93,6 +93,7 @@ struct Program {
   std::vector<std::string> word_choices = {};  ///< the first word is one of these, for completion
   std::string epilog = {};                     ///< shown after the options: examples, formulas
   std::function<bool()> writes_mesh_if = {};   ///< where this holds, a mesh is written, no report
+  bool joins_soups = false;                    ///< so that nobody is told to do it with tm-stitch
   const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
   CommonValues common = CommonValues();   // {} would make GCC 12 warn
   std::deque<Option> options = {};

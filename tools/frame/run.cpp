@@ -48,8 +48,23 @@ Run::Run(Program& program, Terminal& terminal)
 
 // --- Input ---------------------------------------------------------------------------------------
 
+void Run::check_ending() const {
+  const bool writes_picture = program_.writes == Writes::picture;
+  if (!writes_picture && (!program_.writes_mesh() || !program_.common.format.empty())) return;
+  const std::vector<std::string> known =
+      writes_picture ? std::vector<std::string>{".png"}
+                     : std::vector<std::string>{".ply", ".off", ".obj", ".stl"};
+  const std::string ending = unknown_ending(output(), known);
+  if (ending.empty()) return;
+  throw UsageError("--output: '" + output() + "' ends in " + ending + ", which is not written; " +
+                   (writes_picture ? "pictures are .png"
+                                   : "take .ply, .off, .obj or .stl, or say what it shall hold "
+                                     "with --format"));
+}
+
 void Run::start() {
   const CommonValues& values = program_.common;
+  check_ending();
   if (values.json && program_.writes_mesh())
     throw UsageError("--json needs a report on standard output");
   if (program_.writes == Writes::picture && output() == "-" && isatty(STDOUT_FILENO) == 1)
@@ -103,7 +118,10 @@ Bytes Run::read_once(const std::string& path) {
 Document Run::read(const std::string& path) {
   phases_.begin("read");
   ReadResult result = read_mesh(read_once(path).view(), input_name(path));
-  for (const std::string& line : result.notes) note(line);
+  for (std::string line : result.notes) {
+    const std::size_t advice = line.find("; tm-stitch joins them");
+    note(program_.joins_soups ? line.substr(0, advice) : line);
+  }
   detail(input_name(path) + ": " + described(result.document));
   phases_.begin("");
   return std::move(result.document);

@@ -96,6 +96,8 @@ class Run {
  private:
   Bytes read_once(const std::string& path);
   void refer_to(const Document& document);
+  /// Throws UsageError for an output whose name promises a format that is not written.
+  void check_ending() const;
   /// In input units, where the option is a length and there is what it refers to.
   std::optional<double> resolved(const Option& option);
   void show_settings();

@@ -137,6 +137,8 @@ Format format_for(Format input, std::string_view wanted, std::string_view name) 
   if (wanted == "ply-ascii") return Format::ply_ascii;
   if (wanted == "ply-be") return Format::ply_big;
   if (wanted == "off") return Format::off;
+  if (wanted == "obj") return Format::obj;
+  if (wanted == "stl") name = ".stl";
   const std::string extension = extension_of(name);
   if (extension == ".off") return Format::off;
   if (extension == ".obj") return Format::obj;
@@ -145,6 +147,18 @@ Format format_for(Format input, std::string_view wanted, std::string_view name) 
   const bool is_ply = input == Format::ply_ascii || input == Format::ply_big;
   if (extension == ".ply") return is_ply ? input : Format::ply_little;
   return is_ply || input == Format::off ? input : Format::ply_little;
+}
+
+std::string unknown_ending(std::string_view name, const std::vector<std::string>& known) {
+  constexpr std::size_t longest = 5;
+  const std::string_view file = name.substr(name.rfind('/') + 1);
+  const std::string ending = extension_of(file);
+  const bool is_ending =
+      ending.size() > 1 && ending.size() <= longest && ending.size() < file.size();
+  const bool is_known = std::find(known.begin(), known.end(), ending) != known.end();
+  const bool has_letter =
+      std::any_of(ending.begin(), ending.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+  return is_ending && has_letter && !is_known ? ending : "";
 }
 
 std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate) {

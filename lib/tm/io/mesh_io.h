@@ -41,10 +41,15 @@ WriteResult write_mesh(const Document& document);
 Mesh read_mesh_file(const std::string& path);
 void write_mesh_file(const std::string& path, const Mesh& mesh);
 
-/// The format in which to write: `wanted` says ply, ply-ascii, ply-be or off; where it is empty the
-/// extension of the name decides, .ply .off .obj or .stl in any case; else it is the input's, or
-/// PLY for what comes as OBJ or STL. The encoding is the input's where the formats are the same.
+/// The format in which to write: `wanted` says ply, ply-ascii, ply-be, off, obj or stl; where it is
+/// empty the extension of the name decides, .ply .off .obj or .stl in any case; else it is the
+/// input's, or PLY for what comes as OBJ or STL. The encoding is the input's where the formats are
+/// the same.
 Format format_for(Format input, std::string_view wanted, std::string_view name);
+
+/// The ending of a file's name that no format has, with its dot; empty where the format has it or
+/// there is none. What is longer than four characters, as a random name's end, is no ending.
+std::string unknown_ending(std::string_view name, const std::vector<std::string>& known);
 
 /// Makes the document one of that format, with coordinates of the type wanted: by default floats
 /// for STL, doubles for OFF and OBJ, as they are for PLY. Rounds as round_positions() does, so that

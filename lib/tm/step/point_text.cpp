@@ -1,6 +1,8 @@
 #include "tm/step/point_text.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,24 @@ std::array<double, 6> read_row(TextRows& rows, std::size_t length, std::size_t p
   return values;
 }
 
+// Normals have unit length as far as their digits go; colors are bytes, or shares that are not.
+bool are_colors(const std::array<std::vector<double>, 3>& columns) {
+  double largest = 0;
+  bool are_bytes = true, are_shares = true, are_unit = true;
+  for (std::size_t i = 0; i < columns[0].size(); ++i) {
+    double square = 0;
+    for (const std::vector<double>& column : columns) {
+      const double value = column[i];
+      square += value * value;
+      largest = std::max(largest, value);
+      are_bytes = are_bytes && value >= 0 && value <= 255 && value == std::floor(value);
+      are_shares = are_shares && value >= 0 && value <= 1;
+    }
+    are_unit = are_unit && std::abs(square - 1) < 0.05;
+  }
+  return !are_unit && ((are_bytes && largest > 2) || (are_shares && columns[0].size() > 3));
+}
+
 }  // namespace
 
 bool is_point_text(const Source& source) {
@@ -68,6 +88,7 @@ Mesh read_point_text(const Source& source) {
     mesh.positions.emplace_back(values[0], values[1], values[2]);
     for (std::size_t i = 0; i < 3 && length == 6; ++i) normals[i].push_back(values[3 + i]);
   }
+  if (are_colors(normals)) return mesh;
   for (std::size_t i = 0; i < 3 && length == 6; ++i) {
     Column& column = mesh.vertex_columns.get(value_names[3 + i], Scalar::float64, 0);
     column.values = std::move(normals[i]);

@@ -1,5 +1,7 @@
 /// Points as plain text without a header, as .P3D, .xyz and .pts files hold them: lines of x y z,
-/// or of x y z nx ny nz. Empty lines and what follows a # are skipped.
+/// or of x y z nx ny nz. Where the last three are colors, whole
+/// numbers up to 255 or shares of no unit length, there are no normals. Empty lines and what
+/// follows a # are skipped.
 #pragma once
 
 #include "tm/io/source.h"

@@ -4,6 +4,7 @@
 
 #include "tm/io/mesh_io.h"
 #include "tm/step/point_text.h"
+#include "tm/support/error.h"
 
 namespace transformesh {
 namespace {
@@ -29,12 +30,24 @@ void order_spatially(Target& target) {
   target.face_order = FaceOrder::spatial;
 }
 
+// What is neither names all that there is.
+ReadResult read_as_mesh(std::string_view bytes, const std::string& name) {
+  try {
+    return read_mesh(bytes, name);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    const bool is_unknown = message.find("unknown mesh format") != std::string::npos;
+    if (!is_unknown) throw;
+    throw InputError(message + ", and points as lines of x y z [nx ny nz]");
+  }
+}
+
 }  // namespace
 
 Target read_target(std::string_view bytes, const std::string& name) {
   const Source source{bytes, name};
   if (is_point_text(source)) return make_target(read_point_text(source));
-  Document document = read_mesh(bytes, name).document;
+  Document document = read_as_mesh(bytes, name).document;
   Target target = make_target(std::move(document.mesh));
   target.is_prepared = has_comment(document, spatial_order);
   if (target.is_prepared) target.face_order = FaceOrder::spatial;
@@ -46,7 +59,7 @@ Target read_target(std::string_view bytes, const std::string& name) {
 
 Mesh read_mesh_or_points(std::string_view bytes, const std::string& name) {
   const Source source{bytes, name};
-  return is_point_text(source) ? read_point_text(source) : read_mesh(bytes, name).document.mesh;
+  return is_point_text(source) ? read_point_text(source) : read_as_mesh(bytes, name).document.mesh;
 }
 
 std::string write_target(const Target& target) {

@@ -40,4 +40,8 @@ std::string nearest_name(std::string_view text, const std::vector<std::string>& 
   return nearest;
 }
 
+bool is_near(std::string_view text, std::string_view name) {
+  return (!text.empty() && name.starts_with(text)) || 2 * edits(text, name) <= text.size();
+}
+
 }  // namespace transformesh

@@ -12,4 +12,7 @@ namespace transformesh {
 /// The first of equals wins; empty where there is no candidate.
 std::string nearest_name(std::string_view text, const std::vector<std::string>& candidates);
 
+/// Whether it is near enough to be meant: at most half the characters of `text` are edited.
+bool is_near(std::string_view text, std::string_view name);
+
 }  // namespace transformesh
