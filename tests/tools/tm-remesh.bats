@@ -268,3 +268,14 @@ border() {
   run tm-remesh --only smooth --smooth none "$BATS_TEST_TMPDIR/in.ply"
   assert_status 2
 }
+
+@test "a reference edge of another mesh is told, unless it was asked for" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape sphere --faces 4000 -o fine.ply
+  tm-remesh fine.ply | tm-remesh --faces 400 -o coarse.ply
+  run --separate-stderr tm-remesh coarse.ply -o out.ply
+  assert_status 0
+  [[ $stderr == *"tm:reference-edge"*"--reference-edge auto"* ]]
+  run --separate-stderr tm-remesh --reference-edge auto coarse.ply -o out.ply
+  [ -z "$stderr" ]
+}
