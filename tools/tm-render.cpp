@@ -5,6 +5,7 @@
 #include "tm/picture/picture.h"
 #include "tm/picture/png.h"
 #include "tm/picture/spelling.h"
+#include "tm/support/error.h"
 
 namespace {
 
@@ -19,6 +20,7 @@ struct Options {
   std::string around;
   std::string color;
   std::string background = "#f7f7f7,#d6d9de";
+  std::vector<double> range;
   long columns = 0;
   PictureOptions picture;
 };
@@ -36,6 +38,11 @@ void declare(tool::Program& program, Options& options) {
   program.integer("columns", &options.columns, 0, 10000, "panels in a row; 0 is all");
   program.text("color", &options.color, "COLOR",
                "of the surface, as #rrggbb; without it the properties red, green and blue");
+  program.text("color-by", &picture.shade.color.by, "PROPERTY",
+               "color by the numbers of this property of faces or vertices, with a legend");
+  program.numbers("range", &options.range, "LOW,HIGH",
+                  "of --color-by: the numbers at the ends of the colors (default: the ends of the "
+                  "finite values)");
   program.text("highlight", &picture.shade.color.highlight, "PROPERTY",
                "orange where this property of faces or vertices is not zero");
   program.text("background", &options.background, "COLOR",
@@ -43,6 +50,13 @@ void declare(tool::Program& program, Options& options) {
   program.number("crease-angle", &picture.shade.crease_angle_deg, 0, 180,
                  "degrees beyond which a bend is drawn as a sharp edge; 0 draws flat faces");
   program.flag("edges", &picture.shade.draw_edges, "draw the edges of the faces");
+}
+
+void set_range(const std::vector<double>& range, PictureOptions& picture) {
+  if (range.empty()) return;
+  if (picture.shade.color.by.empty()) throw UsageError("--range goes with --color-by");
+  if (range[0] >= range[1]) throw UsageError("--range: LOW must be less than HIGH");
+  picture.range = {range[0], range[1]};
 }
 
 void render(const Options& options, tool::Run& run) {
@@ -54,6 +68,7 @@ void render(const Options& options, tool::Run& run) {
   if (options.frame == "place") picture.framing = Framing::place;
   picture.columns = static_cast<int>(options.columns);
   if (!options.color.empty()) picture.shade.color.front = parse_color(options.color);
+  set_range(options.range, picture);
   picture.shade.background = parse_background(options.background);
 
   const Mesh around = options.around.empty() ? Mesh{} : run.read(options.around).mesh;

@@ -55,6 +55,39 @@ differ() {
   [[ $stderr == *"'intersections'"* ]]
 }
 
+# Adds the vertex property h, the x coordinate.
+with_height() {
+  awk '/^element vertex/ { n = $3 } /^element face/ { print "property double h" }
+    inside && n-- > 0 { print $0, $1; next } /^end_header/ { inside = 1 } { print }'
+}
+
+@test "colors stand for numbers, with a legend" {
+  tm-shape torus --faces 2000 --format ply-ascii | with_height >high.ply
+  tm-render high.ply >plain.png
+  tm-render --color-by h high.ply >colored.png
+  tm-render --color-by h --range 0,0.5 high.ply >narrow.png
+  tm-render --color-by h --range -0.5,0.5 high.ply >signs.png
+  differ plain.png colored.png
+  differ colored.png narrow.png
+  differ narrow.png signs.png
+  [ "$(png_header colored.png)" = "800 600 2" ]
+}
+
+@test "a property to color by that is not there is exit 2 and names those that are" {
+  tm-shape torus --faces 2000 --format ply-ascii | with_height >high.ply
+  run --separate-stderr tm-render --color-by height high.ply
+  assert_status 2
+  one_line "$stderr"
+  [[ $stderr == *"'height'"*"vertices h"* ]]
+  for options in '--color-by h --range 1' '--color-by h --range 2,1' '--range 0,1'; do
+    # shellcheck disable=SC2086
+    run --separate-stderr tm-render $options high.ply
+    assert_status 2
+    one_line "$stderr"
+    [[ $stderr == *"--range"* ]]
+  done
+}
+
 @test "the same bytes from every format and twice" {
   tetrahedron >a.ply
   tm-convert -o a.off a.ply

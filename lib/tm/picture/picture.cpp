@@ -4,6 +4,8 @@
 #include <string>
 
 #include "tm/mesh/measure.h"
+#include "tm/picture/colormap.h"
+#include "tm/picture/legend.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -31,12 +33,17 @@ void check_size(const PictureOptions& options, int columns, int rows) {
                      std::to_string(columns) + "x" + std::to_string(rows) + " panels");
 }
 
-/// The borders of panels are the nearest whole pixels.
+/// The borders of panels are the nearest whole pixels. The legend's strip is below them.
 std::vector<Panel> layout(std::size_t count, const PictureOptions& options) {
   const int all = static_cast<int>(count);
   const int columns = options.columns > 0 ? std::min(options.columns, all) : all;
   const int rows = (all + columns - 1) / columns;
   check_size(options, columns, rows);
+  const bool has_legend = !options.shade.color.by.empty();
+  const int strip = has_legend ? legend_height(options.width, options.height) : 0;
+  if (rows > options.height - strip)
+    throw UsageError("the picture is too low for " + std::to_string(rows) +
+                     " rows of panels above the legend");
   const auto border = [](int size, int i, int parts) {
     return static_cast<int>(static_cast<long>(size) * i / parts);
   };
@@ -45,9 +52,9 @@ std::vector<Panel> layout(std::size_t count, const PictureOptions& options) {
     const int column = i % columns;
     const int row = i / columns;
     const int x = border(options.width, column, columns);
-    const int y = border(options.height, row, rows);
+    const int y = border(options.height - strip, row, rows);
     panels.push_back({x, y, border(options.width, column + 1, columns) - x,
-                      border(options.height, row + 1, rows) - y});
+                      border(options.height - strip, row + 1, rows) - y});
   }
   return panels;
 }
@@ -98,6 +105,26 @@ bool has_column(const Mesh& mesh, const std::string& name) {
   return mesh.face_columns.find(name) != nullptr || mesh.vertex_columns.find(name) != nullptr;
 }
 
+/// Of all meshes together, so that their colors compare.
+ColorScale find_scale(std::span<const Mesh* const> meshes, const PictureOptions& options) {
+  const ColorScale own = scale_of_column(meshes, options.shade.color.by);
+  if (!options.range) return own;
+  if (!(options.range->first < options.range->second))
+    throw UsageError("the range of colors must begin below its end");
+  return {options.range->first, options.range->second};
+}
+
+/// The options for one of the meshes, without what that one does not have.
+ShadeOptions shading_of(const Mesh& mesh, const PictureOptions& options, bool can_highlight) {
+  ShadeOptions shading = options.shade;
+  shading.upright = eye_axes({0, 0, options.orbit.up, 1}).up;
+  if (can_highlight && !has_column(mesh, shading.color.highlight)) shading.color.highlight.clear();
+  if (number_column_of_faces(mesh, shading.color.by) == nullptr &&
+      number_column_of_vertices(mesh, shading.color.by) == nullptr)
+    shading.color.by.clear();
+  return shading;
+}
+
 void copy(const Image& part, const Panel& panel, Image& whole) {
   for (int y = 0; y < panel.height; ++y)
     for (int x = 0; x < panel.width; ++x) whole.at(panel.x + x, panel.y + y) = part.at(x, y);
@@ -114,15 +141,18 @@ Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& op
   const bool can_highlight = std::any_of(
       meshes.begin(), meshes.end(), [&](const Mesh* mesh) { return has_column(*mesh, highlight); });
 
+  const bool is_colored_by = !options.shade.color.by.empty();
+  const ColorScale scale = is_colored_by ? find_scale(meshes, options) : ColorScale();
+
   Image whole(options.width, options.height);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     progress("draw", static_cast<double>(i) / static_cast<double>(meshes.size()));
-    ShadeOptions shading = options.shade;
-    shading.upright = eye_axes({0, 0, options.orbit.up, 1}).up;
-    if (can_highlight && !has_column(*meshes[i], highlight)) shading.color.highlight.clear();
+    ShadeOptions shading = shading_of(*meshes[i], options, can_highlight);
+    shading.color.scale = scale;
     const Camera camera = orbit_camera(aims[i], options.orbit, panels[i].width, panels[i].height);
     copy(shade(*meshes[i], camera, shading), panels[i], whole);
   }
+  if (is_colored_by) draw_legend(scale, options.shade.background, whole);
   return whole;
 }
 

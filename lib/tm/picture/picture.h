@@ -1,7 +1,9 @@
 /// One picture of one or several meshes, side by side, each framed by itself.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "tm/picture/camera.h"
 #include "tm/picture/shade.h"
@@ -20,13 +22,17 @@ struct PictureOptions {
   Framing framing = Framing::each;
   int columns = 0;               ///< panels in a row; 0: all
   const Mesh* around = nullptr;  ///< frames this mesh in every panel instead: a film keeps still
-  ShadeOptions shade;
+  ShadeOptions shade;            ///< of its scale, see `range`
+  /// The numbers at the ends of the colors where shade.color.by is set; without it those of the
+  /// finite values of all meshes.
+  std::optional<std::pair<double, double>> range;
 };
 
 /// Panels go from left to right, then down. Throws InputError for a mesh without faces, UsageError
-/// for a size out of range, with less than a pixel for a panel, or a highlighted column that no
-/// mesh has; meshes without it are drawn without highlights. Deterministic for any number of
-/// threads.
+/// for a size or range out of range, with less than a pixel for a panel, or a column to highlight
+/// or to color by that no mesh has; meshes without it are drawn as if none was asked for. Where
+/// colors stand for numbers, the legend takes the bottom of the picture. Deterministic for any
+/// number of threads.
 Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& options = {},
                    const Progress& progress = {});
 

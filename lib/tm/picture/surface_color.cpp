@@ -51,10 +51,17 @@ Value interpolated(const Face& face, const FacePixel& pixel, const Lookup& looku
 }  // namespace
 
 SurfaceColor::SurfaceColor(const Mesh& mesh, const SurfaceColorOptions& options)
-    : mesh_(&mesh), front_(options.front.value_or(default_front)) {
+    : mesh_(&mesh), front_(options.front.value_or(default_front)), scale_(options.scale) {
   if (!options.front) {
     vertex_colors_ = colors_of(mesh.vertex_columns, mesh.positions.size());
     if (vertex_colors_.empty()) face_colors_ = colors_of(mesh.face_columns, mesh.faces.size());
+  }
+  if (!options.by.empty()) {
+    face_values_ = number_column_of_faces(mesh, options.by);
+    vertex_values_ = number_column_of_vertices(mesh, options.by);
+    const Mesh* const only = &mesh;
+    if (face_values_ == nullptr && vertex_values_ == nullptr)
+      scale_of_column(std::span(&only, 1), options.by);  // throws
   }
   if (options.highlight.empty()) return;
   const Column* of_faces = mesh.face_columns.find(options.highlight);
@@ -77,7 +84,12 @@ Color SurfaceColor::at(const FacePixel& pixel, bool is_front) const {
   }
 
   Color color = front_;
-  if (!vertex_colors_.empty())
+  if (face_values_ != nullptr)
+    color = scale_.at(face_values_->values[pixel.face]);
+  else if (vertex_values_ != nullptr)
+    color = scale_.at(
+        interpolated<double>(face, pixel, [&](Index v) { return vertex_values_->values[v]; }));
+  else if (!vertex_colors_.empty())
     color = interpolated<Color>(face, pixel, [&](Index v) { return vertex_colors_[v]; });
   else if (!face_colors_.empty())
     color = face_colors_[pixel.face];

@@ -7,6 +7,7 @@
 
 #include "tm/mesh/mesh.h"
 #include "tm/picture/color.h"
+#include "tm/picture/colormap.h"
 #include "tm/picture/rasterize.h"
 
 namespace transformesh {
@@ -18,11 +19,15 @@ struct SurfaceColorOptions {
   /// Name of a face column, else of a vertex column: where it is not zero the surface is orange.
   /// None where empty.
   std::string highlight;
+  /// Name of a column of numbers, of the faces, else of the vertices, that the surface is colored
+  /// by instead: interpolated, and gray where not finite. None where empty.
+  std::string by;
+  ColorScale scale;
 };
 
 class SurfaceColor {
  public:
-  /// Keeps a reference to the mesh. Throws UsageError where the column to highlight is missing.
+  /// Keeps a reference to the mesh. Throws UsageError where a column named is missing.
   SurfaceColor(const Mesh& mesh, const SurfaceColorOptions& options);
 
   /// Back sides are tinted towards dark red, so that surfaces inside out stand out.
@@ -35,6 +40,9 @@ class SurfaceColor {
   std::vector<Color> face_colors_;
   const Column* face_highlight_ = nullptr;
   const Column* vertex_highlight_ = nullptr;
+  const Column* face_values_ = nullptr;
+  const Column* vertex_values_ = nullptr;
+  ColorScale scale_;
 };
 
 }  // namespace transformesh

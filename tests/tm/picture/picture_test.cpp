@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "helpers/shapes.h"
+#include "tm/picture/legend.h"
 #include "tm/support/error.h"
 
 using namespace transformesh;
@@ -92,6 +93,31 @@ TEST_CASE("highlights need one mesh that has the property") {
   PictureOptions options = silhouettes(60, 30);
   options.shade.color.highlight = "intersections";
   CHECK_NOTHROW(draw({&ball, &marked}, options));
+  CHECK_THROWS_AS(draw({&ball, &ball}, options), UsageError);
+}
+
+TEST_CASE("colors stand for the same numbers in every panel, and the legend is below") {
+  const auto valued = [](double value) {
+    Mesh mesh = ball;
+    Column& column = mesh.face_columns.get("h", Scalar::float64, mesh.faces.size());
+    std::fill(column.values.begin(), column.values.end(), value);
+    return mesh;
+  };
+  const Mesh low = valued(1);
+  const Mesh high = valued(3);
+  PictureOptions options = silhouettes(240, 120);
+  options.shade.color.by = "h";
+  const auto middle = [](const Image& image, int panel) { return image.at(60 + 120 * panel, 52); };
+  const Image both = draw({&low, &high}, options);
+  CHECK(middle(both, 0)[2] > middle(both, 0)[1]);      // purple
+  CHECK(middle(both, 1)[1] > 2 * middle(both, 1)[2]);  // yellow
+  CHECK(both.at(120, 119 - legend_height(240, 120) / 2)[3] == 255);
+  options.range = {3, 5};
+  CHECK(middle(draw({&low, &high}, options), 1) == middle(both, 0));
+  options.range = {3, 3};
+  CHECK_THROWS_AS(draw({&low, &high}, options), UsageError);
+  options.range.reset();
+  CHECK_NOTHROW(draw({&low, &ball}, options));
   CHECK_THROWS_AS(draw({&ball, &ball}, options), UsageError);
 }
 

@@ -134,6 +134,30 @@ TEST_CASE("highlighted faces and vertices are orange, and the rest is as without
   CHECK_THROWS_AS(shade(marked, front_camera(), options), UsageError);
 }
 
+TEST_CASE("the surface is colored by numbers of faces, else of vertices, interpolated") {
+  ShadeOptions options;
+  options.color.by = "h";
+  options.color.scale = {0, 1};
+  const auto by_vertices = [](double value) {
+    return with_column(centered_cube, false, "h", Scalar::float64, std::vector<double>(8, value));
+  };
+  const auto by_faces = [](double value) {
+    return with_column(centered_cube, true, "h", Scalar::float32, std::vector<double>(12, value));
+  };
+  for (const double value : {0.0, 0.3, 1.0})
+    CHECK(center(by_vertices(value), options) == center(by_faces(value), options));
+  CHECK(center(by_faces(0), options) != center(by_faces(1), options));
+
+  // Of corners left at 0 and right at 1 the middle is between.
+  const Mesh slope =
+      with_column(centered_cube, false, "h", Scalar::float64, {0, 1, 0, 1, 0, 1, 0, 1});
+  CHECK(center(slope, options) == center(by_faces(0.5), options));
+  const Pixel gray = center(by_vertices(NAN), options);
+  CHECK(std::max({gray[0], gray[1], gray[2]}) - std::min({gray[0], gray[1], gray[2]}) < 30);
+  options.color.by = "absent";
+  CHECK_THROWS_AS(shade(slope, front_camera(), options), UsageError);
+}
+
 TEST_CASE("edges are dark lines about a pixel wide") {
   ShadeOptions options;
   options.draw_edges = true;
