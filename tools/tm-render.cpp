@@ -2,10 +2,10 @@
 #include <tuple>
 
 #include "frame/run.h"
+#include "tm/io/segments.h"
 #include "tm/picture/picture.h"
 #include "tm/picture/png.h"
 #include "tm/picture/spelling.h"
-#include "tm/support/error.h"
 
 namespace {
 
@@ -20,6 +20,7 @@ struct Options {
   std::string around;
   std::string color;
   std::string background = "#f7f7f7,#d6d9de";
+  std::string segments;
   std::vector<double> range;
   long columns = 0;
   PictureOptions picture;
@@ -45,18 +46,13 @@ void declare(tool::Program& program, Options& options) {
                   "finite values)");
   program.text("highlight", &picture.shade.color.highlight, "PROPERTY",
                "orange where this property of faces or vertices is not zero");
+  program.text("segments", &options.segments, "FILE",
+               "draw the edges of a PLY over the meshes, as tm-intersect --segments writes");
   program.text("background", &options.background, "COLOR",
                "#rrggbb, two as TOP,BOTTOM, or transparent");
   program.number("crease-angle", &picture.shade.crease_angle_deg, 0, 180,
                  "degrees beyond which a bend is drawn as a sharp edge; 0 draws flat faces");
   program.flag("edges", &picture.shade.draw_edges, "draw the edges of the faces");
-}
-
-void set_range(const std::vector<double>& range, PictureOptions& picture) {
-  if (range.empty()) return;
-  if (picture.shade.color.by.empty()) throw UsageError("--range goes with --color-by");
-  if (range[0] >= range[1]) throw UsageError("--range: LOW must be less than HIGH");
-  picture.range = {range[0], range[1]};
 }
 
 void render(const Options& options, tool::Run& run) {
@@ -68,11 +64,13 @@ void render(const Options& options, tool::Run& run) {
   if (options.frame == "place") picture.framing = Framing::place;
   picture.columns = static_cast<int>(options.columns);
   if (!options.color.empty()) picture.shade.color.front = parse_color(options.color);
-  set_range(options.range, picture);
+  if (!options.range.empty()) picture.range = {options.range[0], options.range[1]};
   picture.shade.background = parse_background(options.background);
 
   const Mesh around = options.around.empty() ? Mesh{} : run.read(options.around).mesh;
   if (!options.around.empty()) picture.around = &around;
+  if (!options.segments.empty())
+    picture.shade.segments = segments_of(run.read(options.segments), options.segments);
   std::vector<const Mesh*> meshes;
   for (const Document& document : run.documents()) meshes.push_back(&document.mesh);
   run.report("meshes", meshes.size());

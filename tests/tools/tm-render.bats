@@ -55,6 +55,18 @@ differ() {
   [[ $stderr == *"'intersections'"* ]]
 }
 
+@test "segments are drawn over the mesh, and what is none is refused" {
+  tm-shape two-spheres --gap=-0.3 --faces 2000 -o crossing.ply
+  tm-intersect --segments lines.ply crossing.ply >marked.ply
+  tm-render marked.ply >plain.png
+  tm-render --segments lines.ply marked.ply >lines.png
+  differ plain.png lines.png
+  run --separate-stderr tm-render --segments crossing.ply crossing.ply
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"crossing.ply"*"tm-intersect"* ]]
+}
+
 # Adds the vertex property h, the x coordinate.
 with_height() {
   awk '/^element vertex/ { n = $3 } /^element face/ { print "property double h" }
@@ -84,7 +96,7 @@ with_height() {
     run --separate-stderr tm-render $options high.ply
     assert_status 2
     one_line "$stderr"
-    [[ $stderr == *"--range"* ]]
+    [[ $stderr == *range* ]]
   done
 }
 

@@ -107,10 +107,14 @@ bool has_column(const Mesh& mesh, const std::string& name) {
 
 /// Of all meshes together, so that their colors compare.
 ColorScale find_scale(std::span<const Mesh* const> meshes, const PictureOptions& options) {
-  const ColorScale own = scale_of_column(meshes, options.shade.color.by);
+  const std::string& name = options.shade.color.by;
+  if (options.range && name.empty())
+    throw UsageError("a range of colors needs a property to color by: --color-by");
+  if (name.empty()) return {};
+  const ColorScale own = scale_of_column(meshes, name);
   if (!options.range) return own;
   if (!(options.range->first < options.range->second))
-    throw UsageError("the range of colors must begin below its end");
+    throw UsageError("the range of colors ends before it begins: LOW must be less than HIGH");
   return {options.range->first, options.range->second};
 }
 
@@ -141,8 +145,7 @@ Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& op
   const bool can_highlight = std::any_of(
       meshes.begin(), meshes.end(), [&](const Mesh* mesh) { return has_column(*mesh, highlight); });
 
-  const bool is_colored_by = !options.shade.color.by.empty();
-  const ColorScale scale = is_colored_by ? find_scale(meshes, options) : ColorScale();
+  const ColorScale scale = find_scale(meshes, options);
 
   Image whole(options.width, options.height);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -152,7 +155,7 @@ Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& op
     const Camera camera = orbit_camera(aims[i], options.orbit, panels[i].width, panels[i].height);
     copy(shade(*meshes[i], camera, shading), panels[i], whole);
   }
-  if (is_colored_by) draw_legend(scale, options.shade.background, whole);
+  if (!options.shade.color.by.empty()) draw_legend(scale, options.shade.background, whole);
   return whole;
 }
 

@@ -6,6 +6,7 @@
 
 #include "tm/picture/corner_normals.h"
 #include "tm/picture/lights.h"
+#include "tm/picture/ribbons.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -14,6 +15,8 @@ namespace {
 constexpr std::size_t rows_per_task = 8;
 constexpr double line_half_width = 0.45;  ///< in pixels; the face beyond the edge adds as much
 constexpr float line_strength = 0.65F;
+constexpr double segment_width = 2;  ///< in pixels
+const Color segment_color = color_of_srgb(0.85, 0.05, 0.45);
 const Color line_color = color_of_srgb(0.10, 0.12, 0.16);
 
 class Shader {
@@ -26,7 +29,7 @@ class Shader {
         lights_(samples, options.upright),
         eye_(samples.center()),
         normals_(corner_normals(mesh, options.crease_angle_deg)),
-        buffer_(rasterize(mesh, samples)) {}
+        buffer_(seen(mesh, samples, options)) {}
 
   /// The mean of the samples of a pixel.
   Pixel pixel(int x, int y) const {
@@ -43,6 +46,14 @@ class Shader {
   }
 
  private:
+  /// Faces beyond those of the mesh are segments.
+  static FaceBuffer seen(const Mesh& mesh, const Camera& samples, const ShadeOptions& options) {
+    if (options.segments.empty()) return rasterize(mesh, samples);
+    Mesh drawn{mesh.positions, mesh.faces, {}, {}};
+    add_ribbons(options.segments, samples, segment_width * options.samples, drawn);
+    return rasterize(drawn, samples);
+  }
+
   Pixel blended(const Color& sum, int hits, int samples, int y) const {
     const Background& background = options_.background;
     if (background.is_transparent) {
@@ -61,6 +72,7 @@ class Shader {
 
   Color sample(int x, int y) const {
     const FacePixel& hit = buffer_.at(x, y);
+    if (hit.face >= mesh_.faces.size()) return segment_color;
     const Face& face = mesh_.faces[hit.face];
     const Vec3& a = mesh_.positions[face[0]];
     const Vec3& b = mesh_.positions[face[1]];

@@ -1,6 +1,9 @@
 /// Light and color for what a camera sees.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "tm/picture/color.h"
 #include "tm/picture/image.h"
 #include "tm/picture/rasterize.h"
@@ -13,8 +16,9 @@ struct ShadeOptions {
   Background background;
   double crease_angle_deg = 40;  ///< [0, 180]: bends beyond it are shaded as edges; 0 is flat
   bool draw_edges = false;       ///< lines along the edges of faces, one pixel wide
-  Vec3 upright = Vec3::UnitY();  ///< where the sky is; length 1
-  int samples = 3;               ///< [1, 8] each way in a pixel, against jagged outlines
+  std::vector<std::pair<Vec3, Vec3>> segments;  ///< drawn where no surface hides them
+  Vec3 upright = Vec3::UnitY();                 ///< where the sky is; length 1
+  int samples = 3;  ///< [1, 8] each way in a pixel, against jagged outlines
 };
 
 /// A picture of camera.width x camera.height pixels. A mesh without faces shows the background.

@@ -158,6 +158,24 @@ TEST_CASE("the surface is colored by numbers of faces, else of vertices, interpo
   CHECK_THROWS_AS(shade(slope, front_camera(), options), UsageError);
 }
 
+TEST_CASE("segments on the surface show, those behind it do not") {
+  // The front of the cube is at z = 1; a line is two pixels wide.
+  const auto lines_at = [](double z) {
+    ShadeOptions options;
+    options.segments = {{Vec3(-0.8, 0, z), Vec3(0.8, 0, z)}};
+    const Image image = shade(centered_cube, front_camera(), options);
+    const Image plain = shade(centered_cube, front_camera());
+    int changed = 0;
+    for (int y = 0; y < image.height; ++y) changed += image.at(32, y) != plain.at(32, y);
+    return changed;
+  };
+  CHECK(lines_at(1) >= 2);
+  CHECK(lines_at(1) <= 4);
+  CHECK(lines_at(1.5) >= 2);
+  CHECK(lines_at(0) == 0);
+  CHECK(lines_at(100) == 0);  // behind the eye
+}
+
 TEST_CASE("edges are dark lines about a pixel wide") {
   ShadeOptions options;
   options.draw_edges = true;
