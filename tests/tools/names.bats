@@ -32,6 +32,8 @@ name_is_taken() {
   local input=() name place
   [ "$kind" = source ] || cp "$mesh" input
   for name in "${names[@]}"; do
+    # Pictures have an ending of their own.
+    [ "$kind" != picture ] || name=${name/%.ply/.png}
     place=$(place_of "$name")
     [ "$kind" = source ] || input=("$place")
     [ "$kind" = source ] || mv input "$place"
