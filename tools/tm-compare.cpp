@@ -9,11 +9,21 @@ using namespace transformesh;
 
 struct Options {
   std::string reference;
+  std::string per_vertex;
   Length distance{0.01, Length::Unit::diagonal};
   std::optional<Length> within;
   long samples = static_cast<long>(CompareOptions().samples);
   long seed = static_cast<long>(CompareOptions().seed);
 };
+
+// The mesh with the distance of every vertex.
+void write_distances(const Mesh& reference, const std::string& path, tool::Run& run) {
+  Document& document = run.document();
+  std::vector<double> distances = vertex_distances(document.mesh, reference, run.progress());
+  document.mesh.vertex_columns.get("distance", document.style.coordinate, distances.size()).values =
+      std::move(distances);
+  run.write_mesh_file(path, std::move(document));
+}
 
 void compare_with_reference(const Options& options, tool::Run& run) {
   const Mesh reference = run.read(options.reference).mesh;
@@ -32,6 +42,7 @@ void compare_with_reference(const Options& options, tool::Run& run) {
   run.report("hausdorff_to_reference", found.hausdorff_to_reference);
   run.report("hausdorff_from_reference", found.hausdorff_from_reference);
   run.report("volume_difference", found.volume_difference);
+  if (!options.per_vertex.empty()) write_distances(reference, options.per_vertex, run);
   run.answer(!options.within || found.hausdorff <= run.length(*options.within));
 }
 
@@ -47,6 +58,8 @@ int main(int argc, char** argv) {
   program.length("distance", &options.distance,
                  "completeness counts the reference up to here; 1% is of the reference's box");
   program.length("within", &options.within, "exit with 1 where hausdorff is above this");
+  program.text("per-vertex", &options.per_vertex, "FILE",
+               "write the mesh with the property distance: of each vertex from the reference");
   program.integer("samples", &options.samples, 0, 1000000000,
                   "points by area on each surface; vertices are measured too");
   program.seed(&options.seed);

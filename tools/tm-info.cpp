@@ -4,6 +4,7 @@
 #include "frame/run.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/measure.h"
+#include "tm/step/velocity.h"
 #include "tm/support/error.h"
 
 namespace {
@@ -34,7 +35,16 @@ void report_size(const std::string& key, double size, tool::Run& run) {
   run.report(key, size);
 }
 
-void describe(tool::Run& run) {
+// The mesh with the mean curvature at every vertex.
+void write_curvatures(const std::string& path, tool::Run& run) {
+  Document& document = run.document();
+  std::vector<double> curvatures = mean_curvatures(document.mesh);
+  document.mesh.vertex_columns.get("curvature", document.style.coordinate, curvatures.size())
+      .values = std::move(curvatures);
+  run.write_mesh_file(path, std::move(document));
+}
+
+void describe(const std::string& per_vertex, tool::Run& run) {
   const Mesh& mesh = run.document().mesh;
   run.progress()("measuring");
   const EdgeLengths lengths = edge_lengths(mesh);
@@ -53,12 +63,14 @@ void describe(tool::Run& run) {
   run.report("angle_min", smallest.minimum_deg);
   run.report("angle_min_mean", smallest.minimum_mean_deg);
   run.report("valence6", valence_six_share(mesh));
+  if (!per_vertex.empty()) write_curvatures(per_vertex, run);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   std::string key;
+  std::string per_vertex;
   tool::Program program{"tm-info", "[OPTION]... [INPUT]",
                         "Describes a mesh: counts, topology, sizes, triangle quality",
                         tool::Reads::mesh, tool::Writes::report};
@@ -67,6 +79,8 @@ int main(int argc, char** argv) {
                   "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min", "edge_max",
                   "angle_min", "angle_min_mean", "valence6"},
                  "print the value of this key only");
+  program.text("per-vertex", &per_vertex, "FILE",
+               "write the mesh with the property curvature: the mean curvature at each vertex");
   program.only_key = &key;
-  return program.run(argc, argv, describe);
+  return program.run(argc, argv, [&](tool::Run& run) { describe(per_vertex, run); });
 }

@@ -72,3 +72,20 @@ volume_difference: 0" ]
   cmp one four
   ! cmp -s one other
 }
+
+@test "tm-compare: --per-vertex writes the mesh with distances, the report stays" {
+  tm-compare --reference low.off high.off >usual
+  tm-compare --reference low.off --per-vertex far.ply high.off >report
+  cmp usual report
+  tm-convert --format ply-ascii far.ply >far.txt
+  grep -q 'property double distance' far.txt
+  grep -q 'comment tm-compare' far.txt
+  [ "$(awk '/^end_header/ { inside = 1; next } inside && NF == 4 && $4 == 0.5' far.txt | wc -l)" -eq 4 ]
+  run --separate-stderr tm-compare --reference low.off --per-vertex - high.off
+  assert_status 2
+  run --separate-stderr tm-compare --reference low.off --per-vertex far.off high.off
+  assert_status 0
+  [[ $stderr == *"'distance'"* ]]
+  run --separate-stderr tm-compare --reference low.off --per-vertex absent/far.ply high.off
+  assert_status 5
+}

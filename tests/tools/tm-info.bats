@@ -60,3 +60,13 @@ print(report[\"faces\"], report[\"bbox_min\"], report[\"edge_max\"])"'
   needs_shared meshes/cgal/bones.off
   [ "$(tm-info --get components "$shared_file")" = 26 ]
 }
+
+@test "tm-info: --per-vertex writes the mesh with its curvature, the report stays" {
+  tm-shape sphere --radius 2 --faces 2000 >sphere.ply
+  tm-info sphere.ply >usual
+  tm-info --per-vertex bent.ply sphere.ply >report
+  cmp usual report
+  pipe 'tm-convert --format ply-ascii bent.ply | awk "/^end_header/ { inside = 1; next }
+    inside && NF == 4 && \$1 != 3 { ++n; if (\$4 < 0.49 || \$4 > 0.51) ++bad } END { print (n > 900), bad + 0 }"'
+  [ "$output" = "1 0" ]
+}

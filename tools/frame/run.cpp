@@ -171,6 +171,14 @@ void Run::write(const std::string& path, std::string bytes) {
   further_files_.emplace_back(path, std::move(bytes));
 }
 
+void Run::write_mesh_file(const std::string& path, Document document) {
+  set_format(document, format_for(document.style.format, "", path));
+  stamp(document);
+  WriteResult result = transformesh::write_mesh(document);
+  for (const std::string& line : result.notes) note(line);
+  write(path, std::move(result.bytes));
+}
+
 void Run::write_into(const std::string& folder, const std::string& name, std::string bytes) {
   // Where it cannot be made, writing says why.
   std::error_code ignored;

@@ -66,6 +66,8 @@ class Run {
   void write_nothing() { writes_nothing_ = true; }
   /// Writes a further file, complete or not at all, once the program has succeeded.
   void write(const std::string& path, std::string bytes);
+  /// The same for a mesh, in the format of the name as with -o, with the provenance.
+  void write_mesh_file(const std::string& path, Document document);
   /// The same in a folder, which is made where it is missing.
   void write_into(const std::string& folder, const std::string& name, std::string bytes);
 

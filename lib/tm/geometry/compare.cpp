@@ -104,6 +104,13 @@ void check_extent(const Mesh& mesh, const Mesh& reference) {
                    shortest_text(largest_extent));
 }
 
+void check_comparable(const Mesh& mesh, const Mesh& reference) {
+  if (mesh.positions.empty()) throw InputError("the mesh has no vertices: nothing to compare");
+  if (reference.positions.empty())
+    throw InputError("the reference has no vertices: nothing to compare with");
+  check_extent(mesh, reference);
+}
+
 /// The smallest value that is not below the given share of the values.
 double quantile(std::vector<double> values, double share) {
   const double rank = std::ceil(share * static_cast<double>(values.size()));
@@ -141,6 +148,12 @@ void take_farthest(std::span<const Vec3> points, const ClosestPointQuery& closes
 
 }  // namespace
 
+std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
+                                     const Progress& progress) {
+  check_comparable(mesh, reference);
+  return distances(mesh.positions, Distance(reference), progress, "vertex distances");
+}
+
 Farthest farthest_from(const Mesh& reference, const Mesh& mesh, const CompareOptions& options,
                        const Progress& progress) {
   progress("farthest point");
@@ -153,10 +166,7 @@ Farthest farthest_from(const Mesh& reference, const Mesh& mesh, const CompareOpt
 
 Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options,
                    const Progress& progress) {
-  if (mesh.positions.empty()) throw InputError("the mesh has no vertices: nothing to compare");
-  if (reference.positions.empty())
-    throw InputError("the reference has no vertices: nothing to compare with");
-  check_extent(mesh, reference);
+  check_comparable(mesh, reference);
   const OneWay there = measure(mesh, reference, options, progress, "to the reference");
   const OneWay back = measure(reference, mesh, options, progress, "from the reference");
   const double distance = options.distance < 0

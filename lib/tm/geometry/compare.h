@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "tm/mesh/mesh.h"
 #include "tm/support/progress.h"
@@ -38,6 +39,12 @@ struct Comparison {
 /// Throws InputError where one of them has no vertices, or distances are beyond about 1e154.
 Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options = {},
                    const Progress& progress = {});
+
+/// The distance of every vertex of the mesh, used by a face or not, from the faces of the
+/// reference, or from its vertices where it has none; 0 or more. Throws what compare() throws.
+/// Cost: O(n log n), parallel; deterministic.
+std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
+                                     const Progress& progress = {});
 
 /// One way of a Hausdorff distance: how far away the farthest point is, and where.
 struct Farthest {

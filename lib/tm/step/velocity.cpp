@@ -120,6 +120,17 @@ std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed) {
   return sums;
 }
 
+std::vector<double> mean_curvatures(const Mesh& mesh) {
+  const std::vector<Vec3> inwards = curvature_velocities(mesh, 1);
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  std::vector<double> curvatures(inwards.size(), 0);
+  for (std::size_t v = 0; v < curvatures.size(); ++v) {
+    const double size = inwards[v].stableNorm();
+    if (std::isfinite(size)) curvatures[v] = inwards[v].dot(normals[v]) > 0 ? -size : size;
+  }
+  return curvatures;
+}
+
 void apply_mask(const Mesh& mesh, std::string_view column, std::vector<Vec3>& velocities) {
   const Column& mask = number_column(mesh, column);
   for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] *= mask.values[v];

@@ -23,6 +23,11 @@ std::vector<Vec3> normal_velocities(const Mesh& mesh, double speed);
 /// borders and where there is no area.
 std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed);
 
+/// The mean curvature H itself, of the same formula, with a sign: positive where the surface is
+/// convex as seen from outside, 1 / r on a sphere of radius r. 0 on borders, where there is no area
+/// and where no number holds it.
+std::vector<double> mean_curvatures(const Mesh& mesh);
+
 /// Multiplies each velocity by the vertex column of that name: 0 holds a vertex fast. Throws
 /// InputError where there is none.
 void apply_mask(const Mesh& mesh, std::string_view column, std::vector<Vec3>& velocities);

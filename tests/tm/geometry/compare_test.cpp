@@ -126,3 +126,23 @@ TEST_CASE("the farthest point is as far as compare() finds it, and lies there") 
     CHECK(ClosestPointQuery(sphere)(there.point).distance == there.distance);
   }
 }
+
+TEST_CASE("distances of vertices are those of a search over all faces") {
+  const Mesh mesh = test::torus(2, 0.5, 30, 15);
+  const Mesh reference = test::moved(test::icosphere(2), {0.7, 0.2, 0.1});
+  const std::vector<double> found = vertex_distances(mesh, reference);
+  REQUIRE(found.size() == mesh.positions.size());
+  for (std::size_t v = 0; v < found.size(); ++v) {
+    const Vec3& p = mesh.positions[v];
+    double nearest = HUGE_VAL;
+    for (const Face& face : reference.faces) {
+      const Vec3 closest =
+          closest_point_of_triangle(p, reference.positions[face[0]], reference.positions[face[1]],
+                                    reference.positions[face[2]])
+              .point;
+      nearest = std::min(nearest, (p - closest).norm());
+    }
+    CHECK(found[v] == Approx(nearest));
+  }
+  CHECK_THROWS_AS(vertex_distances(mesh, Mesh()), InputError);
+}

@@ -54,3 +54,32 @@ TEST_CASE("planes, borders and slivers do not run away under curvature flow") {
     slivers.positions[v] = slivers.positions[slivers.faces[v][0]] * (1 + 1e-9);
   for (const Vec3& velocity : curvature_velocities(slivers, 1)) CHECK(velocity.allFinite());
 }
+
+TEST_CASE("mean curvature is that of the closed forms, with the sign of the side") {
+  Mesh sphere = make_sphere(Vec3(1, 2, 3), 2, 5000);
+  for (const double curvature : mean_curvatures(sphere))
+    CHECK(curvature == Approx(0.5).epsilon(0.03));
+  for (Face& face : sphere.faces) std::swap(face[1], face[2]);
+  for (const double curvature : mean_curvatures(sphere))
+    CHECK(curvature == Approx(-0.5).epsilon(0.03));
+
+  // A thick ring has both signs: half the sum of 1 / tube and cos / ring.
+  const double tube = 0.7;
+  const Mesh ring = test::torus(1, tube, 200, 150);
+  const std::vector<double> curvatures = mean_curvatures(ring);
+  int negative = 0;
+  for (std::size_t v = 0; v < curvatures.size(); ++v) {
+    const double radius = std::hypot(ring.positions[v].x(), ring.positions[v].y());
+    const double expected = (1 / tube + (radius - 1) / tube / radius) / 2;
+    CHECK(std::abs(curvatures[v] - expected) < 0.02);
+    negative += curvatures[v] < 0;
+  }
+  CHECK(negative > 1000);
+}
+
+TEST_CASE("mean curvature is 0 on borders and planes and where no number holds it") {
+  for (const double curvature : mean_curvatures(test::grid(5))) CHECK(std::abs(curvature) < 1e-12);
+  for (const double size : {1e-300, 1e-160, 1e200, 1e300})
+    for (const double curvature : mean_curvatures(test::scaled(test::cube(), size)))
+      CHECK(std::isfinite(curvature));
+}
