@@ -49,6 +49,8 @@ tm-offset --distance 5%
 tm-photograph --ring 2 --size 40x30
 tm-remesh
 tm-render
+tm-sample --count 100
+tm-sample --distance 5%
 tm-stitch
 tm-wrap
 TABLE

@@ -1,0 +1,115 @@
+#include "tm/geometry/sample_surface.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+
+#include "helpers/shapes.h"
+#include "tm/geometry/closest_point.h"
+#include "tm/geometry/surface_samples.h"
+#include "tm/mesh/measure.h"
+#include "tm/support/error.h"
+
+using namespace transformesh;
+using doctest::Approx;
+
+namespace {
+
+Vec3 normal_at(const Mesh& points, std::size_t i) {
+  const Columns& columns = points.vertex_columns;
+  return {columns.find("nx")->values[i], columns.find("ny")->values[i],
+          columns.find("nz")->values[i]};
+}
+
+double nearest_other(const Mesh& points, std::size_t i) {
+  double nearest = HUGE_VAL;
+  for (std::size_t j = 0; j < points.positions.size(); ++j)
+    if (j != i) nearest = std::min(nearest, (points.positions[i] - points.positions[j]).norm());
+  return nearest;
+}
+
+/// Largest distance of places of the surface from the points, by brute force.
+double farthest_place(const Mesh& mesh, const Mesh& points) {
+  double farthest = 0;
+  for (const Vec3& place : surface_samples(mesh, 20000, 77)) {
+    double nearest = HUGE_VAL;
+    for (const Vec3& p : points.positions) nearest = std::min(nearest, (place - p).norm());
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+}  // namespace
+
+TEST_CASE("points by area are even: chi-square over faces of very different sizes") {
+  const Mesh mesh = test::torus(2, 1.2, 20, 12);
+  Mesh numbered = mesh;
+  Column& ids = numbered.face_columns.get("id", Scalar::int32, mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) ids.values[f] = static_cast<double>(f);
+  const std::size_t count = 20000;
+  const Mesh points = sample_surface(numbered, {.count = count, .distance = 0, .seed = 5});
+  REQUIRE(points.positions.size() == count);
+  CHECK(points.faces.empty());
+
+  std::vector<double> found(mesh.faces.size(), 0);
+  for (const double id : points.vertex_columns.find("id")->values)
+    ++found[static_cast<std::size_t>(id)];
+  double chi_square = 0;
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    const double expected = count * face_area(mesh, static_cast<Index>(f)) / surface_area(mesh);
+    chi_square += (found[f] - expected) * (found[f] - expected) / expected;
+  }
+  // Of independent points it would be 479 +- 31 with 479 degrees of freedom; these are more even.
+  CHECK(chi_square < 479 + 4 * 31);
+}
+
+TEST_CASE("points lie on the faces that their normals and columns are of") {
+  Mesh mesh = test::icosphere(4);
+  Column& x = mesh.vertex_columns.get("h", Scalar::float64, mesh.positions.size());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    x.values[v] = mesh.positions[v].dot(Vec3(1, 2, 3));
+  const ClosestPointQuery closest(mesh);
+  for (const SampleOptions& options : {SampleOptions{2000, 0, 1}, SampleOptions{0, 0.1, 1}}) {
+    const Mesh points = sample_surface(mesh, options);
+    for (std::size_t i = 0; i < points.positions.size(); ++i) {
+      const Vec3& p = points.positions[i];
+      CHECK(closest(p).distance < 1e-12);
+      CHECK(normal_at(points, i).norm() == Approx(1));
+      CHECK(normal_at(points, i).dot(p.normalized()) > std::cos(0.06));
+      CHECK(points.vertex_columns.find("h")->values[i] == Approx(p.dot(Vec3(1, 2, 3))));
+    }
+  }
+}
+
+TEST_CASE("a Poisson disk keeps its distance and leaves no room, by brute force") {
+  for (const Mesh& mesh : {test::icosphere(3), test::cube(), test::torus(2, 0.5, 40, 20)})
+    for (const double distance : {0.12, 0.5, 100.0}) {
+      const Mesh points = sample_surface(mesh, {.count = 0, .distance = distance, .seed = 3});
+      REQUIRE(!points.positions.empty());
+      double nearest = HUGE_VAL;
+      for (std::size_t i = 0; i < points.positions.size(); ++i)
+        nearest = std::min(nearest, nearest_other(points, i));
+      CHECK(nearest >= distance);
+      CHECK(farthest_place(mesh, points) <= 1.001 * distance);
+    }
+}
+
+TEST_CASE("the seed decides, and what has no surface is refused") {
+  const Mesh mesh = test::cube();
+  const auto first = [&](const SampleOptions& options) {
+    return sample_surface(mesh, options).positions;
+  };
+  CHECK(first({100, 0, 1}) == first({100, 0, 1}));
+  CHECK(first({100, 0, 1}) != first({100, 0, 2}));
+  CHECK(first({0, 0.2, 1}) == first({0, 0.2, 1}));
+  CHECK(first({0, 0.2, 1}) != first({0, 0.2, 2}));
+  CHECK_THROWS_AS(first({0, 0, 1}), UsageError);
+  CHECK_THROWS_AS(first({1, 1, 1}), UsageError);
+  CHECK_THROWS_AS(first({0, 1e-9, 1}), UsageError);
+  CHECK_THROWS_AS(sample_surface(Mesh(), {1, 0, 1}), InputError);
+  Mesh flat = test::cube();
+  for (Vec3& p : flat.positions) p = Vec3(1, 2, 3);
+  CHECK_THROWS_AS(sample_surface(flat, {1, 0, 1}), InputError);
+  CHECK_THROWS_AS(sample_surface(test::scaled(mesh, 1e200), {1, 0, 1}), InputError);
+}

@@ -1,0 +1,47 @@
+/// tm-sample: points on a surface.
+#include "frame/run.h"
+#include "tm/geometry/sample_surface.h"
+#include "tm/support/error.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Choices {
+  std::optional<Length> distance;
+  long count = 0;
+  long seed = 1;
+};
+
+void sample(Document& document, const Choices& choices, tool::Run& run) {
+  if ((choices.count > 0) == choices.distance.has_value())
+    throw UsageError("give either --count or --distance: how many points, or how far apart");
+  SampleOptions options;
+  options.count = static_cast<std::size_t>(choices.count);
+  if (choices.distance) {
+    options.distance = run.length(*choices.distance);
+    if (!(options.distance > 0)) throw UsageError("--distance must be more than 0");
+  }
+  options.seed = static_cast<std::uint64_t>(choices.seed);
+  document.mesh = sample_surface(document.mesh, options, run.progress());
+  run.report("points", document.mesh.positions.size());
+
+  // Points alone, which have normals: OFF only where it is asked for.
+  document.other_elements.clear();
+  document.style.element_order = {"vertex"};
+  if (document.style.format == Format::off) document.style.format = Format::ply_little;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Choices choices;
+  tool::Program program{"tm-sample", "[OPTION]... --count N|--distance LENGTH [INPUT]",
+                        "Takes points with normals from a surface"};
+  program.integer("count", &choices.count, 0, 100000000, "so many points, evenly by area");
+  program.length("distance", &choices.distance,
+                 "instead a Poisson disk: no two points nearer than this, and no room for another");
+  program.seed(&choices.seed);
+  program.epilog = "A surface from its points: tm-sample --distance 2% a.ply | tm-wrap > b.ply";
+  return program.run(argc, argv, [&](tool::Run& run) { sample(run.document(), choices, run); });
+}
