@@ -29,10 +29,8 @@ setup() {
   tm-convert -o torus.off torus.ply
   pipe 'tm-sample --count 5 torus.off | head -1'
   [ "$output" = ply ]
-  run --separate-stderr tm-sample --count 5 --format off torus.off
-  assert_status 0
-  [[ $output == OFF* ]]
-  [[ $stderr == *"'nx'"* ]]
+  pipe 'tm-sample --count 5 --format off torus.off | head -1'
+  [ "$output" = NOFF ]
 }
 
 @test "tm-sample: what makes no sense is refused in one line" {
