@@ -30,6 +30,7 @@ tm-render|picture|
 tm-sample|filter|--count 200
 tm-shape|source|sphere --faces 500
 tm-stitch|filter|
+tm-transform|filter|--scale 2 --rotate 1,2,3,40
 tm-wrap|converter|
 TABLE
 }

@@ -52,6 +52,7 @@ tm-render
 tm-sample --count 100
 tm-sample --distance 5%
 tm-stitch
+tm-transform --center
 tm-wrap
 TABLE
 }

@@ -1,0 +1,95 @@
+/// tm-transform: moves, turns, scales and mirrors a mesh.
+#include <functional>
+
+#include "frame/run.h"
+#include "tm/io/comments.h"
+#include "tm/mesh/transform.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Choices {
+  std::vector<double> translate, rotate, scale, scales, mirror, matrix;
+  bool center = false, unit_box = false;
+  /// In the order of the command line: the next matrix, given the product of those before.
+  std::vector<std::function<Matrix4(const Mesh&, const Matrix4&)>> steps;
+};
+
+Vec3 vector_of(const std::vector<double>& n) { return {n[0], n[1], n[2]}; }
+
+Matrix4 matrix_of(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
+}
+
+/// Every time that the option is given, its value becomes a step.
+void in_order(tool::Option& option, Choices& choices, const std::function<Matrix4()>& make) {
+  option.affects_result = false;
+  option.assign = [&choices, make, assign = option.assign](const std::string& text) {
+    assign(text);
+    const Matrix4 matrix = make();
+    choices.steps.emplace_back([matrix](const Mesh&, const Matrix4&) { return matrix; });
+  };
+}
+
+void in_order_of_box(tool::Option& option, Choices& choices, Matrix4 (*make)(const Box&)) {
+  option.affects_result = false;
+  option.assign = [&choices, make](const std::string&) {
+    choices.steps.emplace_back(
+        [make](const Mesh& mesh, const Matrix4& before) { return make(mapped_box(mesh, before)); });
+  };
+}
+
+void declare(tool::Program& program, Choices& c) {
+  in_order(program.numbers("translate", &c.translate, "X,Y,Z", "move by this"), c,
+           [&c] { return translation_by(vector_of(c.translate)); });
+  in_order(program.numbers("rotate", &c.rotate, "X,Y,Z,DEGREES",
+                           "turn about this axis through the origin, counter-clockwise"),
+           c, [&c] { return rotation_about(vector_of(c.rotate), c.rotate[3]); });
+  in_order(program.numbers("scale", &c.scale, "FACTOR", "scale about the origin"), c,
+           [&c] { return scaling_by(Vec3::Constant(c.scale[0])); });
+  in_order(program.numbers("scale-axes", &c.scales, "X,Y,Z", "scale by a factor for each axis"), c,
+           [&c] { return scaling_by(vector_of(c.scales)); });
+  in_order(program.numbers("mirror", &c.mirror, "A,B,C,D",
+                           "mirror in the plane a x + b y + c z = d; faces keep their outside"),
+           c, [&c] { return mirroring_in(vector_of(c.mirror), c.mirror[3]); });
+  in_order_of_box(program.flag("center", &c.center, "move the center of the box to the origin"), c,
+                  centering);
+  in_order_of_box(program.flag("unit-box", &c.unit_box,
+                               "scale the longest side of the box to 1, and center it in the box "
+                               "from 0 to 1"),
+                  c, fitting_unit_box);
+  tool::Option& matrix = program.numbers("matrix", &c.matrix, ",,,,,,,,,,,,,,,",
+                                         "16 numbers, row by row, that act on columns x y z 1");
+  matrix.placeholder = "A11,...,A44";
+  in_order(matrix, c, [&c] { return matrix_of(c.matrix); });
+}
+
+void transform_document(Document& document, Choices& choices, tool::Program& program,
+                        tool::Run& run) {
+  Matrix4 product = Matrix4::Identity();
+  for (const auto& step : choices.steps) product = step(document.mesh, product) * product;
+  const TransformResult result = transform(document.mesh, product);
+  if (const auto edge = reference_edge_of(document.style.comments))
+    set_reference_edge(document.style.comments, *edge * result.scale);
+
+  // The provenance has what all steps together do.
+  const Matrix4 rows = product.transpose();
+  choices.matrix.assign(rows.data(), rows.data() + rows.size());
+  program.find("matrix")->affects_result = program.find("matrix")->is_given = true;
+  run.report("matrix", choices.matrix);
+  run.report("scale", result.scale);
+  run.report("mirrored", result.is_mirror);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Choices choices;
+  tool::Program program{"tm-transform", "[OPTION]... [INPUT]",
+                        "Moves, turns, scales and mirrors a mesh, in the order of the options"};
+  declare(program, choices);
+  return program.run(argc, argv, [&](tool::Run& run) {
+    transform_document(run.document(), choices, program, run);
+  });
+}
