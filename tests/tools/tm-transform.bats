@@ -20,7 +20,7 @@ load ../helpers/common
   tm-shape box 1 2 4 --faces 200 | tm-remesh |
     tm-transform --report "$BATS_TEST_TMPDIR/r.json" --unit-box -o "$BATS_TEST_TMPDIR/a.ply"
   tm-shape box 1 2 4 --faces 200 | tm-remesh >"$BATS_TEST_TMPDIR/b.ply"
-  edge() { sed -an 's/^comment tm:reference-edge //p' "$1"; }
+  edge() { sed -n 's/^comment tm:reference-edge //p' "$1"; }
   awk -v a="$(edge "$BATS_TEST_TMPDIR/a.ply")" -v b="$(edge "$BATS_TEST_TMPDIR/b.ply")" \
     'BEGIN { d = 4 * a / b - 1; exit !(d < 0.05 && d > -0.05) }'
   jq -e '.result | .mirrored == false and (.matrix | length) == 16' "$BATS_TEST_TMPDIR/r.json"
