@@ -28,6 +28,7 @@ tm-reconstruct|source|--cameras SCENE/photos.txt --images SCENE/photos --silhoue
 tm-remesh|filter|
 tm-render|picture|
 tm-sample|filter|--count 200
+tm-select|filter|--largest 1
 tm-shape|source|sphere --faces 500
 tm-stitch|filter|
 tm-transform|filter|--scale 2 --rotate 1,2,3,40

@@ -51,6 +51,7 @@ tm-remesh
 tm-render
 tm-sample --count 100
 tm-sample --distance 5%
+tm-select --largest 1
 tm-stitch
 tm-transform --center
 tm-wrap

@@ -1,0 +1,108 @@
+#include "tm/mesh/select.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tm/mesh/components.h"
+#include "tm/support/error.h"
+#include "tm/support/number.h"
+
+namespace transformesh {
+namespace {
+
+std::vector<double> sizes_of(const Mesh& mesh, const Components& all, ComponentSize by) {
+  std::vector<double> sizes(all.components.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    sizes[all.of_face[f]] += by == ComponentSize::area ? face_area(mesh, f) : 1;
+  if (by == ComponentSize::volume)
+    for (std::size_t c = 0; c < sizes.size(); ++c) sizes[c] = std::abs(all.components[c].volume);
+  return sizes;
+}
+
+std::vector<bool> faces_of(const Components& all, const std::vector<bool>& chosen) {
+  std::vector<bool> keep(all.of_face.size());
+  for (std::size_t f = 0; f < keep.size(); ++f) keep[f] = chosen[all.of_face[f]];
+  return keep;
+}
+
+struct Condition {
+  std::string column, relation;
+  double number = 0;
+  bool holds(double value) const {
+    if (relation == "<") return value < number;
+    if (relation == "<=") return value <= number;
+    if (relation == ">") return value > number;
+    if (relation == ">=") return value >= number;
+    return (value == number) == (relation == "=" || relation == "==");
+  }
+};
+
+Condition parsed(std::string text) {
+  std::erase(text, ' ');
+  const std::size_t begin = std::min(text.find_first_of("<>=!"), text.size());
+  const std::size_t end = std::min(text.find_first_not_of("<>=!", begin), text.size());
+  Condition result{text.substr(0, begin), text.substr(begin, end - begin), 0};
+  const auto number = number_in<double>(text.substr(end));
+  const std::vector<std::string> known{"<", "<=", "=", "==", "!=", ">=", ">"};
+  if (begin == 0 || !number ||
+      std::find(known.begin(), known.end(), result.relation) == known.end())
+    throw UsageError("'" + text + "' is no condition such as 'intersections>0'");
+  result.number = *number;
+  return result;
+}
+
+const Column* numbers_of(const Columns& columns, const std::string& name) {
+  const Column* column = columns.find(name);
+  return column == nullptr || column->list_count_type ? nullptr : column;
+}
+
+}  // namespace
+
+std::vector<bool> faces_of_largest(const Mesh& mesh, std::size_t count, ComponentSize by) {
+  const Components all = connected_components(mesh);
+  const std::vector<double> sizes = sizes_of(mesh, all, by);
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  std::vector<bool> chosen(sizes.size(), false);
+  for (std::size_t i = 0; i < std::min(count, order.size()); ++i) chosen[order[i]] = true;
+  return faces_of(all, chosen);
+}
+
+std::vector<bool> faces_of_at_least(const Mesh& mesh, double size, ComponentSize by) {
+  const Components all = connected_components(mesh);
+  std::vector<bool> chosen;
+  for (const double found : sizes_of(mesh, all, by)) chosen.push_back(found >= size);
+  return faces_of(all, chosen);
+}
+
+std::vector<bool> faces_where(const Mesh& mesh, const std::string& text) {
+  const Condition condition = parsed(text);
+  const Column* of_faces = numbers_of(mesh.face_columns, condition.column);
+  const Column* of_vertices = numbers_of(mesh.vertex_columns, condition.column);
+  if (of_faces == nullptr && of_vertices == nullptr)
+    throw InputError("the mesh has no property '" + condition.column + "' of numbers");
+  std::vector<bool> keep(mesh.faces.size());
+  for (std::size_t f = 0; f < keep.size(); ++f) {
+    const Face& face = mesh.faces[f];
+    keep[f] = of_faces != nullptr ? condition.holds(of_faces->values[f])
+                                  : std::all_of(face.begin(), face.end(), [&](Index v) {
+                                      return condition.holds(of_vertices->values[v]);
+                                    });
+  }
+  return keep;
+}
+
+std::vector<bool> faces_in_box(const Mesh& mesh, const Box& box) {
+  std::vector<bool> keep(mesh.faces.size());
+  for (std::size_t f = 0; f < keep.size(); ++f)
+    keep[f] = std::all_of(mesh.faces[f].begin(), mesh.faces[f].end(), [&](Index v) {
+      const Vec3& p = mesh.positions[v];
+      return (p.array() >= box.minimum.array()).all() && (p.array() <= box.maximum.array()).all();
+    });
+  return keep;
+}
+
+}  // namespace transformesh

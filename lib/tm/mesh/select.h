@@ -1,0 +1,28 @@
+/// Which faces of a mesh to keep: masks for select_faces() of components.h, which drops vertices
+/// that no face uses, and keeps order and columns. Open meshes and soups do. Components hang
+/// together by vertex indices. Deterministic. Cost: O(n log n).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tm/mesh/measure.h"
+
+namespace transformesh {
+
+enum class ComponentSize { faces, area, volume };  ///< volume: its magnitude, of any orientation
+
+/// The faces of the `count` largest components; of equal ones the first.
+std::vector<bool> faces_of_largest(const Mesh& mesh, std::size_t count, ComponentSize by);
+/// The faces of components that are at least so large.
+std::vector<bool> faces_of_at_least(const Mesh& mesh, double size, ComponentSize by);
+
+/// `COLUMN OP NUMBER`, with OP of < <= = != >= >: faces for which it holds by a face column, else
+/// at all three corners by a vertex column. Throws UsageError for other text, InputError where
+/// there is no such column of numbers.
+std::vector<bool> faces_where(const Mesh& mesh, const std::string& condition);
+
+/// Faces with all corners in the box, its sides included.
+std::vector<bool> faces_in_box(const Mesh& mesh, const Box& box);
+
+}  // namespace transformesh
