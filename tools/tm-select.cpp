@@ -36,16 +36,19 @@ std::vector<bool> chosen_faces(const Mesh& mesh, const Choices& c) {
   return keep;
 }
 
+void report(std::size_t selected, std::size_t dropped, tool::Run& run) {
+  run.report("selected_faces", selected);
+  run.report("dropped_faces", dropped);
+}
+
 void select_document(Document& document, const Choices& choices, tool::Run& run) {
   Mesh& mesh = document.mesh;
   const std::size_t faces = mesh.faces.size();
-  Mesh result = select_faces(mesh, chosen_faces(mesh, choices));
-  if (result.faces.empty())
+  mesh = select_faces(mesh, chosen_faces(mesh, choices));
+  if (mesh.faces.empty())
     throw GoalError("none of " + counted(faces, "face") +
                     " is selected; --invert takes the others");
-  run.report("selected_faces", result.faces.size());
-  run.report("dropped_faces", faces - result.faces.size());
-  mesh = std::move(result);
+  report(mesh.faces.size(), faces - mesh.faces.size(), run);
 }
 
 }  // namespace

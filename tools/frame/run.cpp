@@ -46,6 +46,8 @@ Run::Run(Program& program, Terminal& terminal)
         return true;
       }) {}
 
+void Run::report(const std::string& key, const Value& value) { result_.emplace_back(key, value); }
+
 // --- Input ---------------------------------------------------------------------------------------
 
 void Run::check_ending() const {

@@ -56,7 +56,7 @@ class Run {
 
   /// An entry of --report (and of stdout for predicates), in this order. Names are lower case with
   /// underscores. Points are three numbers.
-  void report(const std::string& key, const Value& value) { result_.emplace_back(key, value); }
+  void report(const std::string& key, const Value& value);
   /// A no is exit code 1.
   void answer(bool is_yes) { answer_ = is_yes; }
 
