@@ -52,6 +52,7 @@ tm-render
 tm-sample --count 100
 tm-sample --distance 5%
 tm-select --largest 1
+tm-select --around 1,1,1
 tm-stitch
 tm-transform --center
 tm-wrap

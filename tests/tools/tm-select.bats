@@ -33,3 +33,62 @@ setup() {
   run --separate-stderr tm-select --where 'nothing > 3' two.ply
   assert_status 3
 }
+
+@test "the component around a point, and the closest where there is none" {
+  tm-shape sphere --radius 3 --faces 500 | tm-cat small.ply - >nested.ply
+  volume() { tm-info --get volume <(tm-select "$@"); }
+  volume --around 0.1,0.2,0.3 nested.ply | awk '{ exit !($1 > 0.99 && $1 < 1.01) }'
+  volume --around 0,0,2 nested.ply | awk '{ exit !($1 > 100) }'
+  run --separate-stderr tm-select --around 0,0,4 --report r.json nested.ply -o far.ply
+  assert_status 0
+  one_line "$stderr"
+  [[ $stderr == *"no component contains the point: the closest is taken, 1"* ]]
+  jq -e '.result | .contains_point == false and .distance > 0.9 and .distance < 1.1' r.json
+  tm-info --get volume far.ply | awk '{ exit !($1 > 100) }'
+}
+
+@test "--split writes a file for each component, the largest first, and nothing else" {
+  tm-select --no-provenance --split faces two.ply >stdout
+  [ ! -s stdout ]
+  tm-select --largest 1 --no-provenance two.ply | cmp - faces-001.ply
+  tm-select --largest 1 --invert --no-provenance two.ply | cmp - faces-002.ply
+  tm-select --split volume --by volume --invert --box 99,99,99,100,100,100 two.ply
+  tm-info --get volume volume-001.ply | awk '{ exit !($1 > 26.99 && $1 < 27.01) }'
+  [ "$(echo faces-* volume-*)" = "faces-001.ply faces-002.ply volume-001.ply volume-002.ply" ]
+  # A collection is what its parts are.
+  tm-cat faces-001.ply faces-002.ply | tm-info --json >parts
+  cmp parts <(tm-info --json two.ply)
+}
+
+@test "--split takes formats, and writes the whole where -o says so" {
+  tm-select --split part --format off --report r.json -o whole.off two.ply
+  [ "$(head -c 3 part-002.off)" = OFF ]
+  [ "$(tm-info --get faces whole.off)" = "$(tm-info --get faces two.ply)" ]
+  jq -e '.result.files == 2' r.json
+  tm-select --split part --format obj <two.ply
+  [ "$(tm-info --get faces part-001.obj)" = "$(tm-info --get faces small.ply)" ]
+  tm-convert --format off two.ply >two.off
+  tm-select --split ascii --format ply-ascii --float two.off
+  grep -qx 'property float x' ascii-001.ply
+  tm-select --split fine two.off
+  grep -aqx 'property double x' fine-001.ply
+}
+
+@test "--split writes nothing where one file cannot be, and no more than 9999" {
+  mkdir part-002.ply
+  run --separate-stderr tm-select --split part two.ply
+  assert_status 5
+  one_line "$stderr"
+  [ ! -e part-001.ply ]
+  run --separate-stderr tm-select --split none/part two.ply
+  assert_status 5
+  rmdir part-002.ply
+  run --separate-stderr tm-select --split part --report part-001.ply two.ply
+  assert_status 2
+  [ ! -e part-001.ply ]
+  tm-shape sphere --faces 12000 -o soup.stl
+  run --separate-stderr tm-select --split soup soup.stl
+  assert_status 4
+  [[ $stderr == *"9999 are the most: join a soup by tm-stitch"* ]]
+  [ "$(find . -name 'soup-*')" = "" ]
+}

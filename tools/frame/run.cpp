@@ -131,15 +131,19 @@ Document Run::read(const std::string& path) {
 
 // --- Output --------------------------------------------------------------------------------------
 
-void Run::set_output_style(Document& document) {
+void Run::set_style(Document& document, const std::string& path) {
   const CommonValues& values = program_.common;
   std::optional<Scalar> coordinate;
   if (values.as_float || values.as_double)
     coordinate = values.as_float ? Scalar::float32 : Scalar::float64;
-  const Format format = format_for(document.style.format, values.format, output());
+  const Format format = format_for(document.style.format, values.format, path);
   const std::size_t collapsed = set_format(document, format, coordinate);
   if (collapsed > 0) note(counted(collapsed, "face") + " with two corners in one place as floats");
-  if (output() == "-" && !is_text(format) && isatty(STDOUT_FILENO) == 1)
+}
+
+void Run::set_output_style(Document& document) {
+  set_style(document, output());
+  if (output() == "-" && !is_text(document.style.format) && isatty(STDOUT_FILENO) == 1)
     throw UsageError(
         "not writing binary PLY to a terminal: redirect it with > or |, name a file with -o, or "
         "ask for text with --format ply-ascii");
@@ -147,9 +151,8 @@ void Run::set_output_style(Document& document) {
 
 void Run::stage(const std::string& path, std::string bytes) {
   AtomicFile file(path, std::move(bytes));
-  for (const AtomicFile& other : staged_)
-    if (other.has_target_of(file))
-      throw UsageError("two outputs are called '" + file.target() + "': give each its own file");
+  if (!file.is_direct() && !staged_places_.insert(file.place()).second)
+    throw UsageError("two outputs are called '" + file.target() + "': give each its own file");
   staged_.push_back(std::move(file));
 }
 
@@ -174,10 +177,10 @@ void Run::write(const std::string& path, std::string bytes) {
 }
 
 void Run::write_mesh_file(const std::string& path, Document document) {
-  set_format(document, format_for(document.style.format, "", path));
-  stamp(document);
+  set_style(document, path);
+  add_comments(document);
   WriteResult result = transformesh::write_mesh(document);
-  for (const std::string& line : result.notes) note(line);
+  note_once(result.notes);
   write(path, std::move(result.bytes));
 }
 
@@ -208,9 +211,18 @@ void Run::check_outputs(const std::vector<std::string>& options) {
   }
 }
 
+void Run::note_once(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines)
+    if (told_.insert(line).second) note(line);
+}
+
 void Run::stamp(Document& document) {
-  std::vector<std::string>& comments = document.style.comments;
   is_stamped_ = true;
+  add_comments(document);
+}
+
+void Run::add_comments(Document& document) {
+  std::vector<std::string>& comments = document.style.comments;
   if (basis_.has_reference_edge()) set_reference_edge(comments, basis_.reference_edge());
   if (drop_bad_reference_edges(comments) > 0)
     note("a tm:reference-edge comment that holds no positive length is dropped");
@@ -221,7 +233,7 @@ void Run::write_mesh() {
   set_output_style(document());
   if (!is_stamped_) stamp(document());
   WriteResult result = transformesh::write_mesh(document());
-  for (const std::string& line : result.notes) note(line);
+  note_once(result.notes);
   detail((output() == "-" ? "standard output" : output()) + ": " + described(document()));
   output_counts_ = counts_of({&document(), 1});
   stage(output(), std::move(result.bytes));

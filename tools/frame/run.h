@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,7 +67,8 @@ class Run {
   void write_nothing() { writes_nothing_ = true; }
   /// Writes a further file, complete or not at all, once the program has succeeded.
   void write(const std::string& path, std::string bytes);
-  /// The same for a mesh, in the format of the name as with -o, with the provenance.
+  /// The same for a mesh, with the provenance, in the format of the name as with -o; --format and
+  /// --float count where the program has them.
   void write_mesh_file(const std::string& path, Document document);
   /// The same in a folder, which is made where it is missing.
   void write_into(const std::string& folder, const std::string& name, std::string bytes);
@@ -103,7 +105,12 @@ class Run {
   /// In input units, where the option is a length and there is what it refers to.
   std::optional<double> resolved(const Option& option);
   void show_settings();
+  /// Makes the document what is written to that path.
+  void set_style(Document& document, const std::string& path);
   void set_output_style(Document& document);
+  void add_comments(Document& document);
+  /// Notes of writing, each one once: several files may have the same.
+  void note_once(const std::vector<std::string>& lines);
   void write_mesh();
   std::string report_text() const;
   std::string full_report();
@@ -121,6 +128,7 @@ class Run {
   std::string bytes_;
   std::vector<std::pair<std::string, std::string>> further_files_;
   std::vector<AtomicFile> staged_;
+  std::set<std::string> staged_places_, told_;
   std::optional<std::pair<std::string, std::string>> kept_;
   std::function<void()> when_written_;
   bool stdin_is_read_ = false;

@@ -113,10 +113,6 @@ void AtomicFile::commit() {
   note_temporary(std::exchange(temporary_, ""), false);
 }
 
-bool AtomicFile::has_target_of(const AtomicFile& other) const {
-  return !temporary_.empty() && !other.temporary_.empty() && is_same_place(target_, other.target_);
-}
-
 void write_file(const std::string& path, std::string_view bytes) {
   const std::string target = end_of_links(path);
   is_written_directly(target) ? write_directly(target, bytes)

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "tm/io/output_target.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -30,8 +31,8 @@ class AtomicFile {
   bool is_direct() const { return is_direct_; }
   /// Where the file will be: the end of the path's symbolic links.
   const std::string& target() const { return target_; }
-  /// Whether both wait for the same name.
-  bool has_target_of(const AtomicFile& other) const;
+  /// The same for all paths that lead to it.
+  std::string place() const { return place_of(target_); }
 
  private:
   void write_temporary(std::string_view bytes);

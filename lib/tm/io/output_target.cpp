@@ -65,10 +65,14 @@ std::string end_of_links(const std::string& path) {
   throw_not_written(path);
 }
 
-bool is_same_place(const std::string& first, const std::string& second) {
+std::string place_of(const std::string& path) {
   std::error_code error;
-  const fs::path place = fs::weakly_canonical(fs::absolute(first), error);
-  return !error && place == fs::weakly_canonical(fs::absolute(second), error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(path), error);
+  return error ? path : place.string();
+}
+
+bool is_same_place(const std::string& first, const std::string& second) {
+  return place_of(first) == place_of(second);
 }
 
 bool is_written_directly(const std::string& path) {

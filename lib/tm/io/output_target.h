@@ -9,6 +9,9 @@ namespace transformesh {
 /// descriptor such as /dev/stdout or /dev/fd/63. Throws OutputError where they run in a circle.
 std::string end_of_links(const std::string& path);
 
+/// The same for all paths that lead to the same file; the path itself where that is not known.
+std::string place_of(const std::string& path);
+
 /// Whether both lead to the same file.
 bool is_same_place(const std::string& first, const std::string& second);
 

@@ -20,6 +20,43 @@ std::vector<double> sizes_of(const Mesh& mesh, const Components& all, ComponentS
   return sizes;
 }
 
+/// The components from the largest to the smallest; of equal ones the first comes first.
+std::vector<std::size_t> by_size(const std::vector<double>& sizes) {
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  return order;
+}
+
+/// The vertices of each component, in order.
+std::vector<std::vector<Index>> vertices_of(const Mesh& mesh, const Components& all) {
+  std::vector<Index> component(mesh.positions.size(), no_index);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for (const Index vertex : mesh.faces[f]) component[vertex] = all.of_face[f];
+  std::vector<std::vector<Index>> vertices(all.components.size());
+  for (Index v = 0; v < component.size(); ++v)
+    if (component[v] != no_index) vertices[component[v]].push_back(v);
+  return vertices;
+}
+
+/// These faces and vertices; writes new numbers of the vertices.
+Mesh part_of(const Mesh& mesh, const std::vector<Index>& faces, const std::vector<Index>& vertices,
+             std::vector<Index>& new_vertex) {
+  Mesh part;
+  for (const Index v : vertices) {
+    new_vertex[v] = static_cast<Index>(part.positions.size());
+    part.positions.push_back(mesh.positions[v]);
+  }
+  for (const Index f : faces) {
+    const Face& face = mesh.faces[f];
+    part.faces.push_back({new_vertex[face[0]], new_vertex[face[1]], new_vertex[face[2]]});
+  }
+  part.vertex_columns = mesh.vertex_columns.select(vertices);
+  part.face_columns = mesh.face_columns.select(faces);
+  return part;
+}
+
 std::vector<bool> faces_of(const Components& all, const std::vector<bool>& chosen) {
   std::vector<bool> keep(all.of_face.size());
   for (std::size_t f = 0; f < keep.size(); ++f) keep[f] = chosen[all.of_face[f]];
@@ -61,12 +98,8 @@ const Column* numbers_of(const Columns& columns, const std::string& name) {
 
 std::vector<bool> faces_of_largest(const Mesh& mesh, std::size_t count, ComponentSize by) {
   const Components all = connected_components(mesh);
-  const std::vector<double> sizes = sizes_of(mesh, all, by);
-  std::vector<std::size_t> order(sizes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
-  std::vector<bool> chosen(sizes.size(), false);
+  const std::vector<std::size_t> order = by_size(sizes_of(mesh, all, by));
+  std::vector<bool> chosen(order.size(), false);
   for (std::size_t i = 0; i < std::min(count, order.size()); ++i) chosen[order[i]] = true;
   return faces_of(all, chosen);
 }
@@ -76,6 +109,19 @@ std::vector<bool> faces_of_at_least(const Mesh& mesh, double size, ComponentSize
   std::vector<bool> chosen;
   for (const double found : sizes_of(mesh, all, by)) chosen.push_back(found >= size);
   return faces_of(all, chosen);
+}
+
+std::vector<Mesh> split_components(const Mesh& mesh, ComponentSize by) {
+  const Components all = connected_components(mesh);
+  const std::vector<std::vector<Index>> vertices = vertices_of(mesh, all);
+  std::vector<std::vector<Index>> faces(all.components.size());
+  for (Index f = 0; f < mesh.faces.size(); ++f) faces[all.of_face[f]].push_back(f);
+
+  std::vector<Index> new_vertex(mesh.positions.size(), no_index);
+  std::vector<Mesh> parts;
+  for (const std::size_t c : by_size(sizes_of(mesh, all, by)))
+    parts.push_back(part_of(mesh, faces[c], vertices[c], new_vertex));
+  return parts;
 }
 
 std::vector<bool> faces_where(const Mesh& mesh, const std::string& text) {

@@ -119,8 +119,8 @@ TEST_CASE("two files have the same target, however it is named") {
   const TemporaryFolder folder;
   fs::create_symlink("a", folder / "link");
   const AtomicFile file(folder / "a", "one");
-  CHECK(file.has_target_of(AtomicFile(folder / "link", "two")));
-  CHECK_FALSE(file.has_target_of(AtomicFile(folder / "b", "two")));
+  CHECK(file.place() == AtomicFile(folder / "link", "two").place());
+  CHECK(file.place() != AtomicFile(folder / "b", "two").place());
 }
 
 TEST_CASE("what waits for its commit is removed when the process has to end") {

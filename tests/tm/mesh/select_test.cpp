@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "helpers/shapes.h"
+#include "tm/mesh/components.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -22,6 +23,34 @@ TEST_CASE("components are chosen by faces, area or volume") {
   CHECK_FALSE(has_ball(faces_of_at_least(mesh, 27 - 1e-9, ComponentSize::volume)));
   const auto both = faces_of_largest(mesh, 3, ComponentSize::area);
   CHECK(std::count(both.begin(), both.end(), true) == std::ssize(mesh.faces));
+}
+
+TEST_CASE("a mesh is split into its components, the largest first, with all columns") {
+  Mesh mesh = test::joined(test::icosphere(1), test::cuboid({5, 0, 0}, {8, 3, 3}));
+  mesh.positions.insert(mesh.positions.begin(), Vec3(99, 0, 0));  // of no face
+  for (Face& face : mesh.faces)
+    for (Index& vertex : face) ++vertex;
+  Column& labels = mesh.face_columns.get("label", Scalar::int32, mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) labels.values[f] = static_cast<double>(f);
+  const std::vector<Mesh> by_faces = split_components(mesh, ComponentSize::faces);
+  const std::vector<Mesh> by_volume = split_components(mesh, ComponentSize::volume);
+  REQUIRE(by_faces.size() == 2);
+  REQUIRE(by_volume.size() == 2);
+  CHECK(by_faces[0].faces.size() == test::icosphere(1).faces.size());
+  for (std::size_t i = 0; i < 2; ++i) {
+    // The same as choosing this one, and the other way round by volume.
+    const std::vector<bool> keep = faces_of_largest(mesh, 1, ComponentSize::faces);
+    std::vector<bool> other = keep;
+    other.flip();
+    const Mesh expected = select_faces(mesh, i == 0 ? keep : other);
+    for (const Mesh* part : {&by_faces[i], &by_volume[1 - i]}) {
+      CHECK(part->positions == expected.positions);
+      CHECK(part->faces == expected.faces);
+      CHECK(part->face_columns.find("label")->values ==
+            expected.face_columns.find("label")->values);
+    }
+  }
+  CHECK(split_components(Mesh(), ComponentSize::area).empty());
 }
 
 TEST_CASE("conditions on properties and boxes") {
