@@ -3,17 +3,21 @@
 
 #include "frame/run.h"
 #include "tm/io/comments.h"
+#include "tm/io/matrix_file.h"
 #include "tm/mesh/transform.h"
+#include "tm/support/error.h"
+#include "tm/support/number.h"
 
 namespace {
 
 using namespace transformesh;
+using namespace std::string_literals;
 
 struct Choices {
   std::vector<double> translate, rotate, scale, scales, mirror, matrix;
   bool center = false, unit_box = false;
   /// In the order of the command line: the next matrix, given the product of those before.
-  std::vector<std::function<Matrix4(const Mesh&, const Matrix4&)>> steps;
+  std::vector<std::function<Matrix4(tool::Run&, const Matrix4&)>> steps;
 };
 
 Vec3 vector_of(const std::vector<double>& n) { return {n[0], n[1], n[2]}; }
@@ -28,15 +32,41 @@ void in_order(tool::Option& option, Choices& choices, const std::function<Matrix
   option.assign = [&choices, make, assign = option.assign](const std::string& text) {
     assign(text);
     const Matrix4 matrix = make();
-    choices.steps.emplace_back([matrix](const Mesh&, const Matrix4&) { return matrix; });
+    choices.steps.emplace_back([matrix](tool::Run&, const Matrix4&) { return matrix; });
   };
 }
 
 void in_order_of_box(tool::Option& option, Choices& choices, Matrix4 (*make)(const Box&)) {
   option.affects_result = false;
   option.assign = [&choices, make](const std::string&) {
-    choices.steps.emplace_back(
-        [make](const Mesh& mesh, const Matrix4& before) { return make(mapped_box(mesh, before)); });
+    choices.steps.emplace_back([make](tool::Run& run, const Matrix4& before) {
+      return make(mapped_box(run.document().mesh, before));
+    });
+  };
+}
+
+/// x, y or z is the plane across that axis through the origin.
+void take_axes(tool::Option& mirror) {
+  mirror.placeholder = "x|y|z|A,B,C,D";
+  mirror.assign = [numbers = mirror.assign](const std::string& text) {
+    if (text.find(',') != std::string::npos) return numbers(text);
+    if (text.size() != 1 || text < "x" || text > "z")
+      throw UsageError("'" + text + "' is neither x, y or z nor four numbers with commas");
+    const std::size_t axis = static_cast<std::size_t>(text[0] - 'x');
+    numbers("0,0,0,0"s.replace(2 * axis, 1, "1"));
+  };
+}
+
+/// What is no list of numbers is the name of a file, which is read when its turn comes.
+void take_files(tool::Option& matrix, Choices& choices) {
+  matrix.placeholder = "A11,...,A44|FILE";
+  matrix.assign = [&choices, numbers = matrix.assign](const std::string& text) {
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos && number_in<double>(text.substr(0, comma)))
+      return numbers(text);
+    choices.steps.emplace_back([text](tool::Run& run, const Matrix4&) {
+      return parse_matrix(run.read_bytes(text), input_name(text));
+    });
   };
 }
 
@@ -50,33 +80,39 @@ void declare(tool::Program& program, Choices& c) {
            [&c] { return scaling_by(Vec3::Constant(c.scale[0])); });
   in_order(program.numbers("scale-axes", &c.scales, "X,Y,Z", "scale by a factor for each axis"), c,
            [&c] { return scaling_by(vector_of(c.scales)); });
-  in_order(program.numbers("mirror", &c.mirror, "A,B,C,D",
-                           "mirror in the plane a x + b y + c z = d; faces keep their outside"),
-           c, [&c] { return mirroring_in(vector_of(c.mirror), c.mirror[3]); });
+  tool::Option& mirror =
+      program.numbers("mirror", &c.mirror, "A,B,C,D",
+                      "mirror across an axis, or in the plane a x + b y + c z = d; faces keep "
+                      "their outside");
+  take_axes(mirror);
+  in_order(mirror, c, [&c] { return mirroring_in(vector_of(c.mirror), c.mirror[3]); });
   in_order_of_box(program.flag("center", &c.center, "move the center of the box to the origin"), c,
                   centering);
   in_order_of_box(program.flag("unit-box", &c.unit_box,
                                "scale the longest side of the box to 1, and center it in the box "
                                "from 0 to 1"),
                   c, fitting_unit_box);
-  tool::Option& matrix = program.numbers("matrix", &c.matrix, ",,,,,,,,,,,,,,,",
-                                         "16 numbers, row by row, that act on columns x y z 1");
-  matrix.placeholder = "A11,...,A44";
+  tool::Option& matrix = program.numbers(
+      "matrix", &c.matrix, ",,,,,,,,,,,,,,,",
+      "16 numbers, row by row, that act on columns x y z 1, or a text file of them");
   in_order(matrix, c, [&c] { return matrix_of(c.matrix); });
+  take_files(matrix, c);
 }
 
 void transform_document(Document& document, Choices& choices, tool::Program& program,
                         tool::Run& run) {
   Matrix4 product = Matrix4::Identity();
-  for (const auto& step : choices.steps) product = step(document.mesh, product) * product;
+  for (const auto& step : choices.steps) product = step(run, product) * product;
   const TransformResult result = transform(document.mesh, product);
   if (const auto edge = reference_edge_of(document.style.comments))
     set_reference_edge(document.style.comments, *edge * result.scale);
 
-  // The provenance has what all steps together do.
+  // The provenance has what all steps together do, as numbers.
   const Matrix4 rows = product.transpose();
   choices.matrix.assign(rows.data(), rows.data() + rows.size());
-  program.find("matrix")->affects_result = program.find("matrix")->is_given = true;
+  tool::Option& matrix = *program.find("matrix");
+  matrix.affects_result = matrix.is_given = true;
+  matrix.placeholder = "A11,...,A44";
   run.report("matrix", choices.matrix);
   run.report("scale", result.scale);
   run.report("mirrored", result.is_mirror);

@@ -41,3 +41,35 @@ load ../helpers/common
   assert_status 4
   one_line "$stderr"
 }
+
+@test "a mirror by the name of an axis is the one in its plane" {
+  for axis in x:1,0,0,0 y:0,1,0,0 z:0,0,1,0; do
+    tetrahedron | tm-transform --mirror "${axis%:*}" --translate 1,2,3 |
+      cmp - <(tetrahedron | tm-transform --mirror "${axis#*:}" --translate 1,2,3)
+  done
+  [ "$(tm-info --get bbox_min <(tetrahedron | tm-transform --mirror y))" = "0 -1 0" ]
+  run --separate-stderr tm-transform --mirror w <(tetrahedron)
+  assert_status 2
+  [[ $stderr == *"'w' is neither x, y or z nor four numbers with commas" ]]
+}
+
+@test "a matrix in a file is the one on the command line, in its turn" {
+  cd "$BATS_TEST_TMPDIR"
+  tetrahedron >mesh.ply
+  printf '%s\n' '# turned' '0 -1 0 3' '1, 0, 0, 0' '0 0 2 0 0 0 0 1' >pose.txt
+  tm-transform --translate 1,2,3 --matrix 0,-1,0,3,1,0,0,0,0,0,2,0,0,0,0,1 --scale 2 mesh.ply >expected.ply
+  tm-transform --translate 1,2,3 --matrix pose.txt --scale 2 mesh.ply | cmp - expected.ply
+  tm-transform --translate 1,2,3 --matrix - --scale 2 mesh.ply <pose.txt | cmp - expected.ply
+  [ "$(tm-info --get bbox_max <(tm-transform --matrix ./pose.txt --matrix pose.txt mesh.ply))" = "3 3 4" ]
+  echo 1 2 3 >short.txt
+  for matrix in short.txt none.txt /; do
+    run --separate-stderr tm-transform --matrix "$matrix" mesh.ply -o out.ply
+    assert_status 3
+    one_line "$stderr"
+    [ ! -e out.ply ]
+  done
+  run --separate-stderr tm-transform --matrix 1,2,3 mesh.ply
+  assert_status 2
+  run --separate-stderr tm-transform --matrix - <mesh.ply
+  assert_status 2
+}
