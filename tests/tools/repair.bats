@@ -1,4 +1,4 @@
-# The pipelines of tm-repair(7) on broken real meshes.
+# The pipelines of tm-repair(7) on broken real meshes, and rows of its table on generated shapes.
 load ../helpers/common
 
 setup() {
@@ -20,6 +20,74 @@ repaired() {
 has_volume() {
   awk -v is="$(tm-info --get volume solid.ply)" -v is_to_be="$1" \
     'BEGIN { exit !(is > 0.99 * is_to_be && is < 1.01 * is_to_be) }' || fail "volume, not $1"
+}
+
+# row MESSAGE FILTER: the page has a row from that message to that filter.
+row() {
+  grep -F "$1" "$tm_root/man/tm-repair.7.md" | grep -qF "**${2/--/\\--}** |" || fail "no row: $1 | $2"
+}
+
+# is_solid FILE VOLUME: closed, oriented, free of crossings, and of that volume.
+is_solid() {
+  tm-checkmanifold --closed --intersections "$1" || fail "$1 is no solid"
+  awk -v is="$(tm-info --get volume "$1")" -v is_to_be="$2" \
+    'BEGIN { exit !(is > 0.9999 * is_to_be && is < 1.0001 * is_to_be) }' || fail "volume, not $2"
+}
+
+# refused MESSAGE FILE: tm-clean refuses the file with that message, and writes nothing.
+refused() {
+  run --separate-stderr tm-clean "$2" -o refused.ply
+  assert_status 4
+  one_line "$stderr"
+  [[ $stderr == *"$1"* ]] || fail "$stderr"
+  [ ! -e refused.ply ]
+}
+
+@test "row --one-side: faces with their reverses, on vertices of their own or the same, and as a soup" {
+  row "the faces enclose nothing, as in double-sided models" "tm-stitch --one-side"
+  tm-shape box 1 1 3 --faces 1000 -o box.ply
+  tm-stitch --flip box.ply | tm-cat box.ply - -o apart.ply
+  tm-convert -o soup.stl apart.ply
+  # Every face is followed by its reverse, on the same vertices.
+  tm-convert --no-provenance --format off box.ply | grep -v '^#' | awk '
+    NR == 2 { vertices = $1; print $1, 2 * $2, 0; next }
+    { print }
+    NR > 2 + vertices { print $1, $4, $3, $2 }' >same.off
+  for file in apart.ply same.off soup.stl; do
+    refused "the faces enclose nothing" <(tm-stitch -q "$file")
+    tm-stitch -q --one-side "$file" | tm-clean -o solid.ply
+    is_solid solid.ply 3
+  done
+}
+
+@test "row --one-side: double-sided bodies that cross become one" {
+  tm-shape box 1 1 3 --faces 500 -o box.ply
+  tm-transform --rotate 0,1,0,90 box.ply | tm-cat box.ply - -o cross.ply
+  tm-stitch --flip cross.ply | tm-cat cross.ply - -o sides.ply
+  refused "as in double-sided models" sides.ply
+  tm-stitch --one-side sides.ply | tm-clean -o solid.ply
+  is_solid solid.ply 5
+}
+
+@test "row --flip: a mesh that is inside out, and a soup of one" {
+  row "the mesh is inside out" "tm-stitch --flip"
+  tm-shape box 1 1 3 --faces 1000 | tm-transform --scale-axes 1,1,2 -o box.ply
+  tm-stitch --flip box.ply -o inverted.ply
+  tm-convert -o inverted.stl inverted.ply
+  refused "every winding number is <= 0: the mesh is inside out" inverted.ply
+  tm-stitch --flip inverted.ply | tm-clean -o solid.ply
+  is_solid solid.ply 6
+  tm-stitch -q --flip inverted.stl | tm-clean -o solid.ply
+  is_solid solid.ply 6
+}
+
+@test "bodies inside out beside others: lost as cavities, turned by --one-side" {
+  tm-shape box 1 1 3 --faces 500 -o box.ply
+  tm-transform --translate 5,0,0 box.ply | tm-stitch --flip | tm-cat box.ply - -o both.ply
+  tm-clean -o one.ply both.ply
+  is_solid one.ply 3
+  tm-stitch --one-side both.ply | tm-clean -o two.ply
+  is_solid two.ply 6
 }
 
 @test "an open figure of parts that end within each other: pig" {
