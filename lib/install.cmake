@@ -7,9 +7,10 @@ set(public_headers
   clean/certify/certify.h clean/clean.h clean/intersect/intersect.h clean/stitch/stitch.h
   evolution/evolve.h evolution/filter_step.h evolution/morphing.h evolution/offset.h
   evolution/reconstruction.h evolution/sequence.h evolution/tracking.h
-  geometry/compare.h
+  fill/fill.h
+  geometry/compare.h geometry/sample_surface.h geometry/selection.h
   io/comments.h io/concatenate.h io/length_basis.h io/mesh_io.h
-  mesh/components.h mesh/manifold.h mesh/measure.h mesh/mesh.h
+  mesh/components.h mesh/manifold.h mesh/measure.h mesh/mesh.h mesh/transform.h
   picture/picture.h picture/png.h
   remesh/decimate.h remesh/remesh.h
   shapes/shapes.h

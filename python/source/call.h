@@ -53,6 +53,7 @@ Length parsed(const PythonLength& length);
 /// The parts of the module.
 void bind_errors(py::module_& module);
 void bind_filters(py::module_& module);
+void bind_everyday(py::module_& module);
 void bind_measures(py::module_& module);
 void bind_evolutions(py::module_& module);
 

@@ -104,6 +104,7 @@ PYBIND11_MODULE(_transformesh, module) {
   bind_errors(module);
   bind_mesh(module);
   bind_filters(module);
+  bind_everyday(module);
   bind_measures(module);
   bind_evolutions(module);
   module.def(

@@ -22,6 +22,7 @@ from ._transformesh import (
     decimate,
     displace,
     evolve,
+    fill,
     hull,
     info,
     intersect,
@@ -32,9 +33,13 @@ from ._transformesh import (
     reconstruct,
     remesh,
     render,
+    sample,
+    select,
     set_threads,
     shape,
+    split,
     stitch,
+    transform,
     write,
 )
 

@@ -108,6 +108,48 @@ def offset(
     iterations: int = 500,
     progress: Progress = None,
 ) -> Mesh: ...
+def fill(
+    mesh: Mesh,
+    *,
+    max_edges: Optional[int] = None,
+    max_diameter: Optional[Length] = None,
+    refine: bool = True,
+    fair: bool = True,
+    allow_crossings: bool = False,
+    progress: Progress = None,
+) -> Mesh: ...
+def transform(
+    mesh: Mesh,
+    *,
+    translate: Optional[ArrayLike] = None,
+    rotate: Optional[ArrayLike] = None,
+    scale: Optional[float] = None,
+    scale_axes: Optional[ArrayLike] = None,
+    mirror: Union[Literal["x", "y", "z"], ArrayLike, None] = None,
+    matrix: Optional[ArrayLike] = None,
+    center: bool = False,
+    unit_box: bool = False,
+) -> Mesh: ...
+def select(
+    mesh: Mesh,
+    *,
+    largest: Optional[int] = None,
+    at_least: float = 0.0,
+    by: Literal["faces", "area", "volume"] = "faces",
+    where: Union[str, ArrayLike, None] = None,
+    box: Optional[ArrayLike] = None,
+    around: Optional[ArrayLike] = None,
+    invert: bool = False,
+) -> Mesh: ...
+def split(mesh: Mesh, *, by: Literal["faces", "area", "volume"] = "faces") -> list[Mesh]: ...
+def sample(
+    mesh: Mesh,
+    count: int = 0,
+    *,
+    distance: Optional[Length] = None,
+    seed: int = 1,
+    progress: Progress = None,
+) -> Mesh: ...
 def shape(kind: str, *parameters: object, **options: object) -> Mesh: ...
 def intersect(mesh: Mesh, *, progress: Progress = None) -> NDArray[np.uint32]: ...
 def info(mesh: Mesh) -> dict[str, Any]: ...

@@ -1,5 +1,6 @@
 """Functions make what the programs make, byte for byte, and take no longer."""
 
+import json
 import os
 import subprocess
 import threading
@@ -102,6 +103,152 @@ def test_offset():
     assert same(tm.offset(tm.parse(box), "5%"), "tm-offset", "--distance", "5%", stdin=box)
 
 
+@pytest.fixture(scope="module")
+def holes():
+    """A torus without two patches of faces, and so with two holes."""
+    mesh = tm.parse(shape("torus", "--faces", 2000))
+    x = mesh.positions[mesh.faces][:, :, 0].min(axis=1)
+    keep = (x < 0.9 * x.max()) & (x > 0.9 * x.min())
+    return tm.select(mesh, where=keep).to_bytes()
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({}, []),
+        ({"fair": False}, ["--no-fair"]),
+        ({"refine": False}, ["--no-refine"]),
+        ({"allow_crossings": True, "max_edges": 3}, ["--allow-crossings", "--max-edges", 3]),
+        ({"max_diameter": "1%"}, ["--max-diameter", "1%"]),
+    ],
+)
+def test_fill(holes, options, words, tmp_path):
+    filled = tm.fill(tm.parse(holes), **options)
+    words += ["--report", tmp_path / "report"]
+    assert same(filled, "tm-fill", *words, stdin=holes)
+    assert filled.report == json.loads((tmp_path / "report").read_text())["result"]
+    assert filled.report["holes"] == 2
+    assert filled.report["filled"] == (0 if "max_edges" in options or "max_diameter" in options else 2)
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({}, []),
+        ({"translate": (1, 2, 3), "scale": 2}, ["--translate", "1,2,3", "--scale", 2]),
+        ({"scale": 2, "translate": (1, 2, 3)}, ["--scale", 2, "--translate", "1,2,3"]),
+        ({"rotate": (1, 2, 3, 40), "center": True}, ["--rotate", "1,2,3,40", "--center"]),
+        ({"center": False, "unit_box": True}, ["--unit-box"]),
+        ({"mirror": "y", "scale_axes": [1, 2, 3]}, ["--mirror", "y", "--scale-axes", "1,2,3"]),
+        ({"mirror": (1, 1, 0, 2)}, ["--mirror", "1,1,0,2"]),
+    ],
+)
+def test_transform(options, words, tmp_path):
+    # With normals, velocities and a reference edge, which follow.
+    mesh = tm.remesh(tm.parse(shape("genus", 2, "--faces", 500)), min_edge="0.5x")
+    for i, name in enumerate(["nx", "ny", "nz", "vx", "vy", "vz"]):
+        mesh.vertex_columns[name] = np.sin(i + np.arange(len(mesh.positions)))
+    words += ["--report", tmp_path / "report"]
+    moved = tm.transform(mesh, **options)
+    assert same(moved, "tm-transform", *words, stdin=mesh.to_bytes())
+    report = json.loads((tmp_path / "report").read_text())["result"]
+    assert np.array_equal(moved.report["matrix"].ravel(), report["matrix"])
+    assert moved.report["mirrored"] == report["mirrored"]
+    again = tm.transform(mesh, matrix=moved.report["matrix"])
+    assert np.array_equal(again.positions, moved.positions)
+    homogeneous = np.c_[mesh.positions, np.ones(len(mesh.positions))] @ moved.report["matrix"].T
+    assert np.allclose(homogeneous[:, :3], moved.positions, atol=1e-12)
+
+
+@pytest.fixture(scope="module")
+def bodies():
+    """A ball within a ball, a box, and a number for each face."""
+    mesh = tm.cat(
+        tm.shape("sphere", radius=3, faces=600),
+        tm.shape("sphere", radius=1, faces=300),
+        tm.transform(tm.shape("box", 4, 4, 4, faces=200), translate=(9, 0, 0)),
+    )
+    mesh.face_columns["label"] = np.arange(len(mesh.faces), dtype=np.int32) % 7
+    return mesh.to_bytes()
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({}, []),
+        ({"largest": 2}, ["--largest", 2]),
+        ({"largest": 1, "by": "volume"}, ["--largest", 1, "--by", "volume"]),
+        ({"at_least": 90, "by": "area"}, ["--at-least", 90, "--by", "area"]),
+        ({"where": "label >= 3", "invert": True}, ["--where", "label >= 3", "--invert"]),
+        ({"box": [[-2, -2, -2], [2, 2, 2]]}, ["--box", "-2,-2,-2,2,2,2"]),
+        ({"around": (0, 0, 2)}, ["--around", "0,0,2"]),
+        ({"around": (0, 0, 20), "largest": 2}, ["--around", "0,0,20", "--largest", 2]),
+    ],
+)
+def test_select(bodies, options, words, tmp_path):
+    selected = tm.select(tm.parse(bodies), **options)
+    words += ["--report", tmp_path / "report"]
+    assert same(selected, "tm-select", *words, stdin=bodies)
+    assert selected.report == json.loads((tmp_path / "report").read_text())["result"]
+
+
+def test_select_where_an_array_is_true(bodies):
+    mesh = tm.parse(bodies)
+    by_array = tm.select(mesh, where=mesh.face_columns["label"] < 2)
+    assert by_array.to_bytes() == tm.select(mesh, where="label<2").to_bytes()
+    for mask in [[], [True]]:
+        with pytest.raises(tm.InputError, match="the mask is of"):
+            tm.select(mesh, where=np.array(mask, dtype=bool))
+
+
+def test_split(bodies, tmp_path):
+    for by in ["faces", "volume"]:
+        run("tm-select", "--no-provenance", "--by", by, "--split", tmp_path / by, stdin=bodies)
+        parts = tm.split(tm.parse(bodies), by=by)
+        files = sorted(tmp_path.glob(by + "-*.ply"))
+        assert [part.to_bytes() for part in parts] == [file.read_bytes() for file in files]
+        assert len(parts) == 3
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({"count": 500}, ["--count", 500]),
+        ({"distance": "5%", "seed": 3}, ["--distance", "5%", "--seed", 3]),
+        ({"distance": 0.4}, ["--distance", 0.4]),
+    ],
+)
+def test_sample(bodies, options, words):
+    points = tm.sample(tm.parse(bodies), **options)
+    assert same(points, "tm-sample", *words, stdin=bodies)
+    assert points.report["points"] == len(points.positions) > 100
+    assert len(points.faces) == 0 and "nx" in points.vertex_columns
+
+
+def test_refusals_are_exceptions_with_the_sentence_of_the_program(bodies):
+    mesh = tm.parse(bodies)
+    refused = [
+        (tm.GoalError, "none of .* faces is selected", lambda: tm.select(mesh, box=[7] * 6)),
+        (tm.InputError, "has no property 'size'", lambda: tm.select(mesh, where="size>1")),
+        (tm.UsageError, "is no condition", lambda: tm.select(mesh, where="size")),
+        (tm.UsageError, "none of faces, area, volume", lambda: tm.split(mesh, by="weight")),
+        (tm.UsageError, "3 numbers are needed, not 2", lambda: tm.select(mesh, around=(1, 2))),
+        (tm.UsageError, "the matrix is singular", lambda: tm.transform(mesh, scale=0)),
+        (tm.UsageError, "translate: numbers", lambda: tm.transform(mesh, translate="far")),
+        (tm.UsageError, "'w' is neither", lambda: tm.transform(mesh, mirror="w")),
+        (tm.UsageError, "there is no 'turn'", lambda: tm.transform(mesh, turn=3)),
+        (tm.GoalError, "", lambda: tm.transform(mesh, scale=1e308)),
+        (tm.UsageError, "either count or distance", lambda: tm.sample(mesh)),
+        (tm.UsageError, "either count or distance", lambda: tm.sample(mesh, 3, distance=1)),
+        (tm.UsageError, "at least 3", lambda: tm.fill(mesh, max_edges=2)),
+        (tm.InputError, "", lambda: tm.fill(tm.Mesh(np.zeros((3, 3)), [[0, 1, 2], [0, 1, 2]]))),
+        (tm.InputError, "", lambda: tm.select(tm.Mesh(np.zeros((3, 3))), around=(0, 0, 0))),
+    ]
+    for error, sentence, call in refused:
+        with pytest.raises(error, match=sentence):
+            call()
+
+
 def test_morph(tmp_path):
     target, source = shape("genus", 1, "--faces", 1500), None
     (tmp_path / "target.ply").write_bytes(target)
@@ -132,8 +279,6 @@ def test_compare_info_and_certify(crossing, tmp_path):
     tm.write(cleaned, tmp_path / "cleaned.ply")
     (tmp_path / "crossing.ply").write_bytes(crossing)
     words = ["--reference", tmp_path / "crossing.ply", tmp_path / "cleaned.ply", "--json"]
-    import json
-
     expected = json.loads(run("tm-compare", *words))
     found = tm.compare(cleaned, tm.parse(crossing))
     assert found == pytest.approx(expected, rel=1e-12)

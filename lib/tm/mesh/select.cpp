@@ -96,6 +96,13 @@ const Column* numbers_of(const Columns& columns, const std::string& name) {
 
 }  // namespace
 
+ComponentSize component_size_of(const std::string& word) {
+  if (word == "faces") return ComponentSize::faces;
+  if (word == "area") return ComponentSize::area;
+  if (word == "volume") return ComponentSize::volume;
+  throw UsageError("by: '" + word + "' is none of faces, area, volume");
+}
+
 std::vector<bool> faces_of_largest(const Mesh& mesh, std::size_t count, ComponentSize by) {
   const Components all = connected_components(mesh);
   const std::vector<std::size_t> order = by_size(sizes_of(mesh, all, by));

@@ -12,6 +12,8 @@
 namespace transformesh {
 
 enum class ComponentSize { faces, area, volume };  ///< volume: its magnitude, of any orientation
+/// Of these words. Throws UsageError for another.
+ComponentSize component_size_of(const std::string& word);
 
 /// The faces of the `count` largest components; of equal ones the first.
 std::vector<bool> faces_of_largest(const Mesh& mesh, std::size_t count, ComponentSize by);
