@@ -52,7 +52,7 @@ void take_axes(tool::Option& mirror) {
     if (text.find(',') != std::string::npos) return numbers(text);
     if (text.size() != 1 || text < "x" || text > "z")
       throw UsageError("'" + text + "' is neither x, y or z nor four numbers with commas");
-    const std::size_t axis = static_cast<std::size_t>(text[0] - 'x');
+    const auto axis = static_cast<std::size_t>(text[0] - 'x');
     numbers("0,0,0,0"s.replace(2 * axis, 1, "1"));
   };
 }

@@ -57,6 +57,7 @@ std::string page_named(const std::string& word) {
 void run_first_of(std::vector<std::vector<std::string>> commands) {
   for (std::vector<std::string>& words : commands) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     execvp(arguments[0], arguments.data());

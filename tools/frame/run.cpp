@@ -120,7 +120,7 @@ Bytes Run::read_once(const std::string& path) {
 Document Run::read(const std::string& path) {
   phases_.begin("read");
   ReadResult result = read_mesh(read_once(path).view(), input_name(path));
-  for (std::string line : result.notes) {
+  for (const std::string& line : result.notes) {
     const std::size_t advice = line.find("; tm-stitch joins them");
     note(program_.joins_soups ? line.substr(0, advice) : line);
   }

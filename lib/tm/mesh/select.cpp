@@ -131,18 +131,18 @@ std::vector<Mesh> split_components(const Mesh& mesh, ComponentSize by) {
   return parts;
 }
 
-std::vector<bool> faces_where(const Mesh& mesh, const std::string& text) {
-  const Condition condition = parsed(text);
-  const Column* of_faces = numbers_of(mesh.face_columns, condition.column);
-  const Column* of_vertices = numbers_of(mesh.vertex_columns, condition.column);
+std::vector<bool> faces_where(const Mesh& mesh, const std::string& condition) {
+  const Condition wanted = parsed(condition);
+  const Column* of_faces = numbers_of(mesh.face_columns, wanted.column);
+  const Column* of_vertices = numbers_of(mesh.vertex_columns, wanted.column);
   if (of_faces == nullptr && of_vertices == nullptr)
-    throw InputError("the mesh has no property '" + condition.column + "' of numbers");
+    throw InputError("the mesh has no property '" + wanted.column + "' of numbers");
   std::vector<bool> keep(mesh.faces.size());
   for (std::size_t f = 0; f < keep.size(); ++f) {
     const Face& face = mesh.faces[f];
-    keep[f] = of_faces != nullptr ? condition.holds(of_faces->values[f])
+    keep[f] = of_faces != nullptr ? wanted.holds(of_faces->values[f])
                                   : std::all_of(face.begin(), face.end(), [&](Index v) {
-                                      return condition.holds(of_vertices->values[v]);
+                                      return wanted.holds(of_vertices->values[v]);
                                     });
   }
   return keep;
