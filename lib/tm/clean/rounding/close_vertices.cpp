@@ -1,91 +1,91 @@
 #include "tm/clean/rounding/close_vertices.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <set>
+#include <map>
 #include <unordered_map>
 
+#include "tm/clean/rounding/local_distance.h"
 #include "tm/geometry/predicates.h"
 
 namespace transformesh {
 namespace {
 
 // Points in cells of the size of their own spacings, to find those that are close to a position.
+// Points with the same spacings are a group.
 class LocalGrid {
  public:
-  LocalGrid(double spacings, Scalar coordinate) : spacings_(spacings), coordinate_(coordinate) {}
+  explicit LocalGrid(double spacings) : spacings_(spacings) {}
 
-  double reach(const Vec3& position) const {
-    return spacings_ * spacing_around(position, coordinate_);
-  }
-  void add(const Vec3& position, Index point);
-  /// Calls visit(point) for all points that are within reach of the position, and some others.
+  void add(const Vec3& position, const Vec3& spacing, Index point);
+  /// Calls visit(point) for all points within that many spacings of the position, and some others.
   template <class Visit>
-  void visit_near(const Vec3& position, const Visit& visit) const;
+  void visit_near(const Vec3& position, const Vec3& spacing, const Visit& visit) const;
 
  private:
   using Cell = std::array<double, 3>;  ///< whole numbers, beyond the range of integers too
-  struct Key {
-    int exponent;
-    Cell cell;
-    bool operator==(const Key& other) const = default;
-  };
   struct Hash {
-    std::size_t operator()(const Key& key) const {
-      std::size_t hash = static_cast<std::size_t>(key.exponent);
-      for (const double x : key.cell) hash = hash * 0x9e3779b97f4a7c15U ^ std::hash<double>()(x);
+    std::size_t operator()(const Cell& cell) const {
+      std::size_t hash = 0;
+      for (const double x : cell) hash = hash * 0x9e3779b97f4a7c15U ^ std::hash<double>()(x);
       return hash;
     }
   };
+  struct Group {
+    Eigen::AlignedBox3d box;
+    std::vector<Index> points;
+    std::unordered_map<Cell, std::vector<Index>, Hash> cells;
+  };
 
   // Cells are wider than the reach, so that most positions have few cells within reach.
-  static double cell_at(double x, int exponent) {
-    return std::floor(std::ldexp(x, -exponent - 3)) + 0.0;
+  Cell cell_at(const Vec3& position, const Vec3& spacing) const {
+    const Vec3 cell = (position.array() / (16 * spacings_ * spacing.array())).floor() + 0.0;
+    return {cell.x(), cell.y(), cell.z()};
   }
-  int exponent_at(const Vec3& position) const { return std::ilogb(reach(position)); }
 
   double spacings_;
-  Scalar coordinate_;
-  std::set<int> exponents_;
-  std::unordered_map<Key, std::vector<Index>, Hash> cells_;
+  std::map<Cell, Group> groups_;  ///< by their spacings
 };
 
-void LocalGrid::add(const Vec3& position, Index point) {
-  const int exponent = exponent_at(position);
-  exponents_.insert(exponent);
-  Key key{exponent, {}};
-  for (int i = 0; i < 3; ++i)
-    key.cell[static_cast<std::size_t>(i)] = cell_at(position[i], exponent);
-  cells_[key].push_back(point);
+void LocalGrid::add(const Vec3& position, const Vec3& spacing, Index point) {
+  Group& group = groups_[{spacing.x(), spacing.y(), spacing.z()}];
+  group.box.extend(position);
+  group.points.push_back(point);
+  group.cells[cell_at(position, spacing)].push_back(point);
 }
 
 template <class Visit>
-void LocalGrid::visit_near(const Vec3& position, const Visit& visit) const {
-  const double distance = reach(position);
-  const int middle = exponent_at(position);
-  for (int exponent = middle - 1; exponent <= middle + 1; ++exponent) {
-    if (!exponents_.contains(exponent)) continue;
-    std::array<std::array<double, 2>, 3> range;
-    for (int i = 0; i < 3; ++i)
-      range[static_cast<std::size_t>(i)] = {cell_at(position[i] - distance, exponent),
-                                            cell_at(position[i] + distance, exponent)};
-    const auto& [x, y, z] = range;
-    for (double i = x[0]; i <= x[1]; ++i)
-      for (double k = y[0]; k <= y[1]; ++k)
-        for (double l = z[0]; l <= z[1]; ++l) {
-          const auto found = cells_.find(Key{exponent, {i, k, l}});
-          if (found == cells_.end()) continue;
+void LocalGrid::visit_near(const Vec3& position, const Vec3& spacing, const Visit& visit) const {
+  const Vec3 low = position - spacings_ * spacing, high = position + spacings_ * spacing;
+  for (const auto& [key, group] : groups_) {
+    if (!group.box.intersects(Eigen::AlignedBox3d(low, high))) continue;
+    const Vec3 of_group(key[0], key[1], key[2]);
+    const Cell first = cell_at(low, of_group), last = cell_at(high, of_group);
+    double cells = 1;
+    for (std::size_t i = 0; i < 3; ++i) cells *= last[i] - first[i] + 1;
+    if (!(cells <= static_cast<double>(group.points.size()))) {
+      for (const Index point : group.points) visit(point);
+      continue;
+    }
+    for (double i = first[0]; i <= last[0]; ++i)
+      for (double k = first[1]; k <= last[1]; ++k)
+        for (double l = first[2]; l <= last[2]; ++l) {
+          const auto found = group.cells.find(Cell{i, k, l});
+          if (found == group.cells.end()) continue;
           for (const Index point : found->second) visit(point);
         }
   }
 }
 
 // The position that attracts one: the nearest within reach; no_index where there is none.
-Index attractor(const LocalGrid& grid, const std::vector<Vec3>& positions, const Vec3& position) {
+Index attractor(const LocalGrid& grid, const std::vector<Vec3>& positions, const Vec3& position,
+                const Vec3& spacing, double spacings) {
   Index best = no_index;
-  double least = grid.reach(position);
-  grid.visit_near(position, [&](Index other) {
-    const double distance = (positions[other] - position).lpNorm<Eigen::Infinity>();
+  double least = spacings;
+  grid.visit_near(position, spacing, [&](Index other) {
+    const double distance =
+        (positions[other] - position).cwiseQuotient(spacing).lpNorm<Eigen::Infinity>();
     const bool is_better = distance < least || (distance == least && other < best);
     if (!is_better) return;
     least = distance;
@@ -109,11 +109,37 @@ bool is_before(const Vec3& a, const Vec3& b) { return compare_positions(a, b) < 
 
 }  // namespace
 
-CornerPositions::CornerPositions(const Mesh& mesh, const std::vector<Index>& faces) {
+CornerPositions::CornerPositions(const Mesh& mesh, const std::vector<Index>& faces)
+    : number_of_(mesh.positions.size(), no_index) {
+  std::vector<Index> vertices;
   for (const Index face : faces)
-    for (const Index v : mesh.faces[face]) positions_.push_back(mesh.positions[v]);
-  std::sort(positions_.begin(), positions_.end(), is_before);
-  positions_.erase(std::unique(positions_.begin(), positions_.end()), positions_.end());
+    for (const Index v : mesh.faces[face]) {
+      if (number_of_[v] == no_index) vertices.push_back(v);
+      number_of_[v] = 0;
+    }
+  std::sort(vertices.begin(), vertices.end(), [&](Index a, Index b) {
+    const int order = compare_positions(mesh.positions[a], mesh.positions[b]);
+    return order != 0 ? order < 0 : a < b;
+  });
+  for (const Index v : vertices) {
+    if (positions_.empty() || positions_.back() != mesh.positions[v])
+      positions_.push_back(mesh.positions[v]);
+    number_of_[v] = static_cast<Index>(positions_.size() - 1);
+  }
+}
+
+std::vector<Vec3> CornerPositions::spacings(const Mesh& mesh, const std::vector<Index>& faces,
+                                            const Spacings& spacing) const {
+  std::vector<Vec3> result(positions_.size(), Vec3::Zero());
+  for (const Index face : faces) {
+    const Triangle t = triangle_of(mesh, face);
+    const Vec3 extent = t[0].cwiseMax(t[1]).cwiseMax(t[2]) - t[0].cwiseMin(t[1]).cwiseMin(t[2]);
+    for (const Index v : mesh.faces[face]) {
+      Vec3& most = result[number_of_[v]];
+      most = most.cwiseMax(spacing.on_face(extent, mesh.positions[v]));
+    }
+  }
+  return result;
 }
 
 Index CornerPositions::find(const Vec3& position) const {
@@ -138,25 +164,27 @@ void CornerPositions::move(Assembly& assembly, const std::vector<Vec3>& to) cons
 }
 
 Displacement merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces,
-                                  const MoveRule& rule, Scalar coordinate) {
+                                  const MoveRule& rule, const Spacings& spacing) {
   const CornerPositions corners(assembly.mesh, faces);
   const std::vector<char> is_input = find_input_positions(assembly, corners);
   const std::vector<Vec3>& positions = corners.positions();
+  const std::vector<Vec3> spacings = corners.spacings(assembly.mesh, faces, spacing);
   std::vector<Vec3> moved = positions;
   Displacement displacement;
-  LocalGrid grid(rule.spacings, coordinate);
+  LocalGrid grid(rule.spacings);
   for (const bool turn : {true, false}) {
     for (Index i = 0; i < positions.size(); ++i) {
       if ((is_input[i] != 0) != turn) continue;
       const bool stays = turn && !rule.moves_input;
-      const Index to = stays ? no_index : attractor(grid, positions, positions[i]);
+      const Index to =
+          stays ? no_index : attractor(grid, positions, positions[i], spacings[i], rule.spacings);
       if (to == no_index) {
-        grid.add(positions[i], i);
+        grid.add(positions[i], spacings[i], i);
         continue;
       }
       moved[i] = positions[to];
       displacement.note((moved[i] - positions[i]).stableNorm(),
-                        spacing_around(positions[i], coordinate));
+                        spacing_around(positions[i], spacing.type));
     }
   }
   if (displacement.length > 0) corners.move(assembly, moved);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tm/clean/rounding/displacement.h"
+#include "tm/clean/rounding/local_distance.h"
 #include "tm/clean/stitch/assemble.h"
 
 namespace transformesh {
@@ -21,7 +22,7 @@ struct MoveRule {
 /// those of other faces: else the surface would tear. Faces that change become new. Returns how far
 /// a vertex moved. O(n + k log k) for k vertices of the faces; deterministic.
 Displacement merge_close_vertices(Assembly& assembly, const std::vector<Index>& faces,
-                                  const MoveRule& rule, Scalar coordinate);
+                                  const MoveRule& rule, const Spacings& spacing);
 
 /// The positions of the corners of some faces, each once, and moves of them.
 class CornerPositions {
@@ -30,11 +31,15 @@ class CornerPositions {
   const std::vector<Vec3>& positions() const { return positions_; }
   /// The number of a position; no_index where it is none of them.
   Index find(const Vec3& position) const;
+  /// Per position, the spacings that count at it along each axis, by the faces of this.
+  std::vector<Vec3> spacings(const Mesh& mesh, const std::vector<Index>& faces,
+                             const Spacings& spacing) const;
   /// Gives every vertex at one of the positions the new one; faces that change become new.
   void move(Assembly& assembly, const std::vector<Vec3>& to) const;
 
  private:
-  std::vector<Vec3> positions_;  ///< sorted
+  std::vector<Vec3> positions_;   ///< sorted
+  std::vector<Index> number_of_;  ///< per vertex of the faces
 };
 
 }  // namespace transformesh

@@ -15,7 +15,7 @@ namespace {
 
 class ContactSplitter {
  public:
-  ContactSplitter(Assembly& assembly, double spacings, Scalar coordinate);
+  ContactSplitter(Assembly& assembly, double spacings, const Spacings& spacing);
   Displacement split(const std::vector<std::pair<Index, Index>>& crossings);
 
  private:
@@ -25,8 +25,8 @@ class ContactSplitter {
   Ends edge(Index face, std::size_t i) const {
     return {mesh_.faces[face][i], mesh_.faces[face][(i + 1) % 3]};
   }
-  double reach(const Vec3& position) const {
-    return spacings_ * spacing_around(position, coordinate_);
+  double reach(const Vec3& position, const Vec3& direction) const {
+    return spacings_ * spacing_.along(direction, position);
   }
   bool split_at_corners(Index face, Index other);
   bool split_at_corner(Index face, Index vertex);
@@ -45,18 +45,18 @@ class ContactSplitter {
   Assembly& assembly_;
   Mesh& mesh_;
   double spacings_;
-  Scalar coordinate_;
+  const Spacings& spacing_;
   std::map<Ends, Index> face_at_;  ///< per halfedge of faces that are not split yet
   std::vector<char> is_split_;
   std::vector<Index> rows_;  ///< per face: that which it was cut from
   Displacement displacement_;
 };
 
-ContactSplitter::ContactSplitter(Assembly& assembly, double spacings, Scalar coordinate)
+ContactSplitter::ContactSplitter(Assembly& assembly, double spacings, const Spacings& spacing)
     : assembly_(assembly),
       mesh_(assembly.mesh),
       spacings_(spacings),
-      coordinate_(coordinate),
+      spacing_(spacing),
       is_split_(assembly.mesh.faces.size(), 0) {}
 
 // The face with that halfedge, if it is not split yet.
@@ -105,12 +105,14 @@ bool ContactSplitter::split_edge(const Ends& ends, Index vertex) {
 // The edge of the face to which the vertex is closest, if it is within reach of its interior.
 std::optional<ContactSplitter::Ends> ContactSplitter::edge_beside(Index face, Index vertex) const {
   std::optional<Ends> best;
-  double least = reach(at(vertex));
+  double least = 1;  // in shares of the reach
   for (std::size_t i = 0; i < 3; ++i) {
     const Ends ends = edge(face, i);
     const LineDistance from_edge = distance_from_line(at(ends[0]), at(ends[1]), at(vertex));
-    if (from_edge.beyond >= 0 || from_edge.distance > least) continue;
-    least = from_edge.distance;
+    const double share =
+        from_edge.distance > 0 ? from_edge.distance / reach(at(vertex), from_edge.across) : 0;
+    if (from_edge.beyond >= 0 || share > least) continue;
+    least = share;
     best = ends;
   }
   return best;
@@ -120,7 +122,8 @@ std::optional<ContactSplitter::Ends> ContactSplitter::edge_beside(Index face, In
 bool ContactSplitter::is_over(Index face, const Vec3& point) const {
   const Triangle t = triangle_of(mesh_, face);
   const Vec3 normal = unit_normal(t);
-  if (normal.isZero(0) || std::abs(height_over(t, normal, point)) > reach(point)) return false;
+  if (normal.isZero(0) || std::abs(height_over(t, normal, point)) > reach(point, normal))
+    return false;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 side = (t[(i + 1) % 3] - t[i]).stableNormalized();
     if (!(side.cross(point - t[i]).dot(normal) > 0)) return false;
@@ -159,9 +162,11 @@ std::optional<Vec3> ContactSplitter::point_between(Ends first, Ends second) {
   const double t = (u.squaredNorm() * v.dot(w) - u.dot(v) * u.dot(w)) / determinant;
   if (!(determinant > 0 && s > 0 && s < 1 && t > 0 && t < 1)) return std::nullopt;
   const Vec3 p = at(first[0]) + s * u, q = at(second[0]) + t * v;
-  const Vec3 middle = rounded_to(p + (q - p) / 2, coordinate_);
+  const Vec3 middle = rounded_to(p + (q - p) / 2, spacing_.type);
   const auto is_end = [&](Index end) { return at(end) == middle; };
-  if ((q - p).stableNorm() > reach(middle) || std::any_of(first.begin(), first.end(), is_end) ||
+  const Vec3 gap = q - p;
+  if (gap.stableNorm() > reach(middle, gap.stableNormalized()) ||
+      std::any_of(first.begin(), first.end(), is_end) ||
       std::any_of(second.begin(), second.end(), is_end))
     return std::nullopt;
   return middle;
@@ -201,8 +206,8 @@ Displacement ContactSplitter::split(const std::vector<std::pair<Index, Index>>& 
     bool is_done = split_at_corners(other, face) || split_at_corners(face, other);
     for (std::size_t i = 0; i < 9 && !is_done; ++i)
       is_done = split_edges(edge(face, i / 3), edge(other, i % 3));
-    const double most = reach(at(mesh_.faces[face][0]));
-    if (is_done) displacement_.note(most, most / spacings_);
+    const double spacing = spacing_around(at(mesh_.faces[face][0]), spacing_.type);
+    if (is_done) displacement_.note(spacings_ * spacing, spacing);
   }
   std::vector<Index> rows;
   for (Index face = 0; face + rows_.size() < mesh_.faces.size(); ++face) rows.push_back(face);
@@ -213,9 +218,9 @@ Displacement ContactSplitter::split(const std::vector<std::pair<Index, Index>>& 
 
 }  // namespace
 
-Displacement split_at_contacts(Assembly& assembly, double spacings, Scalar coordinate) {
+Displacement split_at_contacts(Assembly& assembly, double spacings, const Spacings& spacing) {
   const std::vector<std::pair<Index, Index>> crossings = find_crossings(assembly);
-  return ContactSplitter(assembly, spacings, coordinate).split(crossings);
+  return ContactSplitter(assembly, spacings, spacing).split(crossings);
 }
 
 }  // namespace transformesh

@@ -8,12 +8,13 @@
 #pragma once
 
 #include "tm/clean/rounding/displacement.h"
+#include "tm/clean/rounding/local_distance.h"
 #include "tm/clean/stitch/assemble.h"
 
 namespace transformesh {
 
 /// Equal positions have equal indices. A face is split once; others of its contacts are left to a
 /// further call. Returns how far a surface moved, more than zero spacings where a face was split.
-Displacement split_at_contacts(Assembly& assembly, double spacings, Scalar coordinate);
+Displacement split_at_contacts(Assembly& assembly, double spacings, const Spacings& spacing);
 
 }  // namespace transformesh

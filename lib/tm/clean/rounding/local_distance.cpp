@@ -2,8 +2,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace transformesh {
+namespace {
+
+/// A direction or a face that leads along an axis by less than 2^-flatness is flat along it.
+constexpr int flatness = 10;
+
+double spacing_of(double x, Scalar coordinate) { return spacing_around(Vec3(x, 0, 0), coordinate); }
+
+}  // namespace
 
 Vec3 unit_normal(const Triangle& t) {
   std::size_t corner = 0;
@@ -31,7 +40,34 @@ LineDistance distance_from_line(const Vec3& a, const Vec3& b, const Vec3& point)
   const Vec3& near = is_a_nearer ? a : b;
   const Vec3 along = ((is_a_nearer ? b : a) - near).stableNormalized();
   const Vec3 to = point - near;
-  return {along.cross(to).stableNorm(), -to.dot(along)};
+  const Vec3 turned = along.cross(to);
+  return {turned.stableNorm(), -to.dot(along), turned.stableNormalized().cross(along)};
+}
+
+Vec3 leads_along(const Vec3& direction) {
+  return std::ldexp(1, flatness) * direction.cwiseAbs().cwiseMin(std::ldexp(1, -flatness));
+}
+
+double Spacings::along(const Vec3& direction, const Vec3& point) const {
+  if (!are_per_axis || direction.isZero(0)) return spacing_around(point, type);
+  const Vec3 leads = leads_along(direction);
+  double most = 0;
+  for (int i = 0; i < 3; ++i) most = std::max(most, leads[i] * spacing_of(point[i], type));
+  return most;
+}
+
+Vec3 Spacings::on_face(const Vec3& extent, const Vec3& corner) const {
+  if (!are_per_axis) return Vec3::Constant(spacing_around(corner, type));
+  Vec3 spacings;
+  for (int i = 0; i < 3; ++i) spacings[i] = spacing_of(corner[i], type);
+  Vec3 most = spacings;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3 && extent[i] > 0; ++k) {
+      if (!(extent[k] > 0)) continue;
+      const int lead = std::min(0, flatness + std::ilogb(extent[i]) - std::ilogb(extent[k]));
+      most[i] = std::max(most[i], std::ldexp(spacings[k], lead));
+    }
+  return most;
 }
 
 }  // namespace transformesh

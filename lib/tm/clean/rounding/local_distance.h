@@ -3,6 +3,7 @@
 /// numbers lose. In doubles; no product overflows.
 #pragma once
 
+#include "tm/mesh/digits.h"
 #include "tm/mesh/triangle.h"
 
 namespace transformesh {
@@ -19,7 +20,26 @@ double height_over(const Triangle& triangle, const Vec3& unit_normal, const Vec3
 struct LineDistance {
   double distance = 0;
   double beyond = 0;
+  Vec3 across = Vec3::Zero();  ///< the unit direction of the distance, zero where there is none
 };
 LineDistance distance_from_line(const Vec3& a, const Vec3& b, const Vec3& point);
+
+/// Per axis, how far a unit direction leads along it: 1, or less below a thousandth.
+Vec3 leads_along(const Vec3& direction);
+
+/// The spacings of numbers that count at a place: how far rounding moves things there.
+struct Spacings {
+  Scalar type = Scalar::float64;
+  /// Rounding a coordinate of 1e20 moves no plane that lies along its axis. Else the largest
+  /// coordinate counts along all axes.
+  bool are_per_axis = true;
+
+  /// Along a unit direction: the largest along an axis, where the direction leads along that axis
+  /// by a thousandth at least; else as much less.
+  double along(const Vec3& direction, const Vec3& point) const;
+  /// Per axis, at a corner of a face of that extent: the largest along an axis, as far as the face
+  /// leads from that axis to this one. Powers of two.
+  Vec3 on_face(const Vec3& extent, const Vec3& corner) const;
+};
 
 }  // namespace transformesh

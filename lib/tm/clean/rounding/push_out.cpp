@@ -10,8 +10,12 @@ namespace {
 /// The least cosine to the normals of all faces for which a direction leads outside.
 constexpr double least_outside = 1e-9;
 
-// The step of a grid that leads farthest outside of all planes with these normals, or none.
-Vec3 step_outside(const std::vector<Vec3>& normals) {
+// The step of a grid with these spacings that leads farthest outside of all planes with these
+// normals, or none.
+Vec3 step_outside(std::vector<Vec3> normals, const Vec3& spacings) {
+  const Vec3 shares = spacings / spacings.maxCoeff();
+  if (shares.minCoeff() < 1)
+    for (Vec3& normal : normals) normal = normal.cwiseProduct(shares).stableNormalized();
   Vec3 best = Vec3::Zero();
   double farthest = least_outside;
   for (int i = 0; i < 27; ++i) {
@@ -48,17 +52,18 @@ std::vector<std::vector<Vec3>> normals_at(const Assembly& assembly, const Corner
 }  // namespace
 
 Displacement push_out(Assembly& assembly, const std::vector<Index>& faces, const MoveRule& rule,
-                      Scalar coordinate) {
+                      const Spacings& spacing) {
   const CornerPositions corners(assembly.mesh, faces);
   const std::vector<std::vector<Vec3>> normals = normals_at(assembly, corners, rule.moves_input);
+  const std::vector<Vec3> spacings = corners.spacings(assembly.mesh, faces, spacing);
   std::vector<Vec3> moved = corners.positions();
   Displacement displacement;
   for (std::size_t i = 0; i < moved.size(); ++i) {
-    const double spacing = spacing_around(moved[i], coordinate);
-    const Vec3 to =
-        rounded_to(moved[i] + rule.spacings * spacing * step_outside(normals[i]), coordinate);
+    const Vec3 step =
+        rule.spacings * spacings[i].cwiseProduct(step_outside(normals[i], spacings[i]));
+    const Vec3 to = rounded_to(moved[i] + step, spacing.type);
     if (!to.allFinite()) continue;
-    displacement.note((to - moved[i]).stableNorm(), spacing);
+    displacement.note((to - moved[i]).stableNorm(), spacing_around(moved[i], spacing.type));
     moved[i] = to;
   }
   if (displacement.length > 0) corners.move(assembly, moved);

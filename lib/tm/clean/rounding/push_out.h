@@ -14,6 +14,6 @@ namespace transformesh {
 /// Moves vertices of the faces; those of the input only if the rule says so. All vertices at one
 /// position move together. Returns how far a vertex moved.
 Displacement push_out(Assembly& assembly, const std::vector<Index>& faces, const MoveRule& rule,
-                      Scalar coordinate);
+                      const Spacings& spacing);
 
 }  // namespace transformesh

@@ -15,7 +15,7 @@ constexpr int most_flips_of_face = 3;
 class SliverFlipper {
  public:
   SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double spacings,
-                Scalar coordinate);
+                const Spacings& spacing);
   Displacement flip_all();
 
  private:
@@ -23,10 +23,11 @@ class SliverFlipper {
   struct Sliver {
     Index a, b, apex;
     double height;
+    double most;  ///< the height up to which it is flipped
   };
 
-  double reach(Index vertex) const {
-    return spacings_ * spacing_around(mesh_.positions[vertex], coordinate_);
+  double reach(Index vertex, const Vec3& direction) const {
+    return spacings_ * spacing_.along(direction, mesh_.positions[vertex]);
   }
   std::optional<Sliver> sliver_of(const Face& face) const;
   void try_flip(Index face);
@@ -37,7 +38,7 @@ class SliverFlipper {
   Assembly& assembly_;
   Mesh& mesh_;
   double spacings_;
-  Scalar coordinate_;
+  const Spacings& spacing_;
   std::vector<Index> stack_;
   std::map<std::pair<Index, Index>, Index> face_at_;  ///< per halfedge, of faces around
   std::map<Index, int> flips_;                        ///< per face: how often it was tried
@@ -45,11 +46,11 @@ class SliverFlipper {
 };
 
 SliverFlipper::SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double spacings,
-                             Scalar coordinate)
+                             const Spacings& spacing)
     : assembly_(assembly),
       mesh_(assembly.mesh),
       spacings_(spacings),
-      coordinate_(coordinate),
+      spacing_(spacing),
       stack_(faces.rbegin(), faces.rend()) {
   for (const Index face : with_faces_around(mesh_, faces)) link(face);
 }
@@ -76,9 +77,9 @@ std::optional<SliverFlipper::Sliver> SliverFlipper::sliver_of(const Face& face) 
     const double length = (q - p).stableNorm();
     if (length <= longest) continue;
     const LineDistance from_edge = distance_from_line(p, q, mesh_.positions[apex]);
-    if (from_edge.beyond > reach(apex)) continue;
+    if (from_edge.beyond > reach(apex, (q - p).stableNormalized())) continue;
     longest = length;
-    sliver = {a, b, apex, from_edge.distance};
+    sliver = {a, b, apex, from_edge.distance, reach(apex, from_edge.across)};
   }
   return sliver;
 }
@@ -87,11 +88,10 @@ void SliverFlipper::try_flip(Index face) {
   if (is_collapsed(mesh_.faces[face]) || ++flips_[face] > most_flips_of_face) return;
   const std::optional<Sliver> sliver = sliver_of(mesh_.faces[face]);
   if (!sliver) return;
-  const double most = reach(sliver->apex);
-  if (!(sliver->height <= most)) return;
+  if (!(sliver->height <= sliver->most)) return;
   const auto across = face_at_.find({sliver->b, sliver->a});
   if (across == face_at_.end() || across->second == face) return;
-  displacement_.note(sliver->height, most / spacings_);
+  displacement_.note(sliver->height, spacing_around(mesh_.positions[sliver->apex], spacing_.type));
   flip(face, across->second, *sliver);
 }
 
@@ -125,8 +125,8 @@ Displacement SliverFlipper::flip_all() {
 }  // namespace
 
 Displacement flip_slivers(Assembly& assembly, const std::vector<Index>& faces, double spacings,
-                          Scalar coordinate) {
-  return SliverFlipper(assembly, faces, spacings, coordinate).flip_all();
+                          const Spacings& spacing) {
+  return SliverFlipper(assembly, faces, spacings, spacing).flip_all();
 }
 
 }  // namespace transformesh

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tm/clean/rounding/displacement.h"
+#include "tm/clean/rounding/local_distance.h"
 #include "tm/clean/stitch/assemble.h"
 
 namespace transformesh {
@@ -17,6 +18,6 @@ namespace transformesh {
 /// Equal positions have equal indices. `faces` are those that are flipped if they are lower than
 /// `spacings` at their apex. Vanished faces name a vertex twice. Returns the largest height.
 Displacement flip_slivers(Assembly& assembly, const std::vector<Index>& faces, double spacings,
-                          Scalar coordinate);
+                          const Spacings& spacing);
 
 }  // namespace transformesh

@@ -27,6 +27,7 @@ constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are
 constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before
 constexpr std::size_t few_pairs = 1000;
+constexpr std::size_t most_broken_share = 3;
 /// How close new vertices become one where nothing is broken, in spacings.
 constexpr double close_to_new = 0.75;
 
@@ -75,6 +76,7 @@ class SnapRounder {
  private:
   bool repair(Assembly& assembly, int start);
   Assembly begin_anew(const CleanPass& pass, int start);
+  void choose_spacings(int start, std::size_t broken, std::size_t faces);
   void round_and_merge(Assembly& assembly);
   void mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most);
   bool clean_again(Assembly& assembly, const GivenCells& given, int level = 1);
@@ -85,6 +87,7 @@ class SnapRounder {
   const Mesh& mesh_;
   const SnapRoundingOptions& options_;
   const Progress& progress_;
+  Spacings spacing_;            ///< those that count
   std::size_t most_pairs_ = 0;  ///< with more than these, repair is hopeless
   bool is_hopeless_ = false;
   std::string place_;            ///< the first place that was broken
@@ -115,16 +118,15 @@ void SnapRounder::round_and_merge(Assembly& assembly) {
     const double spacing = spacing_around(position, options_.coordinate);
     moved.note(std::numbers::sqrt3 / 2 * spacing, spacing);
   }
-  moved += merge_close_vertices(assembly, find_new_faces(assembly), {close_to_new, false},
-                                options_.coordinate);
+  moved +=
+      merge_close_vertices(assembly, find_new_faces(assembly), {close_to_new, false}, spacing_);
   result_.displacement += moved;
 }
 
 // Unites what is close around the broken faces.
 void SnapRounder::mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most) {
-  const Scalar type = options_.coordinate;
   result_.displacement += merge_close_vertices(assembly, with_faces_around(assembly.mesh, broken),
-                                               {most.vertices, most.moves_input}, type);
+                                               {most.vertices, most.moves_input}, spacing_);
   drop_collapsed_faces(assembly);
   broken = find_broken_faces(assembly);
   const auto mend_by = [&](const auto& unite) {
@@ -135,11 +137,12 @@ void SnapRounder::mend(Assembly& assembly, std::vector<Index> broken, const Tole
     drop_collapsed_faces(assembly);
     broken = find_broken_faces(assembly);
   };
-  mend_by([&](const auto& around) { return flip_slivers(assembly, around, most.slivers, type); });
+  mend_by(
+      [&](const auto& around) { return flip_slivers(assembly, around, most.slivers, spacing_); });
   mend_by([&](const auto&) {
-    return push_out(assembly, broken, {most.push, most.moves_input}, type);
+    return push_out(assembly, broken, {most.push, most.moves_input}, spacing_);
   });
-  mend_by([&](const auto&) { return split_at_contacts(assembly, most.slivers, type); });
+  mend_by([&](const auto&) { return split_at_contacts(assembly, most.slivers, spacing_); });
 }
 
 // Cleans what was rounded, and gives thin cells away. Returns whether nothing is left to be rounded
@@ -149,8 +152,8 @@ bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int l
   bool is_given = false;
   if (cells.spacings > 0 && !options_.is_open)
     options.change_kept = [&](Arrangement& arrangement, std::vector<char>& kept) {
-      const auto given = give_thin_cells_away(arrangement, kept, cells.spacings,
-                                              options_.coordinate, cells.marked_faces);
+      const auto given =
+          give_thin_cells_away(arrangement, kept, cells.spacings, spacing_, cells.marked_faces);
       is_given = given.has_value();
       if (given) result_.displacement += *given;
     };
@@ -169,6 +172,13 @@ bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int l
   return pass.pairs == 0 && !is_given && assembly.split_edges == 0 && !options_.is_open;
 }
 
+// Small distances matter where coordinates are small, but not where rounding breaks a good part of
+// the faces: what is extreme in every direction is better made simpler. So are the last starts.
+void SnapRounder::choose_spacings(int start, std::size_t broken, std::size_t faces) {
+  if (start > last_given || (start == 0 && broken > faces / most_broken_share))
+    spacing_.are_per_axis = false;
+}
+
 // Rounds, and then mends and cleans what rounding broke, until cleaning changes nothing. What is
 // whole at once need not be cleaned again, unless the mesh is open: then other fans close its
 // borders now. Returns whether it succeeded.
@@ -182,6 +192,7 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     if (broken.empty() && round == 0 && !options_.is_open) return true;
     vain = broken.empty() || broken.size() < fewest ? 0 : vain + 1;
     if (vain == most_vain) return false;
+    if (round == 0) choose_spacings(start, broken.size(), assembly.mesh.faces.size());
     fewest = std::min(fewest, broken.size());
     const Tolerances most = tolerances(start, round);
     for (const Index face : broken) is_broken_[assembly.source_face[face]] = 1;
@@ -264,7 +275,8 @@ Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
 
 SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
-  most_pairs_ = 4 * pass.pairs + few_pairs;
+  spacing_.type = options_.coordinate;
+  most_pairs_ = pass.pairs + few_pairs;
   is_broken_.assign(mesh_.faces.size(), 0);
   Assembly assembly = pass.assembly;
   for (int start = 0; !repair(assembly, start);) {

@@ -8,11 +8,13 @@
 /// crosses barely comes to share corners (contact_splits.h), and the surface is cleaned again,
 /// where cells too thin to matter go to the side that leaves less surface (thin_cells.h). What
 /// counts as close and thin is 3 and 4 spacings at first, and grows by 2^(1/4) and 2^(1/2) from
-/// round to round. Where two rounds in a row leave no fewer faces broken, all starts over, three
-/// rounds ahead; the first three times from the input's exact arrangement, in which cells beside
-/// the broken faces are given away that are thinner than 256, 2048 and 16384 spacings: sheets that
-/// cross at tiny angles within these would be crossed anew by every rounding. (Not so open meshes,
-/// and those whose faces meet more than 60 others on average: their arrangement is too large.)
+/// round to round; spacings are those along each axis (local_distance.h), unless rounding breaks
+/// more than a third of the faces. Where two rounds in a row leave no fewer faces broken, all
+/// starts over, three rounds ahead; the first three times from the input's exact arrangement, in
+/// which cells beside the broken faces are given away that are thinner than 256, 2048 and 16384
+/// spacings: sheets that cross at tiny angles within these would be crossed anew by every rounding.
+/// (Not so open meshes, and those whose faces meet more than 60 others on average: their
+/// arrangement is too large.)
 ///
 /// Guaranteed: the result has no crossing. All that moves or goes is within `displacement` of where
 /// it was, so winding numbers farther than that from the surface are those of the input (a homotopy

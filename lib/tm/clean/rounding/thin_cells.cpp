@@ -21,7 +21,7 @@ constexpr double measuring_error = std::numeric_limits<double>::epsilon() / 2;
 /// front of it and 2 * patch + 1 behind it; a cell is named by one of its sides.
 class LabeledCells {
  public:
-  LabeledCells(Arrangement& arrangement, const std::vector<char>& kept, Scalar coordinate);
+  LabeledCells(Arrangement& arrangement, const std::vector<char>& kept, const Spacings& spacing);
   std::optional<Displacement> give_thin_ones_away(double spacings,
                                                   const std::vector<char>& marked_faces);
   void keep_boundary(std::vector<char>& kept) const;
@@ -42,7 +42,7 @@ class LabeledCells {
   void visit_corners(Index cell, const Visit& visit) const;
 
   Arrangement& arrangement_;
-  Scalar coordinate_;
+  const Spacings& spacing_;
   Patches patches_;
   std::vector<Index> cell_of_;             ///< per side
   std::vector<std::vector<Index>> sides_;  ///< per cell
@@ -53,8 +53,8 @@ class LabeledCells {
 };
 
 LabeledCells::LabeledCells(Arrangement& arrangement, const std::vector<char>& kept,
-                           Scalar coordinate)
-    : arrangement_(arrangement), coordinate_(coordinate), patches_(arrangement) {
+                           const Spacings& spacing)
+    : arrangement_(arrangement), spacing_(spacing), patches_(arrangement) {
   DisjointSets sides = join_sides_around_edges(arrangement, patches_);
   const auto count = static_cast<Index>(2 * patches_.size());
   sides_.resize(count);
@@ -140,14 +140,15 @@ bool LabeledCells::is_thin(Index cell, double spacings, Displacement& thickness)
     const double height = height_over(plane.triangle, plane.normal, p);
     low = std::min(low, height);
     high = std::max(high, height);
-    const double error = measuring_error * (p - plane.triangle[0]).stableNorm();
-    const double spacing = spacing_around(p, coordinate_);
+    const Vec3 apart = (p - plane.triangle[0]).cwiseProduct(leads_along(plane.normal));
+    const double error = measuring_error * apart.stableNorm();
+    const double spacing = spacing_.along(plane.normal, p);
     is_thin = std::max(high - height, height - low) + error <= spacings * spacing;
     return is_thin;
   };
   visit_corners(cell, check);
   if (is_thin) visit_corners(cell, check);  // now that both planes are known
-  if (is_thin) thickness.note(high - low, spacing_around(plane.triangle[0], coordinate_));
+  if (is_thin) thickness.note(high - low, spacing_around(plane.triangle[0], spacing_.type));
   return is_thin;
 }
 
@@ -206,9 +207,9 @@ void LabeledCells::keep_boundary(std::vector<char>& kept) const {
 }  // namespace
 
 std::optional<Displacement> give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
-                                                 double spacings, Scalar coordinate,
+                                                 double spacings, const Spacings& spacing,
                                                  const std::vector<char>& marked_faces) {
-  LabeledCells cells(arrangement, kept, coordinate);
+  LabeledCells cells(arrangement, kept, spacing);
   const std::optional<Displacement> given = cells.give_thin_ones_away(spacings, marked_faces);
   if (given) cells.keep_boundary(kept);
   return given;

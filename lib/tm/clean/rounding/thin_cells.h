@@ -10,6 +10,7 @@
 
 #include "tm/clean/arrange/arrange.h"
 #include "tm/clean/rounding/displacement.h"
+#include "tm/clean/rounding/local_distance.h"
 
 namespace transformesh {
 
@@ -18,7 +19,7 @@ namespace transformesh {
 /// Where faces of the arranged mesh are marked, only cells beside them go.
 /// Returns the thickness of the thickest thin cell where one was given away.
 std::optional<Displacement> give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
-                                                 double spacings, Scalar coordinate,
+                                                 double spacings, const Spacings& spacing,
                                                  const std::vector<char>& marked_faces = {});
 
 }  // namespace transformesh

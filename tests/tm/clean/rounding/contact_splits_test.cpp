@@ -23,7 +23,7 @@ Mesh pricked_cube(double depth) {
 TEST_CASE("a corner that is a few spacings deep in a face splits it") {
   const Mesh before = pricked_cube(2 * 0x1p-52);
   Assembly assembly = test::assembly_of(before);
-  const Displacement moved = split_at_contacts(assembly, 4, Scalar::float64);
+  const Displacement moved = split_at_contacts(assembly, 4, {Scalar::float64});
   CHECK(moved.spacings > 0);
   CHECK(assembly.mesh.faces.size() == before.faces.size() + 2);
   CHECK(assembly.mesh.positions == before.positions);
@@ -33,7 +33,7 @@ TEST_CASE("a corner that is a few spacings deep in a face splits it") {
 
 TEST_CASE("a corner that is deep in a face does not") {
   Assembly assembly = test::assembly_of(pricked_cube(0.1));
-  CHECK(split_at_contacts(assembly, 4, Scalar::float64).spacings == 0);
+  CHECK(split_at_contacts(assembly, 4, {Scalar::float64}).spacings == 0);
   CHECK(assembly.mesh.faces.size() == 16);
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("edges that pass each other closely are both split at one position") {
   for (Vec3& p : both.positions) p.z() += 1;
   for (Index v = 4; v < 6; ++v) both.positions[v].z() = 1 - 0x1p-51;
   Assembly assembly = test::assembly_of(both);
-  CHECK(split_at_contacts(assembly, 4, Scalar::float64).spacings > 0);
+  CHECK(split_at_contacts(assembly, 4, {Scalar::float64}).spacings > 0);
   CHECK(assembly.mesh.positions.size() == 9);
   CHECK(assembly.mesh.faces.size() == 12);
   CHECK(test::count(assembly.mesh).is_closed_and_oriented);

@@ -33,7 +33,7 @@ struct Cells {
     return sum / 6;
   }
   std::optional<Displacement> give(double spacings, const std::vector<char>& marked_faces = {}) {
-    return give_thin_cells_away(arrangement, kept, spacings, Scalar::float32, marked_faces);
+    return give_thin_cells_away(arrangement, kept, spacings, {Scalar::float32}, marked_faces);
   }
 
   Arrangement arrangement;
