@@ -43,9 +43,13 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
     if (result.cut_faces > 0) result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
   }
   // A mesh of a single patch has nothing inside.
+  result.connectivity = std::move(pass.connectivity);
   if (options.outermost && (result.changed || result.patches != 1)) {
-    result.dropped_components = drop_enclosed_components(result.mesh);
+    const auto& known = result.connectivity;
+    result.dropped_components = known ? drop_enclosed_components(result.mesh, known->components)
+                                      : drop_enclosed_components(result.mesh);
     result.changed |= result.dropped_components > 0;
+    if (result.dropped_components > 0) result.connectivity.reset();
   }
   if (options.refuse && result.changed) {
     const bool only_joins =

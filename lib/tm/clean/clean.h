@@ -17,11 +17,12 @@
 /// meshes; about 250 bytes a face.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tm/clean/exterior/exterior_method.h"
-#include "tm/mesh/mesh.h"
+#include "tm/mesh/components.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
@@ -44,13 +45,13 @@ struct CleanResult {
   std::size_t copied_vertices = 0;  ///< duplicates made at singular vertices and edges
   std::size_t patches = 0;
   std::size_t rays = 0;
-  std::size_t dropped_components = 0;  ///< by `outermost`
-  std::size_t rounding_repairs = 0;    ///< rounds of repair after rounding (snap_rounding.h)
-  std::size_t rounding_places = 0;     ///< places where rounding broke faces
-  double rounding_displacement = 0;    ///< how far rounding moved the surface at most
-  double rounding_spacings = 0;        ///< the same in spacings of numbers at each place
-  std::vector<std::string>
-      dropped_columns;  ///< texture coordinates of corners, where faces were cut
+  std::size_t dropped_components = 0;        ///< by `outermost`
+  std::size_t rounding_repairs = 0;          ///< rounds of repair after rounding (snap_rounding.h)
+  std::size_t rounding_places = 0;           ///< places where rounding broke faces
+  double rounding_displacement = 0;          ///< how far rounding moved the surface at most
+  double rounding_spacings = 0;              ///< the same in spacings of numbers at each place
+  std::vector<std::string> dropped_columns;  ///< texture coordinates of corners, on cut faces
+  std::optional<Connectivity> connectivity;  ///< of the mesh, where there was nothing to change
 };
 
 CleanResult clean(const Mesh& mesh, const CleanOptions& options = {},

@@ -12,10 +12,7 @@
 namespace transformesh {
 namespace {
 
-Topology topology_of(const Mesh& mesh) {
-  const Components found = connected_components(mesh);
-  return {found.components.size(), found.genus()};
-}
+Topology topology_of(const Components& found) { return {found.components.size(), found.genus()}; }
 
 RemeshOptions remesh_options(const Document& document, const IterationOptions& options) {
   const auto resolved = [&](const Length& length) {
@@ -81,14 +78,21 @@ CleanedTopology clean_in_place(Document& document, const Progress& progress, boo
   CleanResult result = clean(
       document.mesh, {.outermost = outermost, .coordinate = document.style.coordinate}, progress);
   document.mesh = std::move(result.mesh);
-  const Topology topology = topology_of(document.mesh);
   round_as_written(document);
-  return {topology, result.changed, result.pairs};
+  CleanedTopology cleaned{{}, result.changed, result.pairs, {}};
+  if (result.connectivity) {
+    cleaned.topology = topology_of(result.connectivity->components);
+    cleaned.opposites = std::move(result.connectivity->opposites);
+  } else {
+    cleaned.topology = topology_of(connected_components(document.mesh));
+  }
+  return cleaned;
 }
 
 RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
-                             const Progress& progress) {
-  RemeshResult result = remesh(document.mesh, remesh_options(document, options), progress);
+                             const Progress& progress, std::vector<Index> opposites) {
+  RemeshResult result =
+      remesh(document.mesh, remesh_options(document, options), progress, std::move(opposites));
   round_as_written(document);
   return result;
 }
@@ -102,11 +106,12 @@ IterationResult iterate(Document& document, const Step& step, const IterationOpt
   round_as_written(document);
   result.seconds_step = watch.lap();
 
-  const CleanedTopology cleaned = clean_in_place(document, progress, options.outermost);
+  CleanedTopology cleaned = clean_in_place(document, progress, options.outermost);
   result.pairs = cleaned.pairs;
   result.seconds_clean = watch.lap();
 
-  const RemeshResult remeshed = remesh_in_place(document, options, progress);
+  const RemeshResult remeshed =
+      remesh_in_place(document, options, progress, std::move(cleaned.opposites));
   result.topology = {cleaned.topology.components - remeshed.components_removed,
                      cleaned.topology.genus};
   result.faces = document.mesh.faces.size();

@@ -77,12 +77,14 @@ IterationResult iterate(Document& document, const Step& step, const IterationOpt
 
 /// Its third part alone.
 RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
-                             const Progress& progress = Progress());
+                             const Progress& progress = Progress(),
+                             std::vector<Index> opposites = {});
 
 struct CleanedTopology {
   Topology topology;
   bool changed = false;
   std::size_t pairs = 0;
+  std::vector<Index> opposites;  ///< for remesh(), where they were found
 };
 
 /// clean(), rounded as written.

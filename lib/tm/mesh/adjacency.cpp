@@ -1,7 +1,5 @@
 #include "tm/mesh/adjacency.h"
 
-#include "tm/mesh/edges.h"
-
 namespace transformesh {
 namespace {
 
@@ -13,7 +11,36 @@ void for_each_distinct_corner(const Face& face, const Visit& visit) {
   if (face[2] != face[0] && face[2] != face[1]) visit(face[2]);
 }
 
+/// Whether the faces at each vertex go around it once. Pre: every halfedge has an opposite.
+bool has_single_fans(const Mesh& mesh, std::span<const Index> opposites) {
+  std::vector<char> is_reached(opposites.size(), 0);  // per halfedge, by the vertex it leaves
+  std::vector<char> has_fan(mesh.positions.size(), 0);
+  for (Index first = 0; first < opposites.size(); ++first) {
+    if (is_reached[first]) continue;
+    char& is_second = has_fan[halfedge_source(mesh, first)];
+    if (is_second) return false;
+    is_second = 1;
+    for (Index h = first; !is_reached[h]; h = opposites[previous_halfedge(h)]) is_reached[h] = 1;
+  }
+  return true;
+}
+
 }  // namespace
+
+std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, const Edges& edges) {
+  if (2 * edges.size() != 3 * mesh.faces.size()) return std::nullopt;
+  std::vector<Index> opposites(3 * mesh.faces.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    if (halfedges.size() != 2) return std::nullopt;
+    const auto [first, second] = std::pair(halfedges[0], halfedges[1]);
+    if (halfedge_source(mesh, first) == halfedge_source(mesh, second)) return std::nullopt;
+    opposites[first] = second;
+    opposites[second] = first;
+  }
+  if (!has_single_fans(mesh, opposites)) return std::nullopt;
+  return opposites;
+}
 
 std::vector<Index> opposite_halfedges(const Mesh& mesh) {
   std::vector<Index> opposite = neighbors_across(Edges(mesh), mesh.faces.size());

@@ -1,10 +1,11 @@
 /// Which halfedge lies across each halfedge, and which faces meet at each vertex.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "tm/mesh/mesh.h"
+#include "tm/mesh/edges.h"
 
 namespace transformesh {
 
@@ -12,6 +13,10 @@ namespace transformesh {
 /// no_index on a border, on an edge with more than two faces, and where both faces run the same
 /// way. Vertices are the same when their indices are. O(n); deterministic.
 std::vector<Index> opposite_halfedges(const Mesh& mesh);
+
+/// The same, given the edges, where the mesh is a closed oriented manifold; nothing where it is
+/// none.
+std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, const Edges& edges);
 
 /// The faces around each vertex in ascending order, as one array with offsets.
 class VertexFaces {

@@ -36,6 +36,30 @@ Components numbered_components(const Mesh& mesh) {
   return result;
 }
 
+/// The same across edges: a manifold hangs together there.
+Components numbered_components(const Mesh& mesh, std::span<const Index> opposites) {
+  Components result;
+  result.of_face.assign(mesh.faces.size(), no_index);
+  std::vector<Index> stack;
+  const auto reach = [&](Index face, Index component) {
+    if (result.of_face[face] != no_index) return;
+    result.of_face[face] = component;
+    stack.push_back(face);
+  };
+  for (Index seed = 0; seed < mesh.faces.size(); ++seed) {
+    if (result.of_face[seed] != no_index) continue;
+    const auto component = static_cast<Index>(result.components.size());
+    result.components.emplace_back();
+    reach(seed, component);
+    while (!stack.empty()) {
+      const Index face = stack.back();
+      stack.pop_back();
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) reach(opposites[h] / 3, component);
+    }
+  }
+  return result;
+}
+
 /// Counts faces and vertices, and sums up volumes.
 void count_faces(const Mesh& mesh, Components& result) {
   const Box box = bounding_box(mesh);
@@ -72,6 +96,13 @@ Components connected_components(const Mesh& mesh) {
   if (is_closed) return result;
   for (const Index halfedge : boundary_loops(edges, find_fans(mesh, edges)))
     ++component_of(halfedge).boundary_loops;
+  return result;
+}
+
+Components connected_components(const Mesh& mesh, std::span<const Index> opposites) {
+  Components result = numbered_components(mesh, opposites);
+  count_faces(mesh, result);
+  for (Component& component : result.components) component.edges = component.faces / 2 * 3;
   return result;
 }
 

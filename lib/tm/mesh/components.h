@@ -1,6 +1,7 @@
 /// Connected components: faces that share a vertex index are connected.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tm/mesh/mesh.h"
@@ -27,6 +28,14 @@ struct Components {
 };
 
 Components connected_components(const Mesh& mesh);
+/// The same of a closed oriented manifold, given its opposite halfedges: several times as fast.
+Components connected_components(const Mesh& mesh, std::span<const Index> opposites);
+
+/// How a closed oriented manifold hangs together.
+struct Connectivity {
+  std::vector<Index> opposites;  ///< opposite_halfedges() of adjacency.h
+  Components components;
+};
 
 /// The faces for which keep[face] holds, in order, with the vertices that they use, in order, and
 /// all columns.

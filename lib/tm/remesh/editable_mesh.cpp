@@ -15,8 +15,11 @@ constexpr const char* advice = "; mend it with tm-stitch --orient";
 
 }  // namespace
 
-EditableMesh::EditableMesh(const Mesh& mesh)
+EditableMesh::EditableMesh(const Mesh& mesh) : EditableMesh(mesh, manifold_opposites(mesh)) {}
+
+EditableMesh::EditableMesh(const Mesh& mesh, std::vector<Index> opposites)
     : positions_(mesh.positions),
+      opposites_(std::move(opposites)),
       outgoing_(mesh.positions.size(), no_index),
       vertex_rows_(mesh.positions.size()),
       face_rows_(mesh.faces.size()),
@@ -27,7 +30,6 @@ EditableMesh::EditableMesh(const Mesh& mesh)
   for (const Face& face : mesh.faces) sources_.insert(sources_.end(), face.begin(), face.end());
   std::iota(vertex_rows_.begin(), vertex_rows_.end(), 0U);
   std::iota(face_rows_.begin(), face_rows_.end(), 0U);
-  opposites_ = manifold_opposites(mesh);
   has_borders_ = std::find(opposites_.begin(), opposites_.end(), no_index) != opposites_.end();
   find_outgoing();
 }

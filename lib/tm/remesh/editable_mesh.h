@@ -18,6 +18,8 @@ class EditableMesh {
   /// range, a corner repeated, an edge with three faces or two that run alike, a vertex with more
   /// than one fan. O(n).
   explicit EditableMesh(const Mesh& mesh);
+  /// With its manifold_opposites() (halfedges.h), which are known already.
+  EditableMesh(const Mesh& mesh, std::vector<Index> opposites);
   /// Living vertices and faces in slot order: survivors first, new ones behind.
   Mesh to_mesh() const;
 

@@ -10,6 +10,7 @@
 #include "tm/remesh/edge_rules.h"
 #include "tm/remesh/even_out.h"
 #include "tm/remesh/flip.h"
+#include "tm/remesh/halfedges.h"
 #include "tm/remesh/sizing.h"
 #include "tm/remesh/small_components.h"
 #include "tm/remesh/smooth.h"
@@ -277,13 +278,15 @@ void iterate(const Task& task, bool is_first, bool is_finish) {
 
 }  // namespace
 
-RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress) {
+RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress,
+                    std::vector<Index> opposites) {
   if (mesh.faces.empty() || mesh.positions.empty())
     throw InputError("the mesh has no faces, so there is nothing to remesh");
   check_size(mesh);
   check_options(options);
   progress("connect");
-  EditableMesh editable(mesh);
+  if (opposites.empty()) opposites = manifold_opposites(mesh);
+  EditableMesh editable(mesh, std::move(opposites));
   editable.set_coordinate(options.coordinate);
   const EdgeLimits limits = set_sizes(editable, mesh, options);
   check_number_of_faces(editable, limits.longest);

@@ -58,6 +58,8 @@ struct RemeshResult {
 
 /// Throws UsageError for options out of range, InputError for what is no oriented manifold (with
 /// face ids), has no faces or no sizes in the column, GoalError where nothing would be left.
-RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress = {});
+/// `opposites`: those of the halfedges (adjacency.h), if they are known.
+RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress = {},
+                    std::vector<Index> opposites = {});
 
 }  // namespace transformesh

@@ -214,8 +214,11 @@ Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod
 }
 
 std::size_t drop_enclosed_components(Mesh& mesh) {
-  // Nothing lies inside a clean mesh but cavities and what floats in them.
-  const Components components = connected_components(mesh);
+  return drop_enclosed_components(mesh, connected_components(mesh));
+}
+
+// Nothing lies inside a clean mesh but cavities and what floats in them.
+std::size_t drop_enclosed_components(Mesh& mesh, const Components& components) {
   std::vector<char> is_cavity;
   for (const Component& c : components.components) {
     is_cavity.push_back(c.boundary_loops == 0 && c.volume < 0);

@@ -16,6 +16,7 @@
 #include "tm/clean/arrange/arrange.h"
 #include "tm/clean/exterior/close_borders.h"
 #include "tm/clean/exterior/exterior_method.h"
+#include "tm/mesh/components.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
@@ -34,5 +35,7 @@ Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod
 /// considered): drops the components that bound cavities, and those that float in cavities. Returns
 /// how many it dropped.
 std::size_t drop_enclosed_components(Mesh& mesh);
+/// The same, given the components.
+std::size_t drop_enclosed_components(Mesh& mesh, const Components& components);
 
 }  // namespace transformesh

@@ -7,9 +7,11 @@
 #include "tm/clean/arrange/arrange.h"
 #include "tm/clean/exterior/close_borders.h"
 #include "tm/clean/exterior/exterior_arrangement.h"
+#include "tm/clean/exterior/winding_ray.h"
 #include "tm/clean/intersect/intersect.h"
 #include "tm/clean/open/borders.h"
 #include "tm/clean/open/enclosed_sheets.h"
+#include "tm/mesh/adjacency.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -46,6 +48,7 @@ class Pass {
   CleanPass run();
 
  private:
+  bool find_all_exterior();
   bool arrange_what_is_exterior(const std::vector<Meeting>& meetings);
   void arrange_everything(const std::vector<Meeting>& meetings);
 
@@ -58,6 +61,32 @@ class Pass {
   std::size_t whole_faces_ = 0;
   CleanPass pass_;
 };
+
+// Where nothing meets in a closed manifold, a ray for each component says whether all of it stays:
+// then nothing need be arranged or stitched. Returns whether that is so.
+bool Pass::find_all_exterior() {
+  if (welded_->points.size() != mesh_.positions.size() ||
+      welded_->faces.size() != mesh_.faces.size())
+    return false;
+  std::optional<std::vector<Index>> opposites = closed_opposites(mesh_, welded_->edges);
+  if (!opposites) return false;
+  progress_("arrange");
+  Components components = connected_components(mesh_, *opposites);
+  const std::size_t count = components.components.size();
+  const WindingRay ray(*welded_, count);
+  const ExactGeometry geometry(welded_->points, welded_->faces);
+  std::size_t seen = 0;
+  for (Index f = 0; seen < count; ++f) {
+    if (components.of_face[f] != seen) continue;
+    const auto& [a, b, c] = welded_->faces[f];
+    const int w = ray.in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, f);
+    if (w >= options_.level || w + 1 < options_.level) return false;
+    ++seen;
+  }
+  pass_.exterior.rays = count;
+  pass_.connectivity = {std::move(*opposites), std::move(components)};
+  return true;
+}
 
 // Returns whether there is anything.
 bool Pass::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
@@ -93,6 +122,11 @@ CleanPass Pass::run() {
   pass_.is_open = !borders_.loops.empty();
   const bool needs_everything =
       pass_.is_open || options_.change_kept || options_.method == ExteriorMethod::static_test;
+  if (!needs_everything && pass_.pairs == 0 && find_all_exterior()) {
+    progress_("stitch");
+    pass_.unchanged = true;
+    return std::move(pass_);
+  }
   if (needs_everything || !arrange_what_is_exterior(meetings)) arrange_everything(meetings);
 
   count_faces(mesh_, arrangement_, whole_faces_, borders_, pass_);

@@ -6,10 +6,11 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "tm/clean/exterior/exterior.h"
 #include "tm/clean/stitch/assemble.h"
-#include "tm/mesh/mesh.h"
+#include "tm/mesh/components.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
@@ -21,6 +22,8 @@ struct CleanPass {
   Exterior exterior;
   bool is_open = false;  ///< the mesh has borders
   bool unchanged = false;
+  /// Of a mesh that is a closed manifold, in which nothing meets and all is exterior.
+  std::optional<Connectivity> connectivity;
   Assembly assembly;  ///< empty where unchanged
 };
 
