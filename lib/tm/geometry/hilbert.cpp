@@ -167,4 +167,12 @@ std::vector<Index> hilbert_order(std::span<const FloatBox> boxes) {
   return order;
 }
 
+std::vector<Index> hilbert_order(std::span<const Vec3> points) {
+  std::vector<FloatBox> boxes(points.size());
+  parallel_for(points.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p) boxes[p] = float_box(points[p], points[p]);
+  });
+  return hilbert_order(boxes);
+}
+
 }  // namespace transformesh

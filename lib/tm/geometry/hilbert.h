@@ -22,5 +22,7 @@ std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell);
 /// The boxes in order along the curve; equal cells by index. Infinite bounds count as the largest
 /// float. Cost: O(n) for boxes in distinct cells, O(n log n) at worst; deterministic.
 std::vector<Index> hilbert_order(std::span<const FloatBox> boxes);
+/// The same for points.
+std::vector<Index> hilbert_order(std::span<const Vec3> points);
 
 }  // namespace transformesh

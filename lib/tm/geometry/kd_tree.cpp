@@ -63,12 +63,24 @@ std::vector<FloatBox> point_boxes(std::span<const Vec3> points) {
   return boxes;
 }
 
+std::vector<Vec3> in_order(std::span<const Vec3> points, std::span<const Index> order) {
+  std::vector<Vec3> result;
+  result.reserve(order.size());
+  for (const Index index : order) result.push_back(points[index]);
+  return result;
+}
+
 }  // namespace
 
-KdTree::KdTree(std::span<const Vec3> points) : tree_(point_boxes(points), bucket_size) {
-  points_.reserve(points.size());
-  for (const Index index : tree_.order()) points_.push_back(points[index]);
-}
+KdTree::KdTree(std::span<const Vec3> points)
+    : tree_(point_boxes(points), bucket_size),
+      order_(tree_.order()),
+      points_(in_order(points, order_)) {}
+
+KdTree::KdTree(std::span<const Vec3> points, std::span<const Index> order)
+    : tree_(point_boxes(in_order(points, order)), bucket_size, BoxOrder::of_tree),
+      order_(order.begin(), order.end()),
+      points_(in_order(points, order)) {}
 
 template <class Found>
 void KdTree::search(const Vec3& query, Found& found) const {
@@ -77,7 +89,7 @@ void KdTree::search(const Vec3& query, Found& found) const {
       [&](std::size_t place) {
         const Vec3 offset = points_[place] - query;
         found.offer(
-            {MedianTree::squared_length(offset.x(), offset.y(), offset.z()), tree_.order()[place]});
+            {MedianTree::squared_length(offset.x(), offset.y(), offset.z()), order_[place]});
       });
 }
 

@@ -5,7 +5,6 @@
 
 #include "tm/mesh/digits.h"
 #include "tm/mesh/location_text.h"
-#include "tm/mesh/measure.h"
 #include "tm/mesh/surface_columns.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
@@ -62,9 +61,13 @@ void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
 
 DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
                         const DisplaceOptions& options) {
+  return displace(mesh, velocities, options, halfedge_lengths(mesh));
+}
+
+DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
+                        const DisplaceOptions& options, const HalfedgeLengths& edges) {
   check(mesh, velocities, options);
   const std::size_t count = mesh.positions.size();
-  const HalfedgeLengths edges = halfedge_lengths(mesh);
 
   // Move, and note how far each vertex went and how close to its clamp.
   std::vector<double> lengths(count, 0);

@@ -13,7 +13,7 @@
 
 #include <span>
 
-#include "tm/mesh/mesh.h"
+#include "tm/mesh/measure.h"
 
 namespace transformesh {
 
@@ -37,5 +37,8 @@ struct DisplaceResult {
 /// vertices, InputError for a velocity that is not finite, with the vertex.
 DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
                         const DisplaceOptions& options = {});
+/// The same, given the lengths of the edges.
+DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
+                        const DisplaceOptions& options, const HalfedgeLengths& edges);
 
 }  // namespace transformesh

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tm/geometry/hilbert.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/measure.h"
 #include "tm/step/sample_distance.h"
@@ -32,11 +33,12 @@ std::vector<double> room_for_thickness(const Mesh& mesh, const Target& target) {
   return room;
 }
 
-Found search_surface(const Mesh& mesh, const TargetQuery& query, double exact_within) {
+Found search_surface(const Mesh& mesh, const TargetQuery& query, double exact_within,
+                     std::span<const Index> order) {
   const Target& target = query.target();
   const ClosestPointQuery& closest = query.surface();
   Found found{{}, room_for_thickness(mesh, target)};
-  found.distances = sample_distance(mesh.positions, exact_within, [&](Index v, double sign) {
+  found.distances = sample_distance(mesh.positions, order, exact_within, [&](Index v, double sign) {
     const Vec3& p = mesh.positions[v];
     if (sign != 0) return searched_distance(p, closest.nearby(p, far_tolerance), sign);
     const ClosestPoint q = closest(p);
@@ -125,7 +127,8 @@ DistanceSummary summary(std::span<const double> distances) {
 }  // namespace
 
 MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
-                                 const MorphOptions& options, const Progress& progress) {
+                                 const MorphOptions& options, const Progress& progress,
+                                 std::vector<Index> order) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces to move");
   const bool by_surface = options.distance == MorphDistance::surface;
   if (by_surface && !target.target().is_mesh()) {
@@ -134,27 +137,31 @@ MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
 
   progress("distance to target");
   const std::size_t planes = options.distance == MorphDistance::points ? planes_of_points : 1;
-  Found found = by_surface ? search_surface(mesh, target, options.exact_within)
+  std::vector<Vec3> normals = vertex_normals(mesh);
+  if (by_surface && order.empty()) order = hilbert_order(mesh.positions);
+  Found found = by_surface ? search_surface(mesh, target, options.exact_within, order)
                            : search_vertices(mesh, target, planes);
 
   const std::vector<double>& phi = found.distances;
-  MorphVelocities result{vertex_normals(mesh), summary(phi), std::move(found.thickness)};
+  MorphVelocities result{std::move(normals), summary(phi), std::move(found.thickness)};
   for (std::size_t v = 0; v < phi.size(); ++v) result.velocities[v] *= -phi[v];
   return result;
 }
 
 DistanceSummary distance_from_target(const Target& target, const Mesh& mesh, double exact_within,
-                                     const Progress& progress) {
+                                     const Progress& progress, std::vector<Index> order) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces");
   progress("distance from target");
-  const KdTree tree(mesh.positions);
+  if (order.empty()) order = hilbert_order(mesh.positions);
+  const KdTree tree(mesh.positions, order);
   const VertexFaces faces_at(mesh);
   const std::vector<Vec3> points = thinned(target.mesh.positions, most_vertices_of_target);
-  return summary(sample_distance(points, exact_within, [&](Index point, double) {
+  const auto search = [&](Index point, double) {
     const Vec3& p = points[point];
     const Index nearest = tree.nearest(p);
     return searched_distance(p, closest_around_vertex(p, mesh, nearest, faces_at[nearest]));
-  }));
+  };
+  return summary(sample_distance(points, hilbert_order(points), exact_within, search));
 }
 
 }  // namespace transformesh

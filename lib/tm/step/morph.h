@@ -44,10 +44,12 @@ struct MorphVelocities {
   std::vector<double> thickness;
 };
 
-/// Throws InputError for a mesh without faces, UsageError for surface distance to points.
+/// `order`: hilbert_order() of the vertices, if it is known. Throws InputError for a mesh without
+/// faces, UsageError for surface distance to points.
 MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
                                  const MorphOptions& options = {},
-                                 const Progress& progress = Progress());
+                                 const Progress& progress = Progress(),
+                                 std::vector<Index> order = {});
 
 /// Distances from vertices of the target (all, or 513 to 1024 taken evenly from the list of more)
 /// to the surface of the mesh, which show what the mesh has missed. Only faces around the nearest
@@ -55,6 +57,7 @@ MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
 /// beyond `exact_within` distances are estimated. Throws InputError for a mesh without faces.
 DistanceSummary distance_from_target(const Target& target, const Mesh& mesh,
                                      double exact_within = std::numeric_limits<double>::infinity(),
-                                     const Progress& progress = Progress());
+                                     const Progress& progress = Progress(),
+                                     std::vector<Index> order = {});
 
 }  // namespace transformesh

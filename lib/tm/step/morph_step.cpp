@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "tm/mesh/measure.h"
+#include "tm/geometry/hilbert.h"
 #include "tm/step/velocity.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
@@ -37,17 +38,27 @@ MorphStepResult morph_step(Mesh& mesh, const TargetQuery& query, const MorphStep
   const auto natural = target.is_mesh() ? MorphDistance::surface : MorphDistance::points;
   result.distance = options.distance.value_or(natural);
 
-  const HalfedgeLengths edges = halfedge_lengths(mesh);
-  MorphVelocities morph =
-      morph_velocities(mesh, query, {result.distance, exact_within(options, edges)}, progress);
+  progress("distance to target");
+  HalfedgeLengths edges;
+  std::vector<Index> order;
+  parallel_invoke([&] { edges = halfedge_lengths(mesh); },
+                  [&] { order = hilbert_order(mesh.positions); });
+  MorphVelocities morph;
+  parallel_invoke(
+      [&] {
+        const MorphOptions how{result.distance, exact_within(options, edges)};
+        morph = morph_velocities(mesh, query, how, Progress(), order);
+      },
+      [&] {
+        const double near = far_from_target_in_edges * edges.mean;
+        result.from_target = distance_from_target(target, mesh, near, Progress(), order);
+      });
   result.to_target = morph.to_target;
-  result.from_target =
-      distance_from_target(target, mesh, far_from_target_in_edges * edges.mean, progress);
 
   if (!options.mask.empty()) apply_mask(mesh, options.mask, morph.velocities);
   if (options.gap_edges > 0 && !morph.thickness.empty()) set_sizes(mesh, morph.thickness, options);
   progress("displace");
-  result.displaced = displace(mesh, morph.velocities, options.displace);
+  result.displaced = displace(mesh, morph.velocities, options.displace, edges);
   return result;
 }
 

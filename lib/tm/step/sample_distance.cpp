@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "tm/geometry/hilbert.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -11,12 +10,6 @@ namespace {
 /// Runs along the curve have a fixed length, so that estimates do not depend on the threads.
 constexpr std::size_t run_length = 512;
 constexpr double reach = 0.4;  ///< of an estimate, as a share of the distance it starts from
-
-std::vector<Index> order_along_curve(std::span<const Vec3> points) {
-  std::vector<FloatBox> boxes(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p) boxes[p] = float_box(points[p], points[p]);
-  return hilbert_order(boxes);
-}
 
 /// The search made last, and what follows from it for points nearby.
 struct Anchor {
@@ -44,9 +37,8 @@ SearchedDistance searched_distance(const Vec3& point, const Vec3& closest, doubl
 }
 
 std::vector<double> sample_distance(
-    std::span<const Vec3> points, double exact_within,
+    std::span<const Vec3> points, std::span<const Index> order, double exact_within,
     const std::function<SearchedDistance(Index point, double sign)>& search) {
-  const std::vector<Index> order = order_along_curve(points);
   std::vector<double> distances(points.size());
   const std::size_t runs = (points.size() + run_length - 1) / run_length;
   parallel_for(runs, 1, [&](std::size_t first_run, std::size_t last_run) {

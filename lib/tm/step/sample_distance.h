@@ -25,11 +25,11 @@ struct SearchedDistance {
 /// How far a search may go wrong where the sign is known.
 inline constexpr double far_tolerance = 0.05;
 
-/// One distance per point. `search` takes the index of a point and is called from several threads
-/// at once; where `sign` is not 0 it is the sign of the distance, which may come out too large by
-/// far_tolerance.
+/// One distance per point, given their hilbert_order(). `search` takes the index of a point and is
+/// called from several threads at once; where `sign` is not 0 it is the sign of the distance, which
+/// may come out too large by far_tolerance.
 std::vector<double> sample_distance(
-    std::span<const Vec3> points, double exact_within,
+    std::span<const Vec3> points, std::span<const Index> order, double exact_within,
     const std::function<SearchedDistance(Index point, double sign)>& search);
 
 /// The distance from `point` to its closest point, taken with the sign given.

@@ -6,15 +6,26 @@
 #include "tm/clean/intersect/embedded_stars.h"
 #include "tm/geometry/bvh.h"
 #include "tm/geometry/sort_pairs.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
+
+constexpr std::size_t faces_per_task = 4096;
 
 // The welded face of each mesh face; no_index where it has no area.
 std::vector<Index> welded_faces(const WeldedMesh& welded, std::size_t mesh_faces) {
   std::vector<Index> result(mesh_faces, no_index);
   for (Index f = 0; f < welded.faces.size(); ++f) result[welded.face_of[f]] = f;
   return result;
+}
+
+std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> faces) {
+  std::vector<FloatBox> boxes(faces.size());
+  parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) boxes[i] = welded.box(faces[i]);
+  });
+  return boxes;
 }
 
 bool has_copies(const WeldedMesh& welded) {
@@ -55,17 +66,18 @@ std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<Face
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
   std::vector<Index> firsts;
-  std::vector<FloatBox> boxes;
   firsts.reserve(welded.faces.size());
-  boxes.reserve(welded.faces.size());
   for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (welded.first_copy[f] != f) continue;
-    firsts.push_back(f);
-    boxes.push_back(welded.box(f));
+    if (welded.first_copy[f] == f) firsts.push_back(f);
   }
+  std::vector<char> is_embedded;
+  Bvh bvh;
+  parallel_invoke([&] { is_embedded = find_embedded_stars(welded); },
+                  [&] {
+                    bvh = Bvh(boxes_of(welded, firsts), find_links(welded.points, welded.faces),
+                              firsts);
+                  });
   std::vector<std::vector<Meeting>> lists;
-  const std::vector<char> is_embedded = find_embedded_stars(welded);
-  const Bvh bvh(boxes, find_links(welded.points, welded.faces), firsts);
   bvh.visit_pairs([&](std::size_t count) { lists.resize(count); },
                   [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
                     for (const auto& [i, k] : pairs) {

@@ -158,8 +158,8 @@ WeldedMesh weld(const Mesh& mesh) {
 }
 
 void index_faces(WeldedMesh& welded) {
-  welded.edges = Edges(welded.faces, welded.points.size());
-  find_copies(welded);
+  parallel_invoke([&] { welded.edges = Edges(welded.faces, welded.points.size()); },
+                  [&] { find_copies(welded); });
 }
 
 }  // namespace transformesh

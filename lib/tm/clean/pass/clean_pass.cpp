@@ -13,6 +13,7 @@
 #include "tm/clean/open/enclosed_sheets.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/support/error.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
@@ -42,12 +43,11 @@ class Pass {
       : mesh_(mesh),
         options_(options),
         progress_(progress),
-        welded_(std::make_shared<const WeldedMesh>(weld(mesh))),
-        borders_(options.check_orientation ? find_oriented_borders(*welded_, mesh)
-                                           : find_borders(*welded_, mesh)) {}
+        welded_(std::make_shared<const WeldedMesh>(weld(mesh))) {}
   CleanPass run();
 
  private:
+  void find_borders_or_none();
   bool find_all_exterior();
   bool arrange_what_is_exterior(const std::vector<Meeting>& meetings);
   void arrange_everything(const std::vector<Meeting>& meetings);
@@ -56,22 +56,28 @@ class Pass {
   const PassOptions& options_;
   const Progress& progress_;
   std::shared_ptr<const WeldedMesh> welded_;
+  std::optional<std::vector<Index>> opposites_;  ///< of a closed manifold
   Borders borders_;
   Arrangement arrangement_;
   std::size_t whole_faces_ = 0;
   CleanPass pass_;
 };
 
+void Pass::find_borders_or_none() {
+  const bool is_as_given = welded_->points.size() == mesh_.positions.size() &&
+                           welded_->faces.size() == mesh_.faces.size();
+  if (is_as_given) opposites_ = closed_opposites(mesh_, welded_->edges);
+  if (opposites_) return;
+  borders_ = options_.check_orientation ? find_oriented_borders(*welded_, mesh_)
+                                        : find_borders(*welded_, mesh_);
+}
+
 // Where nothing meets in a closed manifold, a ray for each component says whether all of it stays:
 // then nothing need be arranged or stitched. Returns whether that is so.
 bool Pass::find_all_exterior() {
-  if (welded_->points.size() != mesh_.positions.size() ||
-      welded_->faces.size() != mesh_.faces.size())
-    return false;
-  std::optional<std::vector<Index>> opposites = closed_opposites(mesh_, welded_->edges);
-  if (!opposites) return false;
+  if (!opposites_) return false;
   progress_("arrange");
-  Components components = connected_components(mesh_, *opposites);
+  Components components = connected_components(mesh_, *opposites_);
   const std::size_t count = components.components.size();
   const WindingRay ray(*welded_, count);
   const ExactGeometry geometry(welded_->points, welded_->faces);
@@ -84,7 +90,7 @@ bool Pass::find_all_exterior() {
     ++seen;
   }
   pass_.exterior.rays = count;
-  pass_.connectivity = {std::move(*opposites), std::move(components)};
+  pass_.connectivity = {std::move(*opposites_), std::move(components)};
   return true;
 }
 
@@ -116,7 +122,9 @@ void Pass::arrange_everything(const std::vector<Meeting>& meetings) {
 
 // Where everything is needed, or nothing is kept and it is to be told why, everything is arranged.
 CleanPass Pass::run() {
-  const std::vector<Meeting> meetings = find_meetings(*welded_, progress_);
+  std::vector<Meeting> meetings;
+  parallel_invoke([&] { find_borders_or_none(); },
+                  [&] { meetings = find_meetings(*welded_, progress_); });
   pass_.pairs = count_pairs(*welded_, meetings);
   if (pass_.pairs > options_.most_pairs) return std::move(pass_);
   pass_.is_open = !borders_.loops.empty();
