@@ -4,6 +4,7 @@
 
 #include "tm/remesh/edge_collapser.h"
 #include "tm/remesh/edge_queue.h"
+#include "tm/remesh/where.h"
 
 namespace transformesh {
 namespace {
@@ -16,9 +17,9 @@ template <class Wanted>
 class Candidates {
  public:
   Candidates(const EditableMesh& mesh, const Wanted& wanted) : mesh_(mesh), wanted_(wanted) {
-    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-      if (mesh.is_edge(h)) push(h);
-    }
+    const auto is_candidate = [&](Index h) { return mesh.is_edge(h) && wanted(h); };
+    for (const Index h : indices_where(mesh.halfedge_slots(), is_candidate))
+      queue_.emplace(mesh, h);
   }
 
   bool empty() const { return queue_.empty(); }

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "tm/remesh/where.h"
+
 namespace transformesh {
 namespace {
 
@@ -44,11 +46,9 @@ bool is_degenerate(const EditableMesh& mesh, Index face) {
 }
 
 std::vector<Index> degenerate_faces(const EditableMesh& mesh) {
-  std::vector<Index> faces;
-  for (Index face = 0; face < mesh.face_slots(); ++face) {
-    if (mesh.has_face(face) && is_degenerate(mesh, face)) faces.push_back(face);
-  }
-  return faces;
+  return indices_where(mesh.face_slots(), [&](Index face) {
+    return mesh.has_face(face) && is_degenerate(mesh, face);
+  });
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "tm/support/parallel.h"
+
 namespace transformesh {
 namespace {
 
@@ -73,11 +75,19 @@ Vec3 sum_of(const std::vector<Vec3>& vectors) {
 }
 
 double longest_edge_of(const EditableMesh& mesh) {
-  double longest = 0;
-  for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-    if (mesh.is_edge(h)) longest = std::max(longest, mesh.squared_length(h));
-  }
-  return std::sqrt(longest);
+  constexpr std::size_t per_part = 8192;
+  std::vector<double> longest((mesh.halfedge_slots() + per_part - 1) / per_part, 0);
+  parallel_for(longest.size(), 1, [&](std::size_t from, std::size_t to) {
+    for (std::size_t part = from; part < to; ++part) {
+      const auto last = std::min<std::size_t>(mesh.halfedge_slots(), (part + 1) * per_part);
+      for (auto h = static_cast<Index>(part * per_part); h < last; ++h) {
+        if (mesh.is_edge(h)) longest[part] = std::max(longest[part], mesh.squared_length(h));
+      }
+    }
+  });
+  double result = 0;
+  for (const double squared : longest) result = std::max(result, squared);
+  return std::sqrt(result);
 }
 
 }  // namespace
@@ -102,28 +112,35 @@ void EmbeddingGuard::commit(const Patch& patch) {
   for (const Index vertex : patch.vertices) cells_.restrict(vertex, cone_, patch.longest_squared);
 }
 
-bool EmbeddingGuard::allows(const Patch& patch) {
+bool EmbeddingGuard::is_too_long(const Patch& patch) const {
   const double longest = std::max(longest_allowed_, longest_edge_);
-  if (!(patch.longest_squared <= longest * longest)) return false;
-  if (is_certified(patch)) return true;
+  return !(patch.longest_squared <= longest * longest);
+}
+
+bool EmbeddingGuard::allows_uncertified(const Patch& patch) {
+  if (is_too_long(patch)) return false;
   enclose(patch);
   if (is_seen_around(patch)) return true;
   find_faces_near(patch);
   return is_height_field(patch) || (!meets_itself(patch) && !meets_others(patch));
 }
 
-bool EmbeddingGuard::is_certified(const Patch& patch) {
-  cone_ = all_directions;
-  for (const Vec3& normal : patch.normals) cone_ &= cone_of(normal);
+bool EmbeddingGuard::certifies(const Patch& patch) {
+  if (is_too_long(patch)) return false;
+  cone_ = common_cone(patch.normals);
   if ((cone_ & cells_.cell_of(patch.center).cone_around) == 0) return false;
+  return lies_within(cells_.cell_size() - corner_reach * longest_edge_, patch);
+}
 
-  // The ball around the center must hold the patch.
-  const double radius = cells_.cell_size() - corner_reach * longest_edge_;
+/// Whether the ball around the center holds the patch.
+bool EmbeddingGuard::lies_within(double radius, const Patch& patch) const {
+  const double limit = radius * radius;
   const Vec3& center = mesh_.position(patch.center);
-  for (const Index vertex : patch.vertices) {
-    if ((mesh_.position(vertex) - center).squaredNorm() > radius * radius) return false;
-  }
-  return (patch.center_position - center).squaredNorm() <= radius * radius;
+  if (!((patch.center_position - center).squaredNorm() <= limit)) return false;
+  if (patch.reach_squared >= 0) return patch.reach_squared <= limit;
+  return std::all_of(patch.vertices.begin(), patch.vertices.end(), [&](Index vertex) {
+    return (mesh_.position(vertex) - center).squaredNorm() <= limit;
+  });
 }
 
 /// The slab that holds the old and the new patch.

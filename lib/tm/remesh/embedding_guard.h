@@ -27,6 +27,7 @@ struct Patch {
   std::vector<Triangle> made;   ///< the new triangles
   std::vector<Vec3> normals;    ///< of these, of any length
   double longest_squared = 0;   ///< of their edges
+  double reach_squared = -1;    ///< from the center to the farthest of `vertices`; < 0: not known
   std::vector<Index> replaced;  ///< the faces that give way
   std::vector<Index> vertices;  ///< the corners of the new triangles
 
@@ -42,7 +43,11 @@ class EmbeddingGuard {
 
   /// Whether the patch certainly meets nothing but its rim and does not fold onto itself. Contact
   /// within rounding error counts as meeting.
-  bool allows(const Patch& patch);
+  bool allows(const Patch& patch) { return certifies(patch) || allows_uncertified(patch); }
+  /// Both parts of that: the second is asked where the first says no. The first does not look at
+  /// the triangles made and the faces replaced.
+  bool certifies(const Patch& patch);
+  bool allows_uncertified(const Patch& patch);
   /// To be called after the mesh was changed by the patch that was allowed last.
   void commit(const Patch& patch);
   void forget(Index vertex) { cells_.remove(vertex); }
@@ -50,7 +55,8 @@ class EmbeddingGuard {
  private:
   class Slab;
 
-  bool is_certified(const Patch& patch);
+  bool is_too_long(const Patch& patch) const;
+  bool lies_within(double radius, const Patch& patch) const;
   void find_faces_near(const Patch& patch);
   void enclose(const Patch& patch);
   bool is_seen_around(const Patch& patch) const;

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "tm/remesh/star.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
 
 constexpr double least_cosine = 0.5;
+constexpr std::size_t halfedges_per_task = 8192;
 /// The cosine of 20 degrees: below that, a flip for valence may not make the least angle smaller.
 constexpr double narrow = 0.9396926207859084;
 /// A stretched edge may pass the old one at this distance, as a share of its length.
@@ -42,10 +45,13 @@ class Flipper {
   void count_valences();
   int deviation_gain(const Corners& at) const;
   bool is_wanted(Index halfedge) const;
+  void look_ahead();
+  void note_change(const Corners& at);
   bool gains_angle(const Corners& at, bool only_not_narrow) const;
   bool is_too_long(const Corners& at) const;
   bool is_sound(Index halfedge, const Corners& at) const;
   bool attempt(Index halfedge);
+  bool visit(Index halfedge);
   void push_around(Index halfedge);
 
   EditableMesh& mesh_;
@@ -54,7 +60,11 @@ class Flipper {
   EdgeLimits limits_;
   std::vector<int> excess_;  ///< valence minus what it should be
   std::vector<Index> queue_;
-  std::vector<char> queued_;  ///< per halfedge
+  /// Per halfedge: whether it stood for an edge, which was to be flipped, before the first flip;
+  /// whether that may have changed; whether it waits for no visit.
+  using State = std::uint8_t;
+  enum : State { edge = 1, wanted_before = 2, changed = 4, idle = 8 };
+  std::vector<State> states_;
   Patch patch_;
   std::size_t refused_ = 0;
 };
@@ -90,6 +100,33 @@ bool Flipper::is_wanted(Index halfedge) const {
   const int gain = deviation_gain(at);
   if (gain < 0) return false;
   return gains_angle(at, gain > 0);
+}
+
+/// Looks at all edges on all threads: those that a flip changes are looked at again.
+void Flipper::look_ahead() {
+  states_.resize(mesh_.halfedge_slots());
+  parallel_for(states_.size(), halfedges_per_task, [&](std::size_t first, std::size_t last) {
+    for (auto h = static_cast<Index>(first); h < last; ++h) {
+      const bool is_edge = mesh_.is_edge(h);
+      const bool wanted = is_edge && !mesh_.is_border(h) && is_wanted(h);
+      states_[h] = static_cast<State>((is_edge ? edge : 0) | (wanted ? wanted_before : 0));
+    }
+  });
+}
+
+/// After a flip, whose corners were these.
+void Flipper::note_change(const Corners& at) {
+  --excess_[at.from];
+  --excess_[at.to];
+  ++excess_[at.left];
+  ++excess_[at.right];
+  for (const Index corner : {at.from, at.to, at.left, at.right}) {
+    mesh_.for_each_outgoing(corner, [&](Index halfedge) {
+      const Index rim = next_halfedge(halfedge);
+      for (const Index h : {halfedge, rim, previous_halfedge(halfedge), mesh_.opposite(rim)})
+        if (h != no_index) states_[h] |= changed;
+    });
+  }
 }
 
 bool Flipper::is_too_long(const Corners& at) const {
@@ -153,39 +190,42 @@ void Flipper::push_around(Index halfedge) {
   for (const Index h : {halfedge, mesh_.opposite(halfedge)}) {
     for (const Index rim : {next_halfedge(h), previous_halfedge(h)}) {
       if (mesh_.is_border(rim)) continue;
-      const Index edge = std::min(rim, mesh_.opposite(rim));
-      if (queued_[edge]) continue;
-      queued_[edge] = 1;
-      queue_.push_back(edge);
+      const Index named = std::min(rim, mesh_.opposite(rim));
+      if ((states_[named] & idle) == 0) continue;
+      states_[named] &= static_cast<State>(~idle);
+      queue_.push_back(named);
     }
   }
 }
 
-FlipCounts Flipper::run(const Progress& progress) {
-  count_valences();
-  queued_.assign(mesh_.halfedge_slots(), 1);
-  for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
-    if (mesh_.is_edge(h)) queue_.push_back(h);
-  }
+bool Flipper::visit(Index halfedge) {
+  State& state = states_[halfedge];
+  state |= idle;
+  if ((state & (wanted_before | changed)) == 0) return false;
+  if ((state & changed) != 0 && (mesh_.is_border(halfedge) || !is_wanted(halfedge))) return false;
+  const Corners at = corners(halfedge);
+  if (!flip(halfedge)) return false;
+  note_change(at);
+  push_around(halfedge);
+  return true;
+}
 
-  // Every flip lowers a bounded measure, but in rounded arithmetic a limit is safer than a proof.
+// Every flip lowers a bounded measure, but in rounded arithmetic a limit is safer than a proof.
+FlipCounts Flipper::run(const Progress& progress) {
+  progress("flip");
+  count_valences();
+  look_ahead();
   FlipCounts counts;
-  const std::size_t edges = queue_.size();
-  const std::size_t most = 20 * edges;
-  for (std::size_t next = 0; next < queue_.size() && next < most; ++next) {
+  std::size_t edges = 0;
+  for (Index h = 0; h < states_.size(); ++h) {
+    if ((states_[h] & edge) == 0) continue;
+    ++edges;
+    counts.done += visit(h) ? 1 : 0;
+  }
+  for (std::size_t next = 0; next < queue_.size() && next < 19 * edges; ++next) {
     if (next % 16384 == 0)
-      progress("flip", static_cast<double>(next) / static_cast<double>(next + edges));
-    const Index h = queue_[next];
-    queued_[h] = 0;
-    if (mesh_.is_border(h) || !is_wanted(h)) continue;
-    const Corners at = corners(h);
-    if (!flip(h)) continue;
-    ++counts.done;
-    --excess_[at.from];
-    --excess_[at.to];
-    ++excess_[at.left];
-    ++excess_[at.right];
-    push_around(h);
+      progress("flip", static_cast<double>(next + 1) / static_cast<double>(next + edges));
+    counts.done += visit(queue_[next]) ? 1 : 0;
   }
   counts.refused = refused_;
   return counts;

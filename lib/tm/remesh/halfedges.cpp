@@ -13,7 +13,15 @@ namespace {
 
 constexpr const char* advice = "; mend it with tm-stitch --orient";
 
+bool has_good_corners(const Mesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  return std::all_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) {
+    return face[0] < count && face[1] < count && face[2] < count && !is_collapsed(face);
+  });
+}
+
 void check_corners(const Mesh& mesh) {
+  if (has_good_corners(mesh)) return;
   const auto halfedges = static_cast<Index>(3 * mesh.faces.size());
   for (Index h = 0; h < halfedges; ++h) {
     const Index vertex = halfedge_source(mesh, h);
@@ -45,6 +53,9 @@ std::pair<Index, Index> find_alike(const Mesh& mesh, const Edges& edges) {
   std::pair<Index, Index> lowest{no_index, no_index};
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto halfedges = edges.halfedges(e);
+    if (halfedges.size() == 2 &&
+        halfedge_source(mesh, halfedges[0]) != halfedge_source(mesh, halfedges[1]))
+      continue;
     for (auto h = halfedges.begin(); h != halfedges.end(); ++h) {
       const auto other = std::find_if(h + 1, halfedges.end(), [&](Index o) {
         return halfedge_source(mesh, o) == halfedge_source(mesh, *h);

@@ -1,7 +1,9 @@
 #include "tm/remesh/normal_cone.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace transformesh {
 namespace {
@@ -31,7 +33,78 @@ constexpr std::array<FourDirections, 4> directions_tested{{
     {{-1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}, {cube, 1, 1, 1}, {4096, 0, 0, 0}},
 }};
 
+/// Four normals side by side, and how long a coordinate along a direction has to be.
+struct FourNormals {
+  Floats x, y, z;
+  Floats least;
+};
+
+float needed_length(const Vec3& normal) {
+  const double length = normal.norm();
+  const bool is_usual = length > smallest && length < largest;
+  return is_usual ? least_cosine * static_cast<float>(length) : HUGE_VALF;
+}
+
+/// Those that are missing are like the first.
+FourNormals four_normals(std::span<const Vec3> normals) {
+  const Vec3& a = normals[0];
+  const Vec3& b = normals[normals.size() > 1 ? 1 : 0];
+  const Vec3& c = normals[normals.size() > 2 ? 2 : 0];
+  const Vec3& d = normals[normals.size() > 3 ? 3 : 0];
+  const auto coordinates = [&](Eigen::Index i) {
+    return Floats{static_cast<float>(a[i]), static_cast<float>(b[i]), static_cast<float>(c[i]),
+                  static_cast<float>(d[i])};
+  };
+  return {coordinates(0), coordinates(1), coordinates(2),
+          Floats{needed_length(a), needed_length(b), needed_length(c), needed_length(d)}};
+}
+
+/// The cones of four normals. The sums are those of cone_of() without what is multiplied by 0.
+Words cones_of_four(const FourNormals& n) {
+  Words front{};
+  Words back{};
+  std::int32_t bit = 1;
+  const auto look = [&](const Floats& along, const Floats& needed) {
+    front |= (along > needed) & bit;
+    back |= (along < -needed) & bit;
+    bit *= 2;
+  };
+  look(n.x, n.least);
+  look(n.y, n.least);
+  look(n.z, n.least);
+  const Floats sum = n.x + n.y;
+  const Floats difference = n.x - n.y;
+  const Floats in_face = face * n.least;
+  look(sum, in_face);
+  look(difference, in_face);
+  look(n.y + n.z, in_face);
+  look(n.y - n.z, in_face);
+  look(n.x + n.z, in_face);
+  look(n.z - n.x, in_face);
+  const Floats in_cube = cube * n.least;
+  look(sum + n.z, in_cube);
+  look(sum - n.z, in_cube);
+  look(difference + n.z, in_cube);
+  look(n.z - difference, in_cube);
+  return front | back << 16;
+}
+
 }  // namespace
+
+NormalCone common_cone(std::span<const Vec3> normals) {
+  Words cone{-1, -1, -1, -1};
+  for (std::size_t i = 0; i < normals.size(); i += 4)
+    cone &= cones_of_four(four_normals(normals.subspan(i)));
+  return all_directions & static_cast<NormalCone>(cone[0] & cone[1] & cone[2] & cone[3]);
+}
+
+void find_cones(std::span<const Vec3> normals, std::span<NormalCone> cones) {
+  for (std::size_t i = 0; i < normals.size(); i += 4) {
+    const Words four = cones_of_four(four_normals(normals.subspan(i)));
+    for (std::size_t k = 0; k < std::min<std::size_t>(4, normals.size() - i); ++k)
+      cones[i + k] = static_cast<NormalCone>(four[k]);
+  }
+}
 
 /// Bit k is set where direction k sees the front, bit 16 + k where the opposite direction does.
 /// Single precision is far finer than the margin of least_cosine.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "tm/mesh/triangle.h"
 
@@ -18,6 +19,10 @@ inline constexpr NormalCone all_directions = 0x1fff1fff;
 /// The directions that clearly see the front of a face with that normal; none where its length is
 /// not between 1e-30 and 1e30.
 NormalCone cone_of(const Vec3& normal);
+/// What the cones of all the normals have in common: several times as fast as one by one.
+NormalCone common_cone(std::span<const Vec3> normals);
+/// The cone of each normal.
+void find_cones(std::span<const Vec3> normals, std::span<NormalCone> cones);
 
 struct Direction {
   NormalCone bit = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tm/remesh/vertex_mover.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 /// Moves below this share of the star's size are left out.
 constexpr double rest = 5e-3;
 constexpr double least_weight = 0.01;
+constexpr std::size_t things_per_task = 2048;
 
 class Relaxer {
  public:
@@ -20,12 +22,13 @@ class Relaxer {
 
   SmoothCounts run(const Progress& progress) {
     SmoothCounts counts;
+    const VertexRings rings(mesh_);
     for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
       if (v % 8192 == 0) progress("smooth", static_cast<double>(v) / mesh_.vertex_slots());
       if (!mesh_.has_vertex(v)) continue;
       const VertexRole role = roles_[v];
       if (role == VertexRole::fixed) continue;
-      star_.gather(mesh_, v);
+      star_.gather(mesh_, v, rings[v]);
       Vec3 target = role == VertexRole::free ? free_target() : line_target(v);
       if (role == VertexRole::free && surface_) target = (*surface_)(target).point;
       if ((target - star_.center).squaredNorm() < rest * rest * star_.normal.norm()) continue;
@@ -55,10 +58,10 @@ Vec3 Relaxer::free_target() const {
   // The mean of the triangles' centroids, weighted by area, is taken relative to the old center.
   Vec3 sum = Vec3::Zero();
   double weight = 0;
-  for (const Star::Spoke& spoke : star_.spokes) {
-    const Vec3 a = spoke.first_position - star_.center;
-    const Vec3 b = spoke.second_position - star_.center;
-    const double area = spoke.normal.norm();
+  for (std::size_t i = 0; i < star_.triangles.size(); ++i) {
+    const Vec3 a = star_.rim[i] - star_.center;
+    const Vec3 b = star_.rim[i + 1] - star_.center;
+    const double area = std::sqrt(star_.triangles[i].normal_squared);
     sum += area * (a + b);
     weight += area;
   }
@@ -109,12 +112,14 @@ class Laplacian {
  public:
   Laplacian(const EditableMesh& mesh, const VertexRoles& roles) : mesh_(mesh), roles_(roles) {
     cotangents_.assign(mesh.halfedge_slots(), 0);
-    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-      if (!mesh.has_halfedge(h)) continue;
-      const Vec3& apex = mesh.position(mesh.apex(h));
-      cotangents_[h] = clamped_cotangent(mesh.position(mesh.source(h)) - apex,
-                                         mesh.position(mesh.target(h)) - apex);
-    }
+    parallel_for(mesh.halfedge_slots(), things_per_task, [&](std::size_t first, std::size_t last) {
+      for (auto h = static_cast<Index>(first); h < last; ++h) {
+        if (!mesh.has_halfedge(h)) continue;
+        const Vec3& apex = mesh.position(mesh.apex(h));
+        cotangents_[h] = clamped_cotangent(mesh.position(mesh.source(h)) - apex,
+                                           mesh.position(mesh.target(h)) - apex);
+      }
+    });
   }
 
   Vec3 apply(const std::vector<Vec3>& values, Index vertex, VertexRole role) const {
@@ -131,11 +136,13 @@ class Laplacian {
 
   std::vector<Vec3> apply(const std::vector<Vec3>& values) const {
     std::vector<Vec3> result(values.size(), Vec3::Zero());
-    for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
-      if (!mesh_.has_vertex(v)) continue;
-      const VertexRole role = roles_[v];
-      if (role != VertexRole::fixed) result[v] = apply(values, v, role);
-    }
+    parallel_for(values.size(), things_per_task, [&](std::size_t first, std::size_t last) {
+      for (auto v = static_cast<Index>(first); v < last; ++v) {
+        if (!mesh_.has_vertex(v)) continue;
+        const VertexRole role = roles_[v];
+        if (role != VertexRole::fixed) result[v] = apply(values, v, role);
+      }
+    });
     return result;
   }
 
@@ -170,13 +177,14 @@ SmoothCounts smooth_laplace(EditableMesh& mesh, EmbeddingGuard& guard, const Ver
 
   SmoothCounts counts;
   VertexMover mover(mesh, guard);
+  const VertexRings rings(mesh);
   Star star;
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
     if (v % 8192 == 0) progress("smooth", static_cast<double>(v) / mesh.vertex_slots());
     if (once[v].isZero(0)) continue;
     Vec3 target = positions[v] - first * once[v];
     if (second != 0) target += second * twice[v];
-    star.gather(mesh, v);
+    star.gather(mesh, v, rings[v]);
     const bool moved = mover.move(v, star, target);
     ++(moved ? counts.moved : counts.refused);
   }

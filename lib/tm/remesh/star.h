@@ -27,11 +27,14 @@ inline double cosine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3&
   return product > 0 ? (ab + bc + ca - 2 * shortest) / (2 * std::sqrt(product)) : 1;
 }
 
-/// Whether a normal turns by more than the angle with this cosine.
-inline bool turns(const Vec3& before, const Vec3& after, double least_cosine) {
-  const double dot = before.dot(after);
+/// Whether a normal turns by more than the angle with this cosine, given the product of it before
+/// and after, and both lengths squared.
+inline bool turns(double dot, double before_squared, double after_squared, double least_cosine) {
   if (dot <= 0) return true;
-  return dot * dot < least_cosine * least_cosine * before.squaredNorm() * after.squaredNorm();
+  return dot * dot < least_cosine * least_cosine * before_squared * after_squared;
+}
+inline bool turns(const Vec3& before, const Vec3& after, double least_cosine) {
+  return turns(before.dot(after), before.squaredNorm(), after.squaredNorm(), least_cosine);
 }
 
 }  // namespace transformesh

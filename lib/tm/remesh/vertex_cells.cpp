@@ -3,7 +3,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "tm/support/parallel.h"
+
 namespace transformesh {
+namespace {
+
+constexpr std::size_t faces_per_task = 4096;
+constexpr std::size_t faces_at_once = 64;
+
+}  // namespace
 
 VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
     : mesh_(mesh), cell_size_(cell_size), vertices_(mesh.vertex_slots()) {
@@ -77,6 +85,7 @@ Index VertexCells::make_cell(Key key, Index component) {
   const auto cell = static_cast<Index>(cells_.size());
   const NormalCone cone = component == no_index ? 0 : all_directions;
   cells_.push_back({key, cone, cone, no_index, component});
+  around_.emplace_back();
   if (2 * cells_.size() > table_.size()) {
     grow_table();
   } else {
@@ -86,15 +95,20 @@ Index VertexCells::make_cell(Key key, Index component) {
 }
 
 template <class Visit>
-void VertexCells::for_each_cell_around(Key key, const Visit& visit) const {
-  for (Key dx = -1; dx <= 1; ++dx) {
-    for (Key dy = -1; dy <= 1; ++dy) {
-      for (Key dz = -1; dz <= 1; ++dz) {
-        const Index cell =
-            find_cell(key + dx * (Key{1} << (2 * key_bits)) + dy * (Key{1} << key_bits) + dz);
-        if (cell != no_index) visit(cell);
-      }
-    }
+void VertexCells::for_each_cell_around(Index cell, const Visit& visit) const {
+  const CellsAround& around = around_[cell];
+  for (Index i = 0; i < around.count; ++i) visit(around.cells[i]);
+}
+
+/// Enters the cell and others in each other's lists: those around it at some of the offsets.
+void VertexCells::find_cells_around(Index cell, std::span<const Key> offsets) {
+  const auto enter = [&](Index at, Index other) { around_[at].cells[around_[at].count++] = other; };
+  enter(cell, cell);
+  for (const Key offset : offsets) {
+    const Index other = find_cell(cells_[cell].key + offset);
+    if (other == no_index) continue;
+    enter(cell, other);
+    enter(other, cell);
   }
 }
 
@@ -108,16 +122,32 @@ void VertexCells::fill() {
     if (cells_[cell].component != vertices_[v].component) cells_[cell].cone = 0;
     insert(v, cell);
   }
+  restrict_to_faces();
+  const auto lower = std::span(offsets_around).first<offsets_around.size() / 2>();
+  for (Index cell = 0; cell < cells_.size(); ++cell) find_cells_around(cell, lower);
+  for (Index cell = 0; cell < cells_.size(); ++cell) dilate(cell);
+  if (mesh_.has_sizes()) measure_edges();
+}
+
+void VertexCells::restrict_to_faces() {
+  std::vector<NormalCone> cones(mesh_.face_slots());
+  parallel_for(cones.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    std::array<Vec3, faces_at_once> normals;
+    for (std::size_t f = first; f < last; f += faces_at_once) {
+      const std::size_t count = std::min(faces_at_once, last - f);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto face = static_cast<Index>(f + i);
+        normals[i] = mesh_.has_face(face) ? mesh_.face_normal(face) : Vec3(Vec3::Zero());
+      }
+      find_cones(std::span(normals).first(count), std::span(cones).subspan(f, count));
+    }
+  });
   for (Index face = 0; face < mesh_.face_slots(); ++face) {
     if (!mesh_.has_face(face)) continue;
-    const NormalCone cone = cone_of(mesh_.face_normal(face));
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      cells_[vertices_[mesh_.source(h)].cell].cone &= cone;
-      vertices_[mesh_.source(h)].cone &= cone;
-    }
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) vertices_[mesh_.source(h)].cone &= cones[face];
   }
-  for (Cell& cell : cells_) dilate(cell);
-  if (mesh_.has_sizes()) measure_edges();
+  for (const Vertex& vertex : vertices_)
+    if (vertex.cell != no_index) cells_[vertex.cell].cone &= vertex.cone;
 }
 
 void VertexCells::measure_edges() {
@@ -138,11 +168,12 @@ void VertexCells::stretch(Index vertex, double longest_squared) {
   vertices_[vertex].longest_squared = std::max(vertices_[vertex].longest_squared, rounded_up);
 }
 
-void VertexCells::dilate(Cell& cell) const {
-  cell.cone_around = cell.cone;
-  for_each_cell_around(cell.key, [&](Index other) {
-    const bool alike = cells_[other].component == cell.component;
-    cell.cone_around &= alike ? cells_[other].cone : 0;
+void VertexCells::dilate(Index cell) {
+  Cell& own = cells_[cell];
+  own.cone_around = own.cone;
+  for_each_cell_around(cell, [&](Index other) {
+    const bool alike = cells_[other].component == own.component;
+    own.cone_around &= alike ? cells_[other].cone : 0;
   });
 }
 
@@ -150,7 +181,7 @@ void VertexCells::restrict_cell(Index cell, NormalCone cone) {
   const NormalCone left = cells_[cell].cone & cone;
   if (left == cells_[cell].cone) return;
   cells_[cell].cone = left;
-  for_each_cell_around(cells_[cell].key, [&](Index other) { cells_[other].cone_around &= left; });
+  for_each_cell_around(cell, [&](Index other) { cells_[other].cone_around &= left; });
 }
 
 void VertexCells::insert(Index vertex, Index cell) {
@@ -181,7 +212,7 @@ void VertexCells::update(Index vertex) {
 void VertexCells::restrict(Index vertex, NormalCone cone, double longest_squared) {
   restrict_cell(vertices_[vertex].cell, cone);
   vertices_[vertex].cone &= cone;
-  stretch(vertex, longest_squared);
+  if (mesh_.has_sizes()) stretch(vertex, longest_squared);
 }
 
 void VertexCells::change_cell(Index vertex, Key key) {
@@ -190,8 +221,9 @@ void VertexCells::change_cell(Index vertex, Key key) {
   Index cell = find_cell(key);
   if (cell == no_index) {
     cell = make_cell(key, component);
-    dilate(cells_[cell]);
-    for_each_cell_around(key, [&](Index other) {
+    find_cells_around(cell, offsets_around);
+    dilate(cell);
+    for_each_cell_around(cell, [&](Index other) {
       if (cells_[other].component != component) cells_[other].cone_around = 0;
     });
   } else if (cells_[cell].component != component) {

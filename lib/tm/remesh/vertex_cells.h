@@ -2,7 +2,9 @@
 /// the embedding guard asks about a neighborhood. Cells in use are kept in a hash table.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "tm/remesh/editable_mesh.h"
@@ -50,8 +52,23 @@ class VertexCells {
   bool for_each_cell_near(const Vec3& low, const Vec3& high, const Visit& visit) const;
 
  private:
+  struct CellsAround {
+    Index count = 0;
+    std::array<Index, 27> cells;
+  };
   using Key = std::int64_t;
   static constexpr int key_bits = 21;  ///< per axis
+  /// From the key of a cell to those of the 26 around it, the lower ones first.
+  static constexpr std::array<Key, 26> offsets_around = [] {
+    std::array<Key, 26> offsets{};
+    std::size_t count = 0;
+    for (int i = 0; i < 27; ++i) {
+      const Key x = i / 9 - 1, y = i / 3 % 3 - 1, z = i % 3 - 1;
+      const Key offset = x * (Key{1} << (2 * key_bits)) + y * (Key{1} << key_bits) + z;
+      if (offset != 0) offsets[count++] = offset;
+    }
+    return offsets;
+  }();
 
   Key key_of(const Vec3& position) const;
   static std::size_t slot_of(Key key) {
@@ -61,12 +78,15 @@ class VertexCells {
   Index make_cell(Key key, Index component);
   void enter_in_table(Index cell);
   void grow_table();
+  /// Calls visit(cell) for the cells around, itself among them.
   template <class Visit>
-  void for_each_cell_around(Key key, const Visit& visit) const;
+  void for_each_cell_around(Index cell, const Visit& visit) const;
   void label_components();
   bool gather_component(Index seed, std::vector<char>& reached, std::vector<Index>& faces) const;
   void fill();
-  void dilate(Cell& cell) const;
+  void find_cells_around(Index cell, std::span<const Key> offsets);
+  void restrict_to_faces();
+  void dilate(Index cell);
   void measure_edges();
   void stretch(Index vertex, double longest_squared);
   void restrict_cell(Index cell, NormalCone cone);
@@ -77,8 +97,9 @@ class VertexCells {
   double cell_size_;
   Vec3 origin_ = Vec3::Zero();
   std::vector<Cell> cells_;
-  std::vector<Index> table_;      ///< open addressing, no_index where empty
-  std::vector<Vertex> vertices_;  ///< per vertex
+  std::vector<CellsAround> around_;  ///< per cell
+  std::vector<Index> table_;         ///< open addressing, no_index where empty
+  std::vector<Vertex> vertices_;     ///< per vertex
 };
 
 inline Index VertexCells::find_cell(Key key) const {

@@ -12,93 +12,120 @@ constexpr double round_enough = 0.6;
 constexpr double normal_roundness = 0.02;
 
 /// The square of roundness() in star.h.
-double squared_roundness(const Vec3& normal, double squares) {
-  return squares > 0 ? 12 * normal.squaredNorm() / (squares * squares) : 0;
+double squared_roundness(double normal_squared, double squares) {
+  return squares > 0 ? 12 * normal_squared / (squares * squares) : 0;
 }
 
-bool has_normal(const Star::Spoke& spoke) {
-  return 12 * spoke.normal.squaredNorm() >
-         normal_roundness * normal_roundness * spoke.squares * spoke.squares;
+bool has_normal(const Star::Triangle& triangle) {
+  return 12 * triangle.normal_squared >
+         normal_roundness * normal_roundness * triangle.squares * triangle.squares;
 }
 
 /// The squared roundness of the narrowest triangle.
 double least_squared_roundness(const Star& star) {
   double least = 1;
-  for (const Star::Spoke& spoke : star.spokes)
-    least = std::min(least, squared_roundness(spoke.normal, spoke.squares));
+  for (const Star::Triangle& triangle : star.triangles)
+    least = std::min(least, squared_roundness(triangle.normal_squared, triangle.squares));
   return least;
 }
 
 }  // namespace
 
 void Star::gather(const EditableMesh& mesh, Index vertex) {
-  spokes.clear();
-  normal.setZero();
-  center = mesh.position(vertex);
-  Index first = mesh.target(mesh.outgoing(vertex));
-  Vec3 a = mesh.position(first) - center;
+  find_ring(mesh, vertex, own_ring_);
+  gather(mesh, vertex, own_ring_);
+}
+
+// Sums are kept out of the star meanwhile, where the compiler would have to write them each time.
+void Star::gather(const EditableMesh& mesh, Index vertex, std::span<const Index> neighbors) {
+  triangles.clear();
+  rim.clear();
+  const Vec3 middle = mesh.position(vertex);
+  rim.push_back(mesh.position(neighbors[0]));
+  Vec3 a = rim[0] - middle;
   double a_squared = a.squaredNorm();
-  mesh.for_each_outgoing(vertex, [&](Index halfedge) {
-    const Index second = mesh.apex(halfedge);
-    const Vec3 b = mesh.position(second) - center;
+  double farthest = a_squared;
+  Vec3 sum = Vec3::Zero();
+  for (const Index neighbor : neighbors.subspan(1)) {
+    const Vec3& end = mesh.position(neighbor);
+    const Vec3 b = end - middle;
     const double b_squared = b.squaredNorm();
-    const double rim = (b - a).squaredNorm();
+    const double across_squared = (b - a).squaredNorm();
     const Vec3 own = a.cross(b);
-    spokes.push_back({first, halfedge / 3, mesh.position(first), mesh.position(second), own, rim,
-                      a_squared + b_squared + rim});
-    normal += own;
-    first = second;
+    triangles.push_back(
+        {own, own.squaredNorm(), across_squared, a_squared + b_squared + across_squared});
+    rim.push_back(end);
+    sum += own;
+    farthest = std::max(farthest, b_squared);
     a = b;
     a_squared = b_squared;
-  });
+  }
+  ring = neighbors;
+  center = middle;
+  normal = sum;
+  reach_squared = farthest;
 }
 
 bool VertexMover::move(Index vertex, const Star& star, const Vec3& target) {
   return attempt(vertex, star, target) || attempt(vertex, star, 0.5 * star.center + 0.5 * target);
 }
 
-/// Fills the patch's triangles; false where one turns over or gets too narrow.
+/// Fills the patch's normals; false where a triangle turns over or gets too narrow.
 bool VertexMover::place_triangles(const Star& star, const Vec3& target) {
   patch_.clear();
   double least = 1;
-  Vec3 a = star.spokes[0].first_position - target;
+  Vec3 a = star.rim[0] - target;
   double a_squared = a.squaredNorm();
-  patch_.longest_squared = a_squared;
-  for (const Star::Spoke& spoke : star.spokes) {
-    const Vec3 b = spoke.second_position - target;
+  double longest_squared = a_squared;
+  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
+    const Star::Triangle& triangle = star.triangles[i];
+    const Vec3 b = star.rim[i + 1] - target;
     const double b_squared = b.squaredNorm();
     const Vec3 normal = a.cross(b);
-    const Vec3& before = has_normal(spoke) ? spoke.normal : star.normal;
-    if (turns(before, normal, least_turn_cosine)) return false;
-    least = std::min(least, squared_roundness(normal, a_squared + b_squared + spoke.rim));
-    patch_.longest_squared = std::max({patch_.longest_squared, b_squared, spoke.rim});
-    patch_.made.push_back({target, spoke.first_position, spoke.second_position});
+    const double normal_squared = normal.squaredNorm();
+    const bool is_narrow = !has_normal(triangle);
+    const Vec3& before = is_narrow ? star.normal : triangle.normal;
+    const double before_squared = is_narrow ? star.normal.squaredNorm() : triangle.normal_squared;
+    const double dot = before.dot(normal);
+    if (turns(dot, before_squared, normal_squared, least_turn_cosine)) return false;
+    least = std::min(
+        least, squared_roundness(normal_squared, a_squared + b_squared + triangle.across_squared));
+    longest_squared = std::max({longest_squared, b_squared, triangle.across_squared});
     patch_.normals.push_back(normal);
     a = b;
     a_squared = b_squared;
   }
+  patch_.longest_squared = longest_squared;
   return least >= round_enough * round_enough || least >= least_squared_roundness(star);
 }
 
-void VertexMover::name_parts(Index vertex, const Star& star) {
+void VertexMover::name_vertices(Index vertex, const Star& star) {
   patch_.center = vertex;
+  patch_.reach_squared = star.reach_squared;
   patch_.vertices.push_back(vertex);
-  for (const Star::Spoke& spoke : star.spokes) {
-    patch_.vertices.push_back(spoke.first);
-    patch_.replaced.push_back(spoke.face);
-  }
-  if (!mesh_.is_border_vertex(vertex)) return;
-  // The last face has the vertex that ends the fan.
-  for (Index corner = 0; corner < 3; ++corner)
-    patch_.vertices.push_back(mesh_.source(3 * star.spokes.back().face + corner));
+  const std::size_t repeated = star.ring.front() == star.ring.back() ? 1 : 0;
+  patch_.vertices.insert(patch_.vertices.end(), star.ring.begin() + repeated, star.ring.end());
+}
+
+void VertexMover::name_faces(Index vertex, const Star& star, const Vec3& target) {
+  for (std::size_t i = 0; i < star.triangles.size(); ++i)
+    patch_.made.push_back({target, star.rim[i], star.rim[i + 1]});
+  mesh_.for_each_outgoing(vertex, [&](Index halfedge) { patch_.replaced.push_back(halfedge / 3); });
+}
+
+// What the certificate does not look at is found where that says no.
+bool VertexMover::is_allowed(Index vertex, const Star& star, const Vec3& target) {
+  if (!place_triangles(star, target)) return false;
+  patch_.center_position = target;
+  name_vertices(vertex, star);
+  if (guard_.certifies(patch_)) return true;
+  name_faces(vertex, star, target);
+  return guard_.allows_uncertified(patch_);
 }
 
 bool VertexMover::attempt(Index vertex, const Star& star, const Vec3& wanted) {
   const Vec3 target = mesh_.rounded(wanted);
-  if (!place_triangles(star, target)) return false;
-  patch_.center_position = target;
-  name_parts(vertex, star);
-  if (!guard_.allows(patch_)) return false;
+  if (!is_allowed(vertex, star, target)) return false;
   mesh_.move(vertex, target);
   guard_.commit(patch_);
   return true;

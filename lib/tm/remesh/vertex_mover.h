@@ -3,26 +3,31 @@
 
 #include "tm/remesh/embedding_guard.h"
 #include "tm/remesh/star.h"
+#include "tm/remesh/vertex_rings.h"
 
 namespace transformesh {
 
-/// The triangles at a vertex, without that corner, counter-clockwise: the second corner of one is
-/// the first of the next.
+/// The triangles at a vertex, without that corner, counter-clockwise.
 struct Star {
-  struct Spoke {
-    Index first;
-    Index face;
-    Vec3 first_position;
-    Vec3 second_position;
-    Vec3 normal;     ///< twice the area long
-    double rim;      ///< squared length of the side across
-    double squares;  ///< of the three sides, summed
+  struct Triangle {
+    Vec3 normal;            ///< twice the area long
+    double normal_squared;  ///< its length
+    double across_squared;  ///< of the side across from the vertex
+    double squares;         ///< of the three sides, summed
   };
-  std::vector<Spoke> spokes;
+  std::vector<Triangle> triangles;
+  std::span<const Index> ring;  ///< triangle i lies between neighbors i and i + 1
+  std::vector<Vec3> rim;        ///< their positions
   Vec3 center;
-  Vec3 normal;  ///< sum of the area normals, doubled
+  Vec3 normal;           ///< sum of the area normals, doubled
+  double reach_squared;  ///< from the center to the farthest neighbor
 
   void gather(const EditableMesh& mesh, Index vertex);
+  /// The same, given the ring (vertex_rings.h), which has to stay.
+  void gather(const EditableMesh& mesh, Index vertex, std::span<const Index> neighbors);
+
+ private:
+  std::vector<Index> own_ring_;
 };
 
 class VertexMover {
@@ -35,7 +40,9 @@ class VertexMover {
  private:
   bool attempt(Index vertex, const Star& star, const Vec3& wanted);
   bool place_triangles(const Star& star, const Vec3& target);
-  void name_parts(Index vertex, const Star& star);
+  bool is_allowed(Index vertex, const Star& star, const Vec3& target);
+  void name_vertices(Index vertex, const Star& star);
+  void name_faces(Index vertex, const Star& star, const Vec3& target);
 
   EditableMesh& mesh_;
   EmbeddingGuard& guard_;

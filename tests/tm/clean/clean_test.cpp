@@ -8,6 +8,7 @@
 #include "helpers/winding_oracle.h"
 #include "tm/clean/intersect/intersect.h"
 #include "tm/geometry/predicates.h"
+#include "tm/mesh/adjacency.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/digits.h"
 #include "tm/mesh/manifold.h"
@@ -58,9 +59,33 @@ TEST_CASE("what needs no cleaning comes back as it was") {
   CHECK(!result.changed);
   CHECK(result.mesh.positions == input.positions);
   CHECK(result.mesh.faces == input.faces);
+  CHECK(result.rays == 2);
+  REQUIRE(result.connectivity);
+  CHECK(result.connectivity->opposites == opposite_halfedges(input));
+  CHECK(result.connectivity->components.components.size() == 2);
+  CHECK(result.connectivity->components.genus() == 1);
   CleanOptions options;
   options.refuse = true;
   CHECK(!clean(input, options).changed);
+}
+
+TEST_CASE("how a mesh hangs together is told only where nothing changes") {
+  const Mesh ball = test::icosphere(3);
+  const Mesh inside = test::scaled(ball, 0.5);
+  CHECK(!clean(test::joined(ball, inside)).connectivity);
+  CHECK(!clean(test::soup_of(ball)).connectivity);
+
+  // A cavity stays, unless it is to be dropped.
+  const Mesh hollow = test::joined(ball, test::reversed(inside));
+  const CleanResult kept = clean(hollow);
+  REQUIRE(kept.connectivity);
+  CHECK(kept.connectivity->components.components.size() == 2);
+  CleanOptions options;
+  options.outermost = true;
+  const CleanResult dropped = clean(hollow, options);
+  CHECK(dropped.changed);
+  CHECK(!dropped.connectivity);
+  CHECK(dropped.mesh.faces == ball.faces);
 }
 
 TEST_CASE("a clean result is clean") {

@@ -68,7 +68,8 @@ TEST_CASE("boxes come in the order of their centers along the curve") {
 }
 
 TEST_CASE("odd boxes are ordered too: none, one place, extremes of the range") {
-  CHECK(hilbert_order({}).empty());
+  CHECK(hilbert_order(std::vector<FloatBox>()).empty());
+  CHECK(hilbert_order(std::vector<Vec3>()).empty());
   const std::vector<FloatBox> same(1000, box_at(3, 4, 5));
   const auto order = hilbert_order(same);
   CHECK(std::is_sorted(order.begin(), order.end()));
@@ -81,4 +82,14 @@ TEST_CASE("odd boxes are ordered too: none, one place, extremes of the range") {
                   FloatBox{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}})));
   CHECK(is_permutation_of_indices(
       hilbert_order(std::vector{box_at(0, 0, 0), box_at(tiny, 0, 0), box_at(0, 2 * tiny, tiny)})));
+}
+
+TEST_CASE("points are ordered as their boxes are") {
+  std::vector<Vec3> points;
+  std::vector<FloatBox> boxes;
+  for (int i = 0; i < 5000; ++i) {
+    points.emplace_back(i * 37 % 101, i * 53 % 97, i * 71 % 89);
+    boxes.push_back(float_box(points.back(), points.back()));
+  }
+  CHECK(hilbert_order(points) == hilbert_order(boxes));
 }

@@ -6,6 +6,7 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "tm/geometry/hilbert.h"
 
 using namespace transformesh;
 
@@ -26,11 +27,14 @@ std::vector<Index> nearest_by_search(const std::vector<Vec3>& points, const Vec3
 
 void check_queries(const std::vector<Vec3>& points, const std::vector<Vec3>& queries) {
   const KdTree tree(points);
+  const KdTree along_curve(points, hilbert_order(points));
   for (const Vec3& query : queries) {
     auto expected = nearest_by_search(points, query);
     CHECK(tree.nearest(query) == expected[0]);
+    CHECK(along_curve.nearest(query) == expected[0]);
     expected.resize(std::min<std::size_t>(expected.size(), 12));
     CHECK(tree.nearest(query, 12) == expected);
+    CHECK(along_curve.nearest(query, 12) == expected);
   }
 }
 

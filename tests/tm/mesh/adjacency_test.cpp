@@ -94,3 +94,28 @@ TEST_CASE("a mesh without faces has no halfedges") {
   CHECK(opposite_halfedges(points).empty());
   CHECK(VertexFaces(points)[2].empty());
 }
+
+TEST_CASE("closed manifolds have their opposites told from edges, and other meshes have not") {
+  const auto closed = [](const Mesh& mesh) { return closed_opposites(mesh, Edges(mesh)); };
+  const Mesh mesh = test::joined(test::torus(2, 0.5, 7, 5), test::icosphere(1));
+  REQUIRE(closed(mesh));
+  CHECK(*closed(mesh) == opposites_by_search(mesh));
+
+  Mesh open = mesh;
+  open.faces.pop_back();
+  CHECK(!closed(open));
+  Mesh turned = mesh;
+  std::swap(turned.faces[3][0], turned.faces[3][1]);
+  CHECK(!closed(turned));
+  // Two bodies that share a vertex, then an edge.
+  Mesh pinched = mesh;
+  for (Face& face : pinched.faces)
+    for (Index& vertex : face)
+      if (vertex == mesh.faces.back()[0]) vertex = 0;
+  CHECK(!closed(pinched));
+  Mesh hinged = pinched;
+  for (Face& face : hinged.faces)
+    for (Index& vertex : face)
+      if (vertex == mesh.faces.back()[1]) vertex = mesh.faces[0][1];
+  CHECK(!closed(hinged));
+}

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "helpers/shapes.h"
+#include "tm/mesh/adjacency.h"
 #include "tm/mesh/measure.h"
 
 using namespace transformesh;
@@ -30,6 +31,22 @@ TEST_CASE("Euler's formula gives the genus of each component") {
   CHECK(found.of_face[0] == 0);
   CHECK(found.of_face[400] == 1);
   CHECK(found.of_face.back() == 2);
+}
+
+TEST_CASE("components of a closed manifold are the same by its opposite halfedges") {
+  const Mesh mesh = test::joined(test::joined(test::torus(2, 0.5, 20, 10), test::icosphere(2)),
+                                 test::moved(test::cube(), Vec3(5, 5, 5)));
+  const Components expected = connected_components(mesh);
+  const Components found = connected_components(mesh, opposite_halfedges(mesh));
+  CHECK(found.of_face == expected.of_face);
+  REQUIRE(found.components.size() == expected.components.size());
+  for (std::size_t i = 0; i < found.components.size(); ++i) {
+    CHECK(found.components[i].vertices == expected.components[i].vertices);
+    CHECK(found.components[i].edges == expected.components[i].edges);
+    CHECK(found.components[i].faces == expected.components[i].faces);
+    CHECK(found.components[i].boundary_loops == 0);
+    CHECK(found.components[i].volume == expected.components[i].volume);
+  }
 }
 
 TEST_CASE("boundary loops count as caps") {

@@ -19,16 +19,16 @@ Patch star_moved_to(const EditableMesh& mesh, Index vertex, const Vec3& position
   patch.center = vertex;
   patch.center_position = position;
   patch.vertices.push_back(vertex);
-  for (const Star::Spoke& spoke : star.spokes) {
-    const Vec3 a = spoke.first_position - position;
-    const Vec3 b = spoke.second_position - position;
-    patch.made.push_back({position, spoke.first_position, spoke.second_position});
+  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
+    const Vec3 a = star.rim[i] - position;
+    const Vec3 b = star.rim[i + 1] - position;
+    patch.made.push_back({position, star.rim[i], star.rim[i + 1]});
     patch.normals.push_back(a.cross(b));
     patch.longest_squared =
         std::max({patch.longest_squared, a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-    patch.replaced.push_back(spoke.face);
-    patch.vertices.push_back(spoke.first);
+    patch.vertices.push_back(star.ring[i]);
   }
+  mesh.for_each_outgoing(vertex, [&](Index halfedge) { patch.replaced.push_back(halfedge / 3); });
   return patch;
 }
 

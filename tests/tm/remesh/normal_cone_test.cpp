@@ -53,6 +53,27 @@ TEST_CASE("what has no direction, or none that single precision can hold, is see
   CHECK((cone_of(Vec3(1, 2, 3)) & ~all_directions) == 0);
 }
 
+TEST_CASE("cones of many normals are those of each, and what these have in common") {
+  Random random(4);
+  for (std::size_t count = 0; count <= 11; ++count) {
+    for (int round = 0; round < 50; ++round) {
+      const Vec3 middle = random.point(-1, 1);
+      std::vector<Vec3> normals(count);
+      for (Vec3& normal : normals)
+        normal = (middle + random.point(-0.3, 0.3)) * std::pow(10, random.uniform(-28, 28));
+      if (count > 0 && round == 0) normals[count / 2] = Vec3(1e-40, 0, 0);
+      std::vector<NormalCone> cones(count);
+      find_cones(normals, cones);
+      NormalCone common = all_directions;
+      for (std::size_t i = 0; i < count; ++i) {
+        REQUIRE(cones[i] == cone_of(normals[i]));
+        common &= cones[i];
+      }
+      REQUIRE(common_cone(normals) == common);
+    }
+  }
+}
+
 TEST_CASE("a direction sees a triangle from its front only, and not from its edge") {
   const Triangle triangle{Vec3(0, 0, 5), Vec3(1, 0, 5), Vec3(0, 1, 5)};
   CHECK(sees(Vec3(0, 0, 1), triangle));

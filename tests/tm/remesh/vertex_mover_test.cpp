@@ -44,16 +44,15 @@ TEST_CASE("the star of a hexagon has its six triangles, counter-clockwise") {
   const EditableMesh mesh(hexagon());
   Star star;
   star.gather(mesh, 0);
-  REQUIRE(star.spokes.size() == 6);
+  REQUIRE(star.triangles.size() == 6);
   CHECK((star.normal - Vec3(0, 0, 6 * std::sqrt(3) / 2)).norm() < 1e-14);
   for (std::size_t i = 0; i < 6; ++i) {
-    const Star::Spoke& spoke = star.spokes[i];
-    CHECK(spoke.rim == doctest::Approx(1));
-    CHECK(spoke.squares == doctest::Approx(3));
-    CHECK(spoke.second_position == star.spokes[(i + 1) % 6].first_position);
-    CHECK(roundness(star.center, spoke.first_position, spoke.second_position) ==
-          doctest::Approx(1));
-    CHECK(cosine_of_smallest_angle(star.center, spoke.first_position, spoke.second_position) ==
+    const Star::Triangle& triangle = star.triangles[i];
+    CHECK(triangle.across_squared == doctest::Approx(1));
+    CHECK(triangle.squares == doctest::Approx(3));
+    CHECK(star.rim[i + 1] == star.rim[(i + 1) % 6]);
+    CHECK(roundness(star.center, star.rim[i], star.rim[i + 1]) == doctest::Approx(1));
+    CHECK(cosine_of_smallest_angle(star.center, star.rim[i], star.rim[i + 1]) ==
           doctest::Approx(0.5));
   }
 }
