@@ -113,6 +113,7 @@ EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions&
 }
 
 double largest_size(const EditableMesh& mesh) {
+  if (!mesh.has_sizes()) return 1;
   double largest = 0;
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
     if (mesh.has_vertex(v)) largest = std::max(largest, mesh.size(v));

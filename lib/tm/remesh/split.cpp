@@ -7,6 +7,7 @@
 
 #include "tm/remesh/edge_queue.h"
 #include "tm/remesh/vertex_mover.h"
+#include "tm/remesh/where.h"
 
 namespace transformesh {
 namespace {
@@ -21,9 +22,7 @@ class Splitter {
       : mesh_(mesh), limit_(max_edge * max_edge), keep_border_(keep_border) {}
 
   std::size_t run(const Progress& progress) {
-    for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
-      if (mesh_.is_edge(h)) push(h);
-    }
+    push_all();
     const auto first = static_cast<double>(queue_.size());
     for (double tried = 0; !queue_.empty(); ++tried) {
       if (std::fmod(tried, 4096) == 0) progress("split", tried / (tried + first));
@@ -40,6 +39,13 @@ class Splitter {
   }
 
  private:
+  void push_all() {
+    const auto is_wanted = [&](Index h) {
+      return mesh_.is_edge(h) && (keep_border_ || mesh_.scaled_squared_length(h) > limit_);
+    };
+    for (const Index h : indices_where(mesh_.halfedge_slots(), is_wanted)) push(h);
+  }
+
   void push(Index halfedge) {
     const bool is_kept = keep_border_ && mesh_.is_border(halfedge);
     if (keep_border_) hold(halfedge, is_kept);
