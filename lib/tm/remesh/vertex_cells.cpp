@@ -11,6 +11,22 @@ namespace {
 constexpr std::size_t faces_per_task = 4096;
 constexpr std::size_t faces_at_once = 64;
 
+std::vector<NormalCone> cones_of_faces(const EditableMesh& mesh) {
+  std::vector<NormalCone> cones(mesh.face_slots());
+  parallel_for(cones.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    std::array<Vec3, faces_at_once> normals;
+    for (std::size_t f = first; f < last; f += faces_at_once) {
+      const std::size_t count = std::min(faces_at_once, last - f);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto face = static_cast<Index>(f + i);
+        normals[i] = mesh.has_face(face) ? mesh.face_normal(face) : Vec3(Vec3::Zero());
+      }
+      find_cones(std::span(normals).first(count), std::span(cones).subspan(f, count));
+    }
+  });
+  return cones;
+}
+
 }  // namespace
 
 VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
@@ -25,8 +41,9 @@ VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
   // There is a margin of cells on each side, and no more cells than a key can count.
   cell_size_ = std::max(cell_size_, (high - low).maxCoeff() / (1 << (key_bits - 3)));
   origin_ = low - Vec3::Constant(8 * cell_size_);
-  label_components();
-  fill();
+  std::vector<NormalCone> cones;
+  parallel_invoke([&] { label_components(); }, [&] { cones = cones_of_faces(mesh); });
+  fill(cones);
 }
 
 void VertexCells::label_components() {
@@ -112,7 +129,7 @@ void VertexCells::find_cells_around(Index cell, std::span<const Key> offsets) {
   }
 }
 
-void VertexCells::fill() {
+void VertexCells::fill(std::span<const NormalCone> cones) {
   grow_table();
   for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
     if (!mesh_.has_vertex(v)) continue;
@@ -122,26 +139,14 @@ void VertexCells::fill() {
     if (cells_[cell].component != vertices_[v].component) cells_[cell].cone = 0;
     insert(v, cell);
   }
-  restrict_to_faces();
+  restrict_to_faces(cones);
   const auto lower = std::span(offsets_around).first<offsets_around.size() / 2>();
   for (Index cell = 0; cell < cells_.size(); ++cell) find_cells_around(cell, lower);
   for (Index cell = 0; cell < cells_.size(); ++cell) dilate(cell);
   if (mesh_.has_sizes()) measure_edges();
 }
 
-void VertexCells::restrict_to_faces() {
-  std::vector<NormalCone> cones(mesh_.face_slots());
-  parallel_for(cones.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
-    std::array<Vec3, faces_at_once> normals;
-    for (std::size_t f = first; f < last; f += faces_at_once) {
-      const std::size_t count = std::min(faces_at_once, last - f);
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto face = static_cast<Index>(f + i);
-        normals[i] = mesh_.has_face(face) ? mesh_.face_normal(face) : Vec3(Vec3::Zero());
-      }
-      find_cones(std::span(normals).first(count), std::span(cones).subspan(f, count));
-    }
-  });
+void VertexCells::restrict_to_faces(std::span<const NormalCone> cones) {
   for (Index face = 0; face < mesh_.face_slots(); ++face) {
     if (!mesh_.has_face(face)) continue;
     for (Index h = 3 * face; h < 3 * face + 3; ++h) vertices_[mesh_.source(h)].cone &= cones[face];

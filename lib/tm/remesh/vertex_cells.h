@@ -83,9 +83,9 @@ class VertexCells {
   void for_each_cell_around(Index cell, const Visit& visit) const;
   void label_components();
   bool gather_component(Index seed, std::vector<char>& reached, std::vector<Index>& faces) const;
-  void fill();
+  void fill(std::span<const NormalCone> cones);  ///< of the faces
   void find_cells_around(Index cell, std::span<const Key> offsets);
-  void restrict_to_faces();
+  void restrict_to_faces(std::span<const NormalCone> cones);
   void dilate(Index cell);
   void measure_edges();
   void stretch(Index vertex, double longest_squared);
