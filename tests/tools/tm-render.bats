@@ -134,6 +134,15 @@ with_height() {
   awk '{ exit !($1 + $2 < 1) }' seconds || fail "CPU seconds: $(cat seconds)"
 }
 
+@test "a poster takes at most 12 bytes a pixel, the program included" {
+  tm-shape torus --faces 2000 -o torus.ply
+  tm-render --size 6000x4500 --zoom 0.2 --report report.json -o poster.png torus.ply
+  [ "$(png_header poster.png)" = "6000 4500 2" ]
+  bytes=$(sed -n 's/.*"peak_memory_bytes": \([0-9]*\).*/\1/p' report.json)
+  [ "$bytes" -gt $((4 * 6000 * 4500)) ] && [ "$bytes" -lt $((12 * 6000 * 4500)) ] ||
+    fail "$bytes bytes"
+}
+
 @test "a model from elsewhere is drawn" {
   needs_shared meshes/cgal/elephant.off
   tm-render --size 400x300 "$shared_file" >elephant.png

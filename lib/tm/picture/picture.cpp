@@ -129,11 +129,6 @@ ShadeOptions shading_of(const Mesh& mesh, const PictureOptions& options, bool ca
   return shading;
 }
 
-void copy(const Image& part, const Panel& panel, Image& whole) {
-  for (int y = 0; y < panel.height; ++y)
-    for (int x = 0; x < panel.width; ++x) whole.at(panel.x + x, panel.y + y) = part.at(x, y);
-}
-
 }  // namespace
 
 Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& options,
@@ -153,7 +148,7 @@ Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& op
     ShadeOptions shading = shading_of(*meshes[i], options, can_highlight);
     shading.color.scale = scale;
     const Camera camera = orbit_camera(aims[i], options.orbit, panels[i].width, panels[i].height);
-    copy(shade(*meshes[i], camera, shading), panels[i], whole);
+    shade(*meshes[i], camera, shading, panels[i].x, panels[i].y, whole);
   }
   if (!options.shade.color.by.empty()) draw_legend(scale, options.shade.background, whole);
   return whole;

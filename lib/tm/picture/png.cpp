@@ -28,16 +28,13 @@ void flush(png_structp) {}
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-std::vector<png_byte> packed(const Image& image, std::size_t channels) {
-  std::vector<png_byte> bytes;
-  bytes.reserve(image.pixels.size() * channels);
-  for (const Pixel& pixel : image.pixels)
-    bytes.insert(bytes.end(), pixel.begin(), pixel.begin() + static_cast<std::ptrdiff_t>(channels));
-  return bytes;
+/// Copies a row of pixels with their first channels only.
+void pack(const Pixel* pixels, int width, std::size_t channels, png_byte* bytes) {
+  for (int x = 0; x < width; ++x) bytes = std::copy_n(pixels[x].begin(), channels, bytes);
 }
 
 /// libpng leaves by longjmp: no object with a destructor may be made in here.
-bool encode(png_structp png, png_infop info, const Image& image, png_byte* bytes,
+bool encode(png_structp png, png_infop info, const Image& image, png_byte* packed,
             std::size_t channels) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   const auto width = static_cast<png_uint_32>(image.width);
@@ -49,8 +46,10 @@ bool encode(png_structp png, png_infop info, const Image& image, png_byte* bytes
   png_set_compression_level(png, 6);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
   png_write_info(png, info);
-  for (png_uint_32 row = 0; row < height; ++row)
-    png_write_row(png, bytes + static_cast<std::size_t>(row) * width * channels);
+  for (int y = 0; y < image.height; ++y) {
+    pack(image.row(y), image.width, channels, packed);
+    png_write_row(png, packed);
+  }
   png_write_end(png, info);
   return true;
 }
@@ -62,13 +61,13 @@ std::string write_png(const Image& image) {
   const bool is_opaque = std::all_of(image.pixels.begin(), image.pixels.end(),
                                      [](const Pixel& pixel) { return pixel[3] == 255; });
   const std::size_t channels = is_opaque ? 3 : 4;
-  std::vector<png_byte> bytes = packed(image, channels);
+  std::vector<png_byte> row(static_cast<std::size_t>(image.width) * channels);
 
   Output output;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, fail, ignore_warning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   if (info != nullptr) png_set_write_fn(png, &output, append, flush);
-  const bool is_done = info != nullptr && encode(png, info, image, bytes.data(), channels);
+  const bool is_done = info != nullptr && encode(png, info, image, row.data(), channels);
   png_destroy_write_struct(&png, &info);
   if (!is_done) throw GoalError("the picture cannot be written as PNG: " + output.failure);
   return std::move(output.bytes);

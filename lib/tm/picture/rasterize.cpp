@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int rows_per_band = 16;
+constexpr int usual_rows_per_band = 16;
 constexpr int columns_worth_narrowing = 8;
 constexpr std::size_t items_per_task = 4096;
 
@@ -18,6 +18,16 @@ struct Range {
   int first = 0;
   int last = -1;
 };
+
+}  // namespace
+
+struct FaceSetup {
+  EdgeFunctions functions;
+  Range columns;
+  Range rows;
+};
+
+namespace {
 
 /// The integers in [low, high] that are pixels of a row or column.
 Range pixels_between(double low, double high, int size) {
@@ -28,14 +38,8 @@ Range pixels_between(double low, double high, int size) {
   return {static_cast<int>(std::ceil(low)), static_cast<int>(std::floor(high))};
 }
 
-struct Setup {
-  EdgeFunctions functions;
-  Range columns;
-  Range rows;
-};
-
 /// The bounds of the image of a face; the whole image for one that reaches behind the eye.
-void find_bounds(const std::array<Vec3, 3>& corners, int width, int height, Setup& setup) {
+void find_bounds(const std::array<Vec3, 3>& corners, int width, int height, FaceSetup& setup) {
   Eigen::Array2d low(0, 0);
   Eigen::Array2d high(width - 1, height - 1);
   if (corners[0].z() > 0 && corners[1].z() > 0 && corners[2].z() > 0) {
@@ -65,9 +69,9 @@ struct Drawn {
   }
 };
 
-Setup set_up(const Face& face, const std::vector<Vec3>& projected, const Drawn& is_drawn, int width,
-             int height) {
-  Setup setup;
+FaceSetup set_up(const Face& face, const std::vector<Vec3>& projected, const Drawn& is_drawn,
+                 int width, int height) {
+  FaceSetup setup;
   const std::array<Vec3, 3> corners{projected[face[0]], projected[face[1]], projected[face[2]]};
   if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return setup;
   if (!is_drawn(corners)) return setup;
@@ -77,7 +81,8 @@ Setup set_up(const Face& face, const std::vector<Vec3>& projected, const Drawn& 
 }
 
 /// Sorts faces into the bands of rows that they touch, in face order.
-std::vector<std::vector<Index>> faces_of_bands(const std::vector<Setup>& setups, int height) {
+std::vector<std::vector<Index>> faces_of_bands(const std::vector<FaceSetup>& setups, int height,
+                                               int rows_per_band) {
   std::vector<std::vector<Index>> bands(
       static_cast<std::size_t>((height + rows_per_band - 1) / rows_per_band));
   for (std::size_t f = 0; f < setups.size(); ++f) {
@@ -103,7 +108,7 @@ Range narrowed(Range columns, const std::array<double, 3>& slope,
   return {static_cast<int>(std::ceil(low)), static_cast<int>(std::floor(high))};
 }
 
-void draw_row(const Setup& setup, Index face, int y, FacePixel* row) {
+void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row) {
   std::array<double, 3> slope;
   std::array<double, 3> start;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -126,19 +131,6 @@ void draw_row(const Setup& setup, Index face, int y, FacePixel* row) {
   }
 }
 
-void draw_band(const std::vector<Setup>& setups, const std::vector<Index>& faces, int band,
-               FaceBuffer& buffer) {
-  const int first = band * rows_per_band;
-  const int last = first + rows_per_band - 1;
-  for (const Index face : faces) {
-    const Setup& setup = setups[face];
-    for (int y = std::max(first, setup.rows.first); y <= std::min(last, setup.rows.last); ++y)
-      draw_row(setup, face, y,
-               buffer.pixels.data() +
-                   static_cast<std::size_t>(y) * static_cast<std::size_t>(buffer.width));
-  }
-}
-
 }  // namespace
 
 EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -152,25 +144,44 @@ EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
   return functions;
 }
 
-FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides) {
+BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
+                               Sides sides)
+    : width_(camera.width), rows_per_band_(rows_per_band), setups_(mesh.faces.size()) {
   // Project the corners, and find the edge functions.
   std::vector<Vec3> projected(mesh.positions.size());
   parallel_for(projected.size(), items_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) projected[v] = camera.project(mesh.positions[v]);
   });
-  std::vector<Setup> setups(mesh.faces.size());
   const Drawn is_drawn(camera, sides);
-  parallel_for(setups.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(setups_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f)
-      setups[f] = set_up(mesh.faces[f], projected, is_drawn, camera.width, camera.height);
+      setups_[f] = set_up(mesh.faces[f], projected, is_drawn, camera.width, camera.height);
   });
+  faces_ = faces_of_bands(setups_, camera.height, rows_per_band);
+}
 
-  // Rows in bands: each band is drawn by one thread, in face order.
+BandRasterizer::~BandRasterizer() = default;
+
+void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {
+  const int first = static_cast<int>(band) * rows_per_band_;
+  const int last = first + rows_per_band_ - 1;
+  for (const Index face : faces_[band]) {
+    const FaceSetup& setup = setups_[face];
+    for (int y = std::max(first, setup.rows.first); y <= std::min(last, setup.rows.last); ++y) {
+      const auto row = static_cast<std::size_t>(y - first);
+      draw_row(setup, face, y, rows + row * static_cast<std::size_t>(width_));
+    }
+  }
+}
+
+FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides) {
+  // Each band is drawn by one thread, in face order; the last may end below the picture, where no
+  // face has rows.
   FaceBuffer buffer(camera.width, camera.height);
-  const std::vector<std::vector<Index>> bands = faces_of_bands(setups, camera.height);
-  parallel_for(bands.size(), 1, [&](std::size_t first, std::size_t last) {
+  const BandRasterizer bands(mesh, camera, usual_rows_per_band, sides);
+  parallel_for(bands.bands(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t band = first; band < last; ++band)
-      draw_band(setups, bands[band], static_cast<int>(band), buffer);
+      bands.draw(band, buffer.row(static_cast<int>(band) * usual_rows_per_band));
   });
   return buffer;
 }

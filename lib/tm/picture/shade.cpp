@@ -12,7 +12,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t rows_per_task = 8;
+constexpr int most_samples = 1 << 17;     ///< held at once by a thread, but for one row of pixels
+constexpr int most_rows = 8;              ///< of pixels in a band, so that all threads have some
 constexpr double line_half_width = 0.45;  ///< in pixels; the face beyond the edge adds as much
 constexpr float line_strength = 0.65F;
 constexpr double segment_width = 2;  ///< in pixels
@@ -29,29 +30,53 @@ class Shader {
         lights_(samples, options.upright),
         eye_(samples.center()),
         normals_(corner_normals(mesh, options.crease_angle_deg)),
-        buffer_(seen(mesh, samples, options)) {}
+        rows_(rows_per_band(samples, options)),
+        seen_(seen(mesh, samples, options)) {}
 
-  /// The mean of the samples of a pixel.
-  Pixel pixel(int x, int y) const {
+  std::size_t bands() const { return seen_.bands(); }
+
+  /// Draws bands [first, last) with memory for the samples of one, from pixel (left, above) on.
+  void draw(std::size_t first, std::size_t last, Image& image, int left, int above) const {
+    const int width = camera_.width / options_.samples;
+    const int height = camera_.height / options_.samples;
+    const FaceBuffer nothing(camera_.width, rows_ * options_.samples);
+    FaceBuffer samples;
+    for (std::size_t band = first; band < last; ++band) {
+      samples = nothing;
+      seen_.draw(band, samples.row(0));
+      const int top = static_cast<int>(band) * rows_;
+      for (int y = top; y < std::min(top + rows_, height); ++y)
+        for (int x = 0; x < width; ++x) image.at(left + x, above + y) = pixel(samples, x, y, top);
+    }
+  }
+
+ private:
+  /// The mean of the samples of a pixel, in the band that begins at row `top`.
+  Pixel pixel(const FaceBuffer& samples, int x, int y, int top) const {
     const int n = options_.samples;
     Color sum = Color::Zero();
     int hits = 0;
     for (int j = y * n; j < (y + 1) * n; ++j)
       for (int i = x * n; i < (x + 1) * n; ++i) {
-        if (buffer_.at(i, j).face == no_index) continue;
-        sum += sample(i, j).cwiseMin(1.0F);
+        const FacePixel& hit = samples.at(i, j - top * n);
+        if (hit.face == no_index) continue;
+        sum += sample(hit, i, j).cwiseMin(1.0F);
         ++hits;
       }
     return blended(sum, hits, n * n, y);
   }
 
- private:
+  static int rows_per_band(const Camera& samples, const ShadeOptions& options) {
+    return std::clamp(most_samples / (samples.width * options.samples), 1, most_rows);
+  }
+
   /// Faces beyond those of the mesh are segments.
-  static FaceBuffer seen(const Mesh& mesh, const Camera& samples, const ShadeOptions& options) {
-    if (options.segments.empty()) return rasterize(mesh, samples);
+  static BandRasterizer seen(const Mesh& mesh, const Camera& samples, const ShadeOptions& options) {
+    const int rows = rows_per_band(samples, options) * options.samples;
+    if (options.segments.empty()) return {mesh, samples, rows};
     Mesh drawn{mesh.positions, mesh.faces, {}, {}};
     add_ribbons(options.segments, samples, segment_width * options.samples, drawn);
-    return rasterize(drawn, samples);
+    return {drawn, samples, rows};
   }
 
   Pixel blended(const Color& sum, int hits, int samples, int y) const {
@@ -70,8 +95,7 @@ class Shader {
     return {srgb_byte(color[0]), srgb_byte(color[1]), srgb_byte(color[2]), alpha};
   }
 
-  Color sample(int x, int y) const {
-    const FacePixel& hit = buffer_.at(x, y);
+  Color sample(const FacePixel& hit, int x, int y) const {
     if (hit.face >= mesh_.faces.size()) return segment_color;
     const Face& face = mesh_.faces[hit.face];
     const Vec3& a = mesh_.positions[face[0]];
@@ -108,20 +132,24 @@ class Shader {
   const Lights lights_;
   const Vec3 eye_;
   const std::vector<CornerNormals> normals_;
-  const FaceBuffer buffer_;
+  const int rows_;  ///< of pixels in a band
+  const BandRasterizer seen_;
 };
 
 }  // namespace
 
-Image shade(const Mesh& mesh, const Camera& camera, const ShadeOptions& options) {
+void shade(const Mesh& mesh, const Camera& camera, const ShadeOptions& options, int left, int above,
+           Image& image) {
   const Camera samples = camera.resampled(options.samples);
   const Shader shader(mesh, samples, options);
+  parallel_for(shader.bands(), 1, [&](std::size_t first, std::size_t last) {
+    shader.draw(first, last, image, left, above);
+  });
+}
+
+Image shade(const Mesh& mesh, const Camera& camera, const ShadeOptions& options) {
   Image image(camera.width, camera.height);
-  parallel_for(static_cast<std::size_t>(image.height), rows_per_task,
-               [&](std::size_t first, std::size_t last) {
-                 for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
-                   for (int x = 0; x < image.width; ++x) image.at(x, y) = shader.pixel(x, y);
-               });
+  shade(mesh, camera, options, 0, 0, image);
   return image;
 }
 

@@ -164,3 +164,24 @@ TEST_CASE("the buffer is the same for any number of threads") {
               all.pixels[i].weight == single.pixels[i].weight;
   CHECK(is_same);
 }
+
+TEST_CASE("bands of any height are the rows of the whole buffer") {
+  const Mesh ball = moved(icosphere(4), {0.3, 0.1, 2});
+  const Camera camera = camera_at_origin(90, 61, 70);
+  const FaceBuffer whole = rasterize(ball, camera);
+  for (const int rows : {1, 7, 61, 100}) {
+    const BandRasterizer bands(ball, camera, rows);
+    REQUIRE(bands.bands() == static_cast<std::size_t>((61 + rows - 1) / rows));
+    int different = 0;
+    for (std::size_t band = 0; band < bands.bands(); ++band) {
+      FaceBuffer part(90, rows);
+      bands.draw(band, part.row(0));
+      for (int y = 0; y < rows && static_cast<int>(band) * rows + y < 61; ++y)
+        for (int x = 0; x < 90; ++x) {
+          const FacePixel& seen = whole.at(x, static_cast<int>(band) * rows + y);
+          different += part.at(x, y).face != seen.face || part.at(x, y).depth != seen.depth;
+        }
+    }
+    CHECK(different == 0);
+  }
+}

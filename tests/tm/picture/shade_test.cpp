@@ -225,3 +225,15 @@ TEST_CASE("the same bytes for any number of threads") {
   const ThreadLimit one(1);
   CHECK(shade(icosphere(4), front_camera()).pixels == all.pixels);
 }
+
+TEST_CASE("a part of an image is what the picture would be, and the rest stays") {
+  const Image alone = shade(centered_cube, front_camera());
+  const Pixel other{1, 2, 3, 4};
+  Image whole(80, 70, other);
+  shade(centered_cube, front_camera(), {}, 10, 3, whole);
+  for (int y = 0; y < whole.height; ++y)
+    for (int x = 0; x < whole.width; ++x) {
+      const bool is_inside = x >= 10 && x < 75 && y >= 3 && y < 68;
+      REQUIRE(whole.at(x, y) == (is_inside ? alone.at(x - 10, y - 3) : other));
+    }
+}
