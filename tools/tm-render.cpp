@@ -36,7 +36,10 @@ void declare(tool::Program& program, Options& options) {
   program.choice("frame", &options.frame, {"each", "scale", "place"},
                  "what fills a panel: its mesh, the scale of the largest, the box of all meshes");
   program.text("around", &options.around, "FILE", "frame FILE's mesh in every panel instead");
-  program.integer("columns", &options.columns, 0, 10000, "panels in a row; 0 is all");
+  program.integer("views", &picture.views, 1, 1000,
+                  "draw each mesh so many times, seen from all around in equal steps");
+  program.integer("columns", &options.columns, 0, 10000,
+                  "panels in a row; 0 is all, with --views what fits best");
   program.text("color", &options.color, "COLOR",
                "of the surface, as #rrggbb; without it the properties red, green and blue");
   program.text("color-by", &picture.shade.color.by, "PROPERTY",

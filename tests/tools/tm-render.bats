@@ -44,6 +44,21 @@ differ() {
   done
 }
 
+@test "several views of a mesh share a picture" {
+  tm-shape box 1 2 3 --faces 100 -o box.ply
+  tm-render --size 300x200 --views 6 box.ply >six.png
+  tm-render --size 300x200 --views 6 --columns 3 box.ply >columns.png
+  tm-render --size 300x200 --views 6 --columns 6 box.ply >row.png
+  [ "$(png_header six.png)" = "300 200 2" ]
+  cmp six.png columns.png
+  differ six.png row.png
+  run --separate-stderr tm-render --size 300x200 --views 0 box.ply
+  assert_status 2
+  run --separate-stderr tm-render --size 30x2 --views 1000 box.ply
+  assert_status 2
+  [[ $stderr == *"too small"* ]]
+}
+
 @test "intersections are highlighted" {
   tm-shape two-spheres --gap=-0.3 --faces 2000 -o crossing.ply
   tm-intersect crossing.ply >marked.ply

@@ -51,6 +51,16 @@ Fit fit(std::span<const Vec3> points, const Vec3& direction, const Vec3& back, d
   return {(plus - minus) / (2 * slope), plus + (minus - plus) / 2};
 }
 
+Vec3 box_middle(std::span<const Vec3> points) {
+  Vec3 low = points[0];
+  Vec3 high = points[0];
+  for (const Vec3& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  return low / 2 + high / 2;
+}
+
 }  // namespace
 
 Vec3 Camera::center() const {
@@ -95,6 +105,33 @@ Aim aim_at(std::span<const Vec3> points, const Orbit& orbit, int width, int heig
   const double distance = eye_back - middle;
   return {across.middle * axes.right + along.middle * axes.up + middle * axes.back,
           distance > 0 ? distance : 1};
+}
+
+Aim turn_aim(std::span<const Vec3> points, const Orbit& orbit, int width, int height) {
+  const double focal = focal_length(width, height);
+  const double slope_across = focal / (filled_share * width / 2);
+  const double slope_along = focal / (filled_share * height / 2);
+  const double cosine = elementary::cos(radians(orbit.elevation_deg));
+  const double sine = elementary::sin(radians(orbit.elevation_deg));
+  const Vec3 up = front_axes(orbit.up).up;
+  const Vec3 middle = box_middle(points);
+
+  // At azimuth a, a point of height h and radius r is r sin a to the right of the middle,
+  // h cosine - r sine cos a above it, and r cosine cos a + h sine nearer. The distance must be more
+  // than that plus slope times right, up or down: each is largest at an angle known.
+  double distance = 0;
+  for (const Vec3& point : points) {
+    const double height_of = up.dot(point - middle);
+    const double radius = (point - middle - height_of * up).norm();
+    const double across =
+        radius * std::sqrt(slope_across * slope_across + cosine * cosine) + sine * height_of;
+    const double above =
+        radius * std::abs(cosine - slope_along * sine) + height_of * (sine + slope_along * cosine);
+    const double below =
+        radius * std::abs(cosine + slope_along * sine) + height_of * (sine - slope_along * cosine);
+    distance = std::max({distance, across, above, below});
+  }
+  return {middle, distance > 0 ? distance : 1};
 }
 
 Camera orbit_camera(const Aim& aim, const Orbit& orbit, int width, int height) {

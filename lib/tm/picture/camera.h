@@ -54,6 +54,10 @@ struct Aim {
 /// view is 30 degrees along the shorter side. Distance 1 where all points are the same.
 Aim aim_at(std::span<const Vec3> points, const Orbit& orbit, int width, int height);
 
+/// The aim at the middle of the points' box for which they stay inside, but for the same margin,
+/// whatever the azimuth; some reach the margin at some azimuth.
+Aim turn_aim(std::span<const Vec3> points, const Orbit& orbit, int width, int height);
+
 /// Zoom narrows the field of view.
 Camera orbit_camera(const Aim& aim, const Orbit& orbit, int width, int height);
 

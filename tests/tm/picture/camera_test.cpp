@@ -101,3 +101,25 @@ TEST_CASE("a resampled camera keeps the outline of each pixel") {
   CHECK((3 * coarse_place - fine_place).abs().maxCoeff() < 1e-12);
   CHECK((fine.center() - camera.center()).norm() < 1e-12);
 }
+
+TEST_CASE("an aim of a turn fits the points at every azimuth, and tightly at one") {
+  Random random(4);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Vec3> points(30);
+    for (Vec3& point : points) point = random.point(-3, 5);
+    Orbit orbit{0, random.uniform(-90, 90), Axis::z, 1};
+    const Aim aim = turn_aim(points, orbit, 300, 200);
+    double farthest = 0;  // from the middle, as a share of half a side
+    for (orbit.azimuth_deg = 0; orbit.azimuth_deg < 360; ++orbit.azimuth_deg) {
+      const Camera camera = orbit_camera(aim, orbit, 300, 200);
+      for (const Vec3& point : points) {
+        const Eigen::Vector2d place = pixel(camera, point);
+        farthest = std::max(
+            {farthest, std::abs(place.x() - 149.5) / 150, std::abs(place.y() - 99.5) / 100});
+      }
+    }
+    CHECK(farthest < 0.92 + 1e-9);
+    CHECK(farthest > 0.919);
+  }
+  CHECK(turn_aim(std::vector<Vec3>{Vec3::Zero()}, {}, 10, 10).distance == 1);
+}

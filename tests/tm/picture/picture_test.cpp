@@ -87,6 +87,51 @@ TEST_CASE("panels fill rows, then go down, without a gap for any size") {
   CHECK(alpha(75, 50) == 0);
 }
 
+TEST_CASE("views go around: each is the first of a turn that begins there") {
+  const Mesh ring = torus(1, 0.3, 24, 12);
+  PictureOptions options = silhouettes(240, 60);
+  options.orbit = {10, 20, Axis::x, 1};
+  options.views = 4;
+  options.columns = 4;
+  const Image image = draw({&ring}, options);
+  for (int view = 1; view < 4; ++view) {
+    options.orbit.azimuth_deg = 10 + 90 * view;
+    const Image turned = draw({&ring}, options);
+    int different = 0;
+    for (int y = 0; y < 60; ++y)
+      for (int x = 0; x < 60; ++x) different += image.at(60 * view + x, y) != turned.at(x, y);
+    CHECK(different == 0);
+    CHECK(covered(turned, 0, 60) > 500);
+  }
+}
+
+TEST_CASE("frames of a film are views of the same distance") {
+  const Mesh box = cuboid({0, 0, 0}, {1, 2, 3});
+  PictureOptions options = silhouettes(120, 60);
+  options.views = 2;
+  const Image both = draw({&box}, options);
+  options.width = 60;
+  options.views = 1;
+  options.frames = 2;
+  for (options.frame = 0; options.frame < 2; ++options.frame)
+    CHECK(covered(draw({&box}, options), 0, 60) ==
+          covered(both, 60 * options.frame, 60 * options.frame + 60));
+}
+
+TEST_CASE("views of one mesh have the largest panels, of several a row each") {
+  PictureOptions options = silhouettes(300, 200);
+  options.views = 6;
+  const Image one = draw({&ball}, options);  // 3 columns of 2
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 3; ++column)
+      CHECK(one.at(50 + 100 * column, 50 + 100 * row)[3] == 255);
+  CHECK(one.at(100, 50)[3] == 0);
+  options.views = 3;
+  const Image two = draw({&ball, &small_ball}, options);
+  CHECK(two.at(50, 50) == two.at(50, 150));
+  CHECK(two.at(100, 50)[3] == 0);
+}
+
 TEST_CASE("highlights need one mesh that has the property") {
   Mesh marked = ball;
   marked.face_columns.get("intersections", Scalar::int32, marked.faces.size()).values[0] = 1;
