@@ -39,6 +39,20 @@ File file_of(std::string_view input, const std::string& command) {
   return file;
 }
 
+struct Output {
+  File to_read, to_write;
+};
+
+Output output_of(FilterOutput kind, const std::string& command) {
+  if (kind == FilterOutput::file) {
+    File file = file_of("", command);
+    return {opened(fcntl(fileno(file.get()), F_DUPFD_CLOEXEC, 0), "r", command), std::move(file)};
+  }
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_not_run(command);
+  return {opened(ends[0], "r", command), opened(ends[1], "w", command)};
+}
+
 pid_t start(const std::string& command, const File& input, const File& output) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -83,22 +97,22 @@ void check_ending(const std::string& command, int status) {
 
 }  // namespace
 
-std::string run_filter(const std::string& command, std::string_view input) {
+std::string run_filter(const std::string& command, std::string_view input, FilterOutput kind) {
   const File child_input = file_of(input, command);
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_not_run(command);
-  const File from_child = opened(ends[0], "r", command);
-  File child_output = opened(ends[1], "w", command);
-  const pid_t child = start(command, child_input, child_output);
+  Output output = output_of(kind, command);
+  const pid_t child = start(command, child_input, output.to_write);
   set_child_group(child);
-  child_output.reset();
-  std::string output = all_of(from_child);
+  output.to_write.reset();
+  std::string bytes;
+  if (kind == FilterOutput::pipe) bytes = all_of(output.to_read);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   set_child_group(0);
   check_ending(command, status);
-  return output;
+  if (kind == FilterOutput::pipe) return bytes;
+  std::rewind(output.to_read.get());
+  return all_of(output.to_read);
 }
 
 }  // namespace transformesh::tool

@@ -1,6 +1,8 @@
 /// tm-render: a picture of meshes without a display.
+#include <algorithm>
 #include <tuple>
 
+#include "film.h"
 #include "frame/run.h"
 #include "tm/io/segments.h"
 #include "tm/picture/picture.h"
@@ -23,6 +25,7 @@ struct Options {
   std::string segments;
   std::vector<double> range;
   long columns = 0;
+  int frames = 0;
   PictureOptions picture;
 };
 
@@ -38,6 +41,8 @@ void declare(tool::Program& program, Options& options) {
   program.text("around", &options.around, "FILE", "frame FILE's mesh in every panel instead");
   program.integer("views", &picture.views, 1, 1000,
                   "draw each mesh so many times, seen from all around in equal steps");
+  program.integer("frames", &options.frames, 0, 10000,
+                  "write a film of so many pictures, in which the eye goes around once; 0: none");
   program.integer("columns", &options.columns, 0, 10000,
                   "panels in a row; 0 is all, with --views what fits best");
   program.text("color", &options.color, "COLOR",
@@ -69,6 +74,9 @@ void render(const Options& options, tool::Run& run) {
   if (!options.color.empty()) picture.shade.color.front = parse_color(options.color);
   if (!options.range.empty()) picture.range = {options.range[0], options.range[1]};
   picture.shade.background = parse_background(options.background);
+  picture.frames = std::max(options.frames, 1);
+  tool::check_film(options.frames, picture.width, picture.height,
+                   picture.shade.background.is_transparent, run);
 
   const Mesh around = options.around.empty() ? Mesh{} : run.read(options.around).mesh;
   if (!options.around.empty()) picture.around = &around;
@@ -77,7 +85,13 @@ void render(const Options& options, tool::Run& run) {
   std::vector<const Mesh*> meshes;
   for (const Document& document : run.documents()) meshes.push_back(&document.mesh);
   run.report("meshes", meshes.size());
-  run.write_output(write_png(draw_picture(meshes, picture, run.progress())));
+  const auto draw = [&](int frame, const Progress& progress) {
+    picture.frame = frame;
+    return write_png(draw_picture(meshes, picture, progress));
+  };
+  if (options.frames == 0) return run.write_output(draw(0, run.progress()));
+  tool::write_frames(
+      options.frames, [&](int frame) { return draw(frame, {}); }, run);
 }
 
 }  // namespace
@@ -87,6 +101,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-render", "[OPTION]... [INPUT]...", "Draws meshes as a PNG picture",
                         tool::Reads::meshes, tool::Writes::picture};
   declare(program, options);
+  program.picture_endings = {".png", ".mp4", ".gif"};
   program.epilog = "Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png";
   return program.run(argc, argv, [&](tool::Run& run) { render(options, run); });
 }

@@ -59,6 +59,58 @@ differ() {
   [[ $stderr == *"too small"* ]]
 }
 
+@test "frames are numbered pictures, the last one step before the first" {
+  tm-shape box 1 2 3 --faces 100 -o box.ply
+  tm-render --size 60x40 --frames 12 -o turn.png --report report.json box.ply
+  [ ! -e turn.png ]
+  [ "$(echo turn-*.png | wc -w)" -eq 12 ]
+  grep -q '"frames": 12' report.json
+  differ turn-000.png turn-011.png
+  # A box looks the same from behind.
+  cmp turn-001.png turn-007.png
+  tm-render --size 60x40 --orbit 120,20 --frames 12 -o later.png box.ply
+  cmp later-000.png turn-003.png
+  tm-render --size 60x40 --frames 12 --threads 1 -o one.png box.ply
+  cmp one-005.png turn-005.png
+}
+
+@test "films are encoded by ffmpeg" {
+  needs_command ffmpeg
+  needs_command ffprobe
+  tm-shape box 1 2 3 --faces 100 -o box.ply
+  for ending in mp4 GIF; do
+    tm-render --size 60x40 --frames 5 -o "turn.$ending" box.ply
+    tm-render --size 60x40 --frames 5 --threads 1 -o "again.$ending" box.ply
+    cmp "turn.$ending" "again.$ending"
+    facts=$(ffprobe -v error -count_frames -of csv=p=0 \
+      -show_entries stream=width,height,avg_frame_rate,nb_read_frames "turn.$ending")
+    [ "$facts" = 60,40,25/1,5 ] || fail "$facts"
+  done
+  # What it shows is what is drawn, but for what the encoding loses.
+  tm-render --size 60x40 --frames 5 -o turn.png box.ply
+  ffmpeg -v error -i turn.mp4 -i turn-%03d.png -lavfi ssim=stats_file=log -f null -
+  [ "$(wc -l <log)" -eq 5 ]
+  sed 's/.*All:\([0-9.]*\).*/\1/' log | awk '$1 < 0.9 { exit 1 }' || fail "$(cat log)"
+}
+
+@test "a film that cannot be is refused before it is drawn" {
+  tetrahedron >a.ply
+  refused() { # CODE WORDS OPTION...
+    run --separate-stderr env PATH="$film_path" "$tm_build/bin/tm-render" "${@:3}" a.ply
+    assert_status "$1"
+    one_line "$stderr"
+    [[ $stderr == *"$2"* ]] || fail "$stderr"
+    [ "$(echo a*)" = a.ply ] || fail "$(echo a*)"
+  }
+  film_path=$BATS_TEST_TMPDIR/none
+  for name in a.mp4 a.gif; do refused 4 'apt-get install ffmpeg' --frames 3 -o "$name"; done
+  refused 2 '--frames' -o a.mp4
+  refused 2 '-o orbit.mp4' --frames 3
+  refused 2 'even' --frames 3 --size 41x30 -o a.mp4
+  refused 2 'GIF' --frames 3 --background transparent -o a.mp4
+  refused 2 '.png, ' --frames 3 -o a.avi
+}
+
 @test "intersections are highlighted" {
   tm-shape two-spheres --gap=-0.3 --faces 2000 -o crossing.ply
   tm-intersect crossing.ply >marked.ply

@@ -92,8 +92,9 @@ struct Program {
   std::pair<std::string, std::string> words_entry = {};  ///< placeholder and help of Reads::words
   std::vector<std::string> word_choices = {};  ///< the first word is one of these, for completion
   std::string epilog = {};                     ///< shown after the options: examples, formulas
-  std::function<bool()> writes_mesh_if = {};   ///< where this holds, a mesh is written, no report
-  bool joins_soups = false;                    ///< so that nobody is told to do it with tm-stitch
+  std::vector<std::string> picture_endings = {".png"};  ///< of -o, where a picture is written
+  std::function<bool()> writes_mesh_if = {};  ///< where this holds, a mesh is written, no report
+  bool joins_soups = false;                   ///< so that nobody is told to do it with tm-stitch
   const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
   CommonValues common = CommonValues();   // {} would make GCC 12 warn
   std::deque<Option> options = {};

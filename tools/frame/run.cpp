@@ -33,6 +33,14 @@ Entries counts_of(std::span<const Document> documents) {
   return {{"vertices", vertices}, {"faces", faces}};
 }
 
+/// `.a, .b or .c`
+std::string listed(const std::vector<std::string>& words) {
+  std::string text = words[0];
+  for (std::size_t i = 1; i < words.size(); ++i)
+    text += (i + 1 < words.size() ? ", " : " or ") + words[i];
+  return text;
+}
+
 }  // namespace
 
 Run::Run(Program& program, Terminal& terminal)
@@ -54,14 +62,14 @@ void Run::check_ending() const {
   const bool writes_picture = program_.writes == Writes::picture;
   if (!writes_picture && (!program_.writes_mesh() || !program_.common.format.empty())) return;
   const std::vector<std::string> known =
-      writes_picture ? std::vector<std::string>{".png"}
+      writes_picture ? program_.picture_endings
                      : std::vector<std::string>{".ply", ".off", ".obj", ".stl"};
   const std::string ending = unknown_ending(output(), known);
   if (ending.empty()) return;
   throw UsageError("--output: '" + output() + "' ends in " + ending + ", which is not written; " +
-                   (writes_picture ? "pictures are .png"
-                                   : "take .ply, .off, .obj or .stl, or say what it shall hold "
-                                     "with --format"));
+                   (writes_picture
+                        ? "pictures are " + listed(known)
+                        : "take " + listed(known) + ", or say what it shall hold with --format"));
 }
 
 void Run::start() {
