@@ -25,12 +25,9 @@ const std::string write_mp4 = "-pix_fmt yuv420p -movflags +faststart -f mp4 /dev
 const std::string write_gif =
     "-filter_complex 'split[a][b];[a]palettegen[p];[b][p]paletteuse' -loop 0 -f gif /dev/stdout";
 
-/// In lower case.
-std::string ending_of(const std::string& path) {
-  std::string ending = fs::path(path).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
+bool is_film(const std::string& path) {
+  const std::string ending = ending_of(path);
+  return ending == ".mp4" || ending == ".gif";
 }
 
 bool is_installed(const std::string& program) {
@@ -52,9 +49,11 @@ std::string numbered(const std::string& path, int frame, int frames) {
 
 }  // namespace
 
-bool is_film(const std::string& path) {
-  const std::string ending = ending_of(path);
-  return ending == ".mp4" || ending == ".gif";
+std::string ending_of(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
 }
 
 void check_film(int frames, int width, int height, bool is_transparent, const Run& run) {

@@ -8,11 +8,11 @@
 
 namespace transformesh::tool {
 
-/// The bytes of a picture; of a film they are those of PNG.
+/// The bytes of a picture, of PNG for films.
 using DrawFrame = std::function<std::string(int frame)>;
 
-/// Whether that is the name of a film: .mp4 or .gif.
-bool is_film(const std::string& path);
+/// The ending of a file's name with its dot, in lower case.
+std::string ending_of(const std::string& path);
 
 /// Before anything is drawn. Throws UsageError where -o cannot hold so many frames (0: a picture
 /// alone), or no film of that kind, and GoalError where ffmpeg is needed and not installed.

@@ -111,6 +111,66 @@ differ() {
   refused 2 '.png, ' --frames 3 -o a.avi
 }
 
+@test "an SVG holds the lines that show" {
+  tm-shape box 1 2 3 --faces 100 -o box.ply
+  tm-render --size 300x200 -o box.svg box.ply
+  head -1 box.svg | grep -q '^<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200"'
+  [ "$(tail -1 box.svg)" = '</svg>' ]
+  [ "$(grep -o 'class="[a-z]*"' box.svg | tr '\n' ' ')" = 'class="creases" class="outlines" ' ]
+  tm-render --size 300x200 --threads 1 -o one.svg box.ply
+  cmp box.svg one.svg
+  tm-render --size 300x200 --edges -o edges.svg box.ply
+  [ "$(wc -c <edges.svg)" -gt "$(wc -c <box.svg)" ]
+  grep -q 'class="edges"' edges.svg
+  # All coordinates have two decimals.
+  [ -z "$(grep -o ' d="[^"]*"' edges.svg | tr -d 'd"=' | tr -s 'ML ' '\n' | grep -vE '^([0-9]+\.[0-9]{2})?$')" ]
+}
+
+@test "an SVG is of lines and their options alone, and films of them are numbered" {
+  tm-shape two-spheres --gap=-0.3 --faces 2000 -o crossing.ply
+  tm-intersect --segments lines.ply -o marked.ply crossing.ply
+  tm-render --views 2 --segments lines.ply -o lines.svg marked.ply
+  [ "$(grep -c 'class="segments"' lines.svg)" -ge 1 ]
+  [ "$(grep -c '<g>' lines.svg)" -eq 2 ]
+  for option in --color=white --background=white --highlight=intersections --color-by=x --range=0,1; do
+    run --separate-stderr tm-render "$option" -o other.svg marked.ply
+    assert_status 2
+    one_line "$stderr"
+    [[ $stderr == *"${option%%=*}"* ]]
+    [ ! -e other.svg ]
+  done
+  tm-render --frames 3 -o turn.svg marked.ply
+  [ "$(echo turn-*.svg)" = "turn-000.svg turn-001.svg turn-002.svg" ]
+}
+
+@test "a browser draws the SVG where the picture has its outline" {
+  needs_command chromium
+  tm-shape torus --faces 2000 -o torus.ply
+  tm-render --size 300x200 -o torus.svg torus.ply
+  timeout 60 chromium --headless --no-sandbox --disable-gpu --window-size=300,200 \
+    --screenshot="$PWD/drawn.png" "$PWD/torus.svg" >/dev/null 2>&1 || skip "chromium does not start"
+  [ "$(png_header drawn.png | cut -d' ' -f1,2)" = "300 200" ]
+  # Within a few pixels of where surface and background meet.
+  needs_command python3
+  python3 -c 'import numpy, PIL.Image' 2>/dev/null || skip "python3 without numpy and PIL"
+  tm-render --size 300x200 --background transparent -o torus.png torus.ply
+  python3 - <<'PYTHON'
+import numpy
+from PIL import Image
+lines = numpy.asarray(Image.open("drawn.png").convert("L")) < 128
+inside = numpy.asarray(Image.open("torus.png"))[..., 3] > 127
+edge = numpy.zeros_like(inside)
+edge[:, 1:] |= inside[:, 1:] != inside[:, :-1]
+edge[1:] |= inside[1:] != inside[:-1]
+near = lines.copy()
+for dx in range(-2, 3):
+    for dy in range(-2, 3):
+        near |= numpy.roll(lines, (dy, dx), (0, 1))
+missed = (edge & ~near).sum() / edge.sum()
+assert lines.sum() > 300 and missed < 0.01, (lines.sum(), missed)
+PYTHON
+}
+
 @test "intersections are highlighted" {
   tm-shape two-spheres --gap=-0.3 --faces 2000 -o crossing.ply
   tm-intersect crossing.ply >marked.ply
