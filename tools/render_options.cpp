@@ -40,6 +40,8 @@ void declare_picture(Program& program, RenderOptions& options) {
                "#rrggbb, two as TOP,BOTTOM, or transparent");
   program.number("crease-angle", &picture.shade.crease_angle_deg, 0, 180,
                  "degrees beyond which a bend is drawn as a sharp edge; 0 draws flat faces");
+  program.flag("ambient-occlusion", &options.occlusion,
+               "dim the light where the mesh keeps it off, from all around");
   program.flag("edges", &picture.shade.draw_edges, "draw the edges of the faces");
 }
 
@@ -61,7 +63,8 @@ PictureOptions picture_of(const RenderOptions& options) {
 bool draws_lines(const Run& run) {
   if (ending_of(run.output()) != ".svg") return false;
   for (const Option& option : run.program().options)
-    for (const char* name : {"color", "color-by", "range", "highlight", "background"})
+    for (const char* name :
+         {"color", "color-by", "range", "highlight", "background", "ambient-occlusion"})
       if (option.is_given && option.name() == name)
         throw UsageError("--" + option.name() + ": an SVG holds lines alone; write a .png for it");
   return true;

@@ -22,6 +22,7 @@ struct RenderOptions {
   std::vector<double> range;
   long columns = 0;
   int frames = 0;
+  bool occlusion = false;
   PictureOptions picture;
 };
 

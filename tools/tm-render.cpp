@@ -3,6 +3,7 @@
 #include "render_options.h"
 #include "tm/io/segments.h"
 #include "tm/picture/line_drawing.h"
+#include "tm/picture/openness.h"
 #include "tm/picture/png.h"
 
 namespace {
@@ -19,8 +20,12 @@ void render(const tool::RenderOptions& options, tool::Run& run) {
   if (!options.around.empty()) picture.around = &around;
   if (!options.segments.empty())
     picture.shade.segments = segments_of(run.read(options.segments), options.segments);
+  if (options.occlusion) picture.shade.openness = "tm:openness";
   std::vector<const Mesh*> meshes;
-  for (const Document& document : run.documents()) meshes.push_back(&document.mesh);
+  for (Document& document : run.documents()) {
+    if (options.occlusion) set_openness(document.mesh, picture.shade.openness, run.progress());
+    meshes.push_back(&document.mesh);
+  }
   run.report("meshes", meshes.size());
 
   const auto draw = [&](int frame, const Progress& progress) {

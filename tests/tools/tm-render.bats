@@ -37,7 +37,7 @@ differ() {
   tm-shape sphere --faces 200 --center 5,0,0 -o b.ply
   tm-render --size 200x100 a.ply b.ply >usual.png
   for option in "--orbit 60,10" "--up z" "--zoom 0.5" "--frame scale" "--frame place" \
-    "--around b.ply" "--color #208020" "--background white" "--crease-angle 0" --edges; do
+    "--around b.ply" "--color #208020" "--background white" "--crease-angle 0" "--views 2" --edges; do
     # shellcheck disable=SC2086
     tm-render --size 200x100 $option a.ply b.ply >other.png
     differ usual.png other.png
@@ -132,7 +132,7 @@ differ() {
   tm-render --views 2 --segments lines.ply -o lines.svg marked.ply
   [ "$(grep -c 'class="segments"' lines.svg)" -ge 1 ]
   [ "$(grep -c '<g>' lines.svg)" -eq 2 ]
-  for option in --color=white --background=white --highlight=intersections --color-by=x --range=0,1; do
+  for option in --color=white --background=white --highlight=intersections --color-by=x --range=0,1 --ambient-occlusion; do
     run --separate-stderr tm-render "$option" -o other.svg marked.ply
     assert_status 2
     one_line "$stderr"
@@ -164,6 +164,19 @@ reach = [dy * width + dx for dy in range(-2, 3) for dx in range(-2, 3)]
 missed = [i for i in ends if not any(i + step in lines for step in reach)]
 assert len(ends) > 500 and len(missed) < len(ends) / 100, (len(ends), len(missed), len(lines))
 PYTHON
+}
+
+@test "ambient occlusion dims what lies deep, and nothing of a convex body" {
+  tm-shape sphere --faces 500 -o ball.ply
+  tm-render --size 100x100 ball.ply >plain.png
+  tm-render --size 100x100 --ambient-occlusion ball.ply >dimmed.png
+  cmp plain.png dimmed.png
+  tm-shape genus 3 --faces 2000 -o genus.ply
+  tm-render --size 100x100 genus.ply >plain.png
+  tm-render --size 100x100 --ambient-occlusion genus.ply >dimmed.png
+  tm-render --size 100x100 --ambient-occlusion --threads 1 genus.ply >one.png
+  differ plain.png dimmed.png
+  cmp dimmed.png one.png
 }
 
 @test "intersections are highlighted" {

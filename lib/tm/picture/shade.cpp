@@ -16,7 +16,8 @@ constexpr int most_samples = 1 << 17;     ///< held at once by a thread, but for
 constexpr int most_rows = 8;              ///< of pixels in a band, so that all threads have some
 constexpr double line_half_width = 0.45;  ///< in pixels; the face beyond the edge adds as much
 constexpr float line_strength = 0.65F;
-constexpr double segment_width = 2;  ///< in pixels
+constexpr double segment_width = 2;         ///< in pixels
+constexpr float light_in_the_dark = 0.15F;  ///< where nothing comes from around
 const Color segment_color = color_of_srgb(0.85, 0.05, 0.45);
 const Color line_color = color_of_srgb(0.10, 0.12, 0.16);
 
@@ -29,6 +30,7 @@ class Shader {
         color_(mesh, options.color),
         lights_(samples, options.upright),
         eye_(samples.center()),
+        openness_(options.openness.empty() ? nullptr : mesh.vertex_columns.find(options.openness)),
         normals_(corner_normals(mesh, options.crease_angle_deg)),
         rows_(rows_per_band(samples, options)),
         seen_(seen(mesh, samples, options)) {}
@@ -110,8 +112,16 @@ class Shader {
         (hit.weight[0] * corners[0] + hit.weight[1] * corners[1] + rest * corners[2]).normalized();
     Color lit = lights_.reflected(color_.at(hit, is_front), is_front ? normal : -normal,
                                   to_eye.normalized().cast<float>());
+    if (openness_ != nullptr && is_front) lit *= dimming(face, hit);
     if (!options_.draw_edges || !is_on_line(face, x, y)) return lit;
     return lit + line_strength * (line_color - lit);
+  }
+
+  float dimming(const Face& face, const FacePixel& hit) const {
+    const auto at = [&](std::size_t i) { return static_cast<float>(openness_->values[face[i]]); };
+    const float rest = 1 - hit.weight[0] - hit.weight[1];
+    const float open = hit.weight[0] * at(0) + hit.weight[1] * at(1) + rest * at(2);
+    return light_in_the_dark + (1 - light_in_the_dark) * open;
   }
 
   /// Whether the sample is close to an edge of its face, as seen in the picture.
@@ -131,6 +141,7 @@ class Shader {
   const SurfaceColor color_;
   const Lights lights_;
   const Vec3 eye_;
+  const Column* openness_;
   const std::vector<CornerNormals> normals_;
   const int rows_;  ///< of pixels in a band
   const BandRasterizer seen_;

@@ -1,6 +1,7 @@
 /// Light and color for what a camera sees.
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,10 @@ struct ShadeOptions {
   SurfaceColorOptions color;
   Background background;
   double crease_angle_deg = 40;  ///< [0, 180]: bends beyond it are shaded as edges; 0 is flat
-  bool draw_edges = false;       ///< lines along the edges of faces, one pixel wide
+  /// Name of a vertex column as set_openness() makes it, which dims the light on front sides. None
+  /// where empty or where the mesh has none of that name.
+  std::string openness;
+  bool draw_edges = false;                      ///< lines along the edges of faces, one pixel wide
   std::vector<std::pair<Vec3, Vec3>> segments;  ///< drawn where no surface hides them
   Vec3 upright = Vec3::UnitY();                 ///< where the sky is; length 1
   int samples = 3;  ///< [1, 8] each way in a pixel, against jagged outlines
