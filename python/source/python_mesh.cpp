@@ -138,11 +138,13 @@ void bind_files(py::module_& module) {
   module.def(
       "parse", [](const py::bytes& bytes) { return parse(std::string_view(bytes), "the bytes"); },
       py::arg("bytes"), "The mesh that a file of these bytes holds.");
-  module.def("write", &write, py::arg("mesh"), py::arg("path"), py::kw_only(),
-             py::arg("format") = "", py::arg("scalar") = "",
-             "Writes a file, complete or not at all. The name's ending decides on the format "
-             "(.ply .off .obj .stl) unless `format` does: ply, ply-ascii, ply-be, off; else it is "
-             "that of the file read, or binary PLY. `scalar` is float or double.");
+  module.def(
+      "write", &write, py::arg("mesh"), py::arg("path"), py::kw_only(), py::arg("format") = "",
+      py::arg("scalar") = "",
+      "Writes a file, complete or not at all. The name's ending decides on the format "
+      "(.ply .off .obj .stl .glb .vtp) unless `format` does: ply, ply-ascii, ply-be, off, obj, "
+      "stl, glb, vtp; else it is that of the file read, or binary PLY. `scalar` is float or "
+      "double.");
 }
 
 }  // namespace

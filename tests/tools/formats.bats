@@ -196,16 +196,38 @@ is_refused() {
 
 @test "endings that are not written are refused with those that are; none, or --format, stays" {
   cd "$BATS_TEST_TMPDIR"
-  for name in a.glb a.jpg; do
+  for name in a.gltf a.jpg; do
     run --separate-stderr tm-shape sphere --faces 100 -o "$name"
     assert_status 2
-    [[ $stderr == *".ply, .off, .obj or .stl"* ]]
+    [[ $stderr == *".ply, .off, .obj, .stl, .glb or .vtp"* ]]
     [ ! -e "$name" ]
   done
   tm-shape sphere --faces 100 -o plain
-  tm-convert --format obj -o a.glb plain
-  grep -q '^v ' a.glb
+  tm-convert --format obj -o a.gltf plain
+  grep -q '^v ' a.gltf
   run --separate-stderr tm-render plain -o a.jpg
   assert_status 2
   [[ $stderr == *".png"* ]]
+}
+
+@test "GLB and VTP are written by name or --format, and what they lose is named" {
+  cd "$BATS_TEST_TMPDIR"
+  odd_ply >odd.ply
+  tm-convert odd.ply -o a.glb 2>notes
+  [ "$(head -c 4 a.glb)" = glTF ]
+  grep -q "glb: face property 'label' cannot be stored in GLB, dropped" notes
+  grep -q "glb: coordinates are rounded to float" notes && fail "floats need no rounding"
+  tm-convert --format glb -o - odd.ply 2>/dev/null | cmp - a.glb
+  tm-convert odd.ply -o a.vtp 2>notes
+  grep -q '<Piece NumberOfPoints="4" NumberOfVerts="0" NumberOfLines="0"' a.vtp
+  grep -q '<DataArray type="Int16" Name="label" NumberOfComponents="1"' a.vtp
+  grep -q "vtp: element 'camera' cannot be stored in VTP, dropped" notes
+  # A filter writes them too, and none of them is read.
+  tm-shape sphere --faces 200 | tm-remesh -q -o sphere.VTP
+  grep -q 'Polys' sphere.VTP
+  for name in a.glb a.vtp; do
+    run --separate-stderr tm-info "$name"
+    assert_status 3
+    [[ $stderr == *"PLY, OFF, OBJ and STL are read"* ]]
+  done
 }

@@ -77,7 +77,8 @@ void declare_common(Program& program) {
   const std::size_t own = program.options.size();
   program.text("output,o", &common.output, "FILE", "where to write; - is stdout");
   if (program.may_write_mesh()) {
-    program.choice("format", &common.format, {"ply", "ply-ascii", "ply-be", "off", "obj", "stl"},
+    program.choice("format", &common.format,
+                   {"ply", "ply-ascii", "ply-be", "off", "obj", "stl", "glb", "vtp"},
                    program.is_evolution() ? "format of the output (default ply)"
                                           : "format of the output instead of the input's");
     if (!program.is_evolution()) {

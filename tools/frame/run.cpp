@@ -62,8 +62,7 @@ void Run::check_ending() const {
   const bool writes_picture = program_.writes == Writes::picture;
   if (!writes_picture && (!program_.writes_mesh() || !program_.common.format.empty())) return;
   const std::vector<std::string> known =
-      writes_picture ? program_.picture_endings
-                     : std::vector<std::string>{".ply", ".off", ".obj", ".stl"};
+      writes_picture ? program_.picture_endings : written_endings();
   const std::string ending = unknown_ending(output(), known);
   if (ending.empty()) return;
   throw UsageError("--output: '" + output() + "' ends in " + ending + ", which is not written; " +
@@ -153,7 +152,7 @@ void Run::set_output_style(Document& document) {
   set_style(document, output());
   if (output() == "-" && !is_text(document.style.format) && isatty(STDOUT_FILENO) == 1)
     throw UsageError(
-        "not writing binary PLY to a terminal: redirect it with > or |, name a file with -o, or "
+        "not writing binary data to a terminal: redirect it with > or |, name a file with -o, or "
         "ask for text with --format ply-ascii");
 }
 

@@ -10,7 +10,7 @@
 
 namespace transformesh {
 
-enum class Format { ply_ascii, ply_little, ply_big, off, obj, stl_ascii, stl_binary };
+enum class Format { ply_ascii, ply_little, ply_big, off, obj, stl_ascii, stl_binary, glb, vtp };
 
 /// A PLY element other than vertices and faces, kept as it is.
 struct OtherElement {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "tm/io/atomic_file.h"
+#include "tm/io/glb.h"
 #include "tm/io/obj.h"
 #include "tm/io/off.h"
 #include "tm/io/ply.h"
@@ -11,6 +12,7 @@
 #include "tm/io/sniff.h"
 #include "tm/io/stl.h"
 #include "tm/io/streams.h"
+#include "tm/io/vtp.h"
 #include "tm/mesh/digits.h"
 #include "tm/support/error.h"
 
@@ -74,6 +76,10 @@ void round_columns(Columns& columns) {
   }
 }
 
+bool is_ply(Format format) {
+  return format == Format::ply_ascii || format == Format::ply_little || format == Format::ply_big;
+}
+
 bool is_stl(Format format) { return format == Format::stl_ascii || format == Format::stl_binary; }
 
 // In lower case, with the dot; empty without one.
@@ -110,6 +116,12 @@ WriteResult write_mesh(const Document& document) {
       return write_off(document);
     case Format::obj:
       return write_obj(document);
+    case Format::glb:
+      check_float_range(document.mesh);
+      return write_glb(document);
+    case Format::vtp:
+      if (document.style.coordinate == Scalar::float32) check_float_range(document.mesh);
+      return write_vtp(document);
     case Format::stl_ascii:
     case Format::stl_binary:
       check_float_range(document.mesh);
@@ -136,17 +148,20 @@ Format format_for(Format input, std::string_view wanted, std::string_view name) 
   if (wanted == "ply") return Format::ply_little;
   if (wanted == "ply-ascii") return Format::ply_ascii;
   if (wanted == "ply-be") return Format::ply_big;
-  if (wanted == "off") return Format::off;
-  if (wanted == "obj") return Format::obj;
-  if (wanted == "stl") name = ".stl";
-  const std::string extension = extension_of(name);
+  const std::string extension = wanted.empty() ? extension_of(name) : '.' + std::string(wanted);
   if (extension == ".off") return Format::off;
   if (extension == ".obj") return Format::obj;
+  if (extension == ".glb") return Format::glb;
+  if (extension == ".vtp") return Format::vtp;
   const bool is_text_stl = input == Format::stl_ascii;
   if (extension == ".stl") return is_text_stl ? Format::stl_ascii : Format::stl_binary;
-  const bool is_ply = input == Format::ply_ascii || input == Format::ply_big;
-  if (extension == ".ply") return is_ply ? input : Format::ply_little;
-  return is_ply || input == Format::off ? input : Format::ply_little;
+  if (extension == ".ply") return is_ply(input) ? input : Format::ply_little;
+  return is_ply(input) || input == Format::off ? input : Format::ply_little;
+}
+
+const std::vector<std::string>& written_endings() {
+  static const std::vector<std::string> endings{".ply", ".off", ".obj", ".stl", ".glb", ".vtp"};
+  return endings;
 }
 
 std::string unknown_ending(std::string_view name, const std::vector<std::string>& known) {
@@ -164,8 +179,8 @@ std::string unknown_ending(std::string_view name, const std::vector<std::string>
 std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate) {
   Style& style = document.style;
   style.format = format;
-  if (is_stl(format)) coordinate = Scalar::float32;
-  if (!coordinate && (format == Format::off || format == Format::obj)) coordinate = Scalar::float64;
+  if (is_stl(format) || format == Format::glb) coordinate = Scalar::float32;
+  if (!coordinate && !is_ply(format)) coordinate = Scalar::float64;
   const Scalar before = std::exchange(style.coordinate, coordinate.value_or(style.coordinate));
   return before == style.coordinate ? 0 : round_positions(document.mesh, style.coordinate);
 }
@@ -183,6 +198,10 @@ const char* name_of(Format format) {
     case Format::stl_ascii:
     case Format::stl_binary:
       return "stl";
+    case Format::glb:
+      return "glb";
+    case Format::vtp:
+      return "vtp";
     default:
       return "ply";
   }

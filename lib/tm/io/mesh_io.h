@@ -32,8 +32,8 @@ struct WriteResult {
 ReadResult read_mesh(std::string_view bytes, const std::string& name);
 
 /// Writes in document.style. Coordinates are rounded to style.coordinate where the format has a
-/// choice; STL holds float. Throws GoalError for coordinates that are not finite, or become so by
-/// rounding.
+/// choice; STL and GLB hold float. Throws GoalError for coordinates that are not finite, or become
+/// so by rounding.
 WriteResult write_mesh(const Document& document);
 
 /// The mesh of a file (`-`: stdin), and a file of it in double precision, complete or not at all,
@@ -41,22 +41,25 @@ WriteResult write_mesh(const Document& document);
 Mesh read_mesh_file(const std::string& path);
 void write_mesh_file(const std::string& path, const Mesh& mesh);
 
-/// The format in which to write: `wanted` says ply, ply-ascii, ply-be, off, obj or stl; where it is
-/// empty the extension of the name decides, .ply .off .obj or .stl in any case; else it is the
-/// input's, or PLY for what comes as OBJ or STL. The encoding is the input's where the formats are
-/// the same.
+/// The format in which to write: `wanted` says ply, ply-ascii, ply-be, off, obj, stl, glb or vtp;
+/// where it is empty the extension of the name decides, one of written_endings() in any case; else
+/// it is the input's, or PLY for what comes as OBJ or STL. The encoding is the input's where the
+/// formats are the same.
 Format format_for(Format input, std::string_view wanted, std::string_view name);
+
+/// The endings of names that choose a format: .ply .off .obj .stl .glb .vtp.
+const std::vector<std::string>& written_endings();
 
 /// The ending of a file's name that no format has, with its dot; empty where the format has it or
 /// there is none. What is longer than four characters, as a random name's end, is no ending.
 std::string unknown_ending(std::string_view name, const std::vector<std::string>& known);
 
 /// Makes the document one of that format, with coordinates of the type wanted: by default floats
-/// for STL, doubles for OFF and OBJ, as they are for PLY. Rounds as round_positions() does, so that
-/// what is computed is what will be read back, and returns what that returns.
+/// for STL and GLB, doubles for OFF, OBJ and VTP, as they are for PLY. Rounds as round_positions()
+/// does, so that what is computed is what will be read back, and returns what that returns.
 std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate = {});
 
-/// For messages and reports: ply, ply-ascii, ply-be, off, obj, stl.
+/// For messages and reports: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp.
 const char* name_of(Format format);
 
 /// Whether the format is text, which may go to a terminal.

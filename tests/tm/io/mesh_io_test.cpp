@@ -102,6 +102,8 @@ TEST_CASE("mesh io: what is wanted, else the name of a file, else the input choo
   CHECK(format_for(Format::ply_ascii, "", "a.b.obj") == Format::obj);
   CHECK(format_for(Format::stl_ascii, "", "a.stl") == Format::stl_ascii);
   CHECK(format_for(Format::ply_ascii, "", "a.stl") == Format::stl_binary);
+  CHECK(format_for(Format::ply_ascii, "", "a.glb") == Format::glb);
+  CHECK(format_for(Format::stl_ascii, "vtp", "a.glb") == Format::vtp);
   for (const char* name : {"", "ply", "a.plyx", "a.off/b", "-", "a."}) {
     CHECK(format_for(Format::ply_ascii, "", name) == Format::ply_ascii);
     CHECK(format_for(Format::off, "", name) == Format::off);
@@ -121,6 +123,10 @@ TEST_CASE("mesh io: a format takes the coordinates that it holds") {
   CHECK(document.style.coordinate == Scalar::float32);
   CHECK(document.mesh.positions[0].x() == 0.1F);
   set_format(document, Format::off);
+  CHECK(document.style.coordinate == Scalar::float64);
+  set_format(document, Format::glb);
+  CHECK(document.style.coordinate == Scalar::float32);
+  set_format(document, Format::vtp);
   CHECK(document.style.coordinate == Scalar::float64);
   set_format(document, Format::off, Scalar::float32);
   CHECK(document.style.coordinate == Scalar::float32);
