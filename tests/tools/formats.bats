@@ -231,3 +231,18 @@ is_refused() {
     [[ $stderr == *"PLY, OFF, OBJ and STL are read"* ]]
   done
 }
+
+# corners FILE: of every face of an OBJ, its vertices and texture coordinates by value.
+corners() {
+  awk '$1 == "v" { v[++n] = $2 + 0 " " $3 + 0 " " $4 + 0 }
+    $1 == "vt" { vt[++m] = $2 + 0 " " $3 + 0 }
+    $1 == "f" { for (i = 2; i <= 4; ++i) { split($i, c, "/"); print v[c[1]], vt[c[2]] } }' "$1"
+}
+
+@test "the texture of a real OBJ comes through pipes of PLY" {
+  needs_shared meshes/cinolib/spot_triangulated.obj
+  cd "$BATS_TEST_TMPDIR"
+  tm-convert -q --format ply "$shared_file" | tm-stitch -q | tm-convert -q -o back.obj
+  diff <(corners "$shared_file") <(corners back.obj)
+  grep -q '^f 1/.* ' back.obj
+}

@@ -85,3 +85,12 @@ count() {
   one_line "$stderr"
   [[ $stderr == "tm-cat: vertex property 'label' is a list in one input"* ]]
 }
+
+@test "groups of OBJ keep their names, and equal numbers of others do not mix" {
+  cd "$BATS_TEST_TMPDIR"
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\ng wing\nf 1 2 3\ng tail\nf 3 2 1\n' >a.obj
+  printf 'v 0 0 1\nv 1 0 1\nv 0 1 1\ng tail\nf 1 2 3\ng nose\nf 3 2 1\ng 2\nf 1 2 3\n' >b.obj
+  tm-cat --no-provenance a.obj b.obj | tm-convert --no-provenance --format obj >all.obj
+  grep -E '^[gf]' all.obj | tr '\n' ' ' >groups
+  diff -b groups - <<<'g wing f 1 2 3 g tail f 3 2 1 f 4 5 6 g nose f 6 5 4 g 4 f 4 5 6'
+}

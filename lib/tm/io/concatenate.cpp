@@ -3,6 +3,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "tm/io/obj_labels.h"
+
 namespace transformesh {
 namespace {
 
@@ -51,9 +53,7 @@ void append_lines(std::vector<std::string>& all, const std::vector<std::string>&
     if (!line.starts_with("tm:reference-edge") && present.insert(line).second) all.push_back(line);
 }
 
-}  // namespace
-
-std::vector<std::string> append(Document& all, const Document& other) {
+std::vector<std::string> append_separated(Document& all, const Document& other) {
   Notes notes;
   append_mesh(all.mesh, other.mesh, notes);
   append_elements(all.other_elements, other.other_elements, notes);
@@ -61,6 +61,17 @@ std::vector<std::string> append(Document& all, const Document& other) {
   append_lines(all.style.obj_info, other.style.obj_info);
   if (other.style.coordinate == Scalar::float64) all.style.coordinate = Scalar::float64;
   return notes;
+}
+
+}  // namespace
+
+std::vector<std::string> append(Document& all, const Document& other) {
+  if (have_obj_labels(all, other)) {
+    Document separated = other;
+    separate_obj_labels(all, separated);
+    return append_separated(all, separated);
+  }
+  return append_separated(all, other);
 }
 
 }  // namespace transformesh

@@ -180,7 +180,8 @@ class GlbWriter {
     const std::vector<double>& values = column.values;
     if (std::any_of(values.begin(), values.end(),
                     [](double value) { return round_to_single(value) != value; }))
-      notes_.push_back("glb: vertex property " + transformesh::quoted(column.name) + " is rounded to float");
+      notes_.push_back("glb: vertex property " + transformesh::quoted(column.name) +
+                       " is rounded to float");
     keep({&column});
     attributes[name] = add(std::vector<float>(values.begin(), values.end()), 1, array_buffer);
   }

@@ -4,6 +4,8 @@
 
 #include "tm/io/color_rows.h"
 #include "tm/io/obj.h"
+#include "tm/io/obj_labels.h"
+#include "tm/io/obj_texture.h"
 #include "tm/io/polygons.h"
 #include "tm/io/text_rows.h"
 #include "tm/support/counted.h"
@@ -13,12 +15,12 @@ namespace {
 
 /// The statements that the format knows besides vertices and faces.
 bool is_other_keyword(std::string_view word) {
-  constexpr std::array<std::string_view, 42> words{
-      "bevel", "bmat",     "bsp",    "bzp",    "c_interp",   "call",     "cdc",  "cdp",  "con",
-      "csh",   "cstype",   "ctech",  "curv",   "curv2",      "deg",      "end",  "g",    "hole",
-      "l",     "lod",      "maplib", "mg",     "mtllib",     "o",        "p",    "parm", "res",
-      "s",     "scrv",     "sp",     "stech",  "step",       "surf",     "trim", "vn",   "vp",
-      "vt",    "d_interp", "usemap", "usemtl", "shadow_obj", "trace_obj"};
+  constexpr std::array<std::string_view, 37> words{
+      "bevel", "bmat",     "bsp",    "bzp",        "c_interp", "call",  "cdc",  "cdp",
+      "con",   "csh",      "cstype", "ctech",      "curv",     "curv2", "deg",  "end",
+      "hole",  "l",        "lod",    "maplib",     "mg",       "p",     "parm", "res",
+      "s",     "scrv",     "sp",     "stech",      "step",     "surf",  "trim", "vn",
+      "vp",    "d_interp", "usemap", "shadow_obj", "trace_obj"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -32,10 +34,11 @@ class ObjReader {
       source_.fail_at_line(largest_index_place_, out_of_range(largest_index_ + 1));
     }
     add_colors();
+    add_comments();
+    add_face_columns();
     polygons_.move_into(mesh(), "obj", result_.notes);
     add_notes();
     result_.document.style.format = Format::obj;
-    result_.document.style.comments = std::move(rows_.comments);
     return std::move(result_);
   }
 
@@ -47,9 +50,13 @@ class ObjReader {
       read_vertex();
     } else if (keyword == "f" || keyword == "fo") {
       read_face();
+    } else if (keyword == "vt") {
+      read_texture_point();
+    } else if (keyword == "mtllib") {
+      libraries_.push_back(as_obj_name(rows_.skip_row()));
     } else if (is_other_keyword(keyword)) {
       ++ignored_[keyword];
-    } else {
+    } else if (!is_label(keyword)) {
       rows_.fail("an OBJ file has no lines that start with " + quoted(keyword));
     }
   }
@@ -74,9 +81,30 @@ class ObjReader {
     colors_.set(row, color);
   }
 
+  void read_texture_point() {
+    const auto name = [] { return std::string("a texture coordinate"); };
+    const double u = rows_.number<double>(name);
+    const double v = rows_.has_more() ? rows_.number<double>(name) : 0;
+    if (rows_.has_more() && rows_.number<double>(name) != 0) ++third_texture_numbers_;
+    texture_.add_point(u, v);
+    ++texture_points_;
+  }
+
+  /// Reads the statement where it is one.
+  bool is_label(std::string_view keyword) {
+    for (std::size_t i = 0; i < obj_label_kinds.size(); ++i) {
+      if (keyword != obj_label_kinds[i].keyword) continue;
+      labels_[i].set(polygons_.rows(), rows_.skip_row());
+      return true;
+    }
+    return false;
+  }
+
   void read_face() {
     corners_.clear();
+    texture_corners_.clear();
     while (rows_.has_more()) corners_.push_back(read_corner(rows_.word()));
+    texture_.add_face(polygons_.rows(), corners_, texture_corners_);
     polygons_.add(corners_);
   }
 
@@ -93,11 +121,18 @@ class ObjReader {
     if (!is_number || !is_clean || !(first == last || has_others)) {
       rows_.fail("a corner of " + face_name() + " is not an index: " + quoted(word));
     }
+    texture_corners_.push_back(has_others ? texture_number(first + 1, last) : 0);
     const auto known = static_cast<std::int64_t>(mesh().positions.size());
     const std::int64_t absolute = index < 0 ? known + index : index - 1;
     if (index == 0 || absolute < 0 || absolute >= no_index) rows_.fail(out_of_range(index));
     remember_largest(static_cast<Index>(absolute));
     return static_cast<Index>(absolute);
+  }
+
+  static std::int64_t texture_number(const char* first, const char* last) {
+    std::int64_t number = 0;
+    const bool is_number = parse_number(first, last, number) == Parsed::ok;
+    return is_number && (first == last || *first == '/') ? number : 0;
   }
 
   /// A face may come before its vertices, so that only the end of the file can tell.
@@ -141,8 +176,28 @@ class ObjReader {
     }
   }
 
+  /// Those that have statements of their own belong to another time of the mesh.
+  void add_comments() {
+    std::vector<std::string>& comments = result_.document.style.comments;
+    comments = std::move(rows_.comments);
+    std::erase_if(comments, is_obj_comment);
+    for (const std::string& name : libraries_)
+      if (!name.empty()) comments.push_back(std::string(obj_library_comment) + name);
+  }
+
+  void add_face_columns() {
+    texture_.move_into(mesh(), polygons_.rows(), result_.notes);
+    for (std::size_t i = 0; i < obj_label_kinds.size(); ++i)
+      labels_[i].move_into(obj_label_kinds[i], polygons_.rows(), result_.document);
+  }
+
   void add_notes() {
     std::vector<std::string>& notes = result_.notes;
+    if (!texture_.is_used() && texture_points_ > 0) ignored_["vt"] = texture_points_;
+    if (third_texture_numbers_ > 0) {
+      notes.push_back("obj: third numbers of " +
+                      counted(third_texture_numbers_, "texture coordinate") + " left out");
+    }
     for (const auto& [keyword, count] : ignored_) {
       notes.push_back("obj: " + counted(count, "line") + " '" + std::string(keyword) +
                       "' left out");
@@ -159,7 +214,13 @@ class ObjReader {
   TextRows rows_;
   PolygonFans polygons_;
   ColorRows colors_;
+  ObjTexture texture_;
+  std::array<ObjLabelReader, obj_label_kinds.size()> labels_;
+  std::vector<std::string> libraries_;
   std::vector<Index> corners_;
+  std::vector<std::int64_t> texture_corners_;
+  std::size_t texture_points_ = 0;
+  std::size_t third_texture_numbers_ = 0;
   Index largest_index_ = 0;
   const char* largest_index_place_ = nullptr;
   std::uint32_t largest_index_face_ = 0;

@@ -45,11 +45,92 @@ TEST_CASE("obj: polygons are cut, small faces dropped, the rest is named once") 
   CHECK(result.notes ==
         std::vector<std::string>{"obj: 1 polygon cut into 2 triangles",
                                  "obj: 1 face with fewer than three corners dropped",
-                                 "obj: 1 line 'g' left out", "obj: 1 line 'l' left out",
-                                 "obj: 1 line 'mtllib' left out", "obj: 1 line 'o' left out",
-                                 "obj: 1 line 's' left out", "obj: 1 line 'usemtl' left out",
+                                 "obj: 1 line 'l' left out", "obj: 1 line 's' left out",
                                  "obj: 2 lines 'vn' left out", "obj: 1 line 'vt' left out",
                                  "obj: 1 comment behind data left out"});
+}
+
+TEST_CASE("obj: texture coordinates of corners") {
+  const std::string text = points +
+                           "vt 0.1 0.25\nvt 1 0\nvt -3 2\n"
+                           "f 1/1 2/2 3/3\nf 1 3 4\nf 4/3 2/1 1/1\n";
+  const Document document = read_document(text);
+  const Column& lists = column(document.mesh.face_columns, "texcoord");
+  CHECK(lists.type == Scalar::float32);
+  CHECK(lists.list_offsets == std::vector<std::size_t>{0, 6, 6, 12});
+  CHECK(lists.values ==
+        std::vector<double>{0.1F, 0.25, 1, 0, -3, 2, -3, 2, 0.1F, 0.25, 0.1F, 0.25});
+  CHECK(write_mesh(document).bytes == text);
+  CHECK(write_mesh(document).notes.empty());
+
+  // Doubles where floats would lose digits; a polygon is cut together with its coordinates.
+  const Document polygon =
+      read_document(points + "vt 0.123456789 0\nvt 1\nvt 1 1 0\nvt 0 1\nf 4/-4/7 1/-3 2/3 3/4//\n");
+  const Column& fan = column(polygon.mesh.face_columns, "texcoord");
+  CHECK(fan.type == Scalar::float64);
+  CHECK(fan.values == std::vector<double>{0.123456789, 0, 1, 0, 1, 1, 0.123456789, 0, 1, 1, 0, 1});
+}
+
+TEST_CASE("obj: texture coordinates that vertices have by their numbers") {
+  const std::string text =
+      points + "vt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nf 1/1 2/2 3/3\nf 4/4 2/2 1/1\n";
+  const Document document = read_document(text);
+  CHECK(document.mesh.face_columns.columns.empty());
+  CHECK(column(document.mesh.vertex_columns, "s").values == std::vector<double>{0, 1, 0, 1});
+  CHECK(column(document.mesh.vertex_columns, "t").values == std::vector<double>{0, 0, 1, 1});
+  CHECK(write_mesh(document).bytes == text);
+}
+
+TEST_CASE("obj: texture coordinates that are not there") {
+  const ReadResult result = read_mesh(
+      points + "vt 0 0\nvt nan 0\nvt 1 1 7\nf 1/1 2/2 3/1\nf 1/1 2/1 3/4\nf 1/1 2 3/1\n", "input");
+  CHECK(result.document.mesh.face_columns.columns.empty());
+  CHECK(result.document.mesh.faces.size() == 3);
+  CHECK(has_note(result.notes,
+                 "obj: 3 faces with texture coordinates that are not there left without"));
+  CHECK(has_note(result.notes, "obj: third numbers of 1 texture coordinate left out"));
+  CHECK(read_error("v 0 0 0\nvt a 0\n") ==
+        "a texture coordinate is not a number: 'a' (input line 2)");
+  CHECK(read_error("v 0 0 0\nvt\n") == "a texture coordinate is missing (input line 2)");
+}
+
+TEST_CASE("obj: groups, objects and materials") {
+  const std::string text = "mtllib scan.mtl\n" + points +
+                           "f 1 2 3\no Cube 1\ng left wing\nusemtl skin\nf 1 3 4\n"
+                           "g 7\nf 2 3 4\ng default\nusemtl hair\nf 1 2 4\ng left wing\nf 1 2 3\n";
+  const Document document = read_document(text);
+  const Columns& columns = document.mesh.face_columns;
+  CHECK(column(columns, "object").values == std::vector<double>{0, 1, 1, 1, 1});
+  CHECK(column(columns, "group").values == std::vector<double>{0, 1, 7, 0, 1});
+  CHECK(column(columns, "group").type == Scalar::int32);
+  CHECK(column(columns, "material").values == std::vector<double>{0, 1, 1, 2, 2});
+  CHECK(document.style.comments ==
+        std::vector<std::string>{"tm:mtllib scan.mtl", "tm:object 1 Cube 1", "tm:group 1 left wing",
+                                 "tm:material 1 skin", "tm:material 2 hair"});
+  const WriteResult written = write_mesh(document);
+  CHECK(written.bytes == text);
+  CHECK(written.notes.empty());
+
+  // By way of PLY too; numbers that no comment names are names themselves.
+  Document other = read_document(written.bytes);
+  other.style.format = Format::ply_little;
+  other = read_document(write_mesh(other).bytes);
+  other.style.format = Format::obj;
+  CHECK(write_mesh(other).bytes == text);
+  other.style.comments.clear();
+  CHECK(contains(write_mesh(other).bytes, "o 1\ng 1\nusemtl 1\nf 1 3 4\ng 7\n"));
+}
+
+TEST_CASE("obj: names that could be taken for numbers, and comments that are none") {
+  const std::string text = points + "g 1\nf 1 2 3\ng a\nf 1 2 4\ng 007\nf 2 3 4\n";
+  const Document document = read_document(text);
+  CHECK(column(document.mesh.face_columns, "group").values == std::vector<double>{1, 2, 3});
+  CHECK(write_mesh(document).bytes == text);
+  Document odd = document;
+  odd.style.comments = {"tm:group 2 5", "tm:group 3 default", "tm:group x y", "tm:group 1 a#b\\"};
+  CHECK(contains(write_mesh(odd).bytes, "g a_b_\nf 1 2 3\ng 2\nf 1 2 4\ng 3\n"));
+  CHECK(
+      read_document(points + "g\nf 1 2 3\ng default\nf 1 2 4\n").mesh.face_columns.columns.empty());
 }
 
 TEST_CASE("obj: colors from bytes become bytes, others stay decimals") {
