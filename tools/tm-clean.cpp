@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   Options options;
   tool::Program program{"tm-clean", "[OPTION]... [INPUT]",
                         "Removes self-intersections: the boundary of winding number >= 1"};
+  program.cleans = true;
   program.joins_soups = true;
   program.choice("method", &options.method, {"grow", "static"},
                  "grow regions from seeds, or test every piece (slow reference)");

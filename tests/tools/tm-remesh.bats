@@ -279,3 +279,49 @@ border() {
   run --separate-stderr tm-remesh --reference-edge auto coarse.ply -o out.ply
   [ -z "$stderr" ]
 }
+
+# far_pairs: of faces of far.ply that cross as floats.
+far_pairs() {
+  tm-convert -q --float far.ply | tm-intersect -q --report pairs.json -o intersected.ply
+  sed -n 's/.*"pairs": \([0-9][0-9]*\).*/\1/p' pairs.json
+}
+
+@test "far from the origin, what is written as floats was checked as floats" {
+  cd "$BATS_TEST_TMPDIR"
+  for shape in sphere torus 'torus-knot 2 3'; do
+    # shellcheck disable=SC2086 # a kind and its numbers
+    tm-shape $shape --faces 20000 | tm-transform --translate 1e5,0,0 -o far.ply
+    [ "$(far_pairs)" -eq 0 ]
+    run --separate-stderr tm-remesh --max-edge 0.8x --min-edge 0.4x -o out.stl far.ply
+    assert_status 0
+    [ -z "$stderr" ]
+    tm-intersect -q --check out.stl
+  done
+}
+
+@test "crossings that only floats make are told, and tm-clean writes none" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape torus-knot 2 3 --faces 20000 | tm-transform --translate 1e6,0,0 -o far.ply
+  count=$(far_pairs)
+  [ "$count" -gt 0 ]
+  for output in '-o out.stl' '-o out.glb' '--float -o out.ply'; do
+    # shellcheck disable=SC2086 # two words
+    run --separate-stderr timeout 60 tm-remesh $output far.ply
+    assert_status 0
+    [[ $stderr == *"$count pairs of faces cross only as floats: let tm-clean write the file"* ]]
+  done
+  tm-remesh far.ply | tm-clean -q -o out.stl
+  tm-intersect -q --check out.stl
+  # Computed coordinates are looked at too, once.
+  tm-convert -q --float far.ply -o floats.ply
+  run --separate-stderr tm-displace --normal-speed 0.05x floats.ply -o out.ply
+  one_line "$stderr"
+  [[ $stderr == *"only as floats"* ]]
+}
+
+@test "where floats are as far apart as vertices, remeshing ends" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape genus 3 --faces 20000 | tm-transform --translate 1e6,0,0 -o far.ply
+  timeout 60 tm-remesh -q --float --max-memory 2G far.ply -o out.ply
+  [ "$(tm-info --get faces out.ply)" -lt 100000 ]
+}

@@ -7,9 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "tm/clean/intersect/intersect.h"
 #include "tm/io/comments.h"
 #include "tm/io/mesh_io.h"
 #include "tm/io/output_target.h"
+#include "tm/mesh/digits.h"
+#include "tm/mesh/measure.h"
 #include "tm/support/counted.h"
 
 namespace transformesh::tool {
@@ -144,7 +147,11 @@ void Run::set_style(Document& document, const std::string& path) {
   if (values.as_float || values.as_double)
     coordinate = values.as_float ? Scalar::float32 : Scalar::float64;
   const Format format = format_for(document.style.format, values.format, path);
+  const bool is_rounded =
+      document.style.coordinate == Scalar::float64 && (values.as_float || holds_floats(format));
+  const std::vector<Vec3> before = is_rounded ? document.mesh.positions : std::vector<Vec3>();
   const std::size_t collapsed = set_format(document, format, coordinate);
+  if (is_rounded) note_crossings(document.mesh, before);
   if (collapsed > 0) note(counted(collapsed, "face") + " with two corners in one place as floats");
 }
 
@@ -154,6 +161,31 @@ void Run::set_output_style(Document& document) {
     throw UsageError(
         "not writing binary data to a terminal: redirect it with > or |, name a file with -o, or "
         "ask for text with --format ply-ascii");
+}
+
+// What is computed stays crossed where it is so, but by rounding nobody means a crossing.
+void Run::note_crossings(Mesh rounded, const std::vector<Vec3>& before) {
+  if (program_.cleans || crossings_are_told_ || rounded.positions == before) return;
+  const std::size_t now = find_intersections(rounded).size();
+  if (now == 0) return;
+  rounded.positions = before;
+  const std::size_t then = find_intersections(rounded).size();
+  if (now <= then) return;
+  crossings_are_told_ = true;
+  note(counted(now - then, "pair") + " of faces " + (now - then == 1 ? "crosses" : "cross") +
+       " only as floats: let tm-clean write the file, or write doubles, in PLY, OFF, OBJ or VTP");
+}
+
+// Computed coordinates, where steps between floats are not small beside the edges.
+void Run::check_rounding() {
+  constexpr double steps_to_an_edge = 1000;
+  const Mesh& mesh = document().mesh;
+  if (document().style.coordinate != Scalar::float32 || mesh.faces.empty()) return;
+  const double step = coordinate_spacing(mesh, Scalar::float32);
+  if (!(edge_lengths(mesh).mean < steps_to_an_edge * step)) return;
+  Mesh rounded = mesh;
+  for (Vec3& position : rounded.positions) position = rounded_to(position, Scalar::float32);
+  note_crossings(std::move(rounded), mesh.positions);
 }
 
 void Run::stage(const std::string& path, std::string bytes) {
@@ -238,6 +270,7 @@ void Run::add_comments(Document& document) {
 
 void Run::write_mesh() {
   set_output_style(document());
+  check_rounding();
   if (!is_stamped_) stamp(document());
   WriteResult result = transformesh::write_mesh(document());
   note_once(result.notes);

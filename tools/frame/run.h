@@ -111,6 +111,8 @@ class Run {
   void add_comments(Document& document);
   /// Notes of writing, each one once: several files may have the same.
   void note_once(const std::vector<std::string>& lines);
+  void note_crossings(Mesh rounded, const std::vector<Vec3>& before);
+  void check_rounding();
   void write_mesh();
   std::string report_text() const;
   std::string full_report();
@@ -134,6 +136,7 @@ class Run {
   bool stdin_is_read_ = false;
   bool settings_are_shown_ = false;
   bool is_stamped_ = false;
+  bool crossings_are_told_ = false;
   bool writes_nothing_ = false;
   bool answer_ = true;
 };

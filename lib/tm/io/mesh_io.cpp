@@ -80,8 +80,6 @@ bool is_ply(Format format) {
   return format == Format::ply_ascii || format == Format::ply_little || format == Format::ply_big;
 }
 
-bool is_stl(Format format) { return format == Format::stl_ascii || format == Format::stl_binary; }
-
 // In lower case, with the dot; empty without one.
 std::string extension_of(std::string_view name) {
   std::string extension(name.substr(std::min(name.rfind('.'), name.size())));
@@ -179,7 +177,7 @@ std::string unknown_ending(std::string_view name, const std::vector<std::string>
 std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate) {
   Style& style = document.style;
   style.format = format;
-  if (is_stl(format) || format == Format::glb) coordinate = Scalar::float32;
+  if (holds_floats(format)) coordinate = Scalar::float32;
   if (!coordinate && !is_ply(format)) coordinate = Scalar::float64;
   const Scalar before = std::exchange(style.coordinate, coordinate.value_or(style.coordinate));
   return before == style.coordinate ? 0 : round_positions(document.mesh, style.coordinate);
@@ -205,6 +203,10 @@ const char* name_of(Format format) {
     default:
       return "ply";
   }
+}
+
+bool holds_floats(Format format) {
+  return format == Format::stl_ascii || format == Format::stl_binary || format == Format::glb;
 }
 
 bool is_text(Format format) {

@@ -62,6 +62,9 @@ std::size_t set_format(Document& document, Format format, std::optional<Scalar> 
 /// For messages and reports: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp.
 const char* name_of(Format format);
 
+/// Whether coordinates of the format are floats, whatever they were.
+bool holds_floats(Format format);
+
 /// Whether the format is text, which may go to a terminal.
 bool is_text(Format format);
 

@@ -15,6 +15,18 @@ namespace {
 /// A midpoint in contact is tried at these distances, in spacings of its largest coordinate.
 constexpr std::array<double, 3> roundings{1, 2, 4};
 constexpr int most_rounds = 4;
+/// Shorter edges, in the same spacings, are not split: their midpoints are rounded by up to a half
+/// of the square root of 3, and with at least so many, lines to the midpoint of a longest edge are
+/// shorter than it all the same. Else splits would never end.
+constexpr double least_spacings = 8;
+
+/// From the largest coordinate to the next number of the mesh's type.
+double rounding_at(const EditableMesh& mesh, const Vec3& point) {
+  const double largest = point.cwiseAbs().maxCoeff();
+  const double next = mesh.is_single() ? std::nextafter(static_cast<float>(largest), HUGE_VALF)
+                                       : std::nextafter(largest, HUGE_VAL);
+  return next - largest;
+}
 
 class Splitter {
  public:
@@ -49,8 +61,15 @@ class Splitter {
   void push(Index halfedge) {
     const bool is_kept = keep_border_ && mesh_.is_border(halfedge);
     if (keep_border_) hold(halfedge, is_kept);
-    if (mesh_.scaled_squared_length(halfedge) <= limit_ || is_kept) return;
+    if (mesh_.scaled_squared_length(halfedge) <= limit_ || is_kept || is_short(halfedge)) return;
     queue_.emplace(mesh_, halfedge);
+  }
+
+  bool is_short(Index halfedge) const {
+    const Vec3& source = mesh_.position(mesh_.source(halfedge));
+    const Vec3& target = mesh_.position(mesh_.target(halfedge));
+    const Vec3 largest = source.cwiseAbs().cwiseMax(target.cwiseAbs());
+    return (target - source).norm() < least_spacings * rounding_at(mesh_, largest);
   }
 
   void hold(Index halfedge, bool is_held) {
@@ -97,14 +116,6 @@ class Splitter {
   std::vector<bool> is_held_;  ///< per halfedge
   std::size_t splits_ = 0;
 };
-
-/// From the largest coordinate to the next number of the mesh's type.
-double rounding_at(const EditableMesh& mesh, const Vec3& point) {
-  const double largest = point.cwiseAbs().maxCoeff();
-  const double next = mesh.is_single() ? std::nextafter(static_cast<float>(largest), HUGE_VALF)
-                                       : std::nextafter(largest, HUGE_VAL);
-  return next - largest;
-}
 
 bool settle(EditableMesh& mesh, VertexMover& mover, Index vertex, Star& star) {
   star.gather(mesh, vertex);
