@@ -6,7 +6,7 @@
 #include "tm/picture/png.h"
 #include "tm/picture/shade.h"
 #include "tm/support/error.h"
-#include "tm/views/cameras/file_list.h"
+#include "tm/views/cameras/name_pairs.h"
 #include "tm/views/cameras/view_files.h"
 #include "tm/views/hull/silhouette.h"
 #include "tm/views/images/image_file.h"
@@ -18,9 +18,24 @@ CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
   if (files.cameras.empty()) return camera_ring(ring);
   CameraList list = cameras_from(files.cameras);
   if (!files.masks.empty()) list = cameras_of_images(std::move(list), files.cameras, files.masks);
-  for (CameraRecord& record : list.cameras)
-    if (record.width == 0) record.set_size(ring.width, ring.height, "--size");
+  const bool needs_size = !files.images.empty() || !files.silhouettes.empty();
+  for (CameraRecord& record : list.cameras) {
+    if (record.width != 0) continue;
+    if (!files.size_is_given && (needs_size || record.is_centered))
+      throw UsageError("how large is the image of " + record.name + " (" + record.place +
+                       ")? The cameras do not say: give --size WxH");
+    record.set_size(ring.width, ring.height, "--size");
+  }
   return list;
+}
+
+/// Names of files that differ, with folders where names alone do not.
+std::vector<std::string> names_of(const CameraList& list, const PhotographFiles& files) {
+  NamedFiles named{"camera", files.cameras, {}, {}};
+  for (const CameraRecord& record : list.cameras) named.paths.push_back(record.name);
+  std::vector<std::string> names = distinct_stems(named);
+  for (std::string& name : names) name += ".png";
+  return names;
 }
 
 void compare_silhouettes(const Mesh& mesh, const PhotographFiles& files, Run& run) {
@@ -39,13 +54,14 @@ void compare_silhouettes(const Mesh& mesh, const PhotographFiles& files, Run& ru
 std::string write_photographs(const Mesh& mesh, const CameraRing& ring,
                               const PhotographFiles& files, Run& run) {
   CameraList list = cameras_of(ring, files);
+  const std::vector<std::string> names = names_of(list, files);
   const SolidTexture texture(files.texture);
   std::uint64_t number = 0;
   for (CameraRecord& record : list.cameras) {
     run.progress()("photograph",
                    static_cast<double>(number) / static_cast<double>(list.cameras.size()));
     const Camera camera{record.camera.projection(), record.width, record.height};
-    const std::string name = stem_of(record.name) + ".png";
+    const std::string& name = names[number];
     Photograph photograph;
     if (!files.images.empty() || !files.silhouettes.empty())
       photograph = take_photograph(mesh, camera, texture, number, files.sensor);

@@ -15,6 +15,7 @@ struct PhotographFiles {
   std::string silhouettes;  ///< likewise
   std::string masks;        ///< to compare with; empty: none
   std::string look = "texture";
+  bool size_is_given = false;  ///< that of the ring was asked for
   long waves = TextureOptions().waves;
   TextureOptions texture;
   PhotographOptions sensor;

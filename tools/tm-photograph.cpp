@@ -14,6 +14,7 @@ using namespace transformesh;
 struct Options {
   tool::PhotographFiles files;
   std::string size = "320x240";
+  const tool::Option* size_option = nullptr;
   long ring = 16;
   std::vector<double> elevations = {18, -12};
   double focal = 3.4;
@@ -26,7 +27,8 @@ struct Options {
 void declare(tool::Program& program, Options& options) {
   tool::PhotographFiles& files = options.files;
   program.text("cameras", &files.cameras, "WHERE", "the cameras; without them a ring is made");
-  program.text("size", &options.size, "WxH", "pixels of an image, where the cameras do not say");
+  options.size_option = &program.text("size", &options.size, "WxH",
+                                      "pixels of an image, where the cameras do not say");
   program.integer("ring", &options.ring, 1, 100000, "cameras around the mesh");
   program.numbers("elevations", &options.elevations, "DEGREES,DEGREES",
                   "of the ring's cameras above the horizon, in turn");
@@ -72,6 +74,7 @@ void photograph(Options& options, tool::Run& run) {
       options.distance ? run.length(*options.distance) : distance_for(mesh.positions, ring);
   options.files.texture = {static_cast<int>(options.files.waves), run.length(options.finest),
                            run.length(options.coarsest), static_cast<std::uint64_t>(options.seed)};
+  options.files.size_is_given = options.size_option->is_given;
   options.files.sensor.seed = static_cast<std::uint64_t>(options.seed);
   run.write_output(tool::write_photographs(mesh, ring, options.files, run));
 }

@@ -228,7 +228,7 @@ is_refused() {
   for name in a.glb a.vtp; do
     run --separate-stderr tm-info "$name"
     assert_status 3
-    [[ $stderr == *"PLY, OFF, OBJ and STL are read"* ]]
+    [[ $stderr == *"GLB and VTP are written, not read: PLY, OFF, OBJ and STL are read ($name)" ]]
   done
 }
 

@@ -84,3 +84,27 @@ spheres() {
   run --separate-stderr tm-morph-step --target absent.ply one.ply
   assert_status 3
 }
+
+@test "a target that cannot be read: which file, and why" {
+  tm-shape sphere --faces 100 -o source.ply
+  printf 'some words\n' >words.txt
+  printf '1 2 3 0.5\n' >four.xyz
+  printf '1,2,3\n' >commas.csv
+  printf '1 2 3\n4 5 x\n' >late.xyz
+  head -c 300 source.ply >cut.ply
+  while IFS='|' read -r file reason; do
+    for program in tm-morph-step tm-morph; do
+      run --separate-stderr "$program" --target "$file" source.ply -o out.ply
+      assert_status 3
+      one_line "$stderr"
+      [[ $stderr == *"$file"* && $stderr == *"$reason"* ]] || fail "$stderr"
+    done
+  done <<'TABLE'
+none.ply|cannot be read: No such file or directory
+words.txt|STL are read, and points as lines of x y z [nx ny nz] (words.txt)
+four.xyz|this line has 4: take the first three, by awk
+commas.csv|replace commas
+late.xyz|z of point 1 is not a number: 'x' (late.xyz line 2)
+cut.ply|the file is cut off or its header wrong (cut.ply byte
+TABLE
+}

@@ -82,6 +82,51 @@ setup() {
   awk 'NR == 2 { exit !($2 == 3.4 * 80 && $6 == $2) }' par.txt
   tm-photograph "${size[@]}" --focal 2 --waves 80 --write-images other -o near.txt truth.ply
   awk 'NR == 2 { exit !($2 == 160 && $6 == $2) }' near.txt
-  tm-photograph --cameras par.txt --waves 80 --write-images waves -o /dev/null truth.ply
+  tm-photograph --cameras par.txt --size 80x60 --waves 80 --write-images waves -o /dev/null truth.ply
   ! cmp -s images/view0000.png waves/view0000.png
+}
+
+@test "cameras whose images have no known size draw nothing until it is given" {
+  tm-photograph "${size[@]}" --write-silhouettes masks -o par.txt truth.ply
+  run --separate-stderr tm-photograph --cameras par.txt --write-images new -o out.txt truth.ply
+  assert_status 2
+  one_line "$stderr"
+  [[ $stderr == *"view0000.png (par.txt line 2)"*"--size WxH" ]]
+  [ ! -e new ] && [ ! -e out.txt ]
+  # COLMAP's cameras carry it, and masks to compare with have it.
+  tm-cameras --format colmap --images masks --folder colmap par.txt
+  tm-photograph --cameras colmap --write-silhouettes again -o /dev/null truth.ply
+  diff -r masks again
+  tm-photograph --cameras par.txt --compare-silhouettes masks --write-silhouettes third \
+    -o /dev/null truth.ply
+  diff -r masks third
+}
+
+@test "COLMAP's names with folders: images are found, and written, in folders" {
+  tm-photograph "${size[@]}" --write-images images --write-silhouettes masks -o par.txt truth.ply
+  tm-cameras --format colmap --images images --folder colmap par.txt
+  # Two rigs that number their images alike.
+  sed -i 's/view0003/left\/0001/; s/view0004/left\/0002/; s/view0005/left\/0003/
+    s/view0000/right\/0001/; s/view0001/right\/0002/; s/view0002/right\/0003/' colmap/images.txt
+  for folder in images masks; do
+    mkdir $folder/left $folder/right
+    for i in 1 2 3; do
+      mv $folder/view000$((i - 1)).png $folder/right/000$i.png
+      mv $folder/view000$((i + 2)).png $folder/left/000$i.png
+    done
+  done
+  tm-cameras --list colmap --images images >table
+  grep -q 'left/0001' table
+  tm-hull --cameras colmap --silhouettes masks --resolution 40 -o hull.ply
+  tm-hull --cameras par.txt --silhouettes masks --resolution 40 -o hull.ply && fail "no such names"
+  tm-photograph --cameras colmap --write-images new --write-silhouettes mask -o new.txt truth.ply
+  diff -r masks mask
+  [ -e new/left/0003.png ]
+  grep -q '^left/0001.png ' new.txt
+  tm-hull --cameras new.txt --silhouettes 'masks/*/*.png' --resolution 40 -o again.ply
+  cmp hull.ply again.ply
+  # Names that lead out of the folder stay in it.
+  sed -i 's/left/..\/up/' colmap/images.txt
+  tm-photograph --cameras colmap --write-images in -o out.txt truth.ply
+  [ -e in/0001.png ] && [ ! -e up ]
 }

@@ -226,7 +226,7 @@ void Run::write_mesh_file(const std::string& path, Document document) {
 void Run::write_into(const std::string& folder, const std::string& name, std::string bytes) {
   // Where it cannot be made, writing says why.
   std::error_code ignored;
-  fs::create_directories(folder, ignored);
+  fs::create_directories((fs::path(folder) / name).parent_path(), ignored);
   write(folder + '/' + name, std::move(bytes));
 }
 

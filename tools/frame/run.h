@@ -70,7 +70,7 @@ class Run {
   /// The same for a mesh, with the provenance, in the format of the name as with -o; --format and
   /// --float count where the program has them.
   void write_mesh_file(const std::string& path, Document document);
-  /// The same in a folder, which is made where it is missing.
+  /// The same in a folder, which is made where it is missing, as are folders of the name.
   void write_into(const std::string& folder, const std::string& name, std::string bytes);
 
   /// For an evolution, which may run for hours and be continued:

@@ -100,6 +100,8 @@ FileKind sniff(const Source& source) {
   if (const auto kind = kind_of_bytes(bytes)) return *kind;
   if (bytes.substr(0, 2) == "\x1f\x8b")
     source.fail("the input is compressed: unpack it with gzip -dc");
+  if (bytes.starts_with("glTF") || bytes.substr(0, 200).find("<VTKFile") != std::string_view::npos)
+    source.fail("GLB and VTP are written, not read: PLY, OFF, OBJ and STL are read");
   if (const auto kind = kind_of_name(source)) return *kind;
   source.fail("unknown mesh format, starting with " + quoted(bytes.substr(0, 16)) +
               ": PLY, OFF, OBJ and STL are read");

@@ -77,6 +77,26 @@ bool is_point_text(const Source& source) {
   return true;
 }
 
+void check_point_text(const Source& source) {
+  if (source.bytes.substr(0, 4096).find('\0') != std::string_view::npos) return;
+  TextRows rows(source, 0, rules);
+  if (!rows.next_row()) return;
+  std::string words(rows.skip_row());
+  const bool has_commas = words.find_first_of(",;") != std::string::npos;
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
+  const Source spaced{words, source.name};
+  TextRows numbers(spaced, 0, rules);
+  if (!numbers.next_row()) return;
+  const std::size_t length = numbers.words_left();
+  while (numbers.has_more())
+    if (!is_number(numbers.word())) return;
+  if (has_commas)
+    rows.fail("numbers of a point are separated by blanks: replace commas, by tr , ' '");
+  rows.fail("a point has 3 numbers (x y z) or 6 (and nx ny nz), but this line has " +
+            std::to_string(length) + ": take the first three, by awk '{ print $1, $2, $3 }'");
+}
+
 Mesh read_point_text(const Source& source) {
   Mesh mesh;
   std::array<std::vector<double>, 3> normals;

@@ -13,6 +13,10 @@ namespace transformesh {
 /// too, and is told by its name.
 bool is_point_text(const Source& source);
 
+/// Throws InputError where the first line holds numbers and commas only, but no point: it says what
+/// is wrong with them.
+void check_point_text(const Source& source);
+
 /// A mesh without faces, with vertex columns nx ny nz where lines have six numbers. Throws
 /// InputError with the line for anything else, and for lines of different lengths.
 Mesh read_point_text(const Source& source);

@@ -30,15 +30,18 @@ void order_spatially(Target& target) {
   target.face_order = FaceOrder::spatial;
 }
 
-// What is neither names all that there is.
-ReadResult read_as_mesh(std::string_view bytes, const std::string& name) {
+// What is neither names all that there is, and why its lines are no points.
+ReadResult read_as_mesh(const Source& source) {
   try {
-    return read_mesh(bytes, name);
+    return read_mesh(source.bytes, source.name);
   } catch (const InputError& error) {
     const std::string message = error.what();
-    const bool is_unknown = message.find("unknown mesh format") != std::string::npos;
+    const bool is_unknown = message.starts_with("unknown mesh format");
     if (!is_unknown) throw;
-    throw InputError(message + ", and points as lines of x y z [nx ny nz]");
+    check_point_text(source);
+    const std::string place = " (" + source.name + ")";
+    throw InputError(message.substr(0, message.size() - place.size()) +
+                     ", and points as lines of x y z [nx ny nz]" + place);
   }
 }
 
@@ -47,7 +50,7 @@ ReadResult read_as_mesh(std::string_view bytes, const std::string& name) {
 Target read_target(std::string_view bytes, const std::string& name) {
   const Source source{bytes, name};
   if (is_point_text(source)) return make_target(read_point_text(source));
-  Document document = read_as_mesh(bytes, name).document;
+  Document document = read_as_mesh(source).document;
   Target target = make_target(std::move(document.mesh));
   target.is_prepared = has_comment(document, spatial_order);
   if (target.is_prepared) target.face_order = FaceOrder::spatial;
@@ -59,7 +62,7 @@ Target read_target(std::string_view bytes, const std::string& name) {
 
 Mesh read_mesh_or_points(std::string_view bytes, const std::string& name) {
   const Source source{bytes, name};
-  return is_point_text(source) ? read_point_text(source) : read_as_mesh(bytes, name).document.mesh;
+  return is_point_text(source) ? read_point_text(source) : read_as_mesh(source).document.mesh;
 }
 
 std::string write_target(const Target& target) {

@@ -53,3 +53,14 @@ TEST_CASE("points are told from meshes by their first line") {
   CHECK_FALSE(is_points(""));
   CHECK_FALSE(is_points(std::string("1 2 3\0", 6)));
 }
+
+TEST_CASE("what is wrong with numbers that are no points") {
+  const auto check = [](const std::string& text) { check_point_text({text, "scan.txt"}); };
+  CHECK_THROWS_WITH_AS(
+      check("# x\n1 2 3 4\n"),
+      "a point has 3 numbers (x y z) or 6 (and nx ny nz), but this line has 4: take "
+      "the first three, by awk '{ print $1, $2, $3 }' (scan.txt line 2)",
+      InputError);
+  CHECK_THROWS_WITH_AS(check("1,2,3\n"), doctest::Contains("replace commas"), InputError);
+  for (const char* text : {"x,y,z\n1,2,3\n", "hello 1 2\n", "", "\n"}) CHECK_NOTHROW(check(text));
+}

@@ -1,9 +1,11 @@
 #include "tm/views/cameras/name_pairs.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "tm/io/source.h"
 #include "tm/support/counted.h"
@@ -15,9 +17,29 @@ namespace {
 
 using Stems = std::vector<std::string>;
 
-Stems stems_of(const NamedFiles& files) {
+Stems plain_stems(const NamedFiles& files) {
   Stems stems;
   for (const std::string& path : files.paths) stems.push_back(stem_of(path));
+  return stems;
+}
+
+/// Without the folder where that leads out of the root.
+std::string stem_with_folder(std::string_view path, const std::string& root) {
+  namespace fs = std::filesystem;
+  if (!root.empty() && path.starts_with(root)) path.remove_prefix(root.size());
+  path.remove_prefix(root.empty() ? 0 : std::min(path.find_first_not_of('/'), path.size()));
+  const fs::path folder = fs::path(path).parent_path().lexically_normal();
+  const bool leads_out = folder.is_absolute() || (!folder.empty() && *folder.begin() == "..");
+  return leads_out ? stem_of(path) : (folder / stem_of(path)).string();
+}
+
+bool has_repeats(const Stems& stems) {
+  return std::set<std::string>(stems.begin(), stems.end()).size() < stems.size();
+}
+
+Stems stems_with_folders(const NamedFiles& files) {
+  Stems stems;
+  for (const std::string& path : files.paths) stems.push_back(stem_with_folder(path, files.root));
   return stems;
 }
 
@@ -91,10 +113,16 @@ std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Ste
 
 }  // namespace
 
+std::vector<std::string> distinct_stems(const NamedFiles& files) {
+  Stems stems = plain_stems(files);
+  return has_repeats(stems) ? stems_with_folders(files) : stems;
+}
+
 std::vector<std::size_t> pair_by_name(const NamedFiles& first, const NamedFiles& second,
                                       bool names_must_agree) {
-  const Stems stems = stems_of(first);
-  const Stems second_stems = stems_of(second);
+  const bool have_folders = has_repeats(plain_stems(first)) && has_repeats(plain_stems(second));
+  const Stems stems = have_folders ? stems_with_folders(first) : plain_stems(first);
+  const Stems second_stems = have_folders ? stems_with_folders(second) : plain_stems(second);
   if (stems.empty() || second_stems.empty()) throw InputError(counts_text(first, second));
   if (const auto pairs = pair_equal(stems, second_stems, first, second)) return *pairs;
   const auto short_pairs =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <set>
 
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
@@ -13,8 +14,42 @@
 namespace transformesh {
 namespace {
 
-NamedFiles image_files(const std::string& kind, const std::string& where) {
-  NamedFiles files{kind, where, files_at(where), {}};
+namespace fs = std::filesystem;
+
+/// The folders in which images of such names are; none where the folder holds the images itself.
+std::vector<std::string> image_folders(const CameraList& cameras, const std::string& where) {
+  std::set<std::string> folders;
+  for (const CameraRecord& record : cameras.cameras) {
+    const fs::path folder = fs::path(record.name).parent_path().lexically_normal();
+    const bool leads_out = folder.is_absolute() || (!folder.empty() && *folder.begin() == "..");
+    if (!leads_out) folders.insert((fs::path(where) / folder).string());
+  }
+  std::erase_if(folders, [](const std::string& folder) { return !is_folder(folder); });
+  return {folders.begin(), folders.end()};
+}
+
+/// The folder, or that in which the pattern begins.
+std::string root_of(const std::string& where) {
+  if (is_folder(where)) return where;
+  const std::string start = where.substr(0, where.find_first_of("*?["));
+  return start.substr(0, start.rfind('/') + 1);
+}
+
+NamedFiles image_files(const std::string& kind, const std::string& where,
+                       const CameraList& cameras) {
+  NamedFiles files{kind, where, {}, {}, root_of(where)};
+  const bool has_folders =
+      is_folder(where) &&
+      std::any_of(cameras.cameras.begin(), cameras.cameras.end(), [](const CameraRecord& record) {
+        return record.name.find('/') != std::string::npos;
+      });
+  std::vector<std::string> folders;
+  if (has_folders) folders = image_folders(cameras, where);
+  if (folders.empty()) folders = {where};
+  for (const std::string& folder : folders) {
+    const std::vector<std::string> paths = files_at(folder);
+    files.paths.insert(files.paths.end(), paths.begin(), paths.end());
+  }
   if (!is_folder(where)) return files;
   std::erase_if(files.paths,
                 [](const std::string& path) { return !is_image(file_bytes(path, 16)); });
@@ -120,25 +155,27 @@ std::vector<View> views_from(const ViewSources& sources) {
   // matrices name no images, and then pair by their order.
   NamedFiles leaders = names;
   if (!sources.images.empty()) {
-    images = ordered(names, image_files("image", sources.images), list.names_images);
+    const NamedFiles files = image_files("image", sources.images, list);
+    images = ordered(names, files, list.names_images);
     decode_all(images, decode_photograph, &View::image, views);
-    leaders = {"image", sources.images, images, {}};
+    leaders = {"image", sources.images, images, {}, files.root};
   }
   if (!sources.silhouettes.empty()) {
     const bool names_must_agree = images.empty() && list.names_images;
-    silhouettes =
-        ordered(leaders, image_files("silhouette", sources.silhouettes), names_must_agree);
+    const NamedFiles files = image_files("silhouette", sources.silhouettes, list);
+    silhouettes = ordered(leaders, files, names_must_agree);
     decode_all(silhouettes, decode_silhouette, &View::silhouette, views);
-    if (images.empty()) leaders.paths = silhouettes;
+    if (images.empty()) leaders = {"silhouette", sources.silhouettes, silhouettes, {}, files.root};
   }
 
+  const std::vector<std::string> stems = distinct_stems(leaders);
   std::vector<SizedCamera> sized;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const GrayImage& image = sized_image(views[i]);
     if (!image.empty()) list.cameras[i].set_size(image.width, image.height, leaders.paths[i]);
     views[i].camera = list.cameras[i].camera;
     sized.push_back({views[i].camera.intrinsics, image.width, image.height, leaders.paths[i]});
-    views[i].name = stem_of(leaders.paths[i]);
+    views[i].name = stems[i];
     if (!silhouettes.empty()) check_silhouette(views[i], silhouettes[i]);
   }
   check_sizes(sized);
@@ -147,14 +184,16 @@ std::vector<View> views_from(const ViewSources& sources) {
 
 CameraList cameras_of_images(CameraList cameras, const std::string& where,
                              const std::string& images) {
-  const auto paths =
-      ordered(names_of(cameras, where), image_files("image", images), cameras.names_images);
+  const NamedFiles files = image_files("image", images, cameras);
+  const auto paths = ordered(names_of(cameras, where), files, cameras.names_images);
+  const auto stems = distinct_stems({"image", images, paths, {}, files.root});
   std::vector<SizedCamera> sized;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const GrayImage image = decode_size(file_bytes(paths[i]), paths[i]);
     cameras.cameras[i].set_size(image.width, image.height, paths[i]);
     sized.push_back({cameras.cameras[i].camera.intrinsics, image.width, image.height, paths[i]});
-    cameras.cameras[i].name = std::filesystem::path(paths[i]).filename().string();
+    cameras.cameras[i].name =
+        (fs::path(stems[i]).parent_path() / fs::path(paths[i]).filename()).string();
   }
   check_sizes(sized);
   cameras.names_images = true;

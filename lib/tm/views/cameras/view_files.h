@@ -24,8 +24,9 @@ struct ViewSources {
 /// images (Middlebury, COLMAP); else see name_pairs.h. Throws InputError, naming the file, for what
 /// the readers and the pairing refuse, for images whose size is not that of their silhouette or not
 /// the one that the camera file says, for images of different sizes with the same intrinsics, and
-/// for a silhouette without a pixel inside. Files are decoded on all allowed threads; the result
-/// and the error do not depend on their number.
+/// for a silhouette without a pixel inside. Of a folder of images, the folders are searched that
+/// the names of cameras begin with, as COLMAP's `left/0001.jpg`, where there are any. Files are
+/// decoded on all allowed threads; the result and the error do not depend on their number.
 std::vector<View> views_from(const ViewSources& sources);
 
 /// The same cameras with the sizes and file names of their images, for conversion. `where` names

@@ -72,6 +72,18 @@ TEST_CASE("names of which only some have a partner are refused, from either side
         "v2.png: there is no image of this name in photos: 2 silhouettes, but 1 image");
 }
 
+TEST_CASE("where names are the same on both sides, their folders below the root count") {
+  const NamedFiles cameras{"camera", "images.txt", {"left/1.jpg", "right/1.jpg", "left/2.jpg"}, {}};
+  const NamedFiles images{
+      "image", "p/in", {"p/in/left/1.png", "p/in/left/2.png", "p/in/right/1.png"}, {}, "p/in"};
+  CHECK(pair_by_name(cameras, images, true) == Partners{0, 2, 1});
+  CHECK(distinct_stems(images) == std::vector<std::string>{"left/1", "left/2", "right/1"});
+  CHECK(distinct_stems({"image", "p", {"p/a/1.png", "p/b/2.png"}, {}, "p"}) ==
+        std::vector<std::string>{"1", "2"});
+  CHECK(distinct_stems({"image", "", {"../a/1.png", "/b/1.png", "c/../d/1.png"}, {}}) ==
+        std::vector<std::string>{"1", "1", "d/1"});
+}
+
 TEST_CASE("two names of a side that are the same are refused, and sides without any") {
   CHECK(refusal({"x/a.png", "y/a.png"}, {"a.png", "b.png"}) ==
         "photos: two images have the same name: x/a.png and y/a.png");
