@@ -83,7 +83,7 @@ class ObjReader {
 
   void read_texture_point() {
     const auto name = [] { return std::string("a texture coordinate"); };
-    const double u = rows_.number<double>(name);
+    const auto u = rows_.number<double>(name);
     const double v = rows_.has_more() ? rows_.number<double>(name) : 0;
     if (rows_.has_more() && rows_.number<double>(name) != 0) ++third_texture_numbers_;
     texture_.add_point(u, v);

@@ -140,7 +140,7 @@ class VtpWriter {
     const Scalar type = group[0]->type;
     with_scalar(type, [&](auto zero) {
       using T = decltype(zero);
-      add_array<T>(
+      this->add_array<T>(
           type_name(type), name, components, width * group[0]->values.size(),
           [&](std::size_t i) { return to_scalar<T>(group[i % width]->values[i / width]); });
     });
