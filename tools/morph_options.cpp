@@ -36,17 +36,9 @@ std::optional<MorphDistance> distance_of(const std::string& name) {
   return std::nullopt;
 }
 
-// As a shell reads it back as one word.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char character : word)
-    text += character == '\'' ? std::string("'\\''") : std::string(1, character);
-  return text + '\'';
-}
-
 // A name that begins with a dash is no option.
 std::string file_word(const std::string& name) {
-  return quoted(name != "-" && name.starts_with('-') ? "./" + name : name);
+  return shell_word(name != "-" && name.starts_with('-') ? "./" + name : name);
 }
 
 std::string step_words(const MorphChoices& choices, const std::string& target) {
@@ -58,7 +50,7 @@ std::string step_words(const MorphChoices& choices, const std::string& target) {
 
 std::string remesh_words(const MorphChoices& choices) {
   const IterationOptions& iteration = choices.options.iteration;
-  return "tm-remesh --no-provenance --smooth " + quoted(choices.smooth) + " --min-edge " +
+  return "tm-remesh --no-provenance --smooth " + shell_word(choices.smooth) + " --min-edge " +
          iteration.min_edge.text() + " --max-edge " + iteration.max_edge.text() +
          (choices.options.step.gap_edges > 0 ? " --size-field size" : "");
 }

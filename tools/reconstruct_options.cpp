@@ -1,5 +1,7 @@
 #include "reconstruct_options.h"
 
+#include <algorithm>
+
 #include "tm/support/error.h"
 #include "view_options.h"
 
@@ -90,6 +92,8 @@ void refuse_standard_input(const ReconstructChoices& choices) {
 }
 
 void check_sequence(const ReconstructChoices& choices, const Run& run) {
+  if (!choices.loop.run.empty())
+    throw UsageError("--run is for one surface; -o of a --sequence is a folder already");
   if (run.output() == "-")
     throw UsageError("--sequence needs -o FOLDER: where to write the surfaces");
   const auto check_place = [](const char* option, const std::string& place) {
@@ -144,6 +148,17 @@ SequenceOptions sequence_of(const ReconstructChoices& choices,
   options.on_step = [&run](const std::string& text) { run.progress_line(text); };
   options.on_note = [&run](const std::string& text) { run.note(text); };
   return options;
+}
+
+std::string camera_text_of(std::span<const View> views) {
+  CameraList list;
+  for (const View& view : views) {
+    CameraRecord& record = list.cameras.emplace_back();
+    record.name = view.name;
+    std::ranges::replace(record.name, ' ', '_');
+    record.camera = view.camera;
+  }
+  return write_cameras(list, CameraFormat::middlebury);
 }
 
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step) {

@@ -81,6 +81,7 @@ std::string summary(const EvolveResult& result, const Mesh& mesh) {
 void evolve_mesh(Options& options, tool::Run& run) {
   Record record = tool::open_record(options.loop, 10, run);
   Document& document = tool::begin_document(record, run);
+  tool::begin_run(options.loop, record, &document, run);
   EvolveOptions evolution{options.iteration, until_of(options.until, run)};
   evolution.iteration.reference_edge = run.reference_edge();
   evolution.iteration.remesh = RemeshOptions();

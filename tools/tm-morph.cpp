@@ -1,6 +1,7 @@
 /// tm-morph: evolves a mesh until it lies on a target, or follows a film of them (paper 5.2).
 #include "morph_options.h"
 #include "morph_report.h"
+#include "tm/evolution/run_folder.h"
 #include "tm/evolution/tracking.h"
 #include "tm/io/streams.h"
 #include "tm/step/morph_check.h"
@@ -41,6 +42,7 @@ void morph_to_target(const tool::MorphChoices& choices, Record& record, tool::Ru
   Document& document = tool::begin_document(record, run);
   const MorphingOptions options = tool::morphing_of(choices, run);
   const Target target = target_of(choices, options, record, run);
+  tool::begin_run(choices.loop, record, &document, run, {{run_file::target, write_target(target)}});
   MorphingResult result;
   tool::evolve_or_keep(run, record, "iteration", [&] {
     result =
@@ -56,6 +58,7 @@ void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Ru
   Document& document = tool::begin_document(record, run);
   const std::vector<std::string> names(run.inputs().begin() + 1, run.inputs().end());
   const MorphingOptions options = tool::morphing_of(choices, run);
+  tool::begin_run(choices.loop, record, &document, run);
   TrackingResult result;
   tool::evolve_or_keep(run, record, "frame", [&] {
     result = track(

@@ -97,7 +97,7 @@ clamps_nothing() {
 @test "examples of what makes meshes, and of the loops" {
   run_examples tm-evolve.1
   clamps_nothing
-  run_examples tm-shape.1 tm-morph.1 tm.1 tm.7
+  run_examples tm-shape.1 tm-morph.1 tm-run.5 tm.1 tm.7
 }
 
 @test "examples of photographs and their cameras" {

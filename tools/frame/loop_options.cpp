@@ -1,7 +1,11 @@
 #include "frame/loop_options.h"
 
+#include <algorithm>
+#include <cctype>
 #include <exception>
 
+#include "tm/evolution/run_folder.h"
+#include "tm/io/mesh_io.h"
 #include "tm/io/output_target.h"
 #include "tm/support/error.h"
 
@@ -20,7 +24,45 @@ std::string settings_of(const Run& run) {
   return text;
 }
 
+// A run has its files under fixed names, so that each of these options would be another one.
+void settle_run(Program& program, LoopChoices& choices) {
+  std::string& folder = choices.run;
+  if (folder.empty()) return;
+  for (const char* name : {"output", "format", "frames", "csv", "report"})
+    if (program.find(name)->is_given)
+      throw UsageError("--run keeps all of a run under fixed names: leave out --" +
+                       std::string(name));
+  while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+  program.common.output = folder + run_file::result;
+  program.common.report = folder + run_file::report;
+  choices.record.frames = folder + run_file::frames;
+  choices.record.csv = folder + run_file::log;
+}
+
+bool is_plain(const std::string& word) {
+  return !word.empty() && std::ranges::all_of(word, [](unsigned char character) {
+    return std::isalnum(character) != 0 ||
+           std::string_view("_-+=.,:/@%").find(static_cast<char>(character)) != std::string::npos;
+  });
+}
+
+std::string command_of(const Program& program) {
+  std::string text = program.name;
+  for (std::size_t i = 1; i < program.command.size(); ++i) {
+    const std::string& word = program.command[i];
+    text += ' ' + (is_plain(word) ? word : shell_word(word));
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char character : text)
+    word += character == '\'' ? std::string("'\\''") : std::string(1, character);
+  return word + '\'';
+}
 
 void declare_iterations(Program& program, LoopChoices& choices) {
   program.integer("iterations", &choices.iterations, 1, 999999999, "stop after so many")
@@ -37,10 +79,14 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
                "keep meshes there as frame-00000.ply and so on");
   program.integer("every", &choices.every, 1, 999999999, every);
   program.text("csv", &choices.record.csv, "FILE", "write a line per " + rows);
+  program.text("run", &choices.run, "FOLDER",
+               "keep all there that shows and repeats the run, for tm-report: start, frames, "
+               "log.csv, report.json, result.ply");
   program.flag("require-convergence", &choices.require_convergence,
                "exit 1 where the result did not converge");
   for (std::size_t i = first; i < program.options.size(); ++i)
     program.options[i].affects_result = false;
+  program.settle = [&program, &choices] { settle_run(program, choices); };
 }
 
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
@@ -53,7 +99,8 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
     throw UsageError("give either --resume or --restart, not both");
   std::vector<std::string> files{"report", "csv"};
   if (state.empty()) files.insert(files.begin(), "output");
-  run.check_outputs(files);
+  // The folder of a run is made with the state in it.
+  choices.run.empty() ? run.check_outputs(files) : check_run_folder(choices.run);
   const std::string& name = run.program().name;
   tell_interruption(name, is_continuable ? "; --resume continues" : "");
   if (state.empty() && is_continuable) state = name_beside(run.output(), "", '.' + name);
@@ -66,6 +113,19 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   if (is_continuable) run.detail("state in " + options.state);
   if (record.resumed()) run.detail("continuing after " + std::to_string(record.iteration()));
   return record;
+}
+
+void begin_run(const LoopChoices& choices, const Record& record, const Document* start, Run& run,
+               std::vector<std::pair<std::string, std::string>> files) {
+  if (choices.run.empty()) return;
+  const std::string command = command_of(run.program());
+  if (record.resumed()) return continue_run(choices.run, command);
+  if (start != nullptr) {
+    Document given = *start;
+    given.style.format = Format::ply_little;
+    files.emplace_back(run_file::start, transformesh::write_mesh(given).bytes);
+  }
+  transformesh::begin_run(choices.run, {run.program().name, run.version(), {command}}, files);
 }
 
 LoopOptions loop_of(const LoopChoices& choices, Run& run) {

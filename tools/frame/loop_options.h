@@ -5,6 +5,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "frame/run.h"
 #include "tm/evolution/loop.h"
@@ -16,8 +18,12 @@ struct LoopChoices {
   std::size_t iterations = LoopOptions().iterations;
   RecordOptions record;
   std::optional<long> every;
+  std::string run;  ///< folder (run_folder.h)
   bool require_convergence = false;
 };
+
+/// In quotes, as a shell reads it back as one word.
+std::string shell_word(const std::string& text);
 
 /// --iterations; then, after the program's own options, the rest.
 void declare_iterations(Program& program, LoopChoices& choices);
@@ -28,6 +34,11 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
 /// Checks that all outputs can be written, and looks for a state: beside the output, or in `state`
 /// where the output is a folder.
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state = {});
+
+/// Where there is --run: begins it with the start, if there is one, and these files, or adds the
+/// command to one that continues. To be called once inputs have been read, before the loop begins.
+void begin_run(const LoopChoices& choices, const Record& record, const Document* start, Run& run,
+               std::vector<std::pair<std::string, std::string>> files = {});
 
 /// The limit, and lines of progress.
 LoopOptions loop_of(const LoopChoices& choices, Run& run);

@@ -142,11 +142,13 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
   std::optional<Run> run;
   try {
     declare_common(*this);
+    command.assign(argv, argv + argc);
     const std::vector<std::string> words = parse({argv + 1, argv + argc});
     if (const std::string text = about(*this); !text.empty()) {
       write_file("-", text);
       return exit_done;
     }
+    if (settle) settle();
     check_together(common);
     if (reads_input() && words.empty() && isatty(STDIN_FILENO) == 1) {
       // The user wants to know how to use this.

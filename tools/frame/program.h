@@ -99,7 +99,10 @@ struct Program {
   const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
   CommonValues common = CommonValues();   // {} would make GCC 12 warn
   std::deque<Option> options = {};
-  std::vector<std::string> inputs = {};  ///< or words
+  /// Called once all options have their values, to derive some from others; may throw UsageError.
+  std::function<void()> settle = {};
+  std::vector<std::string> inputs = {};   ///< or words
+  std::vector<std::string> command = {};  ///< the whole command line
 
   Option& flag(const std::string& names, bool* value, const std::string& help);
   Option& number(const std::string& names, double* value, double minimum, double maximum,

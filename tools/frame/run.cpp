@@ -57,6 +57,8 @@ Run::Run(Program& program, Terminal& terminal)
         return true;
       }) {}
 
+std::string Run::version() { return TM_VERSION; }
+
 void Run::report(const std::string& key, const Value& value) { result_.emplace_back(key, value); }
 
 // --- Input ---------------------------------------------------------------------------------------

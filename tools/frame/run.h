@@ -31,6 +31,7 @@ class Run {
   /// What the user named, or `-` for stdin; the words of Reads::words.
   const std::vector<std::string>& inputs() const { return program_.inputs; }
   const std::string& input() const { return inputs().at(0); }
+  static std::string version();
   const std::string& output() const { return program_.common.output; }
   /// The mesh read, which a program that writes a mesh changes; empty where none was read.
   Document& document() { return documents_.front(); }

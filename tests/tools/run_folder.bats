@@ -1,0 +1,144 @@
+# --run of the loops: all of a run in one folder, in the layout of tm-run(5).
+
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape torus --faces 1000 -o torus.ply
+  tm-shape sphere --around torus.ply --faces 1000 -o "a sphere.ply"
+}
+
+morph() {
+  tm-morph -q "a sphere.ply" --target torus.ply "$@"
+}
+
+files_of() {
+  (cd "$1" && find . -type f ! -path './result.ply.tm-*' | sort | sed 's|^\./||')
+}
+
+@test "tm-morph --run keeps start, target, frames, log, report, result and command" {
+  morph --run r --iterations 5 --every 2
+  diff - <(files_of r) <<'FILES'
+frames/frame-00000.ply
+frames/frame-00002.ply
+frames/frame-00004.ply
+log.csv
+report.json
+result.ply
+run.json
+start.ply
+target.ply
+FILES
+  jq -e '.layout == 1 and .tool == "tm-morph" and (.version | length) > 0' r/run.json
+  [ "$(jq -r '.commands[]' r/run.json)" = \
+    "tm-morph -q 'a sphere.ply' --target torus.ply --run r --iterations 5 --every 2" ]
+  # The meshes are those that options one by one would give.
+  morph -o one.ply --frames frames --csv log.csv --iterations 5 --every 2
+  cmp one.ply r/result.ply
+  for frame in frames/*; do cmp "$frame" "r/$frame"; done
+  cut -d, -f1-12 log.csv | diff - <(cut -d, -f1-12 r/log.csv)
+  tm-compare --json --reference "a sphere.ply" r/start.ply | jq -e '.hausdorff < 1e-12'
+  tm-compare --json --reference torus.ply r/target.ply | jq -e '.hausdorff < 1e-12'
+  jq -e '.result.iterations == 5' r/report.json
+}
+
+@test "the command of a run repeats it, and a run that continues tells both commands" {
+  morph --run r --iterations 3 --every 1
+  cp r/result.ply first.ply
+  bash -c "$(jq -r '.commands[0]' r/run.json)"
+  cmp first.ply r/result.ply
+  morph --run r --iterations 6 --every 1 --resume
+  [ "$(jq '.commands | length' r/run.json)" -eq 2 ]
+  morph -o six.ply --iterations 6
+  cmp six.ply r/result.ply
+  [ "$(files_of r/frames | wc -l)" -eq 7 ]
+  [ "$(wc -l <r/log.csv)" -eq 7 ]
+}
+
+@test "a run in the place of another one leaves nothing of it, and nobody else's file is touched" {
+  morph --run r --iterations 5 --every 1
+  touch r/picture.png r/frames/picture.png
+  tm-evolve -q --step cat --iterations 2 --every 1 --run r torus.ply
+  diff - <(files_of r) <<'FILES'
+frames/frame-00000.ply
+frames/frame-00001.ply
+frames/frame-00002.ply
+frames/picture.png
+log.csv
+picture.png
+report.json
+result.ply
+run.json
+start.ply
+FILES
+  [ "$(jq -r .tool r/run.json)" = tm-evolve ]
+  # A failure before the first iteration leaves the run that is there.
+  run --separate-stderr morph --target nothing.ply --run r
+  assert_status 3
+  [ "$(jq -r .tool r/run.json)" = tm-evolve ]
+}
+
+@test "a folder that is no run, and options that --run sets, are refused" {
+  mkdir other
+  touch other/letter
+  run --separate-stderr morph --run other
+  assert_status 2
+  one_line "$stderr"
+  [[ $stderr == *"'other' holds letter and no run"* ]]
+  [ "$(ls -A other)" = letter ]
+  for option in '-o x.ply' '--csv x' '--report x' '--frames x' '--format off'; do
+    run --separate-stderr morph --run r $option
+    assert_status 2
+    one_line "$stderr"
+    [[ $stderr == *"--run"*"leave out --"* ]]
+  done
+  [ ! -e r ]
+  run --separate-stderr morph --target nothing.ply --run r
+  assert_status 3
+  [ ! -e r ]
+}
+
+@test "a run that is killed at any moment is continued, to the same bytes" {
+  morph -o all.ply --iterations 12
+  for kill_at in 2 5 9; do
+    morph --run r --iterations 12 --every 1 --restart 3>&- &
+    while [ ! -e r/log.csv ] || [ "$(wc -l <r/log.csv)" -lt "$kill_at" ]; do sleep 0.01; done
+    kill -KILL $! || true
+    wait $! || true
+    morph --run r --iterations 12 --every 1 --resume
+    cmp all.ply r/result.ply
+    [ "$(files_of r/frames | wc -l)" -eq 13 ]
+    [ "$(wc -l <r/log.csv)" -eq 13 ]
+  done
+}
+
+@test "a sequence and a reconstruction have runs too" {
+  tm-morph -q "a sphere.ply" --sequence torus.ply torus.ply --iterations 2 --run film
+  [ "$(files_of film/frames | wc -l)" -eq 3 ]
+  [ ! -e film/target.ply ]
+
+  mkdir photos
+  tm-photograph -q --ring 12 --size 80x60 --write-images photos --write-silhouettes masks \
+    -o photos.txt torus.ply
+  reconstruct() {
+    tm-reconstruct -q --cameras photos.txt --images photos --silhouettes masks --coarsest 1 \
+      --passes 2 --iterations 1 --robust 0 "$@"
+  }
+  reconstruct --run seen
+  diff - <(files_of seen) <<'FILES'
+cameras.txt
+frames/frame-00000.ply
+frames/frame-00001.ply
+frames/frame-00002.ply
+log.csv
+report.json
+result.ply
+run.json
+FILES
+  diff <(tm-cameras photos.txt | sed 's/\.png / /') <(tm-cameras seen/cameras.txt)
+  reconstruct -o alone.ply
+  cmp alone.ply seen/result.ply
+  run --separate-stderr tm-reconstruct --cameras photos.txt --images 'photos/{}' --sequence x --run y
+  assert_status 2
+  [[ $stderr == *"--run is for one surface"* ]]
+}
