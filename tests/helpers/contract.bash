@@ -2,7 +2,7 @@
 
 # name|kind|arguments beside the input; MESH stands for a file with the mesh itself, SCENE
 # for a folder with par.txt and masks, and with photos.txt and photos of the mesh. The input of a converter is in the file
-# $NAME_input, for example $tm_cameras_input. A loop is a filter whose output is always PLY; the state of
+# $NAME_input, for example $tm_cameras_input. RUN is the folder of a run. A loop is a filter whose output is always PLY; the state of
 # one may stay beside a named output.
 contract_programs() {
   cat <<'TABLE'
@@ -27,11 +27,13 @@ tm-photograph|converter|--size 40x30 --ring 3
 tm-reconstruct|source|--cameras SCENE/photos.txt --images SCENE/photos --silhouettes SCENE/outlines --coarsest 1 --edge 5 --passes 1 --iterations 1 --robust 0
 tm-remesh|filter|
 tm-render|picture|
+tm-report|reporter|RUN
 tm-sample|filter|--count 200
 tm-select|filter|--largest 1
 tm-shape|source|sphere --faces 500
 tm-stitch|filter|
 tm-transform|filter|--scale 2 --rotate 1,2,3,40
+tm-view|viewer|
 tm-wrap|converter|
 TABLE
 }
@@ -82,6 +84,8 @@ make_contract_inputs() {
   tm-photograph --ring 12 --size 80x60 --write-images "$scene/photos" \
     --write-silhouettes "$scene/outlines" -o "$scene/photos.txt" "$mesh"
   tm-convert --no-provenance --format ply -o "$binary" "$mesh"
+  export run=$1/run
+  tm-evolve -q --step cat --iterations 1 --run "$run" "$mesh"
   torus 24 12 1.1 | tm-cat --no-provenance --format ply -o "$crossing" "$mesh" -
 }
 
@@ -100,6 +104,11 @@ for_each() {
       echo "# $program: not for a $kind" >&3
       continue
     fi
+    if [[ $kind == @(reporter|viewer) && ! -e $tm_build/share/tm/viewer.html &&
+      $2 != @(help_is_golden|version_is_printed|unknown_option_is_refused) ]]; then
+      echo "# $program: the viewer is not built" >&3
+      continue
+    fi
     mesh=$mesh_input binary=$binary_input crossing=$crossing_input
     if [ "$kind" = converter ]; then
       input=${program//-/_}_input
@@ -108,6 +117,7 @@ for_each() {
     read -ra row <<<"$rest"
     arguments=("${row[@]/MESH/$mesh}")
     arguments=("${arguments[@]/SCENE/$scene}")
+    arguments=("${arguments[@]/RUN/$run}")
     # Not as a condition: bash would then go on after a failing line of the function.
     set +e
     (

@@ -24,7 +24,7 @@ help_is_golden() {
   [ ! -s stderr ]
 }
 @test "1: --help prints the golden text" {
-  for_each filter predicate picture source converter loop lister -- help_is_golden
+  for_each filter predicate picture source converter loop lister reporter viewer -- help_is_golden
 }
 
 version_is_printed() {
@@ -34,7 +34,7 @@ version_is_printed() {
   [[ $output =~ ^"$program "[0-9]+\.[0-9]+\.[0-9]+(\ \(commit\ [0-9a-f]+\))?$ ]]
 }
 @test "2: --version prints name and version" {
-  for_each filter predicate picture source converter loop lister -- version_is_printed
+  for_each filter predicate picture source converter loop lister reporter viewer -- version_is_printed
 }
 
 unknown_option_is_refused() {
@@ -45,7 +45,7 @@ unknown_option_is_refused() {
   [[ $stderr == "$program: "*"'--versoin'"*"'--version'"* ]]
 }
 @test "3: an unknown option is exit 2 and one line that names the nearest" {
-  for_each filter predicate picture source converter loop lister -- unknown_option_is_refused
+  for_each filter predicate picture source converter loop lister reporter viewer -- unknown_option_is_refused
 }
 
 stdin_equals_file() {
@@ -61,14 +61,14 @@ stdin_equals_file() {
 }
 
 output_option_equals_stdout() {
-  [[ $kind == source || $kind == lister ]] || arguments+=("$mesh")
+  [[ $kind == @(source|lister|reporter) ]] || arguments+=("$mesh")
   "$program" "${arguments[@]}" >expected
   "$program" "${arguments[@]}" -o target >stdout
   [ ! -s stdout ]
   cmp expected target
 }
 @test "5: -o FILE equals stdout" {
-  for_each filter predicate picture source converter loop lister -- output_option_equals_stdout
+  for_each filter predicate picture source converter loop lister reporter viewer -- output_option_equals_stdout
 }
 
 empty_input_is_refused() {
@@ -80,7 +80,7 @@ empty_input_is_refused() {
   [[ $stderr == "$program: "*empty* ]]
 }
 @test "6: empty input is exit 3 and says so" {
-  for_each filter predicate picture converter loop -- empty_input_is_refused
+  for_each filter predicate picture converter loop viewer -- empty_input_is_refused
 }
 
 truncated_input_is_refused() {
@@ -93,11 +93,11 @@ truncated_input_is_refused() {
   [[ $stderr == "$program: "* ]]
 }
 @test "7: truncated binary PLY is exit 3, and nothing is written" {
-  for_each filter predicate picture converter loop -- truncated_input_is_refused
+  for_each filter predicate picture converter loop viewer -- truncated_input_is_refused
 }
 
 closed_pipe_is_silent() {
-  [[ $kind == source || $kind == lister ]] || arguments+=("$binary")
+  [[ $kind == @(source|lister|reporter) ]] || arguments+=("$binary")
   exec 7> >(exit 0)
   wait $!
   code=0
@@ -105,11 +105,11 @@ closed_pipe_is_silent() {
   [ "$code $(cat stderr)" = "141 " ] || fail "exit code $code, $(cat stderr)"
 }
 @test "8: a closed output pipe ends the program silently" {
-  for_each filter predicate picture source converter loop lister -- closed_pipe_is_silent
+  for_each filter predicate picture source converter loop lister reporter viewer -- closed_pipe_is_silent
 }
 
 failed_output_is_told() {
-  [[ $kind == source || $kind == lister ]] || arguments+=("$binary")
+  [[ $kind == @(source|lister|reporter) ]] || arguments+=("$binary")
   code=0
   "$program" "${arguments[@]}" 2>stderr || code=$?
   [ "$code" -eq 5 ] || fail "exit code $code, $(cat stderr)"
@@ -118,8 +118,8 @@ failed_output_is_told() {
 full_disk_is_told() { failed_output_is_told >/dev/full; }
 closed_stdout_is_told() { failed_output_is_told >&-; }
 @test "9: a full disk and a closed stdout are exit 5 and told" {
-  for_each filter predicate picture source converter loop lister -- full_disk_is_told
-  for_each filter predicate picture source converter loop lister -- closed_stdout_is_told
+  for_each filter predicate picture source converter loop lister reporter viewer -- full_disk_is_told
+  for_each filter predicate picture source converter loop lister reporter viewer -- closed_stdout_is_told
 }
 
 header_survives() {
@@ -134,7 +134,7 @@ header_survives() {
 }
 
 threads_make_no_difference() {
-  [[ $kind == source || $kind == lister ]] || arguments+=("$crossing")
+  [[ $kind == @(source|lister|reporter) ]] || arguments+=("$crossing")
   for threads in 1 2 4 8; do
     # A predicate's no is an answer too.
     "$program" "${arguments[@]}" --threads "$threads" >"$threads" || [ $? -eq 1 ]
@@ -145,7 +145,7 @@ threads_make_no_difference() {
   cmp 1 8
 }
 @test "11: 1, 2, 4 and 8 threads give the same bytes" {
-  for_each filter predicate picture source converter loop -- threads_make_no_difference
+  for_each filter predicate picture source converter loop reporter viewer -- threads_make_no_difference
 }
 
 # The program waits for the rest of its input, or for a reader of its output, when the signal comes.
@@ -174,6 +174,6 @@ signal_ends_it() {
 interrupt_ends_it() { signal_ends_it INT 130; }
 termination_ends_it() { signal_ends_it TERM 143; }
 @test "12: SIGINT and SIGTERM end it at once, and leave no partial file" {
-  for_each filter predicate picture source converter loop -- interrupt_ends_it
-  for_each filter predicate picture source converter loop -- termination_ends_it
+  for_each filter predicate picture source converter loop viewer -- interrupt_ends_it
+  for_each filter predicate picture source converter loop viewer -- termination_ends_it
 }

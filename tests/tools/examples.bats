@@ -104,6 +104,11 @@ clamps_nothing() {
   run_examples tm-cameras.1 tm-hull.1 tm-photo-step.1 tm-photograph.1 tm-wrap.1
 }
 
+@test "examples of pages" {
+  [ -e "$tm_build/share/tm/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
+  run_examples tm-report.1 tm-view.1
+}
+
 @test "examples of reconstruction" {
   run_examples tm-reconstruct.1
 }

@@ -81,6 +81,7 @@ std::string bash_arguments(const Program& program) {
   }
   if (!program.word_choices.empty())
     return "  _tm_offer -W " + in_quotes(words_of(program)) + " -- \"$word\"\n";
+  if (program.words_are_folders) return "  _tm_offer -d -- \"$word\"\n";
   return program.reads_input() ? "  _tm_offer -f -- \"$word\"\n" : "";
 }
 
@@ -140,6 +141,7 @@ std::string zsh(const Program& program) {
     if (option.is_listed) text += zsh_option(option);
   if (program.reads_mesh()) return text + "  '*:mesh:_files -g \"*.(ply|off|obj|stl)(-.)\"'\n";
   if (!program.word_choices.empty()) return text + "  '*:word:(" + words_of(program) + ")'\n";
+  if (program.words_are_folders) return text + "  '*:folder:_files -/'\n";
   return text + (program.reads_input() ? "  '*:file:_files'\n" : "  && return\n");
 }
 
@@ -163,6 +165,8 @@ std::string fish(const Program& program) {
     text += start + "-ka '(__fish_complete_suffix .ply .off .obj .stl)'\n";
   } else if (!program.word_choices.empty()) {
     text += start + "-a " + in_quotes(words_of(program)) + "\n";
+  } else if (program.words_are_folders) {
+    text += start + "-a '(__fish_complete_directories)'\n";
   } else if (program.reads_input()) {
     text += start + "-F\n";
   }

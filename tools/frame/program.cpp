@@ -27,7 +27,7 @@ void prepare_process() {
 
 /// Those named, else stdin.
 std::vector<std::string> inputs_of(const Program& program, const std::vector<std::string>& words) {
-  if (program.reads == Reads::nothing && !words.empty())
+  if (!program.reads_input() && program.reads != Reads::words && !words.empty())
     throw UsageError("'" + words[0] + "' is not expected: there is no input");
   if (words.size() > 1 && (program.reads == Reads::mesh || program.reads == Reads::file))
     throw UsageError("one input at most, but '" + words[1] + "' is a second one");

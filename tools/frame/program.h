@@ -43,6 +43,7 @@ enum class Writes {
   mesh,
   evolved_mesh,  ///< the end of an evolution: PLY, whatever the format of the input
   picture,       ///< bytes that are nothing for a terminal
+  page,          ///< HTML
   text,
   report,  ///< `key: value` lines, or JSON with --json
   answer   ///< the same, and the exit code is 1 for a no
@@ -93,7 +94,9 @@ struct Program {
   std::vector<std::string> word_choices = {};  ///< the first word is one of these, for completion
   std::string epilog = {};                     ///< shown after the options: examples, formulas
   std::vector<std::string> picture_endings = {".png"};  ///< of -o, where a picture is written
-  std::function<bool()> writes_mesh_if = {};  ///< where this holds, a mesh is written, no report
+  std::function<bool()> writes_mesh_if = {};    ///< where this holds, a mesh is written, no report
+  bool words_are_folders = false;
+  std::function<bool()> reads_nothing_if = {};  ///< where this holds, there is no input
   bool cleans = false;       ///< what is written crosses nothing, rounded as it is
   bool joins_soups = false;  ///< so that nobody is told to do it with tm-stitch
   const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
@@ -138,8 +141,13 @@ struct Program {
   Option* find(const std::string& option);
 
   bool is_evolution() const { return writes == Writes::evolved_mesh; }
-  bool reads_mesh() const { return reads == Reads::mesh || reads == Reads::meshes; }
-  bool reads_input() const { return reads != Reads::nothing && reads != Reads::words; }
+  bool reads_mesh() const {
+    return reads_input() && (reads == Reads::mesh || reads == Reads::meshes);
+  }
+  bool reads_input() const {
+    return reads != Reads::nothing && reads != Reads::words &&
+           !(reads_nothing_if && reads_nothing_if());
+  }
   bool may_write_mesh() const { return writes == Writes::mesh || is_evolution() || writes_mesh_if; }
   bool may_print_report() const { return writes == Writes::report || writes == Writes::answer; }
   bool writes_mesh() const { return writes_mesh_if ? writes_mesh_if() : may_write_mesh(); }

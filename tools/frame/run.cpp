@@ -57,6 +57,12 @@ Run::Run(Program& program, Terminal& terminal)
         return true;
       }) {}
 
+bool Run::writes_to_terminal() const { return output() == "-" && isatty(STDOUT_FILENO) == 1; }
+
+void Run::print_line(const std::string& text) {
+  if (!write_all(STDOUT_FILENO, text + '\n')) throw_not_written("standard output");
+}
+
 std::string Run::version() { return TM_VERSION; }
 
 void Run::report(const std::string& key, const Value& value) { result_.emplace_back(key, value); }
@@ -64,16 +70,18 @@ void Run::report(const std::string& key, const Value& value) { result_.emplace_b
 // --- Input ---------------------------------------------------------------------------------------
 
 void Run::check_ending() const {
-  const bool writes_picture = program_.writes == Writes::picture;
-  if (!writes_picture && (!program_.writes_mesh() || !program_.common.format.empty())) return;
-  const std::vector<std::string> known =
-      writes_picture ? program_.picture_endings : written_endings();
-  const std::string ending = unknown_ending(output(), known);
-  if (ending.empty()) return;
-  throw UsageError("--output: '" + output() + "' ends in " + ending + ", which is not written; " +
-                   (writes_picture
-                        ? "pictures are " + listed(known)
-                        : "take " + listed(known) + ", or say what it shall hold with --format"));
+  const auto check = [&](const std::vector<std::string>& known, const std::string& advice) {
+    const std::string ending = unknown_ending(output(), known);
+    if (!ending.empty())
+      throw UsageError("--output: '" + output() + "' ends in " + ending +
+                       ", which is not written; " + advice);
+  };
+  const std::vector<std::string>& pictures = program_.picture_endings;
+  if (program_.writes == Writes::picture) check(pictures, "pictures are " + listed(pictures));
+  if (program_.writes == Writes::page) check({".html", ".htm"}, "pages are .html");
+  if (program_.writes_mesh() && program_.common.format.empty())
+    check(written_endings(),
+          "take " + listed(written_endings()) + ", or say what it shall hold with --format");
 }
 
 void Run::start() {
@@ -81,7 +89,7 @@ void Run::start() {
   check_ending();
   if (values.json && program_.writes_mesh())
     throw UsageError("--json needs a report on standard output");
-  if (program_.writes == Writes::picture && output() == "-" && isatty(STDOUT_FILENO) == 1)
+  if (program_.writes == Writes::picture && writes_to_terminal())
     throw UsageError("not writing a picture to a terminal: redirect it or name a file with -o");
   if (program_.is_evolution()) {
     if (program_.writes_mesh()) set_output_style(document());

@@ -32,6 +32,7 @@ class Run {
   const std::vector<std::string>& inputs() const { return program_.inputs; }
   const std::string& input() const { return inputs().at(0); }
   static std::string version();
+  bool writes_to_terminal() const;
   const std::string& output() const { return program_.common.output; }
   /// The mesh read, which a program that writes a mesh changes; empty where none was read.
   Document& document() { return documents_.front(); }
@@ -62,6 +63,8 @@ class Run {
   /// A no is exit code 1.
   void answer(bool is_yes) { answer_ = is_yes; }
 
+  /// At once, on standard output: for a program that then goes on until it is ended.
+  static void print_line(const std::string& text);
   /// What goes to -o of a program that writes no mesh.
   void write_output(std::string bytes) { bytes_ = std::move(bytes); }
   /// Nothing goes to -o.

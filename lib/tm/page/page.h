@@ -1,0 +1,57 @@
+/// One self-contained HTML page that shows runs of loops, or meshes: the viewer (tools/viewer),
+/// what there is to show as JSON, and each mesh as a packed block (pack.h) in base64, which the
+/// viewer unpacks when it is wanted. The page asks for nothing from anywhere, and says so in its
+/// Content-Security-Policy. Cost: linear. Deterministic for a version of zlib and a viewer.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tm/page/pack.h"
+#include "tm/views/cameras/camera_record.h"
+
+namespace transformesh {
+
+struct PageMesh {
+  std::size_t number = 0;  ///< of the iteration, in the first column of the log; or of the file
+  std::string label;       ///< empty: the number says it
+  PackedMesh mesh;
+  std::string block = {};  ///< name of its block; empty: block_name()
+};
+
+/// A run, or meshes one of which is shown at a time.
+struct PageRun {
+  std::string name;
+  std::string tool, version;          ///< empty where these are just meshes
+  std::vector<std::string> commands;  ///< that made it
+  std::string log;                    ///< CSV, or empty
+  std::string report;                 ///< JSON, or empty while it goes on
+  std::vector<PageMesh> meshes;       ///< in order
+  std::optional<PageMesh> target;
+  std::vector<CameraRecord> cameras;
+};
+
+struct Page {
+  std::string title;
+  std::string version;   ///< of what makes the page
+  std::string color_by;  ///< column shown at first; empty: none
+  std::string up = "y";  ///< axis that points up
+  bool is_live = false;  ///< the viewer asks for what is new, beside the page
+  std::vector<PageRun> runs;
+};
+
+/// What there is to show, without the blocks, as the viewer reads it. Throws InputError where a
+/// report is no JSON.
+std::string page_json(const Page& page);
+
+/// The name of a block in the page: `mesh-RUN-INDEX` or `target-RUN`.
+std::string block_name(std::size_t run, std::optional<std::size_t> index);
+
+/// Puts all of it into the viewer's page, whose places for that are comments: `<!--tm:title-->` in
+/// the title, `<!--tm:data-->` in the body. A live page gets no blocks.
+std::string page_html(const Page& page, std::string_view viewer);
+
+}  // namespace transformesh

@@ -1,0 +1,104 @@
+#include "tm/page/run_page.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tm/evolution/run_folder.h"
+#include "tm/geometry/compare.h"
+#include "tm/io/mesh_io.h"
+#include "tm/io/streams.h"
+#include "tm/step/target_file.h"
+#include "tm/support/error.h"
+#include "tm/support/number.h"
+#include "tm/support/parallel.h"
+#include "tm/views/cameras/camera_file.h"
+
+namespace transformesh {
+namespace {
+
+/// Empty where there is no such file.
+std::string text_in(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The number at the start of the last line; a line that is being written has no end.
+std::size_t last_number(const std::string& log) {
+  const std::size_t end = log.rfind('\n');
+  if (end == std::string::npos || end == 0) return 0;
+  const std::size_t begin = log.rfind('\n', end - 1) + 1;
+  const std::string line = log.substr(begin, end - begin);
+  return number_in<std::size_t>(line.substr(0, line.find(','))).value_or(0);
+}
+
+using Files = std::vector<std::pair<std::size_t, std::string>>;
+
+Files every_few(const Files& files, std::size_t every) {
+  Files kept;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (i % every == 0 || i + 1 == files.size()) kept.push_back(files[i]);
+  return kept;
+}
+
+std::string name_of_folder(const std::string& folder) {
+  std::error_code ignored;
+  const std::filesystem::path path = std::filesystem::absolute(folder, ignored).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+}  // namespace
+
+PageMesh read_frame(std::size_t number, const std::string& path, const Mesh* target) {
+  Mesh mesh = read_mesh_file(path);
+  if (target != nullptr && !target->positions.empty() && !mesh.positions.empty())
+    mesh.vertex_columns.get("distance", Scalar::float64, mesh.positions.size()).values =
+        vertex_distances(mesh, *target);
+  return {number, path.ends_with(run_file::result) ? "result" : "", pack(mesh)};
+}
+
+Mesh read_run_target(const std::string& folder) {
+  const std::string path = folder + run_file::target;
+  if (!std::filesystem::exists(path)) return {};
+  return read_mesh_or_points(read_all(path).view(), path);
+}
+
+PageRun read_run_texts(const std::string& folder) {
+  const RunDescription description = read_run(folder);
+  PageRun run;
+  run.name = name_of_folder(folder);
+  run.tool = description.tool;
+  run.version = description.version;
+  run.commands = description.commands;
+  run.log = text_in(folder + run_file::log);
+  run.report = text_in(folder + run_file::report);
+  if (std::filesystem::exists(folder + run_file::cameras))
+    run.cameras = cameras_from(folder + run_file::cameras).cameras;
+  return run;
+}
+
+Files run_mesh_files(const std::string& folder, const std::string& log) {
+  Files files = run_frames(folder);
+  const std::string result = folder + run_file::result;
+  const std::size_t last = last_number(log);
+  if (std::filesystem::exists(result) && (files.empty() || files.back().first < last))
+    files.emplace_back(last, result);
+  return files;
+}
+
+PageRun read_run_page(const std::string& folder, const RunPageOptions& options,
+                      const Progress& progress) {
+  PageRun run = read_run_texts(folder);
+  const Mesh target = read_run_target(folder);
+  if (!target.positions.empty()) run.target = PageMesh{0, "target", pack(target)};
+
+  const Files files = every_few(run_mesh_files(folder, run.log), options.every);
+  if (files.empty()) throw InputError("'" + folder + "' has neither frames nor a result yet");
+  for (const auto& [number, path] : files) {
+    progress("pack", static_cast<double>(run.meshes.size()) / static_cast<double>(files.size()));
+    run.meshes.push_back(read_frame(number, path, &target));
+  }
+  return run;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,35 @@
+/// The folder of a run (run_folder.h) as a page shows it. It may be that of a run that goes on:
+/// what is there is shown.
+#pragma once
+
+#include <string>
+
+#include "tm/page/page.h"
+#include "tm/support/progress.h"
+
+namespace transformesh {
+
+struct RunPageOptions {
+  std::size_t every = 1;  ///< of the frames take the first, every so many, and the last
+};
+
+/// With the result as the last mesh, unless that is the last frame. Where there is a target,
+/// vertices get the column `distance`, from its faces, or from its points where it has none; a
+/// column of that name gives way. Throws InputError where the folder is no run, or where it has
+/// neither frames nor a result.
+PageRun read_run_page(const std::string& folder, const RunPageOptions& options = {},
+                      const Progress& progress = {});
+
+/// All of it but meshes, and the files of those: the frames, then the result unless that is the
+/// last frame, with their numbers.
+PageRun read_run_texts(const std::string& folder);
+std::vector<std::pair<std::size_t, std::string>> run_mesh_files(const std::string& folder,
+                                                                const std::string& log);
+
+/// One frame of it as such a page has it.
+PageMesh read_frame(std::size_t number, const std::string& path, const Mesh* target);
+
+/// The target, or an empty mesh where there is none.
+Mesh read_run_target(const std::string& folder);
+
+}  // namespace transformesh

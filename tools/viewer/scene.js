@@ -1,0 +1,248 @@
+// The 3D view: a cell for each run, all seen by the same camera.
+
+import {
+  BufferAttribute, BufferGeometry, Color, FrontSide, Group, LineBasicMaterial, LineSegments, MathUtils, Mesh,
+  MeshBasicMaterial, PerspectiveCamera, Points, PointsMaterial, Scene, Spherical, Vector3,
+  WebGLRenderer,
+} from 'three';
+import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
+import {coloredGeometry, geometryOf} from './geometry.js';
+import {setFlat, setTint, setVertexColors, surfaceMaterial} from './materials.js';
+
+const halfFieldOfView = MathUtils.degToRad(15);
+const home = new Spherical(1.02 / Math.sin(halfFieldOfView), MathUtils.degToRad(70), MathUtils.degToRad(30));
+
+// Middle and radius of all that a run shows.
+export function extentOf(run) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  const meshes = [...run.meshes, ...(run.target ? [run.target] : [])];
+  for (const mesh of meshes) {
+    for (let axis = 0; axis < 3; ++axis) {
+      low[axis] = Math.min(low[axis], mesh.low[axis]);
+      high[axis] = Math.max(high[axis], mesh.high[axis]);
+    }
+  }
+  const middle = low.map((end, axis) => end / 2 + high[axis] / 2);
+  const radius = Math.max(...meshes.map((mesh) =>
+    mesh.radius + Math.hypot(...middle.map((x, axis) => mesh.low[axis] / 2 + mesh.high[axis] / 2 - x))));
+  return {middle, radius: radius > 0 ? radius : 1};
+}
+
+function materials() {
+  return {
+    wires: new MeshBasicMaterial({wireframe: true, transparent: true, opacity: 0.55}),
+    points: new PointsMaterial({size: 3, sizeAttenuation: false}),
+    ghost: surfaceMaterial({transparent: true, opacity: 0.3, polygonOffsetFactor: 2, polygonOffsetUnits: 4, depthWrite: false, side: FrontSide}),
+    ghostPoints: new PointsMaterial({size: 2, sizeAttenuation: false, transparent: true, opacity: 0.6}),
+    frusta: new LineBasicMaterial({transparent: true, opacity: 0.8}),
+  };
+}
+
+// Drawn by the processor: fine pictures take too long while something moves.
+function isDrawnBySoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const names = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
+// The eye and the image of each camera as a pyramid.
+function frustaOf(cameras, {middle, radius}) {
+  const points = [];
+  for (const {center, corners} of cameras) {
+    const distance = Math.hypot(...center.map((x, axis) => x - middle[axis]));
+    const depth = Math.min(0.12 * distance, 0.3 * radius);
+    const eye = center.map((x, axis) => x - middle[axis]);
+    const ends = corners.map((ray) => ray.map((x, axis) => eye[axis] + depth * x));
+    ends.forEach((end, i) => points.push(...eye, ...end, ...end, ...ends[(i + 1) % 4]));
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(points), 3));
+  return geometry;
+}
+
+class Cell {
+  constructor(run, extent, radius, up, shared) {
+    this.extent = extent;
+    this.element = document.createElement('div');
+    this.element.className = 'cell';
+    this.label = document.createElement('span');
+    this.element.append(this.label);
+    this.label.textContent = run.name;
+
+    this.group = new Group();
+    this.group.scale.setScalar(1 / radius);
+    if (up === 'z') this.group.rotation.x = -Math.PI / 2;
+    if (up === 'x') this.group.rotation.z = Math.PI / 2;
+    this.surface = new Mesh(new BufferGeometry(), surfaceMaterial());
+    this.wires = new Mesh(new BufferGeometry(), shared.wires);
+    this.points = new Points(new BufferGeometry(), shared.points.clone());
+    this.ghost = new Mesh(new BufferGeometry(), shared.ghost);
+    this.ghost.renderOrder = 1;
+    this.ghostPoints = new Points(new BufferGeometry(), shared.ghostPoints);
+    this.frusta = new LineSegments(frustaOf(run.cameras, extent), shared.frusta);
+    for (const object of this.objects()) {
+      object.frustumCulled = false;
+      this.group.add(object);
+    }
+  }
+
+  objects() {
+    return [this.surface, this.wires, this.points, this.ghost, this.ghostPoints, this.frusta];
+  }
+}
+
+export class View {
+  constructor(stage, canvas, cells, page, colors) {
+    this.stage = stage;
+    this.canvas = canvas;
+    this.colors = colors;
+    this.looks = {wireframe: false, flat: false, ghost: true, cameras: false};
+    this.isSlow = isDrawnBySoftware();
+    this.renderer = new WebGLRenderer({canvas, antialias: !this.isSlow, alpha: true});
+    this.renderer.autoClear = false;
+    this.shared = materials();
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(30, 1, 0.05, 100);
+
+    const extents = page.runs.map(extentOf);
+    const largest = Math.max(...extents.map((extent) => extent.radius));
+    const areAlike = extents.every((extent) => extent.radius > largest / 3);
+    this.cells = page.runs.map((run, i) => {
+      const radius = areAlike ? largest : extents[i].radius;
+      const cell = new Cell(run, extents[i], radius, page.up, this.shared);
+      cells.append(cell.element);
+      this.scene.add(cell.group);
+      return cell;
+    });
+    cells.classList.toggle('single', page.runs.length === 1);
+
+    this.controls = new OrbitControls(this.camera, stage);
+    this.controls.addEventListener('change', () => this.draw());
+    this.controls.minDistance = 0.3;
+    this.controls.maxDistance = 40;
+    this.reset();
+    this.setTheme();
+    new ResizeObserver(() => this.resize()).observe(stage);
+  }
+
+  // Colors of what has none of its own come from the style sheet.
+  setTheme() {
+    const style = getComputedStyle(document.documentElement);
+    const css = (name) => style.getPropertyValue(name).trim();
+    this.surfaceColor = css('--surface');
+    this.shared.wires.color = new Color(css('--wires'));
+    setTint(this.shared.ghost, css('--ghost'));
+    this.shared.ghostPoints.color = this.shared.frusta.color = new Color(css('--ghost'));
+    for (const cell of this.cells) this.#setColor(cell);
+    this.draw();
+  }
+
+  reset() {
+    this.controls.target.set(0, 0, 0);
+    this.camera.position.setFromSpherical(home);
+    this.controls.update();
+    this.draw();
+  }
+
+  // Angles in degrees; a factor above 1 goes nearer.
+  turn(azimuth, elevation, factor = 1) {
+    const offset = new Vector3().subVectors(this.camera.position, this.controls.target);
+    const place = new Spherical().setFromVector3(offset);
+    place.theta += MathUtils.degToRad(azimuth);
+    place.phi -= MathUtils.degToRad(elevation);
+    place.radius /= factor;
+    place.makeSafe();
+    this.camera.position.setFromSpherical(place).add(this.controls.target);
+    this.controls.update();
+    this.draw();
+  }
+
+  setTarget(i, mesh) {
+    const cell = this.cells[i];
+    const shown = mesh.faces > 0 ? cell.ghost : cell.ghostPoints;
+    shown.geometry = geometryOf(mesh);
+    cell.hasTarget = shown;
+    this.draw();
+  }
+
+  setMesh(i, mesh, colorBy, scale) {
+    const cell = this.cells[i];
+    const {geometry, isColored} = coloredGeometry(mesh, colorBy, scale, this.colors);
+    cell.isColored = isColored;
+    cell.isSurface = mesh.faces > 0;
+    cell.surface.geometry = cell.wires.geometry = cell.points.geometry = geometry;
+    this.#setColor(cell);
+    this.draw();
+  }
+
+  #setColor(cell) {
+    const color = cell.isColored ? '#ffffff' : this.surfaceColor;
+    for (const {material} of [cell.surface, cell.points]) setVertexColors(material, Boolean(cell.isColored));
+    setTint(cell.surface.material, color);
+    cell.points.material.color = new Color(color);
+  }
+
+  setLooks(looks) {
+    Object.assign(this.looks, looks);
+    for (const {surface} of this.cells) setFlat(surface.material, this.looks.flat);
+    this.draw();
+  }
+
+  // Software draws coarsely while something moves, and at rest with four pixels for one.
+  resize(isAtRest = false) {
+    const ratio = Math.min(window.devicePixelRatio, 2);
+    this.isFine = isAtRest;
+    this.renderer.setPixelRatio(this.isSlow ? (isAtRest ? 2 : 1) : ratio);
+    this.renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
+    this.isLaidOut = true;
+    this.#render();
+  }
+
+  // At most once for a picture of the screen.
+  draw() {
+    if (this.isDue) return;
+    this.isDue = true;
+    requestAnimationFrame(() => {
+      this.isDue = false;
+      if (this.isSlow && this.isFine) this.resize(); else this.#render();
+      if (!this.isSlow) return;
+      clearTimeout(this.rest);
+      this.rest = setTimeout(() => this.resize(true), 250);
+    });
+  }
+
+  #render() {
+    if (!this.isLaidOut) return;
+    const stage = this.stage.getBoundingClientRect();
+    this.renderer.setScissorTest(false);
+    this.renderer.clear();
+    this.renderer.setScissorTest(true);
+    for (const cell of this.cells) this.#renderCell(cell, stage);
+    this.pictures = (this.pictures ?? 0) + 1;
+  }
+
+  #renderCell(cell, stage) {
+    const box = cell.element.getBoundingClientRect();
+    if (!(box.width > 0 && box.height > 0)) return;
+    for (const other of this.cells) other.group.visible = other === cell;
+    const {wireframe, ghost, cameras} = this.looks;
+    cell.surface.visible = cell.isSurface === true;
+    cell.wires.visible = cell.isSurface === true && wireframe;
+    cell.points.visible = cell.isSurface === false;
+    cell.ghost.visible = ghost && cell.hasTarget === cell.ghost;
+    cell.ghostPoints.visible = ghost && cell.hasTarget === cell.ghostPoints;
+    cell.frusta.visible = cameras;
+
+    const aspect = box.width / box.height;
+    this.camera.aspect = aspect;
+    const half = aspect >= 1 ? halfFieldOfView : Math.atan(Math.tan(halfFieldOfView) / aspect);
+    this.camera.fov = 2 * MathUtils.radToDeg(half);
+    this.camera.updateProjectionMatrix();
+    const rectangle = [box.left - stage.left, stage.bottom - box.bottom, box.width, box.height];
+    this.renderer.setViewport(...rectangle);
+    this.renderer.setScissor(...rectangle);
+    this.renderer.render(this.scene, this.camera);
+  }
+}
