@@ -32,7 +32,8 @@ function materials() {
   return {
     wires: new MeshBasicMaterial({wireframe: true, transparent: true, opacity: 0.55}),
     points: new PointsMaterial({size: 3, sizeAttenuation: false}),
-    ghost: surfaceMaterial({transparent: true, opacity: 0.3, polygonOffsetFactor: 2, polygonOffsetUnits: 4, depthWrite: false, side: FrontSide}),
+    // Behind what lies on it: two triangulations of one surface would show as spots.
+    ghost: surfaceMaterial({transparent: true, opacity: 0.3, polygonOffsetFactor: 2, polygonOffsetUnits: 500, depthWrite: false, side: FrontSide}),
     ghostPoints: new PointsMaterial({size: 2, sizeAttenuation: false, transparent: true, opacity: 0.6}),
     frusta: new LineBasicMaterial({transparent: true, opacity: 0.8}),
   };
@@ -82,6 +83,8 @@ class Cell {
     this.ghost.renderOrder = 1;
     this.ghostPoints = new Points(new BufferGeometry(), shared.ghostPoints);
     this.frusta = new LineSegments(frustaOf(run.cameras, extent), shared.frusta);
+    this.cameraDistance = Math.max(0, ...run.cameras.map(({center}) =>
+      Math.hypot(...center.map((x, axis) => x - extent.middle[axis]))));
     for (const object of this.objects()) {
       object.frustumCulled = false;
       this.group.add(object);
@@ -104,7 +107,7 @@ export class View {
     this.renderer.autoClear = false;
     this.shared = materials();
     this.scene = new Scene();
-    this.camera = new PerspectiveCamera(30, 1, 0.05, 100);
+    this.camera = new PerspectiveCamera(30, 1, 0.05, 500);
 
     const extents = page.runs.map(extentOf);
     const largest = Math.max(...extents.map((extent) => extent.radius));
@@ -121,7 +124,7 @@ export class View {
     this.controls = new OrbitControls(this.camera, stage);
     this.controls.addEventListener('change', () => this.draw());
     this.controls.minDistance = 0.3;
-    this.controls.maxDistance = 40;
+    this.controls.maxDistance = 250;
     this.reset();
     this.setTheme();
     new ResizeObserver(() => this.resize()).observe(stage);
@@ -186,8 +189,17 @@ export class View {
 
   setLooks(looks) {
     Object.assign(this.looks, looks);
+    if (looks.cameras) this.#goBackToSeeCameras();
     for (const {surface} of this.cells) setFlat(surface.material, this.looks.flat);
     this.draw();
+  }
+
+  #goBackToSeeCameras() {
+    const farthest = Math.max(1, ...this.cells.map((cell) => cell.cameraDistance * cell.group.scale.x));
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const distance = Math.max(offset.length(), 1.05 * farthest / Math.sin(halfFieldOfView));
+    this.camera.position.copy(this.controls.target).add(offset.setLength(distance));
+    this.controls.update();
   }
 
   // Software draws coarsely while something moves, and at rest with four pixels for one.

@@ -65,11 +65,15 @@ export function runElement(run, number) {
   const {result, options, input, output, timings, peak_memory_bytes: memory} = run.report ?? {};
   const tables = make('div', undefined, 'tables');
   tables.append(
-    ...tableOf('Result', result), ...tableOf('Options', options),
+    ...tableOf('Result', result), ...tableOf('Options', without(options, false)),
     ...tableOf('Sizes', {...prefixed('input ', input), ...prefixed('output ', output), peak_memory: memory && `${Math.round(memory / 1e5) / 10} MB`}),
     ...tableOf('Seconds', timings && Object.fromEntries(Object.entries(timings).map(([name, value]) => [name, Number(value.toFixed(3))]))));
   article.append(tables);
   return article;
+}
+
+function without(entries, value) {
+  return Object.fromEntries(Object.entries(entries ?? {}).filter(([, one]) => one !== value));
 }
 
 function prefixed(prefix, entries) {

@@ -1,0 +1,284 @@
+// node checks.mjs NAME ADDRESS...: one check of a page in a browser; what is wrong goes to stderr.
+
+import assert from 'node:assert/strict';
+import {axe, differenceOf, pixelsOf, setSlider, settled, statisticsOf, valueOf, wait, withPage} from './browser.mjs';
+
+const widths = [{width: 800, height: 1000}, {width: 2000, height: 1200}];
+
+const checks = {
+  // Of a run.
+  async opens(address) {
+    for (const size of widths) {
+      await withPage(address, size, async (page, browser) => {
+        await settled(page);
+        // Darker than the background ever is.
+        const {count} = statisticsOf(await pixelsOf(page, browser, '#stage'), (red) => red < 0xd0);
+        assert(count > 0.05 * size.width * size.height * 0.5, `the picture is empty: ${count} pixels`);
+        assert.equal(await page.evaluate('document.documentElement.scrollWidth'), size.width, 'wider than the window');
+        assert.equal(await page.$eval('#problem', (element) => element.hidden), true);
+      });
+    }
+  },
+
+  async slider(address) {
+    await withPage(address, {}, async (page, browser) => {
+      await settled(page);
+      const end = await pixelsOf(page, browser, '#stage');
+      await setSlider(page, 0);
+      assert.match(await valueOf(page, 'now'), /^iteration 0$/);
+      const start = await pixelsOf(page, browser, '#stage');
+      assert(differenceOf(start, end) > 0.05, 'start and end look alike');
+      const last = Number(await page.$eval('#slider', (slider) => slider.max));
+      await setSlider(page, last);
+      assert(differenceOf(end, await pixelsOf(page, browser, '#stage')) < 0.001, 'the end looks otherwise the second time');
+      // As somebody drags it, and the last one counts.
+      const box = await (await page.$('#slider')).boundingBox();
+      await page.mouse.move(box.x + box.width - 8, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2, {steps: 30});
+      await page.mouse.up();
+      await settled(page);
+      const middle = Number(await valueOf(page, 'slider'));
+      assert(Math.abs(middle - last / 2) <= 1, `at ${middle} of ${last}`);
+    });
+  },
+
+  async curves(address) {
+    for (const size of widths) {
+      await withPage(address, size, async (page) => {
+        const names = await page.$$eval('figcaption', (all) => all.map((one) => one.firstChild.textContent));
+        for (const name of ['faces', 'components', 'genus', 'seconds']) assert(names.includes(name), `${name} is missing`);
+        const chart = (await page.$$('#charts figure'))[names.indexOf('faces')];
+        await chart.scrollIntoView();
+        const box = await (await chart.$('svg')).boundingBox();
+        const times = await page.evaluate('viewer.times');
+        for (const place of [0, 2, times.length - 1]) {
+          // Where the curve has this time, in units of the drawing: 6 to 314 of 320.
+          const share = (6 + 308 * (times[place] - times[0]) / (times.at(-1) - times[0])) / 320;
+          await page.mouse.click(box.x + share * box.width, box.y + box.height / 2);
+          await settled(page);
+          assert.equal(Number(await valueOf(page, 'slider')), place);
+          const faces = await page.evaluate((at) => viewer.page.runs[0].meshes[at].faces, place);
+          if (place > 0) {
+            const said = await chart.$eval('.value', (element) => element.textContent.replaceAll(',', ''));
+            assert.equal(Number(said), faces, 'the curve says another number of faces');
+          }
+        }
+        // The mark is under the pointer.
+        const mark = await chart.$eval('.cursor', (element) => element.getBoundingClientRect().left);
+        assert(Math.abs(mark - (box.x + 314 / 320 * box.width)) < 2, 'the cursor is elsewhere');
+      });
+    }
+  },
+
+  async keyboard(address) {
+    await withPage(address, {}, async (page, browser) => {
+      const reached = [];
+      for (let i = 0; i < 12; ++i) {
+        await page.keyboard.press('Tab');
+        reached.push(await page.evaluate('document.activeElement.id'));
+      }
+      for (const id of ['stage', 'play', 'slider', 'color', 'wireframe', 'reset']) assert(reached.includes(id), `Tab never comes to ${id}`);
+      await page.focus('#stage');
+      await settled(page);
+      const before = await pixelsOf(page, browser, '#canvas');
+      const turned = async (...keys) => {
+        for (const key of keys) await page.keyboard.press(key);
+        await settled(page);
+        return differenceOf(before, await pixelsOf(page, browser, '#canvas'));
+      };
+      assert(await turned('ArrowRight', 'ArrowRight', 'ArrowUp') > 0.01, 'arrows turn nothing');
+      assert(await turned('0') < 0.001, '0 does not reset the view');
+      assert(await turned('-', '-') > 0.01, '- does not zoom');
+      await page.keyboard.press('0');
+      const place = async () => Number(await valueOf(page, 'slider'));
+      const last = await place();
+      await page.keyboard.press(',');
+      assert.equal(await place(), last - 1);
+      await page.keyboard.press('.');
+      assert.equal(await place(), last);
+      await page.keyboard.press('Space');
+      assert.equal(await page.$eval('#play', (button) => button.getAttribute('aria-pressed')), 'true');
+      await page.waitForFunction((end) => document.getElementById('play').getAttribute('aria-pressed') === 'false' && Number(document.getElementById('slider').value) === end, {}, last);
+      await page.focus('#slider');
+      await page.keyboard.press('Home');
+      assert.equal(await place(), 0);
+      await page.keyboard.press('ArrowRight');
+      assert.equal(await place(), 1);
+      assert.match(await page.$eval('#slider', (slider) => slider.getAttribute('aria-valuetext')), /^iteration \d+, [\d,]+ faces$/);
+    });
+  },
+
+  async touch(address) {
+    await withPage(address, {width: 400, height: 800, touch: true}, async (page, browser) => {
+      await settled(page);
+      const before = await pixelsOf(page, browser, '#canvas');
+      const box = await (await page.$('#stage')).boundingBox();
+      await page.touchscreen.touchStart(box.x + 100, box.y + 100);
+      for (let i = 1; i <= 10; ++i) await page.touchscreen.touchMove(box.x + 100 + 10 * i, box.y + 100);
+      await page.touchscreen.touchEnd();
+      await settled(page);
+      assert(differenceOf(before, await pixelsOf(page, browser, '#canvas')) > 0.01, 'a finger turns nothing');
+      assert.equal(await page.evaluate('document.documentElement.scrollWidth'), 400, 'wider than the window');
+    });
+  },
+
+  async colors(address) {
+    await withPage(address, {}, async (page, browser) => {
+      await settled(page);
+      const plain = await pixelsOf(page, browser, '#canvas');
+      assert.equal(await page.$eval('#legend', (element) => element.hidden), true);
+      await setSlider(page, 0);
+      await page.select('#color', 'distance');
+      await settled(page);
+      const [low, high] = [await valueOf(page, 'legend-low'), await valueOf(page, 'legend-high')].map(Number);
+      assert(low >= 0 && high > 0.1, `the legend is from ${low} to ${high}`);
+      const colored = await pixelsOf(page, browser, '#canvas');
+      const isViridis = (red, green, blue) => Math.max(red, green, blue) - Math.min(red, green, blue) > 40;
+      assert.equal(statisticsOf(plain, isViridis).count > 0.02 * plain.width * plain.height, false);
+      assert(statisticsOf(colored, isViridis).count > 0.1 * colored.width * colored.height, 'nothing has colors');
+      await page.click('#range');
+      await settled(page);
+      assert(Number(await valueOf(page, 'legend-low')) > low, 'the ends are not those of the frame');
+      await page.click('#wireframe');
+      await settled(page);
+      assert(differenceOf(colored, await pixelsOf(page, browser, '#canvas')) > 0.05, 'no wires');
+    });
+  },
+
+  // In the middle of a morph the target looks out of the surface.
+  async ghost(address) {
+    await withPage(address, {}, async (page, browser) => {
+      await setSlider(page, Math.floor(0.6 * Number(await page.$eval('#slider', (slider) => slider.max))));
+      const isOrange = (red, green, blue) => red - blue > 12;
+      const withGhost = statisticsOf(await pixelsOf(page, browser, '#stage'), isOrange).count;
+      await page.click('#ghost');
+      await settled(page);
+      const without = statisticsOf(await pixelsOf(page, browser, '#stage'), isOrange).count;
+      assert(withGhost > 500 && without < 50, `${withGhost} orange pixels with it, ${without} without`);
+    });
+  },
+
+  // Of a red ball: a disc, as large as it must be.
+  async silhouette(address) {
+    for (const size of [...widths, {...widths[0], dark: true}]) {
+      await withPage(address, size, async (page, browser) => {
+        await settled(page);
+        const pixels = await pixelsOf(page, browser, '#stage');
+        const disc = statisticsOf(pixels, (red, green, blue) => red > 60 && red > 2 * green && red > 2 * blue);
+        // The ball of radius 1 seen from 1.02 / sin(15 degrees) with 15 degrees each way.
+        const distance = 1.02 / Math.sin(Math.PI / 12);
+        const radius = Math.tan(Math.asin(1 / distance)) / Math.tan(Math.PI / 12) * Math.min(pixels.width, pixels.height) / 2;
+        const near = (value, expected, most, what) => assert(Math.abs(value - expected) < most, `${what} ${value} instead of ${expected}`);
+        near(disc.count, Math.PI * radius * radius, 0.03 * Math.PI * radius * radius, 'pixels of the disc');
+        near(disc.x, pixels.width / 2, 3, 'middle');
+        near(disc.y, pixels.height / 2, 3, 'middle');
+        near(disc.right - disc.left, 2 * radius, 0.02 * radius + 3, 'width');
+        near(disc.bottom - disc.top, 2 * radius, 0.02 * radius + 3, 'height');
+        assert(disc.color[0] > 110 && disc.color[1] < 10 && disc.color[2] < 10, `color ${disc.color}`);
+      });
+    }
+  },
+
+  // Of two runs: the same camera for both.
+  async linked(address) {
+    for (const size of widths) {
+      await withPage(address, size, async (page, browser) => {
+        await settled(page);
+        const before = await pixelsOf(page, browser, '#canvas');
+        const box = await (await page.$('#stage')).boundingBox();
+        await page.mouse.move(box.x + box.width / 4, box.y + box.height / 2);
+        await page.mouse.down();
+        await page.mouse.move(box.x + box.width / 4 + 80, box.y + box.height / 2 + 120, {steps: 5});
+        await page.mouse.up();
+        await settled(page);
+        const after = await pixelsOf(page, browser, '#canvas');
+        for (const [from, to] of [[0, 0.5], [0.5, 1]]) assert(differenceOf(before, after, from, to) > 0.005, 'one half does not turn');
+        const labels = await page.$$eval('.cell span', (all) => all.map((one) => one.textContent));
+        assert.equal(labels.length, 2);
+        labels.forEach((label) => assert.match(label, / · [\d,]+ faces$/));
+        assert.match(await page.$eval('figure .value', (element) => element.textContent), / \/ /);
+      });
+    }
+  },
+
+  async accessible(...addresses) {
+    for (const address of addresses) {
+      for (const options of [{}, {dark: true}, {width: 2000, height: 1200}]) {
+        await withPage(address, options, async (page) => {
+          await page.$$eval('details', (all) => all.forEach((one) => { one.open = true; }));
+          await settled(page);
+          await page.evaluate(axe());
+          const {violations, passes} = await page.evaluate('axe.run()');
+          assert(passes.length > 10);
+          assert.deepEqual(violations.map(({id, nodes}) => `${id}: ${nodes.map((node) => node.html).join(' ')}`), []);
+        });
+      }
+    }
+  },
+
+  async dark(address) {
+    const lightness = async (dark) => {
+      let paper;
+      await withPage(address, {dark}, async (page, browser) => {
+        paper = statisticsOf(await pixelsOf(page, browser, 'header'), () => true).color[1];
+      });
+      return paper;
+    };
+    assert(await lightness(false) > 200 && await lightness(true) < 80);
+  },
+
+  // Of a run that is served and goes on when a file is made, and of a server that ends then.
+  async live(address, goFile, server) {
+    const {writeFile} = await import('node:fs/promises');
+    await withPage(address, {mayEnd: true}, async (page) => {
+      const count = () => page.evaluate('viewer.times.length');
+      const before = await count();
+      await writeFile(goFile, '');
+      await page.waitForFunction((old) => viewer.times.length > old, {}, before);
+      await settled(page);
+      assert.equal(Number(await valueOf(page, 'slider')), await count() - 1, 'the slider does not follow');
+      // Somebody looks at an early frame: it stays.
+      await setSlider(page, 0);
+      process.kill(Number(server), 'SIGINT');
+      await page.waitForFunction("!document.getElementById('problem').hidden");
+      assert.match(await valueOf(page, 'problem'), /tm-view has ended/);
+      assert.equal(await valueOf(page, 'slider'), '0');
+      await setSlider(page, await count() - 1);
+    });
+  },
+
+  // Numbers, which nothing is asked of.
+  async speed(address) {
+    for (const size of widths) {
+      await withPage(address, size, async (page) => {
+        const first = await page.evaluate('firstPicture');
+        const perSecond = await page.evaluate(async () => {
+          const slider = document.getElementById('slider');
+          const begin = performance.now();
+          let shown = 0, place = 0, by = 1, last;
+          while (performance.now() - begin < 5000) {
+            place += by;
+            if (place <= 0 || place >= Number(slider.max)) by = -by;
+            slider.value = place;
+            slider.dispatchEvent(new Event('input'));
+            await new Promise((done) => requestAnimationFrame(done));
+            shown += document.body.dataset.shown === last ? 0 : 1;
+            last = document.body.dataset.shown;
+          }
+          return 1000 * shown / (performance.now() - begin);
+        });
+        console.log(`${size.width} pixels: first picture after ${(first / 1000).toFixed(2)} s, ${perSecond.toFixed(1)} frames per second while sliding`);
+      });
+    }
+  },
+};
+
+const [name, ...words] = process.argv.slice(2);
+try {
+  await checks[name](...words);
+} catch (error) {
+  console.error(error.message);
+  process.exitCode = 1;
+}
+await wait(0);

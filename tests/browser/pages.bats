@@ -1,0 +1,105 @@
+# Pages of tm-report and tm-view in headless Chromium. Skipped where scripts/setup --browser has not
+# installed it.
+
+load ../helpers/common
+
+setup_file() {
+  cd "$BATS_FILE_TMPDIR"
+  has_browser || return 0
+  tm-shape torus --faces 2000 -o torus.ply
+  tm-shape sphere --around torus.ply --faces 2000 -o sphere.ply
+  tm-morph -q sphere.ply --target torus.ply --run one --every 5
+  tm-morph -q sphere.ply --target torus.ply --run slow --alpha 0.15 --every 5
+  tm-report one -o one.html
+  tm-report one slow -o two.html
+  tm-shape sphere --faces 8000 --format ply-ascii | awk '
+    /^element vertex/ { n = $3 }
+    /^element face/ { print "property uchar red\nproperty uchar green\nproperty uchar blue" }
+    inside && n-- > 0 { print $0, 220, 0, 0; next }
+    /^end_header/ { inside = 1 }
+    { print }' >red.ply
+  tm-view red.ply -o red.html
+}
+
+has_browser() {
+  TM_CHROMIUM=$(command -v chromium || command -v chromium-browser) || return 1
+  export TM_CHROMIUM
+  command -v node >/dev/null && [ -e "$tm_root/tools/viewer/node_modules/puppeteer-core" ] &&
+    [ -e "$tm_root/tools/viewer/node_modules/axe-core" ] && [ -e "$tm_build/share/tm/viewer.html" ]
+}
+
+setup() {
+  cd "$BATS_FILE_TMPDIR"
+  has_browser || skip "there is no Chromium or no viewer: scripts/setup --browser"
+}
+
+# check NAME PAGE|WORD...
+check() {
+  local name=$1 words=() word
+  shift
+  for word; do
+    [[ $word != *.html ]] || word=file://$PWD/$word
+    words+=("$word")
+  done
+  timeout 300 node "$tm_root/tests/browser/checks.mjs" "$name" "${words[@]}" 3>&-
+}
+
+@test "a page opens from its file, at 800 and 2000 pixels, without an error or a request" {
+  check opens one.html
+}
+
+@test "the slider changes the picture, and going back brings it back" {
+  check slider one.html
+}
+
+@test "a click on a curve goes to its time, and the curve says what the mesh is" {
+  check curves one.html
+}
+
+@test "everything is reached and done by the keyboard" {
+  check keyboard one.html
+}
+
+@test "a finger turns the mesh, on a narrow screen" {
+  check touch one.html
+}
+
+@test "colors by distance with a legend, of all frames or one; wires" {
+  check colors one.html
+}
+
+@test "the target shows through as a ghost, unless that is not wanted" {
+  check ghost one.html
+}
+
+@test "a ball is a disc of the right size, place and color" {
+  check silhouette red.html
+}
+
+@test "two runs are turned together" {
+  check linked two.html
+}
+
+@test "axe-core finds nothing to complain of, light or dark" {
+  check accessible one.html two.html red.html
+}
+
+@test "the page is dark where that is preferred" {
+  check dark one.html
+}
+
+@test "a run that is served is followed as it goes on, and its end is told" {
+  rm -rf live go
+  tm-evolve -q --step 'while [ $TM_ITERATION -gt 2 ] && [ ! -e go ]; do sleep 0.02; done; cat' \
+    --iterations 4 --every 1 --run live torus.ply 3>&- &
+  loop=$!
+  while [ ! -e live/frames/frame-00002.ply ]; do sleep 0.02; done
+  tm-view --serve --run live >address 3>&- &
+  server=$!
+  while [ ! -s address ]; do sleep 0.02; done
+  check live "$(cat address)" "$PWD/go" "$server"
+  wait "$loop"
+  code=0
+  wait "$server" || code=$?
+  [ "$code" -eq 130 ]
+}
