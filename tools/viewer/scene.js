@@ -10,6 +10,7 @@ import {coloredGeometry, geometryOf} from './geometry.js';
 import {setFlat, setTint, setVertexColors, surfaceMaterial} from './materials.js';
 
 const halfFieldOfView = MathUtils.degToRad(15);
+const mostPixels = 5e5;  // that software draws while something moves
 const home = new Spherical(1.02 / Math.sin(halfFieldOfView), MathUtils.degToRad(70), MathUtils.degToRad(30));
 
 // Middle and radius of all that a run shows.
@@ -204,10 +205,11 @@ export class View {
 
   // Software draws coarsely while something moves, and at rest with four pixels for one.
   resize(isAtRest = false) {
-    const ratio = Math.min(window.devicePixelRatio, 2);
+    const {clientWidth: width, clientHeight: height} = this.stage;
+    const coarse = Math.min(1, Math.sqrt(mostPixels / (width * height)));
     this.isFine = isAtRest;
-    this.renderer.setPixelRatio(this.isSlow ? (isAtRest ? 2 : 1) : ratio);
-    this.renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
+    this.renderer.setPixelRatio(this.isSlow ? (isAtRest ? 2 : coarse) : Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
     this.isLaidOut = true;
     this.#render();
   }
