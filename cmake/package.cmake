@@ -48,6 +48,24 @@ reconstruction from photographs.")
 # What Debian wants beside the files themselves.
 include(GNUInstallDirs)
 find_program(TM_GZIP gzip)
+# The licence of what the viewer is made of beside our own.
+set(three_copyright "")
+if(TARGET viewer)
+  file(READ ${PROJECT_SOURCE_DIR}/tools/viewer/node_modules/three/LICENSE licence)
+  string(REGEX REPLACE "^.*\n(Permission is)" "\\1" licence "${licence}")
+  string(STRIP "${licence}" licence)
+  string(REPLACE "\n\n" "\n.\n" licence "${licence}")
+  string(REPLACE "\n" "\n " licence "${licence}")
+  set(three_copyright "
+Files: usr/share/tm/viewer.html
+Copyright: 2026 The tm authors
+ 2010-2026 three.js authors
+License: GPL-3 and Expat
+
+License: Expat
+ ${licence}
+")
+endif()
 function(install_package_documents package component)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/package/${package})
   file(MAKE_DIRECTORY ${folder})

@@ -64,36 +64,6 @@ int listener_on(int port, int& bound) {
   return listener;
 }
 
-/// A request that comes, then an answer that goes, each as fast as the other end likes.
-struct Connection {
-  int socket = -1;
-  std::string request, answer;
-  std::size_t sent = 0;
-  Clock::time_point since = Clock::now();
-
-  bool is_answering() const { return !answer.empty(); }
-};
-
-/// False where the other end has gone or sends what is no request.
-bool receive(Connection& connection) {
-  std::array<char, 4096> block{};
-  const ssize_t count = recv(connection.socket, block.data(), block.size(), 0);
-  if (count < 0) return errno == EAGAIN || errno == EINTR;
-  if (count == 0) return false;
-  connection.request.append(block.data(), static_cast<std::size_t>(count));
-  return connection.request.size() <= longest_request;
-}
-
-/// False where all is sent, or the other end has gone.
-bool send_some(Connection& connection) {
-  const std::string_view rest = std::string_view(connection.answer).substr(connection.sent);
-  const ssize_t count = send(connection.socket, rest.data(), rest.size(), MSG_NOSIGNAL);
-  if (count < 0) return errno == EAGAIN || errno == EINTR;
-  connection.since = Clock::now();
-  connection.sent += static_cast<std::size_t>(count);
-  return connection.sent < connection.answer.size();
-}
-
 std::string message(const std::string& status, const Answer& answer, bool has_body) {
   return "HTTP/1.1 " + status + "\r\nContent-Type: " + answer.type +
          "\r\nContent-Length: " + std::to_string(answer.body.size()) +
@@ -124,6 +94,36 @@ std::string header_of(const std::string& request, const std::string& name) {
 
 }  // namespace
 
+/// A request that comes, then an answer that goes, each as fast as the other end likes.
+struct PageServer::Connection {
+  int socket = -1;
+  std::string request, answer;
+  std::size_t sent = 0;
+  Clock::time_point since = Clock::now();
+
+  bool is_answering() const { return !answer.empty(); }
+};
+
+/// False where the other end has gone or sends what is no request.
+bool PageServer::receive(Connection& connection) {
+  std::array<char, 4096> block{};
+  const ssize_t count = recv(connection.socket, block.data(), block.size(), 0);
+  if (count < 0) return errno == EAGAIN || errno == EINTR;
+  if (count == 0) return false;
+  connection.request.append(block.data(), static_cast<std::size_t>(count));
+  return connection.request.size() <= longest_request;
+}
+
+/// False where all is sent, or the other end has gone.
+bool PageServer::send_some(Connection& connection) {
+  const std::string_view rest = std::string_view(connection.answer).substr(connection.sent);
+  const ssize_t count = send(connection.socket, rest.data(), rest.size(), MSG_NOSIGNAL);
+  if (count < 0) return errno == EAGAIN || errno == EINTR;
+  connection.since = Clock::now();
+  connection.sent += static_cast<std::size_t>(count);
+  return connection.sent < connection.answer.size();
+}
+
 PageServer::PageServer(int port) : token_(random_token()) {
   listener_ = listener_on(port, port_);
   address_ = "http://127.0.0.1:" + std::to_string(port_) + '/' + token_ + '/';
@@ -147,6 +147,20 @@ std::string PageServer::answer(const std::string& request, const Site& site) con
   return found ? message("200 OK", *found, method == "GET") : refusal("404 Not Found");
 }
 
+void PageServer::accept_one(std::list<Connection>& connections) const {
+  const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+  if (socket >= 0) connections.emplace_back().socket = socket;
+}
+
+/// False where the connection has come to its end.
+bool PageServer::advance(Connection& connection, const Site& site) const {
+  if (connection.is_answering()) return send_some(connection);
+  if (!receive(connection)) return false;
+  if (connection.request.find("\r\n\r\n") != std::string::npos)
+    connection.answer = answer(connection.request, site);
+  return true;
+}
+
 void PageServer::serve(const Site& site) {
   std::list<Connection> connections;
   while (true) {
@@ -156,18 +170,15 @@ void PageServer::serve(const Site& site) {
           {connection.socket, static_cast<short>(connection.is_answering() ? POLLOUT : POLLIN), 0});
     poll(waiting.data(), waiting.size(), 1000);
 
-    std::size_t i = 1;
-    for (auto one = connections.begin(); one != connections.end(); ++i) {
-      bool stays = Clock::now() - one->since < patience;
-      if (waiting[i].revents != 0) stays = one->is_answering() ? send_some(*one) : receive(*one);
-      if (stays && !one->is_answering() && one->request.find("\r\n\r\n") != std::string::npos)
-        one->answer = answer(one->request, site);
-      if (!stays) close(one->socket);
-      one = stays ? std::next(one) : connections.erase(one);
-    }
-    if (waiting[0].revents == 0 || connections.size() >= most_connections) continue;
-    const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-    if (socket >= 0) connections.emplace_back().socket = socket;
+    std::size_t i = 0;
+    std::erase_if(connections, [&](Connection& connection) {
+      const bool is_due = waiting[++i].revents != 0;
+      const bool is_late = Clock::now() - connection.since >= patience;
+      const bool stays = is_due ? advance(connection, site) : !is_late;
+      if (!stays) close(connection.socket);
+      return !stays;
+    });
+    if (waiting[0].revents != 0 && connections.size() < most_connections) accept_one(connections);
   }
 }
 

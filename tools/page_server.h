@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <list>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,12 @@ class PageServer {
   std::string answer(const std::string& request, const Site& site) const;
 
  private:
+  struct Connection;
+  void accept_one(std::list<Connection>& connections) const;
+  bool advance(Connection& connection, const Site& site) const;
+  static bool receive(Connection& connection);
+  static bool send_some(Connection& connection);
+
   int listener_ = -1;
   std::string token_, address_;
   int port_ = 0;

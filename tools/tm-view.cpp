@@ -33,9 +33,9 @@ void declare(tool::Program& program, Options& options) {
   program.reads_nothing_if = [&options] { return !options.run.empty(); };
 }
 
-void serve(const Options& options, const tool::PageServer::Site& site, tool::Run& run) {
+void serve(const Options& options, const tool::PageServer::Site& site) {
   tool::PageServer server(options.port);
-  run.print_line(server.address());
+  tool::Run::print_line(server.address());
   if (options.is_opened) tool::open_in_browser(server.address());
   server.serve(site);
 }
@@ -50,14 +50,14 @@ void show(const Options& options, tool::Run& run) {
   if (options.is_served && !options.run.empty()) {
     LiveRun live(options.run);
     if (page.title.empty()) page.title = live.run().name;
-    serve(options, tool::live_site(live, page, viewer), run);
+    serve(options, tool::live_site(live, page, viewer));
   }
   page.runs = options.run.empty()
                   ? tool::runs_of(run.documents(), run.inputs(), options.is_beside)
                   : std::vector<PageRun>{read_run_page(options.run, {}, run.progress())};
   if (page.title.empty())
     page.title = options.run.empty() ? tool::title_of(run.inputs()) : page.runs[0].name;
-  if (options.is_served) serve(options, tool::site_of(page, viewer), run);
+  if (options.is_served) serve(options, tool::site_of(page, viewer));
 
   run.report("meshes", run.inputs().empty() ? page.runs[0].meshes.size() : run.inputs().size());
   const std::string html = page_html(page, viewer);

@@ -34,6 +34,13 @@ programs() {
   [ "$output" = 1 ]
 }
 
+@test "pages are made from there, where the viewer was built, and its licence is with it" {
+  [ -e "$tm_build/share/tm/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
+  "$prefix/bin/tm-shape" sphere --faces 500 | "$prefix/bin/tm-view" >page.html
+  grep -q '<title>standard input</title>' page.html
+  grep -q 'three.js authors' "$prefix/share/tm/viewer-three.LICENSE"
+}
+
 # The page that man finds with nothing but the folder of the programs in PATH.
 page_of() {
   env -u MANPATH PATH="$1:/usr/bin:/bin" man -w "$2"

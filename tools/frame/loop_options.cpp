@@ -125,7 +125,7 @@ void begin_run(const LoopChoices& choices, const Record& record, const Document*
     given.style.format = Format::ply_little;
     files.emplace_back(run_file::start, transformesh::write_mesh(given).bytes);
   }
-  transformesh::begin_run(choices.run, {run.program().name, run.version(), {command}}, files);
+  transformesh::begin_run(choices.run, {run.program().name, Run::version(), {command}}, files);
 }
 
 LoopOptions loop_of(const LoopChoices& choices, Run& run) {

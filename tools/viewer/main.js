@@ -72,7 +72,7 @@ class Viewer {
 
   async #showTarget(run, i) {
     if (!run.target || this.view.cells[i].hasTarget) return;
-    this.view.setTarget(i, await this.store.get(run.target.block, this.view.cells[i].extent.middle));
+    this.view.setTarget(i, await this.store.get(run.target.block, this.view.cells[i].extent));
   }
 
   goTo(place) {
@@ -117,7 +117,7 @@ class Viewer {
   }
 
   async #unpackAndShow({shown, place}) {
-    const meshes = await Promise.all(shown.map((mesh, i) => this.store.get(mesh.block, this.view.cells[i].extent.middle)));
+    const meshes = await Promise.all(shown.map((mesh, i) => this.store.get(mesh.block, this.view.cells[i].extent)));
     const scale = this.#scaleFor(meshes);
     meshes.forEach((mesh, i) => this.view.setMesh(i, mesh, this.colorBy, scale));
     this.#setLegend(scale);
@@ -149,7 +149,7 @@ class Viewer {
     if (time === undefined || this.page.live) return;
     this.page.runs.forEach((run, i) => {
       const mesh = run.meshes[lastNotAbove(run.meshes.map((one) => one.number), time)];
-      this.store.get(mesh.block, this.view.cells[i].extent.middle);
+      this.store.get(mesh.block, this.view.cells[i].extent);
     });
   }
 

@@ -53,9 +53,8 @@ function isDrawnBySoftware() {
 function frustaOf(cameras, {middle, radius}) {
   const points = [];
   for (const {center, corners} of cameras) {
-    const distance = Math.hypot(...center.map((x, axis) => x - middle[axis]));
-    const depth = Math.min(0.12 * distance, 0.3 * radius);
-    const eye = center.map((x, axis) => x - middle[axis]);
+    const eye = center.map((x, axis) => (x - middle[axis]) / radius);
+    const depth = Math.min(0.12 * Math.hypot(...eye), 0.3);
     const ends = corners.map((ray) => ray.map((x, axis) => eye[axis] + depth * x));
     ends.forEach((end, i) => points.push(...eye, ...end, ...end, ...ends[(i + 1) % 4]));
   }
@@ -74,7 +73,7 @@ class Cell {
     this.label.textContent = run.name;
 
     this.group = new Group();
-    this.group.scale.setScalar(1 / radius);
+    this.group.scale.setScalar(extent.radius / radius);
     if (up === 'z') this.group.rotation.x = -Math.PI / 2;
     if (up === 'x') this.group.rotation.z = Math.PI / 2;
     this.surface = new Mesh(new BufferGeometry(), surfaceMaterial());
@@ -85,7 +84,7 @@ class Cell {
     this.ghostPoints = new Points(new BufferGeometry(), shared.ghostPoints);
     this.frusta = new LineSegments(frustaOf(run.cameras, extent), shared.frusta);
     this.cameraDistance = Math.max(0, ...run.cameras.map(({center}) =>
-      Math.hypot(...center.map((x, axis) => x - extent.middle[axis]))));
+      Math.hypot(...center.map((x, axis) => (x - extent.middle[axis]) / extent.radius))));
     for (const object of this.objects()) {
       object.frustumCulled = false;
       this.group.add(object);

@@ -24,14 +24,14 @@ export class Store {
   }
 
   // A promise of the mesh; the same one while it is kept.
-  get(name, origin) {
+  get(name, extent) {
     const known = this.kept.get(name);
     if (known) {
       this.kept.delete(name);
       this.kept.set(name, known);
       return known;
     }
-    const promise = this.read(name).then(inflate).then((bytes) => unpack(bytes, origin));
+    const promise = this.read(name).then(inflate).then((bytes) => unpack(bytes, extent));
     this.kept.set(name, promise);
     promise.then((mesh) => this.#add(mesh), () => this.kept.delete(name));
     return promise;

@@ -48,14 +48,14 @@ function indicesOf(streams, header) {
   return codes;
 }
 
-// Relative to `origin`, so that floats are precise however far away the mesh is.
-function positionsOf(streams, header, origin) {
+// In a ball of radius 1 around 0, so that floats are precise however far away, small or large a mesh is.
+function positionsOf(streams, header, {middle, radius}) {
   const count = header.vertices;
   const positions = new Float32Array(3 * count);
   for (let axis = 0; axis < 3; ++axis) {
     const levels = streams.sums(count, 2);
-    const step = (header.high[axis] - header.low[axis]) / 65535;
-    const low = header.low[axis] - origin[axis];
+    const low = (header.low[axis] - middle[axis]) / radius;
+    const step = ((header.high[axis] - middle[axis]) / radius - low) / 65535;
     for (let i = 0; i < count; ++i) positions[3 * i + axis] = low + step * levels[i];
   }
   return positions;
@@ -73,12 +73,12 @@ function columnOf(streams, column, header) {
   return {...column, values};
 }
 
-export function unpack(bytes, origin) {
+export function unpack(bytes, extent) {
   const size = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + size)));
   const streams = new Streams(bytes, 4 + size);
   const indices = indicesOf(streams, header);
-  const positions = positionsOf(streams, header, origin);
+  const positions = positionsOf(streams, header, extent);
   const columns = header.columns.map((column) => columnOf(streams, column, header));
   return {vertices: header.vertices, faces: header.faces, indices, positions, columns};
 }

@@ -47,31 +47,44 @@ void LiveRun::read_target() {
   known_.clear();
 }
 
-void LiveRun::refresh(double seconds) {
+/// Empty where it cannot be read, as it is written or removed just now.
+std::optional<PageMesh> LiveRun::read_mesh(std::size_t number, const std::string& path) const {
+  try {
+    return read_frame(number, path, &target_);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+void LiveRun::read_meshes(double seconds) {
   const Stopwatch watch;
   std::map<std::string, Known> present;
-  try {
-    read_texts();
-    read_target();
-    for (const auto& [number, path] : run_mesh_files(folder_, run_.log)) {
-      const std::string stamp = stamp_of(path);
-      const auto known = known_.find(path);
-      if (known != known_.end() && known->second.stamp == stamp) {
-        present.insert(known_.extract(known));
-      } else if (watch.seconds() <= seconds && !stamp.empty()) {
-        Known& added = present[path];
-        added = {stamp, read_frame(number, path, &target_)};
-        added.mesh.block = "mesh-" + std::to_string(number) + '-' + stamp;
-      }
+  for (const auto& [number, path] : run_mesh_files(folder_, run_.log)) {
+    const std::string stamp = stamp_of(path);
+    const auto known = known_.find(path);
+    if (known != known_.end() && known->second.stamp == stamp) {
+      present.insert(known_.extract(known));
+    } else if (watch.seconds() <= seconds) {
+      std::optional<PageMesh> mesh = read_mesh(number, path);
+      if (!mesh) continue;
+      mesh->block = "mesh-" + std::to_string(number) + '-' + stamp;
+      present[path] = {stamp, std::move(*mesh)};
     }
-  } catch (const InputError&) {
-    // A run begins anew, or a file has gone since it was listed.
-    present.merge(known_);
   }
   known_ = std::move(present);
   run_.meshes.clear();
   for (const auto& [path, known] : known_) run_.meshes.push_back(known.mesh);
   std::ranges::stable_sort(run_.meshes, {}, &PageMesh::number);
+}
+
+void LiveRun::refresh(double seconds) {
+  try {
+    read_texts();
+    read_target();
+  } catch (const InputError&) {
+    return;  // another run begins there just now
+  }
+  read_meshes(seconds);
 }
 
 const std::string* LiveRun::block(const std::string& name) const {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "tm/page/run_page.h"
@@ -29,6 +30,8 @@ class LiveRun {
   };
   void read_texts();
   void read_target();
+  void read_meshes(double seconds);
+  std::optional<PageMesh> read_mesh(std::size_t number, const std::string& path) const;
 
   std::string folder_;
   PageRun run_;
