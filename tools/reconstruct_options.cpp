@@ -1,7 +1,5 @@
 #include "reconstruct_options.h"
 
-#include <algorithm>
-
 #include "tm/support/error.h"
 #include "view_options.h"
 
@@ -148,17 +146,6 @@ SequenceOptions sequence_of(const ReconstructChoices& choices,
   options.on_step = [&run](const std::string& text) { run.progress_line(text); };
   options.on_note = [&run](const std::string& text) { run.note(text); };
   return options;
-}
-
-std::string camera_text_of(std::span<const View> views) {
-  CameraList list;
-  for (const View& view : views) {
-    CameraRecord& record = list.cameras.emplace_back();
-    record.name = view.name;
-    std::ranges::replace(record.name, ' ', '_');
-    record.camera = view.camera;
-  }
-  return write_cameras(list, CameraFormat::middlebury);
 }
 
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step) {

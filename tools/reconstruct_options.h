@@ -1,7 +1,6 @@
 /// The options of tm-reconstruct, and what they mean to the library.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -37,9 +36,6 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
 /// All but the comments. Throws UsageError where places do not name the time step.
 SequenceOptions sequence_of(const ReconstructChoices& choices,
                             const ReconstructionOptions& reconstruction, Run& run);
-
-/// The cameras as Middlebury parameters, with the names of the photographs, without blanks.
-std::string camera_text_of(std::span<const View> views);
 
 /// The places of one time step.
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step);

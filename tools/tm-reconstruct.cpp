@@ -2,7 +2,7 @@
 /// 5.3), or to one for each time step of a film.
 #include "reconstruct_options.h"
 #include "reconstruct_report.h"
-#include "tm/evolution/run_folder.h"
+#include "tm/evolution/run_views.h"
 
 namespace {
 
@@ -28,7 +28,7 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   run.progress()("read views");
   std::vector<View> views = views_from(choices.sources);
   tool::begin_run(choices.loop, record, options.start.is_given ? &document : nullptr, run,
-                  {{run_file::cameras, tool::camera_text_of(views)}});
+                  run_files_of(views));
   options.on_pass = [&run](const std::string& text) { run.progress_line(text); };
   ReconstructionResult result;
   tool::evolve_or_keep(run, record, "pass", [&] {

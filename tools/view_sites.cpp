@@ -27,6 +27,8 @@ std::map<std::string, std::string> blocks_of(const Page& page) {
     if (page.runs[i].target) blocks[block_name(i, {})] = page.runs[i].target->mesh.block;
     for (std::size_t k = 0; k < page.runs[i].meshes.size(); ++k)
       blocks[block_name(i, k)] = page.runs[i].meshes[k].mesh.block;
+    for (std::size_t k = 0; k < page.runs[i].views.size(); ++k)
+      blocks[photograph_name(i, k)] = page.runs[i].views[k].photograph;
   }
   return blocks;
 }

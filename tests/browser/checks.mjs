@@ -180,6 +180,54 @@ const checks = {
     }
   },
 
+  // Of a reconstruction: the silhouette of its render is that of the photograph beside it.
+  async photographs(address) {
+    for (const size of widths) {
+      await withPage(address, size, async (page, browser) => {
+        await settled(page);
+        const numbers = await page.$$eval('#from option', (all) => all.length - 1);
+        for (const number of [0, numbers - 1]) {
+          await page.select('#from', String(number));
+          await page.waitForFunction("document.querySelector('.cell img').complete && !document.querySelector('.cell img').hidden");
+          await settled(page);
+          const photograph = await page.$eval('.cell img', (image) => {
+            const {left, top, width, height} = image.getBoundingClientRect();
+            const stage = image.closest('#stage').getBoundingClientRect();
+            return {left: left - stage.left, top: top - stage.top, width, height};
+          });
+          const pixels = await pixelsOf(page, browser, '#stage');
+          const isBeside = pixels.width > pixels.height;
+          const inPane = (shift) => {
+            const extent = {left: Infinity, right: -Infinity, top: Infinity, bottom: -Infinity};
+            for (let y = 0; y < photograph.height; ++y) {
+              for (let x = 0; x < photograph.width; ++x) {
+                const at = 4 * (Math.round(photograph.top + y + (isBeside ? 0 : shift)) * pixels.width + Math.round(photograph.left + x + (isBeside ? shift : 0)));
+                const [red, , blue] = pixels.bytes.subarray(at, at + 3);
+                // The photograph is light where nothing is, the render bluish where something is.
+                if (shift === 0 ? red > 206 : blue - red < 13) continue;
+                extent.left = Math.min(extent.left, x);
+                extent.right = Math.max(extent.right, x);
+                extent.top = Math.min(extent.top, y);
+                extent.bottom = Math.max(extent.bottom, y);
+              }
+            }
+            return extent;
+          };
+          const seen = inPane(0), rendered = inPane(isBeside ? pixels.width / 2 : pixels.height / 2);
+          const words = `photograph ${JSON.stringify(seen)}, render ${JSON.stringify(rendered)}`;
+          for (const side of Object.keys(seen)) assert(Math.abs(seen[side] - rendered[side]) < 0.03 * photograph.width, words);
+        }
+        await page.click('#reset');
+        assert.equal(await page.$eval('#from', (select) => select.value), '');
+        assert.equal(await page.$eval('.cell img', (image) => image.hidden), true);
+        await page.click('#cameras');
+        await settled(page);
+        const isOrange = (red, green, blue) => red - blue > 40;
+        assert(statisticsOf(await pixelsOf(page, browser, '#stage'), isOrange).count > 100, 'no cameras');
+      });
+    }
+  },
+
   // Of two runs: the same camera for both.
   async linked(address) {
     for (const size of widths) {

@@ -12,6 +12,12 @@ setup_file() {
   tm-morph -q sphere.ply --target torus.ply --run slow --alpha 0.15 --every 5
   tm-report one -o one.html
   tm-report one slow -o two.html
+  mkdir photos
+  tm-shape dented --faces 3000 --format ply-ascii | tm-photograph -q --ring 12 --size 160x120 --look shade \
+    --write-images photos --write-silhouettes masks -o photos.txt
+  tm-reconstruct -q --cameras photos.txt --images photos --silhouettes masks --coarsest 1 --passes 2 \
+    --iterations 1 --robust 0 --run seen
+  tm-report seen -o seen.html
   tm-shape sphere --faces 8000 --format ply-ascii | awk '
     /^element vertex/ { n = $3 }
     /^element face/ { print "property uchar red\nproperty uchar green\nproperty uchar blue" }
@@ -76,12 +82,16 @@ check() {
   check silhouette red.html
 }
 
+@test "a reconstruction is seen as each photograph sees it, beside the photograph" {
+  check photographs seen.html
+}
+
 @test "two runs are turned together" {
   check linked two.html
 }
 
 @test "axe-core finds nothing to complain of, light or dark" {
-  check accessible one.html two.html red.html
+  check accessible one.html two.html red.html seen.html
 }
 
 @test "the page is dark where that is preferred" {

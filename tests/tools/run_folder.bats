@@ -101,14 +101,30 @@ FILES
 @test "a run that is killed at any moment is continued, to the same bytes" {
   morph -o all.ply --iterations 12
   for kill_at in 2 5 9; do
-    morph --run r --iterations 12 --every 1 --restart 3>&- &
-    while [ ! -e r/log.csv ] || [ "$(wc -l <r/log.csv)" -lt "$kill_at" ]; do sleep 0.01; done
+    rm -f r/log.csv
+    tm-morph -q "a sphere.ply" --target torus.ply --run r --iterations 12 --every 1 --restart 3>&- &
+    until [ -e r/log.csv ] && [ "$(wc -l <r/log.csv)" -ge "$kill_at" ]; do sleep 0.01; done
     kill -KILL $! || true
     wait $! || true
     morph --run r --iterations 12 --every 1 --resume
     cmp all.ply r/result.ply
     [ "$(files_of r/frames | wc -l)" -eq 13 ]
     [ "$(wc -l <r/log.csv)" -eq 13 ]
+  done
+}
+
+@test "a run that is killed as it takes the place of another one is continued or begun anew" {
+  morph -o all.ply --iterations 4
+  for seconds in 0 0.002 0.005 0.01 0.02 0.04; do
+    tm-morph -q "a sphere.ply" --target torus.ply --run r --iterations 4 --every 1 --restart 3>&- &
+    sleep "$seconds"
+    kill -KILL $! || true
+    wait $! || true
+    morph --run r --iterations 4 --every 1 --resume
+    cmp all.ply r/result.ply
+    [ "$(files_of r/frames | wc -l)" -eq 5 ]
+    [ "$(wc -l <r/log.csv)" -eq 5 ]
+    jq -e '.tool == "tm-morph"' r/run.json
   done
 }
 
@@ -131,6 +147,18 @@ frames/frame-00000.ply
 frames/frame-00001.ply
 frames/frame-00002.ply
 log.csv
+photographs/000-80x60.png
+photographs/001-80x60.png
+photographs/002-80x60.png
+photographs/003-80x60.png
+photographs/004-80x60.png
+photographs/005-80x60.png
+photographs/006-80x60.png
+photographs/007-80x60.png
+photographs/008-80x60.png
+photographs/009-80x60.png
+photographs/010-80x60.png
+photographs/011-80x60.png
 report.json
 result.ply
 run.json

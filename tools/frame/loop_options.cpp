@@ -120,6 +120,8 @@ void begin_run(const LoopChoices& choices, const Record& record, const Document*
   if (choices.run.empty()) return;
   const std::string command = command_of(run.program());
   if (record.resumed()) return continue_run(choices.run, command);
+  // Before its frames and its log go, which it could not continue without.
+  record.forget_earlier_state();
   if (start != nullptr) {
     Document given = *start;
     given.style.format = Format::ply_little;

@@ -35,7 +35,7 @@ class Viewer {
     $('slider').max = this.times.length - 1;
     $('time').hidden = this.times.length < 2;
     $('ghost-label').hidden = !page.runs.some((run) => run.target);
-    $('cameras-label').hidden = !page.runs.some((run) => run.cameras.length > 0);
+    this.#setCameras();
     const logs = page.runs.map((run) => parseLog(run.log));
     const ends = [this.times[0], this.times.at(-1), ...logs.flatMap((log) => log.columns.get(log.counts) ?? [])];
     this.charts.setLogs(logs, Math.min(...ends), Math.max(...ends));
@@ -68,6 +68,13 @@ class Viewer {
     $('color').replaceChildren(option('', 'plain'), ...[...columns.keys()].map((name) => option(name, name.replaceAll('_', ' '))));
     $('color').value = this.colorBy;
     $('color-label').hidden = columns.size === 0;
+  }
+
+  #setCameras() {
+    const names = this.page.runs.map((run) => run.cameras.map((camera) => camera.name)).find((some) => some.length > 0) ?? [];
+    $('cameras-label').hidden = $('from-label').hidden = names.length === 0;
+    if ($('from').options.length === names.length + 1) return;
+    $('from').replaceChildren(new Option('anywhere', ''), ...names.map((name, i) => new Option(name, i)));
   }
 
   async #showTarget(run, i) {
@@ -185,6 +192,11 @@ class Viewer {
     $('range').addEventListener('change', () => this.goTo(this.place));
     for (const look of ['wireframe', 'flat', 'ghost', 'cameras'])
       $(look).addEventListener('change', () => this.view.setLooks({[look]: $(look).checked}));
+    $('from').addEventListener('change', () => {
+      const number = $('from').value === '' ? undefined : Number($('from').value);
+      this.view.lookFrom(number, (name) => this.store.picture(name));
+    });
+    this.view.onLook = (number) => { $('from').value = number ?? ''; };
     $('stage').addEventListener('keydown', (event) => this.#onKey(event));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.view.setTheme());
   }

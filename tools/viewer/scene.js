@@ -7,6 +7,7 @@ import {
 } from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import {coloredGeometry, geometryOf} from './geometry.js';
+import {aspectOf, cameraOf, placesIn} from './photographs.js';
 import {setFlat, setTint, setVertexColors, surfaceMaterial} from './materials.js';
 
 const halfFieldOfView = MathUtils.degToRad(15);
@@ -54,7 +55,7 @@ function frustaOf(cameras, {middle, radius}) {
   const points = [];
   for (const {center, corners} of cameras) {
     const eye = center.map((x, axis) => (x - middle[axis]) / radius);
-    const depth = Math.min(0.12 * Math.hypot(...eye), 0.3);
+    const depth = 0.12 * Math.hypot(...eye);
     const ends = corners.map((ray) => ray.map((x, axis) => eye[axis] + depth * x));
     ends.forEach((end, i) => points.push(...eye, ...end, ...end, ...ends[(i + 1) % 4]));
   }
@@ -66,10 +67,13 @@ function frustaOf(cameras, {middle, radius}) {
 class Cell {
   constructor(run, extent, radius, up, shared) {
     this.extent = extent;
+    this.cameras = run.cameras;
+    this.photograph = document.createElement('img');
+    this.photograph.hidden = true;
     this.element = document.createElement('div');
     this.element.className = 'cell';
     this.label = document.createElement('span');
-    this.element.append(this.label);
+    this.element.append(this.photograph, this.label);
     this.label.textContent = run.name;
 
     this.group = new Group();
@@ -123,6 +127,7 @@ export class View {
 
     this.controls = new OrbitControls(this.camera, stage);
     this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('start', () => this.lookFrom());
     this.controls.minDistance = 0.3;
     this.controls.maxDistance = 250;
     this.reset();
@@ -142,7 +147,28 @@ export class View {
     this.draw();
   }
 
+  // The camera of that number, where a run has it, or else the one that the user moves; `picture`
+  // gives the source of an image for the name of a photograph.
+  async lookFrom(number, picture) {
+    this.from = number;
+    for (const cell of this.cells) {
+      cell.photograph.hidden = true;
+      const camera = cell.cameras[number];
+      cell.seenFrom?.removeFromParent();
+      cell.seenFrom = camera && cameraOf(camera, cell.extent);
+      if (!camera) continue;
+      cell.group.add(cell.seenFrom);
+      cell.photograph.alt = `Photograph ${camera.name}`;
+      if (camera.photograph === '') continue;
+      cell.photograph.src = await picture(camera.photograph);
+      cell.photograph.hidden = this.from !== number;
+    }
+    this.onLook?.(number);
+    this.draw();
+  }
+
   reset() {
+    this.lookFrom();
     this.controls.target.set(0, 0, 0);
     this.camera.position.setFromSpherical(home);
     this.controls.update();
@@ -151,6 +177,7 @@ export class View {
 
   // Angles in degrees; a factor above 1 goes nearer.
   turn(azimuth, elevation, factor = 1) {
+    this.lookFrom();
     const offset = new Vector3().subVectors(this.camera.position, this.controls.target);
     const place = new Spherical().setFromVector3(offset);
     place.theta += MathUtils.degToRad(azimuth);
@@ -248,14 +275,27 @@ export class View {
     cell.ghostPoints.visible = ghost && cell.hasTarget === cell.ghostPoints;
     cell.frusta.visible = cameras;
 
+    const place = [box.left - stage.left, stage.bottom - box.bottom];
+    if (cell.seenFrom) return this.#renderBeside(cell, box, place);
     const aspect = box.width / box.height;
     this.camera.aspect = aspect;
     const half = aspect >= 1 ? halfFieldOfView : Math.atan(Math.tan(halfFieldOfView) / aspect);
     this.camera.fov = 2 * MathUtils.radToDeg(half);
     this.camera.updateProjectionMatrix();
-    const rectangle = [box.left - stage.left, stage.bottom - box.bottom, box.width, box.height];
+    this.#renderInto([...place, box.width, box.height], this.camera);
+  }
+
+  // What the photograph's camera sees of the mesh, beside the photograph.
+  #renderBeside(cell, box, [left, bottom]) {
+    cell.frusta.visible = false;
+    const [photograph, render] = placesIn(box, aspectOf(cell.cameras[this.from]));
+    for (const [name, value] of Object.entries(photograph)) cell.photograph.style[name] = `${value}px`;
+    this.#renderInto([left + render.left, bottom + box.height - render.top - render.height, render.width, render.height], cell.seenFrom);
+  }
+
+  #renderInto(rectangle, camera) {
     this.renderer.setViewport(...rectangle);
     this.renderer.setScissor(...rectangle);
-    this.renderer.render(this.scene, this.camera);
+    this.renderer.render(this.scene, camera);
   }
 }

@@ -23,6 +23,14 @@ export class Store {
     this.size = 0;
   }
 
+  // A picture as the source of an image.
+  async picture(name) {
+    const bytes = await this.read(name);
+    let letters = '';
+    for (let i = 0; i < bytes.length; i += 30000) letters += String.fromCharCode(...bytes.subarray(i, i + 30000));
+    return `data:image/png;base64,${btoa(letters)}`;
+  }
+
   // A promise of the mesh; the same one while it is kept.
   get(name, extent) {
     const known = this.kept.get(name);

@@ -127,6 +127,10 @@ std::optional<std::string> Record::find(const std::string& name) const {
   return resumed_ ? bytes_of(options_.state + '/' + name) : std::nullopt;
 }
 
+void Record::forget_earlier_state() const {
+  if (!resumed_ && !options_.state.empty()) remove_files_in(options_.state);
+}
+
 void Record::begin(const Document& document, const std::string& csv_header, const Memory& memory) {
   iteration_ = resumed_ ? resumed_->iteration : 0;
   if (!options_.csv.empty())
@@ -135,7 +139,7 @@ void Record::begin(const Document& document, const std::string& csv_header, cons
         resumed_ ? rows_until(options_.csv, csv_header, iteration_) : csv_header + '\n');
   if (resumed_) return;
   if (!options_.state.empty()) {
-    remove_files_in(options_.state);
+    forget_earlier_state();
     make_folder(options_.state);
     for (const auto& [name, bytes] : std::exchange(added_, {}))
       write_file(options_.state + '/' + name, bytes);

@@ -65,6 +65,9 @@ class Record {
   }
   std::optional<std::string> find(const std::string& name) const;
 
+  /// Of a run that begins: throws away what is there of an earlier one, which begin() does as well.
+  void forget_earlier_state() const;
+
   /// To be called once, before the first iteration, with the header of the CSV file and the memory
   /// of iteration 0. Where the run continues, the document and the memory are not looked at.
   void begin(const Document& document, const std::string& csv_header, const Memory& memory);

@@ -35,13 +35,14 @@ void write_description(const std::string& folder, const RunDescription& descript
              json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
-void remove_run(const std::string& folder) {
+void remove_files_of_run(const std::string& folder) {
   std::error_code ignored;
-  // Without its description first: a folder that is half removed is no run.
-  for (const char* name : {run_file::description, run_file::result, run_file::report, run_file::log,
-                           run_file::start, run_file::target, run_file::cameras})
+  for (const char* name : {run_file::result, run_file::report, run_file::log, run_file::start,
+                           run_file::target, run_file::cameras})
     fs::remove(folder + name, ignored);
   for (const auto& [number, path] : run_frames(folder)) fs::remove(path, ignored);
+  for (const auto& entry : fs::directory_iterator(folder + run_file::photographs, ignored))
+    if (entry.path().extension() == ".png") fs::remove(entry.path(), ignored);
 }
 
 /// A run that was stopped before it had a description has left its state, named after the result.
@@ -64,9 +65,13 @@ void check_run_folder(const std::string& folder) {
 void begin_run(const std::string& folder, const RunDescription& description,
                const std::vector<std::pair<std::string, std::string>>& files) {
   make_folder(folder);
-  remove_run(folder);
-  for (const auto& [name, bytes] : files) write_file(folder + name, bytes);
+  // First, so that the folder is that of a run whenever this one is stopped.
   write_description(folder, description);
+  remove_files_of_run(folder);
+  for (const auto& [name, bytes] : files) {
+    make_folder(fs::path(folder + name).parent_path().string());
+    write_file(folder + name, bytes);
+  }
 }
 
 void continue_run(const std::string& folder, const std::string& command) {

@@ -3,7 +3,7 @@
 ///     run.json              which program with which command lines, see RunDescription
 ///     start.ply             the mesh given, where one is
 ///     target.ply            what a morph moves towards
-///     cameras.txt           the cameras of a reconstruction, as Middlebury parameters
+///     cameras.txt, photographs/                     the views of a reconstruction (run_views.h)
 ///     frames/frame-00000.ply and so on, log.csv     as the loop goes on (record.h)
 ///     result.ply, report.json                       at the end
 ///
@@ -23,6 +23,7 @@ inline constexpr const char* description = "/run.json";
 inline constexpr const char* start = "/start.ply";
 inline constexpr const char* target = "/target.ply";
 inline constexpr const char* cameras = "/cameras.txt";
+inline constexpr const char* photographs = "/photographs";
 inline constexpr const char* frames = "/frames";
 inline constexpr const char* log = "/log.csv";
 inline constexpr const char* report = "/report.json";
@@ -39,8 +40,8 @@ struct RunDescription {
 /// Throws UsageError where the folder holds files and no run.
 void check_run_folder(const std::string& folder);
 
-/// Removes what an earlier run has left, then writes the files given (name and bytes) and the
-/// description.
+/// Writes the description, removes what an earlier run has left, and writes the files given (name
+/// and bytes).
 void begin_run(const std::string& folder, const RunDescription& description,
                const std::vector<std::pair<std::string, std::string>>& files);
 

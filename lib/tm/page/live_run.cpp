@@ -91,6 +91,8 @@ const std::string* LiveRun::block(const std::string& name) const {
   if (run_.target && run_.target->block == name) return &run_.target->mesh.block;
   for (const auto& [path, known] : known_)
     if (known.mesh.block == name) return &known.mesh.mesh.block;
+  for (std::size_t i = 0; i < run_.views.size(); ++i)
+    if (photograph_name(0, i) == name) return &run_.views[i].photograph;
   return nullptr;
 }
 

@@ -20,7 +20,7 @@ class LiveRun {
   void refresh(double seconds);
   /// The run as far as it is known; it may have no mesh yet.
   const PageRun& run() const { return run_; }
-  /// A packed mesh by the name of its block; null where there is none.
+  /// A packed mesh by the name of its block, or a photograph by its own; null where there is none.
   const std::string* block(const std::string& name) const;
 
  private:

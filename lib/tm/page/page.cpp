@@ -54,7 +54,8 @@ Json mesh_json(const PageMesh& mesh, const std::string& place) {
 }
 
 /// The eye, and the rays of the image's corners as far as a depth of 1.
-Json camera_json(const CameraRecord& record) {
+Json camera_json(const RunView& view, const std::string& photograph) {
+  const CameraRecord& record = view.camera;
   const PinholeCamera& camera = record.camera;
   // Where the size is unknown the principal point is taken for the center.
   const double width = record.width > 0 ? record.width : 2 * camera.intrinsics(0, 2) + 1;
@@ -62,7 +63,10 @@ Json camera_json(const CameraRecord& record) {
   Json corners = Json::array();
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
     corners.push_back(vector_json(camera.ray(x * width - 0.5, y * height - 0.5)));
-  return {{"name", record.name}, {"center", vector_json(camera.center())}, {"corners", corners}};
+  return {{"name", record.name},
+          {"center", vector_json(camera.center())},
+          {"corners", corners},
+          {"photograph", view.photograph.empty() ? "" : photograph}};
 }
 
 Json report_json(const PageRun& run) {
@@ -78,7 +82,8 @@ Json run_json(const PageRun& run, std::size_t number) {
   for (std::size_t i = 0; i < run.meshes.size(); ++i)
     meshes.push_back(mesh_json(run.meshes[i], block_name(number, i)));
   Json cameras = Json::array();
-  for (const CameraRecord& camera : run.cameras) cameras.push_back(camera_json(camera));
+  for (std::size_t i = 0; i < run.views.size(); ++i)
+    cameras.push_back(camera_json(run.views[i], photograph_name(number, i)));
   return {{"name", run.name},
           {"tool", run.tool},
           {"version", run.version},
@@ -143,6 +148,10 @@ std::string block_name(std::size_t run, std::optional<std::size_t> index) {
   return "mesh-" + std::to_string(run) + '-' + std::to_string(*index);
 }
 
+std::string photograph_name(std::size_t run, std::size_t index) {
+  return "photograph-" + std::to_string(run) + '-' + std::to_string(index);
+}
+
 std::string page_html(const Page& page, std::string_view viewer) {
   std::string data = data_element("page", "application/json", page_json(page));
   if (!page.is_live) {
@@ -151,6 +160,10 @@ std::string page_html(const Page& page, std::string_view viewer) {
       if (run.target) append_block(data, *run.target, block_name(i, {}));
       for (std::size_t k = 0; k < run.meshes.size(); ++k)
         append_block(data, run.meshes[k], block_name(i, k));
+      for (std::size_t k = 0; k < run.views.size(); ++k)
+        if (!run.views[k].photograph.empty())
+          data +=
+              data_element(photograph_name(i, k), "text/plain", base64(run.views[k].photograph));
     }
   }
   std::string html(viewer);

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "tm/evolution/run_views.h"
 #include "tm/page/pack.h"
-#include "tm/views/cameras/camera_record.h"
 
 namespace transformesh {
 
@@ -31,7 +31,7 @@ struct PageRun {
   std::string report;                 ///< JSON, or empty while it goes on
   std::vector<PageMesh> meshes;       ///< in order
   std::optional<PageMesh> target;
-  std::vector<CameraRecord> cameras;
+  std::vector<RunView> views;  ///< of a reconstruction
 };
 
 struct Page {
@@ -47,8 +47,9 @@ struct Page {
 /// report is no JSON.
 std::string page_json(const Page& page);
 
-/// The name of a block in the page: `mesh-RUN-INDEX` or `target-RUN`.
+/// The name of a block in the page: `mesh-RUN-INDEX` or `target-RUN`; of a photograph.
 std::string block_name(std::size_t run, std::optional<std::size_t> index);
+std::string photograph_name(std::size_t run, std::size_t index);
 
 /// Puts all of it into the viewer's page, whose places for that are comments: `<!--tm:title-->` in
 /// the title, `<!--tm:data-->` in the body. A live page gets no blocks.

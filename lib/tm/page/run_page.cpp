@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "tm/evolution/run_folder.h"
+#include "tm/evolution/run_views.h"
 #include "tm/geometry/compare.h"
 #include "tm/io/mesh_io.h"
 #include "tm/io/streams.h"
@@ -12,7 +13,6 @@
 #include "tm/support/error.h"
 #include "tm/support/number.h"
 #include "tm/support/parallel.h"
-#include "tm/views/cameras/camera_file.h"
 
 namespace transformesh {
 namespace {
@@ -72,8 +72,7 @@ PageRun read_run_texts(const std::string& folder) {
   run.commands = description.commands;
   run.log = text_in(folder + run_file::log);
   run.report = text_in(folder + run_file::report);
-  if (std::filesystem::exists(folder + run_file::cameras))
-    run.cameras = cameras_from(folder + run_file::cameras).cameras;
+  run.views = read_run_views(folder);
   return run;
 }
 
