@@ -8,7 +8,8 @@ set(public_headers
   evolution/evolve.h evolution/filter_step.h evolution/morphing.h evolution/offset.h
   evolution/reconstruction.h evolution/sequence.h evolution/tracking.h
   fill/fill.h
-  geometry/compare.h geometry/sample_surface.h geometry/selection.h
+  geometry/carry.h geometry/compare.h geometry/sample_surface.h geometry/selection.h
+  geometry/source_points.h
   io/comments.h io/concatenate.h io/length_basis.h io/mesh_io.h
   mesh/components.h mesh/manifold.h mesh/measure.h mesh/mesh.h mesh/transform.h
   picture/line_drawing.h picture/openness.h picture/picture.h picture/png.h

@@ -51,6 +51,8 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
   program.flag("keep-border", &remesh.keep_border, "leave borders as they are");
   program.flag("project", &remesh.project,
                "tangential smoothing puts vertices back onto the input");
+  program.flag("source", &choices.source_points,
+               "write where on the input each vertex comes from: source_face, source_u, source_v");
 }
 
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run) {
@@ -79,7 +81,8 @@ DecimateOptions decimate_options(const RemeshChoices& choices, const Document& d
                                  const Program& program) {
   for (const Option& option : program.options) {
     const std::string name = option.name();
-    const bool is_shared = name == "faces" || name == "feature-angle" || name == "keep-border";
+    const bool is_shared =
+        name == "faces" || name == "feature-angle" || name == "keep-border" || name == "source";
     if (option.is_given && !option.is_common && !is_shared)
       throw UsageError("--faces decimates and --" + name + " remeshes: use one after the other");
   }

@@ -19,6 +19,7 @@ struct RemeshChoices {
   std::string flip = "valence";
   std::string smooth = "tangential";
   std::vector<double> smooth_twice;
+  bool source_points = false;  ///< to be written
   RemeshOptions remesh;
 };
 

@@ -2,6 +2,7 @@
 #include "frame/run.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/stitch/separate.h"
+#include "tm/geometry/source_points.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 
@@ -9,17 +10,27 @@ using namespace transformesh;
 
 namespace {
 
+constexpr const char* face_number = "tm:source-face";  // while cleaning
+
 struct Options {
   CleanOptions clean;
   std::string method = "grow";
   long level = 1;
   bool source_faces = false;
+  bool source_points = false;
   Length separate;
 };
 
-void number_faces(Mesh& mesh) {
-  Column& column = mesh.face_columns.get("source_face", Scalar::int32, mesh.faces.size());
+void number_faces(Mesh& mesh, const char* name) {
+  Column& column = mesh.face_columns.get(name, Scalar::int32, mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
+}
+
+// And no longer the numbers of faces by which they are found.
+void write_source_points(Mesh& mesh, const Mesh& source) {
+  const Column& numbers = *mesh.face_columns.find(face_number);
+  transformesh::write_source_points(mesh, source_points_of_pieces(source, mesh, numbers.values));
+  mesh.face_columns.erase(face_number);
 }
 
 SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, tool::Run& run) {
@@ -38,13 +49,22 @@ void clean_document(Document& document, Options options, tool::Run& run) {
       options.method == "grow" ? ExteriorMethod::grow : ExteriorMethod::static_test;
   options.clean.level = static_cast<int>(options.level);
   options.clean.coordinate = document.style.coordinate;
-  if (options.source_faces) number_faces(document.mesh);
+  if (options.source_faces) number_faces(document.mesh, "source_face");
+  Mesh source;
+  if (options.source_points) {
+    source = {document.mesh.positions, document.mesh.faces, {}, {}};
+    number_faces(document.mesh, face_number);
+  }
   CleanResult result = clean(document.mesh, options.clean, run.progress());
   document.mesh = std::move(result.mesh);
   const SeparateResult separated =
       separate_copies(document.mesh, run.length(options.separate), options.clean.coordinate, run);
   if (options.clean.refuse && separated.separated_vertices > 0) {
     throw GoalError("vertices lie in one place, and --refuse forbids to move them apart");
+  }
+  if (options.source_points) {
+    write_source_points(document.mesh, source);
+    result.dropped_source_points = false;
   }
 
   tool::report_cleaning(result, separated, document.mesh, run);
@@ -69,6 +89,8 @@ int main(int argc, char** argv) {
   program.flag("refuse", &options.clean.refuse, "exit 4 rather than change anything");
   program.flag("source-face", &options.source_faces,
                "write the input face of each face as the face property source_face");
+  program.flag("source", &options.source_points,
+               "write where on the input each vertex comes from: source_face, source_u, source_v");
   return program.run(argc, argv,
                      [&](tool::Run& run) { clean_document(run.document(), options, run); });
 }

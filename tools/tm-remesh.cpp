@@ -2,6 +2,7 @@
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "remesh_options.h"
+#include "tm/geometry/source_points.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/remesh.h"
 #include "tm/support/number.h"
@@ -12,7 +13,7 @@ using namespace transformesh;
 
 constexpr double most_apart = 2;  // of reference and mean edge, without a word
 
-void decimate_document(Document& document, const DecimateOptions& options, tool::Run& run) {
+StaleColumns decimate_document(Document& document, const DecimateOptions& options, tool::Run& run) {
   const std::size_t before = document.mesh.faces.size();
   if (before < options.faces)
     run.note("the mesh has " + std::to_string(before) + " faces, which are not more than " +
@@ -20,8 +21,7 @@ void decimate_document(Document& document, const DecimateOptions& options, tool:
   const DecimateResult result = decimate(document.mesh, options, run.progress());
   run.report("collapses", result.collapses);
   run.report("faces", result.faces);
-  tool::note_new_normals(result.columns.new_normals, run);
-  tool::note_dropped_lists(result.columns.dropped, run);
+  return result.columns;
 }
 
 bool refers_to_edge(const std::optional<Length>& length) {
@@ -42,7 +42,7 @@ void note_reference_edge(const tool::RemeshChoices& choices, const Mesh& mesh, t
            significant(mean, 3) + " now; --reference-edge auto measures it anew");
 }
 
-void remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
+StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   const RemeshOptions options = tool::remesh_options(choices, document, run);
   note_reference_edge(choices, document.mesh, run);
   const RemeshResult result = remesh(document.mesh, options, run.progress());
@@ -52,8 +52,23 @@ void remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run
   run.report("refused", result.refused);
   run.report("components_removed", result.components_removed);
   run.report("degenerate_faces", result.degenerate_faces);
-  tool::note_new_normals(result.columns.new_normals, run);
-  tool::note_dropped_lists(result.columns.dropped, run);
+  return result.columns;
+}
+
+void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
+  Mesh source;
+  if (choices.source_points) source = {document.mesh.positions, document.mesh.faces, {}, {}};
+  const StaleColumns columns =
+      choices.faces
+          ? decimate_document(document, decimate_options(choices, document, run.program()), run)
+          : remesh_document(document, choices, run);
+  tool::note_new_normals(columns.new_normals, run);
+  tool::note_dropped_lists(columns.dropped, run);
+  if (choices.source_points) {
+    write_source_points(document.mesh, closest_source_points(source, document.mesh));
+  } else {
+    tool::note_dropped_sources(columns.dropped_source_points, run);
+  }
 }
 
 }  // namespace
@@ -64,10 +79,5 @@ int main(int argc, char** argv) {
                         "Keeps edges between two lengths and triangles round"};
   tool::declare_remeshing(program, choices);
   program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
-  return program.run(argc, argv, [&](tool::Run& run) {
-    if (choices.faces)
-      decimate_document(run.document(), decimate_options(choices, run.document(), program), run);
-    else
-      remesh_document(run.document(), choices, run);
-  });
+  return program.run(argc, argv, [&](tool::Run& run) { change(run.document(), choices, run); });
 }

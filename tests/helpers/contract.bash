@@ -8,6 +8,7 @@ contract_programs() {
   cat <<'TABLE'
 tm|lister|
 tm-cameras|converter|
+tm-carry|filter|--from MESH --closest
 tm-cat|filter|
 tm-checkmanifold|predicate|
 tm-clean|filter|

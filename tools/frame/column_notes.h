@@ -18,4 +18,11 @@ inline void note_dropped_lists(const std::vector<std::string>& names, Run& run) 
              "' dropped: the corners whose texture coordinates it holds are no longer the same");
 }
 
+inline void note_dropped_sources(bool are_dropped, Run& run) {
+  if (are_dropped)
+    run.note(
+        "vertex properties source_face, source_u and source_v dropped: the vertices are no longer "
+        "the same; --source writes those of this step");
+}
+
 }  // namespace transformesh::tool

@@ -40,7 +40,10 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
     result.rounding_displacement = rounded.displacement.length;
     result.rounding_spacings = rounded.displacement.spacings;
     result.mesh = std::move(rounded.mesh);
-    if (result.cut_faces > 0) result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
+    if (result.cut_faces > 0) {
+      result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
+      result.dropped_source_points = drop_source_points(result.mesh.vertex_columns);
+    }
   }
   // A mesh of a single patch has nothing inside.
   result.connectivity = std::move(pass.connectivity);

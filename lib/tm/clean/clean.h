@@ -51,6 +51,7 @@ struct CleanResult {
   double rounding_displacement = 0;          ///< how far rounding moved the surface at most
   double rounding_spacings = 0;              ///< the same in spacings of numbers at each place
   std::vector<std::string> dropped_columns;  ///< texture coordinates of corners, on cut faces
+  bool dropped_source_points = false;        ///< likewise (source_points.h)
   std::optional<Connectivity> connectivity;  ///< of the mesh, where there was nothing to change
 };
 

@@ -30,6 +30,8 @@ double squared_distance(const Vec3& a, const Vec3& b) {
   return MedianTree::squared_length(a.x() - b.x(), a.y() - b.y(), a.z() - b.z());
 }
 
+bool accept_all(const Vec3&, const Vec3&, const Vec3&) { return true; }
+
 const Mesh& checked(const Mesh& mesh) {
   if (mesh.faces.empty())
     throw InputError("the mesh has no faces, and so no closest point; a surface is needed");
@@ -90,14 +92,18 @@ struct ClosestPointQuery::Hit {
   }
 };
 
-/// Leaves out cells whose squared distance is more than `shrink` times the best so far.
-ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink) const {
+/// Leaves out faces that are not accepted, and cells whose squared distance is more than `shrink`
+/// times the best so far.
+template <class Accept>
+ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink,
+                                                 const Accept& accept) const {
   Hit best;
   const auto offer = [&](Index face) {
     const Vec3& a = mesh_->positions[mesh_->faces[face][0]];
     const Vec3& b = mesh_->positions[mesh_->faces[face][1]];
     const Vec3& c = mesh_->positions[mesh_->faces[face][2]];
     if (best.is_beyond(a) && best.is_beyond(b) && best.is_beyond(c)) return;
+    if (!accept(a, b, c)) return;
     const TrianglePoint candidate = closest_point_of_triangle(query, a, b, c);
     const double squared = squared_distance(candidate.point, query);
     if (squared > best.squared) return;
@@ -126,11 +132,21 @@ bool ClosestPointQuery::is_within(const Vec3& query, double distance) const {
 }
 
 Vec3 ClosestPointQuery::nearby(const Vec3& query, double tolerance) const {
-  return search(query, 1 / ((1 + tolerance) * (1 + tolerance))).place.point;
+  return search(query, 1 / ((1 + tolerance) * (1 + tolerance)), accept_all).place.point;
 }
 
 ClosestPoint ClosestPointQuery::operator()(const Vec3& query) const {
-  const Hit best = search(query, 1);
+  return described(query, search(query, 1, accept_all));
+}
+
+ClosestPoint ClosestPointQuery::facing(const Vec3& query, const Vec3& normal) const {
+  const Hit best = search(query, 1, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return normal.dot((b - a).cross(c - a)) > 0;
+  });
+  return best.face == no_index ? (*this)(query) : described(query, best);
+}
+
+ClosestPoint ClosestPointQuery::described(const Vec3& query, const Hit& best) const {
   ClosestPoint result;
   result.point = best.place.point;
   result.face = best.face;

@@ -47,6 +47,9 @@ class ClosestPointQuery {
   /// Keeps a reference to the mesh. Throws InputError for a mesh without faces.
   explicit ClosestPointQuery(const Mesh& mesh, FaceOrder order = FaceOrder::any);
   ClosestPoint operator()(const Vec3& query) const;
+  /// The same among the faces whose normals are less than a right angle from that one; among all
+  /// where there is none, or the normal is zero.
+  ClosestPoint facing(const Vec3& query, const Vec3& normal) const;
   /// Whether the mesh comes at least as near as that; stops at the first face that does.
   bool is_within(const Vec3& query, double distance) const;
   /// A point of the mesh that is farther than the closest by no more than that share of the
@@ -55,7 +58,9 @@ class ClosestPointQuery {
 
  private:
   struct Hit;
-  Hit search(const Vec3& query, double shrink) const;
+  template <class Accept>
+  Hit search(const Vec3& query, double shrink, const Accept& accept) const;
+  ClosestPoint described(const Vec3& query, const Hit& best) const;
   Vec3 pseudonormal(Index face, TrianglePart part) const;
   /// no_index on a border, where more than two faces meet and where both run the same way.
   Index face_across(Index face, Index from, Index to) const;

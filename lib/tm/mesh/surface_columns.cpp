@@ -25,13 +25,6 @@ void set_row(const NormalColumns& columns, std::size_t row, const Vec3& normal) 
     columns[axis]->values[row] = normal[static_cast<Eigen::Index>(axis)];
 }
 
-bool is_corner_list(const Column& column) {
-  const bool is_floating = column.type == Scalar::float32 || column.type == Scalar::float64;
-  return column.list_count_type && is_floating &&
-         (column.name.find("tex") != std::string::npos ||
-          column.name.find("uv") != std::string::npos);
-}
-
 // The values of a polygon's list for three of its corners.
 void append_corners(Column& to, const Column& from, std::size_t row,
                     const std::array<std::size_t, 3>& corners, std::size_t width) {
@@ -104,12 +97,28 @@ void reverse_corner_lists(Mesh& mesh, Index face) {
   }
 }
 
+bool is_corner_list(const Column& column) {
+  const bool is_floating = column.type == Scalar::float32 || column.type == Scalar::float64;
+  return column.list_count_type && is_floating &&
+         (column.name.find("tex") != std::string::npos ||
+          column.name.find("uv") != std::string::npos);
+}
+
 std::vector<std::string> drop_corner_lists(Columns& face_columns) {
   std::vector<std::string> names;
   for (const Column& column : face_columns.columns)
     if (is_corner_list(column)) names.push_back(column.name);
   for (const std::string& name : names) face_columns.erase(name);
   return names;
+}
+
+bool drop_source_points(Columns& vertex_columns) {
+  for (const char* name : source_point_names) {
+    const Column* column = vertex_columns.find(name);
+    if (column == nullptr || column->list_count_type) return false;
+  }
+  for (const char* name : source_point_names) vertex_columns.erase(name);
+  return true;
 }
 
 void split_corner_lists(Columns& face_columns, std::span<const std::uint32_t> source) {

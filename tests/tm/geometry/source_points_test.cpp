@@ -1,0 +1,133 @@
+#include "tm/geometry/source_points.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "helpers/shapes.h"
+#include "tm/clean/clean.h"
+#include "tm/geometry/closest_point.h"
+#include "tm/mesh/measure.h"
+#include "tm/remesh/remesh.h"
+#include "tm/support/error.h"
+
+using namespace transformesh;
+
+namespace {
+
+/// Cleaned, with the input face of each face.
+Mesh cleaned(Mesh mesh) {
+  Column& column = mesh.face_columns.get("from", Scalar::int32, mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
+  return clean(mesh).mesh;
+}
+
+bool is_vertex_of(const Mesh& mesh, const Vec3& point) {
+  return std::find(mesh.positions.begin(), mesh.positions.end(), point) != mesh.positions.end();
+}
+
+/// Distance from the faces that look the way of the normal, by brute force.
+double distance_facing(const Mesh& mesh, const Vec3& point, const Vec3& normal) {
+  double least = HUGE_VAL;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (!(face_normal(mesh, f).dot(normal) > 0)) continue;
+    const auto& [a, b, c] = mesh.faces[f];
+    const Vec3 nearest =
+        closest_point_of_triangle(point, mesh.positions[a], mesh.positions[b], mesh.positions[c])
+            .point;
+    least = std::min(least, (nearest - point).norm());
+  }
+  return least;
+}
+
+RemeshOptions edges_around(double length) {
+  RemeshOptions options;
+  options.min_edge = 0.7 * length;
+  options.max_edge = 1.5 * length;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("vertices of a cleaned mesh lie where they say, those of the input exactly") {
+  const Mesh ball = test::icosphere(3);
+  const Mesh input = test::joined(ball, test::moved(ball, Vec3(0.9, 0.31, 0.17)));
+  const Mesh mesh = cleaned(input);
+  REQUIRE(mesh.positions.size() != input.positions.size());
+  const auto places = source_points_of_pieces(input, mesh, mesh.face_columns.find("from")->values);
+  std::size_t made = 0;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const Vec3 place = position_of(input, places[v]);
+    CHECK((place - mesh.positions[v]).norm() < 1e-14);
+    if (is_vertex_of(input, mesh.positions[v])) {
+      CHECK(place == mesh.positions[v]);
+    } else {
+      ++made;
+    }
+  }
+  CHECK(made > 50);
+}
+
+TEST_CASE(
+    "vertices of a remeshed mesh name the closest place that looks their way, by brute force") {
+  const Mesh input = test::torus(2, 0.7, 40, 20);
+  Mesh mesh = input;
+  remesh(mesh, edges_around(0.3));
+  const auto places = closest_source_points(input, mesh);
+  const auto normals = vertex_normals(mesh);
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const double distance = (position_of(input, places[v]) - mesh.positions[v]).norm();
+    CHECK(std::abs(distance - distance_facing(input, mesh.positions[v], normals[v])) < 1e-12);
+  }
+}
+
+TEST_CASE("no vertex of a thin plate comes from its other side") {
+  Mesh input = test::cuboid(Vec3::Zero(), Vec3(4, 4, 1));
+  remesh(input, edges_around(0.3));
+  for (Vec3& position : input.positions) position.z() *= 0.01;
+  Mesh mesh = input;
+  RemeshOptions options = edges_around(0.3);
+  options.smoothing = Smoothing::laplace;
+  options.smooth_first = 0.5;
+  remesh(mesh, options);
+  const auto places = closest_source_points(input, mesh);
+  const auto normals = vertex_normals(mesh);
+  std::size_t inner = 0;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    if (std::abs(normals[v].z()) < 0.99) continue;
+    ++inner;
+    CHECK(face_normal(input, places[v].face).z() * normals[v].z() > 0);
+  }
+  CHECK(inner > 200);
+}
+
+TEST_CASE("places are written and read as columns, and checked") {
+  const Mesh source = test::tetrahedron();
+  Mesh mesh = test::tetrahedron();
+  CHECK(!has_source_points(mesh));
+  CHECK_THROWS_AS(read_source_points(mesh, 4, "it"), InputError);
+  std::vector<SourcePoint> places{{0, 0, 0}, {1, 0.25, 0.5}, {2, 1, 0}, {3, 0, 1}};
+  write_source_points(mesh, places);
+  REQUIRE(has_source_points(mesh));
+  const auto read = read_source_points(mesh, 4, "it");
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(read[i].face == places[i].face);
+    CHECK(read[i].weights() == places[i].weights());
+  }
+  CHECK_THROWS_AS(read_source_points(mesh, 3, "it"), InputError);
+  for (const double bad : {-1.0, 0.5, std::nan("")}) {
+    mesh.vertex_columns.find("source_face")->values[2] = bad;
+    CHECK_THROWS_AS(read_source_points(mesh, 4, "it"), InputError);
+  }
+  mesh.vertex_columns.find("source_face")->values[2] = 0;
+  mesh.vertex_columns.find("source_u")->values[2] = 1.5;
+  CHECK_THROWS_AS(read_source_points(mesh, 4, "it"), InputError);
+}
+
+TEST_CASE("remeshing without places drops those of an earlier step") {
+  Mesh mesh = test::icosphere(2);
+  const std::vector<SourcePoint> places(mesh.positions.size());
+  write_source_points(mesh, places);
+  CHECK(remesh(mesh, edges_around(0.4)).columns.dropped_source_points);
+  CHECK(!has_source_points(mesh));
+}

@@ -1,0 +1,102 @@
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape two-spheres --gap -0.3 --faces 2000 --format ply-ascii | awk '
+    /^element vertex/ { n = $3 }
+    /^element face/ { print "property double height" }
+    body && n-- > 0 { print $0, $1 + 2 * $2 - $3; next }
+    /^end_header/ { body = 1 }
+    { print }' >a.ply
+}
+
+# vertices FILE: x y z and properties, a line each
+vertices() {
+  tm-convert --format ply-ascii "$1" | awk '/^element vertex/ { n = $3 }
+    body && n-- > 0 { print }
+    /^end_header/ { body = 1 }'
+}
+
+# off_by FILE FACTOR: how far height is from the function of the positions over FACTOR, at most
+off_by() {
+  vertices "$1" | awk -v factor="$2" '
+    { off = ($1 + 2 * $2 - $3) / factor - $4; if (off < 0) off = -off; if (off > most) most = off }
+    END { print most }'
+}
+
+@test "tm-carry: a function of position through clean, a motion and remesh" {
+  tm-clean --source a.ply >b.ply
+  vertices b.ply | awk '{ if (NF != 7) exit 1 }'
+  tm-convert --format ply-ascii b.ply | awk '
+    /^element vertex/ { n = $3 }
+    body && n-- > 0 { $1 *= 2; $2 *= 2; $3 *= 2 }
+    /^end_header/ { body = 1 }
+    { print }' >moved.ply
+  tm-remesh --source moved.ply >c.ply
+  tm-carry --from a.ply moved.ply c.ply >d.ply
+  off_by d.ply 2 | awk '{ exit !($1 < 0.02) }'
+  # Its places are on the first mesh by now.
+  tm-carry --from a.ply d.ply >again.ply
+  cmp <(vertices d.ply) <(vertices again.ply)
+}
+
+@test "tm-carry: the loop of an evolution needs only its last mesh" {
+  tm-remesh --iterations 0 --source a.ply >now.ply
+  for _ in 1 2; do
+    tm-displace --normal-speed 0.1x now.ply | tm-clean --source >cleaned.ply
+    tm-remesh --source cleaned.ply | tm-carry --from a.ply now.ply cleaned.ply - >next.ply
+    mv next.ply now.ply
+  done
+  # Each step went a tenth of an edge, .08; height grows by up to 2.45 of that.
+  off_by now.ply 1 | awk '{ exit !($1 > 0.02 && $1 < 0.08) }'
+}
+
+@test "tm-carry: textures of faces survive, and normals are not carried" {
+  tm-clean a.ply | tm-convert --format ply-ascii | awk '
+    /^element vertex/ { n = $3 }
+    /^end_header/ { print "property list uchar float texcoord"; body = 1; print; next }
+    body && n-- > 0 { x[k] = $1; y[k++] = $2; print; next }
+    body && $1 == 3 { print $0, 6, x[$2], y[$2], x[$3], y[$3], x[$4], y[$4]; next }
+    { print }' >textured.ply
+  run --separate-stderr tm-remesh --source -o remeshed.ply textured.ply
+  [[ $stderr == *"'texcoord' dropped"* ]]
+  tm-carry --from textured.ply remeshed.ply --format ply-ascii | awk '
+    /^element vertex/ { n = $3 }
+    /^end_header/ { body = 1; next }
+    body && n-- > 0 { x[k] = $1; y[k++] = $2; next }
+    body && NF == 11 { for (i = 0; i < 3; ++i) {
+      dx = x[$(2 + i)] - $(6 + 2 * i); dy = y[$(2 + i)] - $(7 + 2 * i)
+      if (dx * dx + dy * dy > 0.001) bad = 1 }
+      ++faces }
+    END { exit bad || faces < 1000 }'
+}
+
+@test "tm-carry: --columns chooses, --closest needs no places" {
+  tm-remesh a.ply >b.ply
+  run --separate-stderr tm-carry --from a.ply b.ply
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"--source"*"--closest"* ]]
+  tm-carry --from a.ply --closest --columns height b.ply >c.ply
+  off_by c.ply 1 | awk '{ exit !($1 < 0.02) }'
+  run --separate-stderr tm-carry --from a.ply --closest --columns hight b.ply
+  assert_status 3
+  one_line "$stderr"
+}
+
+@test "tm-carry: places on another mesh are told" {
+  tm-remesh --source a.ply >b.ply
+  tm-shape sphere --faces 100 -o other.ply
+  run --separate-stderr tm-carry --from other.ply b.ply
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"other.ply"* ]]
+}
+
+@test "without --source, what clean and remesh do not touch keeps its places" {
+  tm-shape sphere --faces 500 | tm-clean --source >clean.ply
+  tm-clean --no-provenance clean.ply | cmp - clean.ply
+  run --separate-stderr tm-remesh -o remeshed.ply clean.ply
+  [[ $stderr == *"source_face"*"dropped"* ]]
+  run -1 grep -a source_face remeshed.ply
+}
