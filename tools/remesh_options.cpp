@@ -53,6 +53,7 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
                "tangential smoothing puts vertices back onto the input");
   program.flag("source", &choices.source_points,
                "write where on the input each vertex comes from: source_face, source_u, source_v");
+  choices.keep_out.declare(program);
 }
 
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run) {
@@ -68,6 +69,7 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   if (choices.flip != "valence")
     result.flip = choices.flip == "angle" ? FlipRule::angle : FlipRule::none;
   result.coordinate = document.style.coordinate;
+  result.keep_out = choices.keep_out.options(run);
   read_smoothing(choices.smooth, result);
   if (choices.smooth_twice.empty()) return result;
   if (choices.smooth != "tangential") throw UsageError("--smooth and --smooth2 exclude each other");
@@ -77,17 +79,16 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   return result;
 }
 
-DecimateOptions decimate_options(const RemeshChoices& choices, const Document& document,
-                                 const Program& program) {
-  for (const Option& option : program.options) {
+DecimateOptions decimate_options(RemeshChoices& choices, const Document& document, Run& run) {
+  for (const Option& option : run.program().options) {
     const std::string name = option.name();
-    const bool is_shared =
-        name == "faces" || name == "feature-angle" || name == "keep-border" || name == "source";
+    const bool is_shared = name == "faces" || name == "feature-angle" || name == "keep-border" ||
+                           name == "source" || name == "keep-out" || name == "gap";
     if (option.is_given && !option.is_common && !is_shared)
       throw UsageError("--faces decimates and --" + name + " remeshes: use one after the other");
   }
   return {static_cast<std::size_t>(*choices.faces), choices.remesh.feature_angle_deg,
-          choices.remesh.keep_border, document.style.coordinate};
+          choices.remesh.keep_border, document.style.coordinate, choices.keep_out.options(run)};
 }
 
 }  // namespace transformesh::tool

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/keep_out_option.h"
 #include "frame/run.h"
 #include "tm/remesh/decimate.h"
 #include "tm/remesh/remesh.h"
@@ -20,16 +21,17 @@ struct RemeshChoices {
   std::string smooth = "tangential";
   std::vector<double> smooth_twice;
   bool source_points = false;  ///< to be written
+  KeepOutOption keep_out;
   RemeshOptions remesh;
 };
 
 void declare_remeshing(Program& program, RemeshChoices& choices);
 
-/// For the document. Fills in the default lengths, so that settings and report show them.
+/// For the document. Reads the surface to keep out of, which stays with the choices. Fills in the
+/// default lengths, so that settings and report show them.
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run);
 
 /// The same where faces are to be decimated. Throws UsageError where options of both are given.
-DecimateOptions decimate_options(const RemeshChoices& choices, const Document& document,
-                                 const Program& program);
+DecimateOptions decimate_options(RemeshChoices& choices, const Document& document, Run& run);
 
 }  // namespace transformesh::tool

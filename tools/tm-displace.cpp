@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "frame/displacement_report.h"
+#include "frame/keep_out_option.h"
 #include "frame/run.h"
 #include "tm/step/displace.h"
 #include "tm/step/velocity.h"
@@ -16,6 +17,7 @@ struct Options {
   std::optional<Length> normal_speed;
   double curvature_speed = 0;
   std::string mask;
+  tool::KeepOutOption keep_out;
 };
 
 void add(std::vector<Vec3>& velocities, const std::vector<Vec3>& more) {
@@ -38,13 +40,17 @@ std::vector<Vec3> velocities_of(const Mesh& mesh, const Options& options, tool::
   return velocities;
 }
 
-void move(Document& document, const Options& options, tool::Run& run) {
+void move(Document& document, Options& options, tool::Run& run) {
   Mesh& mesh = document.mesh;
   std::vector<Vec3> velocities = velocities_of(mesh, options, run);
   if (!options.mask.empty()) apply_mask(mesh, options.mask, velocities);
+  options.displace.keep_out = options.keep_out.options(run);
+  options.displace.coordinate = document.style.coordinate;
   run.progress()("displace");
   const DisplaceResult result = displace(mesh, velocities, options.displace);
   report_displacement(result, run);
+  run.report("held_back", result.held_back);
+  options.keep_out.note_near(result.near_keep_out, run);
   note_clamped(result, options.displace.alpha, "use a smaller --time-step, or a larger --alpha",
                run);
 }
@@ -66,6 +72,7 @@ int main(int argc, char** argv) {
                  "clamp on the movement, as a fraction of the mean edge at the vertex");
   program.text("mask", &options.mask, "COLUMN",
                "multiply velocities by this vertex property; 0 holds a vertex fast");
+  options.keep_out.declare(program);
   program.epilog =
       "Velocities are the vertex properties vx vy vz. Any program may compute them:\n"
       "  my-velocities < a.ply | tm-displace | tm-clean | tm-remesh > b.ply";

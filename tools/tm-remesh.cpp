@@ -13,7 +13,8 @@ using namespace transformesh;
 
 constexpr double most_apart = 2;  // of reference and mean edge, without a word
 
-StaleColumns decimate_document(Document& document, const DecimateOptions& options, tool::Run& run) {
+StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
+  const DecimateOptions options = tool::decimate_options(choices, document, run);
   const std::size_t before = document.mesh.faces.size();
   if (before < options.faces)
     run.note("the mesh has " + std::to_string(before) + " faces, which are not more than " +
@@ -21,6 +22,8 @@ StaleColumns decimate_document(Document& document, const DecimateOptions& option
   const DecimateResult result = decimate(document.mesh, options, run.progress());
   run.report("collapses", result.collapses);
   run.report("faces", result.faces);
+  run.report("kept_out", result.kept_out);
+  choices.keep_out.note_near(result.near_keep_out, run);
   return result.columns;
 }
 
@@ -50,6 +53,8 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
   run.report("collapses", result.collapses);
   run.report("flips", result.flips);
   run.report("refused", result.refused);
+  run.report("kept_out", result.kept_out);
+  choices.keep_out.note_near(result.near_keep_out, run);
   run.report("components_removed", result.components_removed);
   run.report("degenerate_faces", result.degenerate_faces);
   return result.columns;
@@ -58,10 +63,8 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
 void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   Mesh source;
   if (choices.source_points) source = {document.mesh.positions, document.mesh.faces, {}, {}};
-  const StaleColumns columns =
-      choices.faces
-          ? decimate_document(document, decimate_options(choices, document, run.program()), run)
-          : remesh_document(document, choices, run);
+  const StaleColumns columns = choices.faces ? decimate_document(document, choices, run)
+                                             : remesh_document(document, choices, run);
   tool::note_new_normals(columns.new_normals, run);
   tool::note_dropped_lists(columns.dropped, run);
   if (choices.source_points) {

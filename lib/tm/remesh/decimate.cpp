@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <string>
 
@@ -50,6 +51,7 @@ class Decimator {
 
   EditableMesh mesh_;
   const DecimateOptions& options_;
+  std::optional<KeepOut> keep_out_;
   const Progress& progress_;
   Vec3 origin_;
   double area_;
@@ -70,6 +72,10 @@ Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, const Pro
   mesh_.set_coordinate(options.coordinate);
   if (options.feature_angle_deg < 180) mark_features(mesh_, options.feature_angle_deg);
   result_.faces = first_faces_;
+  if (options.keep_out.surface != nullptr) {
+    keep_out_.emplace(options.keep_out);
+    result_.near_keep_out = keep_out_->count_near(mesh);
+  }
   add_quadrics();
 }
 
@@ -128,7 +134,7 @@ void Decimator::merge(Index stays, Index goes) {
 
 void Decimator::run_stage(std::size_t wanted, double longest) {
   const VertexRoles roles(mesh_, options_.keep_border);
-  EmbeddingGuard guard(mesh_, longest);
+  EmbeddingGuard guard(mesh_, longest, keep_out_ ? &*keep_out_ : nullptr);
   EdgeCollapser collapser(mesh_, guard, roles, longest);
   queue_ = {};
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
@@ -147,6 +153,7 @@ void Decimator::run_stage(std::size_t wanted, double longest) {
                                 static_cast<double>(first_faces_ - options_.faces));
     merge(stays, stays == next.source ? next.target : next.source);
   }
+  result_.kept_out += guard.kept_out();
 }
 
 DecimateResult Decimator::run() {
@@ -176,16 +183,17 @@ void check(const Mesh& mesh, const DecimateOptions& options) {
 
 DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progress& progress) {
   check(mesh, options);
-  if (mesh.faces.size() <= options.faces) return {0, mesh.faces.size(), {}};
+  if (mesh.faces.size() <= options.faces) return {0, mesh.faces.size()};
   progress("connect");
   Decimator decimator(mesh, options, progress);
   DecimateResult result = decimator.run();
   if (static_cast<double>(result.faces) > (1 + tolerance) * static_cast<double>(options.faces)) {
-    throw GoalError(std::to_string(result.faces) + " faces are left, of which no more than " +
-                    std::to_string(options.faces) +
-                    " were wanted: further collapses would change the topology, turn faces over or "
-                    "make the surface touch itself; ask for more faces, or remove crossings of "
-                    "the input first (tm-clean), around which nothing collapses");
+    throw GoalError(
+        std::to_string(result.faces) + " faces are left, of which no more than " +
+        std::to_string(options.faces) +
+        " were wanted: further collapses would change the topology, turn faces over or "
+        "make the surface touch itself or what it is kept out of; ask for more faces, or remove "
+        "crossings of the input first (tm-clean), around which nothing collapses");
   }
   mesh = decimator.to_mesh();
   result.columns = refresh_columns(mesh);

@@ -6,6 +6,7 @@
 /// Deterministic; O(n log n) for n faces; about 300 bytes per face.
 #pragma once
 
+#include "tm/geometry/keep_out_options.h"
 #include "tm/mesh/mesh.h"
 #include "tm/mesh/surface_columns.h"
 #include "tm/support/progress.h"
@@ -17,12 +18,15 @@ struct DecimateOptions {
   double feature_angle_deg = 180;  ///< edges sharper than this stay; in (0, 180], 180: none are
   bool keep_border = false;        ///< leave border vertices and edges alone
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
+  KeepOutOptions keep_out = {};         ///< no collapse comes nearer to it than its gap
 };
 
 struct DecimateResult {
   std::size_t collapses = 0;
-  std::size_t faces = 0;  ///< left: those wanted or one less; all where there were no more
-  StaleColumns columns;   ///< normals, and lists of texture coordinates, as of remesh()
+  std::size_t faces = 0;          ///< left: those wanted or one less; all where there were no more
+  std::size_t kept_out = 0;       ///< collapses refused because of `keep_out`
+  std::size_t near_keep_out = 0;  ///< faces of the input nearer than its gap
+  StaleColumns columns;           ///< normals, and lists of texture coordinates, as of remesh()
 };
 
 /// Throws UsageError for options out of range, InputError for what is no oriented manifold (with

@@ -99,8 +99,10 @@ void Patch::clear() {
   vertices.clear();
 }
 
-EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge)
+EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge,
+                               const KeepOut* keep_out)
     : mesh_(mesh),
+      keep_out_(keep_out),
       longest_allowed_(longest_edge),
       longest_edge_(longest_edge_of(mesh)),
       cells_(mesh, cell_edges * std::max(longest_allowed_, longest_edge_)),
@@ -112,12 +114,29 @@ void EmbeddingGuard::commit(const Patch& patch) {
   for (const Index vertex : patch.vertices) cells_.restrict(vertex, cone_, patch.longest_squared);
 }
 
+bool EmbeddingGuard::keeps_out(const Patch& patch) {
+  std::vector<Index> faces = patch.replaced;  // some are named twice
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::vector<Triangle> replaced;
+  replaced.reserve(faces.size());
+  for (const Index face : faces) replaced.push_back(mesh_.triangle(face));
+  if (keep_out_->allows(patch.made, replaced)) return true;
+  ++kept_out_;
+  return false;
+}
+
+bool EmbeddingGuard::allows_uncertified(const Patch& patch) {
+  if (keep_out_ == nullptr) return is_embedded(patch);
+  return (is_certified(patch) || is_embedded(patch)) && keeps_out(patch);
+}
+
 bool EmbeddingGuard::is_too_long(const Patch& patch) const {
   const double longest = std::max(longest_allowed_, longest_edge_);
   return !(patch.longest_squared <= longest * longest);
 }
 
-bool EmbeddingGuard::allows_uncertified(const Patch& patch) {
+bool EmbeddingGuard::is_embedded(const Patch& patch) {
   if (is_too_long(patch)) return false;
   enclose(patch);
   if (is_seen_around(patch)) return true;
@@ -125,7 +144,7 @@ bool EmbeddingGuard::allows_uncertified(const Patch& patch) {
   return is_height_field(patch) || (!meets_itself(patch) && !meets_others(patch));
 }
 
-bool EmbeddingGuard::certifies(const Patch& patch) {
+bool EmbeddingGuard::is_certified(const Patch& patch) {
   if (is_too_long(patch)) return false;
   cone_ = common_cone(patch.normals);
   if ((cone_ & cells_.cell_of(patch.center).cone_around) == 0) return false;

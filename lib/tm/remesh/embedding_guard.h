@@ -9,11 +9,14 @@
 /// thin plate, the faces around the patch's own box are asked one by one. Elsewhere, and near
 /// borders or a second component, every new triangle is tested against all triangles nearby and
 /// those of its own patch (triangle_contact.h).
+///
+/// Patches are also kept away from another surface, where one is given (keep_out.h).
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "tm/geometry/keep_out.h"
 #include "tm/remesh/editable_mesh.h"
 #include "tm/remesh/triangle_contact.h"
 #include "tm/remesh/vertex_cells.h"
@@ -39,15 +42,18 @@ class EmbeddingGuard {
   /// Keeps a reference to the mesh, whose faces and vertices may afterwards only be replaced by
   /// patches that were allowed. No new edge may be longer than the longest edge now or
   /// `longest_edge`.
-  EmbeddingGuard(const EditableMesh& mesh, double longest_edge);
+  EmbeddingGuard(const EditableMesh& mesh, double longest_edge, const KeepOut* keep_out = nullptr);
 
   /// Whether the patch certainly meets nothing but its rim and does not fold onto itself. Contact
   /// within rounding error counts as meeting.
   bool allows(const Patch& patch) { return certifies(patch) || allows_uncertified(patch); }
   /// Both parts of that: the second is asked where the first says no. The first does not look at
-  /// the triangles made and the faces replaced.
-  bool certifies(const Patch& patch);
+  /// the triangles made and the faces replaced, and says no where there is a surface to keep out
+  /// of.
+  bool certifies(const Patch& patch) { return keep_out_ == nullptr && is_certified(patch); }
   bool allows_uncertified(const Patch& patch);
+  /// How many patches were refused only because of the surface to keep out of.
+  std::size_t kept_out() const { return kept_out_; }
   /// To be called after the mesh was changed by the patch that was allowed last.
   void commit(const Patch& patch);
   void forget(Index vertex) { cells_.remove(vertex); }
@@ -57,6 +63,9 @@ class EmbeddingGuard {
 
   bool is_too_long(const Patch& patch) const;
   bool lies_within(double radius, const Patch& patch) const;
+  bool is_certified(const Patch& patch);
+  bool is_embedded(const Patch& patch);
+  bool keeps_out(const Patch& patch);
   void find_faces_near(const Patch& patch);
   void enclose(const Patch& patch);
   bool is_seen_around(const Patch& patch) const;
@@ -68,6 +77,8 @@ class EmbeddingGuard {
   bool meets_others(const Patch& patch) const;
 
   const EditableMesh& mesh_;
+  const KeepOut* keep_out_;
+  std::size_t kept_out_ = 0;
   double longest_allowed_;
   double longest_edge_;  ///< that there is or has been
   VertexCells cells_;

@@ -142,6 +142,7 @@ struct Task {
   const RemeshOptions& options;
   EdgeLimits limits;
   const ClosestPointQuery* surface;  ///< to project onto, or none
+  const KeepOut* keep_out;
   const Progress& progress;
   RemeshResult& result;
 };
@@ -154,7 +155,7 @@ class Iteration {
         mesh_(task.mesh),
         first_new_(first_new),
         roles_(mesh_, task.options.keep_border),
-        guard_(mesh_, task.limits.stretched() * largest_size(mesh_)) {}
+        guard_(mesh_, task.limits.stretched() * largest_size(mesh_), task.keep_out) {}
 
   void run(bool is_first) {
     task_.result.refused = settle_midpoints(mesh_, guard_, first_new_);
@@ -175,6 +176,8 @@ class Iteration {
     if (task_.options.smoothing == Smoothing::tangential && task_.surface == nullptr)
       even_out(mesh_, guard_, roles_, task_.progress);
   }
+
+  std::size_t kept_out() const { return guard_.kept_out(); }
 
  private:
   void collapse() {
@@ -251,11 +254,12 @@ ScaledLengths coarsen(const Task& task) {
     const double shortest = stage_growth * lengths.typical;
     if (!goes_on || !(stage_growth * shortest < task.limits.shortest)) return lengths;
     const EdgeLimits limits{shortest, shortest / task.limits.shortest * task.limits.longest};
-    EmbeddingGuard guard(task.mesh, limits.longest * largest_size(task.mesh));
+    EmbeddingGuard guard(task.mesh, limits.longest * largest_size(task.mesh), task.keep_out);
     const VertexRoles roles(task.mesh, task.options.keep_border);
     const CollapseCounts counts =
         collapse_short_edges(task.mesh, guard, roles, limits, task.progress);
     task.result.collapses += counts.done;
+    task.result.kept_out += guard.kept_out();
     goes_on = counts.done > 0;
   }
 }
@@ -274,6 +278,7 @@ void iterate(const Task& task, bool is_first, bool is_finish) {
   Iteration iteration(task, first_new);
   iteration.run(is_first);
   if (is_finish) iteration.finish();
+  task.result.kept_out += iteration.kept_out();
   remove_small(task);
 }
 
@@ -295,7 +300,14 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
   if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
 
   RemeshResult result;
-  const Task task{editable, options, limits, surface ? &*surface : nullptr, progress, result};
+  std::optional<KeepOut> keep_out;
+  if (options.keep_out.surface != nullptr) {
+    keep_out.emplace(options.keep_out);
+    result.near_keep_out = keep_out->count_near(mesh);
+  }
+  const Task task{
+      editable, options, limits, surface ? &*surface : nullptr, keep_out ? &*keep_out : nullptr,
+      progress, result};
   remove_small(task);
   for (int i = 0; i < options.iterations; ++i)
     iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);

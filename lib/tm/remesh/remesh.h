@@ -17,6 +17,7 @@
 
 #include <string>
 
+#include "tm/geometry/keep_out_options.h"
 #include "tm/mesh/mesh.h"
 #include "tm/mesh/surface_columns.h"
 #include "tm/remesh/edge_rules.h"
@@ -44,21 +45,25 @@ struct RemeshOptions {
   bool keep_border = false;        ///< leave border vertices and edges alone
   bool project = false;            ///< relaxed vertices end on the input; so with adaptive_error
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
+  KeepOutOptions keep_out = {};         ///< no step comes nearer to it than its gap (keep_out.h)
 };
 
 struct RemeshResult {
   std::size_t splits = 0;
   std::size_t collapses = 0;
   std::size_t flips = 0;
-  std::size_t refused = 0;  ///< of the last iteration: steps wanted that would break a guarantee
+  std::size_t refused = 0;   ///< of the last iteration: steps wanted that would break a guarantee
+  std::size_t kept_out = 0;  ///< steps refused because of `keep_out`
+  std::size_t near_keep_out = 0;       ///< faces of the input nearer than its gap
   std::size_t components_removed = 0;  ///< all edges < e1 and |volume| < pi/6 e1^3
   std::size_t degenerate_faces = 0;    ///< left
   StaleColumns columns;                ///< normals, and lists of texture coordinates
 };
 
 /// Throws UsageError for options out of range, InputError for what is no oriented manifold (with
-/// face ids), has no faces or no sizes in the column, GoalError where nothing would be left.
-/// `opposites`: those of the halfedges (adjacency.h), if they are known.
+/// face ids), has no faces or no sizes in the column or meets the surface to keep out of, GoalError
+/// where nothing would be left. `opposites`: those of the halfedges (adjacency.h), if they are
+/// known.
 RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress = {},
                     std::vector<Index> opposites = {});
 

@@ -6,6 +6,7 @@
 #include "tm/mesh/digits.h"
 #include "tm/mesh/location_text.h"
 #include "tm/mesh/surface_columns.h"
+#include "tm/step/hold_back.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 
@@ -57,6 +58,57 @@ void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
   }
 }
 
+/// Per vertex.
+struct Ways {
+  std::vector<double> limits;
+  std::vector<Vec3> displacements;
+  std::vector<char> is_clamped;
+};
+
+Ways clamped_ways(std::span<const Vec3> velocities, const HalfedgeLengths& edges,
+                  const DisplaceOptions& options) {
+  const std::size_t count = velocities.size();
+  Ways ways{std::vector<double>(count), std::vector<Vec3>(count), std::vector<char>(count, 0)};
+  parallel_for(count, vertices_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      ways.limits[v] = options.alpha * edges.vertex_mean[v];
+      const Step step = clamped_step(velocities[v], options.time_step, ways.limits[v]);
+      ways.displacements[v] = step.displacement;
+      ways.is_clamped[v] = step.is_clamped;
+    }
+  });
+  return ways;
+}
+
+/// Returns which vertices moved.
+std::vector<char> move(Mesh& mesh, const std::vector<Vec3>& displacements, Scalar coordinate) {
+  std::vector<char> is_moved(displacements.size(), 0);
+  parallel_for(is_moved.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      const Vec3 goal = moved_position(mesh.positions[v], displacements[v], coordinate);
+      is_moved[v] = goal != mesh.positions[v];
+      mesh.positions[v] = goal;
+    }
+  });
+  return is_moved;
+}
+
+/// Sums up in the order of the vertices.
+void summarize(const Ways& ways, const std::vector<char>& is_moved, DisplaceResult& result) {
+  double squares = 0;
+  for (std::size_t v = 0; v < is_moved.size(); ++v) {
+    const double length = ways.displacements[v].norm();
+    const double share = ways.limits[v] > 0 ? length / ways.limits[v] : 0;
+    result.moved += is_moved[v] != 0;
+    result.clamped += ways.is_clamped[v] != 0;
+    result.max_displacement = std::max(result.max_displacement, length);
+    result.max_clamp_share = std::max(result.max_clamp_share, share);
+    squares += length * length;
+  }
+  if (!is_moved.empty())
+    result.rms_displacement = std::sqrt(squares / static_cast<double>(is_moved.size()));
+}
+
 }  // namespace
 
 DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
@@ -67,39 +119,18 @@ DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
 DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
                         const DisplaceOptions& options, const HalfedgeLengths& edges) {
   check(mesh, velocities, options);
-  const std::size_t count = mesh.positions.size();
-
-  // Move, and note how far each vertex went and how close to its clamp.
-  std::vector<double> lengths(count, 0);
-  std::vector<double> shares(count, 0);
-  std::vector<char> is_clamped(count, 0);
-  std::vector<char> is_moved(count, 0);
-  parallel_for(count, vertices_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      const double limit = options.alpha * edges.vertex_mean[v];
-      const Step step = clamped_step(velocities[v], options.time_step, limit);
-      const Vec3 goal = mesh.positions[v] + step.displacement;
-      lengths[v] = step.displacement.norm();
-      shares[v] = limit > 0 ? lengths[v] / limit : 0;
-      is_clamped[v] = step.is_clamped;
-      is_moved[v] = goal != mesh.positions[v];
-      mesh.positions[v] = goal;
-    }
-  });
-
-  check_digits(mesh, edges, is_moved);
-
-  // Sum up in the order of the vertices.
+  Ways ways = clamped_ways(velocities, edges, options);
   DisplaceResult result;
-  double squares = 0;
-  for (std::size_t v = 0; v < count; ++v) {
-    result.moved += is_moved[v] != 0;
-    result.clamped += is_clamped[v] != 0;
-    result.max_displacement = std::max(result.max_displacement, lengths[v]);
-    result.max_clamp_share = std::max(result.max_clamp_share, shares[v]);
-    squares += lengths[v] * lengths[v];
+  Scalar coordinate = Scalar::float64;
+  if (options.keep_out.surface != nullptr) {
+    coordinate = options.coordinate;
+    const HoldBackResult held = hold_back(mesh, options.keep_out, coordinate, ways.displacements);
+    result.held_back = held.held_back;
+    result.near_keep_out = held.near;
   }
-  if (count > 0) result.rms_displacement = std::sqrt(squares / static_cast<double>(count));
+  const std::vector<char> is_moved = move(mesh, ways.displacements, coordinate);
+  check_digits(mesh, edges, is_moved);
+  summarize(ways, is_moved, result);
   result.mean_edge = edges.mean;
   if (result.moved > 0) result.new_normals = refresh_normals(mesh);
   return result;

@@ -1,0 +1,47 @@
+/// --keep-out and --gap: another surface, from which what moves is kept away.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "frame/run.h"
+#include "tm/geometry/keep_out_options.h"
+#include "tm/support/counted.h"
+#include "tm/support/error.h"
+
+namespace transformesh::tool {
+
+class KeepOutOption {
+ public:
+  void declare(Program& program) {
+    program.text("keep-out", &file_, "FILE",
+                 "do nothing that comes nearer to this mesh than --gap, or crosses it");
+    program.length("gap", &gap_, "how far to stay from the mesh of --keep-out");
+  }
+
+  /// Reads the mesh, which stays with this option.
+  KeepOutOptions options(Run& run) {
+    if (file_.empty() != !gap_)
+      throw UsageError("--keep-out and --gap go together: what to stay away from, and how far");
+    if (file_.empty()) return {};
+    const double gap = run.length(*gap_);
+    if (!(gap > 0)) throw UsageError("--gap must be above 0");
+    surface_ = run.read(file_).mesh;
+    if (surface_.faces.empty())
+      throw InputError(file_ + " has no faces: there is nothing to keep out of");
+    return {&surface_, gap};
+  }
+
+  void note_near(std::size_t faces, Run& run) const {
+    if (faces == 0) return;
+    run.note(counted(faces, "face") + (faces == 1 ? " is" : " are") + " nearer to " + file_ +
+             " than the gap already, and may stay so, but come no nearer");
+  }
+
+ private:
+  std::string file_;
+  std::optional<Length> gap_;
+  Mesh surface_;
+};
+
+}  // namespace transformesh::tool
