@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t faces_per_task = 256;
 constexpr double undecided = 0.25;  ///< of a winding number
+constexpr double rounding = 1e-14;  ///< of coordinates
 
 struct DoubleBox {
   Vec3 low = Vec3::Constant(HUGE_VAL);
@@ -46,6 +47,18 @@ bool pierces(const Vec3& from, const Vec3& to, const Triangle& triangle) {
   const int second = orient3d(from, to, b, c);
   const int third = orient3d(from, to, c, a);
   return first * second >= 0 && second * third >= 0 && third * first >= 0;
+}
+
+/// Certainly: the triangle is beyond the plane through the point, on one side, by so much.
+bool is_beyond(const Triangle& triangle, const Vec3& point, const Vec3& normal, double distance) {
+  const double a = normal.dot(triangle[0] - point);
+  const double b = normal.dot(triangle[1] - point);
+  const double c = normal.dot(triangle[2] - point);
+  return std::min({a, b, c}) >= distance || std::max({a, b, c}) <= -distance;
+}
+
+Vec3 unit_normal(const Triangle& triangle) {
+  return normal_of(triangle[0], triangle[1], triangle[2]).stableNormalized();
 }
 
 /// Reference: Ericson, "Real-time collision detection", 2005, 5.1.9. Where the segments are almost
@@ -109,14 +122,19 @@ KeepOut::KeepOut(const KeepOutOptions& options)
     : surface_(options.surface), gap_(options.gap), bvh_(*options.surface) {
   if (!(std::isfinite(gap_) && gap_ > 0))
     throw UsageError("the gap to what is to be kept out of must be above 0");
+  normals_.reserve(surface_->faces.size());
+  for (Index f = 0; f < surface_->faces.size(); ++f)
+    normals_.push_back(unit_normal(triangle_of(*surface_, f)));
 }
 
 double KeepOut::distance(const Triangle& triangle, double bound) const {
   DoubleBox box;
   box.extend({&triangle, 1});
   double least = bound;
+  const Vec3 normal = unit_normal(triangle);
   bvh_.visit_overlaps(box.widened(bound), [&](Index face) {
-    least = std::min(least, distance_of(triangle, triangle_of(*surface_, face)));
+    if (!is_apart(triangle, normal, face, least))
+      least = std::min(least, distance_of(triangle, triangle_of(*surface_, face)));
     return least > 0;
   });
   return least;
@@ -133,18 +151,28 @@ std::vector<Index> KeepOut::faces_near(Triangles made, Triangles replaced, Trian
   return faces;
 }
 
-double KeepOut::least_distance(Triangles triangles, const std::vector<Index>& faces) const {
-  double least = HUGE_VAL;
-  for (const Index face : faces) {
-    const Triangle other = triangle_of(*surface_, face);
-    for (const Triangle& triangle : triangles)
-      least = std::min(least, distance_of(triangle, other));
+bool KeepOut::is_apart(const Triangle& triangle, const Vec3& normal, Index face,
+                       double distance) const {
+  const Triangle other = triangle_of(*surface_, face);
+  const double margin = rounding * (triangle[0].cwiseAbs().maxCoeff() + distance);
+  return is_beyond(triangle, other[0], normals_[face], distance + margin) ||
+         is_beyond(other, triangle[0], normal, distance + margin);
+}
+
+double KeepOut::least_distance(Triangles triangles, const std::vector<Index>& faces,
+                               double enough) const {
+  double least = enough;
+  for (const Triangle& triangle : triangles) {
+    const Vec3 normal = unit_normal(triangle);
+    for (const Index face : faces)
+      if (!is_apart(triangle, normal, face, least))
+        least = std::min(least, distance_of(triangle, triangle_of(*surface_, face)));
   }
   return least;
 }
 
 bool KeepOut::meets(Triangles sides, const std::vector<Index>& faces) const {
-  return !sides.empty() && !(least_distance(sides, faces) > 0);
+  return !sides.empty() && !(least_distance(sides, faces, gap_) > 0);
 }
 
 /// Of a face that meets none of them: whether it lies in what they enclose.
@@ -160,8 +188,8 @@ bool KeepOut::is_between(Triangles made, Triangles replaced, Triangles sides, In
 bool KeepOut::allows(Triangles made, Triangles replaced, Triangles sides) const {
   const std::vector<Index> faces = faces_near(made, replaced, sides);
   if (faces.empty()) return true;
-  const double distance = least_distance(made, faces);
-  if (distance < gap_ && !(distance > 0 && distance >= least_distance(replaced, faces)))
+  const double distance = least_distance(made, faces, gap_);
+  if (distance < gap_ && !(distance > 0 && distance >= least_distance(replaced, faces, gap_)))
     return false;
   if (meets(sides, faces)) return false;
 

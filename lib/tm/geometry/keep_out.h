@@ -44,13 +44,16 @@ class KeepOut {
  private:
   using Triangles = std::span<const Triangle>;
   std::vector<Index> faces_near(Triangles made, Triangles replaced, Triangles sides) const;
-  double least_distance(Triangles triangles, const std::vector<Index>& faces) const;
+  /// The least distance of any where that is less than `enough`; else that or more.
+  double least_distance(Triangles triangles, const std::vector<Index>& faces, double enough) const;
+  bool is_apart(const Triangle& triangle, const Vec3& normal, Index face, double distance) const;
   bool meets(Triangles sides, const std::vector<Index>& faces) const;
   bool is_between(Triangles made, Triangles replaced, Triangles sides, Index face) const;
 
   const Mesh* surface_;
   double gap_;
   Bvh bvh_;
+  std::vector<Vec3> normals_;  ///< of unit length, per face
 };
 
 }  // namespace transformesh

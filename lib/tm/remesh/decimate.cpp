@@ -183,7 +183,7 @@ void check(const Mesh& mesh, const DecimateOptions& options) {
 
 DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progress& progress) {
   check(mesh, options);
-  if (mesh.faces.size() <= options.faces) return {0, mesh.faces.size()};
+  if (mesh.faces.size() <= options.faces) return {0, mesh.faces.size(), 0, 0, {}};
   progress("connect");
   Decimator decimator(mesh, options, progress);
   DecimateResult result = decimator.run();
