@@ -1,5 +1,6 @@
 #include "remesh_options.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "frame/smoothing_option.h"
@@ -18,6 +19,17 @@ double edge_length(std::optional<Length>& length, double default_value, const ch
                    " is a factor of the local size: write it as 0.7x, not as " + length->text());
 }
 
+// Where one option takes the place of all but some others.
+void refuse_others(const Program& program, const std::string& mode, const std::string& does,
+                   const std::vector<std::string>& allowed) {
+  for (const Option& option : program.options) {
+    const bool is_allowed = std::ranges::find(allowed, option.name()) != allowed.end();
+    if (option.is_given && !option.is_common && option.name() != mode && !is_allowed)
+      throw UsageError("--" + mode + ' ' + does + " and --" + option.name() +
+                       " remeshes: use one after the other");
+  }
+}
+
 }  // namespace
 
 void declare_remeshing(Program& program, RemeshChoices& choices) {
@@ -25,6 +37,9 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
   program.integer(
       "faces", &choices.faces, 4, std::numeric_limits<long>::max(),
       "decimate to so many faces, where the surface changes least, and do nothing else");
+  program.text("align", &choices.align, "FILE",
+               "move vertices and turn edges onto the sharp edges of this mesh, which lies near, "
+               "and do nothing else");
   program.length("min-edge", &choices.min_edge,
                  "collapse shorter edges (default 0.7x; with --adaptive 0.1x)");
   program.length("max-edge", &choices.max_edge,
@@ -80,15 +95,22 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
 }
 
 DecimateOptions decimate_options(RemeshChoices& choices, const Document& document, Run& run) {
-  for (const Option& option : run.program().options) {
-    const std::string name = option.name();
-    const bool is_shared = name == "faces" || name == "feature-angle" || name == "keep-border" ||
-                           name == "source" || name == "keep-out" || name == "gap";
-    if (option.is_given && !option.is_common && !is_shared)
-      throw UsageError("--faces decimates and --" + name + " remeshes: use one after the other");
-  }
+  refuse_others(run.program(), "faces", "decimates",
+                {"feature-angle", "keep-border", "source", "keep-out", "gap"});
   return {static_cast<std::size_t>(*choices.faces), choices.remesh.feature_angle_deg,
           choices.remesh.keep_border, document.style.coordinate, choices.keep_out.options(run)};
+}
+
+AlignOptions align_options(RemeshChoices& choices, const Document& document, Run& run) {
+  refuse_others(run.program(), "align", "aligns",
+                {"feature-angle", "min-edge", "max-edge", "source"});
+  AlignOptions result;
+  if (choices.remesh.feature_angle_deg < 180)
+    result.feature_angle_deg = choices.remesh.feature_angle_deg;
+  result.limits.shortest = edge_length(choices.min_edge, 0.7, "--min-edge", false, run);
+  result.limits.longest = edge_length(choices.max_edge, 1.5, "--max-edge", false, run);
+  result.coordinate = document.style.coordinate;
+  return result;
 }
 
 }  // namespace transformesh::tool

@@ -7,6 +7,7 @@
 
 #include "frame/keep_out_option.h"
 #include "frame/run.h"
+#include "tm/remesh/align_features.h"
 #include "tm/remesh/decimate.h"
 #include "tm/remesh/remesh.h"
 
@@ -15,6 +16,7 @@ namespace transformesh::tool {
 /// Options as they are written; the rest are in `remesh`.
 struct RemeshChoices {
   std::optional<long> faces;  ///< to decimate to, instead of remeshing
+  std::string align;          ///< the mesh to whose sharp edges to align, instead
   std::optional<Length> min_edge, max_edge, adaptive;
   std::string only = "all";
   std::string flip = "valence";
@@ -30,6 +32,9 @@ void declare_remeshing(Program& program, RemeshChoices& choices);
 /// For the document. Reads the surface to keep out of, which stays with the choices. Fills in the
 /// default lengths, so that settings and report show them.
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run);
+
+/// The same where nothing but the alignment is to be done. Throws UsageError for other options.
+AlignOptions align_options(RemeshChoices& choices, const Document& document, Run& run);
 
 /// The same where faces are to be decimated. Throws UsageError where options of both are given.
 DecimateOptions decimate_options(RemeshChoices& choices, const Document& document, Run& run);

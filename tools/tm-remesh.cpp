@@ -27,6 +27,16 @@ StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices,
   return result.columns;
 }
 
+StaleColumns align_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
+  const AlignOptions options = tool::align_options(choices, document, run);
+  const AlignResult result =
+      align_features(document.mesh, run.read(choices.align).mesh, options, run.progress());
+  run.report("sharp_edges", result.sharp_edges);
+  run.report("corners", result.corners);
+  run.report("aligned", result.aligned);
+  return result.columns;
+}
+
 bool refers_to_edge(const std::optional<Length>& length) {
   return length && length->unit == Length::Unit::reference_edge;
 }
@@ -63,8 +73,10 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
 void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   Mesh source;
   if (choices.source_points) source = {document.mesh.positions, document.mesh.faces, {}, {}};
-  const StaleColumns columns = choices.faces ? decimate_document(document, choices, run)
-                                             : remesh_document(document, choices, run);
+  const auto& step = choices.faces           ? decimate_document
+                     : choices.align.empty() ? remesh_document
+                                             : align_document;
+  const StaleColumns columns = step(document, choices, run);
   tool::note_new_normals(columns.new_normals, run);
   tool::note_dropped_lists(columns.dropped, run);
   if (choices.source_points) {

@@ -239,8 +239,9 @@ FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule,
   return Flipper(mesh, guard, rule, limits).run(progress);
 }
 
-bool flip_edge(EditableMesh& mesh, EmbeddingGuard& guard, Index halfedge) {
-  return Flipper(mesh, guard, FlipRule::angle, {}).flip(halfedge);
+bool flip_edge(EditableMesh& mesh, EmbeddingGuard& guard, Index halfedge,
+               const EdgeLimits& limits) {
+  return Flipper(mesh, guard, FlipRule::angle, limits).flip(halfedge);
 }
 
 }  // namespace transformesh

@@ -22,7 +22,9 @@ struct FlipCounts {
 FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule,
                       const EdgeLimits& limits, const Progress& progress);
 
-/// Flips one edge where the result is sound, whatever the rule.
-bool flip_edge(EditableMesh& mesh, EmbeddingGuard& guard, Index halfedge);
+/// Flips one edge where the result is sound, whatever the rule. Without limits, edges do not become
+/// longer.
+bool flip_edge(EditableMesh& mesh, EmbeddingGuard& guard, Index halfedge,
+               const EdgeLimits& limits = {});
 
 }  // namespace transformesh

@@ -6,8 +6,6 @@ namespace transformesh {
 namespace {
 
 constexpr double least_turn_cosine = 0.5;
-/// Triangles at least this round are good enough; others must not get worse.
-constexpr double round_enough = 0.6;
 /// The normal of a triangle that is no rounder than this is mostly rounding error.
 constexpr double normal_roundness = 0.02;
 
@@ -96,7 +94,7 @@ bool VertexMover::place_triangles(const Star& star, const Vec3& target) {
     a_squared = b_squared;
   }
   patch_.longest_squared = longest_squared;
-  return least >= round_enough * round_enough || least >= least_squared_roundness(star);
+  return least >= enough_ * enough_ || least >= least_squared_roundness(star);
 }
 
 void VertexMover::name_vertices(Index vertex, const Star& star) {

@@ -32,7 +32,10 @@ struct Star {
 
 class VertexMover {
  public:
-  VertexMover(EditableMesh& mesh, EmbeddingGuard& guard) : mesh_(mesh), guard_(guard) {}
+  /// Triangles at least so round (roundness() in star.h) are good enough; others must not get worse.
+  static constexpr double round_enough = 0.6;
+  VertexMover(EditableMesh& mesh, EmbeddingGuard& guard, double enough = round_enough)
+      : mesh_(mesh), guard_(guard), enough_(enough) {}
 
   /// Moves the vertex to `target`, or half the way; false where neither is sound.
   bool move(Index vertex, const Star& star, const Vec3& target);
@@ -46,6 +49,7 @@ class VertexMover {
 
   EditableMesh& mesh_;
   EmbeddingGuard& guard_;
+  double enough_;
   Patch patch_;
 };
 
