@@ -23,6 +23,9 @@ void declare_edges(Program& program, MorphChoices& choices) {
   program.number("gap-edges", &choices.options.step.gap_edges, 0, 1e6,
                  "so many edges across the target's gaps and walls: shorter ones where it is "
                  "narrow; 0: the same everywhere");
+  program.choice("features", &choices.features, {"auto", "on", "off"},
+                 "align vertices and edges with the target's sharp edges at the end; auto: where "
+                 "it has them, but not of a sequence");
   program.reference_edge();
   program.integer("scales", &choices.options.scales, 1, 10,
                   "coarse to fine: begin with edges 2^(N-1) times as long and halve them as the "
@@ -89,6 +92,8 @@ void check_morph(const MorphChoices& choices, const Run& run) {
 MorphingOptions morphing_of(const MorphChoices& choices, Run& run) {
   MorphingOptions options = choices.options;
   options.step.distance = distance_of(choices.distance);
+  if (choices.features != "auto")
+    options.features = choices.features == "on" ? Features::on : Features::off;
   options.iteration.reference_edge = run.reference_edge();
   options.iteration.remesh = RemeshOptions();
   read_smoothing(choices.smooth, options.iteration.remesh);

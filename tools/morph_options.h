@@ -16,6 +16,7 @@ struct MorphChoices {
   MorphingOptions options;
   std::string distance = "auto";
   std::string smooth = "0.1";
+  std::string features = "auto";
   bool print_pipeline = false;
   LoopChoices loop;
 };

@@ -46,6 +46,7 @@ inline void report_morph(const MorphingResult& result, Run& run) {
   }
   run.report("fault", result.agreement.fault);
   run.report("mean_edge", distances.displaced.mean_edge);
+  run.report("aligned", result.aligned);
 }
 
 inline void report_tracking(const TrackingResult& result, const Mesh& mesh, Run& run) {

@@ -5,6 +5,9 @@
 
 #include "tm/evolution/stop_rules.h"
 #include "tm/evolution/stopwatch.h"
+#include "tm/io/mesh_io.h"
+#include "tm/mesh/measure.h"
+#include "tm/remesh/align_features.h"
 #include "tm/step/local_thickness.h"
 #include "tm/support/error.h"
 
@@ -34,6 +37,8 @@ class MorphingLoop : public Loop {
  private:
   bool takes_iteration(Document& document, bool remeshes_first, const Progress& progress);
   void take_iteration(Document& document, const Progress& progress);
+  void align(Document& document, const Progress& progress);
+  void conclude(Document& document, const Progress& progress);
   Agreement agreement_of(const Document& document, const Topology& topology,
                          const Progress& progress) const {
     return agreement(document.mesh, topology, target_, result_.expected, progress);
@@ -119,8 +124,38 @@ std::string MorphingLoop::message() const {
          significant(std::max(step_.to_target.rms, step_.from_target.rms), 3);
 }
 
-// Cleaning the last mesh may undo what was found before, unless there was nothing to clean.
+// Nothing moves towards the target any more, and smoothing rounds nothing off again.
+void MorphingLoop::align(Document& document, const Progress& progress) {
+  const bool may_align = target_.is_mesh() && options_.features != Features::off;
+  if (!may_align || (options_.features == Features::automatic && !has_features(target_.mesh)))
+    return;
+  const EdgeLengths edges = edge_lengths(document.mesh);
+  AlignOptions options;
+  options.limits = {edges.minimum, edges.maximum};
+  options.coordinate = document.style.coordinate;
+  result_.aligned = align_features(document.mesh, target_.mesh, options, progress).aligned;
+  round_as_written(document);
+  if (result_.aligned > 0) agreement_.reset();
+}
+
 void MorphingLoop::finish(Document& document, const Progress& progress) {
+  if (result_.stop == MorphingStop::iteration_limit) return conclude(document, progress);
+  Document before = document;
+  const MorphingResult result = result_;
+  const std::optional<Agreement> agreement = agreement_;
+  align(document, progress);
+  conclude(document, progress);
+  if (result_.aligned == 0) return;
+  if (result_.agreement.fault.empty()) result_.stop = MorphingStop::converged;
+  if (result.stop != MorphingStop::converged || result_.stop == result.stop) return;
+  document = std::move(before);
+  result_ = result;
+  agreement_ = agreement;
+  conclude(document, progress);
+}
+
+// Cleaning the last mesh may undo what was found before, unless there was nothing to clean.
+void MorphingLoop::conclude(Document& document, const Progress& progress) {
   const CleanedTopology cleaned = clean_in_place(document, progress);
   result_.topology = cleaned.topology;
   MorphStepOptions at_rest;

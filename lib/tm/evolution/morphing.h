@@ -4,7 +4,9 @@
 ///
 /// Ends as converged where no vertex moves by more than half its clamp, or nothing gets better any
 /// more, and mesh and target agree (agreement.h); as stalled where nothing gets better and they do
-/// not (stop_rules.h). The result is cleaned once more. Columns are carried. Deterministic; the
+/// not (stop_rules.h). Then vertices and edges are aligned with the target's sharp edges, where it
+/// has them (align_features.h), unless the mesh agreed with the target and would no longer. The
+/// result is cleaned once more. Columns are carried. Deterministic; the
 /// record of a run that was ended in any way continues to the same bytes.
 ///
 /// Throws what the stages throw, a failure of an iteration with its number; the document is then
@@ -22,12 +24,16 @@
 
 namespace transformesh {
 
+/// Whether to align with sharp edges: automatic where has_features() says that there are any.
+enum class Features { automatic, on, off };
+
 struct MorphingOptions {
   /// With `gap_edges` the target's gaps have to be measured (prepare_target), and edges are factors
   /// of the size that the step writes.
   MorphStepOptions step;
   /// `edge_factor` is what the scale makes of it; `reference_edge` 0 is the source's mean edge.
   IterationOptions iteration;
+  Features features = Features::automatic;
   int scales = 1;  ///< begin with edges 2^(scales - 1) times as long; 1 to 10
 };
 
@@ -41,6 +47,7 @@ struct MorphingResult {
   std::optional<Topology> expected;  ///< that of the target, where it is known
   MorphStepResult distances;         ///< of the result; nothing moved
   Agreement agreement;
+  std::size_t aligned = 0;  ///< vertices on the target's sharp edges, where they were aligned
 };
 
 /// Measures the gaps of the target where the options need them and nobody has.

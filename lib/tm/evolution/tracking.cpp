@@ -91,7 +91,7 @@ void TrackingLoop::advance(Document& document, std::size_t iteration, const Prog
 }
 
 void TrackingLoop::measure(CsvRow& row) const {
-  const auto& [stop, iterations, topology, expected, distances, agreement] = morphed_;
+  const auto& [stop, iterations, topology, expected, distances, agreement, aligned] = morphed_;
   const auto distance = [](const std::optional<double>& value) {
     return value ? significant(*value, 6) : std::string();
   };
@@ -124,6 +124,7 @@ TrackingResult track(Document& document, const std::vector<std::string>& names,
                      Record& record, const Progress& progress) {
   MorphingOptions complete = options;
   complete.iteration = completed(options.iteration, document.mesh);
+  if (options.features == Features::automatic) complete.features = Features::off;
   TrackingLoop loop(names, target_of, complete, loop_options.iterations);
   run_loop(loop, document, {names.size(), loop_options.on_iteration}, record, progress);
   return loop.result();

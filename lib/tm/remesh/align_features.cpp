@@ -31,12 +31,15 @@ constexpr double longest_allowed = 1.6;  ///< of edges, in those of the limits
 constexpr double round_enough = 0.25;    ///< of triangles at what moves to a line (star.h)
 constexpr double along = 0.1;    ///< of its length: how far the middle of an edge is from a line
 constexpr double sliver = 0.15;  ///< what flips do not make
+constexpr std::size_t corner_tries = 4;  ///< nearest vertices, of which one goes to a corner
 /// What counts as on a line or corner, and as nearer, in mean edges.
 constexpr double contact = 1e-6;
 constexpr double nearer = 0.02;
 constexpr double corner_cosine = 0.7071067811865476;  ///< a line that turns by more has a corner
 constexpr double certain_angle_deg = 60;
 constexpr double certain_share = 0.02;
+
+constexpr char on_corner = 2;  ///< 1: on a line
 
 double cosine_of(double angle_deg) { return elementary::cos(angle_deg * std::numbers::pi / 180); }
 
@@ -108,7 +111,8 @@ class Aligner {
 
   void run();
   std::size_t aligned() const {
-    return static_cast<std::size_t>(std::count(is_held_.begin(), is_held_.end(), 1));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(is_held_, [](char held) { return held != 0; }));
   }
 
  private:
@@ -186,12 +190,16 @@ void Aligner::snap_to_corners(EmbeddingGuard& guard) {
     vertices.push_back(v);
   }
   const KdTree tree(positions);
-  for (const Vec3& corner : lines_.corners()) {
-    const Index vertex = vertices[tree.nearest(corner)];
-    const double distance = (mesh_.position(vertex) - corner).norm();
-    if (is_held_[vertex] == 0 && distance <= corner_reach * mean_edge(vertex))
-      is_held_[vertex] = move(mover, vertex, corner) ? 1 : 0;
-  }
+  for (const Vec3& corner : lines_.corners())
+    for (const Index nearest : tree.nearest(corner, corner_tries)) {
+      const Index vertex = vertices[nearest];
+      if (is_held_[vertex] == on_corner && mesh_.position(vertex) != mesh_.rounded(corner))
+        continue;
+      const double distance = (mesh_.position(vertex) - corner).norm();
+      if (distance > corner_reach * mean_edge(vertex) || !move(mover, vertex, corner)) continue;
+      is_held_[vertex] = on_corner;
+      break;
+    }
 }
 
 void Aligner::find_sides() {
@@ -269,7 +277,9 @@ void Aligner::flip_towards_target(EmbeddingGuard& guard) {
     const Index right = mesh_.apex(mesh_.opposite(h));
     const Index from = mesh_.source(h);
     const Index to = mesh_.target(h);
-    if (is_held_[left] + is_held_[right] + is_held_[from] + is_held_[to] < 2) continue;
+    const int held = (is_held_[left] != 0) + (is_held_[right] != 0) + (is_held_[from] != 0) +
+                     (is_held_[to] != 0);
+    if (held < 2) continue;
     const double length = (mesh_.position(from) - mesh_.position(to)).norm();
     const double before = middle_distance(from, to);
     if (before < nearer * length) continue;

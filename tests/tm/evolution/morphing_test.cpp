@@ -95,3 +95,22 @@ TEST_CASE("a target without faces has no topology to be reached") {
   open.faces.pop_back();
   CHECK_FALSE(topology_of_target(make_target(open)));
 }
+
+TEST_CASE("a ball around a cube becomes the cube, unless its edges are to stay cut off") {
+  const Target target = make_target(test::moved(test::cube(), Vec3(-0.5, -0.5, -0.5)));
+  Document document = ball(1);
+  const MorphingResult result = morphed(document, target);
+  CHECK(result.stop == MorphingStop::converged);
+  CHECK(result.aligned > 50);
+  CHECK(*result.agreement.to_target < 1e-9);
+  CHECK(*result.agreement.from_target < 1e-9);
+  CHECK(volume(document.mesh) == doctest::Approx(1).epsilon(1e-9));
+
+  Document cut_off = ball(1);
+  MorphingOptions options;
+  options.features = Features::off;
+  const MorphingResult without = morphed(cut_off, target, options);
+  CHECK(without.aligned == 0);
+  CHECK(without.iterations == result.iterations);
+  CHECK(*without.agreement.from_target > 0.05);
+}
