@@ -454,3 +454,45 @@ LINES
   run --separate-stderr tm-morph-step large.ply --target prepared.ply -o out.ply
   [[ $stderr != *crosses* ]]
 }
+
+# ends_within EDGES TARGET: how far result.ply is from the target, in its mean edges, without
+# crossings and narrow faces
+ends_within() {
+  tm-compare --reference "$2" --within "$(awk -v share="$1" -v edge="$(tm-info --get edge_mean result.ply)" \
+    'BEGIN { print share * edge }')" result.ply
+  tm-intersect --check result.ply
+  tm-checkmanifold --closed result.ply
+  tm-info --get angle_min result.ply | awk '{ exit !($1 > 15) }'
+}
+
+@test "sharp edges of a box: met by themselves, cut off with --features off" {
+  tm-shape box 1 1 2 --faces 12 -o box.ply
+  tm-shape sphere --around box.ply --faces 2000 -o ball.ply
+  tm-morph -q ball.ply --target box.ply --reference-edge 0.15 -o result.ply --report report.json
+  ends_within 1e-4 box.ply
+  tm-info --get volume result.ply | awk '{ exit !($1 > 1.999999 && $1 < 2.000001) }'
+  grep -q '"converged": true' report.json
+  grep -Eq '"aligned": [1-9]' report.json
+  tm-morph -q ball.ply --target box.ply --reference-edge 0.15 -o cut.ply --features off --report report.json
+  grep -Eq '"aligned": 0' report.json
+  run -1 tm-compare --reference box.ply --within 0.03 cut.ply
+  # The same as by hand, on the mesh that is not aligned.
+  tm-remesh --align box.ply --reference-edge 0.15 cut.ply -o result.ply
+  ends_within 1e-4 box.ply
+}
+
+@test "sharp edges of a machine part: within an edge, its angles kept" {
+  needs_shared meshes/cgal/fandisk.off
+  tm-shape sphere --around "$shared_file" --faces 2000 -o ball.ply
+  tm-morph -q ball.ply --target "$shared_file" --reference-edge 0.04 -o result.ply --report report.json
+  ends_within 1 "$shared_file"
+  grep -Eq '"aligned": [1-9]' report.json
+}
+
+@test "couplingdown: sharp edges nearer than an edge are met within an edge" {
+  needs_shared meshes/cgal/couplingdown.off
+  tm-shape sphere --around "$shared_file" --faces 4000 -o ball.ply
+  tm-morph -q ball.ply --target "$shared_file" --reference-edge 0.018 -o result.ply
+  ends_within 1 "$shared_file"
+  [ "$(tm-info --get genus result.ply)" -eq 9 ]
+}

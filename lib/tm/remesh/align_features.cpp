@@ -8,6 +8,7 @@
 
 #include "tm/geometry/closest_point.h"
 #include "tm/geometry/kd_tree.h"
+#include "tm/mesh/digits.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/collapse.h"
@@ -33,7 +34,7 @@ constexpr double along = 0.1;    ///< of its length: how far the middle of an ed
 constexpr double sliver = 0.15;  ///< what flips do not make
 constexpr std::size_t corner_tries = 4;  ///< nearest vertices, of which one goes to a corner
 /// What counts as on a line or corner, and as nearer, in mean edges.
-constexpr double contact = 1e-6;
+constexpr double contact = 1e-9;
 constexpr double nearer = 0.02;
 constexpr double corner_cosine = 0.7071067811865476;  ///< a line that turns by more has a corner
 constexpr double certain_angle_deg = 60;
@@ -168,7 +169,8 @@ void Aligner::hold_what_is_on_lines() {
   for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
     if (!mesh_.has_vertex(v)) continue;
     const double distance = (lines_.nearest(mesh_.position(v)) - mesh_.position(v)).norm();
-    is_held_[v] = distance <= contact * mean_edge(v) ? 1 : 0;
+    const double spacing = spacing_around(mesh_.position(v), options_.coordinate);
+    is_held_[v] = distance <= contact * mean_edge(v) + 2 * spacing ? 1 : 0;
   }
 }
 
