@@ -93,6 +93,11 @@ void work_together(Loop& loop, std::size_t wanted) {
     }
   }
   loop.work();
+  if (helpers.empty()) return;
+  // Who waits does not work: loops inside what the helpers still do may take a thread instead.
+  give_thread_back();
+  helpers.clear();
+  ++working_threads;
 }
 
 }  // namespace

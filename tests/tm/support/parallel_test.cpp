@@ -80,6 +80,35 @@ TEST_CASE("two halves run at the same time where two threads are allowed") {
   CHECK(begun == 2);
 }
 
+TEST_CASE("where one half waits for the other, a loop inside that has its thread") {
+  const ThreadLimit alive(2);
+  for (int round = 0; round < 20; ++round) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    std::atomic<bool> has_begun{false};
+    const auto wait = [&] {
+      while (!has_begun && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    };
+    std::atomic<bool> have_met{false};
+    const auto meet = [&] {
+      has_begun = true;
+      while (!have_met && std::chrono::steady_clock::now() < end) {
+        std::atomic<int> inside{0};
+        parallel_for(2, 1, [&](std::size_t, std::size_t) {
+          ++inside;
+          const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+          while (!have_met && std::chrono::steady_clock::now() < soon) {
+            if (inside == 2) have_met = true;
+            std::this_thread::yield();
+          }
+          --inside;
+        });
+      }
+    };
+    parallel_invoke(wait, meet);
+    REQUIRE(have_met);
+  }
+}
+
 TEST_CASE("loops inside loops end, within the limit of threads") {
   std::atomic<std::size_t> visits{0};
   std::atomic<int> at_work{0};
