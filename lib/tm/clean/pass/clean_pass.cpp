@@ -124,7 +124,7 @@ void Pass::arrange_everything(const std::vector<Meeting>& meetings) {
 CleanPass Pass::run() {
   std::vector<Meeting> meetings;
   parallel_invoke([&] { find_borders_or_none(); },
-                  [&] { meetings = find_meetings(*welded_, progress_); });
+                  [&] { meetings = find_meetings(*welded_, Progress()); });
   pass_.pairs = count_pairs(*welded_, meetings);
   if (pass_.pairs > options_.most_pairs) return std::move(pass_);
   pass_.is_open = !borders_.loops.empty();
