@@ -1,6 +1,7 @@
 #include "cleaning_report.h"
 #include "frame/run.h"
 #include "tm/clean/clean.h"
+#include "tm/clean/clean_box.h"
 #include "tm/clean/stitch/separate.h"
 #include "tm/geometry/source_points.h"
 #include "tm/support/counted.h"
@@ -19,7 +20,22 @@ struct Options {
   bool source_faces = false;
   bool source_points = false;
   Length separate;
+  std::vector<double> box;
+  bool only = false;
 };
+
+// What the whole mesh is needed for has no meaning in a box.
+void check_options(const Options& options) {
+  if (options.box.empty()) {
+    if (options.only) throw UsageError("--only: needs --box, whose faces it writes");
+    return;
+  }
+  const char* const refused = options.method != "grow"    ? "--method static"
+                              : options.clean.outermost   ? "--outermost"
+                              : options.separate.value != 0 ? "--separate"
+                                                          : nullptr;
+  if (refused) throw UsageError(std::string(refused) + " is for whole meshes, without --box");
+}
 
 void number_faces(Mesh& mesh, const char* name) {
   Column& column = mesh.face_columns.get(name, Scalar::int32, mesh.faces.size());
@@ -44,7 +60,22 @@ SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, t
   return result;
 }
 
+CleanResult clean_in_box(const Mesh& mesh, const Options& options, tool::Run& run) {
+  const std::vector<double>& b = options.box;
+  CleanBoxOptions how{{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}}, options.only};
+  how.level = options.clean.level;
+  how.refuse = options.clean.refuse;
+  how.coordinate = options.clean.coordinate;
+  CleanBoxResult result = clean_box(mesh, how, run.progress());
+  if (result.is_whole)
+    run.note("rounding makes faces cross in the box: the whole mesh was cleaned to mend that");
+  run.report("box_faces", result.box_faces);
+  run.report("whole_mesh", result.is_whole);
+  return std::move(result.clean);
+}
+
 void clean_document(Document& document, Options options, tool::Run& run) {
+  check_options(options);
   options.clean.method =
       options.method == "grow" ? ExteriorMethod::grow : ExteriorMethod::static_test;
   options.clean.level = static_cast<int>(options.level);
@@ -55,7 +86,8 @@ void clean_document(Document& document, Options options, tool::Run& run) {
     source = {document.mesh.positions, document.mesh.faces, {}, {}};
     number_faces(document.mesh, face_number);
   }
-  CleanResult result = clean(document.mesh, options.clean, run.progress());
+  CleanResult result = options.box.empty() ? clean(document.mesh, options.clean, run.progress())
+                                           : clean_in_box(document.mesh, options, run);
   document.mesh = std::move(result.mesh);
   const SeparateResult separated =
       separate_copies(document.mesh, run.length(options.separate), options.clean.coordinate, run);
@@ -86,6 +118,9 @@ int main(int argc, char** argv) {
                "drop components that bound cavities and what floats in them");
   program.length("separate", &options.separate,
                  "move vertices that lie in one place this far apart; 0 leaves them");
+  program.numbers("box", &options.box, "X0,Y0,Z0,X1,Y1,Z1",
+                  "clean the faces whose first vertex is in this box, and leave all others");
+  program.flag("only", &options.only, "write the faces of the box alone");
   program.flag("refuse", &options.clean.refuse, "exit 4 rather than change anything");
   program.flag("source-face", &options.source_faces,
                "write the input face of each face as the face property source_face");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tm/clean/arrange/cut_plane.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -28,17 +29,28 @@ std::vector<Index> oriented_neighbors(const WeldedMesh& welded, const Edges& edg
 }  // namespace
 
 CornerWindings::CornerWindings(const WeldedMesh& welded, const Planes& planes,
-                               const WindingSteps& steps)
+                               const WindingSteps& steps, const Surroundings* around)
     : welded_(welded),
       planes_(planes),
       steps_(steps),
+      around_(around),
       cut_faces_(planes.size()),
       across_(oriented_neighbors(welded, welded.edges)),
       front_(3 * welded.faces.size(), unknown) {
   parallel_for(planes.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) cut_faces_[i] = trace(planes[i]);
   });
+  if (around_) leave_out_incomplete();
   grow();
+  if (around_) grow_from_cut_faces();
+}
+
+// What is not known to meet an incomplete face may change w there.
+void CornerWindings::leave_out_incomplete() {
+  for (Index h = 0; h < across_.size(); ++h) {
+    if (across_[h] != no_index && (!is_complete(h / 3) || !is_complete(across_[h] / 3)))
+      across_[h] = no_index;
+  }
 }
 
 CornerWindings::CutFace CornerWindings::trace(const Plane& plane) const {
@@ -94,18 +106,43 @@ Index CornerWindings::seed_near(Index face) const {
 void CornerWindings::grow() {
   std::optional<WindingRay> ray;
   for (Index f = 0; f < welded_.faces.size(); ++f) {
-    if (!planes_.is_whole(f) || front_[3 * f] != unknown) continue;
-    if (rays_ % few == 0 && rays_ <= few) ray.emplace(welded_, rays_ == 0 ? 1 : many);
+    if (!planes_.is_whole(f) || front_[3 * f] != unknown || !is_complete(f)) continue;
+    if (rays_ % few == 0 && rays_ <= few) ray.emplace(welded_, rays_ == 0 ? 1 : many, around_);
     const ExactGeometry geometry(welded_.points, welded_.faces);
     const Index seed = seed_near(f);
     const auto& [a, b, c] = welded_.faces[seed];
     ++rays_;
-    spread(f, ray->in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, seed));
+    spread(f, 0, ray->in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, seed));
   }
 }
 
-void CornerWindings::spread(Index face, int w) {
-  visit_corner(face, 0, w);
+// In the whole mesh such a face may well be connected with a whole one.
+void CornerWindings::grow_from_cut_faces() {
+  std::optional<WindingRay> ray;
+  for (Index f = 0; f < welded_.faces.size(); ++f) {
+    if (planes_.is_whole(f) || !is_complete(f) || welded_.first_copy[f] != f) continue;
+    const CutFace& cut = cut_faces_[planes_.plane_of(f)];
+    for (Index i = 0; i < 3; ++i) {
+      if (cut.is_met[i] || front_[3 * f + i] != unknown) continue;
+      if (!ray) ray.emplace(welded_, many, around_);
+      ++rays_;
+      spread(f, i, cast_at_corner(*ray, f, i));
+    }
+  }
+}
+
+// From the part of the face that is at the corner.
+int CornerWindings::cast_at_corner(const WindingRay& ray, Index face, Index i) const {
+  int w = 0;
+  cut_plane(welded_, planes_[planes_.plane_of(face)], steps_, [&](const PlaneFacets& facets) {
+    w = ray.in_front_of(facets.corners(facets.facet_at_corner(i)), face);
+    return std::vector<char>(facets.size(), 0);
+  });
+  return w;
+}
+
+void CornerWindings::spread(Index face, Index at, int w) {
+  visit_corner(face, at, w);
   while (!stack_.empty()) {
     const Index corner = stack_.back();
     stack_.pop_back();

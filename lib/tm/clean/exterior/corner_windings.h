@@ -1,8 +1,9 @@
 /// Region growing (paper 3.2) over a closed mesh before anything is cut: the winding number w in
 /// front of every face near each of its corners. It is the same in front of neighbors beside their
 /// common edge, and along an edge it changes where faces cross that. A ray fixes w in front of one
-/// whole face of each connected part (paper 3.2.1). Cost: O(n + k) for k pairs, and a ray per part.
-/// Exact; deterministic.
+/// whole face of each connected part (paper 3.2.1). Of a part of a mesh, what is incomplete carries
+/// no w, and a face that is cut gets a ray where no whole face is connected with it. Cost: O(n + k)
+/// for k pairs, and a ray per part. Exact; deterministic.
 #pragma once
 
 #include <limits>
@@ -17,7 +18,9 @@ namespace transformesh {
 
 class CornerWindings {
  public:
-  CornerWindings(const WeldedMesh& welded, const Planes& planes, const WindingSteps& steps);
+  /// Keeps references.
+  CornerWindings(const WeldedMesh& welded, const Planes& planes, const WindingSteps& steps,
+                 const Surroundings* around = nullptr);
 
   /// w in front of a face near its corner i. Nothing where other faces meet the corner, or where no
   /// whole face is connected with it.
@@ -40,15 +43,20 @@ class CornerWindings {
 
   CutFace trace(const Plane& plane) const;
   void trace_meeting(const Meeting& meeting, Index face, CutFace& cut) const;
+  bool is_complete(Index face) const { return !around_ || around_->is_complete[face]; }
+  void leave_out_incomplete();
   void grow();
+  void grow_from_cut_faces();
+  int cast_at_corner(const WindingRay& ray, Index face, Index i) const;
   Index seed_near(Index face) const;
-  void spread(Index face, int w);
+  void spread(Index face, Index i, int w);
   void visit_corner(Index face, Index i, int w);
   void step_across(Index face, Index i, int w);
 
   const WeldedMesh& welded_;
   const Planes& planes_;
   const WindingSteps& steps_;
+  const Surroundings* around_;  ///< null for a whole mesh
   std::vector<CutFace> cut_faces_;  ///< per plane
   std::vector<Index> across_;       ///< per halfedge
   std::vector<int> front_;          ///< per corner

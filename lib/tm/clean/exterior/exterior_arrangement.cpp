@@ -95,16 +95,19 @@ std::size_t count_without_corner(const Planes& planes, const CornerWindings& win
 
 ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
                                      const std::vector<Meeting>& meetings, int level,
-                                     const Progress& progress) {
+                                     const Progress& progress, const Surroundings* around) {
   progress("arrange");
   if (!meetings.empty()) refuse_overflow(*welded);
   const Planes planes(*welded, meetings);
   const WindingSteps steps(*welded, planes);
-  const CornerWindings windings(*welded, planes, steps);
+  const CornerWindings windings(*welded, planes, steps, around);
   progress("arrange", 0.2);
 
-  const std::vector<char> is_visible = find_visible_planes(planes, windings, level);
-  const WindingRay ray(*welded, count_without_corner(planes, windings, is_visible));
+  const auto is_complete = [&](Index face) { return !around || around->is_complete[face]; };
+  std::vector<char> is_visible = find_visible_planes(planes, windings, level);
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (!is_complete(planes[i].faces[0])) is_visible[i] = 0;
+  const WindingRay ray(*welded, count_without_corner(planes, windings, is_visible), around);
   std::atomic<std::size_t> rays = windings.rays();
   std::vector<PlaneCut> cuts(planes.size());
   parallel_for(cuts.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
@@ -128,6 +131,8 @@ ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& we
   for (Index f = 0; f < is_left_out.size(); ++f) {
     if (!planes.is_whole(f)) continue;
     ++result.whole_faces;
+    is_left_out[f] = 1;
+    if (!is_complete(f)) continue;
     const int w = *windings.at(f, 0);
     is_left_out[f] = parts(w, w + 1, level) ? 0 : 1;
   }

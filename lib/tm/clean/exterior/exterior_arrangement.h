@@ -3,10 +3,12 @@
 /// only along what bounds its exterior (exterior_cut.h), and of other planes only the exterior
 /// facets become pieces. w in front is carried over a plane from a corner at which it is known
 /// (corner_windings.h), or from a ray. Exact; parallel; deterministic for any
-/// number of threads; throws as `arrange` does.
+/// number of threads; throws as `arrange` does. Of a part of a mesh, only complete faces become
+/// pieces, and these are those of the whole mesh.
 #pragma once
 
 #include "tm/clean/arrange/arrange.h"
+#include "tm/clean/exterior/surroundings.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
@@ -20,6 +22,7 @@ struct ExteriorArrangement {
 /// `meetings` as for `arrange`.
 ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
                                      const std::vector<Meeting>& meetings, int level,
-                                     const Progress& progress);
+                                     const Progress& progress,
+                                     const Surroundings* around = nullptr);
 
 }  // namespace transformesh

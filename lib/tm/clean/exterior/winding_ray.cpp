@@ -65,7 +65,8 @@ WindingRay::WindingRay(const Arrangement& arrangement, const BorderClosure& clos
   if (!closure.empty()) limit_sheets(closure);
 }
 
-WindingRay::WindingRay(const WeldedMesh& welded, std::size_t rays) : welded_(welded) {
+WindingRay::WindingRay(const WeldedMesh& welded, std::size_t rays, const Surroundings* around)
+    : welded_(welded), around_(around) {
   if (rays > few_rays) bvh_ = build_bvh(welded_, closure_);
 }
 
@@ -154,9 +155,7 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
   (direction > 0 ? high : low)[axis] = direction * std::numeric_limits<double>::max();
 
   Count count;
-  const auto cross = [&](Index i) {
-    if (!only_for_.empty() && only_for_[i] != no_index && only_for_[i] != component) return true;
-    const Triangle t = triangle(i);
+  const auto cross = [&](const Triangle& t) {
     bool left = false, right = false, on = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = t[k], &b = t[(k + 1) % 3];
@@ -178,7 +177,12 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
     if (side * up * direction < 0) count.winding += up * direction;
     return true;
   };
-  visit_overlaps(low, high, cross);
+  visit_overlaps(low, high, [&](Index i) {
+    const bool counts =
+        only_for_.empty() || only_for_[i] == no_index || only_for_[i] == component;
+    return !counts || cross(triangle(i));
+  });
+  if (around_ && !count.grazes) around_->faces.visit_overlaps(low, high, axis, cross);
   return count;
 }
 

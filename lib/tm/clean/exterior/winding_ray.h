@@ -8,6 +8,7 @@
 
 #include "tm/clean/arrange/arrange.h"
 #include "tm/clean/exterior/close_borders.h"
+#include "tm/clean/exterior/surroundings.h"
 #include "tm/geometry/bvh.h"
 
 namespace transformesh {
@@ -18,8 +19,9 @@ class WindingRay {
   /// is about how many will be cast: where they are few, each is tested with all faces, which costs
   /// less than building a hierarchy. Keeps a reference to the arrangement.
   WindingRay(const Arrangement& arrangement, const BorderClosure& closure, std::size_t rays);
-  /// Of a closed mesh, for triangles only.
-  WindingRay(const WeldedMesh& welded, std::size_t rays);
+  /// Of a closed mesh, for triangles only. Rays meet the faces around the mesh too, if there are
+  /// any. Keeps references.
+  WindingRay(const WeldedMesh& welded, std::size_t rays, const Surroundings* around = nullptr);
 
   /// The winding number just in front of a piece. A ray that grazes an edge or a corner is replaced
   /// by one from another point of the piece, until one crosses faces in their interiors only.
@@ -47,6 +49,7 @@ class WindingRay {
 
   const WeldedMesh& welded_;
   const Arrangement* arrangement_ = nullptr;  ///< null where there is none
+  const Surroundings* around_ = nullptr;      ///< likewise
   std::vector<Triangle> closure_;             ///< they are numbered behind the faces of the mesh
   std::vector<Index> component_of_;  ///< per point of the arrangement; empty without sheets
   std::vector<Index> only_for_;  ///< per triangle: the one component for which it counts, if any

@@ -72,6 +72,7 @@ class SnapRounder {
       : mesh_(mesh), options_(options), progress_(progress) {}
 
   SnapRoundingResult snap_round(CleanPass pass);
+  FirstRound round_once(Assembly& assembly);
 
  private:
   bool repair(Assembly& assembly, int start);
@@ -292,7 +293,20 @@ SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   return std::move(result_);
 }
 
+FirstRound SnapRounder::round_once(Assembly& assembly) {
+  spacing_.type = options_.coordinate;
+  round_and_merge(assembly);
+  return {count_places(assembly.mesh, find_broken_faces(assembly)), result_.displacement};
+}
+
 }  // namespace
+
+FirstRound round_once(Assembly& assembly, Scalar coordinate) {
+  SnapRoundingOptions options;
+  options.coordinate = coordinate;
+  const Progress silent;
+  return SnapRounder(assembly.mesh, options, silent).round_once(assembly);
+}
 
 SnapRoundingResult snap_round(const Mesh& mesh, CleanPass pass, const SnapRoundingOptions& options,
                               const Progress& progress) {

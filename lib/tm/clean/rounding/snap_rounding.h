@@ -49,6 +49,15 @@ struct SnapRoundingResult {
   Displacement displacement;
 };
 
+/// The first round alone: rounds the new vertices of an assembly, as those of every mesh are, and
+/// says in how many places that breaks faces. Where it breaks none this is what snap_round() does,
+/// also of a part of a mesh: no vertex depends on others that are farther than a few spacings.
+struct FirstRound {
+  std::size_t places = 0;
+  Displacement displacement;
+};
+FirstRound round_once(Assembly& assembly, Scalar coordinate);
+
 /// `pass` is that of the mesh, and is not unchanged. Throws GoalError, with the place, where repair
 /// does not end, and where nothing is left that is thicker than rounding moves it.
 SnapRoundingResult snap_round(const Mesh& mesh, CleanPass pass, const SnapRoundingOptions& options,
