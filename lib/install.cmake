@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 
 # The contracts; what they include is installed with them.
 set(public_headers
-  clean/certify/certify.h clean/clean.h clean/intersect/intersect.h clean/stitch/stitch.h
+  clean/certify/certify.h clean/clean.h clean/clean_box.h clean/intersect/intersect.h clean/stitch/stitch.h
   evolution/evolve.h evolution/filter_step.h evolution/morphing.h evolution/offset.h
   evolution/reconstruction.h evolution/sequence.h evolution/tracking.h
   fill/fill.h

@@ -30,10 +30,10 @@ void check_options(const Options& options) {
     if (options.only) throw UsageError("--only: needs --box, whose faces it writes");
     return;
   }
-  const char* const refused = options.method != "grow"    ? "--method static"
-                              : options.clean.outermost   ? "--outermost"
+  const char* const refused = options.method != "grow"      ? "--method static"
+                              : options.clean.outermost     ? "--outermost"
                               : options.separate.value != 0 ? "--separate"
-                                                          : nullptr;
+                                                            : nullptr;
   if (refused) throw UsageError(std::string(refused) + " is for whole meshes, without --box");
 }
 

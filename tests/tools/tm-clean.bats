@@ -80,6 +80,81 @@ load ../helpers/common
   [ "$(tm-clean --outermost hollow.ply | tm-info --get components)" = 1 ]
 }
 
+# triangles MESH: a line for each, from its first corner in the order of text on, sorted.
+triangles() {
+  tm-convert -q --no-provenance --format off "$1" | awk '
+    !started { if ($1 ~ /^[0-9]+$/) { vertices = $1; started = 1 } next }
+    row < vertices { point[row++] = $0; next }
+    {
+      a = point[$2]; b = point[$3]; c = point[$4]
+      if (b < a && b < c) { t = a; a = b; b = c; c = t }
+      else if (c < a && c < b) { t = c; c = b; b = a; a = t }
+      print a "|" b "|" c
+    }' | sort
+}
+
+@test "eight boxes, joined, are the triangles of one process" {
+  cd "$BATS_TEST_TMPDIR"
+  local kind x y z
+  for kind in many-spheres "folded sphere" "many-spheres --float"; do
+    # shellcheck disable=SC2086 # several words
+    tm-shape $kind --faces 10000 -o in.ply
+    rm -f box_*
+    for x in -99,.01 .01,99; do
+      for y in -99,.02 .02,99; do
+        for z in -99,-.03 -.03,99; do
+          tm-clean --only --box="${x%,*},${y%,*},${z%,*},${x#*,},${y#*,},${z#*,}" in.ply \
+            -o "box_$x$y$z.ply" --report "box_$x$y$z.json"
+        done
+      done
+    done
+    [ "$(cat box_*.json | grep -c '"whole_mesh": false')" = 8 ]
+    [ "$(cat box_*.json | awk -F'[:,]' '/"box_faces"/ { sum += $2 } END { print sum }')" = \
+      "$(tm-info --get faces in.ply)" ]
+    tm-cat box_*.ply | tm-stitch -o joined.ply
+    tm-clean in.ply -o whole.ply
+    cmp <(triangles joined.ply) <(triangles whole.ply) || fail "$kind"
+    tm-checkmanifold --closed --intersections joined.ply
+  done
+}
+
+@test "a box changes nothing outside, and nothing at all where nothing crosses" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape two-spheres --faces 2000 -o pair.ply
+  tm-shape two-spheres --faces 2000 --center 10,0,0 | tm-cat pair.ply - > in.ply
+  tm-clean --box=-5,-5,-5,5,5,5 in.ply -o out.ply
+  tm-clean pair.ply -o clean.ply
+  tm-select --box 5,-9,-9,20,9,9 in.ply -o other_in.ply --no-provenance
+  tm-select --box 5,-9,-9,20,9,9 out.ply -o other_out.ply --no-provenance
+  cmp <(triangles other_in.ply) <(triangles other_out.ply)
+  tm-select --box=-9,-9,-9,5,9,9 out.ply -o cleaned.ply
+  cmp <(triangles cleaned.ply) <(triangles clean.ply)
+  tm-clean --no-provenance --box 50,50,50,60,60,60 in.ply -o same.ply
+  cmp in.ply same.ply
+  tm-clean --only --box 50,50,50,60,60,60 in.ply -o empty.ply
+  [ "$(tm-cat empty.ply pair.ply | tm-info --get faces)" = "$(tm-info --get faces pair.ply)" ]
+}
+
+@test "what a box cannot do is said" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape two-spheres --faces 500 -o in.ply
+  local options
+  for options in "--only" "--box 0,0,0,1,1,0" "--box 0,0,0,1,1,1 --outermost" \
+    "--box 0,0,0,1,1,1 --method static" "--box 0,0,0,1,1,1 --separate 1%"; do
+    # shellcheck disable=SC2086 # several words
+    run --separate-stderr tm-clean $options in.ply -o out.ply
+    assert_status 2
+    one_line "$stderr"
+  done
+  run --separate-stderr tm-clean --refuse --box=-9,-9,-9,9,9,9 in.ply -o out.ply
+  assert_status 4
+  tm-shape sphere --faces 500 | tm-select --box=-9,-9,-9,9,9,.5 > open.ply
+  run --separate-stderr tm-clean --box=-9,-9,-9,9,9,9 open.ply -o out.ply
+  assert_status 3
+  [[ $stderr == *tm-fill* ]]
+  [ ! -e out.ply ]
+}
+
 @test "--separate leaves no two vertices in one place" {
   cd "$BATS_TEST_TMPDIR"
   tm-shape box 1 1 1 --faces 12 -o a.ply

@@ -42,8 +42,8 @@ std::vector<bool> faces_of_box(const Mesh& mesh, const Box& box) {
   std::vector<bool> result(mesh.faces.size());
   for (std::size_t f = 0; f < result.size(); ++f) {
     const Vec3& first = mesh.positions[mesh.faces[f][0]];
-    result[f] = (first.array() >= box.minimum.array()).all() &&
-                (first.array() < box.maximum.array()).all();
+    result[f] =
+        (first.array() >= box.minimum.array()).all() && (first.array() < box.maximum.array()).all();
   }
   return result;
 }

@@ -117,8 +117,8 @@ Mesh Placing::place() {
     for (Index& v : face) v = number_of[v];
   result.faces = std::move(faces_);
   result.vertex_columns = mesh_.vertex_columns.select(kept);
-  result.vertex_columns.concatenate(cleaned_.mesh.vertex_columns.select(new_vertices_),
-                                    kept.size(), new_vertices_.size());
+  result.vertex_columns.concatenate(cleaned_.mesh.vertex_columns.select(new_vertices_), kept.size(),
+                                    new_vertices_.size());
   result.face_columns = mesh_.face_columns.select(face_rows_);
   return result;
 }

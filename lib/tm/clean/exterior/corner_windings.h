@@ -56,7 +56,7 @@ class CornerWindings {
   const WeldedMesh& welded_;
   const Planes& planes_;
   const WindingSteps& steps_;
-  const Surroundings* around_;  ///< null for a whole mesh
+  const Surroundings* around_;      ///< null for a whole mesh
   std::vector<CutFace> cut_faces_;  ///< per plane
   std::vector<Index> across_;       ///< per halfedge
   std::vector<int> front_;          ///< per corner

@@ -178,8 +178,7 @@ WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direc
     return true;
   };
   visit_overlaps(low, high, [&](Index i) {
-    const bool counts =
-        only_for_.empty() || only_for_[i] == no_index || only_for_[i] == component;
+    const bool counts = only_for_.empty() || only_for_[i] == no_index || only_for_[i] == component;
     return !counts || cross(triangle(i));
   });
   if (around_ && !count.grazes) around_->faces.visit_overlaps(low, high, axis, cross);

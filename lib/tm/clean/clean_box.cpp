@@ -18,7 +18,12 @@ namespace transformesh {
 namespace {
 
 constexpr double margin_spacings = 64;
+constexpr std::size_t most_faces_at_once = std::size_t{1} << 16;
 constexpr char source_name[] = "source face of a box";
+
+std::size_t count(const std::vector<bool>& faces) {
+  return static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
+}
 
 /// What is in and around a box, arranged.
 class BoxPart {
@@ -69,7 +74,9 @@ void BoxPart::find_complete() {
 bool BoxPart::complete_planes() {
   const Planes planes(*welded_, meetings_);
   std::vector<char> is_wanted(planes.size(), 0);
-  const auto is_complete = [&](Index f) { return is_complete_[part_.face_of[welded_->face_of[f]]]; };
+  const auto is_complete = [&](Index f) {
+    return is_complete_[part_.face_of[welded_->face_of[f]]];
+  };
   for (Index f = 0; f < welded_->faces.size(); ++f)
     if (!planes.is_whole(f) && is_complete(f)) is_wanted[planes.plane_of(f)] = 1;
   bool has_more = false;
@@ -167,48 +174,140 @@ Mesh own_pieces(const CleanedFaces& cleaned, const std::vector<bool>& is_own) {
   return select_faces(cleaned.mesh, keep);
 }
 
-void refuse_change(const CleanResult& counts) {
+void finish_counts(const CleanBoxOptions& options, CleanResult& counts) {
+  counts.changed = counts.cut_faces + counts.removed_faces > 0;
+  if (!options.refuse || !counts.changed) return;
   throw GoalError("the box needs cleaning (" + std::to_string(counts.pairs) +
                   " intersecting face pairs, " + std::to_string(counts.cut_faces) +
                   " faces to cut, " + std::to_string(counts.removed_faces) +
                   " to remove) and --refuse forbids it");
 }
 
+// The box cut through the middle of its faces, along the axis on which they reach farthest. Nothing
+// where that leaves one half empty.
+std::optional<std::array<Box, 2>> split(const Mesh& mesh, const std::vector<bool>& is_own,
+                                        const Box& box) {
+  const Box around = box_around(mesh, is_own);
+  const Vec3 low = around.minimum.cwiseMax(box.minimum),
+             high = around.maximum.cwiseMin(box.maximum);
+  int axis = 0;
+  (high / 2 - low / 2).maxCoeff(&axis);
+  std::array<Box, 2> halves{box, box};
+  halves[0].maximum[axis] = halves[1].minimum[axis] = low[axis] / 2 + high[axis] / 2;
+  const std::size_t first = count(faces_of_box(mesh, halves[0]));
+  if (first == 0 || first == count(is_own)) return std::nullopt;
+  return halves;
+}
+
+void check_input(const Mesh& mesh, const CleanBoxOptions& options) {
+  if (!(options.box.minimum.array() < options.box.maximum.array()).all())
+    throw UsageError("the box has no inside: its first corner must be below the second");
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
+  if (is_closed_chain(mesh)) return;
+  throw InputError(
+      "a box can be cleaned in a closed oriented mesh only, and here faces are left over along "
+      "edges: tm-checkmanifold names them, tm-fill closes holes, and tm-clean without --box takes "
+      "open meshes");
+}
+
+CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
+                              const Progress& progress) {
+  CleanBoxResult result;
+  CleanResult& counts = result.clean;
+  const std::vector<bool> is_own = faces_of_box(mesh, options.box);
+  result.box_faces = count(is_own);
+  if (result.box_faces > 0) {
+    std::optional<CleanedFaces> cleaned = BoxPart(mesh, is_own, options, progress).clean(counts);
+    result.is_whole = !cleaned;
+    if (!cleaned) cleaned = clean_whole(mesh, options, counts, progress);
+    count_faces(mesh, is_own, *cleaned, counts);
+    finish_counts(options, counts);
+    if (counts.changed) counts.mesh = put_in_place(mesh, is_own, *cleaned);
+  }
+  if (!counts.changed) counts.mesh = mesh;
+  if (counts.cut_faces > 0) counts.dropped_columns = drop_corner_lists(counts.mesh.face_columns);
+  return result;
+}
+
+/// The pieces of the box's faces, from smaller boxes one after the other: what that takes does not
+/// grow with the box.
+class Pieces {
+ public:
+  Pieces(const Mesh& mesh, const CleanBoxOptions& options, const Progress& progress)
+      : mesh_(mesh), options_(options), progress_(progress) {}
+  CleanBoxResult collect();
+
+ private:
+  bool collect_from(const Box& box);
+  void collect_from_whole();
+  void add(const Mesh& pieces);
+
+  const Mesh& mesh_;
+  const CleanBoxOptions& options_;
+  const Progress& progress_;
+  CleanBoxResult result_;
+};
+
+void Pieces::add(const Mesh& pieces) {
+  Mesh& mesh = result_.clean.mesh;
+  const auto offset = static_cast<Index>(mesh.positions.size());
+  mesh.vertex_columns.concatenate(pieces.vertex_columns, offset, pieces.positions.size());
+  mesh.face_columns.concatenate(pieces.face_columns, mesh.faces.size(), pieces.faces.size());
+  mesh.positions.insert(mesh.positions.end(), pieces.positions.begin(), pieces.positions.end());
+  for (const auto& [a, b, c] : pieces.faces)
+    mesh.faces.push_back({a + offset, b + offset, c + offset});
+}
+
+// Returns whether rounding broke nothing.
+bool Pieces::collect_from(const Box& box) {
+  const std::vector<bool> is_own = faces_of_box(mesh_, box);
+  const std::size_t faces = count(is_own);
+  if (faces == 0) return true;
+  if (faces > most_faces_at_once) {
+    const auto halves = split(mesh_, is_own, box);
+    if (halves) return collect_from((*halves)[0]) && collect_from((*halves)[1]);
+  }
+  CleanResult counts;
+  const auto cleaned = BoxPart(mesh_, is_own, options_, progress_).clean(counts);
+  if (!cleaned) return false;
+  count_faces(mesh_, is_own, *cleaned, counts);
+  CleanResult& sum = result_.clean;
+  sum.pairs += counts.pairs;
+  sum.rays += counts.rays;
+  sum.cut_faces += counts.cut_faces;
+  sum.removed_faces += counts.removed_faces;
+  sum.new_vertices += counts.new_vertices;
+  sum.rounding_displacement = std::max(sum.rounding_displacement, counts.rounding_displacement);
+  sum.rounding_spacings = std::max(sum.rounding_spacings, counts.rounding_spacings);
+  add(own_pieces(*cleaned, is_own));
+  return true;
+}
+
+void Pieces::collect_from_whole() {
+  result_.is_whole = true;
+  const std::vector<bool> is_own = faces_of_box(mesh_, options_.box);
+  const CleanedFaces cleaned = clean_whole(mesh_, options_, result_.clean, progress_);
+  count_faces(mesh_, is_own, cleaned, result_.clean);
+  result_.clean.mesh = own_pieces(cleaned, is_own);
+}
+
+CleanBoxResult Pieces::collect() {
+  CleanResult& counts = result_.clean;
+  counts.mesh = select_faces(mesh_, std::vector<bool>(mesh_.faces.size(), false));
+  result_.box_faces = count(faces_of_box(mesh_, options_.box));
+  if (!collect_from(options_.box)) collect_from_whole();
+  finish_counts(options_, counts);
+  if (counts.cut_faces > 0) counts.dropped_columns = drop_corner_lists(counts.mesh.face_columns);
+  return std::move(result_);
+}
+
 }  // namespace
 
 CleanBoxResult clean_box(const Mesh& mesh, const CleanBoxOptions& options,
                          const Progress& progress) {
-  if (!(options.box.minimum.array() < options.box.maximum.array()).all())
-    throw UsageError("the box has no inside: its first corner must be below the second");
-  if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
-  if (!is_closed_chain(mesh))
-    throw InputError("a box can be cleaned in a closed oriented mesh only, and here faces are left "
-                     "over along edges: tm-checkmanifold names them, tm-fill closes holes, and "
-                     "tm-clean without --box takes open meshes");
-  CleanBoxResult result;
-  CleanResult& counts = result.clean;
-  const std::vector<bool> is_own = faces_of_box(mesh, options.box);
-  result.box_faces = static_cast<std::size_t>(std::count(is_own.begin(), is_own.end(), true));
-  if (result.box_faces == 0) {
-    counts.mesh = options.only ? select_faces(mesh, is_own) : mesh;
-    return result;
-  }
-
-  std::optional<CleanedFaces> cleaned = BoxPart(mesh, is_own, options, progress).clean(counts);
-  if (!cleaned) {
-    result.is_whole = true;
-    cleaned = clean_whole(mesh, options, counts, progress);
-  }
-  count_faces(mesh, is_own, *cleaned, counts);
-  counts.changed = counts.cut_faces + counts.removed_faces > 0;
-  if (options.refuse && counts.changed) refuse_change(counts);
-  if (options.only) {
-    counts.mesh = own_pieces(*cleaned, is_own);
-  } else {
-    counts.mesh = counts.changed ? put_in_place(mesh, is_own, *cleaned) : mesh;
-  }
-  if (counts.cut_faces > 0) counts.dropped_columns = drop_corner_lists(counts.mesh.face_columns);
-  return result;
+  check_input(mesh, options);
+  return options.only ? Pieces(mesh, options, progress).collect()
+                      : clean_in_place(mesh, options, progress);
 }
 
 }  // namespace transformesh
