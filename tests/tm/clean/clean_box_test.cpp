@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "helpers/mesh_facts.h"
@@ -127,12 +128,11 @@ TEST_CASE("also of a soup, of coincident faces and of faces in one plane") {
 }
 
 TEST_CASE("where rounding breaks faces, boxes are taken from the whole") {
-  // Two nearly equal balls in coarse numbers cross all along.
-  Mesh ball = test::icosphere(4), other = ball;
-  for (Vec3& p : ball.positions) p = p * 1.0005 + Vec3::Constant(4000);
-  for (Vec3& p : other.positions)
-    p = Vec3(p.x() - 2e-3 * p.y(), p.y() + 2e-3 * p.x(), p.z()) + Vec3::Constant(4000);
-  const Mesh input = rounded_to_floats(test::joined(ball, other));
+  // Boxes with sides in one plane but for rounding.
+  Mesh turned = test::workload("boxes", 2000, 2);
+  const Eigen::AngleAxisd turn(.3, Vec3(1, 2, 3).normalized());
+  for (Vec3& p : turned.positions) p = turn * p;
+  const Mesh input = rounded_to_floats(turned);
   CleanOptions options;
   options.coordinate = Scalar::float32;
   const CleanResult expected = clean(input, options);
