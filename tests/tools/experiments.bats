@@ -45,6 +45,90 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
   done
 }
 
+# write_table: two shapes, of which one cannot be made, by two sets of parameters, of which one
+# never works.
+write_table() {
+  cat >small.table <<'TABLE'
+# A comment.
+shape genus-1..2 tm-shape genus % --faces 2000 -o target.ply; tm-shape sphere --around target.ply --faces 2000 -o source.ply
+shape none tm-shape genus 99 -o target.ply
+
+run quick tm-morph source.ply --target target.ply -o result.ply --resume --threads 1 --alpha 0.5 --smooth 0.1 --scales 3
+run wrong tm-clean --box 0,0,0,0,0,0 source.ply -o result.ply
+TABLE
+}
+
+# table FOLDER: its rows without seconds and memory.
+table() {
+  tr -d '"' <"$1/table.csv" | awk -F, '
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "seconds" || $i == "peak_memory_bytes") drop[i] }
+    { for (i = 1; i <= NF; ++i) if (!(i in drop)) printf "%s,", $i; print "" }'
+}
+
+@test "a batch is parameters by shapes: each run a folder, failures beside successes, one CSV" {
+  needs_command jq
+  write_table
+  batch -j2 batch TABLE="$PWD/small.table"
+  [ "$(wc -l <small/table.csv)" -eq 7 ]
+  table small | grep -q '^genus-2,quick,0,,,.*,true,'
+  table small | grep -q '^genus-1,wrong,2,run,tm-clean: the box has no inside'
+  table small | grep -q '^none,quick,2,shape,tm-shape: genus: '
+  [ "$(tm-info --get genus small/genus-2,quick/result.ply)" -eq 2 ]
+  [ -z "$(find small -name '*.unfinished' -o -name '*.lock')" ]
+  # The same one by one, and from the file's own folder.
+  batch -j1 batch TABLE="$PWD/small.table" BATCH="$PWD/again"
+  cmp <(table small) <(table again)
+  cmp small/genus-1,quick/result.ply again/genus-1,quick/result.ply
+  # What has ended stays, what has other commands now runs again, and a further shape runs alone.
+  sed -i 's/--scales 3/--scales 2/; s/1\.\.2/1..3/' small.table
+  run "$tm_root/scripts/experiments/batch" todo small.table small
+  [ "$(echo "$output" | sort | tr '\n' ' ')" = \
+    "genus-1,quick genus-2,quick genus-3,quick genus-3,wrong none,quick " ]
+  # Failures run again when asked to.
+  sed -i 's/genus 99/genus 3 --faces 500/; s/source.ply -o/target.ply -o/' small.table
+  batch -j2 again TABLE="$PWD/small.table"
+  table small | grep -q '^none,wrong,2,run,'
+  grep -q '"genus-3","quick",0' small/table.csv
+}
+
+@test "a batch that was killed goes on to the same bytes" {
+  needs_command jq
+  local name=genus-2,slow
+  cat >slow.table <<'TABLE'
+shape genus-2 tm-shape genus 2 --faces 12000 -o target.ply; tm-shape sphere --around target.ply --faces 12000 -o source.ply
+run slow tm-morph source.ply --target target.ply -o result.ply --resume --threads 1 --alpha 0.2 --smooth 0.1
+TABLE
+  setsid make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD" \
+    TABLE="$PWD/slow.table" batch >/dev/null 2>&1 3>&- &
+  local group=$! tries=0
+  until [ -e "slow/$name.unfinished/result.ply.tm-morph" ]; do
+    sleep 0.05
+    tries=$((tries + 1))
+    [ "$tries" -lt 600 ] || fail "the run does not begin"
+  done
+  sleep 0.3
+  kill -KILL -- "-$group"
+  wait "$group" || true
+  [ ! -e "slow/$name" ] && [ -e "slow/$name.unfinished/is-shaped" ]
+  batch batch TABLE="$PWD/slow.table"
+  [ -e "slow/$name/outcome.json" ]
+  tm-morph -q "slow/$name/source.ply" --target "slow/$name/target.ply" -o whole.ply --threads 1 \
+    --alpha 0.2 --smooth 0.1
+  cmp whole.ply "slow/$name/result.ply"
+}
+
+@test "a table that cannot be read is refused, with its line" {
+  printf 'shape a true\nrune b true\n' >bad.table
+  run --separate-stderr "$tm_root/scripts/experiments/batch" list bad.table
+  assert_status 2
+  [[ $stderr == *"line 2"* ]]
+  printf 'shape a true\nshape a true\nrun b true\n' >bad.table
+  run --separate-stderr "$tm_root/scripts/experiments/batch" list bad.table
+  assert_status 2
+  run --separate-stderr "$tm_root/scripts/experiments/batch" run "$tm_root/scripts/experiments/sweep.table" out nothing
+  assert_status 2
+}
+
 @test "a surface breathes through merges and splits, and stays bounded" {
   run --separate-stderr batch breathing ITERATIONS=130
   assert_status 0
