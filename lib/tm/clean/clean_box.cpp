@@ -210,6 +210,12 @@ void check_input(const Mesh& mesh, const CleanBoxOptions& options) {
       "open meshes");
 }
 
+void drop_stale_columns(CleanResult& counts) {
+  if (counts.cut_faces == 0) return;
+  counts.dropped_columns = drop_corner_lists(counts.mesh.face_columns);
+  counts.dropped_source_points = drop_source_points(counts.mesh.vertex_columns);
+}
+
 CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
                               const Progress& progress) {
   CleanBoxResult result;
@@ -225,7 +231,7 @@ CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
     if (counts.changed) counts.mesh = put_in_place(mesh, is_own, *cleaned);
   }
   if (!counts.changed) counts.mesh = mesh;
-  if (counts.cut_faces > 0) counts.dropped_columns = drop_corner_lists(counts.mesh.face_columns);
+  drop_stale_columns(counts);
   return result;
 }
 
@@ -297,7 +303,7 @@ CleanBoxResult Pieces::collect() {
   result_.box_faces = count(faces_of_box(mesh_, options_.box));
   if (!collect_from(options_.box)) collect_from_whole();
   finish_counts(options_, counts);
-  if (counts.cut_faces > 0) counts.dropped_columns = drop_corner_lists(counts.mesh.face_columns);
+  drop_stale_columns(counts);
   return std::move(result_);
 }
 
