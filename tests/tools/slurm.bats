@@ -1,0 +1,67 @@
+#!/usr/bin/env bats
+# Batches on a real Slurm of one node.
+load ../helpers/common
+load ../helpers/slurm
+
+setup() {
+  needs_command jq
+  cd "$BATS_TEST_TMPDIR"
+  start_slurm "$BATS_TEST_TMPDIR/slurm"
+}
+
+teardown() { [ -z "${slurm_ids[*]-}" ] || stop_slurm; }
+
+# batch TARGET...: with the shipped Makefile, results in the current folder.
+batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD" TABLE="$PWD/table" "$@"; }
+
+# columns FOLDER: the table without seconds and memory.
+columns() {
+  tr -d '"' <"$1/table.csv" | awk -F, '
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "seconds" || $i == "peak_memory_bytes") drop[i] }
+    { for (i = 1; i <= NF; ++i) if (!(i in drop)) printf "%s,", $i; print "" }'
+}
+
+# loop_in FOLDER: the id of the tm-morph that works there.
+loop_in() {
+  local process
+  for process in /proc/[0-9]*; do
+    [ "$(readlink "$process/cwd" 2>/dev/null)" = "$1" ] || continue
+    [ "$(cat "$process/comm" 2>/dev/null)" = tm-morph ] && echo "${process#/proc/}" && return
+  done
+  return 1
+}
+
+@test "40 runs as an array job, one killed, the node drained and resumed: as make has them" {
+  cat >table <<'TABLE'
+shape slow tm-shape genus 2 --faces 12000 -o target.ply; tm-shape sphere --around target.ply --faces 12000 -o source.ply
+shape genus-1..18 tm-shape genus % --faces 1000 -o target.ply; tm-shape sphere --around target.ply --faces 1000 -o source.ply
+shape none tm-shape genus 99 -o target.ply
+run one tm-morph source.ply --target target.ply -o result.ply --resume --threads 1 --alpha 0.2 --iterations 150
+run two tm-morph source.ply --target target.ply -o result.ply --resume --threads 1 --alpha 0.5 --iterations 20
+TABLE
+  batch slurm BATCH="$PWD/by-slurm" >slurm.out 2>&1 3>&- &
+  local batch=$! tries=0 process=
+  # The slow run is killed while it has a state.
+  until [ -e by-slurm/slow,one.unfinished/result.ply.tm-morph ] &&
+    process=$(loop_in "$PWD/by-slurm/slow,one.unfinished"); do
+    sleep 0.05
+    tries=$((tries + 1))
+    [ "$tries" -lt 1200 ] || fail "the slow run does not begin: $(cat slurm.out by-slurm/slurm.log)"
+  done
+  kill -KILL "$process"
+  scontrol update "NodeName=$(hostname -s)" State=DRAIN Reason=test
+  sleep 2
+  sinfo -h -o %T | grep -q '^drain'
+  scontrol update "NodeName=$(hostname -s)" State=RESUME
+  wait "$batch" || fail "$(cat slurm.out by-slurm/slurm.log)"
+  grep -q 'slow,one was interrupted (exit code 137)' by-slurm/slurm.log
+  grep -q '38 done, 2 failed, 0 not ended' by-slurm/slurm.log
+
+  batch -j2 batch BATCH="$PWD/by-make"
+  cmp <(columns by-slurm) <(columns by-make)
+  local mesh
+  for mesh in by-make/*/result.ply; do
+    cmp "$mesh" "by-slurm/${mesh#by-make/}"
+  done
+  [ "$(ls -d by-slurm/*/result.ply | wc -l)" -eq 38 ]
+}
