@@ -34,6 +34,7 @@ MpiDefault=none
 SwitchType=switch/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU_Memory
+SchedulerParameters=sched_interval=1,sched_min_interval=0,bf_interval=1
 DefMemPerCPU=200
 ReturnToService=2
 MailProg=/bin/true
