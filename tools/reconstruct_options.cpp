@@ -1,7 +1,6 @@
 #include "reconstruct_options.h"
 
 #include "tm/support/error.h"
-#include "view_options.h"
 
 namespace transformesh::tool {
 namespace {
@@ -110,6 +109,7 @@ void check_sequence(const ReconstructChoices& choices, const Run& run) {
 void declare_reconstruction(Program& program, ReconstructChoices& choices) {
   declare_places(program, choices);
   declare_start(program, choices);
+  declare_view_check(program, choices.check, choices.sources);
   declare_scales(program, choices);
   declare_steps(program, choices);
   declare_record(program, choices.loop, "every how many passes (default 1)", "pass");
@@ -125,6 +125,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   if (choices.silhouettes_show == "least") start.meaning = SilhouetteMeaning::least;
   if (!choices.threshold.empty()) start.threshold = {.level = threshold_level(choices.threshold)};
   start.keep = hull_share(choices.keep);
+  start.least_agreement = choices.check.least_agreement;
   options.scales.coarsest = number_or_auto("coarsest", choices.coarsest, 1);
   options.scales.last_edge = choices.last_edge.empty()
                                  ? options.scales.edge
@@ -149,8 +150,19 @@ SequenceOptions sequence_of(const ReconstructChoices& choices,
 }
 
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step) {
-  return {place_of(sources.cameras, step), place_of(sources.images, step),
-          place_of(sources.silhouettes, step)};
+  ViewSources places = sources;
+  for (std::string* place : {&places.cameras, &places.images, &places.silhouettes})
+    *place = place_of(*place, step);
+  return places;
+}
+
+std::vector<View> checked_views(const ViewSources& sources, const ReconstructChoices& choices,
+                                Run& run) {
+  ViewSources telling = sources;
+  telling.on_note = [&run](const std::string& text) { run.note(text); };
+  std::vector<View> views = views_from(telling);
+  if (choices.silhouettes_show == "exact") check_views(views, choices.check, run);
+  return views;
 }
 
 }  // namespace transformesh::tool

@@ -9,6 +9,7 @@
 #include "tm/evolution/sequence.h"
 #include "tm/evolution/time_steps.h"
 #include "tm/views/cameras/view_files.h"
+#include "view_options.h"
 
 namespace transformesh::tool {
 
@@ -25,6 +26,7 @@ struct ReconstructChoices {
   std::string coarsest = "auto";
   std::string last_edge;
   std::string robust = "auto";
+  ViewCheckChoices check;
   LoopChoices loop;
 };
 
@@ -39,5 +41,9 @@ SequenceOptions sequence_of(const ReconstructChoices& choices,
 
 /// The places of one time step.
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step);
+
+/// The views, of which those with masks that show the object exactly are checked.
+std::vector<View> checked_views(const ViewSources& sources, const ReconstructChoices& choices,
+                                Run& run);
 
 }  // namespace transformesh::tool

@@ -14,6 +14,7 @@ struct Options {
   std::string format = "middlebury";
   std::string folder;
   std::string images;
+  bool mirror = false;
   bool list = false;
   bool json = false;
   long neighbors = static_cast<long>(PairOptions().neighbors);
@@ -25,6 +26,8 @@ CameraList read(const std::string& where, const Options& options, tool::Run& run
   CameraList list = where == "-" ? parse_cameras(run.read_bytes("-"), "standard input", "camera")
                                  : cameras_from(where);
   run.report("cameras", list.cameras.size());
+  for (CameraRecord& record : list.cameras)
+    if (options.mirror) record.camera = record.camera.mirrored();
   if (options.images.empty()) return list;
   run.progress()("reading images");
   return cameras_of_images(std::move(list), where, options.images);
@@ -70,6 +73,8 @@ int main(int argc, char** argv) {
   program.text("folder", &options.folder, "FOLDER",
                "write the format's own files there instead of one text to the output");
   program.text("images", &options.images, "WHERE", "the images, for their names and sizes");
+  program.flag("mirror", &options.mirror,
+               "take the mirror image of the cameras' world, z for -z: for left-handed ones");
   program.flag("list", &options.list, "print a table of the cameras and their pairs instead");
   program.flag("json", &options.json, "print that table as JSON");
   program.integer("pairs", &options.neighbors, 0, 1000, "neighbors of each view in the table");

@@ -9,6 +9,7 @@ using namespace transformesh;
 
 struct Options {
   tool::SilhouetteOptions silhouettes;
+  tool::ViewCheckChoices check;
   std::vector<double> box;
   long resolution = 100;
   std::optional<Length> edge;
@@ -25,6 +26,7 @@ void declare(tool::Program& program, Options& options) {
   program.length("edge", &options.edge, "or the size of a cell");
   program.text("keep", &options.keep, "largest|all|SHARE",
                "which components: of at least this share of the largest one's volume");
+  tool::declare_view_check(program, options.check, options.silhouettes.sources);
   program.text("write-outlines", &options.outlines, "FOLDER",
                "also write there, as NAME.png, what the hull covers in each view");
 }
@@ -33,15 +35,18 @@ void make(const Options& options, tool::Run& run) {
   HullOptions hull;
   hull.resolution = static_cast<int>(options.resolution);
   hull.keep = tool::hull_share(options.keep);
-  const std::vector<View> views = tool::views_with_silhouettes(options.silhouettes, run);
+  std::vector<View> views = tool::views_with_silhouettes(options.silhouettes, run);
   const std::vector<double>& box = options.box;
-  hull.box =
-      box.empty() ? silhouette_box(views) : Box{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+  if (!box.empty()) hull.box = Box{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+  const ViewCheck check = tool::check_views(views, options.check, run);
+  if (!hull.box) hull.box = silhouette_box(views);
   run.set_basis(hull.box->diagonal());
   if (options.edge) hull.edge = run.length(*options.edge);
 
   HullResult result = visual_hull(views, hull, run.progress());
   run.report("views", views.size());
+  run.report("dropped_views", check.dropped.size());
+  run.report("least_agreement", check.least_agreement);
   run.report("cell", result.cell);
   run.report("dropped_components", result.dropped_components);
   if (!options.outlines.empty()) tool::write_outlines(result.mesh, views, options.outlines, run);

@@ -26,7 +26,7 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
     document = beginning(choices.options.start.name, run);
   }
   run.progress()("read views");
-  std::vector<View> views = views_from(choices.sources);
+  std::vector<View> views = tool::checked_views(choices.sources, choices, run);
   tool::begin_run(choices.loop, record, options.start.is_given ? &document : nullptr, run,
                   run_files_of(views));
   options.on_pass = [&run](const std::string& text) { run.progress_line(text); };
@@ -49,7 +49,7 @@ void reconstruct_film(const tool::ReconstructChoices& choices,
   Document document;
   if (!record.resumed()) document = beginning(choices.options.start.name, run);
   const auto views_of = [&](const TimeStep& step) {
-    return views_from(tool::sources_of(choices.sources, step));
+    return tool::checked_views(tool::sources_of(choices.sources, step), choices, run);
   };
   const SequenceResult result =
       reconstruct_sequence(document, steps, views_of, options, record, run.progress());

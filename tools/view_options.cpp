@@ -1,5 +1,7 @@
 #include "view_options.h"
 
+#include <cmath>
+
 #include "tm/picture/png.h"
 #include "tm/support/error.h"
 #include "tm/views/hull/agreed_level.h"
@@ -26,6 +28,25 @@ double hull_share(const std::string& keep) {
   return share.value;
 }
 
+void declare_view_check(Program& program, ViewCheckChoices& choices, ViewSources& sources) {
+  program.number("least-agreement", &choices.least_agreement, 0, 1,
+                 "share of every silhouette that the hull must cover; 0: believe the views");
+  program.flag("drop-bad-views", &choices.drops_bad_views,
+               "leave out views that disagree with the rest, instead of refusing them");
+  program.flag("mirror", &sources.mirror,
+               "take the mirror image of the cameras' world, z for -z: for left-handed ones");
+}
+
+ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices, Run& run) {
+  ViewCheck check =
+      check_views(views, {choices.least_agreement, choices.drops_bad_views}, run.progress());
+  for (const BadView& view : check.dropped) {
+    run.note("the view '" + view.name + "' is left out: the hull of the others covers " +
+             std::to_string(std::lround(100 * view.agreement)) + "% of its silhouette");
+  }
+  return check;
+}
+
 void declare_silhouettes(Program& program, SilhouetteOptions& options) {
   program.text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
       .is_needed = true;
@@ -46,7 +67,9 @@ std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& 
   if (options.sources.silhouettes.empty() == options.sources.images.empty())
     throw UsageError("either --silhouettes or --images is needed");
   const ThresholdOptions threshold{threshold_level(options.threshold), options.blur, options.close};
-  std::vector<View> views = views_from(options.sources);
+  ViewSources sources = options.sources;
+  sources.on_note = [&run](const std::string& text) { run.note(text); };
+  std::vector<View> views = views_from(sources);
   if (!options.sources.images.empty())
     run.report("threshold", threshold_silhouettes(views, threshold, run.progress()));
   for (const View& view : views) {

@@ -8,6 +8,7 @@
 #include "frame/run.h"
 #include "tm/views/cameras/view_files.h"
 #include "tm/views/hull/silhouette.h"
+#include "tm/views/hull/view_check.h"
 
 namespace transformesh::tool {
 
@@ -18,6 +19,18 @@ struct SilhouetteOptions {
   double close = ThresholdOptions().close;
   std::string masks;  ///< folder to write to
 };
+
+struct ViewCheckChoices {
+  double least_agreement = ViewCheckOptions().least_agreement;
+  bool drops_bad_views = false;
+};
+
+/// --least-agreement, --drop-bad-views and, for the cameras, --mirror.
+void declare_view_check(Program& program, ViewCheckChoices& choices, ViewSources& sources);
+
+/// Looks whether the views agree, and tells which are left out.
+/// Throws what check_views throws.
+ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices, Run& run);
 
 /// --cameras, --silhouettes, --images, --threshold, --blur, --close and --write-silhouettes.
 void declare_silhouettes(Program& program, SilhouetteOptions& options);

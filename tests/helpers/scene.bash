@@ -25,3 +25,51 @@ PAR
   local name
   for name in a b c; do mask 2 6 >"$1/masks/$name.pgm"; done
 }
+
+# make_balls FOLDER: par.txt of nine cameras around three balls, at three heights and uneven angles,
+# and masks/view0.pgm to view8.pgm, 64x48.
+make_balls() {
+  mkdir -p "$1/masks"
+  awk -v folder="$1" 'BEGIN {
+    ball("0 0 0 0.8"); ball("0.9 0.5 0.3 0.5"); ball("-0.4 -0.9 0.6 0.35")
+    par = folder "/par.txt"
+    print 9 >par
+    for (v = 0; v < 9; ++v) view(v, 0.698 * v + 0.25 * (v % 2) - 0.2 * (v % 4), 0.5 * (v % 3) - 0.4)
+  }
+  function ball(text,   part, i) {
+    split(text, part, " ")
+    for (i = 1; i <= 4; ++i) b[balls, i] = part[i]
+    ++balls
+  }
+  # The camera is 8 from the origin and looks there, y down.
+  function view(v, azimuth, height,   name, i, x, y, ca, sa, ch, sh, file) {
+    ca = cos(azimuth); sa = sin(azimuth); ch = cos(height); sh = sin(height)
+    r[1] = -sa; r[2] = ca; r[3] = 0
+    r[4] = ca * sh; r[5] = sa * sh; r[6] = -ch
+    r[7] = -ca * ch; r[8] = -sa * ch; r[9] = -sh
+    name = "view" v ".pgm"; file = folder "/masks/" name
+    printf "%s 120 0 31.5 0 120 23.5 0 0 1", name >par
+    for (i = 1; i <= 9; ++i) printf " %.12g", r[i] >par
+    print " 0 0 8" >par
+    print "P2 64 48 255" >file
+    for (y = 0; y < 48; ++y) for (x = 0; x < 64; ++x)
+      print hits((x - 31.5) / 120, (y - 23.5) / 120) ? 255 : 0 >file
+    close(file)
+  }
+  function hits(x, y,   i, k, cx, cy, cz, along, off, size) {
+    size = x * x + y * y + 1
+    for (k = 0; k < balls; ++k) {
+      for (i = 0; i < 3; ++i) c[i] = r[3 * i + 1] * b[k, 1] + r[3 * i + 2] * b[k, 2] + r[3 * i + 3] * b[k, 3]
+      cx = c[0]; cy = c[1]; cz = c[2] + 8
+      along = (x * cx + y * cy + cz) / size
+      off = (cx - along * x) ^ 2 + (cy - along * y) ^ 2 + (cz - along) ^ 2
+      if (off < b[k, 4] ^ 2) return 1
+    }
+    return 0
+  }'
+}
+
+# changed_mask 'AWK EXPRESSION of l, i': reads a mask and writes it with other levels; i counts pixels.
+changed_mask() {
+  awk -v seed=1 'NR == 1 { print; next } { l = $1; ++i; print int('"$1"') }'
+}

@@ -9,6 +9,7 @@
 #include "tm/views/hull/agreed_level.h"
 #include "tm/views/hull/hull.h"
 #include "tm/views/hull/silhouette.h"
+#include "tm/views/hull/view_check.h"
 
 namespace transformesh {
 namespace {
@@ -45,8 +46,10 @@ double pixel_size(const std::vector<View>& views) {
 
 Mesh hull_of(std::vector<View>& views, const StartOptions& options, std::optional<double> edge,
              const Progress& progress) {
-  if (!has_masks(views))
+  if (!has_masks(views)) {
     threshold_silhouettes(views, options.threshold.value_or(ThresholdOptions()), progress);
+    check_views(views, {.least_agreement = options.least_agreement}, progress);
+  }
   HullOptions hull;
   hull.box = silhouette_box(views);
   hull.edge = edge;

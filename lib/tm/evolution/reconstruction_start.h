@@ -22,7 +22,8 @@ struct StartOptions {
   /// Of photographs without masks. Nothing: that of threshold_silhouettes, and no silhouettes at
   /// all where a mesh is given, as there may be anything behind the object.
   std::optional<ThresholdOptions> threshold = std::nullopt;
-  double keep = 1;  ///< HullOptions::keep
+  double keep = 1;               ///< HullOptions::keep
+  double least_agreement = 0.7;  ///< ViewCheckOptions::least_agreement, without masks
 };
 
 /// Makes the document's mesh the one to begin with, clean and rounded as written. Views without
@@ -34,7 +35,7 @@ std::optional<Mesh> begin_surface(Document& document, std::vector<View>& views,
                                   const Progress& progress = Progress());
 
 /// The hull of the views' masks; or else of what is brighter than the threshold, which becomes the
-/// silhouettes of the views. `edge` is HullOptions::edge.
+/// silhouettes of the views and must agree (check_views). `edge` is HullOptions::edge.
 Mesh hull_of(std::vector<View>& views, const StartOptions& options, std::optional<double> edge,
              const Progress& progress = Progress());
 

@@ -33,6 +33,13 @@ PinholeCamera PinholeCamera::shrunk(double factor) const {
   return camera;
 }
 
+PinholeCamera PinholeCamera::mirrored() const {
+  PinholeCamera camera = *this;
+  camera.rotation.leftCols<2>() *= -1;
+  camera.translation *= -1;
+  return camera;
+}
+
 Vec3 viewed_point(std::span<const PinholeCamera> cameras) {
   Vec3 mean = Vec3::Zero();
   for (const PinholeCamera& camera : cameras) {

@@ -24,6 +24,9 @@ struct PinholeCamera {
   double focal_length() const;
   /// The camera of the image made `factor` times smaller each way (> 0): pixel areas stay aligned.
   PinholeCamera shrunk(double factor) const;
+  /// The camera that has the reflected world, z for -z, on the same pixels: what was behind it is
+  /// before it. Where cameras are of a left-handed world, the scene lies behind all of them.
+  PinholeCamera mirrored() const;
 };
 
 /// The point nearest to all viewing axes, in the sense of least squares; where that leaves it open

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 #include "tm/views/cameras/file_list.h"
@@ -76,17 +77,15 @@ std::vector<std::string> ordered(const NamedFiles& names, const NamedFiles& file
   return paths;
 }
 
-using Decode = GrayImage (*)(std::string_view bytes, const std::string& name);
-
-/// Decodes all files into a member of their views. Where several files are bad, the first of them
-/// is named, for any number of threads.
-void decode_all(const std::vector<std::string>& paths, Decode decode, GrayImage View::*member,
-                std::vector<View>& views) {
+/// Decodes all files, each by its index. Where several files are bad, the first of them is named,
+/// for any number of threads.
+template <typename Decode>
+void decode_all(const std::vector<std::string>& paths, const Decode& decode) {
   std::vector<std::exception_ptr> failures(paths.size());
   parallel_for(paths.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       try {
-        views[i].*member = decode(file_bytes(paths[i]), paths[i]);
+        decode(i, file_bytes(paths[i]));
       } catch (const InputError&) {
         failures[i] = std::current_exception();
       }
@@ -95,6 +94,36 @@ void decode_all(const std::vector<std::string>& paths, Decode decode, GrayImage 
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
+}
+
+/// Of `count` files, of which this is the first.
+std::string and_others(const std::string& path, std::size_t count) {
+  return count == 1 ? path : path + " and " + counted(count - 1, "further mask");
+}
+
+void tell_rule(const std::vector<std::string>& paths, const std::vector<MaskRule>& rules,
+               MaskRule rule, const std::string& text, const ViewSources& sources) {
+  const auto count = std::count(rules.begin(), rules.end(), rule);
+  if (count == 0 || !sources.on_note) return;
+  const auto first = std::find(rules.begin(), rules.end(), rule) - rules.begin();
+  sources.on_note(
+      and_others(paths[static_cast<std::size_t>(first)], static_cast<std::size_t>(count)) + text);
+}
+
+void decode_masks(const std::vector<std::string>& paths, const ViewSources& sources,
+                  std::vector<View>& views) {
+  std::vector<MaskRule> rules(paths.size());
+  decode_all(paths, [&](std::size_t i, const std::string& bytes) {
+    Mask mask = decode_mask(bytes, paths[i]);
+    views[i].silhouette = std::move(mask.silhouette);
+    rules[i] = mask.rule;
+  });
+  tell_rule(paths, rules, MaskRule::alpha,
+            ": transparency is the mask: the object is where the picture is opaque", sources);
+  tell_rule(paths, rules, MaskRule::between_levels,
+            ": black and white are not quite that, as noise or JPEG leave them: the object is what "
+            "is brighter than half-way between",
+            sources);
 }
 
 std::string size_text(int width, int height) {
@@ -157,14 +186,16 @@ std::vector<View> views_from(const ViewSources& sources) {
   if (!sources.images.empty()) {
     const NamedFiles files = image_files("image", sources.images, list);
     images = ordered(names, files, list.names_images);
-    decode_all(images, decode_photograph, &View::image, views);
+    decode_all(images, [&](std::size_t i, const std::string& bytes) {
+      views[i].image = decode_photograph(bytes, images[i]);
+    });
     leaders = {"image", sources.images, images, {}, files.root};
   }
   if (!sources.silhouettes.empty()) {
     const bool names_must_agree = images.empty() && list.names_images;
     const NamedFiles files = image_files("silhouette", sources.silhouettes, list);
     silhouettes = ordered(leaders, files, names_must_agree);
-    decode_all(silhouettes, decode_silhouette, &View::silhouette, views);
+    decode_masks(silhouettes, sources, views);
     if (images.empty()) leaders = {"silhouette", sources.silhouettes, silhouettes, {}, files.root};
   }
 
@@ -173,7 +204,8 @@ std::vector<View> views_from(const ViewSources& sources) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     const GrayImage& image = sized_image(views[i]);
     if (!image.empty()) list.cameras[i].set_size(image.width, image.height, leaders.paths[i]);
-    views[i].camera = list.cameras[i].camera;
+    const PinholeCamera& camera = list.cameras[i].camera;
+    views[i].camera = sources.mirror ? camera.mirrored() : camera;
     sized.push_back({views[i].camera.intrinsics, image.width, image.height, leaders.paths[i]});
     views[i].name = stems[i];
     if (!silhouettes.empty()) check_silhouette(views[i], silhouettes[i]);

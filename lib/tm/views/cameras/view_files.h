@@ -1,6 +1,7 @@
 /// Calibrated photographs from files: cameras, images and silhouettes that belong together.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct ViewSources {
   std::string cameras;      ///< see camera_file.h
   std::string images;       ///< empty: the views have none
   std::string silhouettes;  ///< empty: the views have none
+  bool mirror = false;      ///< the cameras: PinholeCamera::mirrored
+  /// Gets a line for each way in which masks were read otherwise than by what is not black.
+  std::function<void(const std::string& note)> on_note = {};
 };
 
 /// The views in the order of the cameras, with the images' names, else the silhouettes', else the

@@ -42,7 +42,8 @@ void read_header(png_structp png, png_infop info) {
   png_set_packing(png);
   png_set_expand_gray_1_2_4_to_8(png);
   png_set_palette_to_rgb(png);
-  png_set_strip_alpha(png);
+  // What is transparent by color or palette gets a channel of its own, for masks.
+  png_set_tRNS_to_alpha(png);
   if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
 }
 
@@ -75,9 +76,14 @@ class Reader {
       passes_ = png_set_interlace_handling(png_);
       png_read_update_info(png_, info_);
     });
-    const int channels = png_get_channels(png_, info_);
-    return {static_cast<int>(width), static_cast<int>(height), channels, channels,
-            png_get_bit_depth(png_, info_) == 16 ? 65535.0 : 255.0};
+    const int samples = png_get_channels(png_, info_);
+    const bool has_alpha = samples % 2 == 0;
+    return {static_cast<int>(width),
+            static_cast<int>(height),
+            samples - (has_alpha ? 1 : 0),
+            samples,
+            png_get_bit_depth(png_, info_) == 16 ? 65535.0 : 255.0,
+            has_alpha};
   }
 
   void read(const SampleLayout& layout, LevelRows& rows) {

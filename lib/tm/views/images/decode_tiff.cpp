@@ -109,8 +109,10 @@ class Reader {
 
   void read(LevelRows& rows) {
     check_kind();
-    const bool wants_rows = rows.start({static_cast<int>(width_), static_cast<int>(height_),
-                                        is_gray() ? 1 : 3, stride_, bits_ == 16 ? 65535.0 : 255.0});
+    const int channels = is_gray() ? 1 : 3;
+    const bool wants_rows =
+        rows.start({static_cast<int>(width_), static_cast<int>(height_), channels, stride_,
+                    bits_ == 16 ? 65535.0 : 255.0, stride_ == channels + 1 && has_alpha()});
     if (!wants_rows) return;
     bits_ == 16 ? read_bands<std::uint16_t>(rows) : read_bands<std::uint8_t>(rows);
   }
@@ -129,6 +131,13 @@ class Reader {
   }
   void demand(bool is_done) const {
     if (!is_done || !input_.failure.empty()) refuse();
+  }
+
+  bool has_alpha() const {
+    std::uint16_t count = 0;
+    const std::uint16_t* kinds = nullptr;
+    const bool is_told = TIFFGetField(tiff_.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) != 0;
+    return is_told && count == 1 && kinds[0] != EXTRASAMPLE_UNSPECIFIED;
   }
 
   bool is_gray() const {
@@ -178,7 +187,7 @@ class Reader {
       for (std::uint32_t i = 0; i < count; ++i) {
         std::copy_n(band.get() + i * row_size, row_size, row.begin());
         if (photometric_ == PHOTOMETRIC_MINISWHITE)
-          for (Sample& sample : row) sample = static_cast<Sample>(~sample);
+          for (std::size_t x = 0; x < row_size; x += stride_) row[x] = static_cast<Sample>(~row[x]);
         rows.add(row.data());
       }
     }

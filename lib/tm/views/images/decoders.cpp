@@ -26,6 +26,7 @@ bool LevelRows::start(const SampleLayout& layout) {
   image_.width = layout.width;
   image_.height = layout.height;
   if (kind_ == Kind::size) return false;
+  if (layout.has_alpha) alpha_.width = layout.width, alpha_.height = layout.height;
   image_.pixels.reserve(std::min(most_at_once, static_cast<std::size_t>(layout.width) *
                                                    static_cast<std::size_t>(layout.height)));
   return true;
@@ -38,12 +39,16 @@ void LevelRows::add_row(const Sample* row) {
   const auto luma = [&](const Sample* pixel) {
     return static_cast<float>(scale * (0.299 * pixel[0] + 0.587 * pixel[1] + 0.114 * pixel[2]));
   };
-  const auto inside = [&](const Sample* pixel) {
-    const bool is_inside =
-        std::any_of(pixel, pixel + layout_.channels, [](Sample sample) { return sample != 0; });
-    return is_inside ? 255.0F : 0.0F;
+  const auto largest = [&](const Sample* pixel) {
+    return static_cast<float>(scale * *std::max_element(pixel, pixel + layout_.channels));
   };
-  if (kind_ == Kind::silhouette) return append(row, layout_, inside, image_.pixels);
+  const auto opacity = [&](const Sample* pixel) {
+    return static_cast<float>(scale * pixel[layout_.channels]);
+  };
+  if (kind_ == Kind::silhouette) {
+    if (layout_.has_alpha) append(row, layout_, opacity, alpha_.pixels);
+    return append(row, layout_, largest, image_.pixels);
+  }
   layout_.channels == 1 ? append(row, layout_, gray, image_.pixels)
                         : append(row, layout_, luma, image_.pixels);
 }

@@ -15,12 +15,14 @@ namespace transformesh {
 struct SampleLayout {
   int width = 0;
   int height = 0;
-  int channels = 1;      ///< 1: gray; 3: red, green, blue
-  int stride = 1;        ///< samples from pixel to pixel; those beyond the channels are left out
-  double maximum = 255;  ///< the sample that is full intensity
+  int channels = 1;        ///< 1: gray; 3: red, green, blue
+  int stride = 1;          ///< samples from pixel to pixel; those beyond the channels are left out
+  double maximum = 255;    ///< the sample that is full intensity
+  bool has_alpha = false;  ///< in the sample that follows the channels
 };
 
-/// Collects the levels of an image, row by row from the top.
+/// Collects the levels of an image, row by row from the top: of a silhouette the largest of each
+/// pixel's channels, else their luma.
 class LevelRows {
  public:
   enum class Kind { photograph, silhouette, size };
@@ -32,6 +34,8 @@ class LevelRows {
   void add(const std::uint8_t* row) { add_row(row); }
   void add(const std::uint16_t* row) { add_row(row); }
   GrayImage take() { return std::move(image_); }
+  /// Of a silhouette, as far as the file has transparency: how opaque its pixels are, 0 to 255.
+  GrayImage take_alpha() { return std::move(alpha_); }
 
  private:
   template <class Sample>
@@ -40,6 +44,7 @@ class LevelRows {
   Kind kind_;
   SampleLayout layout_;
   GrayImage image_;
+  GrayImage alpha_;
 };
 
 /// PNG of any color type and depth, by libpng. These throw InputError.

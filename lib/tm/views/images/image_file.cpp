@@ -49,7 +49,7 @@ const Format* format_of(std::string_view bytes) {
   return format == formats.end() ? nullptr : format;
 }
 
-GrayImage decode(std::string_view bytes, const std::string& name, LevelRows::Kind kind) {
+LevelRows decode(std::string_view bytes, const std::string& name, LevelRows::Kind kind) {
   const Source source{bytes, name};
   if (bytes.empty()) source.fail("the file is empty: not a single byte of an image");
   const Format* format = format_of(bytes);
@@ -59,7 +59,7 @@ GrayImage decode(std::string_view bytes, const std::string& name, LevelRows::Kin
   if (format->decode == nullptr) refuse_format(source, format->name);
   LevelRows rows(kind);
   format->decode(source, rows);
-  return rows.take();
+  return rows;
 }
 
 }  // namespace
@@ -67,15 +67,20 @@ GrayImage decode(std::string_view bytes, const std::string& name, LevelRows::Kin
 bool is_image(std::string_view bytes) { return format_of(bytes) != nullptr; }
 
 GrayImage decode_photograph(std::string_view bytes, const std::string& name) {
-  return decode(bytes, name, LevelRows::Kind::photograph);
+  return decode(bytes, name, LevelRows::Kind::photograph).take();
 }
 
 GrayImage decode_size(std::string_view bytes, const std::string& name) {
-  return decode(bytes, name, LevelRows::Kind::size);
+  return decode(bytes, name, LevelRows::Kind::size).take();
+}
+
+Mask decode_mask(std::string_view bytes, const std::string& name) {
+  LevelRows rows = decode(bytes, name, LevelRows::Kind::silhouette);
+  return mask_of(rows.take(), rows.take_alpha());
 }
 
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name) {
-  return decode(bytes, name, LevelRows::Kind::silhouette);
+  return decode_mask(bytes, name).silhouette;
 }
 
 Image picture_of(const GrayImage& image) {

@@ -3,7 +3,7 @@
 /// name.
 ///
 /// Pixels stay where the file has them: a camera is calibrated for those, so that a wish to show
-/// the photograph rotated (Exif) is ignored. Transparency is ignored too.
+/// the photograph rotated (Exif) is ignored. Transparency counts in masks only.
 #pragma once
 
 #include <string>
@@ -11,6 +11,7 @@
 
 #include "tm/picture/image.h"
 #include "tm/views/images/gray_image.h"
+#include "tm/views/images/mask.h"
 
 namespace transformesh {
 
@@ -26,7 +27,10 @@ GrayImage decode_photograph(std::string_view bytes, const std::string& name);
 /// for what only the pixels tell.
 GrayImage decode_size(std::string_view bytes, const std::string& name);
 
-/// 255 where any sample is not zero, else 0. Throws as decode_photograph does.
+/// Inside is what the levels or the transparency show (mask.h). Throws as decode_photograph does.
+Mask decode_mask(std::string_view bytes, const std::string& name);
+
+/// The same without how it was told.
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
 
 /// Levels from 0 to 255, rounded to whole ones and cut off beyond; opaque.

@@ -76,8 +76,12 @@ TEST_CASE("inside a silhouette is what has any sample above zero") {
   const GrayImage color = decode_silhouette("P3 2 1 255 0 0 1 0 0 0", "a.ppm");
   CHECK(color.at(0, 0) == 255);
   CHECK(color.at(1, 0) == 0);
-  // Transparency is no sample that counts.
-  const GrayImage alpha = decode_silhouette(png_of({4, 8}, 2, 1, {0, 255, 9, 0}), "a.png");
-  CHECK(alpha.at(0, 0) == 0);
-  CHECK(alpha.at(1, 0) == 255);
+  // Transparency is the mask where it varies, and does not count where it does not.
+  const Mask cut_out = decode_mask(png_of({4, 8}, 2, 1, {0, 255, 9, 0}), "a.png");
+  CHECK(cut_out.rule == MaskRule::alpha);
+  CHECK(cut_out.silhouette.at(0, 0) == 255);
+  CHECK(cut_out.silhouette.at(1, 0) == 0);
+  const GrayImage opaque = decode_silhouette(png_of({4, 8}, 2, 1, {0, 255, 9, 255}), "a.png");
+  CHECK(opaque.at(0, 0) == 0);
+  CHECK(opaque.at(1, 0) == 255);
 }
