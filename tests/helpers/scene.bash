@@ -26,11 +26,11 @@ PAR
   for name in a b c; do mask 2 6 >"$1/masks/$name.pgm"; done
 }
 
-# make_balls FOLDER: par.txt of nine cameras around three balls, at three heights and uneven angles,
-# and masks/view0.pgm to view8.pgm, 64x48.
+# make_balls FOLDER [K1]: par.txt of nine cameras around three balls, at three heights and uneven
+# angles, and masks/view0.pgm to view8.pgm, 64x48, through a lens with radial distortion K1.
 make_balls() {
   mkdir -p "$1/masks"
-  awk -v folder="$1" 'BEGIN {
+  awk -v folder="$1" -v k1="${2:-0}" 'BEGIN {
     ball("0 0 0 0.8"); ball("0.9 0.5 0.3 0.5"); ball("-0.4 -0.9 0.6 0.35")
     par = folder "/par.txt"
     print 9 >par
@@ -56,7 +56,12 @@ make_balls() {
       print hits((x - 31.5) / 120, (y - 23.5) / 120) ? 255 : 0 >file
     close(file)
   }
-  function hits(x, y,   i, k, cx, cy, cz, along, off, size) {
+  function hits(x, y,   i, k, cx, cy, cz, along, off, size, bent_x, bent_y) {
+    bent_x = x; bent_y = y
+    for (i = 0; i < 40 && k1 != 0; ++i) {
+      size = 1 + k1 * (x * x + y * y)
+      x = bent_x / size; y = bent_y / size
+    }
     size = x * x + y * y + 1
     for (k = 0; k < balls; ++k) {
       for (i = 0; i < 3; ++i) c[i] = r[3 * i + 1] * b[k, 1] + r[3 * i + 2] * b[k, 2] + r[3 * i + 3] * b[k, 3]

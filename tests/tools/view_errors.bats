@@ -80,7 +80,7 @@ refused_by_all() { # READS WORD...
   mkdir colmap
   cat >colmap/cameras.txt <<'C'
 # a comment
-1 SIMPLE_RADIAL 9 9 10 4.5 4.5 0.1
+1 SIMPLE_RADIAL_FISHEYE 9 9 10 4.5 4.5 0.1
 C
   for i in 1 2 3; do
     printf '%d 1 0 0 0 0 0 10 1 %s.pgm\n\n' $i "$(cut -c$i <<<abc)"

@@ -12,7 +12,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::string_view known_formats =
-    "Middlebury parameters, COLMAP text, Bundler and 3x4 matrices are read";
+    "Middlebury parameters, COLMAP's models, Bundler and 3x4 matrices are read";
 
 /// Goes to the first row that is not a comment; false where there is none.
 bool first_row(TextRows& rows) {
@@ -70,6 +70,18 @@ void check_complete(const CameraList& list) {
   }
 }
 
+/// Of the formats that are written, COLMAP's alone has distortion.
+void check_undistorted(const CameraList& list, CameraFormat format) {
+  if (format == CameraFormat::colmap) return;
+  for (const CameraRecord& record : list.cameras) {
+    if (record.distortion.is_none()) continue;
+    throw InputError("the lens of " + transformesh::quoted(record.name) + " has distortion (" +
+                     record.place +
+                     "), which this format cannot hold: write COLMAP's, or undistort the images "
+                     "with colmap image_undistorter");
+  }
+}
+
 /// Each matrix needs a file of its own that is found in its folder.
 void check_files(const std::vector<CameraText>& files, const CameraList& list) {
   std::set<std::string_view> names;
@@ -107,19 +119,32 @@ CameraFormat known_format(const Source& source) {
 /// Whether the file is one of the two that COLMAP needs together.
 bool is_colmap_part(const std::string& path) {
   const std::string name = std::filesystem::path(path).filename().string();
-  return name == "cameras.txt" || name == "images.txt";
+  return name == "cameras.txt" || name == "images.txt" || name == "cameras.bin" ||
+         name == "images.bin";
 }
 
-CameraList read_colmap_folder(const std::filesystem::path& folder) {
-  const std::string cameras = (folder / "cameras.txt").string();
-  const std::string images = (folder / "images.txt").string();
+bool has_colmap_files(const std::filesystem::path& folder, const std::string& extension) {
+  return is_file((folder / ("cameras" + extension)).string()) &&
+         is_file((folder / ("images" + extension)).string());
+}
+
+/// Of a folder with both, text counts unless a binary file is named.
+std::string colmap_extension(const std::filesystem::path& folder, const std::string& where) {
+  const bool is_binary_named = where.ends_with(".bin");
+  if (!is_binary_named && has_colmap_files(folder, ".txt")) return ".txt";
+  const bool is_text_named = where.ends_with(".txt");
+  return !is_text_named && has_colmap_files(folder, ".bin") ? ".bin" : "";
+}
+
+CameraList read_colmap_folder(const std::filesystem::path& folder, const std::string& extension) {
+  const std::string cameras = (folder / ("cameras" + extension)).string();
+  const std::string images = (folder / ("images" + extension)).string();
   const std::string camera_bytes = file_bytes(cameras);
   const std::string image_bytes = file_bytes(images);
-  return read_colmap({camera_bytes, cameras}, {image_bytes, images});
-}
-
-bool has_colmap_files(const std::filesystem::path& folder) {
-  return is_file((folder / "cameras.txt").string()) && is_file((folder / "images.txt").string());
+  const Source camera_source{camera_bytes, cameras};
+  const Source image_source{image_bytes, images};
+  return extension == ".bin" ? read_colmap_binary(camera_source, image_source)
+                             : read_colmap(camera_source, image_source);
 }
 
 /// The files of a folder that look like camera files, which must be of one format.
@@ -139,11 +164,6 @@ std::vector<std::string> camera_files_in(const std::string& folder) {
     }
     format = found;
     files.push_back(path);
-  }
-  if (files.empty() && is_file(folder + "/cameras.bin")) {
-    throw InputError(folder +
-                     ": COLMAP's binary model is not read; write it as text with colmap "
-                     "model_converter --output_type TXT");
   }
   if (files.empty()) {
     throw InputError(folder +
@@ -190,8 +210,10 @@ CameraList cameras_from(const std::string& where) {
   const std::filesystem::path folder =
       is_folder(where) ? std::filesystem::path(where) : std::filesystem::path(where).parent_path();
   CameraList list;
-  if ((is_folder(where) || is_colmap_part(where)) && has_colmap_files(folder)) {
-    list = read_colmap_folder(folder);
+  const bool may_be_colmap = is_folder(where) || is_colmap_part(where);
+  const std::string extension = may_be_colmap ? colmap_extension(folder, where) : std::string();
+  if (!extension.empty()) {
+    list = read_colmap_folder(folder, extension);
   } else {
     const auto files = is_folder(where) ? camera_files_in(where) : files_at(where);
     for (const std::string& path : files) append(list, read_file(path));
@@ -202,6 +224,7 @@ CameraList cameras_from(const std::string& where) {
 
 std::string write_cameras(const CameraList& list, CameraFormat format) {
   check_complete(list);
+  check_undistorted(list, format);
   if (format == CameraFormat::bundler) throw InputError("Bundler's files are read, not written");
   if (format == CameraFormat::middlebury) return write_middlebury(list);
   if (format == CameraFormat::colmap) return write_colmap_cameras(list) + write_colmap_images(list);
@@ -214,6 +237,7 @@ std::string write_cameras(const CameraList& list, CameraFormat format) {
 
 std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat format) {
   check_complete(list);
+  check_undistorted(list, format);
   if (format == CameraFormat::colmap) {
     return {{"cameras.txt", write_colmap_cameras(list)},
             {"images.txt", write_colmap_images(list)},

@@ -1,15 +1,16 @@
-/// Camera files: Middlebury parameters, COLMAP text, Bundler, and 3x4 matrices, told apart by their
-/// content.
+/// Camera files: Middlebury parameters, COLMAP's models, Bundler, and 3x4 matrices, told apart by
+/// their content.
 ///
 /// Middlebury: the number of cameras, then a line `name k11 .. k33 r11 .. r33 t1 t2 t3` for each.
-/// COLMAP: cameras.txt and images.txt, in two files of a folder or joined in one text; its pixel
-/// centers are at 0.5. Bundler: bundle.out v0.3; the principal point is the image's center.
-/// Matrices: twelve numbers in rows, K [R | t] up to scale; several may follow each other in a
-/// file, each perhaps after a comment `# name`.
+/// COLMAP: cameras.txt and images.txt, in two files of a folder or joined in one text, or
+/// cameras.bin and images.bin in a folder; its pixel centers are at 0.5. Bundler: bundle.out v0.3;
+/// the principal point is the image's center. Matrices: twelve numbers in rows, K [R | t] up to
+/// scale; several may follow each other in a file, each perhaps after a comment `# name`.
 ///
-/// All of them throw InputError naming file and line for cameras that a pinhole without distortion
-/// is not, for numbers that are missing, not finite, beyond 1e100 or no numbers, for focal lengths
-/// that are nothing beside the principal point, and for counts that disagree.
+/// Distortion is known of COLMAP's models SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV. All of
+/// them throw InputError naming file and line for cameras that a pinhole, but for that, is not, for
+/// numbers that are missing, not finite, beyond 1e100 or no numbers, for focal lengths that are
+/// nothing beside the principal point, and for counts that disagree.
 #pragma once
 
 #include <optional>
@@ -42,8 +43,9 @@ struct CameraText {
 };
 
 /// One text that reads back as the same cameras. Throws InputError for what the format cannot hold:
-/// Bundler is only read, COLMAP needs the images' sizes and no skew, Middlebury names without
-/// blanks, all of them names that are not empty; and for cameras that are still to be centered.
+/// Bundler is only read, COLMAP needs the images' sizes and no skew, the others no distortion,
+/// Middlebury names without blanks, all of them names that are not empty; and for cameras that are
+/// still to be centered.
 std::string write_cameras(const CameraList& list, CameraFormat format);
 
 /// As the programs of the format expect it in a folder: COLMAP's three files, a matrix for each

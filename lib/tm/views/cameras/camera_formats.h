@@ -17,6 +17,8 @@ CameraList read_matrices(const Source& source, const std::string& stem);
 CameraList read_colmap(const Source& source);
 /// Cameras and images in two texts.
 CameraList read_colmap(const Source& cameras, const Source& images);
+/// The same of cameras.bin and images.bin.
+CameraList read_colmap_binary(const Source& cameras, const Source& images);
 
 /// Which of COLMAP's files has such a row.
 enum class ColmapPart { none, cameras, images };

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tm/views/cameras/lens_distortion.h"
 #include "tm/views/cameras/pinhole_camera.h"
 
 namespace transformesh {
@@ -15,7 +16,8 @@ struct CameraRecord {
   PinholeCamera camera;
   int width = 0;  ///< of the image, or 0 where the file does not say
   int height = 0;
-  bool is_centered = false;  ///< the principal point is the center of an image of unknown size
+  LensDistortion distortion;  ///< of the photograph; the camera is the pinhole without it
+  bool is_centered = false;   ///< the principal point is the center of an image of unknown size
 
   /// Checks the image's size, and centers the principal point if that is still to be done. Throws
   /// InputError where the file says another size; `image` names it there.

@@ -14,6 +14,7 @@ constexpr TextRows::Rules rules{'\0', false};
 /// What cameras.txt knows: K, and the size of the images that were taken with it.
 struct Lens {
   Eigen::Matrix3d intrinsics = Eigen::Matrix3d::Identity();
+  LensDistortion distortion;
   int width = 0;
   int height = 0;
 };
@@ -42,25 +43,47 @@ int read_side(TextRows& rows, const char* name, const std::string& who) {
   return side;
 }
 
+/// A model, and the names of its parameters behind cx and cy; SIMPLE ones have one focal length.
+struct Model {
+  std::string_view name;
+  bool has_two_focals = false;
+  std::string_view parameters;
+};
+constexpr std::array models{
+    Model{"SIMPLE_PINHOLE", false, ""},  Model{"PINHOLE", true, ""},
+    Model{"SIMPLE_RADIAL", false, "k1"}, Model{"RADIAL", false, "k1k2"},
+    Model{"OPENCV", true, "k1k2p1p2"},   Model{"FULL_OPENCV", true, "k1k2p1p2k3k4k5k6"}};
+
+double& parameter(LensDistortion& distortion, std::string_view name) {
+  const auto index = static_cast<std::size_t>(name[1] - '1');
+  return name[0] == 'k' ? distortion.radial[index] : distortion.tangential[index];
+}
+
 /// COLMAP has the center of the first pixel at 0.5, 0.5, where it is 0, 0 here.
 void read_lens(TextRows& rows, Lenses& lenses) {
   const std::string id(rows.word());
   const std::string who = "camera " + quoted(id);
   if (!rows.has_more()) rows.fail("the model of " + who + " is missing");
-  const std::string model(rows.word());
-  if (model != "PINHOLE" && model != "SIMPLE_PINHOLE") {
-    rows.fail(who + " has the model " + quoted(model) +
-              ": only PINHOLE and SIMPLE_PINHOLE are without distortion; undistort the images "
-              "with colmap image_undistorter");
+  const std::string name(rows.word());
+  const auto* const model = std::find_if(models.begin(), models.end(),
+                                         [&](const Model& known) { return known.name == name; });
+  if (model == models.end()) {
+    rows.fail(who + " has the model " + quoted(name) +
+              ", whose distortion is not taken out here (that of SIMPLE_RADIAL, RADIAL, OPENCV and "
+              "FULL_OPENCV is): undistort the images with colmap image_undistorter");
   }
   Lens lens;
   lens.width = read_side(rows, "the width", who);
   lens.height = read_side(rows, "the height", who);
   Eigen::Matrix3d& k = lens.intrinsics;
   k(0, 0) = k(1, 1) = read_parameter(rows, "the focal length", who);
-  if (model == "PINHOLE") k(1, 1) = read_parameter(rows, "the second focal length", who);
+  if (model->has_two_focals) k(1, 1) = read_parameter(rows, "the second focal length", who);
   k(0, 2) = read_parameter(rows, "cx", who) - 0.5;
   k(1, 2) = read_parameter(rows, "cy", who) - 0.5;
+  for (std::size_t i = 0; i < model->parameters.size(); i += 2) {
+    const std::string word(model->parameters.substr(i, 2));
+    parameter(lens.distortion, word) = read_parameter(rows, word.c_str(), who);
+  }
   rows.end_row([&] { return std::string(who); });
   check_intrinsics(rows, k, who);
   if (!lenses.emplace(id, lens).second) rows.fail(who + " is there twice");
@@ -95,6 +118,7 @@ CameraRecord read_image(TextRows& rows, const Source& source, const Lenses& lens
   if (lens == lenses.end())
     rows.fail("there is no camera " + quoted(id) + ", which " + who + " has");
   record.camera.intrinsics = lens->second.intrinsics;
+  record.distortion = lens->second.distortion;
   record.width = lens->second.width;
   record.height = lens->second.height;
   record.name = rows.skip_row();

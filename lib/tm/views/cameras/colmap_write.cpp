@@ -11,7 +11,8 @@ namespace {
 constexpr double pixel_center = 0.5;
 
 bool is_same_lens(const CameraRecord& a, const CameraRecord& b) {
-  return a.camera.intrinsics == b.camera.intrinsics && a.width == b.width && a.height == b.height;
+  return a.camera.intrinsics == b.camera.intrinsics && a.distortion == b.distortion &&
+         a.width == b.width && a.height == b.height;
 }
 
 /// The index of a lens: that of the first camera of the list that has it.
@@ -20,6 +21,16 @@ std::size_t lens_of(const CameraList& list, const CameraRecord& record) {
       std::find_if(list.cameras.begin(), list.cameras.end(),
                    [&](const CameraRecord& other) { return is_same_lens(other, record); });
   return static_cast<std::size_t>(first - list.cameras.begin());
+}
+
+/// In the order of FULL_OPENCV.
+void add(const LensDistortion& distortion, TextBuffer& text) {
+  const auto& [k1, k2, k3, k4, k5, k6] = distortion.radial;
+  const auto& [p1, p2] = distortion.tangential;
+  for (const double value : {k1, k2, p1, p2, k3, k4, k5, k6}) {
+    text.add(' ');
+    text.add_number(value);
+  }
 }
 
 void check(const CameraRecord& record) {
@@ -48,7 +59,8 @@ std::string write_colmap_cameras(const CameraList& list) {
     if (lens_of(list, record) != i) continue;
     const Eigen::Matrix3d& k = record.camera.intrinsics;
     text.add_number(i + 1);
-    text.add(" PINHOLE ");
+    const LensDistortion& distortion = record.distortion;
+    text.add(distortion.is_none() ? " PINHOLE " : " FULL_OPENCV ");
     text.add_number(record.width);
     text.add(' ');
     text.add_number(record.height);
@@ -56,6 +68,7 @@ std::string write_colmap_cameras(const CameraList& list) {
       text.add(' ');
       text.add_number(value);
     }
+    if (!distortion.is_none()) add(distortion, text);
     text.add('\n');
   }
   return text.take();

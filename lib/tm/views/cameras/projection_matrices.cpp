@@ -11,6 +11,9 @@ namespace {
 
 constexpr TextRows::Rules rules{'#', false};
 
+/// As much skew, beside the focal length, is what numbers of 12 digits make of none.
+constexpr double no_skew = 1e-11;
+
 /// RQ decomposition by Gram-Schmidt from the last row upwards: K33 = 1, focal lengths positive,
 /// det R = 1. The sign and the scale of a projection mean nothing.
 PinholeCamera decomposed(Projection projection) {
@@ -25,6 +28,8 @@ PinholeCamera decomposed(Projection projection) {
   PinholeCamera camera;
   camera.rotation << r1.transpose(), r2.transpose(), r3.transpose();
   camera.intrinsics << m1.dot(r1), m1.dot(r2), m1.dot(r3), 0, m2.dot(r2), m2.dot(r3), 0, 0, 1;
+  if (std::abs(camera.intrinsics(0, 1)) <= no_skew * camera.intrinsics(0, 0))
+    camera.intrinsics(0, 1) = 0;
   camera.translation = camera.intrinsics.inverse() * projection.col(3);
   return camera;
 }

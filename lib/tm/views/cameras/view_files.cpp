@@ -171,6 +171,15 @@ void check_sizes(const std::vector<SizedCamera>& cameras) {
   }
 }
 
+/// What pinholes would have seen of it.
+void undistort(View& view, const CameraRecord& record) {
+  const LensDistortion& distortion = record.distortion;
+  if (distortion.is_none()) return;
+  const Eigen::Matrix3d& intrinsics = record.camera.intrinsics;
+  view.image = undistorted(view.image, intrinsics, distortion);
+  view.silhouette = undistorted(view.silhouette, intrinsics, distortion);
+}
+
 }  // namespace
 
 std::vector<View> views_from(const ViewSources& sources) {
@@ -209,6 +218,7 @@ std::vector<View> views_from(const ViewSources& sources) {
     sized.push_back({views[i].camera.intrinsics, image.width, image.height, leaders.paths[i]});
     views[i].name = stems[i];
     if (!silhouettes.empty()) check_silhouette(views[i], silhouettes[i]);
+    undistort(views[i], list.cameras[i]);
   }
   check_sizes(sized);
   return views;

@@ -115,7 +115,8 @@ Box viewed_box(const std::vector<View>& views) {
   for (const View& view : views) {
     const GrayImage& image = view.silhouette;
     reaches.push_back((view.camera.center() - center).norm() *
-                      std::hypot(image.width, image.height) / 2 / view.camera.focal_length());
+                      Eigen::Vector2d(image.width, image.height).norm() / 2 /
+                      view.camera.focal_length());
   }
   std::nth_element(reaches.begin(),
                    reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2),

@@ -245,7 +245,9 @@ TEST_CASE("files that are not there or not what they should be are named") {
   CHECK(says(refusal({folder.at("a.txt"), folder.at("a.pgm"), ""}), "a.pgm"));
   CHECK(says(refusal({folder.at("text/readme.txt"), "", ""}), "not a camera file"));
   folder.write("binary/cameras.bin", std::string("\1\0\0\0\0\0\0\0", 8));
-  CHECK(says(refusal({folder.at("binary"), "", ""}), "model_converter"));
+  CHECK(says(refusal({folder.at("binary"), "", ""}), "no camera file"));
+  folder.write("binary/images.bin", std::string("\1\0\0\0\0\0\0\0", 8));
+  CHECK(says(refusal({folder.at("binary"), "", ""}), "ends too early"));
   folder.write("mixed/a.txt", matrix(100));
   folder.write("mixed/par.txt", middlebury({"a.png"}));
   CHECK(says(refusal({folder.at("mixed"), "", ""}), "different formats"));
