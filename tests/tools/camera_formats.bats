@@ -60,7 +60,8 @@ PY
   hull file binary/images.bin
   cmp text.ply file.ply
   cmp <(tm-cameras --format colmap colmap) <(tm-cameras --format colmap binary)
-  head -c 700 binary/images.bin >cut && mv cut binary/images.bin
+  head -c 700 binary/images.bin >short.bin
+  mv short.bin binary/images.bin
   run --separate-stderr tm-hull --cameras binary --silhouettes masks -o out.ply
   assert_status 3
   one_line "$stderr"
@@ -101,5 +102,64 @@ PY
     echo "1 $model" >colmap/cameras.txt
     hull zero colmap
     cmp right.ply zero.ply
+  done
+}
+
+# opencv yaml|xml K1: a file for each camera of par.txt, in the folder opencv.
+opencv() {
+  rm -rf opencv
+  mkdir opencv
+  awk -v format="$1" -v k1="$2" '
+    function matrix(key, rows, columns, from,   i, text) {
+      for (i = 0; i < rows * columns; ++i)
+        text = text (i ? (format == "xml" ? " " : ", ") : "") (from ? $(from + i) : (i ? 0 : k1))
+      if (format == "xml")
+        printf "<%s type_id=\"opencv-matrix\"><rows>%d</rows><cols>%d</cols><dt>d</dt>\n<data>\n%s</data></%s>\n",
+          key, rows, columns, text, key >file
+      else
+        printf "%s: !!opencv-matrix\n   rows: %d\n   cols: %d\n   dt: d\n   data: [ %s ]\n", key, rows,
+          columns, text >file
+    }
+    NR > 1 {
+      file = "opencv/" substr($1, 1, length($1) - 4) "." format
+      print (format == "xml" ? "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>64</image_width>" \
+        : "%YAML:1.0\n---\nimage_width: 64\nimage_height: 48") >file
+      matrix("camera_matrix", 3, 3, 2)
+      matrix("distortion_coefficients", 5, 1, 0)
+      matrix("R", 3, 3, 11)
+      matrix("T", 3, 1, 20)
+      if (format == "xml") print "</opencv_storage>" >file
+      close(file)
+    }' par.txt
+}
+
+@test "OpenCV's YAML and XML give the hull of the same numbers" {
+  hull par par.txt
+  for format in yaml xml; do
+    opencv $format 0
+    hull $format opencv
+    cmp par.ply $format.ply
+  done
+  tm-cameras --format colmap --images masks --folder back opencv
+  hull back back
+  near par back 1e-3
+}
+
+@test "OpenCV's distortion is COLMAP's, and what is missing or wrong is told" {
+  make_balls . 2
+  tm-cameras --images masks --format colmap --folder colmap par.txt
+  echo '1 OPENCV 64 48 120 120 32 24 2 0 0 0' >colmap/cameras.txt
+  hull colmap colmap
+  opencv yaml 2
+  hull opencv opencv
+  near colmap opencv 0.01
+  sed '/^R:/,$d' opencv/view0.yaml >no_pose.yaml
+  sed 's/data: \[ 2,/data: [ 2x,/' opencv/view0.yaml >no_number.yaml
+  sed '/^camera_matrix/,/data/d' opencv/view0.yaml >no_matrix.yaml
+  for what in 'no_pose no R' "no_number '2x'" 'no_matrix no camera_matrix'; do
+    run --separate-stderr tm-cameras "${what%% *}.yaml"
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr == *"${what#* }"*"${what%% *}.yaml"* ]] || fail "$stderr"
   done
 }

@@ -12,7 +12,8 @@ namespace transformesh {
 namespace {
 
 constexpr std::string_view known_formats =
-    "Middlebury parameters, COLMAP's models, Bundler and 3x4 matrices are read";
+    "Middlebury parameters, COLMAP's models, Bundler, OpenCV's YAML and XML and 3x4 matrices are "
+    "read";
 
 /// Goes to the first row that is not a comment; false where there is none.
 bool first_row(TextRows& rows) {
@@ -103,6 +104,8 @@ CameraList parse(const Source& source, CameraFormat format, const std::string& s
       return read_colmap(source);
     case CameraFormat::bundler:
       return read_bundler(source);
+    case CameraFormat::opencv:
+      return read_opencv(source, stem);
     case CameraFormat::matrices:
       break;
   }
@@ -187,6 +190,8 @@ CameraList read_file(const std::string& path) {
 
 std::optional<CameraFormat> camera_format(std::string_view bytes) {
   if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) return {};
+  if (bytes.starts_with("%YAML") || bytes.find("<opencv_storage") < 4096)
+    return CameraFormat::opencv;
   const Source source{bytes, ""};
   TextRows rows(source, 0, {'\0', false});
   const bool has_row = first_row(rows);
@@ -226,6 +231,7 @@ std::string write_cameras(const CameraList& list, CameraFormat format) {
   check_complete(list);
   check_undistorted(list, format);
   if (format == CameraFormat::bundler) throw InputError("Bundler's files are read, not written");
+  if (format == CameraFormat::opencv) throw InputError("OpenCV's files are read, not written");
   if (format == CameraFormat::middlebury) return write_middlebury(list);
   if (format == CameraFormat::colmap) return write_colmap_cameras(list) + write_colmap_images(list);
   std::string text;

@@ -7,10 +7,13 @@
 /// the principal point is the image's center. Matrices: twelve numbers in rows, K [R | t] up to
 /// scale; several may follow each other in a file, each perhaps after a comment `# name`.
 ///
-/// Distortion is known of COLMAP's models SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV. All of
-/// them throw InputError naming file and line for cameras that a pinhole, but for that, is not, for
-/// numbers that are missing, not finite, beyond 1e100 or no numbers, for focal lengths that are
-/// nothing beside the principal point, and for counts that disagree.
+/// OpenCV: YAML or XML with camera_matrix, distortion_coefficients, and R and T, or rows of
+/// extrinsic_parameters.
+///
+/// Distortion is known of OpenCV and of COLMAP's models SIMPLE_RADIAL, RADIAL, OPENCV and
+/// FULL_OPENCV. All of them throw InputError naming file and line for cameras that a pinhole, but
+/// for that, is not, for numbers that are missing, not finite, beyond 1e100 or no numbers, for
+/// focal lengths that are nothing beside the principal point, and for counts that disagree.
 #pragma once
 
 #include <optional>
@@ -22,7 +25,7 @@
 
 namespace transformesh {
 
-enum class CameraFormat { middlebury, colmap, bundler, matrices };
+enum class CameraFormat { middlebury, colmap, bundler, matrices, opencv };
 
 /// None where the beginning looks like no camera file.
 std::optional<CameraFormat> camera_format(std::string_view bytes);
@@ -43,9 +46,9 @@ struct CameraText {
 };
 
 /// One text that reads back as the same cameras. Throws InputError for what the format cannot hold:
-/// Bundler is only read, COLMAP needs the images' sizes and no skew, the others no distortion,
-/// Middlebury names without blanks, all of them names that are not empty; and for cameras that are
-/// still to be centered.
+/// Bundler and OpenCV are only read, COLMAP needs the images' sizes and no skew, the others no
+/// distortion, Middlebury names without blanks, all of them names that are not empty; and for
+/// cameras that are still to be centered.
 std::string write_cameras(const CameraList& list, CameraFormat format);
 
 /// As the programs of the format expect it in a folder: COLMAP's three files, a matrix for each

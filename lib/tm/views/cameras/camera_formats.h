@@ -11,6 +11,8 @@ namespace transformesh {
 /// Each throws InputError for what camera_file.h refuses.
 CameraList read_middlebury(const Source& source);
 CameraList read_bundler(const Source& source);
+/// Cameras are called after the stem.
+CameraList read_opencv(const Source& source, const std::string& stem);
 /// Cameras without a name are called after the stem.
 CameraList read_matrices(const Source& source, const std::string& stem);
 /// Cameras and images in one text.
