@@ -34,7 +34,7 @@ bool is_installed(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (access((folder + '/' + program).c_str(), X_OK) == 0) return true;
+    if (access(folder.append("/").append(program).c_str(), X_OK) == 0) return true;
   return false;
 }
 
@@ -43,8 +43,9 @@ std::string numbered(const std::string& path, int frame, int frames) {
   const std::size_t digits = std::max(std::to_string(frames - 1).size(), least_digits);
   const std::string number = std::to_string(frame);
   const std::size_t stem = path.size() - ending_of(path).size();
-  return path.substr(0, stem) + '-' + std::string(digits - number.size(), '0') + number +
-         path.substr(stem);
+  std::string name = path.substr(0, stem);
+  name.append("-").append(digits - number.size(), '0').append(number);
+  return name.append(path, stem);
 }
 
 }  // namespace

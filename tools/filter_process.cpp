@@ -97,22 +97,22 @@ void check_ending(const std::string& command, int status) {
 
 }  // namespace
 
-std::string run_filter(const std::string& command, std::string_view input, FilterOutput kind) {
+std::string run_filter(const std::string& command, std::string_view input, FilterOutput output) {
   const File child_input = file_of(input, command);
-  Output output = output_of(kind, command);
-  const pid_t child = start(command, child_input, output.to_write);
+  Output ends = output_of(output, command);
+  const pid_t child = start(command, child_input, ends.to_write);
   set_child_group(child);
-  output.to_write.reset();
+  ends.to_write.reset();
   std::string bytes;
-  if (kind == FilterOutput::pipe) bytes = all_of(output.to_read);
+  if (output == FilterOutput::pipe) bytes = all_of(ends.to_read);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   set_child_group(0);
   check_ending(command, status);
-  if (kind == FilterOutput::pipe) return bytes;
-  std::rewind(output.to_read.get());
-  return all_of(output.to_read);
+  if (output == FilterOutput::pipe) return bytes;
+  std::rewind(ends.to_read.get());
+  return all_of(ends.to_read);
 }
 
 }  // namespace transformesh::tool

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "tm/mesh/edges.h"
 #include "tm/mesh/measure.h"
@@ -45,9 +46,9 @@ using Piece = std::array<Place, 2>;
 /// What an edge is, by the faces that meet at it.
 class EdgeKinds {
  public:
-  EdgeKinds(const Mesh& mesh, const Vec3& eye, double crease_angle_deg)
+  EdgeKinds(const Mesh& mesh, Vec3 eye, double crease_angle_deg)
       : mesh_(mesh),
-        eye_(eye),
+        eye_(std::move(eye)),
         flattest_(elementary::cos(crease_angle_deg * std::numbers::pi / 180)) {}
 
   Kind operator()(std::span<const Index> halfedges) const {
@@ -159,8 +160,8 @@ std::string pixels(long hundredths) { return fixed(static_cast<double>(hundredth
 std::string path_of(const std::vector<Piece>& pieces, const Pen& pen) {
   if (pieces.empty()) return "";
   std::string path = "<path class=\"";
-  path.append(pen.name).append("\" stroke=\"").append(pen.color);
-  path.append("\" stroke-width=\"").append(pen.width).append("\" d=\"");
+  path.append(pen.name).append(R"(" stroke=")").append(pen.color);
+  path.append(R"(" stroke-width=")").append(pen.width).append(R"(" d=")");
   for (const std::vector<Place>& chain : Chains(pieces).join())
     for (std::size_t i = 0; i < chain.size(); ++i) {
       path.append(i == 0 ? "M" : i == 1 ? "L" : " ");
@@ -189,9 +190,10 @@ std::string draw_lines(std::span<const Mesh* const> meshes, const PictureOptions
   const std::vector<Panel> panels = lay_out(meshes, options, 0);
   const std::string width = std::to_string(options.width);
   const std::string height = std::to_string(options.height);
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" +
-                    height + "\" viewBox=\"0 0 " + width + ' ' + height +
-                    "\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+  std::string svg = R"(<svg xmlns="http://www.w3.org/2000/svg" width=")";
+  svg.append(width).append(R"(" height=")").append(height);
+  svg.append(R"(" viewBox="0 0 )").append(width).append(" ").append(height);
+  svg += "\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
     progress("draw", static_cast<double>(i) / static_cast<double>(panels.size()));
     svg += group_of(panels[i], options.shade);
