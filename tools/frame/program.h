@@ -94,11 +94,11 @@ struct Program {
   std::vector<std::string> word_choices = {};  ///< the first word is one of these, for completion
   std::string epilog = {};                     ///< shown after the options: examples, formulas
   std::vector<std::string> picture_endings = {".png"};  ///< of -o, where a picture is written
-  std::function<bool()> writes_mesh_if = {};    ///< where this holds, a mesh is written, no report
+  std::function<bool()> writes_mesh_if = {};  ///< where this holds, a mesh is written, no report
   bool words_are_folders = false;
   std::function<bool()> reads_nothing_if = {};  ///< where this holds, there is no input
-  bool cleans = false;       ///< what is written crosses nothing, rounded as it is
-  bool joins_soups = false;  ///< so that nobody is told to do it with tm-stitch
+  bool cleans = false;                    ///< what is written crosses nothing, rounded as it is
+  bool joins_soups = false;               ///< so that nobody is told to do it with tm-stitch
   const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
   CommonValues common = CommonValues();   // {} would make GCC 12 warn
   std::deque<Option> options = {};

@@ -110,7 +110,7 @@ std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
   progress_("stitch");
   Assembly assembly = assemble(part_.mesh, exterior.arrangement, kept);
   progress_("round");
-  const FirstRound rounded = round_once(assembly, options_.coordinate);
+  const FirstRound rounded = round_once(mesh_, assembly, options_.coordinate);
   if (rounded.places > 0) {
     counts.rounding_places = rounded.places;
     return std::nullopt;

@@ -32,7 +32,8 @@ struct Star {
 
 class VertexMover {
  public:
-  /// Triangles at least so round (roundness() in star.h) are good enough; others must not get worse.
+  /// Triangles at least so round (roundness() in star.h) are good enough; others must not get
+  /// worse.
   static constexpr double round_enough = 0.6;
   VertexMover(EditableMesh& mesh, EmbeddingGuard& guard, double enough = round_enough)
       : mesh_(mesh), guard_(guard), enough_(enough) {}

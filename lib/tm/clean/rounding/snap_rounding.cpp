@@ -27,6 +27,7 @@ constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are
 constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before
 constexpr std::size_t few_pairs = 1000;
+constexpr int far_exponent = 40;
 constexpr std::size_t most_broken_share = 3;
 /// How close new vertices become one where nothing is broken, in spacings.
 constexpr double close_to_new = 0.75;
@@ -64,6 +65,15 @@ void inherit(const Assembly& before, Assembly& after) {
     if (source != no_index) after.vertex_is_new[v] = before.vertex_is_new[source];
   }
   for (Index& source : after.source_face) source = before.source_face[source];
+}
+
+// Whether the mesh reaches many times farther than half of its vertices lie.
+bool reaches_far(const Mesh& mesh) {
+  std::vector<double> sizes;
+  for (const Vec3& p : mesh.positions) sizes.push_back(p.cwiseAbs().maxCoeff());
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return std::ldexp(*std::max_element(middle, sizes.end()), -far_exponent) > *middle;
 }
 
 class SnapRounder {
@@ -173,8 +183,8 @@ bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int l
   return pass.pairs == 0 && !is_given && assembly.split_edges == 0 && !options_.is_open;
 }
 
-// Small distances matter where coordinates are small, but not where rounding breaks a good part of
-// the faces: what is extreme in every direction is better made simpler. So are the last starts.
+// Where rounding breaks a good part of the faces, coordinates are extreme in every direction, and
+// that is better made simpler; so is what is left to the last starts.
 void SnapRounder::choose_spacings(int start, std::size_t broken, std::size_t faces) {
   if (start > last_given || (start == 0 && broken > faces / most_broken_share))
     spacing_.are_per_axis = false;
@@ -276,7 +286,7 @@ Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
 
 SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
-  spacing_.type = options_.coordinate;
+  spacing_ = {options_.coordinate, reaches_far(mesh_)};
   most_pairs_ = pass.pairs + few_pairs;
   is_broken_.assign(mesh_.faces.size(), 0);
   Assembly assembly = pass.assembly;
@@ -294,18 +304,18 @@ SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
 }
 
 FirstRound SnapRounder::round_once(Assembly& assembly) {
-  spacing_.type = options_.coordinate;
+  spacing_ = {options_.coordinate, reaches_far(mesh_)};
   round_and_merge(assembly);
   return {count_places(assembly.mesh, find_broken_faces(assembly)), result_.displacement};
 }
 
 }  // namespace
 
-FirstRound round_once(Assembly& assembly, Scalar coordinate) {
+FirstRound round_once(const Mesh& mesh, Assembly& assembly, Scalar coordinate) {
   SnapRoundingOptions options;
   options.coordinate = coordinate;
   const Progress silent;
-  return SnapRounder(assembly.mesh, options, silent).round_once(assembly);
+  return SnapRounder(mesh, options, silent).round_once(assembly);
 }
 
 SnapRoundingResult snap_round(const Mesh& mesh, CleanPass pass, const SnapRoundingOptions& options,

@@ -8,11 +8,13 @@
 /// crosses barely comes to share corners (contact_splits.h), and the surface is cleaned again,
 /// where cells too thin to matter go to the side that leaves less surface (thin_cells.h). What
 /// counts as close and thin is 3 and 4 spacings at first, and grows by 2^(1/4) and 2^(1/2) from
-/// round to round; spacings are those along each axis (local_distance.h), unless rounding breaks
-/// more than a third of the faces. Where two rounds in a row leave no fewer faces broken, all
-/// starts over, three rounds ahead; the first three times from the input's exact arrangement, in
-/// which cells beside the broken faces are given away that are thinner than 256, 2048 and 16384
-/// spacings: sheets that cross at tiny angles within these would be crossed anew by every rounding.
+/// round to round. Spacings are those at the largest coordinate of a vertex; where a mesh reaches
+/// 2^40 times farther than half of its vertices, those along each axis (local_distance.h), unless
+/// rounding breaks more than a third of the faces. Where two rounds in a row leave no fewer faces
+/// broken, all starts over, three rounds ahead; the first three times from the input's exact
+/// arrangement, in which cells beside the broken faces are given away that are thinner than 256,
+/// 2048 and 16384 spacings: sheets that cross at tiny angles would be crossed anew by every
+/// rounding.
 /// (Not so open meshes, and those whose faces meet more than 60 others on average: their
 /// arrangement is too large.)
 ///
@@ -51,12 +53,12 @@ struct SnapRoundingResult {
 
 /// The first round alone: rounds the new vertices of an assembly, as those of every mesh are, and
 /// says in how many places that breaks faces. Where it breaks none this is what snap_round() does,
-/// also of a part of a mesh: no vertex depends on others that are farther than a few spacings.
+/// also of a part of that mesh: no vertex depends on others that are farther than a few spacings.
 struct FirstRound {
   std::size_t places = 0;
   Displacement displacement;
 };
-FirstRound round_once(Assembly& assembly, Scalar coordinate);
+FirstRound round_once(const Mesh& mesh, Assembly& assembly, Scalar coordinate);
 
 /// `pass` is that of the mesh, and is not unchanged. Throws GoalError, with the place, where repair
 /// does not end, and where nothing is left that is thicker than rounding moves it.
