@@ -1,6 +1,7 @@
 #include "tm/clean/rounding/close_vertices.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -38,6 +39,10 @@ class LocalGrid {
     std::unordered_map<Cell, std::vector<Index>, Hash> cells;
   };
 
+  template <class Visit>
+  static void visit_cells(const Group& group, const Cell& first, const Cell& last,
+                          const Visit& visit);
+
   // Cells are wider than the reach, so that most positions have few cells within reach.
   Cell cell_at(const Vec3& position, const Vec3& spacing) const {
     const Vec3 cell = (position.array() / (16 * spacings_ * spacing.array())).floor() + 0.0;
@@ -64,18 +69,30 @@ void LocalGrid::visit_near(const Vec3& position, const Vec3& spacing, const Visi
     const Cell first = cell_at(low, of_group), last = cell_at(high, of_group);
     double cells = 1;
     for (std::size_t i = 0; i < 3; ++i) cells *= last[i] - first[i] + 1;
-    if (!(cells <= static_cast<double>(group.points.size()))) {
-      for (const Index point : group.points) visit(point);
-      continue;
+    if (cells <= static_cast<double>(group.points.size())) {
+      visit_cells(group, first, last, visit);
+    } else {
+      std::for_each(group.points.begin(), group.points.end(), visit);
     }
-    for (double i = first[0]; i <= last[0]; ++i)
-      for (double k = first[1]; k <= last[1]; ++k)
-        for (double l = first[2]; l <= last[2]; ++l) {
-          const auto found = group.cells.find(Cell{i, k, l});
-          if (found == group.cells.end()) continue;
-          for (const Index point : found->second) visit(point);
-        }
   }
+}
+
+template <class Visit>
+void LocalGrid::visit_cells(const Group& group, const Cell& first, const Cell& last,
+                            const Visit& visit) {
+  const auto count = [&](std::size_t axis) {
+    return static_cast<std::size_t>(last[axis] - first[axis] + 1);
+  };
+  const auto at = [&](std::size_t axis, std::size_t i) {
+    return first[axis] + static_cast<double>(i);
+  };
+  for (std::size_t i = 0; i < count(0); ++i)
+    for (std::size_t k = 0; k < count(1); ++k)
+      for (std::size_t l = 0; l < count(2); ++l) {
+        const auto found = group.cells.find(Cell{at(0, i), at(1, k), at(2, l)});
+        if (found == group.cells.end()) continue;
+        std::for_each(found->second.begin(), found->second.end(), visit);
+      }
 }
 
 // The position that attracts one: the nearest within reach; no_index where there is none.

@@ -90,10 +90,10 @@ class SnapRounder {
   void choose_spacings(int start, std::size_t broken, std::size_t faces);
   void round_and_merge(Assembly& assembly);
   void mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most);
-  bool clean_again(Assembly& assembly, const GivenCells& given, int level = 1);
+  bool clean_again(Assembly& assembly, const GivenCells& cells, int level = 1);
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   [[noreturn]] void give_up() const;
-  [[noreturn]] void throw_nothing_left() const;
+  [[noreturn]] static void throw_nothing_left();
 
   const Mesh& mesh_;
   const SnapRoundingOptions& options_;
@@ -113,7 +113,7 @@ void SnapRounder::give_up() const {
                   "merge vertices that lie close together there (tm-stitch --tolerance)");
 }
 
-void SnapRounder::throw_nothing_left() const {
+void SnapRounder::throw_nothing_left() {
   throw GoalError(
       "the faces enclose nothing that is thicker than rounding moves it; a shape that is small or "
       "far from the origin needs --double, or to be moved there");
