@@ -41,6 +41,8 @@ void serve(const Options& options, const tool::PageServer::Site& site) {
 }
 
 void show(const Options& options, tool::Run& run) {
+  if (options.is_served && run.output() != "-")
+    throw UsageError("give either --serve or --output, not both: what is served is no file");
   const std::string viewer = tool::read_viewer();
   Page page;
   page.version = run.program().name + ' ' + tool::Run::version();
@@ -58,7 +60,6 @@ void show(const Options& options, tool::Run& run) {
   if (page.title.empty())
     page.title = options.run.empty() ? tool::title_of(run.inputs()) : page.runs[0].name;
   if (options.is_served) serve(options, tool::site_of(page, viewer));
-
   run.report("meshes", run.inputs().empty() ? page.runs[0].meshes.size() : run.inputs().size());
   const std::string html = page_html(page, viewer);
   if (!options.is_opened && !run.writes_to_terminal()) return run.write_output(html);

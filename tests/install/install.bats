@@ -76,6 +76,7 @@ b.off
 folder" ]
   [ "$(complete_in_bash tm-clean --report '' | sort | tr '\n' ' ')" = "a.ply b.off c.txt d.STL folder " ]
   [ "$(complete_in_bash tm-morph --frames '')" = folder ]
+  [ "$(complete_in_bash tm-report '')" = folder ]
   [ -z "$(complete_in_bash tm-clean --threads '')" ]
   [ "$(complete_in_bash tm-shape dumb)" = dumbbell ]
   [ "$(complete_in_bash tm cle)" = "" ]

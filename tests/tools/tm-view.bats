@@ -20,6 +20,9 @@ data_of() {
   data_of page.html | jq -e '.title == "standard input" and .runs[0].meshes[0].faces > 900'
   run --separate-stderr tm-view --run x a.ply
   assert_status 2
+  run --separate-stderr timeout 5 tm-view --serve a.ply -o page.html
+  assert_status 2
+  one_line "$stderr"
 }
 
 @test "the page of a run is that of tm-report but for its own name" {

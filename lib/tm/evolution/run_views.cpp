@@ -31,6 +31,19 @@ std::string small_picture(const GrayImage& image) {
   return write_png(picture_of(scale > 1 ? at_scale(image, scale) : image));
 }
 
+/// As a camera file can hold it, and as no other camera of the list is called.
+std::string camera_name(const std::string& view, const CameraList& list) {
+  std::string name = view.empty() ? "view" : view;
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return c <= ' ' || c == 127 || c == '#'; }, '_');
+  const auto is_taken = [&](const std::string& wanted) {
+    return std::ranges::find(list.cameras, wanted, &CameraRecord::name) != list.cameras.end();
+  };
+  std::string unique = name;
+  for (std::size_t i = 2; is_taken(unique); ++i) unique = name + '_' + std::to_string(i);
+  return unique;
+}
+
 struct PhotographName {
   std::size_t number = 0;
   int width = 0, height = 0;
@@ -58,10 +71,10 @@ std::vector<std::pair<std::string, std::string>> run_files_of(std::span<const Vi
     if (!view.image.empty())
       files.emplace_back(photograph_name(list.cameras.size(), view.image),
                          small_picture(view.image));
-    CameraRecord& record = list.cameras.emplace_back();
-    record.name = view.name;
-    std::ranges::replace(record.name, ' ', '_');
+    CameraRecord record;
+    record.name = camera_name(view.name, list);
     record.camera = view.camera;
+    list.cameras.push_back(std::move(record));
   }
   files.emplace_back(run_file::cameras, write_cameras(list, CameraFormat::middlebury));
   return files;

@@ -13,8 +13,8 @@
 
 namespace transformesh {
 
-/// Names and bytes for begin_run(). Blanks in names of views become `_`. Photographs are gray and
-/// at most 320 pixels wide and high. Deterministic.
+/// Names and bytes for begin_run(). Blanks in names of views become `_`, and equal names are
+/// numbered. Photographs are gray and at most 320 pixels wide and high. Deterministic.
 std::vector<std::pair<std::string, std::string>> run_files_of(std::span<const View> views);
 
 struct RunView {

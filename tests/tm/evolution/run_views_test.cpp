@@ -1,0 +1,59 @@
+#include "tm/evolution/run_views.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "helpers/temporary_folder.h"
+#include "tm/evolution/run_folder.h"
+#include "tm/views/cameras/camera_ring.h"
+#include "tm/views/images/image_file.h"
+
+using namespace transformesh;
+using test::make_file;
+using test::TemporaryFolder;
+
+namespace {
+
+std::vector<View> views_of_a_ring() {
+  std::vector<View> views;
+  for (const CameraRecord& record : camera_ring({.count = 3, .width = 700, .height = 500}).cameras)
+    views.push_back(
+        {views.empty() ? "#1 a" : "a view", record.camera, GrayImage(700, 500, 90.0F), {}});
+  views[1].image = GrayImage();
+  return views;
+}
+
+}  // namespace
+
+TEST_CASE("views come back with their cameras, the images' sizes and small photographs") {
+  const TemporaryFolder above;
+  const std::string folder = above / "run";
+  const std::vector<View> views = views_of_a_ring();
+  begin_run(folder, {"tm-reconstruct", "1", {}}, run_files_of(views));
+  make_file(folder + "/photographs/notes.txt", "mine");
+  make_file(folder + "/photographs/9-9x9.png", "of no camera");
+
+  const std::vector<RunView> read = read_run_views(folder);
+  REQUIRE(read.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(read[i].camera.camera.intrinsics.isApprox(views[i].camera.intrinsics, 1e-14));
+    CHECK(read[i].camera.camera.translation.isApprox(views[i].camera.translation, 1e-14));
+  }
+  CHECK(read[0].camera.name == "_1_a");
+  CHECK(read[1].camera.name == "a_view");
+  CHECK(read[2].camera.name == "a_view_2");
+  CHECK(read[0].camera.width == 700);
+  CHECK(read[0].camera.height == 500);
+  const GrayImage small = decode_photograph(read[0].photograph, "photograph");
+  CHECK(small.width == 320);
+  CHECK(small.height == 228);
+  CHECK(small.at(100, 100) == doctest::Approx(90).epsilon(0.01));
+  CHECK(read[1].photograph.empty());
+  CHECK(read[1].camera.width == 0);
+
+  begin_run(folder, {"tm-morph", "1", {}}, {});
+  CHECK(read_run_views(folder).empty());
+  CHECK(std::filesystem::exists(folder + "/photographs/notes.txt"));
+  CHECK_FALSE(std::filesystem::exists(folder + "/photographs/000-700x500.png"));
+}
