@@ -29,8 +29,8 @@ std::size_t count(const std::vector<bool>& faces) {
 class BoxPart {
  public:
   BoxPart(const Mesh& mesh, const std::vector<bool>& is_own, const CleanBoxOptions& options,
-          const Progress& progress)
-      : mesh_(mesh), is_own_(is_own), options_(options), progress_(progress) {}
+          const Spacings& spacings, const Progress& progress)
+      : mesh_(mesh), is_own_(is_own), options_(options), spacings_(spacings), progress_(progress) {}
 
   /// Nothing where rounding breaks faces in or beside the box.
   std::optional<CleanedFaces> clean(CleanResult& counts);
@@ -44,6 +44,7 @@ class BoxPart {
   const Mesh& mesh_;
   const std::vector<bool>& is_own_;
   const CleanBoxOptions& options_;
+  const Spacings& spacings_;
   const Progress& progress_;
   std::vector<bool> is_complete_, is_in_part_;  ///< per face of the mesh
   MeshPart part_;
@@ -110,7 +111,7 @@ std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
   progress_("stitch");
   Assembly assembly = assemble(part_.mesh, exterior.arrangement, kept);
   progress_("round");
-  const FirstRound rounded = round_once(mesh_, assembly, options_.coordinate);
+  const FirstRound rounded = round_once(assembly, spacings_);
   if (rounded.places > 0) {
     counts.rounding_places = rounded.places;
     return std::nullopt;
@@ -142,14 +143,16 @@ CleanedFaces clean_whole(const Mesh& mesh, const CleanBoxOptions& options, Clean
 // Vertices of the box's pieces that are at no corner of their sources.
 std::size_t count_new_vertices(const Mesh& mesh, const std::vector<bool>& is_own,
                                const CleanedFaces& cleaned) {
-  std::vector<bool> is_new(cleaned.mesh.positions.size(), false);
+  std::vector<bool> is_new(cleaned.mesh.positions.size(), false), is_corner = is_new;
   for (std::size_t p = 0; p < cleaned.source_face.size(); ++p) {
     const Index source = cleaned.source_face[p];
     if (!is_own[source]) continue;
     const Triangle t = triangle_of(mesh, source);
     for (const Index v : cleaned.mesh.faces[p]) {
       const Vec3& position = cleaned.mesh.positions[v];
-      is_new[v] = position != t[0] && position != t[1] && position != t[2];
+      const bool is_at_one = std::find(t.begin(), t.end(), position) != t.end();
+      is_corner[v] = is_corner[v] || is_at_one;
+      is_new[v] = !is_corner[v];
     }
   }
   return static_cast<std::size_t>(std::count(is_new.begin(), is_new.end(), true));
@@ -223,7 +226,9 @@ CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
   const std::vector<bool> is_own = faces_of_box(mesh, options.box);
   result.box_faces = count(is_own);
   if (result.box_faces > 0) {
-    std::optional<CleanedFaces> cleaned = BoxPart(mesh, is_own, options, progress).clean(counts);
+    const Spacings spacings = spacings_for(mesh, options.coordinate);
+    std::optional<CleanedFaces> cleaned =
+        BoxPart(mesh, is_own, options, spacings, progress).clean(counts);
     result.is_whole = !cleaned;
     if (!cleaned) cleaned = clean_whole(mesh, options, counts, progress);
     count_faces(mesh, is_own, *cleaned, counts);
@@ -240,7 +245,10 @@ CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
 class Pieces {
  public:
   Pieces(const Mesh& mesh, const CleanBoxOptions& options, const Progress& progress)
-      : mesh_(mesh), options_(options), progress_(progress) {}
+      : mesh_(mesh),
+        options_(options),
+        spacings_(spacings_for(mesh, options.coordinate)),
+        progress_(progress) {}
   CleanBoxResult collect();
 
  private:
@@ -250,6 +258,7 @@ class Pieces {
 
   const Mesh& mesh_;
   const CleanBoxOptions& options_;
+  Spacings spacings_;
   const Progress& progress_;
   CleanBoxResult result_;
 };
@@ -274,7 +283,7 @@ bool Pieces::collect_from(const Box& box) {
     if (halves) return collect_from((*halves)[0]) && collect_from((*halves)[1]);
   }
   CleanResult counts;
-  const auto cleaned = BoxPart(mesh_, is_own, options_, progress_).clean(counts);
+  const auto cleaned = BoxPart(mesh_, is_own, options_, spacings_, progress_).clean(counts);
   if (!cleaned) return false;
   count_faces(mesh_, is_own, *cleaned, counts);
   CleanResult& sum = result_.clean;

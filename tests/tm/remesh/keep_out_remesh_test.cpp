@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "helpers/mesh_distance.h"
 #include "helpers/shapes.h"
 #include "tm/geometry/keep_out.h"
 #include "tm/remesh/decimate.h"
@@ -9,17 +10,9 @@
 #include "tm/support/error.h"
 
 using namespace transformesh;
+using test::distance_of_meshes;
 
 namespace {
-
-/// By testing all pairs.
-double distance_of_meshes(const Mesh& first, const Mesh& second) {
-  double least = HUGE_VAL;
-  for (Index f = 0; f < first.faces.size(); ++f)
-    for (Index g = 0; g < second.faces.size(); ++g)
-      least = std::min(least, distance_of(triangle_of(first, f), triangle_of(second, g)));
-  return least;
-}
 
 /// A ball with a relief.
 Mesh relief(int subdivisions, double radius) {

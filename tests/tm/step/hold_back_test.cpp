@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "helpers/mesh_distance.h"
 #include "helpers/shapes.h"
 #include "tm/geometry/keep_out.h"
 #include "tm/mesh/measure.h"
@@ -13,17 +14,9 @@
 
 using namespace transformesh;
 using doctest::Approx;
+using test::distance_of_meshes;
 
 namespace {
-
-/// By testing all pairs.
-double distance_of_meshes(const Mesh& first, const Mesh& second) {
-  double least = HUGE_VAL;
-  for (Index f = 0; f < first.faces.size(); ++f)
-    for (Index g = 0; g < second.faces.size(); ++g)
-      least = std::min(least, distance_of(triangle_of(first, f), triangle_of(second, g)));
-  return least;
-}
 
 DisplaceOptions far_steps(const Mesh& surface, double gap) {
   DisplaceOptions options;

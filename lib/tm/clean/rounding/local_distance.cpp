@@ -9,6 +9,8 @@ namespace {
 
 /// A direction or a face that leads along an axis by less than 2^-flatness is flat along it.
 constexpr int flatness = 10;
+/// A mesh reaches far where it does 2^far_exponent times farther than half of its vertices lie.
+constexpr int far_exponent = 40;
 
 double spacing_of(double x, Scalar coordinate) { return spacing_around(Vec3(x, 0, 0), coordinate); }
 
@@ -44,15 +46,16 @@ LineDistance distance_from_line(const Vec3& a, const Vec3& b, const Vec3& point)
   return {turned.stableNorm(), -to.dot(along), turned.stableNormalized().cross(along)};
 }
 
-Vec3 leads_along(const Vec3& direction) {
+Vec3 Spacings::leads(const Vec3& direction) const {
+  if (!are_per_axis) return Vec3::Ones();
   return std::ldexp(1, flatness) * direction.cwiseAbs().cwiseMin(std::ldexp(1, -flatness));
 }
 
 double Spacings::along(const Vec3& direction, const Vec3& point) const {
   if (!are_per_axis || direction.isZero(0)) return spacing_around(point, type);
-  const Vec3 leads = leads_along(direction);
+  const Vec3 shares = leads(direction);
   double most = 0;
-  for (int i = 0; i < 3; ++i) most = std::max(most, leads[i] * spacing_of(point[i], type));
+  for (int i = 0; i < 3; ++i) most = std::max(most, shares[i] * spacing_of(point[i], type));
   return most;
 }
 
@@ -68,6 +71,14 @@ Vec3 Spacings::on_face(const Vec3& extent, const Vec3& corner) const {
       most[i] = std::max(most[i], std::ldexp(spacings[k], lead));
     }
   return most;
+}
+
+Spacings spacings_for(const Mesh& mesh, Scalar type) {
+  std::vector<double> sizes;
+  for (const Vec3& p : mesh.positions) sizes.push_back(p.cwiseAbs().maxCoeff());
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return {type, std::ldexp(*std::max_element(middle, sizes.end()), -far_exponent) > *middle};
 }
 
 }  // namespace transformesh

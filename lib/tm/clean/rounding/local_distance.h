@@ -24,9 +24,6 @@ struct LineDistance {
 };
 LineDistance distance_from_line(const Vec3& a, const Vec3& b, const Vec3& point);
 
-/// Per axis, how far a unit direction leads along it: 1, or less below a thousandth.
-Vec3 leads_along(const Vec3& direction);
-
 /// The spacings of numbers that count at a place: how far rounding moves things there.
 struct Spacings {
   Scalar type = Scalar::float64;
@@ -34,6 +31,8 @@ struct Spacings {
   /// coordinate counts along all axes.
   bool are_per_axis = true;
 
+  /// Per axis, how far a unit direction leads along it: 1, or less below a thousandth.
+  Vec3 leads(const Vec3& direction) const;
   /// Along a unit direction: the largest along an axis, where the direction leads along that axis
   /// by a thousandth at least; else as much less.
   double along(const Vec3& direction, const Vec3& point) const;
@@ -41,5 +40,9 @@ struct Spacings {
   /// leads from that axis to this one. Powers of two.
   Vec3 on_face(const Vec3& extent, const Vec3& corner) const;
 };
+
+/// Those for the rounding of a mesh: along each axis its own where the mesh reaches 2^40 times
+/// farther than half of its vertices lie. O(n).
+Spacings spacings_for(const Mesh& mesh, Scalar type);
 
 }  // namespace transformesh

@@ -27,7 +27,6 @@ constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are
 constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before
 constexpr std::size_t few_pairs = 1000;
-constexpr int far_exponent = 40;
 constexpr std::size_t most_broken_share = 3;
 /// How close new vertices become one where nothing is broken, in spacings.
 constexpr double close_to_new = 0.75;
@@ -67,13 +66,19 @@ void inherit(const Assembly& before, Assembly& after) {
   for (Index& source : after.source_face) source = before.source_face[source];
 }
 
-// Whether the mesh reaches many times farther than half of its vertices lie.
-bool reaches_far(const Mesh& mesh) {
-  std::vector<double> sizes;
-  for (const Vec3& p : mesh.positions) sizes.push_back(p.cwiseAbs().maxCoeff());
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::ldexp(*std::max_element(middle, sizes.end()), -far_exponent) > *middle;
+// Rounds new vertices. Those that rounding all but unites would only make slivers.
+Displacement round_and_merge(Assembly& assembly, const Spacings& spacings) {
+  Displacement moved;
+  for (std::size_t v = 0; v < assembly.mesh.positions.size(); ++v) {
+    if (!assembly.vertex_is_new[v]) continue;
+    Vec3& position = assembly.mesh.positions[v];
+    position = rounded_to(position, spacings.type);
+    const double spacing = spacing_around(position, spacings.type);
+    moved.note(std::numbers::sqrt3 / 2 * spacing, spacing);
+  }
+  moved +=
+      merge_close_vertices(assembly, find_new_faces(assembly), {close_to_new, false}, spacings);
+  return moved;
 }
 
 class SnapRounder {
@@ -82,13 +87,11 @@ class SnapRounder {
       : mesh_(mesh), options_(options), progress_(progress) {}
 
   SnapRoundingResult snap_round(CleanPass pass);
-  FirstRound round_once(Assembly& assembly);
 
  private:
   bool repair(Assembly& assembly, int start);
   Assembly begin_anew(const CleanPass& pass, int start);
   void choose_spacings(int start, std::size_t broken, std::size_t faces);
-  void round_and_merge(Assembly& assembly);
   void mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most);
   bool clean_again(Assembly& assembly, const GivenCells& cells, int level = 1);
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
@@ -117,21 +120,6 @@ void SnapRounder::throw_nothing_left() {
   throw GoalError(
       "the faces enclose nothing that is thicker than rounding moves it; a shape that is small or "
       "far from the origin needs --double, or to be moved there");
-}
-
-// Rounds new vertices. Those that rounding all but unites would only make slivers.
-void SnapRounder::round_and_merge(Assembly& assembly) {
-  Displacement moved;
-  for (std::size_t v = 0; v < assembly.mesh.positions.size(); ++v) {
-    if (!assembly.vertex_is_new[v]) continue;
-    Vec3& position = assembly.mesh.positions[v];
-    position = rounded_to(position, options_.coordinate);
-    const double spacing = spacing_around(position, options_.coordinate);
-    moved.note(std::numbers::sqrt3 / 2 * spacing, spacing);
-  }
-  moved +=
-      merge_close_vertices(assembly, find_new_faces(assembly), {close_to_new, false}, spacing_);
-  result_.displacement += moved;
 }
 
 // Unites what is close around the broken faces.
@@ -198,7 +186,7 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
   int vain = 0;
   for (int round = 0; round < most_rounds; ++round) {
     progress_("round");
-    round_and_merge(assembly);
+    result_.displacement += round_and_merge(assembly, spacing_);
     const std::vector<Index> broken = find_broken_faces(assembly);
     if (broken.empty() && round == 0 && !options_.is_open) return true;
     vain = broken.empty() || broken.size() < fewest ? 0 : vain + 1;
@@ -286,8 +274,9 @@ Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
 
 SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
-  spacing_ = {options_.coordinate, reaches_far(mesh_)};
-  most_pairs_ = pass.pairs + few_pairs;
+  spacing_ = spacings_for(mesh_, options_.coordinate);
+  // What is extreme is better given up early, and begun anew.
+  most_pairs_ = (spacing_.are_per_axis ? 1 : 4) * pass.pairs + few_pairs;
   is_broken_.assign(mesh_.faces.size(), 0);
   Assembly assembly = pass.assembly;
   for (int start = 0; !repair(assembly, start);) {
@@ -303,19 +292,11 @@ SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   return std::move(result_);
 }
 
-FirstRound SnapRounder::round_once(Assembly& assembly) {
-  spacing_ = {options_.coordinate, reaches_far(mesh_)};
-  round_and_merge(assembly);
-  return {count_places(assembly.mesh, find_broken_faces(assembly)), result_.displacement};
-}
-
 }  // namespace
 
-FirstRound round_once(const Mesh& mesh, Assembly& assembly, Scalar coordinate) {
-  SnapRoundingOptions options;
-  options.coordinate = coordinate;
-  const Progress silent;
-  return SnapRounder(mesh, options, silent).round_once(assembly);
+FirstRound round_once(Assembly& assembly, const Spacings& spacings) {
+  const Displacement displacement = round_and_merge(assembly, spacings);
+  return {count_places(assembly.mesh, find_broken_faces(assembly)), displacement};
 }
 
 SnapRoundingResult snap_round(const Mesh& mesh, CleanPass pass, const SnapRoundingOptions& options,

@@ -30,6 +30,7 @@
 
 #include "tm/clean/pass/clean_pass.h"
 #include "tm/clean/rounding/displacement.h"
+#include "tm/clean/rounding/local_distance.h"
 
 namespace transformesh {
 
@@ -52,13 +53,14 @@ struct SnapRoundingResult {
 };
 
 /// The first round alone: rounds the new vertices of an assembly, as those of every mesh are, and
-/// says in how many places that breaks faces. Where it breaks none this is what snap_round() does,
-/// also of a part of that mesh: no vertex depends on others that are farther than a few spacings.
+/// says in how many places that breaks faces. Spacings are those for the whole mesh. Where it
+/// breaks none this is what snap_round() does, also of a part of that mesh: no vertex depends on
+/// others that are farther than a few spacings.
 struct FirstRound {
   std::size_t places = 0;
   Displacement displacement;
 };
-FirstRound round_once(const Mesh& mesh, Assembly& assembly, Scalar coordinate);
+FirstRound round_once(Assembly& assembly, const Spacings& spacings);
 
 /// `pass` is that of the mesh, and is not unchanged. Throws GoalError, with the place, where repair
 /// does not end, and where nothing is left that is thicker than rounding moves it.

@@ -140,7 +140,7 @@ bool LabeledCells::is_thin(Index cell, double spacings, Displacement& thickness)
     const double height = height_over(plane.triangle, plane.normal, p);
     low = std::min(low, height);
     high = std::max(high, height);
-    const Vec3 apart = (p - plane.triangle[0]).cwiseProduct(leads_along(plane.normal));
+    const Vec3 apart = (p - plane.triangle[0]).cwiseProduct(spacing_.leads(plane.normal));
     const double error = measuring_error * apart.stableNorm();
     const double spacing = spacing_.along(plane.normal, p);
     is_thin = std::max(high - height, height - low) + error <= spacings * spacing;
