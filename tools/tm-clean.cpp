@@ -1,7 +1,6 @@
+#include "clean_options.h"
 #include "cleaning_report.h"
 #include "frame/run.h"
-#include "tm/clean/clean.h"
-#include "tm/clean/clean_box.h"
 #include "tm/clean/stitch/separate.h"
 #include "tm/geometry/source_points.h"
 #include "tm/support/counted.h"
@@ -12,30 +11,6 @@ using namespace transformesh;
 namespace {
 
 constexpr const char* face_number = "tm:source-face";  // while cleaning
-
-struct Options {
-  CleanOptions clean;
-  std::string method = "grow";
-  long level = 1;
-  bool source_faces = false;
-  bool source_points = false;
-  Length separate;
-  std::vector<double> box;
-  bool only = false;
-};
-
-// What the whole mesh is needed for has no meaning in a box.
-void check_options(const Options& options) {
-  if (options.box.empty()) {
-    if (options.only) throw UsageError("--only: needs --box, whose faces it writes");
-    return;
-  }
-  const char* const refused = options.method != "grow"      ? "--method static"
-                              : options.clean.outermost     ? "--outermost"
-                              : options.separate.value != 0 ? "--separate"
-                                                            : nullptr;
-  if (refused) throw UsageError(std::string(refused) + " is for whole meshes, without --box");
-}
 
 void number_faces(Mesh& mesh, const char* name) {
   Column& column = mesh.face_columns.get(name, Scalar::int32, mesh.faces.size());
@@ -60,13 +35,8 @@ SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, t
   return result;
 }
 
-CleanResult clean_in_box(const Mesh& mesh, const Options& options, tool::Run& run) {
-  const std::vector<double>& b = options.box;
-  CleanBoxOptions how{{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}}, options.only};
-  how.level = options.clean.level;
-  how.refuse = options.clean.refuse;
-  how.coordinate = options.clean.coordinate;
-  CleanBoxResult result = clean_box(mesh, how, run.progress());
+CleanResult clean_in_box(const Mesh& mesh, const CleanBoxOptions& options, tool::Run& run) {
+  CleanBoxResult result = clean_box(mesh, options, run.progress());
   if (result.is_whole)
     run.note("rounding makes faces cross in the box: the whole mesh was cleaned to mend that");
   run.report("box_faces", result.box_faces);
@@ -74,27 +44,25 @@ CleanResult clean_in_box(const Mesh& mesh, const Options& options, tool::Run& ru
   return std::move(result.clean);
 }
 
-void clean_document(Document& document, Options options, tool::Run& run) {
-  check_options(options);
-  options.clean.method =
-      options.method == "grow" ? ExteriorMethod::grow : ExteriorMethod::static_test;
-  options.clean.level = static_cast<int>(options.level);
-  options.clean.coordinate = document.style.coordinate;
-  if (options.source_faces) number_faces(document.mesh, "source_face");
+void clean_document(Document& document, const tool::CleanChoices& choices, tool::Run& run) {
+  const CleanOptions options = tool::clean_options(choices, document);
+  if (choices.source_faces) number_faces(document.mesh, "source_face");
   Mesh source;
-  if (options.source_points) {
+  if (choices.source_points) {
     source = {document.mesh.positions, document.mesh.faces, {}, {}};
     number_faces(document.mesh, face_number);
   }
-  CleanResult result = options.box.empty() ? clean(document.mesh, options.clean, run.progress())
-                                           : clean_in_box(document.mesh, options, run);
+  CleanResult result =
+      choices.box.empty()
+          ? clean(document.mesh, options, run.progress())
+          : clean_in_box(document.mesh, tool::clean_box_options(choices, document), run);
   document.mesh = std::move(result.mesh);
   const SeparateResult separated =
-      separate_copies(document.mesh, run.length(options.separate), options.clean.coordinate, run);
-  if (options.clean.refuse && separated.separated_vertices > 0) {
+      separate_copies(document.mesh, run.length(choices.separate), options.coordinate, run);
+  if (options.refuse && separated.separated_vertices > 0) {
     throw GoalError("vertices lie in one place, and --refuse forbids to move them apart");
   }
-  if (options.source_points) {
+  if (choices.source_points) {
     write_source_points(document.mesh, source);
     result.dropped_source_points = false;
   }
@@ -105,27 +73,12 @@ void clean_document(Document& document, Options options, tool::Run& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
+  tool::CleanChoices choices;
   tool::Program program{"tm-clean", "[OPTION]... [INPUT]",
                         "Removes self-intersections: the boundary of winding number >= 1"};
   program.cleans = true;
   program.joins_soups = true;
-  program.choice("method", &options.method, {"grow", "static"},
-                 "grow regions from seeds, or test every piece (slow reference)");
-  program.integer("level", &options.level, 1, 1000000,
-                  "keep the boundary of winding number >= LEVEL; 2 intersects two operands");
-  program.flag("outermost", &options.clean.outermost,
-               "drop components that bound cavities and what floats in them");
-  program.length("separate", &options.separate,
-                 "move vertices that lie in one place this far apart; 0 leaves them");
-  program.numbers("box", &options.box, "X0,Y0,Z0,X1,Y1,Z1",
-                  "clean the faces whose first vertex is in this box, and leave all others");
-  program.flag("only", &options.only, "write the faces of the box alone");
-  program.flag("refuse", &options.clean.refuse, "exit 4 rather than change anything");
-  program.flag("source-face", &options.source_faces,
-               "write the input face of each face as the face property source_face");
-  program.flag("source", &options.source_points,
-               "write where on the input each vertex comes from: source_face, source_u, source_v");
+  tool::declare_cleaning(program, choices);
   return program.run(argc, argv,
-                     [&](tool::Run& run) { clean_document(run.document(), options, run); });
+                     [&](tool::Run& run) { clean_document(run.document(), choices, run); });
 }

@@ -1,0 +1,22 @@
+/// The options of tm-transform.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "frame/run.h"
+#include "tm/mesh/transform.h"
+
+namespace transformesh::tool {
+
+struct TransformChoices {
+  std::vector<double> translate, rotate, scale, scales, mirror, matrix;
+  bool center = false, unit_box = false;
+  /// In the order of the command line: the next matrix, given the product of those before.
+  std::vector<std::function<Matrix4(Run&, const Matrix4&)>> steps;
+};
+
+/// The program keeps references to the choices.
+void declare_transforms(Program& program, TransformChoices& choices);
+
+}  // namespace transformesh::tool
