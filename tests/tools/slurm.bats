@@ -20,16 +20,15 @@ columns() { cut -d, -f1-4,7- "$1/table.csv" | tr -d '"'; }
 # loop_in FOLDER: the id of the tm-morph that works there.
 loop_in() {
   local process
-  for process in /proc/[0-9]*; do
-    [ "$(readlink "$process/cwd" 2>/dev/null)" = "$1" ] || continue
-    [ "$(cat "$process/comm" 2>/dev/null)" = tm-morph ] && echo "${process#/proc/}" && return
+  for process in $(pgrep -x tm-morph); do
+    [ "$(readlink "/proc/$process/cwd" 2>/dev/null)" = "$1" ] && echo "$process" && return
   done
   return 1
 }
 
 @test "40 runs as an array job, one killed, the node drained and resumed: as make has them" {
   cat >table <<'TABLE'
-shape slow tm-shape genus 2 --faces 12000 -o target.ply; tm-shape sphere --around target.ply --faces 12000 -o source.ply
+shape slow tm-shape genus 2 --faces 40000 -o target.ply; tm-shape sphere --around target.ply --faces 40000 -o source.ply
 shape ellipsoid-1..12 tm-shape ellipsoid 1 1 1.% --faces 1000 -o target.ply; tm-shape sphere --around target.ply --faces 1000 -o source.ply
 shape genus-1..6 tm-shape genus % --faces 2000 -o target.ply; tm-shape sphere --around target.ply --faces 1000 -o source.ply
 shape none tm-shape genus 99 -o target.ply
@@ -38,7 +37,7 @@ run two tm-morph source.ply --target target.ply -o result.ply --resume --threads
 TABLE
   batch slurm BATCH="$PWD/by-slurm" >slurm.out 2>&1 3>&- &
   local batch=$! tries=0 process=
-  # The slow run is killed while it has a state.
+  # The slow run, of many seconds, is killed while it has a state.
   until [ -e by-slurm/slow,one.unfinished/result.ply.tm-morph ] &&
     process=$(loop_in "$PWD/by-slurm/slow,one.unfinished"); do
     sleep 0.05
