@@ -43,6 +43,8 @@ struct Options {
   std::vector<std::string> families;
 };
 
+constexpr double seconds_to_judge = 600;
+
 struct Trial {
   const HostileFamily* family;
   std::uint64_t seed;
@@ -89,6 +91,11 @@ std::string problem_of(const Mesh& input, const Mesh& output, const Trial& trial
   return {};
 }
 
+void limit_seconds(double seconds) {
+  const rlimit cpu = {static_cast<rlim_t>(seconds), RLIM_INFINITY};
+  setrlimit(RLIMIT_CPU, &cpu);
+}
+
 /// What became of one mesh, in the words that the table counts: in a process of its own.
 std::string run(const Trial& trial, const Options& options) {
   const Mesh input = hostile_mesh(*trial.family, trial.seed, trial.type);
@@ -103,6 +110,7 @@ std::string run(const Trial& trial, const Options& options) {
     message = error.what();
   }
   const double seconds = cpu_seconds() - before, megabytes = peak_megabytes();
+  limit_seconds(options.hang + seconds_to_judge);
   std::ostringstream text;
   text << seconds << ' ' << megabytes << ' ' << input.faces.size() << ' ' << result.rounding_repairs
        << ' ' << result.rounding_spacings << ' ';
@@ -124,9 +132,8 @@ void start(const Trial& trial, const Options& options, std::map<pid_t, Running>&
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
-    const rlimit cpu = {static_cast<rlim_t>(options.hang), static_cast<rlim_t>(options.hang)};
     const rlimit space = {rlim_t{3} << 30, rlim_t{3} << 30};
-    setrlimit(RLIMIT_CPU, &cpu);
+    limit_seconds(options.hang);
     setrlimit(RLIMIT_AS, &space);
     std::string text = run(trial, options).substr(0, 4000);
     const bool is_written = write(ends[1], text.data(), text.size()) >= 0;

@@ -20,17 +20,24 @@ namespace transformesh {
 /// With positive weight.
 struct ExactCoordinates : HomogeneousPoint<CGAL::Mpzf> {};
 
-/// With positive weight, where magnitudes in the definition are so far apart that numbers become
-/// long and digits are lost.
-struct SpreadCoordinates {
-  HomogeneousPoint<WideBall> wide;
-  HomogeneousPoint<LongBall> longer;
-};
-
-/// To twice the digits of a double, where that can be told.
+/// To twice the digits of a double, where that can be told. Where magnitudes in the definition are
+/// so far apart that numbers become long and digits are lost, balls of homogeneous coordinates tell
+/// more, of positive weight; each kind is there once it was needed.
 struct PreciseCoordinates {
   NumberVector<PreciseBall> x;
-  std::unique_ptr<const SpreadCoordinates> spread;  ///< where they are
+  bool is_spread = false;
+  std::shared_ptr<const HomogeneousPoint<WideBall>> wide;
+  std::shared_ptr<const HomogeneousPoint<LongBall>> longer;
+
+  template <class Ball>
+  std::shared_ptr<const HomogeneousPoint<Ball>>& balls() {
+    if constexpr (std::is_same_v<Ball, WideBall>) return wide;
+    if constexpr (std::is_same_v<Ball, LongBall>) return longer;
+  }
+  template <class Ball>
+  const std::shared_ptr<const HomogeneousPoint<Ball>>& balls() const {
+    return const_cast<PreciseCoordinates*>(this)->balls<Ball>();
+  }
 };
 
 namespace {
@@ -402,33 +409,31 @@ const PreciseCoordinates& ExactGeometry::precise(const ExactPoint& point) const 
   } else {
     coordinates.x =
         precise_coordinates(fraction_of<PreciseBall>(point.definition, positions_, faces_));
-    if (is_spread(point.definition, positions_, faces_))
-      coordinates.spread = std::make_unique<const SpreadCoordinates>(spread(point));
+    coordinates.is_spread = is_spread(point.definition, positions_, faces_);
   }
   point.precise = std::make_shared<const PreciseCoordinates>(std::move(coordinates));
   return *point.precise;
 }
 
-SpreadCoordinates ExactGeometry::spread(const ExactPoint& point) const {
-  const PointDefinition& definition = point.definition;
-  if (is_exact(point))
-    return {{number_vector<WideBall>(point.center), WideBall(1)},
-            {number_vector<LongBall>(point.center), LongBall(1)}};
-  return {homogeneous_balls<WideBall>(definition, positions_, faces_),
-          homogeneous_balls<LongBall>(definition, positions_, faces_)};
+// What copies of the point share does not change: other threads may read it.
+template <class Ball>
+const HomogeneousPoint<Ball>& ExactGeometry::spread(const ExactPoint& point) const {
+  if (const auto& balls = precise(point).balls<Ball>()) return *balls;
+  PreciseCoordinates known = *point.precise;
+  auto& balls = known.balls<Ball>();
+  balls = std::make_shared<const HomogeneousPoint<Ball>>(
+      is_exact(point) ? HomogeneousPoint<Ball>{number_vector<Ball>(point.center), Ball(1)}
+                      : homogeneous_balls<Ball>(point.definition, positions_, faces_));
+  const HomogeneousPoint<Ball>& result = *balls;
+  point.precise = std::make_shared<const PreciseCoordinates>(std::move(known));
+  return result;
 }
 
 template <class Compute, class... Point>
 int ExactGeometry::homogeneous_sign(const Compute& compute, const Point&... points) const {
-  const auto spread_sign = [&](const auto&... spread) {
-    const int sign = compute(spread.wide...).sign();
-    return sign != 0 ? sign : compute(spread.longer...).sign();
-  };
-  const auto spread_of = [&](const ExactPoint& point) {
-    return precise(point).spread ? *precise(point).spread : spread(point);
-  };
-  if ((precise(points).spread || ...)) {
-    const int sign = spread_sign(spread_of(points)...);
+  if ((precise(points).is_spread || ...)) {
+    int sign = compute(spread<WideBall>(points)...).sign();
+    if (sign == 0) sign = compute(spread<LongBall>(points)...).sign();
     if (sign != 0) return sign;
   }
   return exact_sign(compute(exact(points)...));

@@ -20,7 +20,8 @@ namespace transformesh {
 
 struct ExactCoordinates;
 struct PreciseCoordinates;
-struct SpreadCoordinates;
+template <class Number>
+struct HomogeneousPoint;
 
 struct ExactPoint {
   using Kind = PointDefinition::Kind;
@@ -81,7 +82,8 @@ class ExactGeometry {
   ExactPoint line_plane(const PointDefinition& definition) const;
   ExactPoint line_line(const PointDefinition& definition) const;
   const PreciseCoordinates& precise(const ExactPoint& point) const;
-  SpreadCoordinates spread(const ExactPoint& point) const;
+  template <class Ball>
+  const HomogeneousPoint<Ball>& spread(const ExactPoint& point) const;
   /// The sign of what `compute` makes of the points' homogeneous coordinates, by balls where these
   /// are long, and else exactly.
   template <class Compute, class... Point>

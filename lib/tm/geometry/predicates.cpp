@@ -8,9 +8,9 @@
 #include "tm/geometry/fixed_integer.h"
 #include "tm/geometry/homogeneous.h"
 #include "tm/geometry/long_ball.h"
+#include "tm/geometry/monomial_sum.h"
 #include "tm/geometry/number_vector.h"
 #include "tm/geometry/precise_ball.h"
-#include "tm/geometry/wide_ball.h"
 #include "tm/support/elementary/double_double.h"
 #include "tm/support/parallel.h"
 
@@ -71,18 +71,43 @@ bool share_coordinate(const Vec3& a, const Vec3& b, const Vec3& c, int i) {
   return a[i] == b[i] && b[i] == c[i];
 }
 
-template <class Ball>
-int ball_orient3d(const Triangle& t, const Vec3& d) {
-  return height_over<Ball>(t, {number_vector<Ball>(d), Ball(1)}).sign();
+// The determinant by the coordinates themselves: differences would lose the smaller ones.
+using DigitsOfPoint = std::array<BinaryDigits, 3>;
+
+DigitsOfPoint digits_of(const Vec3& p) {
+  return {BinaryDigits(p[0]), BinaryDigits(p[1]), BinaryDigits(p[2])};
 }
 
-// By the coordinates themselves, as in homogeneous.h.
-template <class Ball>
-int ball_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
-  const auto minor = [&](const Vec3& u, const Vec3& v) {
-    return Ball(u[p.u]) * Ball(v[p.v]) - Ball(v[p.u]) * Ball(u[p.v]);
+void add_determinant(MonomialSum& sum, const DigitsOfPoint& a, const DigitsOfPoint& b,
+                     const DigitsOfPoint& c) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    sum.add(a[i], b[j], c[k]);
+    sum.subtract(a[i], b[k], c[j]);
+  }
+}
+
+int sum_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const DigitsOfPoint p = digits_of(a), q = digits_of(b), r = digits_of(c), s = digits_of(d);
+  MonomialSum sum;
+  add_determinant(sum, q, r, s);
+  add_determinant(sum, r, p, s);
+  add_determinant(sum, p, q, s);
+  add_determinant(sum, q, p, r);
+  return sum.sign();
+}
+
+int sum_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
+  const BinaryDigits one(1);
+  MonomialSum sum;
+  const auto add_minor = [&](const Vec3& u, const Vec3& v) {
+    sum.add(BinaryDigits(u[p.u]), BinaryDigits(v[p.v]), one);
+    sum.subtract(BinaryDigits(v[p.u]), BinaryDigits(u[p.v]), one);
   };
-  return (minor(a, b) + minor(b, c) + minor(c, a)).sign();
+  add_minor(a, b);
+  add_minor(b, c);
+  add_minor(c, a);
+  return sum.sign();
 }
 
 // Zeros come mostly from planes along axes.
@@ -90,9 +115,7 @@ int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   for (int i = 0; i < 3; ++i)
     if (share_coordinate(a, b, c, i) && c[i] == d[i]) return 0;
   if (const auto sign = integer_orient3d(a, b, c, d)) return *sign;
-  int sign = ball_orient3d<WideBall>({a, b, c}, d);
-  if (sign == 0) sign = ball_orient3d<LongBall>({a, b, c}, d);
-  return sign != 0 ? sign : sign_of(dot(normal<Exact>({a, b, c}), difference<Exact>(d, a)));
+  return sum_orient3d(a, b, c, d);
 }
 
 // a b - c d. Where two products round to one number, what rounding took away decides.
@@ -122,12 +145,7 @@ int exact_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection 
   if (share_coordinate(a, b, c, p.u) || share_coordinate(a, b, c, p.v)) return 0;
   if (const auto sign = quick_orient2d(a, b, c, p)) return *sign;
   if (const auto sign = integer_orient2d(a, b, c, p)) return *sign;
-  int sign = ball_orient2d<WideBall>(a, b, c, p);
-  if (sign == 0) sign = ball_orient2d<LongBall>(a, b, c, p);
-  if (sign != 0) return sign;
-  const auto minus = [](double x, double y) { return Exact(x) - Exact(y); };
-  return sign_of(minus(b[p.u], a[p.u]) * minus(c[p.v], a[p.v]) -
-                 minus(b[p.v], a[p.v]) * minus(c[p.u], a[p.u]));
+  return sum_orient2d(a, b, c, p);
 }
 
 constexpr PlaneProjection along(int axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }

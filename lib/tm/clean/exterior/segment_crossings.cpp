@@ -65,8 +65,9 @@ bool SegmentCrossings::add(Index a, Index b) {
   if (from_a.side * to_a.side == 0 || from_b.side * to_b.side == 0) return false;
   const auto [least_a, most_a] = from_a.share_before(to_a);
   const auto [least_b, most_b] = from_b.share_before(to_b);
-  found_.push_back({a, b, from_a.side, least_a, most_a});
-  found_.push_back({b, a, from_b.side, least_b, most_b});
+  const auto pair = static_cast<Index>(found_.size() / 2);
+  found_.push_back({a, b, pair, from_a.side, least_a, most_a});
+  found_.push_back({b, a, pair, from_b.side, least_b, most_b});
   return true;
 }
 
@@ -84,6 +85,15 @@ int SegmentCrossings::common_side(Index s, Index other) const {
   return from * to < 0 ? 0 : from + to;
 }
 
+// What a point learns of its coordinates is kept with it.
+const ExactPoint& SegmentCrossings::point_of(const Crossing& crossing) const {
+  const auto known = points_.find(crossing.pair);
+  if (known != points_.end()) return known->second;
+  const Index first = segment(crossing.segment).face, second = segment(crossing.other).face;
+  return points_.emplace(crossing.pair, geometry_.three_planes(in_.face, first, second))
+      .first->second;
+}
+
 // Which of two segments that cross another one comes first along that: -1, +1, or 0 where they
 // cross in the same point. Where that is close, one of the two may be on one side of the other.
 int SegmentCrossings::order_along(Index s, const Crossing& a, const Crossing& b) const {
@@ -95,10 +105,7 @@ int SegmentCrossings::order_along(Index s, const Crossing& a, const Crossing& b)
   if (side_of_b != 0) return side_of_b * a.side > 0 ? 1 : -1;
 
   const ExactPoint &from = point(segment(s).from), &to = point(segment(s).to);
-  const auto at = [&](const Crossing& c) {
-    return geometry_.three_planes(in_.face, segment(s).face, segment(c.other).face);
-  };
-  const ExactPoint point_a = at(a), point_b = at(b);
+  const ExactPoint &point_a = point_of(a), &point_b = point_of(b);
   for (const int axis : {in_.projection.u, in_.projection.v}) {
     const int along = geometry_.compare_coordinate(to, from, axis);
     if (along != 0) return along * geometry_.compare_coordinate(point_a, point_b, axis);

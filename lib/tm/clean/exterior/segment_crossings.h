@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "tm/geometry/exact_point.h"
@@ -34,6 +35,7 @@ struct SegmentsInFace {
 /// Where one segment crosses another.
 struct Crossing {
   Index segment, other;
+  Index pair;          ///< a number that both segments' crossings have in common
   int side;            ///< of the other on which the segment starts: +1 for its left
   double least, most;  ///< bounds for where that is on the segment, as a share of its length
 };
@@ -84,12 +86,14 @@ class SegmentCrossings {
   Height height_over(Index s, Index p) const;
   int common_side(Index s, Index other) const;
   int order_along(Index s, const Crossing& a, const Crossing& b) const;
+  const ExactPoint& point_of(const Crossing& crossing) const;
 
   const ExactGeometry& geometry_;
   const SegmentsInFace& in_;
   std::vector<Box> boxes_;                   ///< per segment
   std::vector<Crossing> found_, crossings_;  ///< as found, and by segments
   std::vector<Index> first_;
+  mutable std::unordered_map<Index, ExactPoint> points_;  ///< per pair, where it was needed
 };
 
 }  // namespace transformesh

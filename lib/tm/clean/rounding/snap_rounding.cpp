@@ -91,7 +91,8 @@ class SnapRounder {
  private:
   bool repair(Assembly& assembly, int start);
   Assembly begin_anew(const CleanPass& pass, int start);
-  void choose_spacings(int start, std::size_t broken, std::size_t faces);
+  void choose_spacings(int start);
+  int next_start(int start) const;
   void mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most);
   bool clean_again(Assembly& assembly, const GivenCells& cells, int level = 1);
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
@@ -104,6 +105,7 @@ class SnapRounder {
   Spacings spacing_;            ///< those that count
   std::size_t most_pairs_ = 0;  ///< with more than these, repair is hopeless
   bool is_hopeless_ = false;
+  bool is_extreme_ = false;      ///< rounding breaks a good part of the faces
   std::string place_;            ///< the first place that was broken
   std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
   SnapRoundingResult result_;
@@ -171,11 +173,19 @@ bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int l
   return pass.pairs == 0 && !is_given && assembly.split_edges == 0 && !options_.is_open;
 }
 
-// Where rounding breaks a good part of the faces, coordinates are extreme in every direction, and
-// that is better made simpler; so is what is left to the last starts.
-void SnapRounder::choose_spacings(int start, std::size_t broken, std::size_t faces) {
-  if (start > last_given || (start == 0 && broken > faces / most_broken_share))
-    spacing_.are_per_axis = false;
+// The last starts make simpler what coordinates that are extreme along an axis leave.
+void SnapRounder::choose_spacings(int start) {
+  if (start > last_given) spacing_.are_per_axis = false;
+}
+
+// Coordinates that are extreme in every direction are better made simpler at once: before thin
+// cells are sought, which takes the complete arrangement.
+int SnapRounder::next_start(int start) const {
+  constexpr int simpler = last_given + 1;
+  if (!is_extreme_) return start + 1;
+  if (start == 0) return simpler;
+  if (start == simpler) return 1;
+  return start + 1 == simpler ? simpler + 1 : start + 1;
 }
 
 // Rounds, and then mends and cleans what rounding broke, until cleaning changes nothing. What is
@@ -191,16 +201,19 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     if (broken.empty() && round == 0 && !options_.is_open) return true;
     vain = broken.empty() || broken.size() < fewest ? 0 : vain + 1;
     if (vain == most_vain) return false;
-    if (round == 0) choose_spacings(start, broken.size(), assembly.mesh.faces.size());
+    if (round == 0) choose_spacings(start);
     fewest = std::min(fewest, broken.size());
     const Tolerances most = tolerances(start, round);
     for (const Index face : broken) is_broken_[assembly.source_face[face]] = 1;
+    is_extreme_ |= spacing_.are_per_axis && start == 0 && round == 0 &&
+                   broken.size() > assembly.mesh.faces.size() / most_broken_share;
     if (!broken.empty()) {
       if (place_.empty()) {
         place_ = place_of(assembly.mesh, broken.front());
         result_.places = count_places(assembly.mesh, broken);
       }
       ++result_.repairs;
+      if (is_extreme_ && start == 0) return false;
       mend(assembly, broken, most);
     }
     if (clean_again(assembly, {broken.empty() ? 0 : most.cells})) return true;
@@ -280,7 +293,8 @@ SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   is_broken_.assign(mesh_.faces.size(), 0);
   Assembly assembly = pass.assembly;
   for (int start = 0; !repair(assembly, start);) {
-    if (++start == most_starts) give_up();
+    start = next_start(start);
+    if (start == most_starts) give_up();
     assembly = begin_anew(pass, start);
   }
   drop_unused_vertices(assembly);
