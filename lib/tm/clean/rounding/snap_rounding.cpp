@@ -25,7 +25,8 @@ constexpr int most_starts = 7;
 constexpr int last_given = 3;             // the last start before which thin cells are given away
 constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are too many cells
 constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
-constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before
+constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before,
+constexpr int patience = 2;      // and so many more in further starts, which come from afar
 constexpr std::size_t few_pairs = 1000;
 constexpr std::size_t most_broken_share = 3;
 /// How close new vertices become one where nothing is broken, in spacings.
@@ -200,7 +201,7 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     const std::vector<Index> broken = find_broken_faces(assembly);
     if (broken.empty() && round == 0 && !options_.is_open) return true;
     vain = broken.empty() || broken.size() < fewest ? 0 : vain + 1;
-    if (vain == most_vain) return false;
+    if (vain == most_vain + (start == 0 || is_extreme_ ? 0 : patience)) return false;
     if (round == 0) choose_spacings(start);
     fewest = std::min(fewest, broken.size());
     const Tolerances most = tolerances(start, round);
