@@ -564,15 +564,20 @@ int ExactGeometry::orient3d(const Triangle& t, const ExactPoint& point) const {
   return homogeneous_sign(height, point);
 }
 
-int ExactGeometry::compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const {
+int ExactGeometry::quick_compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const {
   const double value = a.center[i] - b.center[i];
   const double error = (a.radius[i] + b.radius[i]) * (1 + 4 * epsilon);
   if (value > error) return 1;
   if (value < -error) return -1;
   if (a.radius[i] == 0 && b.radius[i] == 0) return 0;
   const auto k = static_cast<std::size_t>(i);
-  const int sign = (precise(a).x[k] - precise(b).x[k]).sign();
-  if (sign != 0) return sign;
+  return (precise(a).x[k] - precise(b).x[k]).sign();
+}
+
+int ExactGeometry::compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const {
+  const int sign = quick_compare_coordinate(a, b, i);
+  if (sign != 0 || (a.radius[i] == 0 && b.radius[i] == 0)) return sign;
+  const auto k = static_cast<std::size_t>(i);
   const auto difference = [&](const auto& u, const auto& v) { return u.x[k] * v.w - v.x[k] * u.w; };
   return homogeneous_sign(difference, a, b);
 }

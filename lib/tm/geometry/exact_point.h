@@ -72,6 +72,8 @@ class ExactGeometry {
   /// An order by x, then y, then z: -1, 0 or +1. Zero exactly where the points are equal.
   int compare(const ExactPoint& a, const ExactPoint& b) const;
   int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const;
+  /// The same where balls tell it, else 0.
+  int quick_compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const;
   /// In doubles, within one unit in the last place.
   Vec3 position(const ExactPoint& point) const;
   /// The weighted mean of three points; weights are positive integers.

@@ -94,23 +94,34 @@ const ExactPoint& SegmentCrossings::point_of(const Crossing& crossing) const {
       .first->second;
 }
 
+// The axis along which a segment is longest in the projection, and the sign of its way there.
+SegmentCrossings::Direction SegmentCrossings::direction(Index s) const {
+  const ExactPoint &from = point(segment(s).from), &to = point(segment(s).to);
+  const Vec3 way = (to.center - from.center).cwiseAbs();
+  const auto [u, v] = in_.projection;
+  const int longer = way[u] < way[v] ? v : u;
+  const int sign = geometry_.compare_coordinate(to, from, longer);
+  if (sign != 0) return {longer, sign};
+  const int other = u + v - longer;
+  return {other, geometry_.compare_coordinate(to, from, other)};
+}
+
 // Which of two segments that cross another one comes first along that: -1, +1, or 0 where they
-// cross in the same point. Where that is close, one of the two may be on one side of the other.
+// cross in the same point. Where that is close, their crossings are compared, and where these are
+// close too, one of the two may be on one side of the other.
 int SegmentCrossings::order_along(Index s, const Crossing& a, const Crossing& b) const {
   if (a.most < b.least) return -1;
   if (b.most < a.least) return 1;
+  const ExactPoint &point_a = point_of(a), &point_b = point_of(b);
+  const Direction along = direction(s);
+  const int order = geometry_.quick_compare_coordinate(point_a, point_b, along.axis);
+  if (order != 0) return along.sign * order;
+
   const int side_of_a = common_side(b.other, a.other);
   if (side_of_a != 0) return side_of_a * b.side > 0 ? -1 : 1;
   const int side_of_b = common_side(a.other, b.other);
   if (side_of_b != 0) return side_of_b * a.side > 0 ? 1 : -1;
-
-  const ExactPoint &from = point(segment(s).from), &to = point(segment(s).to);
-  const ExactPoint &point_a = point_of(a), &point_b = point_of(b);
-  for (const int axis : {in_.projection.u, in_.projection.v}) {
-    const int along = geometry_.compare_coordinate(to, from, axis);
-    if (along != 0) return along * geometry_.compare_coordinate(point_a, point_b, axis);
-  }
-  return 0;
+  return along.sign * geometry_.compare_coordinate(point_a, point_b, along.axis);
 }
 
 // Files the crossings by segments.

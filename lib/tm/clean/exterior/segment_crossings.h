@@ -78,6 +78,9 @@ class SegmentCrossings {
 
  private:
   struct Height;
+  struct Direction {
+    int axis, sign;
+  };
 
   const PlanarSegment& segment(Index s) const { return in_.segments[s]; }
   const ExactPoint& point(Index p) const { return in_.points[p]; }
@@ -85,6 +88,7 @@ class SegmentCrossings {
   void file();
   Height height_over(Index s, Index p) const;
   int common_side(Index s, Index other) const;
+  Direction direction(Index s) const;
   int order_along(Index s, const Crossing& a, const Crossing& b) const;
   const ExactPoint& point_of(const Crossing& crossing) const;
 
