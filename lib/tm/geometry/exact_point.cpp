@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "tm/geometry/homogeneous.h"
 #include "tm/geometry/long_ball.h"
@@ -39,6 +40,11 @@ struct PreciseCoordinates {
     return const_cast<PreciseCoordinates*>(this)->balls<Ball>();
   }
 };
+
+struct PreciseNormal {
+  NumberVector<PreciseBall> normal;
+};
+struct ExactPlaneCoordinates : HomogeneousPlane<CGAL::Mpzf> {};
 
 namespace {
 
@@ -535,7 +541,30 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
   return homogeneous_sign(determinant, a, b, c);
 }
 
+namespace {
+
+const PreciseNormal& precise(const ExactPlane& plane) {
+  if (!plane.precise)
+    plane.precise =
+        std::make_shared<const PreciseNormal>(PreciseNormal{normal<PreciseBall>(plane.triangle)});
+  return *plane.precise;
+}
+
+const ExactPlaneCoordinates& exact(const ExactPlane& plane) {
+  if (!plane.exact)
+    plane.exact = std::make_shared<const ExactPlaneCoordinates>(
+        ExactPlaneCoordinates{homogeneous_plane<Exact>(plane.triangle)});
+  return *plane.exact;
+}
+
+}  // namespace
+
 int ExactGeometry::orient3d(const Triangle& t, const ExactPoint& point) const {
+  return orient3d(ExactPlane{t}, point);
+}
+
+int ExactGeometry::orient3d(const ExactPlane& plane, const ExactPoint& point) const {
+  const Triangle& t = plane.triangle;
   if (is_exact(point)) return transformesh::orient3d(t[0], t[1], t[2], point.center);
 
   // In doubles, with the error of the normal and of the ball.
@@ -557,27 +586,29 @@ int ExactGeometry::orient3d(const Triangle& t, const ExactPoint& point) const {
 
   Vector<PreciseBall> step = precise(point).x;
   for (std::size_t i = 0; i < 3; ++i) step[i] = step[i] - PreciseBall(t[0][static_cast<int>(i)]);
-  const int sign = dot(normal<PreciseBall>(t), step).sign();
+  const int sign = dot(transformesh::precise(plane).normal, step).sign();
   if (sign != 0) return sign;
 
-  const auto height = [&](const auto& p) { return height_over(t, p); };
+  const auto height = [&]<class Number>(const HomogeneousPoint<Number>& p) -> Number {
+    if constexpr (std::is_same_v<Number, Exact>) {
+      const ExactPlaneCoordinates& known = transformesh::exact(plane);
+      return dot(known.normal, p.x) - known.offset * p.w;
+    } else {
+      return height_over(t, p);
+    }
+  };
   return homogeneous_sign(height, point);
 }
 
-int ExactGeometry::quick_compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const {
+int ExactGeometry::compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const {
   const double value = a.center[i] - b.center[i];
   const double error = (a.radius[i] + b.radius[i]) * (1 + 4 * epsilon);
   if (value > error) return 1;
   if (value < -error) return -1;
   if (a.radius[i] == 0 && b.radius[i] == 0) return 0;
   const auto k = static_cast<std::size_t>(i);
-  return (precise(a).x[k] - precise(b).x[k]).sign();
-}
-
-int ExactGeometry::compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const {
-  const int sign = quick_compare_coordinate(a, b, i);
-  if (sign != 0 || (a.radius[i] == 0 && b.radius[i] == 0)) return sign;
-  const auto k = static_cast<std::size_t>(i);
+  const int sign = (precise(a).x[k] - precise(b).x[k]).sign();
+  if (sign != 0) return sign;
   const auto difference = [&](const auto& u, const auto& v) { return u.x[k] * v.w - v.x[k] * u.w; };
   return homogeneous_sign(difference, a, b);
 }

@@ -22,6 +22,8 @@ struct ExactCoordinates;
 struct PreciseCoordinates;
 template <class Number>
 struct HomogeneousPoint;
+struct PreciseNormal;
+struct ExactPlaneCoordinates;
 
 struct ExactPoint {
   using Kind = PointDefinition::Kind;
@@ -37,6 +39,13 @@ struct ExactPoint {
 inline bool same_definition(const ExactPoint& a, const ExactPoint& b) {
   return a.definition == b.definition && a.definition.is_known();
 }
+
+/// The plane of a triangle, which is not degenerate.
+struct ExactPlane {
+  Triangle triangle;
+  mutable std::shared_ptr<const PreciseNormal> precise = nullptr;  ///< filled when first needed
+  mutable std::shared_ptr<const ExactPlaneCoordinates> exact = nullptr;  ///< likewise
+};
 
 class ExactGeometry {
  public:
@@ -69,11 +78,11 @@ class ExactGeometry {
   static int quick_delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                  const ExactPoint& d, PlaneProjection projection);
   int orient3d(const Triangle& triangle, const ExactPoint& point) const;
+  int orient3d(const ExactPlane& plane, const ExactPoint& point) const;
+  ExactPlane plane(Index face) const { return {triangle(face)}; }
   /// An order by x, then y, then z: -1, 0 or +1. Zero exactly where the points are equal.
   int compare(const ExactPoint& a, const ExactPoint& b) const;
   int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const;
-  /// The same where balls tell it, else 0.
-  int quick_compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const;
   /// In doubles, within one unit in the last place.
   Vec3 position(const ExactPoint& point) const;
   /// The weighted mean of three points; weights are positive integers.

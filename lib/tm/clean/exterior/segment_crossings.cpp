@@ -19,8 +19,17 @@ struct SegmentCrossings::Height {
   }
 };
 
+// Where doubles leave it open, by the other face, which costs less: the step over the segment tells
+// which side of it is in front of that.
 int SegmentCrossings::side(Index s, const ExactPoint& of) const {
-  return geometry_.orient2d(point(segment(s).from), point(segment(s).to), of, in_.projection);
+  const PlanarSegment& line = segment(s);
+  const int sign =
+      ExactGeometry::quick_orient2d(point(line.from), point(line.to), of, in_.projection);
+  if (sign != 0) return sign;
+  if (planes_.empty()) planes_.resize(in_.segments.size());
+  std::optional<ExactPlane>& plane = planes_[s];
+  if (!plane) plane = geometry_.plane(line.face);
+  return line.step * geometry_.orient3d(*plane, of);
 }
 
 SegmentCrossings::Box SegmentCrossings::box_of(const ExactPoint& from, const ExactPoint& to) const {
@@ -79,12 +88,6 @@ SegmentCrossings::Height SegmentCrossings::height_over(Index s, Index p) const {
   return {sign, std::max(size - turn.error, 0.0), size + turn.error};
 }
 
-// On which side of a segment both ends of another one are, one of which may be on its line; else 0.
-int SegmentCrossings::common_side(Index s, Index other) const {
-  const int from = side(s, point(segment(other).from)), to = side(s, point(segment(other).to));
-  return from * to < 0 ? 0 : from + to;
-}
-
 // What a point learns of its coordinates is kept with it.
 const ExactPoint& SegmentCrossings::point_of(const Crossing& crossing) const {
   const auto known = points_.find(crossing.pair);
@@ -107,21 +110,12 @@ SegmentCrossings::Direction SegmentCrossings::direction(Index s) const {
 }
 
 // Which of two segments that cross another one comes first along that: -1, +1, or 0 where they
-// cross in the same point. Where that is close, their crossings are compared, and where these are
-// close too, one of the two may be on one side of the other.
+// cross in the same point.
 int SegmentCrossings::order_along(Index s, const Crossing& a, const Crossing& b) const {
   if (a.most < b.least) return -1;
   if (b.most < a.least) return 1;
-  const ExactPoint &point_a = point_of(a), &point_b = point_of(b);
   const Direction along = direction(s);
-  const int order = geometry_.quick_compare_coordinate(point_a, point_b, along.axis);
-  if (order != 0) return along.sign * order;
-
-  const int side_of_a = common_side(b.other, a.other);
-  if (side_of_a != 0) return side_of_a * b.side > 0 ? -1 : 1;
-  const int side_of_b = common_side(a.other, b.other);
-  if (side_of_b != 0) return side_of_b * a.side > 0 ? 1 : -1;
-  return along.sign * geometry_.compare_coordinate(point_a, point_b, along.axis);
+  return along.sign * geometry_.compare_coordinate(point_of(a), point_of(b), along.axis);
 }
 
 // Files the crossings by segments.

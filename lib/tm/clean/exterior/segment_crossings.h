@@ -16,7 +16,8 @@ namespace transformesh {
 struct PlanarSegment {
   Index from, to;  ///< points; only the second may be a corner of the face
   Index face;      ///< the one that crosses
-  int step;        ///< by how much w in front grows from left to right: +1 or -1
+  int step;  ///< by how much w in front grows from left to right: +1 or -1, so that its left is
+             ///< in front of the face that crosses, or behind it
 };
 
 /// The segments in a face.
@@ -87,7 +88,6 @@ class SegmentCrossings {
   bool add(Index a, Index b);
   void file();
   Height height_over(Index s, Index p) const;
-  int common_side(Index s, Index other) const;
   Direction direction(Index s) const;
   int order_along(Index s, const Crossing& a, const Crossing& b) const;
   const ExactPoint& point_of(const Crossing& crossing) const;
@@ -97,7 +97,8 @@ class SegmentCrossings {
   std::vector<Box> boxes_;                   ///< per segment
   std::vector<Crossing> found_, crossings_;  ///< as found, and by segments
   std::vector<Index> first_;
-  mutable std::unordered_map<Index, ExactPoint> points_;  ///< per pair, where it was needed
+  mutable std::vector<std::optional<ExactPlane>> planes_;  ///< that cross, where they were needed
+  mutable std::unordered_map<Index, ExactPoint> points_;   ///< per pair, where it was needed
 };
 
 }  // namespace transformesh
