@@ -128,6 +128,7 @@ class EditableMesh {
   void remove_face(Index face);
   void remove_vertex(Index vertex) { outgoing_[vertex] = no_index; }
 
+  bool has_vertex_columns() const { return !vertex_columns_.columns.empty(); }
   bool has_vertex_attributes() const { return !vertex_columns_.columns.empty() || !sizes_.empty(); }
   /// Gives the vertex the blend of the rows, and of the sizes, of three vertices.
   void blend_attributes(Index vertex, const std::array<Index, 3>& sources,

@@ -39,6 +39,12 @@ class VertexCells {
   const Vertex& operator[](Index vertex) const { return vertices_[vertex]; }
   const Cell& cell_of(Index vertex) const { return cells_[vertices_[vertex].cell]; }
 
+  /// Whether there is a cell for the vertex at that position.
+  bool has_cell(Index vertex, const Vec3& position) const {
+    const Key key = key_of(position);
+    return key == cell_of(vertex).key || find_cell(key) != no_index;
+  }
+
   /// To be called after a vertex has moved.
   void update(Index vertex);
   /// To be called before a vertex goes.

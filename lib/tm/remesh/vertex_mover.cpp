@@ -123,7 +123,7 @@ bool VertexMover::is_allowed(Index vertex, const Star& star, const Vec3& target)
 
 bool VertexMover::attempt(Index vertex, const Star& star, const Vec3& wanted) {
   const Vec3 target = mesh_.rounded(wanted);
-  if (!is_allowed(vertex, star, target)) return false;
+  if (!is_allowed(vertex, star, target) || !guard_.has_room(patch_)) return false;
   mesh_.move(vertex, target);
   guard_.commit(patch_);
   return true;
