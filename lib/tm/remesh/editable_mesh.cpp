@@ -165,6 +165,7 @@ Index EditableMesh::split(Index halfedge, const Vec3& position) {
   vertex_rows_.push_back(
       append_row(RowBlend{{vertex_rows_[from], vertex_rows_[to], 0}, {0.5, 0.5, 0}}));
   if (!sizes_.empty()) sizes_.push_back(mean_size(from, to));
+  if (!components_.empty()) components_.push_back(components_[from]);
 
   // The face of h keeps its half at `from`, and a new face takes the half at `to`.
   const Index n = next_halfedge(h);

@@ -55,6 +55,21 @@ class EditableMesh {
     const double size = mean_size(source(halfedge), target(halfedge));
     return squared / (size * size);
   }
+  /// That of its three halfedges.
+  std::array<double, 3> scaled_squared_lengths(Index face) const {
+    const Index* corners = sources_.data() + std::size_t{3} * face;
+    const Vec3& a = positions_[corners[0]];
+    const Vec3& b = positions_[corners[1]];
+    const Vec3& c = positions_[corners[2]];
+    std::array<double, 3> result{(b - a).squaredNorm(), (c - b).squaredNorm(),
+                                 (a - c).squaredNorm()};
+    if (sizes_.empty()) return result;
+    for (Index i = 0; i < 3; ++i) {
+      const double size = mean_size(corners[i], corners[(i + 1) % 3]);
+      result[i] /= size * size;
+    }
+    return result;
+  }
   Triangle triangle(Index face) const {
     const Index* corners = sources_.data() + std::size_t{3} * face;
     return triangle_of(positions_, {corners[0], corners[1], corners[2]});
@@ -100,6 +115,11 @@ class EditableMesh {
     return sizes_.empty() ? 1 : 0.5 * (sizes_[first] + sizes_[second]);
   }
   double size(Index vertex) const { return sizes_.empty() ? 1 : sizes_[vertex]; }
+
+  /// Numbers per vertex that are the same where vertices are connected. Edits keep them right;
+  /// empty where nobody has set them.
+  const std::vector<Index>& components() const { return components_; }
+  void set_components(std::vector<Index> components) { components_ = std::move(components); }
 
   /// Positions are rounded to this type as they are made, so that what is checked is what a file
   /// of that type holds.
@@ -152,6 +172,7 @@ class EditableMesh {
   std::vector<bool> isolated_;    ///< vertices without a face in the input, which are kept
   std::vector<char> features_;    ///< per halfedge, empty while there are none
   std::vector<double> sizes_;     ///< per vertex, empty while there are none
+  std::vector<Index> components_;
   std::vector<Index> vertex_rows_;
   std::vector<Index> face_rows_;
   Columns vertex_columns_;

@@ -80,14 +80,18 @@ Vec3 sum_of(const std::vector<Vec3>& vectors) {
 }
 
 double longest_edge_of(const EditableMesh& mesh) {
-  constexpr std::size_t per_part = 8192;
-  std::vector<double> longest((mesh.halfedge_slots() + per_part - 1) / per_part, 0);
+  constexpr std::size_t per_part = 4096;
+  std::vector<double> longest((mesh.face_slots() + per_part - 1) / per_part, 0);
   parallel_for(longest.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t part = from; part < to; ++part) {
-      const auto last = std::min<std::size_t>(mesh.halfedge_slots(), (part + 1) * per_part);
-      for (auto h = static_cast<Index>(part * per_part); h < last; ++h) {
-        if (mesh.is_edge(h)) longest[part] = std::max(longest[part], mesh.squared_length(h));
+      const auto last = std::min<std::size_t>(mesh.face_slots(), (part + 1) * per_part);
+      double most = 0;
+      for (auto face = static_cast<Index>(part * per_part); face < last; ++face) {
+        if (!mesh.has_face(face)) continue;
+        const auto [a, b, c] = mesh.triangle(face);
+        most = std::max({most, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
       }
+      longest[part] = most;
     }
   });
   double result = 0;

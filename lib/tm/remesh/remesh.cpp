@@ -15,6 +15,7 @@
 #include "tm/remesh/small_components.h"
 #include "tm/remesh/smooth.h"
 #include "tm/remesh/split.h"
+#include "tm/remesh/where.h"
 #include "tm/support/counted.h"
 #include "tm/support/length.h"
 
@@ -225,34 +226,15 @@ void remove_small(const Task& task) {
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
 }
 
-/// Lengths over all edges, in units of the local size.
-struct ScaledLengths {
-  double typical = 0;  ///< root of the mean square
-  double longest = 0;
-
-  explicit ScaledLengths(const EditableMesh& mesh) {
-    double sum = 0;
-    double count = 0;
-    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-      if (!mesh.is_edge(h)) continue;
-      const double squared = mesh.scaled_squared_length(h);
-      longest = std::max(longest, squared);
-      sum += squared;
-      ++count;
-    }
-    typical = std::sqrt(sum / count);
-    longest = std::sqrt(longest);
-  }
-};
-
 /// Where edges are far too short, collapses them in stages of less than twice the length: with the
 /// guard made for the longest edges at once, each of its cells would hold many vertices. Returns
-/// the lengths that came of it.
-ScaledLengths coarsen(const Task& task) {
+/// the longest edge that came of it.
+double coarsen(const Task& task) {
   for (bool goes_on = true;;) {
-    const ScaledLengths lengths(task.mesh);
-    const double shortest = stage_growth * lengths.typical;
-    if (!goes_on || !(stage_growth * shortest < task.limits.shortest)) return lengths;
+    const EdgeSummary lengths = summary_of_edges(task.mesh);
+    const double shortest = stage_growth * std::sqrt(lengths.typical);
+    if (!goes_on || !(stage_growth * shortest < task.limits.shortest))
+      return std::sqrt(lengths.longest);
     const EdgeLimits limits{shortest, shortest / task.limits.shortest * task.limits.longest};
     EmbeddingGuard guard(task.mesh, limits.longest * largest_size(task.mesh), task.keep_out);
     const VertexRoles roles(task.mesh, task.options.keep_border);
@@ -265,8 +247,7 @@ ScaledLengths coarsen(const Task& task) {
 }
 
 void refine(const Task& task) {
-  const ScaledLengths lengths = coarsen(task);
-  if (lengths.longest <= task.limits.longest) return;
+  if (coarsen(task) <= task.limits.longest) return;
   task.result.splits +=
       split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
 }
@@ -309,6 +290,7 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
       editable, options, limits, surface ? &*surface : nullptr, keep_out ? &*keep_out : nullptr,
       progress, result};
   remove_small(task);
+  if (options.iterations > 0) editable.set_components(closed_components(editable));
   for (int i = 0; i < options.iterations; ++i)
     iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
   result.degenerate_faces = count_degenerate_faces(editable);

@@ -12,6 +12,9 @@
 
 namespace transformesh {
 
+/// Per vertex the lowest vertex of its component, or no_index where that has a border.
+std::vector<Index> closed_components(const EditableMesh& mesh);
+
 class VertexCells {
  public:
   struct Cell {
@@ -87,8 +90,6 @@ class VertexCells {
   /// Calls visit(cell) for the cells around, itself among them.
   template <class Visit>
   void for_each_cell_around(Index cell, const Visit& visit) const;
-  void label_components();
-  bool gather_component(Index seed, std::vector<char>& reached, std::vector<Index>& faces) const;
   void fill(std::span<const NormalCone> cones);  ///< of the faces
   void find_cells_around(Index cell, std::span<const Key> offsets);
   void restrict_to_faces(std::span<const NormalCone> cones);
