@@ -52,8 +52,8 @@ class Candidates {
 /// Collapses those of the edges that are wanted, and then others around them.
 template <class Wanted>
 EditCounts collapse_some(EditableMesh& mesh, EdgeCollapser& collapser, EmbeddingGuard& guard,
-                         Wanted& wanted, std::span<const Index> halfedges,
-                         std::vector<Index>& left, const Progress& progress) {
+                         Wanted& wanted, std::span<const Index> halfedges, std::vector<Index>& left,
+                         const Progress& progress) {
   EditCounts counts;
   Candidates<Wanted> edges(mesh, wanted, halfedges);
   const auto first = static_cast<double>(edges.size());
@@ -132,7 +132,7 @@ class IsIrregular {
     return mesh_.scaled_squared_length(halfedge) < limit_ && !mesh_.is_border(halfedge) &&
            gain(halfedge) > 0;
   }
-  // Few edges come into question, and which ones is found without a jump that depends on the edge.
+  // Valences are asked before which halfedge names the edge, as few edges pass.
   Halfedges all() const {
     return indices_where_in(mesh_.face_slots(), [&](Index face, Halfedges& found) {
       if (!mesh_.has_face(face)) return;
@@ -144,7 +144,7 @@ class IsIrregular {
         if (opposite == no_index) continue;
         const int gained = gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                 excess_[mesh_.apex(opposite)]);
-        if ((gained > 0) & (h < opposite) && mesh_.scaled_squared_length(h) < limit_)
+        if (gained > 0 && h < opposite && mesh_.scaled_squared_length(h) < limit_)
           found.push_back(h);
       }
     });
@@ -178,8 +178,7 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits,
                                     const Progress& progress) {
   IsShort is_short(mesh, limits.shortest, roles.keeps_border());
-  const EditCounts counts =
-      collapse_wanted(mesh, guard, roles, limits.longest, is_short, progress);
+  const EditCounts counts = collapse_wanted(mesh, guard, roles, limits.longest, is_short, progress);
   // An edge may have been refused more than once, or be gone in the end.
   return {counts.done, counts.refused == 0 ? 0 : is_short.all().size()};
 }

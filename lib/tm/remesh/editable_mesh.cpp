@@ -212,11 +212,26 @@ bool EditableMesh::can_collapse(Index halfedge) const {
   }
 
   // The ends may have no common neighbors but the apexes.
+  return count_common_neighbors(from, to) == (border_edge ? 1U : 2U);
+}
+
+/// Of two vertices that are neighbors.
+Index EditableMesh::count_common_neighbors(Index from, Index to) const {
+  constexpr std::size_t usual = 24;
+  std::array<Index, usual> ring;
+  std::size_t count = 0;
+  for_each_neighbor(to, [&](Index neighbor, Index) {
+    if (count < usual) ring[count] = neighbor;
+    ++count;
+  });
   Index common = 0;
   for_each_neighbor(from, [&](Index neighbor, Index) {
-    if (neighbor != to && are_neighbors(to, neighbor)) ++common;
+    const bool is_common = count <= usual ? std::find(ring.begin(), ring.begin() + count,
+                                                      neighbor) != ring.begin() + count
+                                          : are_neighbors(to, neighbor);
+    if (neighbor != to && is_common) ++common;
   });
-  return common == (border_edge ? 1U : 2U);
+  return common;
 }
 
 /// Makes one edge of the two of a face that vanishes.

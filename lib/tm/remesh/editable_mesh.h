@@ -155,6 +155,7 @@ class EditableMesh {
                         const std::array<double, 3>& weights);
 
  private:
+  Index count_common_neighbors(Index from, Index to) const;
   void link(Index first, Index second);
   void find_outgoing();
   Index append_face(Index a, Index b, Index c, Index row);

@@ -89,7 +89,8 @@ double longest_edge_of(const EditableMesh& mesh) {
       for (auto face = static_cast<Index>(part * per_part); face < last; ++face) {
         if (!mesh.has_face(face)) continue;
         const auto [a, b, c] = mesh.triangle(face);
-        most = std::max({most, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+        most =
+            std::max({most, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
       }
       longest[part] = most;
     }
@@ -147,7 +148,7 @@ bool EmbeddingGuard::has_room(const Patch& patch) {
 void EmbeddingGuard::commit(const Patch& patch) {
   longest_edge_ = std::max(longest_edge_, std::sqrt(patch.longest_squared));
   cells_->update(patch.center);
-  for (const Index vertex : patch.vertices) cells_->restrict(vertex, cone_, patch.longest_squared);
+  cells_->restrict(patch.vertices, cone_, patch.longest_squared);
 }
 
 bool EmbeddingGuard::keeps_out(const Patch& patch) {

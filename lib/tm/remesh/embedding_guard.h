@@ -100,7 +100,7 @@ class EmbeddingGuard {
   const KeepOut* keep_out_;
   std::size_t kept_out_ = 0;
   double longest_allowed_;
-  double longest_edge_;  ///< that there is or has been
+  double longest_edge_;                 ///< that there is or has been
   std::shared_ptr<VertexCells> cells_;  ///< of the whole mesh, also in the guard of a part
   MeshSlab slab_;
   bool is_part_ = false;

@@ -56,15 +56,16 @@ std::vector<Vertex> heights(const EditableMesh& mesh, const VertexRoles& roles) 
 void even_out(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
               const Progress& progress) {
   const std::vector<Vertex> vertices = heights(mesh, roles);
+  const VertexRings rings(mesh);
   move_vertices(guard, progress, "even out", [&](EmbeddingGuard& own) {
     return [&, mover = VertexMover(mesh, own), star = Star()](Index v) mutable {
       const Vertex& vertex = vertices[v];
       if (std::isnan(vertex.height)) return Moved::not_wanted;
-      double sum = 0;
-      mesh.for_each_neighbor(v, [&](Index neighbor, Index) { sum += vertices[neighbor].height; });
+      double sum = 0;  // vertices with a height have no border
+      for (const Index neighbor : rings[v].subspan(1)) sum += vertices[neighbor].height;
       const double way = share * (sum / vertex.valence - vertex.height);
       if (!(std::abs(way) > rest * vertex.edge)) return Moved::not_wanted;
-      star.gather(mesh, v);
+      star.gather(mesh, v, rings[v]);
       const Vec3 target = star.center + way * vertex.normal;
       return mover.move(v, star, target) ? Moved::done : Moved::refused;
     };

@@ -21,8 +21,8 @@ constexpr double least_gain = 1e-9;
 
 /// What the flips of a mesh have in common, in all its slabs.
 struct FlipBoard {
-  std::vector<int> excess;           ///< per vertex: valence minus what it should be
-  std::vector<std::uint8_t> waits;   ///< per halfedge: whether its edge waits for a visit
+  std::vector<int> excess;          ///< per vertex: valence minus what it should be
+  std::vector<std::uint8_t> waits;  ///< per halfedge: whether its edge waits for a visit
 
   explicit FlipBoard(const EditableMesh& mesh)
       : excess(mesh.vertex_slots(), -6), waits(mesh.halfedge_slots(), 0) {
@@ -100,13 +100,13 @@ bool Flipper::is_wanted(Index halfedge, const FlipBoard& board) const {
   if (mesh_.is_border(halfedge)) return false;
   const Corners at = corners(halfedge);
   if (rule_ == FlipRule::angle) return gains_angle(at, false);
-  const int gain = deviation_gain(board.excess[at.from], board.excess[at.to],
-                                  board.excess[at.left], board.excess[at.right]);
+  const int gain = deviation_gain(board.excess[at.from], board.excess[at.to], board.excess[at.left],
+                                  board.excess[at.right]);
   if (gain < 0) return false;
   return gains_angle(at, gain > 0);
 }
 
-// Few edges come into question, and which ones is found without a jump that depends on the edge.
+// Valences are asked before which halfedge names the edge, as few edges pass.
 std::vector<Index> Flipper::wanted(const FlipBoard& board) const {
   return indices_where_in(mesh_.face_slots(), [&](Index face, std::vector<Index>& found) {
     if (!mesh_.has_face(face)) return;
@@ -118,8 +118,8 @@ std::vector<Index> Flipper::wanted(const FlipBoard& board) const {
       if (opposite == no_index) continue;
       const int gain = deviation_gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                       board.excess[mesh_.apex(opposite)]);
-      const bool is_candidate = (gain >= 0) | (rule_ == FlipRule::angle);
-      if ((h < opposite) & is_candidate && is_wanted(h, board)) found.push_back(h);
+      const bool is_candidate = gain >= 0 || rule_ == FlipRule::angle;
+      if (is_candidate && h < opposite && is_wanted(h, board)) found.push_back(h);
     }
   });
 }
@@ -235,8 +235,8 @@ FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule,
   if (rule == FlipRule::none) return {};
   progress("flip");
   FlipBoard board(mesh);
-  const std::vector<Halfedges> wanted = sorted_by_slab(
-      mesh, guard.slabs(), Flipper(mesh, guard, rule, limits).wanted(board));
+  const std::vector<Halfedges> wanted =
+      sorted_by_slab(mesh, guard.slabs(), Flipper(mesh, guard, rule, limits).wanted(board));
   const EditCounts counts = edit_in_slabs(
       guard, [&](std::size_t slab) -> const Halfedges& { return wanted[slab]; },
       [&](EmbeddingGuard& own, std::span<const Index> edges, std::vector<Index>& left) {

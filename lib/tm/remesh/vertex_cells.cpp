@@ -71,6 +71,7 @@ VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
   }
   // There is a margin of cells on each side, and no more cells than a key can count.
   cell_size_ = std::max(cell_size_, (high - low).maxCoeff() / (1 << (key_bits - 3)));
+  cells_per_length_ = 1 / cell_size_;
   origin_ = low - Vec3::Constant(8 * cell_size_);
   std::vector<NormalCone> cones;
   std::vector<Index> components;
@@ -82,7 +83,7 @@ VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
 }
 
 VertexCells::Key VertexCells::key_of(const Vec3& position) const {
-  const Vec3 at = (position - origin_) / cell_size_;
+  const Vec3 at = cells_per_length_ * (position - origin_);
   Key key = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double limit = (1 << key_bits) - 2;
@@ -221,10 +222,14 @@ void VertexCells::update(Index vertex) {
   if (key != cell_of(vertex).key) change_cell(vertex, key);
 }
 
-void VertexCells::restrict(Index vertex, NormalCone cone, double longest_squared) {
-  restrict_cell(vertices_[vertex].cell, cone);
-  vertices_[vertex].cone &= cone;
-  if (mesh_.has_sizes()) stretch(vertex, longest_squared);
+void VertexCells::restrict(std::span<const Index> vertices, NormalCone cone,
+                           double longest_squared) {
+  for (const Index vertex : vertices) {
+    restrict_cell(vertices_[vertex].cell, cone);
+    vertices_[vertex].cone &= cone;
+  }
+  if (!mesh_.has_sizes()) return;
+  for (const Index vertex : vertices) stretch(vertex, longest_squared);
 }
 
 void VertexCells::change_cell(Index vertex, Key key) {

@@ -52,9 +52,9 @@ class VertexCells {
   void update(Index vertex);
   /// To be called before a vertex goes.
   void remove(Index vertex);
-  /// To be called where faces at a vertex are replaced by others of that cone, with edges up to
+  /// To be called where faces at vertices are replaced by others of that cone, with edges up to
   /// that length.
-  void restrict(Index vertex, NormalCone cone, double longest_squared);
+  void restrict(std::span<const Index> vertices, NormalCone cone, double longest_squared);
 
   /// Calls visit(cell) for the cells that meet a box until it returns false.
   template <class Visit>
@@ -102,6 +102,7 @@ class VertexCells {
 
   const EditableMesh& mesh_;
   double cell_size_;
+  double cells_per_length_ = 0;
   Vec3 origin_ = Vec3::Zero();
   std::vector<Cell> cells_;
   std::vector<CellsAround> around_;  ///< per cell

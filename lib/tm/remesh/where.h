@@ -11,8 +11,8 @@
 
 namespace transformesh {
 
-/// What find(index, found) appends to `found` for all indices below `count`, ascending. It is called
-/// from several threads at once.
+/// What find(index, found) appends to `found` for all indices below `count`, ascending. It is
+/// called from several threads at once.
 template <class Find>
 std::vector<Index> indices_where_in(Index count, const Find& find) {
   constexpr std::size_t per_part = 4096;
@@ -48,7 +48,7 @@ std::vector<Index> edges_where(const EditableMesh& mesh, const IsWanted& is_want
     const std::array<double, 3> lengths = mesh.scaled_squared_lengths(face);
     for (Index i = 0; i < 3; ++i) {
       const Index h = 3 * face + i;
-      if (is_wanted(lengths[i]) & (h < mesh.opposite(h))) found.push_back(h);
+      if (is_wanted(lengths[i]) && h < mesh.opposite(h)) found.push_back(h);
     }
   });
 }
