@@ -29,6 +29,8 @@ inline void report_cleaning(const CleanResult& result, const SeparateResult& sep
   run.report("grid_steps", std::size_t{0});
   run.report("separated_vertices", separated.separated_vertices);
   run.report("separation_refused", separated.refused_vertices);
+  // They take a while to count.
+  if (!run.shows_report()) return;
   const Components components = connected_components(mesh);
   run.report("components", components.components.size());
   run.report("genus", components.genus());

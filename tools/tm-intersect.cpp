@@ -1,7 +1,9 @@
 #include "frame/run.h"
 #include "tm/clean/arrange/refine.h"
+#include "tm/clean/intersect/any_intersection.h"
 #include "tm/clean/intersect/intersect.h"
 #include "tm/io/mesh_io.h"
+#include "tm/support/error.h"
 
 using namespace transformesh;
 
@@ -9,6 +11,7 @@ namespace {
 
 struct Options {
   bool check = false;
+  bool any = false;
   bool refine = false;
   std::string pairs;
   std::string segments;
@@ -44,7 +47,18 @@ void count_per_face(Mesh& mesh, const std::vector<FacePair>& pairs) {
   }
 }
 
+void check_together(const Options& options) {
+  if (options.any && (options.refine || !options.pairs.empty() || !options.segments.empty()))
+    throw UsageError("--any ends with the first pair: it goes with --check alone");
+}
+
 void intersect(Document& document, const Options& options, tool::Run& run) {
+  check_together(options);
+  if (options.any) {
+    const bool is_crossing = has_intersections(document.mesh, run.progress());
+    run.report("intersects", is_crossing);
+    return run.answer(!is_crossing);
+  }
   const std::vector<FacePair> pairs = find_intersections(document.mesh, run.progress());
   run.report("pairs", pairs.size());
   if (!options.pairs.empty()) run.write(options.pairs, pair_lines(pairs));
@@ -65,10 +79,12 @@ int main(int argc, char** argv) {
                         tool::Writes::answer};
   program.flag("check", &options.check,
                "print the number of pairs; exit 1 where there are any, write no mesh");
+  program.flag("any", &options.any,
+               "say only whether there are any, which is quick where there are; exit 1 likewise");
   program.text("pairs", &options.pairs, "FILE", "write the pairs of face numbers as text");
   program.text("segments", &options.segments, "FILE", "write the common segments as PLY edges");
   program.flag("refine", &options.refine,
                "split faces along the intersections; source_face tells where they come from");
-  program.writes_mesh_if = [&] { return !options.check; };
+  program.writes_mesh_if = [&] { return !options.check && !options.any; };
   return program.run(argc, argv, [&](tool::Run& run) { intersect(run.document(), options, run); });
 }

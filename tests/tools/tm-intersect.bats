@@ -9,6 +9,17 @@ load ../helpers/common
   assert_status 1
 }
 
+@test "--any says whether there are pairs, and counts none" {
+  pipe 'tm-shape torus --faces 50000 | tm-intersect --any'
+  assert_status 0
+  [ "$output" = "intersects: false" ]
+  pipe 'tm-shape two-spheres --faces 50000 | tm-intersect --any'
+  assert_status 1
+  [ "$output" = "intersects: true" ]
+  pipe 'tm-shape torus --faces 1000 | tm-intersect --any --refine'
+  assert_status 2
+}
+
 @test "the property counts each pair twice, and --pairs lists it once" {
   tm-shape two-spheres --faces 1000 |
     tm-intersect --pairs "$BATS_TEST_TMPDIR/pairs.txt" --report "$BATS_TEST_TMPDIR/report.json" \

@@ -39,7 +39,8 @@ void advise_around(void* block, std::size_t size) {
   const std::uintptr_t before = seen_end.exchange(end);
   if (before == end) return;
   const std::uintptr_t page = 4096;
-  advise(before == 0 || before > end ? address / page * page : before / page * page, end / page * page);
+  advise(before == 0 || before > end ? address / page * page : before / page * page,
+         end / page * page);
 }
 
 }  // namespace

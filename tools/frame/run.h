@@ -60,6 +60,8 @@ class Run {
   /// An entry of --report (and of stdout for predicates), in this order. Names are lower case with
   /// underscores. Points are three numbers.
   void report(const std::string& key, const Value& value);
+  /// Whether anyone will see the entries of a program that writes a mesh.
+  bool shows_report() const { return terminal_.is_verbose() || !program_.common.report.empty(); }
   /// A no is exit code 1.
   void answer(bool is_yes) { answer_ = is_yes; }
 

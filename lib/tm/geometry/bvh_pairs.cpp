@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 
 #include "tm/geometry/bvh.h"
 #include "tm/geometry/quad_overlap.h"
@@ -24,6 +25,66 @@ struct Task {
   Index second;
 };
 
+/// Two places of a level as one number, so that adding to both is one step.
+using PlacePair = std::uint64_t;
+constexpr int place_bits = 32;
+constexpr PlacePair place_pair(Index first, Index second) {
+  return PlacePair{second} << place_bits | first;
+}
+constexpr Index first_of(PlacePair places) { return static_cast<Index>(places); }
+constexpr Index second_of(PlacePair places) { return static_cast<Index>(places >> place_bits); }
+
+/// The pairs that a mask of turned_overlap_masks() names, the rest of the four unused.
+constexpr auto make_named_pairs() {
+  std::array<std::array<std::array<PlacePair, 4>, 16>, 4> table{};
+  for (Index turn = 0; turn < 4; ++turn)
+    for (Index mask = 0; mask < 16; ++mask) {
+      std::size_t count = 0;
+      for (Index i = 0; i < 4; ++i)
+        if ((mask >> i & 1) != 0) table[turn][mask][count++] = place_pair(i, (i + turn) % 4);
+    }
+  return table;
+}
+
+constexpr auto named_pairs = make_named_pairs();
+
+/// Of two different quads, of a quad with itself, and of that without the pairs of a box with
+/// itself: the bits of masks that count.
+constexpr std::array<unsigned, 4> all_pairs{15, 15, 15, 15};
+constexpr std::array<unsigned, 4> pairs_inside{15, 15, 3, 0};
+constexpr std::array<unsigned, 4> different_inside{0, 15, 3, 0};
+
+/// Writes four pairs for each turn, of which those that count come first, and returns the end of
+/// these. There are no branches, as chance decides.
+PlacePair* list_overlaps(const BoxQuad& first, const BoxQuad& second, PlacePair base,
+                         const std::array<unsigned, 4>& counting, PlacePair* to) {
+  const std::array<unsigned, 4> masks = turned_overlap_masks(first, second);
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    const unsigned mask = masks[turn] & counting[turn];
+    for (std::size_t k = 0; k < 4; ++k) to[k] = base + named_pairs[turn][mask][k];
+    to += std::popcount(mask);
+  }
+  return to;
+}
+
+/// Pairs of boxes by their places in level 0, until there are enough to be looked at.
+class PlacePairs {
+ public:
+  PlacePairs() : places_(pairs_at_once + most_of_quads), end_(places_.data()) {}
+  PlacePair* end() { return end_; }
+  void set_end(PlacePair* end) { end_ = end; }
+  bool is_full() const { return end_ - places_.data() >= std::ptrdiff_t{pairs_at_once}; }
+  std::span<const PlacePair> take() {
+    const std::span<const PlacePair> all(places_.data(), end_);
+    end_ = places_.data();
+    return all;
+  }
+
+ private:
+  std::vector<PlacePair> places_;
+  PlacePair* end_;
+};
+
 }  // namespace
 
 /// Descends two trees at once, level by level. The trees may be one and the same.
@@ -41,12 +102,15 @@ class Bvh::PairSearch {
       tasks = refined(tasks);
     prepare(tasks.size());
     parallel_for(tasks.size(), 1, [&](std::size_t first, std::size_t last) {
+      PlacePairs found;
       std::vector<Pair> pairs;
-      pairs.reserve(pairs_at_once + most_of_quads);
       for (std::size_t i = first; i < last; ++i) {
-        descend(tasks[i], pairs, [&] { visit(i, pairs); });
-        visit(i, pairs);
-        pairs.clear();
+        const auto flush = [&] {
+          name_boxes(found.take(), pairs);
+          visit(i, pairs);
+        };
+        descend(tasks[i], found, flush);
+        flush();
       }
     });
   }
@@ -62,48 +126,61 @@ class Bvh::PairSearch {
     return tasks;
   }
 
-  /// Calls visit(box here, box there), as places in their level, for the overlaps of a task.
-  template <class Visit>
-  void for_each_overlap(const Task& task, const Visit& visit) const {
-    const BoxQuad& first = here_.levels_[task.level][task.first];
-    const BoxQuad& second = there_.levels_[task.level][task.second];
-    unsigned mask = overlap_mask(first, second);
+  /// Writes the overlaps of a task as places in its level, and returns their end.
+  PlacePair* list_overlaps_of(const Task& task, PlacePair* to) const {
     const bool is_same = is_self_ && task.first == task.second;
-    if (is_same) mask &= task.level == 0 ? 0x08ceU : 0x8cefU;  // j > i, or j >= i
-    for (; mask != 0; mask &= mask - 1) {
-      const auto bit = static_cast<Index>(std::countr_zero(mask));
-      const Index i = 4 * task.first + bit / 4, j = 4 * task.second + bit % 4;
-      if (has_links_ && are_apart(here_.links_of(task.level, i), there_.links_of(task.level, j)))
-        continue;
-      visit(i, j);
-    }
+    const auto& counting = !is_same ? all_pairs : task.level == 0 ? different_inside : pairs_inside;
+    PlacePair* end = list_overlaps(here_.levels_[task.level][task.first],
+                                   there_.levels_[task.level][task.second],
+                                   place_pair(4 * task.first, 4 * task.second), counting, to);
+    if (!has_links_) return end;
+    return std::remove_if(to, end, [&](PlacePair places) {
+      return are_apart(here_.links_of(task.level, first_of(places)),
+                       there_.links_of(task.level, second_of(places)));
+    });
+  }
+
+  /// The task of two places in the level above.
+  Task task_below(std::size_t level, PlacePair places) const {
+    const Index i = first_of(places), j = second_of(places);
+    if (is_self_) return {level - 1, std::min(i, j), std::max(i, j)};
+    return {level - 1, i, j};
   }
 
   std::vector<Task> refined(const std::vector<Task>& tasks) const {
     std::vector<Task> result;
-    for (const Task& task : tasks)
-      for_each_overlap(task, [&](Index i, Index j) { result.push_back({task.level - 1, i, j}); });
+    std::array<PlacePair, most_of_quads> overlaps;
+    for (const Task& task : tasks) {
+      const PlacePair* end = list_overlaps_of(task, overlaps.data());
+      for (const PlacePair* places = overlaps.data(); places != end; ++places)
+        result.push_back(task_below(task.level, *places));
+    }
     return result;
   }
 
   // Calls flush when enough pairs have come together.
   template <class Flush>
-  void descend(const Task& task, std::vector<Pair>& pairs, const Flush& flush) const {
-    if (task.level > 0) {
-      for_each_overlap(task, [&](Index i, Index j) {
-        descend({task.level - 1, i, j}, pairs, flush);
-      });
+  void descend(const Task& task, PlacePairs& found, const Flush& flush) const {
+    if (task.level == 0) {
+      found.set_end(list_overlaps_of(task, found.end()));
+      if (found.is_full()) flush();
       return;
     }
-    for_each_overlap(task, [&](Index i, Index j) {
-      Index first = here_.order_[i];
-      Index second = there_.order_[j];
-      if (is_self_ && second < first) std::swap(first, second);
-      pairs.emplace_back(first, second);
-    });
-    if (pairs.size() < pairs_at_once) return;
-    flush();
-    pairs.clear();
+    std::array<PlacePair, most_of_quads> overlaps;
+    const PlacePair* end = list_overlaps_of(task, overlaps.data());
+    for (const PlacePair* places = overlaps.data(); places != end; ++places)
+      descend(task_below(task.level, *places), found, flush);
+  }
+
+  /// The boxes at these places; of one tree the smaller number first.
+  void name_boxes(std::span<const PlacePair> places, std::vector<Pair>& pairs) const {
+    pairs.resize(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Index first = here_.order_[first_of(places[i])];
+      const Index second = there_.order_[second_of(places[i])];
+      const bool swaps = is_self_ && second < first;
+      pairs[i] = {swaps ? second : first, swaps ? first : second};
+    }
   }
 
   const Bvh& here_;

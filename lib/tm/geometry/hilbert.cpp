@@ -71,100 +71,144 @@ constexpr auto make_double_transitions() {
 constexpr auto double_transitions = make_double_transitions();
 static_assert(hilbert_bits % 2 == 0);
 
-struct Key {
-  std::uint64_t place;
-  Index box;
-  bool operator<(const Key& other) const {
-    return place != other.place ? place < other.place : box < other.box;
-  }
-};
-
-/// Maps centers to cells: cubes that fill the box around all centers along its longest side.
-class Cells {
- public:
-  explicit Cells(std::span<const FloatBox> boxes) {
-    low_.fill(std::numeric_limits<double>::infinity());
-    std::array<double, 3> high;
-    high.fill(-std::numeric_limits<double>::infinity());
-    for (const FloatBox& box : boxes) {
-      for (std::size_t axis = 0; axis < axes; ++axis) {
-        low_[axis] = std::min(low_[axis], center(box, axis));
-        high[axis] = std::max(high[axis], center(box, axis));
-      }
-    }
-    double side = 0;
-    for (std::size_t axis = 0; axis < axes; ++axis) side = std::max(side, high[axis] - low_[axis]);
-    if (side > 0) cells_per_length_ = largest / side;
-  }
-
-  std::array<std::uint32_t, 3> operator()(const FloatBox& box) const {
-    std::array<std::uint32_t, 3> cell;
-    for (std::size_t axis = 0; axis < axes; ++axis)
-      cell[axis] = static_cast<std::uint32_t>((center(box, axis) - low_[axis]) * cells_per_length_);
-    return cell;
-  }
-
- private:
-  static constexpr double largest = (1U << hilbert_bits) - 1;
-  std::array<double, 3> low_;
-  double cells_per_length_ = 0;
-};
-
-/// A radix sort by the leading 36 bits; the few keys that agree in them are then sorted by
-/// comparison.
-void sort_keys(std::vector<Key>& keys) {
-  constexpr int digit_bits = 12;
-  constexpr std::uint64_t digit_mask = (1U << digit_bits) - 1;
-  constexpr int first_bit = axes * hilbert_bits - 3 * digit_bits;
-
-  // Three stable counting sorts, the least significant digit first, make the radix sort.
-  std::vector<Key> sorted(keys.size());
-  for (int shift = first_bit; shift < static_cast<int>(axes) * hilbert_bits; shift += digit_bits) {
-    std::vector<std::size_t> slot(digit_mask + 2, 0);
-    for (const Key& key : keys) ++slot[(key.place >> shift & digit_mask) + 1];
-    for (std::size_t i = 1; i < slot.size(); ++i) slot[i] += slot[i - 1];
-    for (const Key& key : keys) sorted[slot[key.place >> shift & digit_mask]++] = key;
-    keys.swap(sorted);
-  }
-
-  for (std::size_t first = 0; first < keys.size();) {
-    std::size_t last = first + 1;
-    while (last < keys.size() && keys[last].place >> first_bit == keys[first].place >> first_bit)
-      ++last;
-    if (last - first > 1)
-      std::sort(keys.begin() + static_cast<std::ptrdiff_t>(first),
-                keys.begin() + static_cast<std::ptrdiff_t>(last));
-    first = last;
-  }
-}
-
-}  // namespace
-
-std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell) {
+/// The place along the curve as far as the leading `bits` bits of each coordinate tell.
+template <int bits>
+std::uint64_t leading_index(const std::array<std::uint32_t, 3>& cell) {
   std::uint64_t place = 0;
   unsigned state = 0;
-  for (int bit = hilbert_bits - 2; bit >= 0; bit -= 2) {
-    const unsigned bits =
+  for (int bit = hilbert_bits - 2; bit >= hilbert_bits - bits; bit -= 2) {
+    const unsigned octants =
         (cell[0] >> bit & 3U) | (cell[1] >> bit & 3U) << 2 | (cell[2] >> bit & 3U) << 4;
-    const unsigned entry = double_transitions[64 * state + bits];
+    const unsigned entry = double_transitions[64 * state + octants];
     place = place << 2 * axes | (entry & 63U);
     state = entry >> 6U;
   }
   return place;
 }
 
-std::vector<Index> hilbert_order(std::span<const FloatBox> boxes) {
-  std::vector<Key> keys(boxes.size());
-  const Cells cells(boxes);
-  parallel_for(boxes.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      keys[i] = {hilbert_index(cells(boxes[i])), static_cast<Index>(i)};
-  });
-  sort_keys(keys);
+// In registers.
+[[gnu::always_inline]] inline std::array<double, 3> center(const FloatBox& box) {
+  return {center(box, 0), center(box, 1), center(box, 2)};
+}
 
-  std::vector<Index> order(boxes.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = keys[i].box;
-  return order;
+/// Maps centers to cells: cubes that fill the box around all centers along its longest side.
+class Cells {
+ public:
+  explicit Cells(std::span<const FloatBox> boxes) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    auto [x0, y0, z0] = std::array{infinity, infinity, infinity};
+    auto [x1, y1, z1] = std::array{-infinity, -infinity, -infinity};
+    for (const FloatBox& box : boxes) {
+      const auto [x, y, z] = center(box);
+      x0 = std::min(x0, x), y0 = std::min(y0, y), z0 = std::min(z0, z);
+      x1 = std::max(x1, x), y1 = std::max(y1, y), z1 = std::max(z1, z);
+    }
+    low_ = {x0, y0, z0};
+    const double side = std::max({0.0, x1 - x0, y1 - y0, z1 - z0});
+    if (side > 0) cells_per_length_ = largest / side;
+  }
+
+  std::array<std::uint32_t, 3> operator()(const FloatBox& box) const {
+    const auto [x, y, z] = center(box);
+    const auto cell = [&](double length) {
+      return static_cast<std::uint32_t>(length * cells_per_length_);
+    };
+    return {cell(x - low_[0]), cell(y - low_[1]), cell(z - low_[2])};
+  }
+
+ private:
+  static constexpr double largest = (1U << hilbert_bits) - 1;
+  std::array<double, 3> low_{};
+  double cells_per_length_ = 0;
+};
+
+/// Sorts boxes by their places along the curve, by numbers that hold the leading bits of a place
+/// and then the box: what agrees in them is rare and looked at again.
+class HilbertSort {
+ public:
+  explicit HilbertSort(std::span<const FloatBox> boxes) : boxes_(boxes), cells_(boxes) {
+    const int index_bits = std::bit_width(boxes.size());
+    index_mask_ = (Key{1} << index_bits) - 1;
+  }
+
+  std::vector<Index> order() {
+    make_keys();
+    sort_by_leading_bits();
+    sort_runs(leading_mask(), [](Key a, Key b) { return a < b; });
+    sort_runs(~index_mask_, [this](Key a, Key b) { return full_place(a) < full_place(b); });
+    std::vector<Index> order(keys_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = box_of(keys_[i]);
+    return order;
+  }
+
+ private:
+  using Key = std::uint64_t;
+  static constexpr int coarse_bits = 12;
+  static constexpr int digit_bits = 12;
+  static constexpr std::size_t digits = std::size_t{1} << digit_bits;
+  static constexpr int key_bits = 64;
+  static constexpr std::size_t few = 1024;      ///< sorted by comparison
+  static constexpr std::size_t many = 1 << 20;  ///< more take another pass
+
+  Index box_of(Key key) const { return static_cast<Index>(key & index_mask_); }
+  std::pair<std::uint64_t, Index> full_place(Key key) const {
+    const Index box = box_of(key);
+    return {hilbert_index(cells_(boxes_[box])), box};
+  }
+  int passes() const { return keys_.size() < few ? 0 : keys_.size() < many ? 2 : 3; }
+  Key leading_mask() const {
+    return passes() == 0 ? 0 : ~Key{0} << (key_bits - passes() * digit_bits);
+  }
+
+  void make_keys() {
+    constexpr int shift = key_bits - static_cast<int>(axes) * coarse_bits;
+    keys_.resize(boxes_.size());
+    parallel_for(boxes_.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        keys_[i] = (leading_index<coarse_bits>(cells_(boxes_[i])) << shift & ~index_mask_) | i;
+    });
+  }
+
+  // Stable counting sorts, the least significant digit first, make the radix sort.
+  void sort_by_leading_bits() {
+    std::vector<Key> sorted(passes() > 0 ? keys_.size() : 0);
+    for (int pass = passes(); pass > 0; --pass) {
+      const int shift = key_bits - pass * digit_bits;
+      std::array<std::uint32_t, digits + 1> slot{};
+      for (const Key key : keys_) ++slot[(key >> shift & (digits - 1)) + 1];
+      for (std::size_t i = 1; i < slot.size(); ++i) slot[i] += slot[i - 1];
+      for (const Key key : keys_) sorted[slot[key >> shift & (digits - 1)]++] = key;
+      keys_.swap(sorted);
+    }
+  }
+
+  /// Sorts those that follow each other and agree in the bits of the mask.
+  template <class ComesBefore>
+  void sort_runs(Key mask, const ComesBefore& comes_before) {
+    const auto begin = keys_.begin();
+    for (std::size_t first = 0, last = 0; first < keys_.size(); first = last) {
+      last = first + 1;
+      while (last < keys_.size() && ((keys_[last] ^ keys_[first]) & mask) == 0) ++last;
+      if (last - first > 1)
+        std::sort(begin + static_cast<std::ptrdiff_t>(first),
+                  begin + static_cast<std::ptrdiff_t>(last), comes_before);
+    }
+  }
+
+  std::span<const FloatBox> boxes_;
+  Cells cells_;
+  std::vector<Key> keys_;
+  Key index_mask_;
+};
+
+}  // namespace
+
+std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell) {
+  return leading_index<hilbert_bits>(cell);
+}
+
+std::vector<Index> hilbert_order(std::span<const FloatBox> boxes) {
+  return HilbertSort(boxes).order();
 }
 
 std::vector<Index> hilbert_order(std::span<const Vec3> points) {

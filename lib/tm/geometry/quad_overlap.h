@@ -34,12 +34,37 @@ inline unsigned overlap_mask(const BoxQuad& quad, const FloatBox& box) {
 #endif
 }
 
-/// Bit 4 * i + j is set where box i of the first overlaps box j of the second.
-inline unsigned overlap_mask(const BoxQuad& first, const BoxQuad& second) {
-  unsigned mask = 0;
-  for (unsigned lane = 0; lane < 4; ++lane)
-    mask |= overlap_mask(second, first.box(lane)) << (4 * lane);
-  return mask;
+/// Bit i of mask r is set where box i of the first overlaps box (i + r) % 4 of the second.
+inline std::array<unsigned, 4> turned_overlap_masks(const BoxQuad& first, const BoxQuad& second) {
+  std::array<unsigned, 4> masks{};
+#ifdef __SSE2__
+  struct Bounds {
+    __m128 low, high;
+  };
+  std::array<Bounds, 3> turned;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    turned[axis] = {_mm_load_ps(second.minimum[axis].data()),
+                    _mm_load_ps(second.maximum[axis].data())};
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    __m128 overlap = _mm_setzero_ps();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      auto& [low, high] = turned[axis];
+      const __m128 is_below = _mm_cmple_ps(_mm_load_ps(first.minimum[axis].data()), high);
+      const __m128 is_above = _mm_cmple_ps(low, _mm_load_ps(first.maximum[axis].data()));
+      const __m128 both = _mm_and_ps(is_below, is_above);
+      overlap = axis == 0 ? both : _mm_and_ps(overlap, both);
+      low = _mm_shuffle_ps(low, low, _MM_SHUFFLE(0, 3, 2, 1));
+      high = _mm_shuffle_ps(high, high, _MM_SHUFFLE(0, 3, 2, 1));
+    }
+    masks[turn] = static_cast<unsigned>(_mm_movemask_ps(overlap));
+  }
+#else
+  for (unsigned i = 0; i < 4; ++i) {
+    const unsigned mask = overlap_mask(second, first.box(i));
+    for (unsigned turn = 0; turn < 4; ++turn) masks[turn] |= (mask >> (i + turn) % 4 & 1) << i;
+  }
+#endif
+  return masks;
 }
 
 }  // namespace transformesh

@@ -60,20 +60,36 @@ Components numbered_components(const Mesh& mesh, std::span<const Index> opposite
   return result;
 }
 
+/// The middle of the box around the vertices that faces use: whoever counts them knows these.
+Vec3 middle_of(const Mesh& mesh, const std::vector<char>& is_used) {
+  Box box;
+  bool is_empty = true;
+  for (std::size_t v = 0; v < is_used.size(); ++v) {
+    if (!is_used[v]) continue;
+    const Vec3& point = mesh.positions[v];
+    if (is_empty) box = {point, point};
+    is_empty = false;
+    box.minimum = box.minimum.cwiseMin(point);
+    box.maximum = box.maximum.cwiseMax(point);
+  }
+  return box.minimum + (box.maximum - box.minimum) / 2;
+}
+
 /// Counts faces and vertices, and sums up volumes.
 void count_faces(const Mesh& mesh, Components& result) {
-  const Box box = bounding_box(mesh);
-  const Vec3 reference = box.minimum + (box.maximum - box.minimum) / 2;
-  std::vector<bool> is_seen(mesh.positions.size(), false);
+  std::vector<char> is_used(mesh.positions.size(), 0);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     Component& component = result.components[result.of_face[f]];
     ++component.faces;
-    component.volume += volume_under_face(mesh, mesh.faces[f], reference) / 6;
     for (const Index vertex : mesh.faces[f]) {
-      if (!is_seen[vertex]) ++component.vertices;
-      is_seen[vertex] = true;
+      component.vertices += is_used[vertex] ? 0 : 1;
+      is_used[vertex] = 1;
     }
   }
+  const Vec3 reference = middle_of(mesh, is_used);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    result.components[result.of_face[f]].volume +=
+        volume_under_face(mesh, mesh.faces[f], reference) / 6;
 }
 
 }  // namespace

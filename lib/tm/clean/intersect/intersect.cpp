@@ -20,10 +20,28 @@ std::vector<Index> welded_faces(const WeldedMesh& welded, std::size_t mesh_faces
   return result;
 }
 
+FloatBox united(const FloatBox& a, const FloatBox& b, const FloatBox& c) {
+  FloatBox box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.minimum[i] = std::min(std::min(a.minimum[i], b.minimum[i]), c.minimum[i]);
+    box.maximum[i] = std::max(std::max(a.maximum[i], b.maximum[i]), c.maximum[i]);
+  }
+  return box;
+}
+
+// Rounding keeps the order of numbers: so each point is rounded once, not with all its faces.
 std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> faces) {
+  std::vector<FloatBox> around(welded.points.size());
+  parallel_for(around.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p)
+      around[p] = welded.frame.box(welded.points[p], welded.points[p]);
+  });
   std::vector<FloatBox> boxes(faces.size());
   parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) boxes[i] = welded.box(faces[i]);
+    for (std::size_t i = first; i < last; ++i) {
+      const auto& [a, b, c] = welded.faces[faces[i]];
+      boxes[i] = united(around[a], around[b], around[c]);
+    }
   });
   return boxes;
 }
@@ -63,6 +81,49 @@ std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<Face
 
 }  // namespace
 
+namespace {
+
+/// Tells which pairs need to be looked at: those that share no vertex with an embedded star.
+class NeighborFilter {
+ public:
+  NeighborFilter(const WeldedMesh& welded, std::span<const Index> faces,
+                 const std::vector<char>& is_embedded)
+      : corners_(faces.size()) {
+    parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        corners_[i] = welded.faces[faces[i]];
+        for (Index& corner : corners_[i])
+          if (!is_embedded[corner]) corner = no_index;
+      }
+    });
+  }
+
+  /// Puts the pairs to look at into `rest`. There are no branches, as chance decides.
+  void operator()(std::span<const Bvh::Pair> pairs, std::vector<Bvh::Pair>& rest) const {
+    rest.resize(pairs.size());
+    std::size_t count = 0;
+    for (const Bvh::Pair& pair : pairs) {
+      rest[count] = pair;
+      count += share_corner(corners_[pair.first], corners_[pair.second]) ? 0 : 1;
+    }
+    rest.resize(count);
+  }
+
+ private:
+  static bool share_corner(const Face& f, const Face& g) {
+    unsigned result = 0;
+    for (const Index a : f) {
+      const unsigned is_shared = unsigned{a == g[0]} | unsigned{a == g[1]} | unsigned{a == g[2]};
+      result |= is_shared & unsigned{a != no_index};
+    }
+    return result != 0;
+  }
+
+  std::vector<Face> corners_;  ///< no_index for those without an embedded star
+};
+
+}  // namespace
+
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
   std::vector<Index> firsts;
@@ -77,15 +138,15 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
                     bvh = Bvh(boxes_of(welded, firsts), find_links(welded.points, welded.faces),
                               firsts);
                   });
+  const NeighborFilter filter(welded, firsts, is_embedded);
   std::vector<std::vector<Meeting>> lists;
   bvh.visit_pairs([&](std::size_t count) { lists.resize(count); },
                   [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
-                    for (const auto& [i, k] : pairs) {
-                      const Index f = firsts[i], g = firsts[k];
-                      if (share_embedded_star(welded.faces[f], welded.faces[g], is_embedded))
-                        continue;
-                      const Contacts contacts = find_contacts(welded, f, g);
-                      if (contacts.meet) lists[list].push_back({f, g, contacts});
+                    thread_local std::vector<Bvh::Pair> rest;
+                    filter(pairs, rest);
+                    for (const auto& [i, k] : rest) {
+                      const Contacts contacts = find_contacts(welded, firsts[i], firsts[k]);
+                      if (contacts.meet) lists[list].push_back({firsts[i], firsts[k], contacts});
                     }
                   });
   std::vector<Meeting> meetings = joined(lists);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
+#include <utility>
 
 #include "tm/support/parallel.h"
 
@@ -94,25 +96,40 @@ std::vector<char> find_repeated(const std::vector<Thing>& things) {
   return is_repeated;
 }
 
+// The first vertex in the place of each; most are told by their hash alone.
+std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions, bool& has_repeats) {
+  const std::vector<char> is_repeated = find_repeated(positions);
+  FirstOfEqual vertices(std::count(is_repeated.begin(), is_repeated.end(), 1));
+  std::vector<Index> first(positions.size());
+  std::iota(first.begin(), first.end(), Index{0});
+  has_repeats = false;
+  for (Index v = 0; v < positions.size(); ++v) {
+    if (!is_repeated[v]) continue;
+    first[v] = vertices.find(hash(positions[v]), v,
+                             [&](Index other) { return positions[other] == positions[v]; });
+    has_repeats |= first[v] != v;
+  }
+  return first;
+}
+
 void number_points(const Mesh& mesh, WeldedMesh& welded) {
   const std::vector<Vec3>& positions = mesh.positions;
-  const std::vector<char> is_repeated = find_repeated(positions);
-  FirstOfEqual points(std::count(is_repeated.begin(), is_repeated.end(), 1));
-  welded.point_of.reserve(positions.size());
-  welded.points.reserve(positions.size());
-  welded.vertex_of.reserve(positions.size());
-  for (Index vertex = 0; vertex < positions.size(); ++vertex) {
-    const Vec3& position = positions[vertex];
-    const auto next = static_cast<Index>(welded.points.size());
-    const Index point =
-        !is_repeated[vertex] ? next : points.find(hash(position), next, [&](Index other) {
-          return welded.points[other] == position;
-        });
-    welded.point_of.push_back(point);
-    if (point != next) continue;
-    welded.points.emplace_back(position + Vec3::Zero());
-    welded.vertex_of.push_back(vertex);
+  bool has_repeats = false;
+  welded.vertex_of = find_first_vertices(positions, has_repeats);
+  welded.point_of = welded.vertex_of;
+  if (has_repeats) {
+    Index count = 0;
+    for (Index v = 0; v < positions.size(); ++v) {
+      const Index first = welded.vertex_of[v];
+      welded.point_of[v] = first == v ? count : welded.point_of[first];
+      welded.vertex_of[count] = v;
+      count += first == v ? 1 : 0;
+    }
+    welded.vertex_of.resize(count);
   }
+  welded.points.resize(welded.vertex_of.size());
+  for (std::size_t p = 0; p < welded.points.size(); ++p)
+    welded.points[p] = positions[welded.vertex_of[p]] + Vec3::Zero();
 }
 
 void find_copies(WeldedMesh& welded) {
@@ -131,6 +148,14 @@ bool is_degenerate(const WeldedMesh& welded, const Face& face) {
          collinear(welded.points[face[0]], welded.points[face[1]], welded.points[face[2]]);
 }
 
+template <class Thing>
+void keep_marked(const std::vector<char>& marks, std::vector<Thing>& things) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < things.size(); ++i)
+    if (marks[i]) things[count++] = things[i];
+  things.resize(count);
+}
+
 }  // namespace
 
 WeldedMesh weld(const Mesh& mesh) {
@@ -146,12 +171,12 @@ WeldedMesh weld(const Mesh& mesh) {
       has_area[f] = is_degenerate(welded, by_points[f]) ? 0 : 1;
     }
   });
-  welded.faces.reserve(mesh.faces.size());
-  welded.face_of.reserve(mesh.faces.size());
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (!has_area[f]) continue;
-    welded.faces.push_back(by_points[f]);
-    welded.face_of.push_back(f);
+  welded.faces = std::move(by_points);
+  welded.face_of.resize(welded.faces.size());
+  std::iota(welded.face_of.begin(), welded.face_of.end(), Index{0});
+  if (std::count(has_area.begin(), has_area.end(), 0) > 0) {
+    keep_marked(has_area, welded.faces);
+    keep_marked(has_area, welded.face_of);
   }
   index_faces(welded);
   return welded;
