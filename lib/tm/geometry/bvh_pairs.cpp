@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 
 #include "tm/geometry/bvh.h"
@@ -34,14 +33,18 @@ constexpr PlacePair place_pair(Index first, Index second) {
 constexpr Index first_of(PlacePair places) { return static_cast<Index>(places); }
 constexpr Index second_of(PlacePair places) { return static_cast<Index>(places >> place_bits); }
 
-/// The pairs that a mask of turned_overlap_masks() names, the rest of the four unused.
+/// The pairs that a mask of turned_overlap_masks() names; the rest of the four are not used.
+struct NamedPairs {
+  std::array<PlacePair, 4> places;
+  std::size_t count;
+};
 constexpr auto make_named_pairs() {
-  std::array<std::array<std::array<PlacePair, 4>, 16>, 4> table{};
+  std::array<std::array<NamedPairs, 16>, 4> table{};
   for (Index turn = 0; turn < 4; ++turn)
     for (Index mask = 0; mask < 16; ++mask) {
-      std::size_t count = 0;
+      NamedPairs& named = table[turn][mask];
       for (Index i = 0; i < 4; ++i)
-        if ((mask >> i & 1) != 0) table[turn][mask][count++] = place_pair(i, (i + turn) % 4);
+        if ((mask >> i & 1) != 0) named.places[named.count++] = place_pair(i, (i + turn) % 4);
     }
   return table;
 }
@@ -60,9 +63,9 @@ PlacePair* list_overlaps(const BoxQuad& first, const BoxQuad& second, PlacePair 
                          const std::array<unsigned, 4>& counting, PlacePair* to) {
   const std::array<unsigned, 4> masks = turned_overlap_masks(first, second);
   for (std::size_t turn = 0; turn < 4; ++turn) {
-    const unsigned mask = masks[turn] & counting[turn];
-    for (std::size_t k = 0; k < 4; ++k) to[k] = base + named_pairs[turn][mask][k];
-    to += std::popcount(mask);
+    const NamedPairs& named = named_pairs[turn][masks[turn] & counting[turn]];
+    for (std::size_t k = 0; k < 4; ++k) to[k] = base + named.places[k];
+    to += named.count;
   }
   return to;
 }

@@ -91,9 +91,9 @@ class NeighborFilter {
       : corners_(faces.size()) {
     parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        corners_[i] = welded.faces[faces[i]];
-        for (Index& corner : corners_[i])
-          if (!is_embedded[corner]) corner = no_index;
+        const auto& [a, b, c] = welded.faces[faces[i]];
+        const auto shown = [&](Index corner) { return is_embedded[corner] ? corner : no_index; };
+        corners_[i] = Corners{shown(a), shown(b), shown(c), no_index};
       }
     });
   }
@@ -110,16 +110,16 @@ class NeighborFilter {
   }
 
  private:
-  static bool share_corner(const Face& f, const Face& g) {
-    unsigned result = 0;
-    for (const Index a : f) {
-      const unsigned is_shared = unsigned{a == g[0]} | unsigned{a == g[1]} | unsigned{a == g[2]};
-      result |= is_shared & unsigned{a != no_index};
-    }
-    return result != 0;
+  /// For vector instructions; the last is not used.
+  using Corners [[gnu::vector_size(16)]] = Index;
+
+  static bool share_corner(Corners f, Corners g) {
+    const Corners next = {g[1], g[2], g[0], g[3]}, previous = {g[2], g[0], g[1], g[3]};
+    const auto shared = ((f == g) | (f == next) | (f == previous)) & (f != no_index);
+    return (shared[0] | shared[1] | shared[2]) != 0;
   }
 
-  std::vector<Face> corners_;  ///< no_index for those without an embedded star
+  std::vector<Corners> corners_;  ///< no_index for those without an embedded star
 };
 
 }  // namespace

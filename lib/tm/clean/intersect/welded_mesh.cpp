@@ -1,6 +1,7 @@
 #include "tm/clean/intersect/welded_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <numeric>
 #include <utility>
@@ -81,17 +82,16 @@ class FirstOfEqual {
   std::vector<Index> slots_;
 };
 
-// Marks the things that may have equals.
-template <class Thing>
-std::vector<char> find_repeated(const std::vector<Thing>& things) {
-  std::vector<std::uint64_t> hash_of(things.size());
-  parallel_for(things.size(), things_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) hash_of[i] = hash(things[i]);
+// Marks the points that may have equals.
+std::vector<char> find_repeated(const std::vector<Vec3>& points) {
+  std::vector<std::uint64_t> hash_of(points.size());
+  parallel_for(points.size(), things_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) hash_of[i] = hash(points[i]);
   });
-  SingleHashes hashes(things.size());
+  SingleHashes hashes(points.size());
   for (const std::uint64_t hash : hash_of) hashes.add(hash);
-  std::vector<char> is_repeated(things.size());
-  for (std::size_t i = 0; i < things.size(); ++i)
+  std::vector<char> is_repeated(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
     is_repeated[i] = hashes.is_single(hash_of[i]) ? 0 : 1;
   return is_repeated;
 }
@@ -132,9 +132,28 @@ void number_points(const Mesh& mesh, WeldedMesh& welded) {
     welded.points[p] = positions[welded.vertex_of[p]] + Vec3::Zero();
 }
 
+// Marks the faces that may have copies: these share every edge with the same opposite corner. Where
+// an edge has more than two faces, all of them are marked.
+std::vector<char> find_repeated_faces(const WeldedMesh& welded) {
+  std::vector<char> is_repeated(welded.faces.size(), 0);
+  const auto opposite = [&](Index h) { return welded.faces[h / 3][(h + 2) % 3]; };
+  const auto mark = [&](Index h) {
+    std::atomic_ref(is_repeated[h / 3]).store(1, std::memory_order_relaxed);
+  };
+  parallel_for(welded.edges.size(), things_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t e = first; e < last; ++e) {
+      const auto halfedges = welded.edges.halfedges(e);
+      if (halfedges.size() == 1) continue;
+      if (halfedges.size() == 2 && opposite(halfedges[0]) != opposite(halfedges[1])) continue;
+      std::for_each(halfedges.begin(), halfedges.end(), mark);
+    }
+  });
+  return is_repeated;
+}
+
 void find_copies(WeldedMesh& welded) {
   const std::vector<Face>& faces = welded.faces;
-  const std::vector<char> is_repeated = find_repeated(faces);
+  const std::vector<char> is_repeated = find_repeated_faces(welded);
   FirstOfEqual copies(std::count(is_repeated.begin(), is_repeated.end(), 1));
   welded.first_copy.resize(faces.size());
   for (Index f = 0; f < faces.size(); ++f) {
@@ -183,8 +202,8 @@ WeldedMesh weld(const Mesh& mesh) {
 }
 
 void index_faces(WeldedMesh& welded) {
-  parallel_invoke([&] { welded.edges = Edges(welded.faces, welded.points.size()); },
-                  [&] { find_copies(welded); });
+  welded.edges = Edges(welded.faces, welded.points.size());
+  find_copies(welded);
 }
 
 }  // namespace transformesh
