@@ -52,11 +52,12 @@ void declare_step(Program& program, PhotoOptions& options) {
 
 void declare_photo_step(Program& program, PhotoOptions& options) {
   declare_sources(program, options.sources);
+  declare_view_check(program, options.check, options.sources);
   declare_comparison(program, options);
   declare_step(program, options);
 }
 
-PhotoScene read_scene(const PhotoOptions& options) {
+PhotoScene read_scene(const PhotoOptions& options, Run& run) {
   PairOptions pairs = options.pairs;
   if (!(pairs.minimum_angle_deg < pairs.maximum_angle_deg)) {
     throw UsageError("--min-angle " + shortest_text(pairs.minimum_angle_deg) +
@@ -64,7 +65,14 @@ PhotoScene read_scene(const PhotoOptions& options) {
                      ": no angle is between them");
   }
   pairs.neighbors = static_cast<std::size_t>(options.neighbors);
-  return photo_scene(views_from(options.sources), options.scale, pairs);
+  ViewSources sources = options.sources;
+  sources.on_note = [&run](const std::string& text) { run.note(text); };
+  std::vector<View> views = views_from(sources);
+  ViewCheck check;
+  if (options.meaning == "exact") check = check_views(views, options.check, run);
+  run.report("dropped_views", check.dropped.size());
+  run.report("least_agreement", check.least_agreement);
+  return photo_scene(views, options.scale, pairs);
 }
 
 PhotoStepsOptions steps_of(const PhotoOptions& options) {

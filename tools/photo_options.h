@@ -6,12 +6,14 @@
 #include "frame/run.h"
 #include "tm/views/cameras/view_files.h"
 #include "tm/views/photo/photo_steps.h"
+#include "view_options.h"
 
 namespace transformesh::tool {
 
 /// Options as they are written; the rest are in `steps` and `pairs`.
 struct PhotoOptions {
   ViewSources sources;
+  ViewCheckChoices check;
   double scale = 1;
   long neighbors = static_cast<long>(PairOptions().neighbors);
   long window = CorrelationOptions().radius;
@@ -25,8 +27,9 @@ struct PhotoOptions {
 
 void declare_photo_step(Program& program, PhotoOptions& options);
 
-/// Reads the views and makes them as small as wanted.
-PhotoScene read_scene(const PhotoOptions& options);
+/// Reads the views, checks those with masks that show the object exactly, and makes them as small
+/// as wanted.
+PhotoScene read_scene(const PhotoOptions& options, Run& run);
 
 PhotoStepsOptions steps_of(const PhotoOptions& options);
 

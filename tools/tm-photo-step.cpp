@@ -27,7 +27,7 @@ void report(const PhotoScene& scene, const PhotoStepsResult& result, tool::Run& 
 
 void step(Document& document, const tool::PhotoOptions& options, tool::Run& run) {
   run.progress()("read views");
-  const PhotoScene scene = tool::read_scene(options);
+  const PhotoScene scene = tool::read_scene(options, run);
   const PhotoStepsOptions steps = tool::steps_of(options);
   const PhotoStepsResult result = photo_steps(document.mesh, scene, steps, run.progress());
   report(scene, result, run);

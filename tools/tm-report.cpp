@@ -24,38 +24,21 @@ void declare(tool::Program& program, Options& options) {
   program.epilog = "tm-morph a.ply --target b.ply --run morph && tm-report morph -o morph.html";
 }
 
-std::string names_of(const Page& page) {
-  std::string names;
-  for (const PageRun& run : page.runs) names += (names.empty() ? "" : ", ") + run.name;
-  return names;
-}
-
-bool has_column(const Page& page, const std::string& name) {
-  for (const PageRun& run : page.runs)
-    for (const PageMesh& mesh : run.meshes)
-      for (const PackedColumn& column : mesh.mesh.columns)
-        if (column.name == name) return true;
-  return false;
-}
-
 void report(const Options& options, tool::Run& run) {
   if (run.inputs().empty())
     throw UsageError("RUN is needed: a folder that a loop has written with --run");
   if (run.writes_to_terminal())
     throw UsageError("not writing a page to a terminal: name a file with -o");
   const std::string viewer = tool::read_viewer();
-  Page page;
-  std::size_t meshes = 0;
-  for (const std::string& folder : run.inputs()) {
-    page.runs.push_back(read_run_page(folder, options.page, run.progress()));
-    meshes += page.runs.back().meshes.size();
-  }
+  Page page = read_runs_page(run.inputs(), options.page, run.progress());
   if (!options.color_by.empty() && !has_column(page, options.color_by))
     throw UsageError("--color-by: no mesh has a property '" + options.color_by + "' of numbers");
   page.color_by = options.color_by;
-  page.title = options.title.empty() ? names_of(page) : options.title;
+  if (!options.title.empty()) page.title = options.title;
   page.version = run.program().name + ' ' + tool::Run::version();
   page.up = options.up;
+  std::size_t meshes = 0;
+  for (const PageRun& shown : page.runs) meshes += shown.meshes.size();
   run.report("runs", page.runs.size());
   run.report("meshes", meshes);
   std::string html = page_html(page, viewer);

@@ -4,6 +4,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -21,6 +23,9 @@ extern int threads;
 
 /// A callable of phase and fraction, or none. Ctrl-C ends the call; so does an answer of False.
 Progress progress_to(const py::object& callback);
+
+/// A callable of a line of text, or none.
+std::function<void(const std::string& message)> teller_to(const py::object& callback);
 
 /// Calls `body(progress)` without the interpreter's lock, on as many threads as are set.
 template <typename Body>
@@ -53,8 +58,11 @@ Length parsed(const PythonLength& length);
 /// The parts of the module.
 void bind_errors(py::module_& module);
 void bind_filters(py::module_& module);
+void bind_remeshing(py::module_& module);
 void bind_everyday(py::module_& module);
 void bind_measures(py::module_& module);
+void bind_pictures(py::module_& module);
 void bind_evolutions(py::module_& module);
+void bind_views(py::module_& module);
 
 }  // namespace transformesh::python

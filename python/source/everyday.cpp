@@ -1,9 +1,11 @@
-/// Everyday steps between the others: fill, transform, select, split, sample.
+/// Everyday steps between the others: fill, transform, select, split, sample, carry.
 #include <algorithm>
 
+#include "arguments.h"
 #include "call.h"
 #include "python_mesh.h"
 #include "tm/fill/fill.h"
+#include "tm/geometry/carry.h"
 #include "tm/geometry/sample_surface.h"
 #include "tm/geometry/selection.h"
 #include "tm/io/comments.h"
@@ -44,19 +46,6 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
 }
 
 // --- transform -----------------------------------------------------------------------------------
-
-std::vector<double> numbers_of(const py::handle& value, std::size_t count,
-                               const std::string& name) {
-  const py::array_t<double> array = py::array_t<double>::ensure(value);
-  if (!array) throw UsageError(name + ": numbers are needed");
-  if (static_cast<std::size_t>(array.size()) != count)
-    throw UsageError(name + ": " + std::to_string(count) + " numbers are needed, not " +
-                     std::to_string(array.size()));
-  const py::object flat = array.attr("ravel")();
-  return py::cast<std::vector<double>>(flat.attr("tolist")());
-}
-
-Vec3 vector_of(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
 Matrix4 mirroring(const py::handle& value) {
   if (py::isinstance<py::str>(value)) {
@@ -141,10 +130,7 @@ MeshPointer select_faces_of(const PythonMesh& mesh, const std::optional<std::siz
   options.at_least = at_least;
   options.by = component_size_of(by);
   set_where(where, options);
-  if (!box.is_none()) {
-    const std::vector<double> corners = numbers_of(box, 6, "box");
-    options.box = {vector_of(corners), vector_of({corners.begin() + 3, corners.end()})};
-  }
+  if (!box.is_none()) options.box = box_of(box);
   if (!around.is_none()) options.around = vector_of(numbers_of(around, 3, "around"));
   options.invert = invert;
   const SelectionResult result =
@@ -184,6 +170,47 @@ MeshPointer sample_mesh(const PythonMesh& mesh, std::size_t count,
   return mesh_of(std::move(document), report);
 }
 
+// --- carry ---------------------------------------------------------------------------------------
+
+/// Where the vertices of a mesh are on the one before; meshes are numbered in messages.
+std::vector<SourcePoint> places_on(const Mesh& before, const Mesh& mesh, std::size_t number,
+                                   bool closest) {
+  if (has_source_points(mesh))
+    return read_source_points(mesh, before.faces.size(), "mesh " + std::to_string(number));
+  if (closest) return closest_source_points(before, mesh);
+  throw InputError("mesh " + std::to_string(number + 1) +
+                   " does not say where its vertices come from: make it with source=True, or take "
+                   "the closest places with closest=True");
+}
+
+CarryResult carry_along(const std::vector<const Mesh*>& chain, Mesh& last,
+                        const std::vector<std::string>& columns, bool closest) {
+  const Mesh& first = *chain[0];
+  std::vector<SourcePoint> on_first = places_on(first, *chain[1], 1, closest);
+  for (std::size_t i = 2; i < chain.size(); ++i)
+    on_first = compose_source_points(first, on_first, *chain[i - 1],
+                                     places_on(*chain[i - 1], *chain[i], i, closest));
+  const CarryResult result = carry_columns(first, on_first, last, columns);
+  write_source_points(last, on_first);
+  return result;
+}
+
+MeshPointer carry(const py::args& meshes, const std::vector<std::string>& columns, bool closest) {
+  if (meshes.size() < 2)
+    throw UsageError("carry: the first mesh of a chain and the last are needed");
+  std::vector<const Mesh*> chain;
+  for (const py::handle& mesh : meshes)
+    chain.push_back(&py::cast<const PythonMesh&>(mesh).document.mesh);
+  Document document = py::cast<const PythonMesh&>(meshes[meshes.size() - 1]).document;
+  const CarryResult result = without_lock(py::none(), [&](const Progress&) {
+    return carry_along(chain, document.mesh, columns, closest);
+  });
+  py::dict report;
+  report["vertex_columns"] = result.vertex_columns;
+  report["face_columns"] = result.face_columns;
+  return mesh_of(std::move(document), report);
+}
+
 }  // namespace
 
 void bind_everyday(py::module_& module) {
@@ -212,6 +239,11 @@ void bind_everyday(py::module_& module) {
              arg("distance") = none, arg("seed") = 1, arg("progress") = none,
              "Points with normals on the surface, `count` of them by area, or a Poisson disk "
              "of that `distance`. See tm-sample(1).");
+  module.def("carry", &carry, py::kw_only(), arg("columns") = std::vector<std::string>(),
+             arg("closest") = false,
+             "Carries columns from the first mesh of a chain to the last: carry(first, between, "
+             "..., last), each made of the one before with source=True, or with `closest` near it. "
+             "`columns` names those to carry; without, all but normals. See tm-carry(1).");
 }
 
 }  // namespace transformesh::python

@@ -1,15 +1,13 @@
-/// The loops: evolutions with any velocity, morphs, reconstructions.
+/// The loops: evolutions with any velocity, morphs.
+#include "arguments.h"
 #include "call.h"
 #include "python_mesh.h"
 #include "tm/evolution/evolve.h"
 #include "tm/evolution/morphing.h"
-#include "tm/evolution/reconstruction.h"
 #include "tm/io/mesh_io.h"
 #include "tm/step/morph_check.h"
 #include "tm/step/target_file.h"
 #include "tm/support/error.h"
-#include "tm/views/cameras/view_files.h"
-#include "tm/views/hull/hull.h"
 
 namespace transformesh::python {
 namespace {
@@ -22,29 +20,19 @@ Document beginning(const PythonMesh& mesh) {
 }
 
 IterationOptions iteration_of(const PythonLength& min_edge, const PythonLength& max_edge,
-                              const std::variant<double, std::string>& smooth, Document& document) {
+                              const SmoothingChoice& smooth, Document& document) {
   IterationOptions options;
   options.min_edge = parsed(min_edge);
   options.max_edge = parsed(max_edge);
   options.reference_edge = Lengths(document).reference_edge();
   options.remesh = RemeshOptions();
-  if (const auto* factor = std::get_if<double>(&smooth)) {
-    options.remesh = smoothed_by(*factor);
-  } else if (std::get<std::string>(smooth) == "none") {
-    options.remesh.smoothing = Smoothing::none;
-  } else if (std::get<std::string>(smooth) != "tangential") {
-    throw UsageError("smooth: a number, 'tangential' or 'none'");
-  }
+  set_smoothing(smooth, options.remesh);
   return options;
 }
 
 LoopOptions loop_of(std::size_t iterations, const py::object& on_iteration) {
   LoopOptions loop{iterations};
-  if (!on_iteration.is_none())
-    loop.on_iteration = [on_iteration](const std::string& message) {
-      const py::gil_scoped_acquire locked;
-      on_iteration(message);
-    };
+  loop.on_iteration = teller_to(on_iteration);
   return loop;
 }
 
@@ -72,7 +60,7 @@ UntilRule until_of(const std::variant<std::monostate, double, std::string>& unti
 MeshPointer evolve_mesh(const PythonMesh& mesh, const py::function& velocity,
                         std::size_t iterations, double time_step, double alpha,
                         const PythonLength& min_edge, const PythonLength& max_edge,
-                        const std::variant<double, std::string>& smooth, bool outermost,
+                        const SmoothingChoice& smooth, bool outermost,
                         const std::variant<std::monostate, double, std::string>& until,
                         const py::object& on_iteration, const py::object& progress) {
   Document document = beginning(mesh);
@@ -116,6 +104,7 @@ py::dict report_of(const MorphingResult& result) {
   report["rms_distance_from_target"] = result.distances.from_target.rms;
   report["max_distance_from_target"] = result.distances.from_target.maximum;
   report["fault"] = result.agreement.fault;
+  report["aligned"] = result.aligned;
   report["mean_edge"] = result.distances.displaced.mean_edge;
   return report;
 }
@@ -123,7 +112,7 @@ py::dict report_of(const MorphingResult& result) {
 MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::size_t iterations,
                        double alpha, double time_step, const std::string& distance,
                        const PythonLength& min_edge, const PythonLength& max_edge,
-                       const std::variant<double, std::string>& smooth, double gap_edges,
+                       const SmoothingChoice& smooth, double gap_edges, const std::string& features,
                        int scales, const py::object& on_iteration, const py::object& progress) {
   Document document = beginning(source);
   MorphingOptions options;
@@ -131,80 +120,24 @@ MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::
   options.step.distance = distance_of(distance);
   options.step.displace = {time_step, alpha};
   options.step.gap_edges = gap_edges;
+  options.features = std::array{Features::automatic, Features::on,
+                                Features::off}[choice("features", features, {"auto", "on", "off"})];
   options.scales = scales;
   const LoopOptions loop = loop_of(iterations, on_iteration);
-  const MorphingResult result = without_lock(progress, [&](const Progress& to) {
+  std::vector<std::string> notes;
+  const Target read = without_lock(progress, [&](const Progress& to) {
     // As of a file, so that faces come in the same order.
-    Target read = read_target(write_mesh(target.document).bytes, "the target");
-    check_target(read, "", to);
-    check_source(document.mesh, read, "");
-    prepare_target(read, options, to);
+    Target reading = read_target(write_mesh(target.document).bytes, "the target");
+    notes = check_target(reading, "the target", to);
+    for (std::string& note : check_source(document.mesh, reading, "the source"))
+      notes.push_back(std::move(note));
+    prepare_target(reading, options, to);
+    return reading;
+  });
+  warn(notes);
+  const MorphingResult result = without_lock(progress, [&](const Progress& to) {
     Record record;
     return morph(document, read, options, loop, record, to);
-  });
-  return mesh_of(std::move(document), report_of(result));
-}
-
-// --- hull, reconstruct ---------------------------------------------------------------------------
-
-double share_of(const std::variant<double, std::string>& keep) {
-  if (const auto* share = std::get_if<double>(&keep)) return *share;
-  if (std::get<std::string>(keep) == "largest") return 1;
-  if (std::get<std::string>(keep) == "all") return 0;
-  throw UsageError("keep: largest, all or a number from 0 to 1");
-}
-
-MeshPointer make_hull(const std::string& cameras, const std::string& silhouettes, int resolution,
-                      const std::optional<double>& edge,
-                      const std::variant<double, std::string>& keep, const py::object& progress) {
-  HullOptions options;
-  options.resolution = resolution;
-  options.edge = edge;
-  options.keep = share_of(keep);
-  HullResult result = without_lock(progress, [&](const Progress& to) {
-    return visual_hull(views_from({cameras, "", silhouettes}), options, to);
-  });
-  py::dict report;
-  report["cell"] = result.cell;
-  report["dropped_components"] = result.dropped_components;
-  Document document;
-  document.mesh = std::move(result.mesh);
-  return mesh_of(std::move(document), report);
-}
-
-py::dict report_of(const ReconstructionResult& result) {
-  py::dict report;
-  report["converged"] = result.fault.empty();
-  report["fault"] = result.fault;
-  report["passes"] = result.passes;
-  report["pixel_size"] = result.pixel;
-  report["components"] = result.topology.components;
-  report["genus"] = result.topology.genus;
-  report["dissimilarity"] = result.last.dissimilarity;
-  report["coverage"] = result.last.coverage;
-  return report;
-}
-
-MeshPointer reconstruct_surface(const std::string& cameras, const std::string& images,
-                                const std::string& silhouettes,
-                                const std::optional<MeshPointer>& start, double edge,
-                                const std::optional<double>& last_edge,
-                                const std::optional<double>& coarsest, std::size_t passes,
-                                const std::variant<double, std::string>& keep,
-                                const py::object& on_pass, const py::object& progress) {
-  ReconstructionOptions options;
-  options.start.keep = share_of(keep);
-  options.start.is_given = start.has_value();
-  options.scales.edge = edge;
-  options.scales.last_edge = last_edge.value_or(edge);
-  options.scales.coarsest = coarsest;
-  options.passes = passes;
-  options.on_pass = loop_of(0, on_pass).on_iteration;
-  Document document = start ? (*start)->document : Document();
-  const ReconstructionResult result = without_lock(progress, [&](const Progress& to) {
-    std::vector<View> views = views_from({cameras, images, silhouettes});
-    Record record;
-    return reconstruct(document, views, options, record, to);
   });
   return mesh_of(std::move(document), report_of(result));
 }
@@ -228,21 +161,11 @@ void bind_evolutions(py::module_& module) {
              arg("iterations") = LoopOptions().iterations, arg("alpha") = DisplaceOptions().alpha,
              arg("time_step") = MorphStepOptions().displace.time_step, arg("distance") = "auto",
              arg("min_edge") = shortest, arg("max_edge") = longest, arg("smooth") = 0.1,
-             arg("gap_edges") = MorphStepOptions().gap_edges, arg("scales") = 1,
-             arg("on_iteration") = none, arg("progress") = none,
-             "Evolves a surface until it lies on a target, a mesh or points. See tm-morph(1).");
-  module.def("hull", &make_hull, arg("cameras"), arg("silhouettes"), py::kw_only(),
-             arg("resolution") = 100, arg("edge") = none, arg("keep") = "largest",
-             arg("progress") = none,
-             "The visual hull of calibrated silhouettes: files, folders or patterns. See "
-             "tm-hull(1).");
-  module.def("reconstruct", &reconstruct_surface, arg("cameras"), arg("images"),
-             arg("silhouettes") = "", py::kw_only(), arg("start") = none,
-             arg("edge") = ScaleOptions().edge, arg("last_edge") = none, arg("coarsest") = none,
-             arg("passes") = ReconstructionOptions().passes, arg("keep") = "largest",
-             arg("on_pass") = none, arg("progress") = none,
-             "Reconstructs a closed surface from calibrated photographs: files, folders or "
-             "patterns. See tm-reconstruct(1).");
+             arg("gap_edges") = MorphStepOptions().gap_edges, arg("features") = "auto",
+             arg("scales") = 1, arg("on_iteration") = none, arg("progress") = none,
+             "Evolves a surface until it lies on a target, a mesh or points. `features`, 'auto', "
+             "'on' or 'off', says whether vertices and edges are aligned with the target's sharp "
+             "edges at the end. See tm-morph(1).");
 }
 
 }  // namespace transformesh::python

@@ -1,15 +1,15 @@
 /// What makes one mesh of another, as the programs of the same names do.
+#include "arguments.h"
 #include "call.h"
 #include "python_mesh.h"
-#include "tm/clean/clean.h"
+#include "tm/clean/clean_box.h"
 #include "tm/clean/intersect/intersect.h"
 #include "tm/clean/stitch/separate.h"
 #include "tm/clean/stitch/stitch.h"
 #include "tm/evolution/offset.h"
+#include "tm/geometry/source_points.h"
 #include "tm/io/concatenate.h"
 #include "tm/mesh/components.h"
-#include "tm/remesh/decimate.h"
-#include "tm/remesh/remesh.h"
 #include "tm/shapes/shapes.h"
 #include "tm/step/displace.h"
 #include "tm/step/velocity.h"
@@ -17,18 +17,6 @@
 
 namespace transformesh::python {
 namespace {
-
-/// One of the words, by its place.
-std::size_t choice(const std::string& name, const std::string& word,
-                   std::initializer_list<const char*> words) {
-  std::string list;
-  std::size_t place = 0;
-  for (const char* known : words) {
-    if (word == known) return place;
-    list += (place++ == 0 ? "" : ", ") + std::string(known);
-  }
-  throw UsageError(name + ": '" + word + "' is none of " + list);
-}
 
 // --- clean, stitch, cat --------------------------------------------------------------------------
 
@@ -47,24 +35,98 @@ py::dict report_of(const CleanResult& result) {
   return report;
 }
 
+struct CleanChoices {
+  CleanOptions whole;
+  std::optional<Box> box;
+  bool only = false;
+  double separate_by = 0;
+  bool source = false, source_face = false;
+};
+
+// What the whole mesh is needed for has no meaning in a box.
+void check_choices(const CleanChoices& choices) {
+  if (!choices.box) {
+    if (choices.only) throw UsageError("only: needs box, whose faces it leaves");
+    return;
+  }
+  const char* const refused = choices.whole.method != ExteriorMethod::grow ? "method='static'"
+                              : choices.whole.outermost                    ? "outermost"
+                              : choices.separate_by != 0                   ? "separate"
+                                                                           : nullptr;
+  if (refused) throw UsageError(std::string(refused) + " is for whole meshes, without box");
+}
+
+constexpr const char* face_number = "tm:source-face";  // while cleaning
+
+void number_faces(Mesh& mesh, const char* name) {
+  Column& column = mesh.face_columns.get(name, Scalar::int32, mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
+}
+
+CleanBoxResult clean_as_asked(const Mesh& mesh, const CleanChoices& choices,
+                              const Progress& progress) {
+  const CleanOptions& whole = choices.whole;
+  if (!choices.box) return {clean(mesh, whole, progress)};
+  CleanBoxOptions options{*choices.box, choices.only};
+  options.level = whole.level;
+  options.refuse = whole.refuse;
+  options.coordinate = whole.coordinate;
+  return clean_box(mesh, options, progress);
+}
+
+struct Cleaned {
+  CleanBoxResult result;
+  SeparateResult separated;
+};
+
+Cleaned clean_document(Mesh& mesh, const CleanChoices& choices, const Progress& progress) {
+  if (choices.source_face) number_faces(mesh, "source_face");
+  Mesh source;
+  if (choices.source) {
+    source = {mesh.positions, mesh.faces, {}, {}};
+    number_faces(mesh, face_number);
+  }
+  Cleaned cleaned{clean_as_asked(mesh, choices, progress), {}};
+  mesh = std::move(cleaned.result.clean.mesh);
+  if (choices.separate_by > 0)
+    cleaned.separated = separate(mesh, {choices.separate_by, choices.whole.coordinate}, progress);
+  if (choices.whole.refuse && cleaned.separated.separated_vertices > 0)
+    throw GoalError("vertices lie in one place, and refuse forbids to move them apart");
+  if (choices.source) {
+    const Column& numbers = *mesh.face_columns.find(face_number);
+    write_source_points(mesh, source_points_of_pieces(source, mesh, numbers.values));
+    mesh.face_columns.erase(face_number);
+  }
+  return cleaned;
+}
+
 MeshPointer clean_mesh(const PythonMesh& mesh, int level, bool outermost, const std::string& method,
-                       const PythonLength& separate_by, bool refuse, const py::object& progress) {
+                       const PythonLength& separate_by, const py::object& box, bool only,
+                       bool refuse, bool source, bool source_face, const py::object& progress) {
   Document document = mesh.document;
-  CleanOptions options;
-  options.level = level;
-  options.outermost = outermost;
-  options.refuse = refuse;
+  CleanChoices choices;
+  choices.whole.level = level;
+  choices.whole.outermost = outermost;
+  choices.whole.refuse = refuse;
   if (choice("method", method, {"grow", "static"}) == 1)
-    options.method = ExteriorMethod::static_test;
-  options.coordinate = document.style.coordinate;
-  const double distance = Lengths(document)(separate_by);
-  CleanResult result = without_lock(progress, [&](const Progress& to) {
-    CleanResult cleaned = clean(document.mesh, options, to);
-    document.mesh = std::move(cleaned.mesh);
-    if (distance > 0) separate(document.mesh, {distance, options.coordinate}, to);
-    return cleaned;
-  });
-  return mesh_of(std::move(document), report_of(result));
+    choices.whole.method = ExteriorMethod::static_test;
+  choices.whole.coordinate = document.style.coordinate;
+  if (!box.is_none()) choices.box = box_of(box);
+  choices.only = only;
+  choices.separate_by = Lengths(document)(separate_by);
+  choices.source = source;
+  choices.source_face = source_face;
+  check_choices(choices);
+  const Cleaned cleaned = without_lock(
+      progress, [&](const Progress& to) { return clean_document(document.mesh, choices, to); });
+  py::dict report = report_of(cleaned.result.clean);
+  report["separated_vertices"] = cleaned.separated.separated_vertices;
+  report["separation_refused"] = cleaned.separated.refused_vertices;
+  if (choices.box) {
+    report["box_faces"] = cleaned.result.box_faces;
+    report["whole_mesh"] = cleaned.result.is_whole;
+  }
+  return mesh_of(std::move(document), report);
 }
 
 MeshPointer stitch_mesh(const PythonMesh& mesh, const PythonLength& tolerance, bool orient,
@@ -94,91 +156,6 @@ MeshPointer cat(const py::args& meshes) {
   return mesh_of(std::move(all));
 }
 
-// --- remesh --------------------------------------------------------------------------------------
-
-using SmoothingChoice = std::variant<double, std::string>;
-
-void set_smoothing(const SmoothingChoice& smooth, RemeshOptions& options) {
-  if (const auto* factor = std::get_if<double>(&smooth)) {
-    options.smoothing = Smoothing::laplace;
-    options.smooth_first = *factor;
-  } else if (choice("smooth", std::get<std::string>(smooth), {"tangential", "none"}) == 1) {
-    options.smoothing = Smoothing::none;
-  }
-}
-
-struct RemeshChoices {
-  std::optional<PythonLength> min_edge, max_edge, adaptive;
-  std::string size_field;
-  SmoothingChoice smooth;
-  std::string flip, only;
-};
-
-/// As tm-remesh does: relative lengths are of the reference edge, or of the local size.
-RemeshOptions remesh_options(const RemeshChoices& choices, Document& document) {
-  RemeshOptions options;
-  Lengths lengths(document);
-  const bool adapts = choices.adaptive.has_value();
-  if (adapts) options.adaptive_error = lengths(*choices.adaptive);
-  options.size_column = choices.size_field;
-  const auto edge = [&](const std::optional<PythonLength>& length, const char* otherwise) {
-    const PythonLength asked = length.value_or(otherwise);
-    if (choices.size_field.empty()) return lengths(asked);
-    const Length factor = parsed(asked);
-    if (factor.unit == Length::Unit::reference_edge) return factor.value;
-    throw UsageError("with size_field, min_edge and max_edge are factors of it such as '0.7x'");
-  };
-  options.min_edge = edge(choices.min_edge, adapts ? "0.1x" : "0.7x");
-  options.max_edge = edge(choices.max_edge, adapts ? "5x" : "1.5x");
-  set_smoothing(choices.smooth, options);
-  const std::size_t flip = choice("flip", choices.flip, {"valence", "angle", "none"});
-  options.flip = flip == 0 ? FlipRule::valence : flip == 1 ? FlipRule::angle : FlipRule::none;
-  options.only_smooth = choice("only", choices.only, {"all", "smooth"}) == 1;
-  options.coordinate = document.style.coordinate;
-  return options;
-}
-
-py::dict report_of(const RemeshResult& result) {
-  py::dict report;
-  report["splits"] = result.splits;
-  report["collapses"] = result.collapses;
-  report["flips"] = result.flips;
-  report["refused"] = result.refused;
-  report["components_removed"] = result.components_removed;
-  report["degenerate_faces"] = result.degenerate_faces;
-  return report;
-}
-
-MeshPointer remesh_mesh(const PythonMesh& mesh, std::optional<PythonLength> min_edge,
-                        std::optional<PythonLength> max_edge, std::optional<PythonLength> adaptive,
-                        const std::string& size_field, int iterations,
-                        const SmoothingChoice& smooth, const std::string& flip,
-                        const std::string& only, double feature_angle, bool keep_border,
-                        bool project, const py::object& progress) {
-  Document document = mesh.document;
-  RemeshOptions options =
-      remesh_options({min_edge, max_edge, adaptive, size_field, smooth, flip, only}, document);
-  options.iterations = iterations;
-  options.feature_angle_deg = feature_angle;
-  options.keep_border = keep_border;
-  options.project = project;
-  const RemeshResult result = without_lock(
-      progress, [&](const Progress& to) { return remesh(document.mesh, options, to); });
-  return mesh_of(std::move(document), report_of(result));
-}
-
-MeshPointer decimate_mesh(const PythonMesh& mesh, std::size_t faces, double feature_angle,
-                          bool keep_border, const py::object& progress) {
-  Document document = mesh.document;
-  const DecimateOptions options{faces, feature_angle, keep_border, document.style.coordinate};
-  const DecimateResult result = without_lock(
-      progress, [&](const Progress& to) { return decimate(document.mesh, options, to); });
-  py::dict report;
-  report["collapses"] = result.collapses;
-  report["faces"] = result.faces;
-  return mesh_of(std::move(document), report);
-}
-
 // --- displace, offset, shape ---------------------------------------------------------------------
 
 void add(std::vector<Vec3>& velocities, const std::vector<Vec3>& more) {
@@ -187,8 +164,11 @@ void add(std::vector<Vec3>& velocities, const std::vector<Vec3>& more) {
 
 MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>& velocities,
                           const std::optional<PythonLength>& normal_speed, double curvature_speed,
-                          double time_step, double alpha) {
+                          double time_step, double alpha, const std::string& mask,
+                          const std::optional<MeshPointer>& keep_out,
+                          const std::optional<PythonLength>& gap) {
   Document document = mesh.document;
+  Lengths lengths(document);
   const Mesh& moving = document.mesh;
   const bool has_speed = velocities || normal_speed || curvature_speed != 0;
   std::vector<Vec3> sum(moving.positions.size(), Vec3::Zero());
@@ -197,14 +177,17 @@ MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>
   } else if (!has_speed || has_column_velocities(moving)) {
     sum = column_velocities(moving);
   }
-  if (normal_speed) add(sum, normal_velocities(moving, Lengths(document)(*normal_speed)));
+  if (normal_speed) add(sum, normal_velocities(moving, lengths(*normal_speed)));
   if (curvature_speed != 0) add(sum, curvature_velocities(moving, curvature_speed));
-  const DisplaceResult result = without_lock(py::none(), [&](const Progress&) {
-    return displace(document.mesh, sum, {time_step, alpha});
-  });
+  if (!mask.empty()) apply_mask(moving, mask, sum);
+  const DisplaceOptions options{time_step, alpha, keep_out_of(keep_out, gap, lengths),
+                                document.style.coordinate};
+  const DisplaceResult result = without_lock(
+      py::none(), [&](const Progress&) { return displace(document.mesh, sum, options); });
   py::dict report;
   report["moved"] = result.moved;
   report["clamped"] = result.clamped;
+  report["held_back"] = result.held_back;
   report["max_displacement"] = result.max_displacement;
   report["rms_displacement"] = result.rms_displacement;
   report["mean_edge"] = result.mean_edge;
@@ -286,34 +269,28 @@ void bind_filters(py::module_& module) {
   const py::object none = py::none();
   module.def(
       "clean", &clean_mesh, arg("mesh"), py::kw_only(), arg("level") = 1, arg("outermost") = false,
-      arg("method") = "grow", arg("separate") = PythonLength(0.0), arg("refuse") = false,
+      arg("method") = "grow", arg("separate") = PythonLength(0.0), arg("box") = none,
+      arg("only") = false, arg("refuse") = false, arg("source") = false, arg("source_face") = false,
       arg("progress") = none,
       "Removes self-intersections: the boundary of winding number at least `level`, exactly, "
       "closed, manifold, without a crossing in the numbers as written. 2 intersects two "
-      "bodies. `outermost` drops cavities and what floats in them. See tm-clean(1).");
+      "bodies. `outermost` drops cavities and what floats in them. In a `box` ((x, y, z), "
+      "(x, y, z)) what crosses there is resolved and all else left, or with `only` left "
+      "out. `source` writes where on the input each vertex comes from, for carry(), "
+      "`source_face` the input face of each face. See tm-clean(1).");
   module.def("stitch", &stitch_mesh, arg("mesh"), py::kw_only(),
              arg("tolerance") = PythonLength(0.0), arg("orient") = false, arg("one_side") = false,
              arg("flip") = false,
              "Joins a soup of triangles into a manifold mesh; turns and reverses faces. See "
              "tm-stitch(1).");
   module.def("cat", &cat, "Concatenates meshes.");
-  module.def("remesh", &remesh_mesh, arg("mesh"), py::kw_only(), arg("min_edge") = none,
-             arg("max_edge") = none, arg("adaptive") = none, arg("size_field") = "",
-             arg("iterations") = 1, arg("smooth") = "tangential", arg("flip") = "valence",
-             arg("only") = "all", arg("feature_angle") = 180.0, arg("keep_border") = false,
-             arg("project") = false, arg("progress") = none,
-             "Keeps edges between two lengths ('0.7x' to '1.5x' of the reference edge) and "
-             "triangles round, without making a crossing. `smooth` is 'tangential', 'none' or the "
-             "factor of the Laplace-Beltrami operator. See tm-remesh(1).");
-  module.def("decimate", &decimate_mesh, arg("mesh"), arg("faces"), py::kw_only(),
-             arg("feature_angle") = 180.0, arg("keep_border") = false, arg("progress") = none,
-             "Collapses edges where the surface changes least until so many faces are left, "
-             "without making a crossing. See tm-remesh(1).");
   module.def("displace", &displace_mesh, arg("mesh"), arg("velocities") = none, py::kw_only(),
              arg("normal_speed") = none, arg("curvature_speed") = 0.0, arg("time_step") = 1.0,
-             arg("alpha") = DisplaceOptions().alpha,
+             arg("alpha") = DisplaceOptions().alpha, arg("mask") = "", arg("keep_out") = none,
+             arg("gap") = none,
              "Moves vertices by velocities (n, 3), or by the columns vx vy vz, by no more than "
-             "alpha times the mean edge at each. See tm-displace(1).");
+             "alpha times the mean edge at each, and no nearer than `gap` to the mesh `keep_out`. "
+             "`mask` is a column by which velocities are multiplied. See tm-displace(1).");
   module.def("offset", &offset_mesh, arg("mesh"), arg("distance"), py::kw_only(),
              arg("edge") = none, arg("iterations") = OffsetOptions().iterations,
              arg("progress") = none,

@@ -6,9 +6,6 @@
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
-#include "tm/picture/picture.h"
-#include "tm/picture/spelling.h"
-#include "tm/support/error.h"
 
 namespace transformesh::python {
 namespace {
@@ -83,49 +80,6 @@ py::dict certify_mesh(const PythonMesh& mesh, const PythonMesh& input, int level
   return all;
 }
 
-// --- Pictures ------------------------------------------------------------------------------------
-
-std::vector<const Mesh*> meshes_of(const py::args& meshes) {
-  std::vector<const Mesh*> all;
-  for (const py::handle& mesh : meshes)
-    all.push_back(&py::cast<const PythonMesh&>(mesh).document.mesh);
-  if (all.empty()) throw UsageError("render: at least one mesh is needed");
-  return all;
-}
-
-Axis axis_of(const std::string& name) {
-  if (name == "x") return Axis::x;
-  if (name == "y") return Axis::y;
-  if (name == "z") return Axis::z;
-  throw UsageError("up: '" + name + "' is none of x, y, z");
-}
-
-py::array array_of(const Image& image) {
-  py::array_t<std::uint8_t> array({image.height, image.width, 4});
-  std::copy_n(image.pixels.data()->data(), image.pixels.size() * 4, array.mutable_data());
-  return array;
-}
-
-py::array render(const py::args& args, std::pair<int, int> size, std::pair<double, double> orbit,
-                 const std::string& up, double zoom, const std::string& frame,
-                 const std::string& color, const std::string& highlight,
-                 const std::string& background, bool edges, const py::object& progress) {
-  PictureOptions picture;
-  std::tie(picture.width, picture.height) = size;
-  std::tie(picture.orbit.azimuth_deg, picture.orbit.elevation_deg) = orbit;
-  picture.orbit.up = axis_of(up);
-  picture.orbit.zoom = zoom;
-  if (frame == "scale") picture.framing = Framing::scale;
-  if (frame == "place") picture.framing = Framing::place;
-  if (!color.empty()) picture.shade.color.front = parse_color(color);
-  picture.shade.color.highlight = highlight;
-  picture.shade.background = parse_background(background);
-  picture.shade.draw_edges = edges;
-  const std::vector<const Mesh*> meshes = meshes_of(args);
-  return array_of(without_lock(
-      progress, [&](const Progress& to) { return draw_picture(meshes, picture, to); }));
-}
-
 }  // namespace
 
 void bind_measures(py::module_& module) {
@@ -141,12 +95,6 @@ void bind_measures(py::module_& module) {
              arg("progress") = none,
              "Whether a mesh is the boundary of winding number at least `level` of the input, by "
              "samples and by no code that computes such boundaries. See tm-checkmanifold(1).");
-  module.def("render", &render, py::kw_only(), arg("size") = std::make_pair(800, 600),
-             arg("orbit") = std::make_pair(30.0, 20.0), arg("up") = "y", arg("zoom") = 1.0,
-             arg("frame") = "each", arg("color") = "", arg("highlight") = "",
-             arg("background") = "#f7f7f7,#d6d9de", arg("edges") = false, arg("progress") = none,
-             "A picture of meshes side by side as an array (height, width, 4) of red, green, blue, "
-             "alpha. See tm-render(1).");
 }
 
 }  // namespace transformesh::python

@@ -21,6 +21,14 @@ Progress progress_to(const py::object& callback) {
   });
 }
 
+std::function<void(const std::string& message)> teller_to(const py::object& callback) {
+  if (callback.is_none()) return {};
+  return [callback](const std::string& message) {
+    const py::gil_scoped_acquire locked;
+    callback(message);
+  };
+}
+
 // --- Lengths -------------------------------------------------------------------------------------
 
 Lengths::Lengths(Document& document) : document_(document) {}
@@ -104,9 +112,12 @@ PYBIND11_MODULE(_transformesh, module) {
   bind_errors(module);
   bind_mesh(module);
   bind_filters(module);
+  bind_remeshing(module);
   bind_everyday(module);
   bind_measures(module);
+  bind_pictures(module);
   bind_evolutions(module);
+  bind_views(module);
   module.def(
       "set_threads",
       [](int count) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "arguments.h"
 #include "call.h"
 #include "columns_binding.h"
 #include "tm/io/atomic_file.h"
@@ -89,11 +90,6 @@ std::string description(const PythonMesh& self) {
 }
 
 // --- Reading and writing -------------------------------------------------------------------------
-
-void warn(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes)
-    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
-}
 
 MeshPointer parse(std::string_view bytes, const std::string& name) {
   ReadResult result =

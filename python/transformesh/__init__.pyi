@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, MutableMapping
+from collections.abc import Callable, Iterator, MutableMapping, Sequence
 from os import PathLike
 from typing import Any, Literal, Optional, Union
 
@@ -11,7 +11,8 @@ __version__: str
 
 Length = Union[float, str]
 Progress = Optional[Callable[[str, float], Optional[bool]]]
-Smoothing = Union[float, Literal["tangential", "none"]]
+Smoothing = Union[float, tuple[float, float], Literal["tangential", "none"]]
+Path = Union[str, PathLike[str]]
 
 class Error(Exception): ...
 class UsageError(Error, ValueError): ...
@@ -43,11 +44,9 @@ class Mesh:
     def to_bytes(self, format: str = "", scalar: str = "") -> bytes: ...
 
 def set_threads(count: int) -> None: ...
-def read(path: Union[str, PathLike[str]]) -> Mesh: ...
+def read(path: Path) -> Mesh: ...
 def parse(bytes: bytes) -> Mesh: ...
-def write(
-    mesh: Mesh, path: Union[str, PathLike[str]], *, format: str = "", scalar: str = ""
-) -> None: ...
+def write(mesh: Mesh, path: Path, *, format: str = "", scalar: str = "") -> None: ...
 def clean(
     mesh: Mesh,
     *,
@@ -55,7 +54,11 @@ def clean(
     outermost: bool = False,
     method: Literal["grow", "static"] = "grow",
     separate: Length = 0.0,
+    box: Optional[ArrayLike] = None,
+    only: bool = False,
     refuse: bool = False,
+    source: bool = False,
+    source_face: bool = False,
     progress: Progress = None,
 ) -> Mesh: ...
 def stitch(
@@ -81,6 +84,10 @@ def remesh(
     feature_angle: float = 180.0,
     keep_border: bool = False,
     project: bool = False,
+    align: Optional[Mesh] = None,
+    keep_out: Optional[Mesh] = None,
+    gap: Optional[Length] = None,
+    source: bool = False,
     progress: Progress = None,
 ) -> Mesh: ...
 def decimate(
@@ -89,6 +96,9 @@ def decimate(
     *,
     feature_angle: float = 180.0,
     keep_border: bool = False,
+    keep_out: Optional[Mesh] = None,
+    gap: Optional[Length] = None,
+    source: bool = False,
     progress: Progress = None,
 ) -> Mesh: ...
 def displace(
@@ -99,6 +109,9 @@ def displace(
     curvature_speed: float = 0.0,
     time_step: float = 1.0,
     alpha: float = 0.2,
+    mask: str = "",
+    keep_out: Optional[Mesh] = None,
+    gap: Optional[Length] = None,
 ) -> Mesh: ...
 def offset(
     mesh: Mesh,
@@ -150,6 +163,7 @@ def sample(
     seed: int = 1,
     progress: Progress = None,
 ) -> Mesh: ...
+def carry(*meshes: Mesh, columns: Sequence[str] = (), closest: bool = False) -> Mesh: ...
 def shape(kind: str, *parameters: object, **options: object) -> Mesh: ...
 def intersect(mesh: Mesh, *, progress: Progress = None) -> NDArray[np.uint32]: ...
 def info(mesh: Mesh) -> dict[str, Any]: ...
@@ -172,12 +186,30 @@ def render(
     up: Literal["x", "y", "z"] = "y",
     zoom: float = 1.0,
     frame: Literal["each", "scale", "place"] = "each",
+    around: Optional[Mesh] = None,
+    views: int = 1,
+    columns: int = 0,
+    frames: int = 0,
     color: str = "",
+    color_by: str = "",
+    range: Optional[tuple[float, float]] = None,
     highlight: str = "",
+    segments: Optional[ArrayLike] = None,
     background: str = "#f7f7f7,#d6d9de",
+    crease_angle: float = 40.0,
+    ambient_occlusion: bool = False,
     edges: bool = False,
     progress: Progress = None,
 ) -> NDArray[np.uint8]: ...
+def report(
+    *runs: Path,
+    every: int = 1,
+    title: str = "",
+    color_by: str = "",
+    up: Literal["x", "y", "z"] = "y",
+    viewer: Optional[Path] = None,
+    progress: Progress = None,
+) -> bytes: ...
 def evolve(
     mesh: Mesh,
     velocity: Callable[[Mesh], ArrayLike],
@@ -205,30 +237,42 @@ def morph(
     max_edge: Length = "1.5x",
     smooth: Smoothing = 0.1,
     gap_edges: float = 0.0,
+    features: Literal["auto", "on", "off"] = "auto",
     scales: int = 1,
     on_iteration: Optional[Callable[[str], object]] = None,
     progress: Progress = None,
 ) -> Mesh: ...
 def hull(
-    cameras: str,
-    silhouettes: str,
+    cameras: Path,
+    silhouettes: Path,
     *,
     resolution: int = 100,
     edge: Optional[float] = None,
     keep: Union[float, Literal["largest", "all"]] = "largest",
+    box: Optional[ArrayLike] = None,
+    least_agreement: float = 0.7,
+    drop_bad_views: bool = False,
+    mirror: bool = False,
     progress: Progress = None,
 ) -> Mesh: ...
 def reconstruct(
-    cameras: str,
-    images: str,
-    silhouettes: str = "",
+    cameras: Path,
+    images: Path,
+    silhouettes: Path = "",
     *,
     start: Optional[Mesh] = None,
+    clip: Literal["hull", "nothing"] = "hull",
+    silhouettes_show: Literal["exact", "least"] = "exact",
     edge: float = 3.0,
     last_edge: Optional[float] = None,
     coarsest: Optional[float] = None,
     passes: int = 4,
+    iterations: int = 5,
+    robust: Optional[float] = None,
     keep: Union[float, Literal["largest", "all"]] = "largest",
+    least_agreement: float = 0.7,
+    drop_bad_views: bool = False,
+    mirror: bool = False,
     on_pass: Optional[Callable[[str], object]] = None,
     progress: Progress = None,
 ) -> Mesh: ...

@@ -9,26 +9,12 @@ import time
 import numpy as np
 import pytest
 import transformesh as tm
-
-BUILD = os.environ.get("TM_BUILD", os.path.join(os.path.dirname(__file__), "../../build"))
-
-
-def run(program, *words, stdin=b""):
-    path = os.path.join(BUILD, "bin", program)
-    return subprocess.run([path, *map(str, words)], input=stdin, check=True, capture_output=True).stdout
-
-
-def shape(*words):
-    return run("tm-shape", "--no-provenance", *words)
+from programs import BUILD, run, same, shape
 
 
 @pytest.fixture(scope="module")
 def crossing():
     return shape("folded", "--faces", 3000, "--noise", "60%")
-
-
-def same(mesh, program, *words, stdin):
-    return mesh.to_bytes() == run(program, "--no-provenance", *words, stdin=stdin)
 
 
 @pytest.mark.parametrize(
@@ -39,10 +25,20 @@ def same(mesh, program, *words, stdin):
         ({"level": 2}, ["--level", 2]),
         ({"method": "static"}, ["--method", "static"]),
         ({"separate": "0.01x"}, ["--separate", "0.01x"]),
+        ({"source": True, "source_face": True}, ["--source", "--source-face"]),
+        ({"box": [-9, -9, -9, 9, 9, 0]}, ["--box", "-9,-9,-9,9,9,0"]),
+        ({"box": [(0, -9, -9), (9, 9, 9)], "only": True}, ["--box", "0,-9,-9,9,9,9", "--only"]),
     ],
 )
-def test_clean(crossing, options, words):
-    assert same(tm.clean(tm.parse(crossing), **options), "tm-clean", *words, stdin=crossing)
+def test_clean(crossing, options, words, tmp_path):
+    cleaned = tm.clean(tm.parse(crossing), **options)
+    words += ["--report", tmp_path / "report"]
+    assert same(cleaned, "tm-clean", *words, stdin=crossing)
+    report = json.loads((tmp_path / "report").read_text())["result"]
+    # A separation changes the mesh in the program's eyes.
+    cleaned.report["changed"] |= cleaned.report["separated_vertices"] > 0
+    assert cleaned.report == {key: report[key] for key in cleaned.report}
+    assert ("box" in options) == ("box_faces" in cleaned.report)
 
 
 @pytest.mark.parametrize(
@@ -54,6 +50,8 @@ def test_clean(crossing, options, words):
         ({"adaptive": "0.1%"}, ["--adaptive", "0.1%"]),
         ({"flip": "angle", "smooth": "none"}, ["--flip", "angle", "--smooth", "none"]),
         ({"only": "smooth", "project": True}, ["--only", "smooth", "--project"]),
+        ({"smooth": (0.5, 0.2)}, ["--smooth2", "0.5,0.2"]),
+        ({"source": True}, ["--source"]),
     ],
 )
 def test_remesh(options, words):
@@ -64,6 +62,63 @@ def test_remesh(options, words):
 def test_decimate():
     ball = shape("torus", "--faces", 3000)
     assert same(tm.decimate(tm.parse(ball), 500), "tm-remesh", "--faces", 500, stdin=ball)
+
+
+@pytest.fixture(scope="module")
+def kernel():
+    """A ball in the torus's hole."""
+    return tm.shape("sphere", radius=0.5, faces=1000)
+
+
+KEPT = [
+    ("remesh", {"max_edge": 0.5}, ["tm-remesh", "--max-edge", 0.5], "kept_out"),
+    ("decimate", {"faces": 300}, ["tm-remesh", "--faces", 300], "kept_out"),
+    ("displace", {"normal_speed": 0.1}, ["tm-displace", "--normal-speed", 0.1], "held_back"),
+]
+
+
+@pytest.mark.parametrize("function, options, words, refused", KEPT)
+def test_keep_out(kernel, function, options, words, refused, tmp_path):
+    torus = shape("torus", "--faces", 2000)
+    tm.write(kernel, tmp_path / "kernel.ply")
+    kept = getattr(tm, function)(tm.parse(torus), **options, keep_out=kernel, gap=0.03)
+    words = words + ["--keep-out", tmp_path / "kernel.ply", "--gap", 0.03]
+    assert same(kept, *words, stdin=torus)
+    assert kept.report[refused] > 0
+    assert len(tm.intersect(tm.cat(kept, kernel))) == 0
+
+
+def test_align(tmp_path):
+    box = shape("box", "--faces", 1500)
+    (tmp_path / "box.ply").write_bytes(box)
+    blunt = tm.remesh(tm.parse(box), iterations=5, smooth=0.5).to_bytes()
+    sharp = tm.remesh(tm.parse(blunt), align=tm.parse(box), source=True)
+    assert same(sharp, "tm-remesh", "--align", tmp_path / "box.ply", "--source", stdin=blunt)
+    assert sharp.report["corners"] == 8
+    assert tm.info(sharp)["volume"] > tm.info(tm.parse(blunt))["volume"]
+    with pytest.raises(tm.UsageError, match="align aligns and project remeshes"):
+        tm.remesh(tm.parse(blunt), align=tm.parse(box), project=True)
+
+
+def test_carry(crossing, tmp_path):
+    first = tm.parse(crossing)
+    first.vertex_columns["height"] = first.positions[:, 2].copy()
+    first.face_columns["label"] = np.arange(len(first.faces), dtype=np.int32)
+    between = tm.clean(first, source=True)
+    del between.face_columns["label"]
+    last = tm.remesh(between, iterations=2, source=True)
+    for name, mesh in [("first", first), ("between", between), ("last", last)]:
+        tm.write(mesh, tmp_path / f"{name}.ply")
+    words = ["--from", tmp_path / "first.ply", tmp_path / "between.ply", tmp_path / "last.ply"]
+    carried = tm.carry(first, between, last)
+    assert same(carried, "tm-carry", *words, stdin=b"")
+    assert carried.report == {"vertex_columns": 1, "face_columns": 1}
+    words += ["--columns", "label", "--closest"]
+    near = tm.carry(first, tm.Mesh(last.positions, last.faces), columns=["label"], closest=True)
+    assert near.report == {"vertex_columns": 0, "face_columns": 1}
+    assert same(tm.carry(first, between, last, columns=["label"], closest=True), "tm-carry", *words, stdin=b"")
+    with pytest.raises(tm.InputError, match="mesh 2 does not say where its vertices come from"):
+        tm.carry(first, tm.Mesh(last.positions, last.faces))
 
 
 def test_stitch(crossing, tmp_path):
@@ -87,6 +142,13 @@ def test_displace(crossing):
     moved = tm.displace(tm.parse(crossing), normal_speed="1%", curvature_speed=0.01, alpha=0.3)
     words = ["--normal-speed", "1%", "--curvature-speed", 0.01, "--alpha", 0.3]
     assert same(moved, "tm-displace", *words, stdin=crossing)
+
+
+def test_displace_masked(crossing):
+    mesh = tm.parse(crossing)
+    mesh.vertex_columns["free"] = (mesh.positions[:, 0] > 0).astype(float)
+    moved = tm.displace(mesh, normal_speed=0.01, mask="free")
+    assert same(moved, "tm-displace", "--normal-speed", 0.01, "--mask", "free", stdin=mesh.to_bytes())
 
 
 def test_displace_by_velocities_is_that_by_columns():
@@ -241,6 +303,14 @@ def test_refusals_are_exceptions_with_the_sentence_of_the_program(bodies):
         (tm.UsageError, "either count or distance", lambda: tm.sample(mesh)),
         (tm.UsageError, "either count or distance", lambda: tm.sample(mesh, 3, distance=1)),
         (tm.UsageError, "at least 3", lambda: tm.fill(mesh, max_edges=2)),
+        (tm.UsageError, "needs box", lambda: tm.clean(mesh, only=True)),
+        (tm.UsageError, "outermost is for whole", lambda: tm.clean(mesh, box=range(6), outermost=True)),
+        (tm.UsageError, "go together", lambda: tm.remesh(mesh, gap=1)),
+        (tm.UsageError, "gap must be above 0", lambda: tm.decimate(mesh, 9, keep_out=mesh, gap=0)),
+        (tm.InputError, "nothing to keep", lambda: tm.displace(mesh, normal_speed=1, gap=1,
+                                                              keep_out=tm.Mesh(np.zeros((3, 3))))),
+        (tm.UsageError, "the first mesh", lambda: tm.carry(mesh)),
+        (tm.UsageError, "'soft' is none of auto, on, off", lambda: tm.morph(mesh, mesh, features="soft")),
         (tm.InputError, "", lambda: tm.fill(tm.Mesh(np.zeros((3, 3)), [[0, 1, 2], [0, 1, 2]]))),
         (tm.InputError, "", lambda: tm.select(tm.Mesh(np.zeros((3, 3))), around=(0, 0, 0))),
     ]
@@ -257,6 +327,27 @@ def test_morph(tmp_path):
     result = tm.morph(tm.parse(source), tm.parse(target), iterations=12)
     assert result.to_bytes() == run("tm-morph", *words, stdin=source)
     assert result.report["stop"] == "iteration_limit"
+
+
+@pytest.mark.parametrize("features", ["auto", "on", "off"])
+def test_morph_to_sharp_edges(features, tmp_path):
+    target = shape("box", "--faces", 800)
+    (tmp_path / "target.ply").write_bytes(target)
+    source = shape("sphere", "--around", tmp_path / "target.ply", "--faces", 800)
+    words = ["--target", tmp_path / "target.ply", "--features", features, "--no-provenance"]
+    result = tm.morph(tm.parse(source), tm.parse(target), features=features)
+    assert result.to_bytes() == run("tm-morph", *words, stdin=source)
+    assert result.report["converged"]
+    assert (result.report["aligned"] > 0) == (features != "off")
+
+
+def test_morph_warns_of_what_makes_a_result_doubtful():
+    ball = tm.shape("sphere", faces=300)
+    far = tm.transform(ball, translate=(9, 0, 0))
+    with pytest.warns(UserWarning, match="source"):
+        tm.morph(ball, far, iterations=1)
+    with pytest.raises(tm.InputError, match="inside out"):
+        tm.morph(ball, tm.stitch(ball, flip=True))
 
 
 def test_evolve(tmp_path):
@@ -297,66 +388,6 @@ def test_intersect(crossing, tmp_path):
     expected = np.loadtxt(tmp_path / "pairs", dtype=int)
     assert np.array_equal(tm.intersect(tm.parse(crossing)), expected)
     assert tm.intersect(tm.shape("sphere", faces=100)).shape == (0, 2)
-
-
-def test_render_is_the_picture_of_the_program(crossing, tmp_path):
-    zlib = pytest.importorskip("zlib")
-    picture = tm.render(tm.parse(crossing), size=(60, 40), orbit=(10, 5))
-    png = run("tm-render", "--size", "60x40", "--orbit", "10,5", stdin=crossing)
-    assert picture.shape == (40, 60, 4)
-    assert decode(png, zlib) == picture[:, :, :3].tobytes() or decode(png, zlib) == picture.tobytes()
-
-
-def decode(png, zlib):
-    """The bytes of the pixels of a PNG of 8 bits, by the format's own description."""
-    data, place, width, channels = b"", 8, 0, 0
-    while place < len(png):
-        size = int.from_bytes(png[place : place + 4], "big")
-        kind, body = png[place + 4 : place + 8], png[place + 8 : place + 8 + size]
-        if kind == b"IHDR":
-            width = int.from_bytes(body[:4], "big")
-            channels = {2: 3, 6: 4}[body[9]]
-        if kind == b"IDAT":
-            data += body
-        place += size + 12
-    rows, stride, pixels = zlib.decompress(data), width * channels, b""
-    above = bytes(stride)
-    for start in range(0, len(rows), stride + 1):
-        row = bytearray(rows[start + 1 : start + 1 + stride])
-        for i in range(stride):
-            left = row[i - channels] if i >= channels else 0
-            corner = above[i - channels] if i >= channels else 0
-            guess = left + above[i] - corner
-            nearest = min((left, above[i], corner), key=lambda value: abs(guess - value))
-            add = [0, left, above[i], (left + above[i]) // 2, nearest][rows[start]]
-            row[i] = (row[i] + add) & 255
-        above = bytes(row)
-        pixels += above
-    return pixels
-
-
-@pytest.fixture(scope="module")
-def scene(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("scene")
-    run("tm-shape", "dented", "--faces", 1500, "-o", folder / "truth.ply")
-    run("tm-photograph", "--size", "100x80", "--write-images", folder / "photos",
-        "--write-silhouettes", folder / "masks", "-o", folder / "par.txt", folder / "truth.ply")
-    return folder
-
-
-def test_hull(scene):
-    words = ["--cameras", scene / "par.txt", "--silhouettes", scene / "masks", "--resolution", 30]
-    hull = tm.hull(str(scene / "par.txt"), str(scene / "masks"), resolution=30)
-    assert hull.to_bytes() == run("tm-hull", "--no-provenance", *words)
-
-
-def test_reconstruct(scene):
-    places = [str(scene / name) for name in ["par.txt", "photos", "masks"]]
-    result = tm.reconstruct(*places, passes=1, edge=5, coarsest=1)
-    words = sum(([o, p] for o, p in zip(["--cameras", "--images", "--silhouettes"], places)), [])
-    words += ["--passes", 1, "--edge", 5, "--coarsest", 1, "--no-provenance"]
-    assert result.to_bytes() == run("tm-reconstruct", *words)
-    assert result.report["passes"] >= 1
 
 
 def test_threads_make_no_difference(crossing):

@@ -182,3 +182,38 @@ PY
   assert_status 0
   [[ $stderr == *"'view3' is left out"* ]]
 }
+
+@test "a step refuses and leaves out the same" {
+  tm-hull --cameras par.txt --silhouettes masks --resolution 20 -o start.ply
+  tm-photograph --cameras par.txt --size 64x48 --write-images photos -o /dev/null start.ply
+  change '255 - l' 3
+  step=(tm-photo-step --cameras par.txt --images photos --silhouettes masks --no-provenance start.ply)
+  run --separate-stderr timeout 5 "${step[@]}" -o out.ply
+  refused "'view3'" inverted
+  run --separate-stderr "${step[@]}" --drop-bad-views --report r.json -o out.ply
+  assert_status 0
+  [[ $stderr == *"'view3' is left out"* ]]
+  grep -q '"dropped_views": 1' r.json
+  grep -q '"views": 8' r.json
+  # As if the view had never been there.
+  mv masks/view3.pgm photos/*view3* .
+  sed -i -e '1s/9/8/' -e /view3/d par.txt
+  "${step[@]}" -o right.ply
+  cmp right.ply out.ply
+  # Believed, or not looked at.
+  mv view3.pgm masks && mv ./*view3* photos && cp right.txt par.txt
+  "${step[@]}" --least-agreement 0 -o believed.ply
+  "${step[@]}" --silhouettes-show least -o least.ply
+}
+
+@test "a step takes the mirror image of a left-handed world" {
+  tm-hull --cameras par.txt --silhouettes masks --resolution 20 -o start.ply
+  tm-photograph --cameras par.txt --size 64x48 --write-images photos -o /dev/null start.ply
+  tm-cameras --format matrices par.txt | awk '/^#/ { print; next } { $3 = sprintf("%.15g", -$3); print }' >left.txt
+  step=(tm-photo-step --images photos --silhouettes masks start.ply)
+  run --separate-stderr "${step[@]}" --cameras left.txt -o out.ply
+  refused 'behind every camera' --mirror
+  "${step[@]}" --cameras par.txt -o right.ply
+  "${step[@]}" --cameras left.txt --mirror -o mirrored.ply
+  tm-compare --reference right.ply mirrored.ply | awk '/^hausdorff:/ { exit !($2 < 1e-6) }'
+}

@@ -100,4 +100,22 @@ PageRun read_run_page(const std::string& folder, const RunPageOptions& options,
   return run;
 }
 
+Page read_runs_page(const std::vector<std::string>& folders, const RunPageOptions& options,
+                    const Progress& progress) {
+  Page page;
+  for (const std::string& folder : folders) {
+    page.runs.push_back(read_run_page(folder, options, progress));
+    page.title += (page.title.empty() ? "" : ", ") + page.runs.back().name;
+  }
+  return page;
+}
+
+bool has_column(const Page& page, const std::string& name) {
+  for (const PageRun& run : page.runs)
+    for (const PageMesh& mesh : run.meshes)
+      for (const PackedColumn& column : mesh.mesh.columns)
+        if (column.name == name) return true;
+  return false;
+}
+
 }  // namespace transformesh

@@ -20,6 +20,13 @@ struct RunPageOptions {
 PageRun read_run_page(const std::string& folder, const RunPageOptions& options = {},
                       const Progress& progress = {});
 
+/// Several runs, whose names are the title.
+Page read_runs_page(const std::vector<std::string>& folders, const RunPageOptions& options = {},
+                    const Progress& progress = {});
+
+/// Whether some mesh of a run has the column, so that it can be `color_by`.
+bool has_column(const Page& page, const std::string& name);
+
 /// All of it but meshes, and the files of those: the frames, then the result unless that is the
 /// last frame, with their numbers.
 PageRun read_run_texts(const std::string& folder);

@@ -1,0 +1,179 @@
+/// Remeshing, decimation and alignment, as tm-remesh does them.
+#include "arguments.h"
+#include "call.h"
+#include "python_mesh.h"
+#include "tm/geometry/source_points.h"
+#include "tm/remesh/align_features.h"
+#include "tm/remesh/decimate.h"
+#include "tm/remesh/remesh.h"
+#include "tm/support/error.h"
+
+namespace transformesh::python {
+namespace {
+
+struct RemeshChoices {
+  std::optional<PythonLength> min_edge, max_edge, adaptive;
+  std::string size_field;
+  SmoothingChoice smooth;
+  std::string flip, only;
+};
+
+/// As tm-remesh does: relative lengths are of the reference edge, or of the local size.
+RemeshOptions remesh_options(const RemeshChoices& choices, Document& document) {
+  RemeshOptions options;
+  Lengths lengths(document);
+  const bool adapts = choices.adaptive.has_value();
+  if (adapts) options.adaptive_error = lengths(*choices.adaptive);
+  options.size_column = choices.size_field;
+  const auto edge = [&](const std::optional<PythonLength>& length, const char* otherwise) {
+    const PythonLength asked = length.value_or(otherwise);
+    if (choices.size_field.empty()) return lengths(asked);
+    const Length factor = parsed(asked);
+    if (factor.unit == Length::Unit::reference_edge) return factor.value;
+    throw UsageError("with size_field, min_edge and max_edge are factors of it such as '0.7x'");
+  };
+  options.min_edge = edge(choices.min_edge, adapts ? "0.1x" : "0.7x");
+  options.max_edge = edge(choices.max_edge, adapts ? "5x" : "1.5x");
+  set_smoothing(choices.smooth, options);
+  const std::size_t flip = choice("flip", choices.flip, {"valence", "angle", "none"});
+  options.flip = flip == 0 ? FlipRule::valence : flip == 1 ? FlipRule::angle : FlipRule::none;
+  options.only_smooth = choice("only", choices.only, {"all", "smooth"}) == 1;
+  options.coordinate = document.style.coordinate;
+  return options;
+}
+
+/// Changes the mesh and writes where on it as it was the vertices come from, where that is asked.
+template <typename Change>
+auto with_source(bool source, Mesh& mesh, Change change) {
+  Mesh before;
+  if (source) before = {mesh.positions, mesh.faces, {}, {}};
+  const auto result = change();
+  if (source) write_source_points(mesh, closest_source_points(before, mesh));
+  return result;
+}
+
+// --- remesh --------------------------------------------------------------------------------------
+
+py::dict report_of(const RemeshResult& result) {
+  py::dict report;
+  report["splits"] = result.splits;
+  report["collapses"] = result.collapses;
+  report["flips"] = result.flips;
+  report["refused"] = result.refused;
+  report["kept_out"] = result.kept_out;
+  report["components_removed"] = result.components_removed;
+  report["degenerate_faces"] = result.degenerate_faces;
+  return report;
+}
+
+py::dict report_of(const AlignResult& result) {
+  py::dict report;
+  report["sharp_edges"] = result.sharp_edges;
+  report["corners"] = result.corners;
+  report["aligned"] = result.aligned;
+  return report;
+}
+
+/// The rules of alignment out of those of remeshing, where nothing else may be asked for.
+AlignOptions align_options(const RemeshOptions& remesh, const RemeshChoices& choices) {
+  const RemeshOptions usual;
+  const char* const refused = choices.adaptive                      ? "adaptive"
+                              : !choices.size_field.empty()         ? "size_field"
+                              : remesh.iterations != 1              ? "iterations"
+                              : remesh.smoothing != usual.smoothing ? "smooth"
+                              : remesh.flip != usual.flip           ? "flip"
+                              : remesh.only_smooth                  ? "only"
+                              : remesh.keep_border                  ? "keep_border"
+                              : remesh.project                      ? "project"
+                              : remesh.keep_out.surface != nullptr  ? "keep_out"
+                                                                    : nullptr;
+  if (refused)
+    throw UsageError("align aligns and " + std::string(refused) +
+                     " remeshes: use one after the other");
+  AlignOptions options;
+  if (remesh.feature_angle_deg < 180) options.feature_angle_deg = remesh.feature_angle_deg;
+  options.limits = {remesh.min_edge, remesh.max_edge};
+  options.coordinate = remesh.coordinate;
+  return options;
+}
+
+MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength>& min_edge,
+                        const std::optional<PythonLength>& max_edge,
+                        const std::optional<PythonLength>& adaptive, const std::string& size_field,
+                        int iterations, const SmoothingChoice& smooth, const std::string& flip,
+                        const std::string& only, double feature_angle, bool keep_border,
+                        bool project, const std::optional<MeshPointer>& align,
+                        const std::optional<MeshPointer>& keep_out,
+                        const std::optional<PythonLength>& gap, bool source,
+                        const py::object& progress) {
+  Document document = mesh.document;
+  const RemeshChoices choices{min_edge, max_edge, adaptive, size_field, smooth, flip, only};
+  RemeshOptions options = remesh_options(choices, document);
+  options.iterations = iterations;
+  options.feature_angle_deg = feature_angle;
+  options.keep_border = keep_border;
+  options.project = project;
+  Lengths lengths(document);
+  options.keep_out = keep_out_of(keep_out, gap, lengths);
+  if (align) {
+    const AlignOptions aligning = align_options(options, choices);
+    const AlignResult result = without_lock(progress, [&](const Progress& to) {
+      return with_source(source, document.mesh, [&] {
+        return align_features(document.mesh, (*align)->document.mesh, aligning, to);
+      });
+    });
+    return mesh_of(std::move(document), report_of(result));
+  }
+  const RemeshResult result = without_lock(progress, [&](const Progress& to) {
+    return with_source(source, document.mesh, [&] { return remesh(document.mesh, options, to); });
+  });
+  return mesh_of(std::move(document), report_of(result));
+}
+
+// --- decimate ------------------------------------------------------------------------------------
+
+MeshPointer decimate_mesh(const PythonMesh& mesh, std::size_t faces, double feature_angle,
+                          bool keep_border, const std::optional<MeshPointer>& keep_out,
+                          const std::optional<PythonLength>& gap, bool source,
+                          const py::object& progress) {
+  Document document = mesh.document;
+  Lengths lengths(document);
+  const DecimateOptions options{faces, feature_angle, keep_border, document.style.coordinate,
+                                keep_out_of(keep_out, gap, lengths)};
+  const DecimateResult result = without_lock(progress, [&](const Progress& to) {
+    return with_source(source, document.mesh, [&] { return decimate(document.mesh, options, to); });
+  });
+  py::dict report;
+  report["collapses"] = result.collapses;
+  report["faces"] = result.faces;
+  report["kept_out"] = result.kept_out;
+  return mesh_of(std::move(document), report);
+}
+
+}  // namespace
+
+void bind_remeshing(py::module_& module) {
+  using py::arg;
+  const py::object none = py::none();
+  module.def("remesh", &remesh_mesh, arg("mesh"), py::kw_only(), arg("min_edge") = none,
+             arg("max_edge") = none, arg("adaptive") = none, arg("size_field") = "",
+             arg("iterations") = 1, arg("smooth") = "tangential", arg("flip") = "valence",
+             arg("only") = "all", arg("feature_angle") = 180.0, arg("keep_border") = false,
+             arg("project") = false, arg("align") = none, arg("keep_out") = none, arg("gap") = none,
+             arg("source") = false, arg("progress") = none,
+             "Keeps edges between two lengths ('0.7x' to '1.5x' of the reference edge) and "
+             "triangles round, without making a crossing. `smooth` is 'tangential', 'none', the "
+             "factor of the Laplace-Beltrami operator, or two where it is used twice. With "
+             "`align` it moves vertices and turns edges onto the sharp edges of that mesh, which "
+             "lies near, and does nothing else. Nothing comes nearer than `gap` to the mesh "
+             "`keep_out`. `source` writes where on the input each vertex comes from, for carry(). "
+             "See tm-remesh(1).");
+  module.def("decimate", &decimate_mesh, arg("mesh"), arg("faces"), py::kw_only(),
+             arg("feature_angle") = 180.0, arg("keep_border") = false, arg("keep_out") = none,
+             arg("gap") = none, arg("source") = false, arg("progress") = none,
+             "Collapses edges where the surface changes least until so many faces are left, "
+             "without making a crossing. `keep_out`, `gap` and `source` are as of remesh(). See "
+             "tm-remesh(1).");
+}
+
+}  // namespace transformesh::python

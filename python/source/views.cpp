@@ -1,0 +1,162 @@
+/// Calibrated photographs: visual hulls and reconstructions, whose views are checked first.
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "arguments.h"
+#include "call.h"
+#include "python_mesh.h"
+#include "tm/evolution/reconstruction.h"
+#include "tm/support/error.h"
+#include "tm/views/cameras/view_files.h"
+#include "tm/views/hull/hull.h"
+#include "tm/views/hull/view_check.h"
+
+namespace transformesh::python {
+namespace {
+
+double share_of(const std::variant<double, std::string>& keep) {
+  if (const auto* share = std::get_if<double>(&keep)) return *share;
+  if (std::get<std::string>(keep) == "largest") return 1;
+  if (std::get<std::string>(keep) == "all") return 0;
+  throw UsageError("keep: largest, all or a number from 0 to 1");
+}
+
+struct CheckedViews {
+  std::vector<View> views;
+  ViewCheck check;
+};
+
+/// Reads the views and looks whether they agree, where there is a check; what programs say of that
+/// on stderr are warnings.
+CheckedViews checked_views(ViewSources sources, const std::optional<ViewCheckOptions>& options,
+                           const py::object& progress) {
+  std::vector<std::string> notes;
+  sources.on_note = [&notes](const std::string& note) { notes.push_back(note); };
+  CheckedViews read = without_lock(progress, [&](const Progress& to) {
+    to("read views");
+    CheckedViews reading{views_from(sources), {}};
+    if (options) reading.check = check_views(reading.views, *options, to);
+    return reading;
+  });
+  for (const BadView& view : read.check.dropped)
+    notes.push_back("the view '" + view.name + "' is left out: the hull of the others covers " +
+                    std::to_string(std::lround(100 * view.agreement)) + "% of its silhouette");
+  warn(notes);
+  return read;
+}
+
+void report_check(const CheckedViews& checked, py::dict& report) {
+  report["views"] = checked.views.size();
+  report["dropped_views"] = checked.check.dropped.size();
+  report["least_agreement"] = checked.check.least_agreement;
+}
+
+// --- hull ----------------------------------------------------------------------------------------
+
+using Path = std::filesystem::path;
+
+MeshPointer make_hull(const Path& cameras, const Path& silhouettes, int resolution,
+                      const std::optional<double>& edge,
+                      const std::variant<double, std::string>& keep, const py::object& box,
+                      double least_agreement, bool drop_bad_views, bool mirror,
+                      const py::object& progress) {
+  HullOptions options;
+  options.resolution = resolution;
+  options.edge = edge;
+  options.keep = share_of(keep);
+  if (!box.is_none()) options.box = box_of(box);
+  const CheckedViews checked =
+      checked_views({cameras.string(), "", silhouettes.string(), mirror},
+                    ViewCheckOptions{least_agreement, drop_bad_views}, progress);
+  HullResult result = without_lock(
+      progress, [&](const Progress& to) { return visual_hull(checked.views, options, to); });
+  py::dict report;
+  report_check(checked, report);
+  report["cell"] = result.cell;
+  report["dropped_components"] = result.dropped_components;
+  Document document;
+  document.mesh = std::move(result.mesh);
+  return mesh_of(std::move(document), report);
+}
+
+// --- reconstruct ---------------------------------------------------------------------------------
+
+py::dict report_of(const ReconstructionResult& result) {
+  py::dict report;
+  report["converged"] = result.fault.empty();
+  report["fault"] = result.fault;
+  report["passes"] = result.passes;
+  report["pixel_size"] = result.pixel;
+  report["components"] = result.topology.components;
+  report["genus"] = result.topology.genus;
+  report["dissimilarity"] = result.last.dissimilarity;
+  report["coverage"] = result.last.coverage;
+  return report;
+}
+
+MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const Path& silhouettes,
+                                const std::optional<MeshPointer>& start, const std::string& clip,
+                                const std::string& silhouettes_show, double edge,
+                                const std::optional<double>& last_edge,
+                                const std::optional<double>& coarsest, std::size_t passes,
+                                int iterations, const std::optional<double>& robust,
+                                const std::variant<double, std::string>& keep,
+                                double least_agreement, bool drop_bad_views, bool mirror,
+                                const py::object& on_pass, const py::object& progress) {
+  ReconstructionOptions options;
+  options.start.keep = share_of(keep);
+  options.start.is_given = start.has_value();
+  options.start.name = "start";
+  options.start.clips_by_hull = choice("clip", clip, {"hull", "nothing"}) == 0;
+  const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
+  if (!is_exact) options.start.meaning = SilhouetteMeaning::least;
+  options.start.least_agreement = least_agreement;
+  options.scales = {coarsest, edge, last_edge.value_or(edge)};
+  options.passes = passes;
+  options.steps.iterations = iterations;
+  options.robust = robust;
+  options.on_pass = teller_to(on_pass);
+  std::optional<ViewCheckOptions> check;
+  if (is_exact) check = {least_agreement, drop_bad_views};
+  CheckedViews checked = checked_views(
+      {cameras.string(), images.string(), silhouettes.string(), mirror}, check, progress);
+  Document document = start ? (*start)->document : Document();
+  const ReconstructionResult result = without_lock(progress, [&](const Progress& to) {
+    Record record;
+    return reconstruct(document, checked.views, options, record, to);
+  });
+  py::dict report = report_of(result);
+  report_check(checked, report);
+  return mesh_of(std::move(document), report);
+}
+
+}  // namespace
+
+void bind_views(py::module_& module) {
+  using py::arg;
+  const py::object none = py::none();
+  module.def("hull", &make_hull, arg("cameras"), arg("silhouettes"), py::kw_only(),
+             arg("resolution") = HullOptions().resolution, arg("edge") = none,
+             arg("keep") = "largest", arg("box") = none,
+             arg("least_agreement") = ViewCheckOptions().least_agreement,
+             arg("drop_bad_views") = false, arg("mirror") = false, arg("progress") = none,
+             "The visual hull of calibrated silhouettes: files, folders or patterns. Views that "
+             "disagree with the rest are refused, or with `drop_bad_views` left out, which is a "
+             "warning; `least_agreement` 0 believes them. `mirror` is for cameras of a left-handed "
+             "world. See tm-hull(1).");
+  module.def("reconstruct", &reconstruct_surface, arg("cameras"), arg("images"),
+             arg("silhouettes") = "", py::kw_only(), arg("start") = none, arg("clip") = "hull",
+             arg("silhouettes_show") = "exact", arg("edge") = ScaleOptions().edge,
+             arg("last_edge") = none, arg("coarsest") = none,
+             arg("passes") = ReconstructionOptions().passes,
+             arg("iterations") = ReconstructionOptions().steps.iterations, arg("robust") = none,
+             arg("keep") = "largest", arg("least_agreement") = ViewCheckOptions().least_agreement,
+             arg("drop_bad_views") = false, arg("mirror") = false, arg("on_pass") = none,
+             arg("progress") = none,
+             "Reconstructs a closed surface from calibrated photographs: files, folders or "
+             "patterns. Views are checked as of hull(). See tm-reconstruct(1).");
+}
+
+}  // namespace transformesh::python
