@@ -11,7 +11,7 @@ from programs import run
 def scene(tmp_path_factory):
     folder = tmp_path_factory.mktemp("scene")
     run("tm-shape", "dented", "--faces", 1500, "-o", folder / "truth.ply")
-    run("tm-photograph", "--size", "100x80", "--write-images", folder / "photos",
+    run("tm-photograph", "--size", "100x80", "--ring", 9, "--write-images", folder / "photos",
         "--write-silhouettes", folder / "masks", "-o", folder / "par.txt", folder / "truth.ply")
     return folder
 
