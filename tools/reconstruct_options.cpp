@@ -89,10 +89,8 @@ void refuse_standard_input(const ReconstructChoices& choices) {
 }
 
 void check_sequence(const ReconstructChoices& choices, const Run& run) {
-  if (!choices.loop.run.empty())
-    throw UsageError("--run is for one surface; -o of a --sequence is a folder already");
   if (run.output() == "-")
-    throw UsageError("--sequence needs -o FOLDER: where to write the surfaces");
+    throw UsageError("--sequence needs -o FOLDER or --run FOLDER: where to write the surfaces");
   const auto check_place = [](const char* option, const std::string& place) {
     if (place.find("{}") == std::string::npos)
       throw UsageError("--" + std::string(option) + " '" + place +
@@ -100,7 +98,7 @@ void check_sequence(const ReconstructChoices& choices, const Run& run) {
   };
   check_place("images", choices.sources.images);
   if (!choices.sources.silhouettes.empty()) check_place("silhouettes", choices.sources.silhouettes);
-  if (!choices.loop.record.frames.empty())
+  if (!choices.loop.record.frames.empty() && choices.loop.run.empty())
     throw UsageError("--frames is not for a --sequence, whose results are its frames");
 }
 
@@ -141,9 +139,14 @@ SequenceOptions sequence_of(const ReconstructChoices& choices,
   SequenceOptions options;
   options.reconstruction = reconstruction;
   options.track = choices.track;
-  options.folder = run.output();
+  const std::string name = '.' + run.program().name;
+  if (choices.loop.run.empty()) {
+    options.folder = run.output();
+    options.states = run.output() + '/' + name;
+  } else {
+    options.states = choices.loop.run + run_file::result + name;
+  }
   options.format = run.document().style.format;
-  options.states = run.output() + "/." + run.program().name;
   options.on_step = [&run](const std::string& text) { run.progress_line(text); };
   options.on_note = [&run](const std::string& text) { run.note(text); };
   return options;

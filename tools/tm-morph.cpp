@@ -59,11 +59,16 @@ void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Ru
   const std::vector<std::string> names(run.inputs().begin() + 1, run.inputs().end());
   const MorphingOptions options = tool::morphing_of(choices, run);
   tool::begin_run(choices.loop, record, &document, run);
+  const auto target_of = [&](std::size_t frame) {
+    Target target = read(names[frame], run);
+    if (const std::string& folder = choices.loop.run; !folder.empty())
+      add_to_run(folder, {{run_name(run_file::targets, frame + 1, ".ply"), write_target(target)}});
+    return target;
+  };
   TrackingResult result;
   tool::evolve_or_keep(run, record, "frame", [&] {
-    result = track(
-        document, names, [&](std::size_t frame) { return read(names[frame], run); }, options,
-        tool::loop_of(choices.loop, run), record, run.progress());
+    result = track(document, names, target_of, options, tool::loop_of(choices.loop, run), record,
+                   run.progress());
   });
   tool::report_tracking(result, document.mesh, run);
   tool::conclude(run, choices.loop, record,

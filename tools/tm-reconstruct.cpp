@@ -43,13 +43,19 @@ void reconstruct_film(const tool::ReconstructChoices& choices,
   SequenceOptions options = tool::sequence_of(choices, reconstruction, run);
   const std::vector<TimeStep> steps = time_steps(choices.sequence);
   Record record = tool::open_record(choices.loop, 1, run, options.states);
-  run.write_nothing();
+  const std::string& folder = choices.loop.run;
+  if (folder.empty()) run.write_nothing();
 
   options.comments = beginning("", run).style.comments;
-  Document document;
+  Document& document = run.document();
   if (!record.resumed()) document = beginning(choices.options.start.name, run);
+  tool::begin_run(choices.loop, record, reconstruction.start.is_given ? &document : nullptr, run);
   const auto views_of = [&](const TimeStep& step) {
-    return tool::checked_views(tool::sources_of(choices.sources, step), choices, run);
+    std::vector<View> views =
+        tool::checked_views(tool::sources_of(choices.sources, step), choices, run);
+    const std::size_t number = &step - steps.data() + 1;
+    if (!folder.empty()) add_to_run(folder, run_files_of(views, number));
+    return views;
   };
   const SequenceResult result =
       reconstruct_sequence(document, steps, views_of, options, record, run.progress());

@@ -23,13 +23,7 @@ constexpr const char* waiting_page =
 
 std::map<std::string, std::string> blocks_of(const Page& page) {
   std::map<std::string, std::string> blocks;
-  for (std::size_t i = 0; i < page.runs.size(); ++i) {
-    if (page.runs[i].target) blocks[block_name(i, {})] = page.runs[i].target->mesh.block;
-    for (std::size_t k = 0; k < page.runs[i].meshes.size(); ++k)
-      blocks[block_name(i, k)] = page.runs[i].meshes[k].mesh.block;
-    for (std::size_t k = 0; k < page.runs[i].views.size(); ++k)
-      blocks[photograph_name(i, k)] = page.runs[i].views[k].photograph;
-  }
+  for (const auto& [name, block] : page_blocks(page.runs)) blocks[name] = *block;
   return blocks;
 }
 

@@ -51,7 +51,10 @@ export async function withPage(address, {width = 800, height = 1000, dark = fals
 // Waits until the mesh of that place on the slider is shown, and drawn finely.
 export async function settled(page) {
   await page.waitForFunction("document.body.dataset.shown === document.getElementById('slider').value");
-  await wait(700);
+  // What is drawn finely is so a quarter of a second after all else.
+  await wait(300);
+  await page.waitForFunction('!viewer.isUnpacking && !viewer.view.isDue && (viewer.view.isFine || !viewer.view.isSlow)');
+  await wait(100);
 }
 
 export const valueOf = (page, id) => page.$eval(`#${id}`, (element) => element.value || element.textContent);

@@ -228,6 +228,43 @@ const checks = {
     }
   },
 
+  // Of a film that was reconstructed: cameras and photographs are those of the time step shown.
+  async film(address) {
+    for (const size of widths) {
+      await withPage(address, size, async (page, browser) => {
+        await setSlider(page, 0);
+        await page.select('#from', '1');
+        await page.waitForFunction("document.querySelector('.cell img').complete && !document.querySelector('.cell img').hidden");
+        const look = async (place) => {
+          await setSlider(page, place);
+          assert.equal(await valueOf(page, 'from'), '1', 'another camera looks');
+          return {photograph: await page.$eval('.cell img', (image) => image.src), stage: await pixelsOf(page, browser, '#stage')};
+        };
+        const last = Number(await page.$eval('#slider', (slider) => slider.max));
+        const [first, end, again] = [await look(0), await look(last), await look(0)];
+        assert.notEqual(first.photograph, end.photograph);
+        assert(differenceOf(first.stage, end.stage) > 0.01, 'the time steps look alike');
+        assert.equal(first.photograph, again.photograph);
+        assert(differenceOf(first.stage, again.stage) < 0.001, 'the first looks otherwise the second time');
+        assert.match(await valueOf(page, 'now'), /^step 1 · \w+$/);
+      });
+    }
+  },
+
+  // Of a film that was followed: the ghost is the target of the frame shown.
+  async targets(address) {
+    await withPage(address, {}, async (page) => {
+      const shown = [];
+      for (let place = 0; place <= Number(await page.$eval('#slider', (slider) => slider.max)); ++place) {
+        await setSlider(page, place);
+        shown.push(await page.evaluate('viewer.view.cells[0].ghost.geometry.attributes.position.count'));
+      }
+      const vertices = await page.evaluate('viewer.page.runs[0].targets.map((target) => target.vertices)');
+      assert(new Set(vertices).size > 1);
+      assert.deepEqual(shown, [vertices[0], ...vertices]);
+    });
+  },
+
   // Of two runs: the same camera for both.
   async linked(address) {
     for (const size of widths) {

@@ -18,6 +18,17 @@ setup_file() {
   tm-reconstruct -q --cameras photos.txt --images photos --silhouettes masks --coarsest 1 --passes 2 \
     --iterations 1 --robust 0 --run seen
   tm-report seen -o seen.html
+  for radius in 20 28; do
+    mkdir -p "steps/$radius"
+    tm-shape sphere --radius "$radius" --faces 1000 | tm-photograph -q --ring 12 --distance 200 \
+      --size 160x120 --write-images "steps/$radius/photos" --write-silhouettes "steps/$radius/masks" -o steps.txt
+  done
+  tm-reconstruct -q --cameras steps.txt --sequence 'steps/*' --images '{}/photos' \
+    --silhouettes '{}/masks' --coarsest 1 --track 1 --passes 1 --iterations 1 --robust 0 --run grows
+  tm-report grows -o grows.html
+  tm-shape sphere --around torus.ply --faces 1000 -o coarse.ply
+  tm-morph -q torus.ply --sequence torus.ply coarse.ply sphere.ply --iterations 3 --run follows
+  tm-report follows -o follows.html
   tm-shape sphere --faces 8000 --format ply-ascii | awk '
     /^element vertex/ { n = $3 }
     /^element face/ { print "property uchar red\nproperty uchar green\nproperty uchar blue" }
@@ -84,6 +95,14 @@ check() {
 
 @test "a reconstruction is seen as each photograph sees it, beside the photograph" {
   check photographs seen.html
+}
+
+@test "a film shows cameras and photographs of the time step that the slider is at" {
+  check film grows.html
+}
+
+@test "a film shows the target of the frame that the slider is at" {
+  check targets follows.html
 }
 
 @test "two runs are turned together" {

@@ -166,7 +166,68 @@ FILES
   diff <(tm-cameras photos.txt | sed 's/\.png / /') <(tm-cameras seen/cameras.txt)
   reconstruct -o alone.ply
   cmp alone.ply seen/result.ply
-  run --separate-stderr tm-reconstruct --cameras photos.txt --images 'photos/{}' --sequence x --run y
-  assert_status 2
-  [[ $stderr == *"--run is for one surface"* ]]
+}
+
+@test "a film that is followed keeps each frame's target, and none of an earlier film" {
+  tm-transform -q --scale 1.1 torus.ply -o large.ply
+  film() {
+    tm-morph -q "a sphere.ply" --sequence torus.ply large.ply torus.ply --iterations 2 --run film "$@"
+  }
+  film
+  [ "$(files_of film/targets | xargs)" = "00001.ply 00002.ply 00003.ply" ]
+  tm-compare --json --reference large.ply film/targets/00002.ply | jq -e '.hausdorff < 1e-12'
+  # Nothing of it is left by a run that has fewer.
+  touch film/targets/letter
+  tm-morph -q "a sphere.ply" --sequence torus.ply --iterations 2 --run film
+  [ "$(files_of film/targets | xargs)" = "00001.ply letter" ]
+  tm-evolve -q --step cat --iterations 1 --run film torus.ply
+  [ "$(files_of film/targets)" = letter ]
+}
+
+# steps NUMBER: photographs and masks of a torus that turns, in steps/1 and so on.
+steps() {
+  local step cameras=(--ring 12)
+  for step in $(seq "$1"); do
+    mkdir -p "steps/$step"
+    tm-transform -q --rotate "0,0,1,$((step * 5))" torus.ply | tm-photograph -q "${cameras[@]}" \
+      --size 80x60 --write-images "steps/$step/photos" --write-silhouettes "steps/$step/masks" -o new.txt
+    mv new.txt cameras.txt
+    cameras=(--cameras cameras.txt)
+  done
+}
+
+reconstruct_steps() {
+  tm-reconstruct -q --cameras cameras.txt --images '{}/photos' --silhouettes '{}/masks' --coarsest 1 \
+    --track 1 --passes 2 --iterations 1 --robust 0 --sequence 'steps/*' "$@"
+}
+
+@test "a reconstruction of a film keeps surfaces and photographs of each time step" {
+  steps 2
+  reconstruct_steps --run seen
+  files_of seen | grep -v photographs | diff - <(printf '%s\n' frames/frame-00001.ply \
+    frames/frame-00002.ply log.csv report.json result.ply run.json views/00001/cameras.txt \
+    views/00002/cameras.txt)
+  [ "$(files_of seen/views/00002/photographs | wc -l)" -eq 12 ]
+  jq -e '.result.time_steps == 2 and .output.faces > 100' seen/report.json
+  # The surfaces are those that -o would give.
+  reconstruct_steps -o surfaces
+  cmp surfaces/1.ply seen/frames/frame-00001.ply
+  cmp surfaces/2.ply seen/frames/frame-00002.ply
+  cmp surfaces/2.ply seen/result.ply
+}
+
+@test "a reconstruction of a film that is killed is continued, to the same bytes" {
+  steps 3
+  reconstruct_steps -o surfaces
+  tm-reconstruct -q --cameras cameras.txt --images '{}/photos' --silhouettes '{}/masks' --coarsest 1 \
+    --track 1 --passes 2 --iterations 1 --robust 0 --sequence 'steps/*' --run seen 3>&- &
+  until [ -e seen/frames/frame-00001.ply ]; do sleep 0.01; done
+  kill -KILL $! || true
+  wait $! || true
+  reconstruct_steps --run seen --resume
+  cmp surfaces/3.ply seen/result.ply
+  [ "$(files_of seen/frames | wc -l)" -eq 3 ]
+  [ "$(wc -l <seen/log.csv)" -eq 4 ]
+  [ "$(files_of seen/views | grep -c cameras)" -eq 3 ]
+  [ "$(jq '.commands | length' seen/run.json)" -eq 2 ]
 }

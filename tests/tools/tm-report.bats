@@ -39,7 +39,7 @@ block_of() {
     [ "$(jq ".runs[0].meshes[$i].faces" data.json)" -eq "$(tm-info --get faces "$frame")" ]
     block_of page.html "mesh-0-$i" | tail -c +5 | grep -aq '"name":"distance"'
   done
-  block_of page.html target-0 | tail -c +5 | grep -aq '"faces":'
+  block_of page.html target-0-0 | tail -c +5 | grep -aq '"faces":'
 }
 
 @test "the page asks for nothing, and has the licence of what is in it" {

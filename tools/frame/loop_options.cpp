@@ -4,7 +4,6 @@
 #include <cctype>
 #include <exception>
 
-#include "tm/evolution/run_folder.h"
 #include "tm/io/mesh_io.h"
 #include "tm/io/output_target.h"
 #include "tm/support/error.h"
@@ -116,7 +115,7 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
 }
 
 void begin_run(const LoopChoices& choices, const Record& record, const Document* start, Run& run,
-               std::vector<std::pair<std::string, std::string>> files) {
+               RunFiles files) {
   if (choices.run.empty()) return;
   const std::string command = command_of(run.program());
   if (record.resumed()) return continue_run(choices.run, command);

@@ -5,11 +5,10 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "frame/run.h"
 #include "tm/evolution/loop.h"
+#include "tm/evolution/run_folder.h"
 
 namespace transformesh::tool {
 
@@ -38,7 +37,7 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
 /// Where there is --run: begins it with the start, if there is one, and these files, or adds the
 /// command to one that continues. To be called once inputs have been read, before the loop begins.
 void begin_run(const LoopChoices& choices, const Record& record, const Document* start, Run& run,
-               std::vector<std::pair<std::string, std::string>> files = {});
+               RunFiles files = {});
 
 /// The limit, and lines of progress.
 LoopOptions loop_of(const LoopChoices& choices, Run& run);

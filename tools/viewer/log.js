@@ -5,10 +5,16 @@ function fieldsOf(line) {
     quoted === undefined ? plain : quoted.replaceAll('""', '"'));
 }
 
+// Of the frames or time steps of a film: their names, by number.
+function stepNamesOf(header, rows) {
+  const place = header.indexOf('name');
+  return new Map(place < 0 ? [] : rows.map((row) => [Number(row[0]), row[place]]));
+}
+
 // A last line without its end is still being written.
 export function parseLog(text) {
   const lines = text.slice(0, text.lastIndexOf('\n') + 1).split('\n').filter((line) => line !== '');
-  if (lines.length < 2) return {names: [], columns: new Map(), rows: 0};
+  if (lines.length < 2) return {names: [], columns: new Map(), rows: 0, stepNames: new Map()};
   const header = fieldsOf(lines[0]);
   const rows = lines.slice(1).map(fieldsOf).filter((row) => row.length >= header.length);
   const columns = new Map();
@@ -16,5 +22,5 @@ export function parseLog(text) {
     const numbers = rows.map((row) => (row[i].trim() === '' ? NaN : Number(row[i])));
     if (numbers.some((number) => !Number.isNaN(number))) columns.set(name, numbers);
   });
-  return {names: [...columns.keys()], columns, rows: rows.length, counts: header[0]};
+  return {names: [...columns.keys()], columns, rows: rows.length, counts: header[0], stepNames: stepNamesOf(header, rows)};
 }

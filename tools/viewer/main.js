@@ -5,10 +5,12 @@ import {Colors, scaleOf} from './colors.js';
 import {dispose} from './geometry.js';
 import {watch} from './live.js';
 import {parseLog} from './log.js';
-import {lastNotAbove, nearest, short} from './numbers.js';
+import {lastNotAbove, nearest, short, shownWith} from './numbers.js';
 import {View} from './scene.js';
 import {Store} from './store.js';
 import {runElement} from './tables.js';
+
+const noCameras = [];
 
 const $ = (id) => document.getElementById(id);
 
@@ -17,7 +19,7 @@ class Viewer {
     this.colors = new Colors(page.colors);
     this.store = new Store(page.live, dispose);
     this.place = 0;
-    this.view = new View($('stage'), $('canvas'), $('cells'), page, this.colors);
+    this.view = new View($('stage'), $('canvas'), $('cells'), page, this.colors, (name) => this.store.picture(name));
     this.charts = new Charts($('curves'), (time) => this.goTo(nearest(this.times, time)));
     this.colorBy = page.color_by;
     this.#listen();
@@ -34,12 +36,10 @@ class Viewer {
     this.#setColumns();
     $('slider').max = this.times.length - 1;
     $('time').hidden = this.times.length < 2;
-    $('ghost-label').hidden = !page.runs.some((run) => run.target);
-    this.#setCameras();
+    $('ghost-label').hidden = !page.runs.some((run) => run.targets.length > 0);
     const logs = page.runs.map((run) => parseLog(run.log));
     const ends = [this.times[0], this.times.at(-1), ...logs.flatMap((log) => log.columns.get(log.counts) ?? [])];
     this.charts.setLogs(logs, Math.min(...ends), Math.max(...ends));
-    page.runs.forEach((run, i) => this.#showTarget(run, i));
     this.goTo(isFirst && !page.live ? this.times.length - 1 : wasAtEnd ? this.times.length - 1 : Math.min(this.place, this.times.length - 1));
   }
 
@@ -70,16 +70,16 @@ class Viewer {
     $('color-label').hidden = columns.size === 0;
   }
 
-  #setCameras() {
-    const names = this.page.runs.map((run) => run.cameras.map((camera) => camera.name)).find((some) => some.length > 0) ?? [];
+  // Those of the time steps that are shown, of the first run that has any.
+  #setCameras(cameras) {
+    cameras.forEach((some, i) => this.view.setCameras(i, some));
+    const names = (cameras.find((some) => some.length > 0) ?? []).map((camera) => camera.name);
     $('cameras-label').hidden = $('from-label').hidden = names.length === 0;
-    if ($('from').options.length === names.length + 1) return;
-    $('from').replaceChildren(new Option('anywhere', ''), ...names.map((name, i) => new Option(name, i)));
-  }
-
-  async #showTarget(run, i) {
-    if (!run.target || this.view.cells[i].hasTarget) return;
-    this.view.setTarget(i, await this.store.get(run.target.block, this.view.cells[i].extent));
+    const from = $('from');
+    if (from.options.length === names.length + 1 && names.every((name, i) => from.options[i + 1].text === name)) return;
+    const chosen = from.value;
+    from.replaceChildren(new Option('anywhere', ''), ...names.map((name, i) => new Option(name, i)));
+    from.value = Number(chosen) < names.length ? chosen : '';
   }
 
   goTo(place) {
@@ -88,13 +88,15 @@ class Viewer {
     $('slider').value = place;
     const shown = this.page.runs.map((run) => run.meshes[lastNotAbove(run.meshes.map((mesh) => mesh.number), time)]);
     this.#setNow(time, shown);
+    this.#setCameras(this.page.runs.map((run, i) => shownWith(run.views, shown[i].number)?.cameras ?? noCameras));
     this.charts.setTime(time);
     this.#showMeshes(shown, place);
   }
 
   #setNow(time, shown) {
-    const counts = this.charts.logs?.[0]?.counts ?? 'frame';
-    const label = shown.length === 1 && shown[0].label !== '' ? shown[0].label : `${counts} ${time}`;
+    const {counts, stepNames} = this.charts.logs[0];
+    const name = stepNames.get(time);
+    const label = shown.length === 1 && shown[0].label !== '' ? shown[0].label : `${counts ?? 'frame'} ${time}${name ? ` · ${name}` : ''}`;
     $('now').textContent = label;
     const faces = shown.map((mesh) => (mesh.faces > 0 ? `${short(mesh.faces)} faces` : `${short(mesh.vertices)} points`));
     $('slider').setAttribute('aria-valuetext', `${label}, ${faces.join(', ')}`);
@@ -124,9 +126,14 @@ class Viewer {
   }
 
   async #unpackAndShow({shown, place}) {
-    const meshes = await Promise.all(shown.map((mesh, i) => this.store.get(mesh.block, this.view.cells[i].extent)));
+    const get = (mesh, i) => mesh && this.store.get(mesh.block, this.view.cells[i].extent);
+    const [meshes, targets] = await Promise.all([
+      Promise.all(shown.map(get)),
+      Promise.all(shown.map((mesh, i) => get(shownWith(this.page.runs[i].targets, mesh.number), i))),
+    ]);
     const scale = this.#scaleFor(meshes);
     meshes.forEach((mesh, i) => this.view.setMesh(i, mesh, this.colorBy, scale));
+    targets.forEach((target, i) => target && this.view.setTarget(i, target));
     this.#setLegend(scale);
     document.body.dataset.shown = place;
   }
@@ -194,7 +201,7 @@ class Viewer {
       $(look).addEventListener('change', () => this.view.setLooks({[look]: $(look).checked}));
     $('from').addEventListener('change', () => {
       const number = $('from').value === '' ? undefined : Number($('from').value);
-      this.view.lookFrom(number, (name) => this.store.picture(name));
+      this.view.lookFrom(number);
     });
     this.view.onLook = (number) => { $('from').value = number ?? ''; };
     $('stage').addEventListener('keydown', (event) => this.#onKey(event));

@@ -20,6 +20,12 @@ export function lastNotAbove(numbers, value) {
   return Math.max(low - 1, 0);
 }
 
+// Of `steps` with numbers in order the one with which what has this number is shown: the next one,
+// else the last.
+export function shownWith(steps, number) {
+  return steps.find((step) => step.number >= number) ?? steps.at(-1);
+}
+
 export function nearest(numbers, value) {
   const before = lastNotAbove(numbers, value);
   const after = Math.min(before + 1, numbers.length - 1);

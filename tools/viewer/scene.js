@@ -17,7 +17,7 @@ const home = new Spherical(1.02 / Math.sin(halfFieldOfView), MathUtils.degToRad(
 // Middle and radius of all that a run shows.
 export function extentOf(run) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  const meshes = [...run.meshes, ...(run.target ? [run.target] : [])];
+  const meshes = [...run.meshes, ...run.targets];
   for (const mesh of meshes) {
     for (let axis = 0; axis < 3; ++axis) {
       low[axis] = Math.min(low[axis], mesh.low[axis]);
@@ -67,7 +67,7 @@ function frustaOf(cameras, {middle, radius}) {
 class Cell {
   constructor(run, extent, radius, up, shared) {
     this.extent = extent;
-    this.cameras = run.cameras;
+    this.cameras = [];
     this.photograph = document.createElement('img');
     this.photograph.hidden = true;
     this.element = document.createElement('div');
@@ -86,13 +86,20 @@ class Cell {
     this.ghost = new Mesh(new BufferGeometry(), shared.ghost);
     this.ghost.renderOrder = 1;
     this.ghostPoints = new Points(new BufferGeometry(), shared.ghostPoints);
-    this.frusta = new LineSegments(frustaOf(run.cameras, extent), shared.frusta);
-    this.cameraDistance = Math.max(0, ...run.cameras.map(({center}) =>
-      Math.hypot(...center.map((x, axis) => (x - extent.middle[axis]) / extent.radius))));
+    this.frusta = new LineSegments(new BufferGeometry(), shared.frusta);
     for (const object of this.objects()) {
       object.frustumCulled = false;
       this.group.add(object);
     }
+  }
+
+  setCameras(cameras) {
+    this.cameras = cameras;
+    const {middle, radius} = this.extent;
+    this.frusta.geometry.dispose();
+    this.frusta.geometry = frustaOf(cameras, this.extent);
+    this.cameraDistance = Math.max(0, ...cameras.map(({center}) =>
+      Math.hypot(...center.map((x, axis) => (x - middle[axis]) / radius))));
   }
 
   objects() {
@@ -101,8 +108,10 @@ class Cell {
 }
 
 export class View {
-  constructor(stage, canvas, cells, page, colors) {
+  // `picture` gives a promise of the source of an image for the name of a photograph.
+  constructor(stage, canvas, cells, page, colors, picture) {
     this.stage = stage;
+    this.picture = picture;
     this.canvas = canvas;
     this.colors = colors;
     this.looks = {wireframe: false, flat: false, ghost: true, cameras: false};
@@ -147,23 +156,41 @@ export class View {
     this.draw();
   }
 
-  // The camera of that number, where a run has it, or else the one that the user moves; `picture`
-  // gives the source of an image for the name of a photograph.
-  async lookFrom(number, picture) {
+  // The camera of that number, where a run has it, or else the one that the user moves.
+  lookFrom(number) {
     this.from = number;
-    for (const cell of this.cells) {
-      cell.photograph.hidden = true;
-      const camera = cell.cameras[number];
-      cell.seenFrom?.removeFromParent();
-      cell.seenFrom = camera && cameraOf(camera, cell.extent);
-      if (!camera) continue;
-      cell.group.add(cell.seenFrom);
-      cell.photograph.alt = `Photograph ${camera.name}`;
-      if (camera.photograph === '') continue;
-      cell.photograph.src = await picture(camera.photograph);
-      cell.photograph.hidden = this.from !== number;
-    }
+    for (const cell of this.cells) this.#lookFromCamera(cell);
     this.onLook?.(number);
+    this.draw();
+  }
+
+  #lookFromCamera(cell) {
+    const camera = cell.cameras[this.from];
+    cell.seenFrom?.removeFromParent();
+    cell.seenFrom = camera && cameraOf(camera, cell.extent);
+    if (camera) cell.group.add(cell.seenFrom);
+    this.#setPhotograph(cell, camera);
+  }
+
+  // The one before stays until the next one is there, as time moves.
+  async #setPhotograph(cell, camera) {
+    const name = camera?.photograph ?? '';
+    if (name === '') cell.photograph.hidden = true;
+    if (cell.pictured === name) return;
+    cell.pictured = name;
+    if (name === '') return;
+    cell.photograph.alt = `Photograph ${camera.name}`;
+    const source = await this.picture(name).catch(() => '');
+    if (cell.pictured !== name) return;
+    cell.photograph.src = source;
+    cell.photograph.hidden = source === '';
+  }
+
+  setCameras(i, cameras) {
+    const cell = this.cells[i];
+    if (cell.cameras === cameras) return;
+    cell.setCameras(cameras);
+    if (this.from !== undefined) this.#lookFromCamera(cell);
     this.draw();
   }
 

@@ -170,7 +170,8 @@ void Record::save(const Document& document, std::size_t iteration, Memory memory
 }
 
 void Record::keep_frame(const Document& document, std::size_t iteration) const {
-  if (options_.frames.empty() || iteration % options_.every != 0) return;
+  const bool is_nothing = document.mesh.positions.empty() && document.mesh.faces.empty();
+  if (options_.frames.empty() || iteration % options_.every != 0 || is_nothing) return;
   make_folder(options_.frames);
   write_file(options_.frames + frame_name(iteration), write_mesh(document).bytes);
 }

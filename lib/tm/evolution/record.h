@@ -28,7 +28,7 @@ struct RecordOptions {
   std::string settings;    ///< what determines the result: a run that continues must have the same
   bool resume = false;     ///< continue from the state where there is one
   bool restart = false;    ///< throw the state of an interrupted run away
-  std::string frames;      ///< folder for frame-00000.ply and so on
+  std::string frames;      ///< folder for frame-00000.ply and so on, of meshes that are not empty
   std::size_t every = 10;  ///< iterations from one frame to the next
   std::string csv;
   bool is_alone = false;           ///< refuse to run beside another process that has this state

@@ -2,8 +2,10 @@
 ///
 ///     run.json              which program with which command lines, see RunDescription
 ///     start.ply             the mesh given, where one is
-///     target.ply            what a morph moves towards
-///     cameras.txt, photographs/                     the views of a reconstruction (run_views.h)
+///     target.ply            what a morph moves towards; of a film targets/00001.ply and so on
+///     cameras.txt, photographs/                     the views of a reconstruction (run_views.h);
+///     of
+///                           a film those in views/00001 and so on
 ///     frames/frame-00000.ply and so on, log.csv     as the loop goes on (record.h)
 ///     result.ply, report.json                       at the end
 ///
@@ -19,15 +21,11 @@
 namespace transformesh {
 
 namespace run_file {
-inline constexpr const char* description = "/run.json";
-inline constexpr const char* start = "/start.ply";
-inline constexpr const char* target = "/target.ply";
-inline constexpr const char* cameras = "/cameras.txt";
-inline constexpr const char* photographs = "/photographs";
-inline constexpr const char* frames = "/frames";
-inline constexpr const char* log = "/log.csv";
-inline constexpr const char* report = "/report.json";
-inline constexpr const char* result = "/result.ply";
+inline constexpr const char *description = "/run.json", *start = "/start.ply",
+                            *target = "/target.ply", *targets = "/targets",
+                            *cameras = "/cameras.txt", *photographs = "/photographs",
+                            *views = "/views", *frames = "/frames", *log = "/log.csv",
+                            *report = "/report.json", *result = "/result.ply";
 }  // namespace run_file
 
 /// As run.json holds it, under these names, beside `layout`: 1.
@@ -36,22 +34,27 @@ struct RunDescription {
   /// As a shell reads them: the one that began the run, then those that continued it.
   std::vector<std::string> commands;
 };
+using RunFiles = std::vector<std::pair<std::string, std::string>>;  ///< names and bytes
+using RunPaths = std::vector<std::pair<std::size_t, std::string>>;  ///< numbers and paths, in order
 
 /// Throws UsageError where the folder holds files and no run.
 void check_run_folder(const std::string& folder);
-
-/// Writes the description, removes what an earlier run has left, and writes the files given (name
-/// and bytes).
-void begin_run(const std::string& folder, const RunDescription& description,
-               const std::vector<std::pair<std::string, std::string>>& files);
-
+/// Writes the description, removes what an earlier run has left, and writes the files given.
+void begin_run(const std::string& folder, const RunDescription& description, const RunFiles& files);
+/// Writes more of them as the loop goes on.
+void add_to_run(const std::string& folder, const RunFiles& files);
 /// Adds a command to the description.
 void continue_run(const std::string& folder, const std::string& command);
 
 /// Throws InputError where the folder is no run, or is one of a later layout.
 RunDescription read_run(const std::string& folder);
 
-/// The frames that are there, in order: their numbers and paths.
-std::vector<std::pair<std::size_t, std::string>> run_frames(const std::string& folder);
+/// What is there. Targets and views of a film, whose paths are those of their folders, have the
+/// numbers of their frames; those of other runs have the number 0.
+RunPaths run_frames(const std::string& folder);
+RunPaths run_targets(const std::string& folder);
+RunPaths run_views(const std::string& folder);
+/// `targets` or `views`, then `/`, five digits of the number and the ending.
+std::string run_name(const char* files, std::size_t number, const std::string& ending);
 
 }  // namespace transformesh

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "tm/evolution/run_folder.h"
 #include "tm/io/streams.h"
 #include "tm/picture/png.h"
 #include "tm/support/number.h"
@@ -64,19 +63,20 @@ std::optional<PhotographName> parse(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> run_files_of(std::span<const View> views) {
+RunFiles run_files_of(std::span<const View> views, std::size_t step) {
+  const std::string place = step > 0 ? run_name(run_file::views, step, "") : "";
   CameraList list;
-  std::vector<std::pair<std::string, std::string>> files;
+  RunFiles files;
   for (const View& view : views) {
     if (!view.image.empty())
-      files.emplace_back(photograph_name(list.cameras.size(), view.image),
+      files.emplace_back(place + photograph_name(list.cameras.size(), view.image),
                          small_picture(view.image));
     CameraRecord record;
     record.name = camera_name(view.name, list);
     record.camera = view.camera;
     list.cameras.push_back(std::move(record));
   }
-  files.emplace_back(run_file::cameras, write_cameras(list, CameraFormat::middlebury));
+  files.emplace_back(place + run_file::cameras, write_cameras(list, CameraFormat::middlebury));
   return files;
 }
 

@@ -5,24 +5,26 @@
 
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "tm/evolution/run_folder.h"
 #include "tm/views/cameras/camera_record.h"
 #include "tm/views/cameras/view.h"
 
 namespace transformesh {
 
-/// Names and bytes for begin_run(). Blanks in names of views become `_`, and equal names are
-/// numbered. Photographs are gray and at most 320 pixels wide and high. Deterministic.
-std::vector<std::pair<std::string, std::string>> run_files_of(std::span<const View> views);
+/// Names and bytes for begin_run(); of a time step, from 1 on, for add_to_run(). The cameras are
+/// last. Blanks in names of views become `_`, and equal names are numbered. Photographs are gray
+/// and at most 320 pixels wide and high. Deterministic.
+RunFiles run_files_of(std::span<const View> views, std::size_t step = 0);
 
 struct RunView {
   CameraRecord camera;     ///< with the image's size where there is its photograph
   std::string photograph;  ///< PNG, or empty
 };
 
-/// Of a run that has none: empty. Throws InputError for cameras that cannot be read.
+/// Of the folder of a run or of one of its time steps (run_views). Of one that has none:
+/// empty. Throws InputError for cameras that cannot be read.
 std::vector<RunView> read_run_views(const std::string& folder);
 
 }  // namespace transformesh

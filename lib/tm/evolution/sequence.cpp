@@ -172,6 +172,7 @@ void SequenceLoop::advance(Document& document, std::size_t iteration, const Prog
 }
 
 void SequenceLoop::publish() const {
+  if (options_.folder.empty()) return;
   Document published = surface_.document;
   published.style.format = options_.format;
   const std::string extension = options_.format == Format::off ? ".off" : ".ply";

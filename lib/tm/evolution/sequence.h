@@ -21,7 +21,7 @@ struct SequenceOptions {
   ReconstructionOptions reconstruction;
   double track = 4;                        ///< the coarsest scale of those that do
   std::vector<std::string> comments = {};  ///< of surfaces that begin with a hull
-  std::string folder;                      ///< for the surfaces, NAME.ply or NAME.off
+  std::string folder;                      ///< for the surfaces, NAME.ply or NAME.off, or none
   Format format = Format::ply_little;      ///< of these
   std::string states = {};  ///< folder, the record's, for states within a time step; empty: none
   std::function<void(const std::string& message)> on_step = {};

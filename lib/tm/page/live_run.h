@@ -20,24 +20,26 @@ class LiveRun {
   void refresh(double seconds);
   /// The run as far as it is known; it may have no mesh yet.
   const PageRun& run() const { return run_; }
-  /// A packed mesh by the name of its block, or a photograph by its own; null where there is none.
+  /// A packed mesh or a photograph by the name that page_json() has; null where there is none.
   const std::string* block(const std::string& name) const;
 
  private:
-  struct Known {
-    std::string stamp;  ///< of the file
-    PageMesh mesh;
-  };
-  void read_texts();
-  void read_target();
+  /// By path, with what tells that the file is another one.
+  template <class What>
+  using Known = std::map<std::string, std::pair<std::string, What>>;
+
+  void read_views();
   void read_meshes(double seconds);
-  std::optional<PageMesh> read_mesh(std::size_t number, const std::string& path) const;
+  void read_target(std::size_t number, const std::string& path);
+  std::optional<PageMesh> read_mesh(std::size_t number, const std::string& path,
+                                    const RunPaths::value_type* target);
 
   std::string folder_;
   PageRun run_;
-  Mesh target_;
-  std::string target_stamp_;
-  std::map<std::string, Known> known_;  ///< by path
+  Known<PageMesh> meshes_, targets_;
+  Known<PageViews> views_;
+  Mesh target_;              ///< the one read last
+  std::string target_path_;  ///< with its stamp
 };
 
 }  // namespace transformesh

@@ -41,8 +41,22 @@ Json columns_json(const PageRun& run) {
   return columns;
 }
 
-Json mesh_json(const PageMesh& mesh, const std::string& place) {
-  const std::string& block = mesh.block.empty() ? place : mesh.block;
+std::string name_of(const char* what, std::size_t run, std::size_t index) {
+  return std::string(what) + '-' + std::to_string(run) + '-' + std::to_string(index);
+}
+
+constexpr const char *mesh_prefix = "mesh", *target_prefix = "target";
+
+std::string block_name(const PageMesh& mesh, const char* prefix, std::size_t run,
+                       std::size_t index) {
+  return mesh.block.empty() ? name_of(prefix, run, index) : mesh.block;
+}
+
+std::string photograph_name(std::size_t run, const PageViews& views, std::size_t index) {
+  return name_of("photograph", run, views.number) + '-' + std::to_string(index);
+}
+
+Json mesh_json(const PageMesh& mesh, const std::string& block) {
   return {{"number", mesh.number},
           {"label", mesh.label},
           {"vertices", mesh.mesh.vertices},
@@ -78,12 +92,19 @@ Json report_json(const PageRun& run) {
 }
 
 Json run_json(const PageRun& run, std::size_t number) {
-  Json meshes = Json::array();
-  for (std::size_t i = 0; i < run.meshes.size(); ++i)
-    meshes.push_back(mesh_json(run.meshes[i], block_name(number, i)));
-  Json cameras = Json::array();
-  for (std::size_t i = 0; i < run.views.size(); ++i)
-    cameras.push_back(camera_json(run.views[i], photograph_name(number, i)));
+  const auto meshes_json = [&](const std::vector<PageMesh>& meshes, const char* prefix) {
+    Json json = Json::array();
+    for (const PageMesh& mesh : meshes)
+      json.push_back(mesh_json(mesh, block_name(mesh, prefix, number, json.size())));
+    return json;
+  };
+  Json views = Json::array();
+  for (const PageViews& step : run.views) {
+    Json cameras = Json::array();
+    for (const RunView& view : step.views)
+      cameras.push_back(camera_json(view, photograph_name(number, step, cameras.size())));
+    views.push_back({{"number", step.number}, {"cameras", cameras}});
+  }
   return {{"name", run.name},
           {"tool", run.tool},
           {"version", run.version},
@@ -91,9 +112,9 @@ Json run_json(const PageRun& run, std::size_t number) {
           {"log", run.log},
           {"report", report_json(run)},
           {"columns", columns_json(run)},
-          {"meshes", meshes},
-          {"target", run.target ? mesh_json(*run.target, block_name(number, {})) : Json()},
-          {"cameras", cameras}};
+          {"meshes", meshes_json(run.meshes, mesh_prefix)},
+          {"targets", meshes_json(run.targets, target_prefix)},
+          {"views", views}};
 }
 
 /// So many colors that between them sRGB is as good as linear.
@@ -125,10 +146,6 @@ std::string data_element(const std::string& id, const std::string& type, std::st
   return "<script id=\"" + id + "\" type=\"" + type + "\">" + text + "</script>\n";
 }
 
-void append_block(std::string& html, const PageMesh& mesh, const std::string& name) {
-  html += data_element(name, "text/plain", base64(mesh.mesh.block));
-}
-
 }  // namespace
 
 std::string page_json(const Page& page) {
@@ -143,29 +160,28 @@ std::string page_json(const Page& page) {
                   {"runs", runs}});
 }
 
-std::string block_name(std::size_t run, std::optional<std::size_t> index) {
-  if (!index) return "target-" + std::to_string(run);
-  return "mesh-" + std::to_string(run) + '-' + std::to_string(*index);
-}
-
-std::string photograph_name(std::size_t run, std::size_t index) {
-  return "photograph-" + std::to_string(run) + '-' + std::to_string(index);
+PageBlocks page_blocks(std::span<const PageRun> runs) {
+  PageBlocks blocks;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto add = [&](const std::vector<PageMesh>& meshes, const char* prefix) {
+      for (std::size_t k = 0; k < meshes.size(); ++k)
+        blocks.emplace_back(block_name(meshes[k], prefix, i, k), &meshes[k].mesh.block);
+    };
+    add(runs[i].targets, target_prefix);
+    add(runs[i].meshes, mesh_prefix);
+    for (const PageViews& step : runs[i].views)
+      for (std::size_t k = 0; k < step.views.size(); ++k)
+        if (!step.views[k].photograph.empty())
+          blocks.emplace_back(photograph_name(i, step, k), &step.views[k].photograph);
+  }
+  return blocks;
 }
 
 std::string page_html(const Page& page, std::string_view viewer) {
   std::string data = data_element("page", "application/json", page_json(page));
-  if (!page.is_live) {
-    for (std::size_t i = 0; i < page.runs.size(); ++i) {
-      const PageRun& run = page.runs[i];
-      if (run.target) append_block(data, *run.target, block_name(i, {}));
-      for (std::size_t k = 0; k < run.meshes.size(); ++k)
-        append_block(data, run.meshes[k], block_name(i, k));
-      for (std::size_t k = 0; k < run.views.size(); ++k)
-        if (!run.views[k].photograph.empty())
-          data +=
-              data_element(photograph_name(i, k), "text/plain", base64(run.views[k].photograph));
-    }
-  }
+  if (!page.is_live)
+    for (const auto& [name, bytes] : page_blocks(page.runs))
+      data += data_element(name, "text/plain", base64(*bytes));
   std::string html(viewer);
   if (page.is_live) replace(html, "connect-src 'none'", "connect-src 'self'");
   replace(html, "<!--tm:title-->", html_escaped(page.title));

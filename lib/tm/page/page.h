@@ -4,10 +4,9 @@
 /// Content-Security-Policy. Cost: linear. Deterministic for a version of zlib and a viewer.
 #pragma once
 
-#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "tm/evolution/run_views.h"
@@ -19,19 +18,22 @@ struct PageMesh {
   std::size_t number = 0;  ///< of the iteration, in the first column of the log; or of the file
   std::string label;       ///< empty: the number says it
   PackedMesh mesh;
-  std::string block = {};  ///< name of its block; empty: block_name()
+  std::string block = {};  ///< name of its block, or empty
 };
 
-/// A run, or meshes one of which is shown at a time.
+struct PageViews {
+  std::size_t number = 0;  ///< of the time step
+  std::vector<RunView> views;
+};
+
+/// A run, or meshes one of which is shown at a time, with the target and the views of its number,
+/// else the next ones, else the last.
 struct PageRun {
-  std::string name;
-  std::string tool, version;          ///< empty where these are just meshes
-  std::vector<std::string> commands;  ///< that made it
-  std::string log;                    ///< CSV, or empty
-  std::string report;                 ///< JSON, or empty while it goes on
-  std::vector<PageMesh> meshes;       ///< in order
-  std::optional<PageMesh> target;
-  std::vector<RunView> views;  ///< of a reconstruction
+  std::string name, tool, version;        ///< the latter empty where these are just meshes
+  std::vector<std::string> commands;      ///< that made it
+  std::string log, report;                ///< CSV and JSON, or empty
+  std::vector<PageMesh> meshes, targets;  ///< in order, and so are
+  std::vector<PageViews> views;
 };
 
 struct Page {
@@ -43,13 +45,11 @@ struct Page {
   std::vector<PageRun> runs;
 };
 
-/// What there is to show, without the blocks, as the viewer reads it. Throws InputError where a
-/// report is no JSON.
+/// What there is to show, without the blocks. Throws InputError where a report is no JSON.
 std::string page_json(const Page& page);
-
-/// The name of a block in the page: `mesh-RUN-INDEX` or `target-RUN`; of a photograph.
-std::string block_name(std::size_t run, std::optional<std::size_t> index);
-std::string photograph_name(std::size_t run, std::size_t index);
+/// Names and bytes of their meshes, targets and photographs, as page_json() has them.
+using PageBlocks = std::vector<std::pair<std::string, const std::string*>>;
+PageBlocks page_blocks(std::span<const PageRun> runs);
 
 /// Puts all of it into the viewer's page, whose places for that are comments: `<!--tm:title-->` in
 /// the title, `<!--tm:data-->` in the body. A live page gets no blocks.

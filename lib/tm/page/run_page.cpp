@@ -1,10 +1,10 @@
 #include "tm/page/run_page.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
-#include "tm/evolution/run_folder.h"
 #include "tm/evolution/run_views.h"
 #include "tm/geometry/compare.h"
 #include "tm/io/mesh_io.h"
@@ -32,10 +32,8 @@ std::size_t last_number(const std::string& log) {
   return number_in<std::size_t>(line.substr(0, line.find(','))).value_or(0);
 }
 
-using Files = std::vector<std::pair<std::size_t, std::string>>;
-
-Files every_few(const Files& files, std::size_t every) {
-  Files kept;
+RunPaths every_few(const RunPaths& files, std::size_t every) {
+  RunPaths kept;
   for (std::size_t i = 0; i < files.size(); ++i)
     if (i % every == 0 || i + 1 == files.size()) kept.push_back(files[i]);
   return kept;
@@ -47,20 +45,29 @@ std::string name_of_folder(const std::string& folder) {
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
+bool is_new(const RunPaths::value_type* shown, const auto& known) {
+  return shown != nullptr && (known.empty() || known.back().number != shown->first);
+}
+
 }  // namespace
 
-PageMesh read_frame(std::size_t number, const std::string& path, const Mesh* target) {
+PageMesh read_frame(std::size_t number, const std::string& path, const Mesh& target) {
   Mesh mesh = read_mesh_file(path);
-  if (target != nullptr && !target->positions.empty() && !mesh.positions.empty())
+  if (!target.positions.empty() && !mesh.positions.empty())
     mesh.vertex_columns.get("distance", Scalar::float64, mesh.positions.size()).values =
-        vertex_distances(mesh, *target);
+        vertex_distances(mesh, target);
   return {number, path.ends_with(run_file::result) ? "result" : "", pack(mesh)};
 }
 
-Mesh read_run_target(const std::string& folder) {
-  const std::string path = folder + run_file::target;
-  if (!std::filesystem::exists(path)) return {};
+Mesh read_run_target(const std::string& path) {
   return read_mesh_or_points(read_all(path).view(), path);
+}
+
+const RunPaths::value_type* shown_with(std::size_t number, const RunPaths& paths) {
+  const auto found =
+      std::ranges::find_if(paths, [&](const auto& one) { return one.first >= number; });
+  if (found != paths.end()) return &*found;
+  return paths.empty() ? nullptr : &paths.back();
 }
 
 PageRun read_run_texts(const std::string& folder) {
@@ -72,12 +79,11 @@ PageRun read_run_texts(const std::string& folder) {
   run.commands = description.commands;
   run.log = text_in(folder + run_file::log);
   run.report = text_in(folder + run_file::report);
-  run.views = read_run_views(folder);
   return run;
 }
 
-Files run_mesh_files(const std::string& folder, const std::string& log) {
-  Files files = run_frames(folder);
+RunPaths run_mesh_files(const std::string& folder, const std::string& log) {
+  RunPaths files = run_frames(folder);
   const std::string result = folder + run_file::result;
   const std::size_t last = last_number(log);
   if (std::filesystem::exists(result) && (files.empty() || files.back().first < last))
@@ -88,14 +94,20 @@ Files run_mesh_files(const std::string& folder, const std::string& log) {
 PageRun read_run_page(const std::string& folder, const RunPageOptions& options,
                       const Progress& progress) {
   PageRun run = read_run_texts(folder);
-  const Mesh target = read_run_target(folder);
-  if (!target.positions.empty()) run.target = PageMesh{0, "target", pack(target)};
-
-  const Files files = every_few(run_mesh_files(folder, run.log), options.every);
+  const RunPaths targets = run_targets(folder), views = run_views(folder);
+  const RunPaths files = every_few(run_mesh_files(folder, run.log), options.every);
   if (files.empty()) throw InputError("'" + folder + "' has neither frames nor a result yet");
+  Mesh target;
   for (const auto& [number, path] : files) {
     progress("pack", static_cast<double>(run.meshes.size()) / static_cast<double>(files.size()));
-    run.meshes.push_back(read_frame(number, path, &target));
+    const auto* aim = shown_with(number, targets);
+    if (is_new(aim, run.targets)) {
+      target = read_run_target(aim->second);
+      run.targets.push_back({aim->first, "target", pack(target)});
+    }
+    const auto* seen = shown_with(number, views);
+    if (is_new(seen, run.views)) run.views.push_back({seen->first, read_run_views(seen->second)});
+    run.meshes.push_back(read_frame(number, path, target));
   }
   return run;
 }

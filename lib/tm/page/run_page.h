@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "tm/evolution/run_folder.h"
 #include "tm/page/page.h"
 #include "tm/support/progress.h"
 
@@ -15,8 +16,8 @@ struct RunPageOptions {
 
 /// With the result as the last mesh, unless that is the last frame. Where there is a target,
 /// vertices get the column `distance`, from its faces, or from its points where it has none; a
-/// column of that name gives way. Throws InputError where the folder is no run, or where it has
-/// neither frames nor a result.
+/// column of that name gives way. Of a film, the targets and views of the meshes shown. Throws
+/// InputError where the folder is no run, or where it has neither frames nor a result.
 PageRun read_run_page(const std::string& folder, const RunPageOptions& options = {},
                       const Progress& progress = {});
 
@@ -27,16 +28,17 @@ Page read_runs_page(const std::vector<std::string>& folders, const RunPageOption
 /// Whether some mesh of a run has the column, so that it can be `color_by`.
 bool has_column(const Page& page, const std::string& name);
 
-/// All of it but meshes, and the files of those: the frames, then the result unless that is the
-/// last frame, with their numbers.
+/// All of it but meshes and views, and the files of the former: the frames, then the result unless
+/// that is the last frame, with their numbers.
 PageRun read_run_texts(const std::string& folder);
-std::vector<std::pair<std::size_t, std::string>> run_mesh_files(const std::string& folder,
-                                                                const std::string& log);
+RunPaths run_mesh_files(const std::string& folder, const std::string& log);
 
-/// One frame of it as such a page has it.
-PageMesh read_frame(std::size_t number, const std::string& path, const Mesh* target);
+/// One frame of it as such a page has it; the target may be empty.
+PageMesh read_frame(std::size_t number, const std::string& path, const Mesh& target);
 
-/// The target, or an empty mesh where there is none.
-Mesh read_run_target(const std::string& folder);
+/// Of targets or views that one with which the mesh of this number is shown; null where none is.
+const RunPaths::value_type* shown_with(std::size_t number, const RunPaths& paths);
+
+Mesh read_run_target(const std::string& path);
 
 }  // namespace transformesh

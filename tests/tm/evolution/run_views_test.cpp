@@ -6,6 +6,7 @@
 
 #include "helpers/temporary_folder.h"
 #include "tm/evolution/run_folder.h"
+#include "tm/io/atomic_file.h"
 #include "tm/views/cameras/camera_ring.h"
 #include "tm/views/images/image_file.h"
 
@@ -25,6 +26,28 @@ std::vector<View> views_of_a_ring() {
 }
 
 }  // namespace
+
+TEST_CASE("views of time steps are apart, and go with the run") {
+  const TemporaryFolder above;
+  const std::string folder = above / "run";
+  const std::vector<View> views = views_of_a_ring();
+  begin_run(folder, {"tm-reconstruct", "1", {}}, {});
+  for (const std::size_t step : {2, 1}) add_to_run(folder, run_files_of(views, step));
+  make_folder(folder + "/views/00003");
+  const RunPaths found = run_views(folder);
+  REQUIRE(found.size() == 2);
+  CHECK(found[1] == RunPaths::value_type{2, folder + "/views/00002"});
+  CHECK(read_run_views(found[1].second).size() == 3);
+  CHECK_FALSE(read_run_views(found[1].second)[0].photograph.empty());
+  CHECK(read_run_views(folder).empty());
+
+  make_file(folder + "/views/00001/notes.txt", "mine");
+  begin_run(folder, {"tm-reconstruct", "1", {}}, run_files_of(views));
+  CHECK(run_views(folder) == RunPaths{{0, folder}});
+  CHECK(std::filesystem::exists(folder + "/views/00001/notes.txt"));
+  CHECK_FALSE(std::filesystem::exists(folder + "/views/00001/photographs"));
+  CHECK_FALSE(std::filesystem::exists(folder + "/views/00002"));
+}
 
 TEST_CASE("views come back with their cameras, the images' sizes and small photographs") {
   const TemporaryFolder above;

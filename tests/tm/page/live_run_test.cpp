@@ -10,6 +10,7 @@
 #include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
 #include "tm/support/error.h"
+#include "tm/views/cameras/camera_ring.h"
 
 namespace transformesh {
 namespace {
@@ -67,8 +68,8 @@ TEST_CASE("a run that begins anew has other meshes, and a broken frame waits") {
   live.refresh(10);
   CHECK(numbers_of(live) == std::vector<std::size_t>{0});
   CHECK(live.run().tool == "tm-morph");
-  REQUIRE(live.run().target);
-  CHECK(live.block(live.run().target->block) != nullptr);
+  REQUIRE(live.run().targets.size() == 1);
+  CHECK(live.block(live.run().targets[0].block) != nullptr);
   CHECK(live.block(old) == nullptr);
   CHECK(live.run().meshes[0].mesh.columns.at(0).low == doctest::Approx(4).epsilon(0.01));
 
@@ -78,6 +79,38 @@ TEST_CASE("a run that begins anew has other meshes, and a broken frame waits") {
   add_frame(folder, 3, 1);
   live.refresh(10);
   CHECK(numbers_of(live) == std::vector<std::size_t>{0, 3});
+}
+
+TEST_CASE("of a film targets and views come with their frames") {
+  const TemporaryFolder above;
+  const std::string folder = above / "run";
+  begin_run(folder, {"tm-morph", "1", {}}, {});
+  add_frame(folder, 0, 1);
+  LiveRun live(folder);
+  live.refresh(10);
+  CHECK(live.run().targets.empty());
+  const std::string alone = live.run().meshes[0].block;
+
+  make_folder(folder + run_file::targets);
+  write_mesh_file(folder + run_name(run_file::targets, 1, ".ply"), test::icosphere(2));
+  const std::vector<View> views{{"a", camera_ring({.count = 2}).cameras[0].camera, {8, 6, 1}, {}}};
+  add_to_run(folder, run_files_of(views, 1));
+  add_frame(folder, 1, 2);
+  live.refresh(10);
+  CHECK(numbers_of(live) == std::vector<std::size_t>{0, 1});
+  REQUIRE(live.run().targets.size() == 1);
+  CHECK(live.block(live.run().targets[0].block) != nullptr);
+  // Now it has distances.
+  CHECK(live.run().meshes[0].block != alone);
+  REQUIRE(live.run().views.size() == 1);
+  CHECK(live.block("photograph-0-1-0") != nullptr);
+
+  write_mesh_file(folder + run_name(run_file::targets, 2, ".ply"), test::icosphere(3));
+  const std::string first = live.run().targets[0].block;
+  add_frame(folder, 2, 3);
+  live.refresh(10);
+  REQUIRE(live.run().targets.size() == 2);
+  CHECK(live.run().targets[0].block == first);
 }
 
 TEST_CASE("a folder that is no run is refused") {

@@ -49,7 +49,7 @@ TEST_CASE("a page holds what there is to show, and every mesh") {
   CHECK(json["runs"][0]["meshes"][1]["faces"] == 4);
   CHECK(json["runs"][0]["columns"][0] == Json{{"name", "heat"}, {"low", -1.0}, {"high", 2.0}});
   CHECK(json["runs"][0]["report"]["result"]["stop"] == "converged");
-  CHECK(json["runs"][0]["target"].is_null());
+  CHECK(json["runs"][0]["targets"].empty());
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string name = json["runs"][0]["meshes"][i]["block"];
     CHECK(content(html, name) == base64(page.runs[0].meshes[i].mesh.block));

@@ -48,7 +48,7 @@ TEST_CASE("a run that goes on is shown as far as it is") {
   CHECK(run.tool == "tm-morph");
   CHECK(run.report.empty());
   CHECK(numbers_of(run) == std::vector<std::size_t>{0, 1, 2, 3});
-  REQUIRE(run.target);
+  REQUIRE(run.targets.size() == 1);
   // The ball of radius 2 is 1 away from its target, more between the vertices of that.
   const PackedColumn& distance = run.meshes[0].mesh.columns.at(0);
   CHECK(distance.name == "distance");
@@ -66,6 +66,24 @@ TEST_CASE("of frames every few are taken, and the result where it is no frame") 
   const PageRun run = read_run_page(folder);
   CHECK(run.meshes.back().number == 8);
   CHECK(run.meshes.back().label == "result");
+}
+
+TEST_CASE("meshes of a film are shown with their own targets, the first one with the next") {
+  const TemporaryFolder above;
+  const std::string folder = make_run(above, 4);
+  make_folder(folder + run_file::targets);
+  for (const std::size_t number : {1, 2, 3})
+    write_mesh_file(folder + run_name(run_file::targets, number, ".ply"),
+                    test::scaled(test::icosphere(2), 2.0 + static_cast<double>(number)));
+  const PageRun run = read_run_page(folder, {.every = 2});
+  CHECK(numbers_of(run) == std::vector<std::size_t>{0, 2, 3});
+  REQUIRE(run.targets.size() == 3);
+  CHECK(run.targets[0].number == 1);
+  CHECK(run.targets[1].number == 2);
+  // Radii 2 and 3, 1.5 and 4, 1.25 and 5.
+  for (const auto& [i, distance] : {std::pair{0, 1.0}, {1, 2.5}, {2, 3.75}})
+    CHECK(run.meshes[i].mesh.columns.at(0).low == doctest::Approx(distance).epsilon(0.02));
+  CHECK(page_blocks({&run, 1}).size() == 6);
 }
 
 TEST_CASE("a folder that is no run, and a run without a mesh, are refused") {
