@@ -42,6 +42,8 @@ void declare_picture(Program& program, RenderOptions& options) {
                  "degrees beyond which a bend is drawn as a sharp edge; 0 draws flat faces");
   program.flag("ambient-occlusion", &options.occlusion,
                "dim the light where the mesh keeps it off, from all around");
+  program.flag("soft-shadow", &picture.shade.soft_shadow,
+               "let the mesh keep the main light off itself and off a floor");
   program.flag("edges", &picture.shade.draw_edges, "draw the edges of the faces");
 }
 
@@ -63,8 +65,8 @@ PictureOptions picture_of(const RenderOptions& options) {
 bool draws_lines(const Run& run) {
   if (ending_of(run.output()) != ".svg") return false;
   for (const Option& option : run.program().options)
-    for (const char* name :
-         {"color", "color-by", "range", "highlight", "background", "ambient-occlusion"})
+    for (const char* name : {"color", "color-by", "range", "highlight", "background",
+                             "ambient-occlusion", "soft-shadow"})
       if (option.is_given && option.name() == name)
         throw UsageError("--" + option.name() + ": an SVG holds lines alone; write a .png for it");
   return true;

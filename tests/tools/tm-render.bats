@@ -132,7 +132,7 @@ differ() {
   tm-render --views 2 --segments lines.ply -o lines.svg marked.ply
   [ "$(grep -c 'class="segments"' lines.svg)" -ge 1 ]
   [ "$(grep -c '<g>' lines.svg)" -eq 2 ]
-  for option in --color=white --background=white --highlight=intersections --color-by=x --range=0,1 --ambient-occlusion; do
+  for option in --color=white --background=white --highlight=intersections --color-by=x --range=0,1 --ambient-occlusion --soft-shadow; do
     run --separate-stderr tm-render "$option" -o other.svg marked.ply
     assert_status 2
     one_line "$stderr"
@@ -177,6 +177,25 @@ PYTHON
   tm-render --size 100x100 --ambient-occlusion --threads 1 genus.ply >one.png
   differ plain.png dimmed.png
   cmp dimmed.png one.png
+}
+
+@test "a soft shadow falls on the mesh and on a floor, for any number of threads" {
+  tm-shape genus 3 --faces 2000 -o genus.ply
+  tm-render --size 100x100 genus.ply >plain.png
+  tm-render --size 100x100 --soft-shadow genus.ply >shaded.png
+  tm-render --size 100x100 --soft-shadow --threads 1 genus.ply >one.png
+  tm-render --size 100x100 --soft-shadow --threads 4 genus.ply >four.png
+  differ plain.png shaded.png
+  cmp shaded.png one.png
+  cmp shaded.png four.png
+  # Meshes that stand on one floor: the shadow of the upper one is not where it ends itself.
+  tm-shape sphere --faces 500 -o ball.ply
+  tm-transform -q --translate 0,1,0 ball.ply -o above.ply
+  tm-render --size 200x100 --frame place --soft-shadow ball.ply above.ply >place.png
+  tm-render --size 200x100 --frame scale --soft-shadow ball.ply above.ply >scale.png
+  differ place.png scale.png
+  tm-render --size 100x100 --frames 2 --soft-shadow -o turn.png genus.ply
+  differ turn-000.png turn-001.png
 }
 
 @test "intersections are highlighted" {

@@ -31,16 +31,17 @@ Lights::Lights(const Camera& camera, const Vec3& upright) : upright_(upright.cas
 }
 
 Color Lights::reflected(const Color& surface, const Eigen::Vector3f& normal,
-                        const Eigen::Vector3f& to_eye) const {
+                        const Eigen::Vector3f& to_eye, float key_share) const {
   const float height = 0.5F + 0.5F * normal.dot(upright_);
   Color diffuse = ground + height * (sky - ground);
   Color glossy = Color::Zero();
   for (const Light& light : lights_) {
     const float facing = normal.dot(light.direction);
     if (facing <= 0) continue;
-    diffuse += facing * light.color;
+    const Color color = (&light == lights_.data() ? key_share : 1.0F) * light.color;
+    diffuse += facing * color;
     const Eigen::Vector3f halfway = (light.direction + to_eye).normalized();
-    glossy += sharpened(std::max(0.0F, normal.dot(halfway))) * light.color;
+    glossy += sharpened(std::max(0.0F, normal.dot(halfway))) * color;
   }
   return surface.cwiseProduct(diffuse) + gloss * glossy;
 }

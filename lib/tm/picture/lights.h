@@ -13,9 +13,11 @@ class Lights {
   Lights(const Camera& camera, const Vec3& upright);
 
   /// The light that leaves a surface of that color towards the eye. The normal and the direction
-  /// to the eye have length 1.
+  /// to the eye have length 1; of the key light that share arrives.
   Color reflected(const Color& surface, const Eigen::Vector3f& normal,
-                  const Eigen::Vector3f& to_eye) const;
+                  const Eigen::Vector3f& to_eye, float key_share = 1) const;
+  /// Of length 1.
+  Vec3 towards_key() const { return lights_[0].direction.cast<double>().normalized(); }
 
  private:
   struct Light {

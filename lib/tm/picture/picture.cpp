@@ -1,8 +1,10 @@
 #include "tm/picture/picture.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
+#include "tm/mesh/measure.h"
 #include "tm/picture/colormap.h"
 #include "tm/picture/legend.h"
 #include "tm/picture/panels.h"
@@ -26,6 +28,21 @@ ColorScale find_scale(std::span<const Mesh* const> meshes, const PictureOptions&
   if (!(options.range->first < options.range->second))
     throw UsageError("the range of colors ends before it begins: LOW must be less than HIGH");
   return {options.range->first, options.range->second};
+}
+
+double lowest(std::span<const Mesh* const> meshes, const Vec3& upright) {
+  double height = std::numeric_limits<double>::infinity();
+  for (const Mesh* mesh : meshes)
+    for (const Vec3& point : used_positions(*mesh)) height = std::min(height, upright.dot(point));
+  return height;
+}
+
+/// Where a mesh stands: like the view, the same for all meshes where their places compare.
+double floor_of(const Mesh* mesh, std::span<const Mesh* const> meshes,
+                const PictureOptions& options, const Vec3& upright) {
+  if (options.around != nullptr) return lowest({&options.around, 1}, upright);
+  if (options.framing == Framing::place) return lowest(meshes, upright);
+  return lowest({&mesh, 1}, upright);
 }
 
 /// The options for one of the meshes, without what that one does not have.
@@ -58,6 +75,7 @@ Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& op
     const Panel& panel = panels[i];
     ShadeOptions shading = shading_of(*panel.mesh, options, can_highlight);
     shading.color.scale = scale;
+    if (shading.soft_shadow) shading.floor = floor_of(panel.mesh, meshes, options, shading.upright);
     shade(*panel.mesh, panel.camera, shading, panel.x, panel.y, whole);
   }
   if (has_legend) draw_legend(scale, options.shade.background, whole);

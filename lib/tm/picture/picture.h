@@ -28,7 +28,7 @@ struct PictureOptions {
   int frames = 1;  ///< >= 1: of a film in which it goes around once, this is number `frame`
   int frame = 0;
   const Mesh* around = nullptr;  ///< frames this mesh in every panel instead: a film keeps still
-  ShadeOptions shade;            ///< of its scale, see `range`
+  ShadeOptions shade;  ///< of its scale, see `range`; the floor is set to where meshes end
   /// The numbers at the ends of the colors where shade.color.by is set; without it those of the
   /// finite values of all meshes.
   std::optional<std::pair<double, double>> range;

@@ -1,12 +1,15 @@
 #include "tm/picture/shade.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "tm/picture/corner_normals.h"
 #include "tm/picture/lights.h"
 #include "tm/picture/ribbons.h"
+#include "tm/picture/soft_shadow.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -18,6 +21,7 @@ constexpr double line_half_width = 0.45;  ///< in pixels; the face beyond the ed
 constexpr float line_strength = 0.65F;
 constexpr double segment_width = 2;         ///< in pixels
 constexpr float light_in_the_dark = 0.15F;  ///< where nothing comes from around
+constexpr float floor_darkness = 0.45F;  ///< of the background, where nothing of the lamp is seen
 const Color segment_color = color_of_srgb(0.85, 0.05, 0.45);
 const Color line_color = color_of_srgb(0.10, 0.12, 0.16);
 
@@ -32,6 +36,9 @@ class Shader {
         eye_(samples.center()),
         openness_(options.openness.empty() ? nullptr : mesh.vertex_columns.find(options.openness)),
         normals_(corner_normals(mesh, options.crease_angle_deg)),
+        shadow_(options.soft_shadow ? std::optional<SoftShadow>({mesh, lights_.towards_key()})
+                                    : std::nullopt),
+        rays_(samples.projection.leftCols<3>().inverse()),
         rows_(rows_per_band(samples, options)),
         seen_(seen(mesh, samples, options)) {}
 
@@ -58,14 +65,16 @@ class Shader {
     const int n = options_.samples;
     Color sum = Color::Zero();
     int hits = 0;
+    KeyLight key;
     for (int j = y * n; j < (y + 1) * n; ++j)
       for (int i = x * n; i < (x + 1) * n; ++i) {
         const FacePixel& hit = samples.at(i, j - top * n);
         if (hit.face == no_index) continue;
-        sum += sample(hit, i, j).cwiseMin(1.0F);
+        sum += sample(hit, i, j, key).cwiseMin(1.0F);
         ++hits;
       }
-    return blended(sum, hits, n * n, y);
+    const bool has_floor = hits < n * n && shadow_ && options_.floor;
+    return blended(sum, hits, n * n, y, has_floor ? darkness_of_floor(x, y) : 0);
   }
 
   static int rows_per_band(const Camera& samples, const ShadeOptions& options) {
@@ -81,14 +90,17 @@ class Shader {
     return {drawn, samples, rows};
   }
 
-  Pixel blended(const Color& sum, int hits, int samples, int y) const {
+  /// Of what is behind, that share is dark.
+  Pixel blended(const Color& sum, int hits, int samples, int y, float dark) const {
     const Background& background = options_.background;
     if (background.is_transparent) {
-      if (hits == 0) return {0, 0, 0, 0};
-      const auto alpha = static_cast<std::uint8_t>((255 * hits + samples / 2) / samples);
-      return opaque(sum / static_cast<float>(hits), alpha);
+      const float covered = static_cast<float>(hits) + static_cast<float>(samples - hits) * dark;
+      if (covered == 0) return {0, 0, 0, 0};
+      const auto alpha =
+          static_cast<std::uint8_t>(255 * covered / static_cast<float>(samples) + 0.5F);
+      return opaque(sum / covered, alpha);
     }
-    const Color behind = background.at(y, camera_.height / options_.samples);
+    const Color behind = (1 - dark) * background.at(y, camera_.height / options_.samples);
     const Color all = sum + static_cast<float>(samples - hits) * behind;
     return opaque(all / static_cast<float>(samples), 255);
   }
@@ -97,7 +109,13 @@ class Shader {
     return {srgb_byte(color[0]), srgb_byte(color[1]), srgb_byte(color[2]), alpha};
   }
 
-  Color sample(const FacePixel& hit, int x, int y) const {
+  /// What a pixel knows of the key light on the face that its last sample has seen.
+  struct KeyLight {
+    Index face = no_index;
+    float share = 1;
+  };
+
+  Color sample(const FacePixel& hit, int x, int y, KeyLight& key) const {
     if (hit.face >= mesh_.faces.size()) return segment_color;
     const Face& face = mesh_.faces[hit.face];
     const Vec3& a = mesh_.positions[face[0]];
@@ -111,10 +129,36 @@ class Shader {
     const Eigen::Vector3f normal =
         (hit.weight[0] * corners[0] + hit.weight[1] * corners[1] + rest * corners[2]).normalized();
     Color lit = lights_.reflected(color_.at(hit, is_front), is_front ? normal : -normal,
-                                  to_eye.normalized().cast<float>());
+                                  to_eye.normalized().cast<float>(), key_share(hit, is_front, key));
     if (openness_ != nullptr && is_front) lit *= dimming(face, hit);
     if (!options_.draw_edges || !is_on_line(face, x, y)) return lit;
     return lit + line_strength * (line_color - lit);
+  }
+
+  /// Found once for each face in a pixel.
+  float key_share(const FacePixel& hit, bool is_front, KeyLight& key) const {
+    if (!shadow_ || key.face == hit.face) return key.share;
+    const Face& face = mesh_.faces[hit.face];
+    const std::array corners{mesh_.positions[face[0]], mesh_.positions[face[1]],
+                             mesh_.positions[face[2]]};
+    const double side = is_front ? 1 : -1;
+    std::array<Vec3, 3> normals;
+    for (std::size_t i = 0; i < 3; ++i) normals[i] = side * normals_[hit.face][i].cast<double>();
+    const Vec3 flat = side * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const Vec3 place = round_place(corners, normals, hit.weight[0], hit.weight[1]);
+    key = {hit.face, shadow_->share_seen(place, flat.stableNormalized())};
+    return key.share;
+  }
+
+  /// 0 where the pixel does not see the floor.
+  float darkness_of_floor(int x, int y) const {
+    const double middle = (options_.samples - 1) / 2.0;
+    const Vec3 ray = rays_ * Vec3(x * options_.samples + middle, y * options_.samples + middle, 1);
+    const double down = -ray.dot(options_.upright);
+    const double height = eye_.dot(options_.upright) - *options_.floor;
+    if (!(height > 0 && down > 0)) return 0;
+    const Vec3 place = eye_ + height / down * ray;
+    return floor_darkness * (1 - shadow_->share_seen(place, options_.upright));
   }
 
   float dimming(const Face& face, const FacePixel& hit) const {
@@ -143,7 +187,9 @@ class Shader {
   const Vec3 eye_;
   const Column* openness_;
   const std::vector<CornerNormals> normals_;
-  const int rows_;  ///< of pixels in a band
+  const std::optional<SoftShadow> shadow_;
+  const Eigen::Matrix3d rays_;  ///< from pixels to directions away from the eye
+  const int rows_;              ///< of pixels in a band
   const BandRasterizer seen_;
 };
 

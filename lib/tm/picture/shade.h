@@ -1,6 +1,7 @@
 /// Light and color for what a camera sees.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,10 @@ struct ShadeOptions {
   /// Name of a vertex column as set_openness() makes it, which dims the light on front sides. None
   /// where empty or where the mesh has none of that name.
   std::string openness;
+  /// The key light is a lamp of 8 degrees that faces keep off each other, and off a floor where one
+  /// is given, by its height along `upright`: what is seen of that is its shadow alone.
+  bool soft_shadow = false;
+  std::optional<double> floor;
   bool draw_edges = false;                      ///< lines along the edges of faces, one pixel wide
   std::vector<std::pair<Vec3, Vec3>> segments;  ///< drawn where no surface hides them
   Vec3 upright = Vec3::UnitY();                 ///< where the sky is; length 1
@@ -28,7 +33,7 @@ struct ShadeOptions {
 /// A picture of camera.width x camera.height pixels. A mesh without faces shows the background.
 /// Throws UsageError where the column to highlight is missing. Cost: O(faces + pixels * samples^2)
 /// time; 4 bytes a pixel, 200 a face, and 2 MB a thread for the samples of a few rows, or one row's
-/// where that is more. Parallel; the same bytes for any number of threads.
+/// where that is more; 55 MB for a soft shadow. Parallel; the same bytes for any number of threads.
 Image shade(const Mesh& mesh, const Camera& camera, const ShadeOptions& options = {});
 
 /// The same as a part of an image, which has room for it to the right of and below (left, above).
