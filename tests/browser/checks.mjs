@@ -5,6 +5,14 @@ import {axe, differenceOf, pixelsOf, setSlider, settled, statisticsOf, valueOf, 
 
 const widths = [{width: 800, height: 1000}, {width: 2000, height: 1200}];
 
+// What axe-core complains of.
+async function findNothing(page, leastPasses) {
+  await page.evaluate(axe());
+  const {violations, passes} = await page.evaluate('axe.run()');
+  assert(passes.length > leastPasses);
+  assert.deepEqual(violations.map(({id, nodes}) => `${id}: ${nodes.map((node) => node.html).join(' ')}`), []);
+}
+
 const checks = {
   // Of a run.
   async opens(address) {
@@ -293,10 +301,21 @@ const checks = {
         await withPage(address, options, async (page) => {
           await page.$$eval('details', (all) => all.forEach((one) => { one.open = true; }));
           await settled(page);
-          await page.evaluate(axe());
-          const {violations, passes} = await page.evaluate('axe.run()');
-          assert(passes.length > 10);
-          assert.deepEqual(violations.map(({id, nodes}) => `${id}: ${nodes.map((node) => node.html).join(' ')}`), []);
+          await findNothing(page, 10);
+        });
+      }
+    }
+  },
+
+  // Pages without a viewer: of batches, the gallery, the site.
+  async texts(...addresses) {
+    for (const address of addresses) {
+      for (const options of [{}, {dark: true}, {width: 2000, height: 1200}]) {
+        await withPage(address, {...options, isText: true}, async (page) => {
+          await findNothing(page, 5);
+          assert.equal(await page.evaluate('document.documentElement.scrollWidth'), options.width ?? 800, `${address} is wider than the window`);
+          const broken = await page.$$eval('img', (all) => all.filter((one) => one.loading !== 'lazy' && one.naturalWidth === 0).map((one) => one.src));
+          assert.deepEqual(broken, []);
         });
       }
     }

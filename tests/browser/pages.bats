@@ -113,6 +113,17 @@ check() {
   check accessible one.html two.html red.html seen.html
 }
 
+@test "axe-core finds nothing on the page of a batch" {
+  needs_command jq
+  printf '%s\n' 'shape torus tm-shape torus --faces 300 -o source.ply' 'shape none exit 4' \
+    'run clean tm-clean source.ply -o result.ply' 'run wrong tm-clean none.ply' >small.table
+  for name in torus,clean torus,wrong none,clean; do
+    "$tm_root/scripts/experiments/batch" run small.table batch "$name"
+  done
+  "$tm_root/scripts/experiments/batch" collect small.table batch
+  check texts batch/index.html
+}
+
 @test "the page is dark where that is preferred" {
   check dark one.html
 }

@@ -87,6 +87,44 @@ table() { cut -d, -f1-4,7- "$1/table.csv" | tr -d '"'; }
   grep -q '"genus-3","quick",0' small/table.csv
 }
 
+@test "the page of a batch: pictures side by side, failures with their message, runs in 3D" {
+  needs_command jq
+  cat >kept.table <<'TABLE'
+shape torus tm-shape torus --faces 500 -o target.ply; tm-shape sphere --around target.ply --faces 500 -o source.ply
+shape none exit 4
+run one-1..7 tm-morph source.ply --target target.ply --run kept --every 1 --resume --alpha 0.% --iterations 2
+run wrong tm-clean '<a & "b">.ply'
+run plain tm-clean source.ply -o result.ply
+TABLE
+  batch -j2 batch TABLE="$PWD/kept.table" 2>messages
+  page=kept/index.html
+  grep -q '18 runs: 8 done, 10 failed, 0 not ended' "$page"
+  # A cell for each run, and a picture for each that has a result; nothing else is linked.
+  [ "$(grep -o '<td[ >]' "$page" | wc -l)" -gt 18 ]
+  [ "$(grep -o '<img src="[^"]*"' "$page" | wc -l)" -eq 8 ]
+  grep -oE '(src|href)="[^"]*"' "$page" | sed -E 's/^[a-z]*="(.*)"$/\1/' | while read -r file; do
+    [ -e "kept/$file" ] || fail "$file is linked and not there"
+  done
+  # What failed is beside it, and cannot be taken for HTML.
+  grep -q 'failed</strong>, exit code 3 of the run:<br>tm-clean: .*&lt;a &amp; &quot;b&quot;&gt;' "$page"
+  grep -q '<li>none, plain: exit code 4 of the shape' "$page"
+  # The report in the folder of a loop is collected like that of a filter.
+  grep -q '^"torus","one-3",0,"",[0-9.]*,[0-9]*,"",' kept/table.csv
+  # Six runs turn side by side, and the seventh on the next page.
+  if [ -e "$tm_build/share/tm/viewer.html" ]; then
+    [ "$(ls kept/3d)" = $'torus,2.html\ntorus.html' ]
+    grep -q '"name":"one-6"' kept/3d/torus.html
+    grep -q '"name":"one-7"' kept/3d/torus,2.html
+  else
+    grep -q 'the viewer is not installed' messages
+  fi
+  # What has been drawn stays.
+  touch -d '1 hour' "kept/pictures/torus,plain.png"
+  before=$(stat -c %Y "kept/pictures/torus,plain.png")
+  "$tm_root/scripts/experiments/batch" collect kept.table kept
+  [ "$(stat -c %Y "kept/pictures/torus,plain.png")" -eq "$before" ]
+}
+
 @test "a batch that was killed goes on to the same bytes" {
   needs_command jq
   local name=genus-2,slow
