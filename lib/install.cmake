@@ -17,7 +17,8 @@ set(public_headers
   shapes/shapes.h
   step/displace.h step/morph_step.h step/target.h step/target_file.h step/velocity.h
   support/parallel.h
-  views/cameras/camera_file.h views/cameras/view_files.h views/hull/hull.h
+  views/cameras/camera_file.h views/cameras/view_files.h views/color/color_vertices.h
+  views/color/texture_surface.h views/hull/hull.h
   views/photo/photo_step.h views/photo/photograph.h views/wrap/wrap.h)
 list(TRANSFORM public_headers PREPEND tm/)
 set(installed_headers)

@@ -48,6 +48,11 @@ void declare_scales(Program& program, ReconstructChoices& choices) {
                   "steps between two cleanings");
 }
 
+void declare_colors(Program& program, ReconstructChoices& choices) {
+  program.flag("color", &choices.is_colored, "color the result's vertices, as tm-color does");
+  declare_texture(program, choices.color);
+}
+
 void declare_steps(Program& program, ReconstructChoices& choices) {
   program.integer("pairs", &choices.options.pairs.neighbors, 1, 1000,
                   "neighbors with which each view is compared");
@@ -89,6 +94,8 @@ void refuse_standard_input(const ReconstructChoices& choices) {
 }
 
 void check_sequence(const ReconstructChoices& choices, const Run& run) {
+  if (choices.is_colored || choices.color.has_texture)
+    throw UsageError("a --sequence is not colored: give each of its surfaces to tm-color");
   if (run.output() == "-")
     throw UsageError("--sequence needs -o FOLDER or --run FOLDER: where to write the surfaces");
   const auto check_place = [](const char* option, const std::string& place) {
@@ -102,6 +109,12 @@ void check_sequence(const ReconstructChoices& choices, const Run& run) {
     throw UsageError("--frames is not for a --sequence, whose results are its frames");
 }
 
+void check_color(const ReconstructChoices& choices, const Run& run) {
+  if (choices.is_colored && choices.color.has_texture)
+    throw UsageError("either --color or --texture");
+  if (choices.sequence.empty()) check_texture(choices.color, run);
+}
+
 }  // namespace
 
 void declare_reconstruction(Program& program, ReconstructChoices& choices) {
@@ -110,12 +123,14 @@ void declare_reconstruction(Program& program, ReconstructChoices& choices) {
   declare_view_check(program, choices.check, choices.sources);
   declare_scales(program, choices);
   declare_steps(program, choices);
+  declare_colors(program, choices);
   declare_record(program, choices.loop, "every how many passes (default 1)", "pass");
   program.epilog = "WHERE is a file, a folder or a quoted pattern, see tm-cameras.";
 }
 
 ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run) {
   refuse_standard_input(choices);
+  check_color(choices, run);
   ReconstructionOptions options = choices.options;
   StartOptions& start = options.start;
   start.is_given = !start.name.empty();
@@ -166,6 +181,13 @@ std::vector<View> checked_views(const ViewSources& sources, const ReconstructCho
   std::vector<View> views = views_from(telling);
   if (choices.silhouettes_show == "exact") check_views(views, choices.check, run);
   return views;
+}
+
+void color_result(const ReconstructChoices& choices, const std::set<std::string>& views, Run& run) {
+  if (!choices.is_colored && !choices.color.has_texture) return;
+  std::vector<PictureView> pictures = picture_views_from(choices.sources);
+  std::erase_if(pictures, [&](const PictureView& view) { return !views.contains(view.name); });
+  color(run.document(), pictures, choices.color, run);
 }
 
 }  // namespace transformesh::tool

@@ -1,9 +1,11 @@
 /// The options of tm-reconstruct, and what they mean to the library.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
+#include "color_options.h"
 #include "frame/loop_options.h"
 #include "frame/run.h"
 #include "tm/evolution/sequence.h"
@@ -27,6 +29,8 @@ struct ReconstructChoices {
   std::string last_edge;
   std::string robust = "auto";
   ViewCheckChoices check;
+  bool is_colored = false;
+  ColorChoices color;
   LoopChoices loop;
 };
 
@@ -45,5 +49,8 @@ ViewSources sources_of(const ViewSources& sources, const TimeStep& step);
 /// The views, of which those with masks that show the object exactly are checked.
 std::vector<View> checked_views(const ViewSources& sources, const ReconstructChoices& choices,
                                 Run& run);
+
+/// Colors the result where that was asked for, by the photographs of the views that were used.
+void color_result(const ReconstructChoices& choices, const std::set<std::string>& views, Run& run);
 
 }  // namespace transformesh::tool

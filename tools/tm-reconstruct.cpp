@@ -35,6 +35,10 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
     result = reconstruct(document, views, options, record, run.progress());
   });
   tool::report_reconstruction(result, views.size(), run);
+  std::set<std::string> names;
+  for (const View& view : views) names.insert(view.name);
+  views.clear();
+  tool::color_result(choices, names, run);
   tool::conclude(run, choices.loop, record, {true, result.fault.empty(), summary_of(result)});
 }
 

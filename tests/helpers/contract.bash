@@ -12,6 +12,7 @@ tm-carry|filter|--from MESH --closest
 tm-cat|filter|
 tm-checkmanifold|predicate|
 tm-clean|filter|
+tm-color|filter|--cameras SCENE/photos.txt --images SCENE/photos
 tm-compare|predicate|--reference MESH
 tm-convert|filter|
 tm-displace|filter|--normal-speed 0.01

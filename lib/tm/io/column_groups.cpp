@@ -1,6 +1,10 @@
 #include "tm/io/column_groups.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "tm/io/losses.h"
+#include "tm/io/scalar.h"
 
 namespace transformesh {
 namespace {
@@ -33,6 +37,18 @@ ColumnGroup color_group(const Columns& columns) {
 
 ColumnGroup texture_group(const Columns& columns) {
   return first_group_of(columns, {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}});
+}
+
+const Column* corner_texture(const Columns& face_columns) {
+  const Column* column = face_columns.find("texcoord");
+  if (column == nullptr || !column->list_count_type || !is_floating(column->type)) return nullptr;
+  for (std::size_t row = 0; row + 1 < column->list_offsets.size(); ++row) {
+    const std::size_t length = column->list_offsets[row + 1] - column->list_offsets[row];
+    if (length != 0 && length != 6) return nullptr;
+  }
+  const bool are_finite = std::all_of(column->values.begin(), column->values.end(),
+                                      [](double value) { return std::isfinite(value); });
+  return are_finite ? column : nullptr;
 }
 
 }  // namespace transformesh

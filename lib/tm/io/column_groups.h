@@ -15,4 +15,8 @@ ColumnGroup normal_group(const Columns& columns);   ///< nx ny nz
 ColumnGroup color_group(const Columns& columns);    ///< red green blue, and alpha where it is there
 ColumnGroup texture_group(const Columns& columns);  ///< s t, u v or texture_u texture_v
 
+/// The face column `texcoord`: lists of u and v of three corners, or of none. Null where it is not
+/// there, is not like that or holds a number that is not finite.
+const Column* corner_texture(const Columns& face_columns);
+
 }  // namespace transformesh

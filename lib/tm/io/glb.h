@@ -3,6 +3,9 @@
 /// all vertex columns that are numbers a float can hold: `nx ny nz` as NORMAL, of unit length, `red
 /// green blue (alpha)` as COLOR_0, bytes or floats from 0 to 1, `s t` (or `u v`, `texture_u
 /// texture_v`) as TEXCOORD_0, whose v runs downwards; any other as the attribute `_NAME` of floats.
+/// The face column `texcoord` (obj.h) is TEXCOORD_0 instead: a vertex whose corners have several
+/// places in the texture is repeated behind the others. Document::texture is the base color, shown
+/// as it is, since photographs have their light in them (KHR_materials_unlit).
 /// Comments are in the extras of `asset`.
 #pragma once
 

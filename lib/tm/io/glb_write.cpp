@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
+#include <tuple>
 
 #include "tm/io/column_groups.h"
 #include "tm/io/glb.h"
@@ -55,14 +58,50 @@ bool are_in_unit_range(const Column& column) {
                      [](double value) { return value >= 0 && value <= 1; });
 }
 
+/// Gives the corners of each vertex one place in the texture, by the columns s and t.
+Mesh split_at_seams(const Mesh& mesh, const Column& lists) {
+  Mesh split = mesh;
+  std::vector<Index> rows(mesh.positions.size());
+  std::iota(rows.begin(), rows.end(), Index{0});
+  std::vector<std::array<double, 2>> places(rows.size());
+  std::vector<char> has_place(rows.size(), 0);
+  std::map<std::tuple<Index, double, double>, Index> copies;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t i = 0; i < 3 && lists.list_offsets[f] < lists.list_offsets[f + 1]; ++i) {
+      const Index vertex = mesh.faces[f][i];
+      const double* const values = &lists.values[lists.list_offsets[f] + 2 * i];
+      const std::array place{values[0], values[1]};
+      if (!has_place[vertex]) places[vertex] = place, has_place[vertex] = 1;
+      if (places[vertex] == place) continue;
+      const auto [copy, is_new] =
+          copies.emplace(std::tuple(vertex, place[0], place[1]), static_cast<Index>(rows.size()));
+      if (is_new) rows.push_back(vertex), places.push_back(place);
+      split.faces[f][i] = copy->second;
+    }
+  }
+  split.vertex_columns = mesh.vertex_columns.select(rows);
+  for (std::size_t v = mesh.positions.size(); v < rows.size(); ++v)
+    split.positions.push_back(mesh.positions[rows[v]]);
+  for (const std::size_t i : {0, 1}) {
+    Column& column = split.vertex_columns.get(i == 0 ? "s" : "t", Scalar::float32, rows.size());
+    for (std::size_t v = 0; v < rows.size(); ++v) column.values[v] = places[v][i];
+  }
+  return split;
+}
+
 class GlbWriter {
  public:
-  explicit GlbWriter(const Document& document) : document_(document), mesh_(document.mesh) {}
+  explicit GlbWriter(const Document& document) : document_(document), mesh_(document.mesh) {
+    const Column* const lists = corner_texture(mesh_.face_columns);
+    if (lists == nullptr || mesh_.faces.empty()) return;
+    mesh_ = split_at_seams(document.mesh, *lists);
+    kept_of_faces_.push_back("texcoord");
+  }
 
   WriteResult write() {
     Json json = {{"asset", asset()}};
     if (!mesh_.positions.empty()) add_scene(json);
-    WriteResult result{file_of(json), losses(document_, {"GLB", kept_, {}})};
+    WriteResult result{file_of(json), losses(document_, {"GLB", kept_, kept_of_faces_})};
     result.notes.insert(result.notes.end(), notes_.begin(), notes_.end());
     return result;
   }
@@ -87,9 +126,23 @@ class GlbWriter {
     // By default a surface would be of metal, and invisible from behind.
     json["materials"] = {
         {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"doubleSided", true}}};
+    if (!document_.texture.empty()) add_picture(json);
     json["accessors"] = accessors_;
     json["bufferViews"] = views_;
     json["buffers"] = {{{"byteLength", binary_.size()}}};
+  }
+
+  void add_picture(Json& json) {
+    const std::size_t start = binary_.size();
+    binary_ += document_.texture;
+    views_.push_back(
+        {{"buffer", 0}, {"byteOffset", start}, {"byteLength", document_.texture.size()}});
+    json["images"] = {{{"bufferView", views_.size() - 1}, {"mimeType", "image/png"}}};
+    json["textures"] = {{{"source", 0}}};
+    Json& material = json["materials"][0];
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    material["extensions"] = {{"KHR_materials_unlit", Json::object()}};
+    json["extensionsUsed"] = {"KHR_materials_unlit"};
   }
 
   Json attributes() {
@@ -233,11 +286,12 @@ class GlbWriter {
   }
 
   const Document& document_;
-  const Mesh& mesh_;
+  Mesh mesh_;
   std::string binary_;
   Json views_ = Json::array();
   Json accessors_ = Json::array();
   std::vector<std::string_view> kept_;
+  std::vector<std::string_view> kept_of_faces_;
   std::vector<std::string> notes_;
   bool is_rounded_ = false;
 };

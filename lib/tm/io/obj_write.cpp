@@ -17,19 +17,6 @@ std::vector<const Column*> color_columns(const Columns& columns) {
   return {columns.find("red"), columns.find("green"), columns.find("blue")};
 }
 
-/// The lists of texture coordinates, where every face has those of three corners or none.
-const Column* corner_texture(const Columns& face_columns) {
-  const Column* column = face_columns.find("texcoord");
-  if (column == nullptr || !column->list_count_type || !is_floating(column->type)) return nullptr;
-  for (std::size_t row = 0; row + 1 < column->list_offsets.size(); ++row) {
-    const std::size_t length = column->list_offsets[row + 1] - column->list_offsets[row];
-    if (length != 0 && length != 6) return nullptr;
-  }
-  const bool are_finite = std::all_of(column->values.begin(), column->values.end(),
-                                      [](double value) { return std::isfinite(value); });
-  return are_finite ? column : nullptr;
-}
-
 /// A column of labels with what to call them; the name written last stays in force.
 struct Labels {
   const ObjLabelKind* kind = nullptr;

@@ -1,6 +1,7 @@
 #include "tm/views/cameras/lens_distortion.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "tm/support/parallel.h"
@@ -56,6 +57,21 @@ GrayImage undistorted(const GrayImage& image, const Eigen::Matrix3d& intrinsics,
                    }
                  }
                });
+  return result;
+}
+
+Image undistorted(const Image& image, const Eigen::Matrix3d& intrinsics,
+                  const LensDistortion& distortion) {
+  if (distortion.is_none()) return image;
+  Image result(image.width, image.height, Pixel{0, 0, 0, 255});
+  GrayImage channel(image.width, image.height);
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::transform(image.pixels.begin(), image.pixels.end(), channel.pixels.begin(),
+                   [c](const Pixel& pixel) { return static_cast<float>(pixel[c]); });
+    const GrayImage straight = undistorted(channel, intrinsics, distortion);
+    for (std::size_t i = 0; i < result.pixels.size(); ++i)
+      result.pixels[i][c] = static_cast<std::uint8_t>(straight.pixels[i] + 0.5F);
+  }
   return result;
 }
 

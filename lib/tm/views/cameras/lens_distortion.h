@@ -27,5 +27,8 @@ struct LensDistortion {
 /// the image shows nothing of it. The same size. O(pixels), parallel.
 GrayImage undistorted(const GrayImage& image, const Eigen::Matrix3d& intrinsics,
                       const LensDistortion& distortion);
+/// The same in color.
+Image undistorted(const Image& image, const Eigen::Matrix3d& intrinsics,
+                  const LensDistortion& distortion);
 
 }  // namespace transformesh

@@ -171,6 +171,17 @@ void check_sizes(const std::vector<SizedCamera>& cameras) {
   }
 }
 
+/// Those of the images at these paths.
+void set_sizes(const std::vector<std::string>& paths, CameraList& cameras) {
+  std::vector<SizedCamera> sized;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const GrayImage image = decode_size(file_bytes(paths[i]), paths[i]);
+    cameras.cameras[i].set_size(image.width, image.height, paths[i]);
+    sized.push_back({cameras.cameras[i].camera.intrinsics, image.width, image.height, paths[i]});
+  }
+  check_sizes(sized);
+}
+
 /// What pinholes would have seen of it.
 void undistort(View& view, const CameraRecord& record) {
   const LensDistortion& distortion = record.distortion;
@@ -229,17 +240,32 @@ CameraList cameras_of_images(CameraList cameras, const std::string& where,
   const NamedFiles files = image_files("image", images, cameras);
   const auto paths = ordered(names_of(cameras, where), files, cameras.names_images);
   const auto stems = distinct_stems({"image", images, paths, {}, files.root});
-  std::vector<SizedCamera> sized;
+  set_sizes(paths, cameras);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const GrayImage image = decode_size(file_bytes(paths[i]), paths[i]);
-    cameras.cameras[i].set_size(image.width, image.height, paths[i]);
-    sized.push_back({cameras.cameras[i].camera.intrinsics, image.width, image.height, paths[i]});
     cameras.cameras[i].name =
         (fs::path(stems[i]).parent_path() / fs::path(paths[i]).filename()).string();
   }
-  check_sizes(sized);
   cameras.names_images = true;
   return cameras;
+}
+
+std::vector<PictureView> picture_views_from(const ViewSources& sources) {
+  CameraList list = cameras_from(sources.cameras);
+  const NamedFiles files = image_files("image", sources.images, list);
+  const auto paths = ordered(names_of(list, sources.cameras), files, list.names_images);
+  const auto stems = distinct_stems({"image", sources.images, paths, {}, files.root});
+  set_sizes(paths, list);
+  std::vector<PictureView> views;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const CameraRecord& record = list.cameras[i];
+    const auto picture = [path = paths[i], lens = record.distortion,
+                          intrinsics = record.camera.intrinsics] {
+      return undistorted(decode_picture(file_bytes(path), path), intrinsics, lens);
+    };
+    views.push_back({stems[i], sources.mirror ? record.camera.mirrored() : record.camera,
+                     record.width, record.height, picture});
+  }
+  return views;
 }
 
 }  // namespace transformesh

@@ -33,6 +33,18 @@ struct ViewSources {
 /// decoded on all allowed threads; the result and the error do not depend on their number.
 std::vector<View> views_from(const ViewSources& sources);
 
+/// Photographs in color, which are decoded one at a time when they are asked for.
+struct PictureView {
+  std::string name;  ///< as that of views_from
+  PinholeCamera camera;
+  int width = 0;
+  int height = 0;
+  std::function<Image()> picture;  ///< without distortion; throws InputError as views_from does
+};
+
+/// Silhouettes do not matter. Throws as views_from does, but for what only the pixels tell.
+std::vector<PictureView> picture_views_from(const ViewSources& sources);
+
 /// The same cameras with the sizes and file names of their images, for conversion. `where` names
 /// the camera file in messages. Throws as views_from does.
 CameraList cameras_of_images(CameraList cameras, const std::string& where,

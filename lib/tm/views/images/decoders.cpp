@@ -26,6 +26,10 @@ bool LevelRows::start(const SampleLayout& layout) {
   image_.width = layout.width;
   image_.height = layout.height;
   if (kind_ == Kind::size) return false;
+  if (kind_ == Kind::picture) {
+    picture_.width = layout.width, picture_.height = layout.height;
+    return true;
+  }
   if (layout.has_alpha) alpha_.width = layout.width, alpha_.height = layout.height;
   image_.pixels.reserve(std::min(most_at_once, static_cast<std::size_t>(layout.width) *
                                                    static_cast<std::size_t>(layout.height)));
@@ -33,7 +37,18 @@ bool LevelRows::start(const SampleLayout& layout) {
 }
 
 template <class Sample>
+void LevelRows::add_picture_row(const Sample* row) {
+  const double scale = 255 / layout_.maximum;
+  const auto level = [&](const Sample* pixel, int channel) {
+    return static_cast<std::uint8_t>(scale * pixel[std::min(channel, layout_.channels - 1)] + 0.5);
+  };
+  for (int x = 0; x < layout_.width; ++x, row += layout_.stride)
+    picture_.pixels.push_back({level(row, 0), level(row, 1), level(row, 2), 255});
+}
+
+template <class Sample>
 void LevelRows::add_row(const Sample* row) {
+  if (kind_ == Kind::picture) return add_picture_row(row);
   const double scale = 255 / layout_.maximum;
   const auto gray = [&](const Sample* pixel) { return static_cast<float>(scale * pixel[0]); };
   const auto luma = [&](const Sample* pixel) {

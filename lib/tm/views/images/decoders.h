@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "tm/io/source.h"
+#include "tm/picture/image.h"
 #include "tm/views/images/gray_image.h"
 
 namespace transformesh {
@@ -22,10 +23,10 @@ struct SampleLayout {
 };
 
 /// Collects the levels of an image, row by row from the top: of a silhouette the largest of each
-/// pixel's channels, else their luma.
+/// pixel's channels, of a photograph their luma, of a picture all of them in 8 bits.
 class LevelRows {
  public:
-  enum class Kind { photograph, silhouette, size };
+  enum class Kind { photograph, silhouette, picture, size };
 
   explicit LevelRows(Kind kind) : kind_(kind) {}
 
@@ -34,17 +35,21 @@ class LevelRows {
   void add(const std::uint8_t* row) { add_row(row); }
   void add(const std::uint16_t* row) { add_row(row); }
   GrayImage take() { return std::move(image_); }
+  Image take_picture() { return std::move(picture_); }
   /// Of a silhouette, as far as the file has transparency: how opaque its pixels are, 0 to 255.
   GrayImage take_alpha() { return std::move(alpha_); }
 
  private:
   template <class Sample>
   void add_row(const Sample* row);
+  template <class Sample>
+  void add_picture_row(const Sample* row);
 
   Kind kind_;
   SampleLayout layout_;
   GrayImage image_;
   GrayImage alpha_;
+  Image picture_;
 };
 
 /// PNG of any color type and depth, by libpng. These throw InputError.

@@ -70,6 +70,10 @@ GrayImage decode_photograph(std::string_view bytes, const std::string& name) {
   return decode(bytes, name, LevelRows::Kind::photograph).take();
 }
 
+Image decode_picture(std::string_view bytes, const std::string& name) {
+  return decode(bytes, name, LevelRows::Kind::picture).take_picture();
+}
+
 GrayImage decode_size(std::string_view bytes, const std::string& name) {
   return decode(bytes, name, LevelRows::Kind::size).take();
 }

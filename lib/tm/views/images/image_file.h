@@ -23,6 +23,9 @@ bool is_image(std::string_view bytes);
 /// of a format that is not read, and then says how to convert it.
 GrayImage decode_photograph(std::string_view bytes, const std::string& name);
 
+/// The same in color, 8 bits a channel, opaque.
+Image decode_picture(std::string_view bytes, const std::string& name);
+
 /// Width and height as its header has them, without a pixel. Throws as decode_photograph does, but
 /// for what only the pixels tell.
 GrayImage decode_size(std::string_view bytes, const std::string& name);
