@@ -137,6 +137,7 @@ class GlbWriter {
     binary_ += document_.texture;
     views_.push_back(
         {{"buffer", 0}, {"byteOffset", start}, {"byteLength", document_.texture.size()}});
+    binary_.resize((binary_.size() + 3) / 4 * 4);
     json["images"] = {{{"bufferView", views_.size() - 1}, {"mimeType", "image/png"}}};
     json["textures"] = {{{"source", 0}}};
     Json& material = json["materials"][0];

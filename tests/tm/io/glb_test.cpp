@@ -126,6 +126,32 @@ TEST_CASE("glb: normals, colors, texture coordinates and other numbers of vertic
   CHECK(glb.attribute("_QUALITY") == std::vector<double>{0.5, -4, 0, 1});
 }
 
+TEST_CASE(
+    "glb: corners of a vertex that differ in the texture make it two; the picture is inside") {
+  Document document = glb_document();
+  Column& lists = document.mesh.face_columns.get("texcoord", Scalar::float32, 0);
+  lists.list_count_type = Scalar::uint8;
+  lists.list_offsets = {0, 6, 12, 18, 18};
+  // Vertex 1 of the third face is elsewhere than in the second one; the fourth has no places.
+  lists.values = {0, 0, 0.5, 0, 0.25, 0.5, 0, 0, 0.25, 0.5, 1, 1, 0.75, 0.5, 0.5, 0, 1, 1};
+  document.texture = "the bytes of a PNG";
+  const WriteResult result = write_mesh(document);
+  CHECK(result.notes.empty());
+  const Glb glb(result.bytes);
+  CHECK(glb.numbers(glb.primitive()["indices"]) ==
+        std::vector<double>{0, 2, 1, 0, 1, 3, 4, 2, 3, 0, 3, 2});
+  CHECK(glb.attribute("POSITION") ==
+        std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0});
+  CHECK(glb.attribute("TEXCOORD_0") ==
+        std::vector<double>{0, 1, 0.25, 0.5, 0.5, 1, 1, 0, 0.75, 0.5});
+  const auto& image = glb.json["images"][0];
+  const auto& view = glb.json["bufferViews"][image["bufferView"].get<std::size_t>()];
+  CHECK(image["mimeType"] == "image/png");
+  CHECK(glb.bytes.substr(view["byteOffset"], view["byteLength"]) == document.texture);
+  CHECK(glb.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] == 0);
+  CHECK(glb.json["extensionsUsed"] == std::vector<std::string>{"KHR_materials_unlit"});
+}
+
 TEST_CASE("glb: what the standard has no place for") {
   Document document = glb_document();
   set_columns({"nx", "ny", "nz"}, Scalar::float32, {0, 1, 1, 1}, document);
