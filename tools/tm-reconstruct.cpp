@@ -29,6 +29,7 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   std::vector<View> views = tool::checked_views(choices.sources, choices, run);
   tool::begin_run(choices.loop, record, options.start.is_given ? &document : nullptr, run,
                   run_files_of(views));
+  options.spends_views = true;
   options.on_pass = [&run](const std::string& text) { run.progress_line(text); };
   ReconstructionResult result;
   tool::evolve_or_keep(run, record, "pass", [&] {

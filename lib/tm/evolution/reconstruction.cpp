@@ -17,28 +17,34 @@ constexpr const char* hull_name = "hull.ply";
 /// The photographs, at the scale that was asked for last, and steps towards them.
 class Photographs {
  public:
-  Photographs(const std::vector<View>& views, const ReconstructionOptions& options,
+  Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
               bool are_outlines);
 
   PhotoStepsResult pass(Mesh& mesh, double scale, double loss, const Progress& progress);
   /// One step in which nothing moves; of pairs in one order, or in both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
-  int width() const { return views_.front().image.width; }
+  int width() const { return width_; }
   double pixel() const { return pixel_size(views_); }
 
  private:
   const PhotoScene& at(double scale);
 
-  const std::vector<View>& views_;
+  std::vector<View>& views_;
+  int width_;
+  bool spends_views_;
   PairOptions pairs_;
   PhotoStepsOptions steps_;
   double scale_ = 0;  ///< of the scene; 0: none
   PhotoScene scene_;
 };
 
-Photographs::Photographs(const std::vector<View>& views, const ReconstructionOptions& options,
+Photographs::Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
                          bool are_outlines)
-    : views_(views), pairs_(options.pairs), steps_(options.steps) {
+    : views_(views),
+      width_(width),
+      spends_views_(options.spends_views),
+      pairs_(options.pairs),
+      steps_(options.steps) {
   double& pull = steps_.step.silhouettes;
   if (are_outlines) pull = read_back(significant(0.2 * pull, 9));
   steps_.step.meaning = are_outlines ? SilhouetteMeaning::least : options.start.meaning;
@@ -49,6 +55,10 @@ const PhotoScene& Photographs::at(double scale) {
   scene_ = PhotoScene();
   scene_ = photo_scene(views_, scale, pairs_);
   scale_ = scale;
+  if (spends_views_ && scale == 1) {
+    // From here on there is no other scale.
+    for (View& view : views_) view.image = view.silhouette = HeldImage();
+  }
   return scene_;
 }
 
@@ -260,7 +270,9 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
   const Beginning beginning =
       record.resumed() ? found_in(record) : begun(document, views, options, record, progress);
   if (beginning.outlined) outline(views, *beginning.outlined);
-  Photographs photographs(views, options, beginning.outlined.has_value());
+  const int width = views.front().image.width;
+  if (options.spends_views) crop_views(views, beginning.start.mesh);
+  Photographs photographs(views, width, options, beginning.outlined.has_value());
   ReconstructionLoop loop(photographs, beginning.start, options);
   const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_pass};
   run_loop(loop, document, unlimited, record, progress);

@@ -34,6 +34,9 @@ struct ReconstructionOptions {
   /// Of a pass. Silhouettes pull as strongly as masks; outlines of the hull, which are as if only
   /// the least was shown, pull by a fifth of it. What they mean is in `start`.
   PhotoStepsOptions steps = {.step = {.silhouettes = 0.5}, .iterations = 5};
+  /// The views may be cropped to the object, where they are packed (HeldImage), and lose their
+  /// images in the end: for less memory, where they are not needed any more.
+  bool spends_views = false;
   std::optional<double> robust = std::nullopt;  ///< the factor of robust_loss, for the last passes
   std::function<void(const std::string& message)> on_pass = {};
   std::function<void(const std::string& message)> on_detail = {};

@@ -46,4 +46,8 @@ void outline(std::vector<View>& views, const Mesh& mesh);
 /// The length of a pixel's side where the cameras look.
 double pixel_size(const std::vector<View>& views);
 
+/// Leaves of views that are packed what is around the mesh and their silhouettes, and some room for
+/// a surface that moves: what is beyond is unknown from then on.
+void crop_views(std::vector<View>& views, const Mesh& mesh);
+
 }  // namespace transformesh

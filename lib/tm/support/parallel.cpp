@@ -114,6 +114,8 @@ void parallel_for(std::size_t count, std::size_t grain,
   loop.rethrow();
 }
 
+std::size_t allowed_thread_count() { return allowed_threads; }
+
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
   parallel_for(2, 1, [&](std::size_t from, std::size_t to) {
     if (from == 0) first();

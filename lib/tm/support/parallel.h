@@ -17,6 +17,9 @@ void parallel_for(std::size_t count, std::size_t grain,
 /// Runs both, perhaps at the same time.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
 
+/// How many threads loops may use now: for work that is done in groups, to save memory.
+std::size_t allowed_thread_count();
+
 /// While alive, the library uses at most `count` threads, which may be more than there are cores; 0
 /// changes nothing, and without any limit there is one per core. The innermost limit counts.
 class ThreadLimit {

@@ -110,10 +110,23 @@ GrayImage at_scale(const GrayImage& image, double scale) {
 }
 
 View at_scale(const View& view, double scale) {
-  View result{view.name, view.camera.shrunk(scale), at_scale(view.image, scale), {}};
-  if (!view.silhouette.empty())
-    result.silhouette = scale > 1 ? at_scale(view.silhouette, scale) : view.silhouette;
+  View result{view.name, view.camera.shrunk(scale), at_scale(view.image.unpacked(), scale), {}};
+  if (view.image.is_packed()) result.image.pack();
+  if (view.silhouette.empty()) return result;
+  result.silhouette = view.silhouette;
+  if (scale > 1) result.silhouette = at_scale(view.silhouette.unpacked(), scale);
+  if (view.silhouette.is_packed()) result.silhouette.pack();
   return result;
+}
+
+View cropped(const View& view, int column, int row, int columns, int rows) {
+  View part{view.name, view.camera, {}, {}};
+  part.camera.intrinsics(0, 2) -= column;
+  part.camera.intrinsics(1, 2) -= row;
+  if (!view.image.empty()) part.image = view.image.cropped(column, row, columns, rows);
+  if (!view.silhouette.empty())
+    part.silhouette = view.silhouette.cropped(column, row, columns, rows);
+  return part;
 }
 
 }  // namespace transformesh

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "tm/views/cameras/pinhole_camera.h"
-#include "tm/views/images/gray_image.h"
+#include "tm/views/images/held_image.h"
 
 namespace transformesh {
 
 struct View {
   std::string name;  ///< of the image file, without folder and extension
   PinholeCamera camera;
-  GrayImage image;
-  GrayImage silhouette;  ///< of the image's size, or empty where there is none
+  HeldImage image;
+  HeldImage silhouette;  ///< of the image's size, or empty where there is none
 };
 
 std::vector<PinholeCamera> cameras_of(std::span<const View> views);
@@ -30,5 +30,8 @@ GrayImage at_scale(const GrayImage& image, double scale);
 /// Image, silhouette (which keeps its levels at scale 1), and the camera of the smaller image:
 /// PinholeCamera::shrunk, so that the corners of the image stay where they are.
 View at_scale(const View& view, double scale);
+
+/// The part of a view that begins at (column, row), which must be inside, with its camera.
+View cropped(const View& view, int column, int row, int columns, int rows);
 
 }  // namespace transformesh

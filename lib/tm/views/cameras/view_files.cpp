@@ -110,12 +110,19 @@ void tell_rule(const std::vector<std::string>& paths, const std::vector<MaskRule
       and_others(paths[static_cast<std::size_t>(first)], static_cast<std::size_t>(count)) + text);
 }
 
+/// Floats are quicker, as long as there is room for them.
+void pack_one_of(std::size_t count, HeldImage& image) {
+  constexpr double most_pixels = 16e6;
+  if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();
+}
+
 void decode_masks(const std::vector<std::string>& paths, const ViewSources& sources,
                   std::vector<View>& views) {
   std::vector<MaskRule> rules(paths.size());
   decode_all(paths, [&](std::size_t i, const std::string& bytes) {
     Mask mask = decode_mask(bytes, paths[i]);
     views[i].silhouette = std::move(mask.silhouette);
+    pack_one_of(views.size(), views[i].silhouette);
     rules[i] = mask.rule;
   });
   tell_rule(paths, rules, MaskRule::alpha,
@@ -130,9 +137,9 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
-std::string size_text(const GrayImage& image) { return size_text(image.width, image.height); }
+std::string size_text(const HeldImage& image) { return size_text(image.width, image.height); }
 
-bool is_size_equal(const GrayImage& first, const GrayImage& second) {
+bool is_size_equal(const HeldImage& first, const HeldImage& second) {
   return first.width == second.width && first.height == second.height;
 }
 
@@ -141,13 +148,13 @@ void check_silhouette(const View& view, const std::string& path) {
     throw InputError(path + ": the silhouette has " + size_text(view.silhouette) +
                      ", but its image has " + size_text(view.image));
   }
-  for (const float level : view.silhouette.pixels) {
-    if (level != 0) return;
-  }
+  for (int y = 0; y < view.silhouette.height; ++y)
+    for (int x = 0; x < view.silhouette.width; ++x)
+      if (view.silhouette.at(x, y) != 0) return;
   throw InputError(path + ": the silhouette is empty: no pixel is inside");
 }
 
-const GrayImage& sized_image(const View& view) {
+const HeldImage& sized_image(const View& view) {
   return view.image.empty() ? view.silhouette : view.image;
 }
 
@@ -187,8 +194,11 @@ void undistort(View& view, const CameraRecord& record) {
   const LensDistortion& distortion = record.distortion;
   if (distortion.is_none()) return;
   const Eigen::Matrix3d& intrinsics = record.camera.intrinsics;
-  view.image = undistorted(view.image, intrinsics, distortion);
-  view.silhouette = undistorted(view.silhouette, intrinsics, distortion);
+  for (HeldImage* const image : {&view.image, &view.silhouette}) {
+    const bool is_packed = image->is_packed();
+    *image = undistorted(image->unpacked(), intrinsics, distortion);
+    if (is_packed) image->pack();
+  }
 }
 
 }  // namespace
@@ -208,6 +218,7 @@ std::vector<View> views_from(const ViewSources& sources) {
     images = ordered(names, files, list.names_images);
     decode_all(images, [&](std::size_t i, const std::string& bytes) {
       views[i].image = decode_photograph(bytes, images[i]);
+      pack_one_of(views.size(), views[i].image);
     });
     leaders = {"image", sources.images, images, {}, files.root};
   }
@@ -222,7 +233,7 @@ std::vector<View> views_from(const ViewSources& sources) {
   const std::vector<std::string> stems = distinct_stems(leaders);
   std::vector<SizedCamera> sized;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const GrayImage& image = sized_image(views[i]);
+    const HeldImage& image = sized_image(views[i]);
     if (!image.empty()) list.cameras[i].set_size(image.width, image.height, leaders.paths[i]);
     const PinholeCamera& camera = list.cameras[i].camera;
     views[i].camera = sources.mirror ? camera.mirrored() : camera;

@@ -107,7 +107,10 @@ double agreed_level(std::span<const View> views, const ThresholdOptions& options
 double threshold_silhouettes(std::vector<View>& views, ThresholdOptions options,
                              const Progress& progress) {
   if (!options.level) options.level = agreed_level(views, options, progress);
-  for (View& view : views) view.silhouette = threshold_silhouette(view.image, options);
+  for (View& view : views) {
+    view.silhouette = threshold_silhouette(view.image, options);
+    if (view.image.is_packed()) view.silhouette.pack();
+  }
   return *options.level;
 }
 

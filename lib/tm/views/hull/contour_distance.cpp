@@ -121,13 +121,8 @@ class ContourDistance {
   std::vector<Segment> segments_;
 };
 
-}  // namespace
-
-GrayImage signed_distance(const GrayImage& silhouette, float limit) {
-  return ContourDistance(silhouette, limit).compute();
-}
-
-float distance_at(const GrayImage& distances, double x, double y) {
+template <class Image>
+float interpolated(const Image& distances, double x, double y) {
   const int width = distances.width;
   const int height = distances.height;
   if (!(x >= -0.5 && y >= -0.5 && x <= width - 0.5 && y <= height - 0.5)) return unknown_distance;
@@ -146,6 +141,20 @@ float distance_at(const GrayImage& distances, double x, double y) {
   const float lower = distances.at(left, bottom) +
                       across * (distances.at(right, bottom) - distances.at(left, bottom));
   return upper + down * (lower - upper);
+}
+
+}  // namespace
+
+GrayImage signed_distance(const GrayImage& silhouette, float limit) {
+  return ContourDistance(silhouette, limit).compute();
+}
+
+float distance_at(const GrayImage& distances, double x, double y) {
+  return interpolated(distances, x, y);
+}
+
+float distance_at(const HeldImage& distances, double x, double y) {
+  return interpolated(distances, x, y);
 }
 
 }  // namespace transformesh

@@ -29,24 +29,24 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
 /// Whether a pixel beside the place shows background, and no other part of the surface lies so much
 /// nearer to the eye that it is that part which borders on it. Where a surface meets the background
 /// it curves away from the eye, by `pixels_of_curvature` at most.
-bool borders_on_background(const FaceBuffer& faces, double x, double y, double depth,
+bool borders_on_background(const HeldImage& depths, double x, double y, double depth,
                            double pixel) {
   const int column = static_cast<int>(std::lround(x));
   const int row = static_cast<int>(std::lround(y));
   bool has_background = false;
   double farthest = 0;
-  for (int i = std::max(row - 1, 0); i <= std::min(row + 1, faces.height - 1); ++i) {
-    for (int j = std::max(column - 1, 0); j <= std::min(column + 1, faces.width - 1); ++j) {
-      const FacePixel& seen = faces.at(j, i);
-      has_background = has_background || seen.face == no_index;
-      if (seen.face != no_index) farthest = std::max(farthest, static_cast<double>(seen.depth));
+  for (int i = std::max(row - 1, 0); i <= std::min(row + 1, depths.height - 1); ++i) {
+    for (int j = std::max(column - 1, 0); j <= std::min(column + 1, depths.width - 1); ++j) {
+      const float seen = depths.at(j, i);
+      has_background = has_background || seen == 0;
+      farthest = std::max(farthest, static_cast<double>(seen));
     }
   }
   return has_background && farthest > depth - pixels_of_curvature * pixel;
 }
 
-void add_view(const Mesh& mesh, const View& view, const FaceBuffer& faces,
-              const GrayImage& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
+void add_view(const Mesh& mesh, const View& view, const HeldImage& depths,
+              const HeldImage& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
   const Projection projection = view.camera.projection();
   const double focal = view.camera.focal_length();
   const std::vector<char> facing = facings(mesh, view.camera.center());
@@ -61,7 +61,7 @@ void add_view(const Mesh& mesh, const View& view, const FaceBuffer& faces,
     if (!std::isfinite(gap)) continue;
     if (gap >= 0) {
       if (is_exact) gaps.outside[v] = std::max(gaps.outside[v], gap);
-    } else if (facing[v] == both && borders_on_background(faces, x, y, q.z(), q.z() / focal)) {
+    } else if (facing[v] == both && borders_on_background(depths, x, y, q.z(), q.z() / focal)) {
       gaps.inside[v] -= gap;
       ++gaps.rims[v];
     }
@@ -70,14 +70,14 @@ void add_view(const Mesh& mesh, const View& view, const FaceBuffer& faces,
 
 }  // namespace
 
-ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views,
-                         std::span<const SeenSurface> seen, std::span<const GrayImage> distances,
-                         SilhouetteMeaning meaning) {
+ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views, const SeenViews& seen,
+                         std::span<const HeldImage> distances, SilhouetteMeaning meaning) {
   const std::size_t count = mesh.positions.size();
   ContourGaps gaps{std::vector<double>(count, 0), std::vector<double>(count, 0),
                    std::vector<Index>(count, 0)};
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (!distances[i].empty()) add_view(mesh, views[i], seen[i].faces, distances[i], meaning, gaps);
+    if (!distances[i].empty())
+      add_view(mesh, views[i], seen.depths(i), distances[i], meaning, gaps);
   }
   return gaps;
 }

@@ -25,9 +25,9 @@ struct ContourGaps {
 };
 
 /// `distances` are signed_distance() of the views' silhouettes, empty where there is none. `seen`
-/// is see_surface() of mesh and views. O(views * vertices); deterministic.
-ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views,
-                         std::span<const SeenSurface> seen, std::span<const GrayImage> distances,
+/// is of mesh and views. O(views * vertices); deterministic.
+ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views, const SeenViews& seen,
+                         std::span<const HeldImage> distances,
                          SilhouetteMeaning meaning = SilhouetteMeaning::exact);
 
 }  // namespace transformesh

@@ -26,6 +26,8 @@ PhotoScene photo_scene(std::span<const View> views, double scale, const PairOpti
       scene.views[i] = at_scale(views[i], scale);
       if (!scene.views[i].silhouette.empty())
         scene.distances[i] = signed_distance(scene.views[i].silhouette);
+      if (views[i].image.is_packed()) scene.distances[i].pack(HeldImage::Kind::distances);
+      scene.views[i].silhouette = HeldImage();
     }
   });
   return scene;

@@ -11,15 +11,16 @@
 namespace transformesh {
 
 struct PhotoScene {
-  std::vector<View> views;
-  std::vector<GrayImage> distances;  ///< to the silhouettes; empty where there is none
+  std::vector<View> views;           ///< without silhouettes
+  std::vector<HeldImage> distances;  ///< to the silhouettes; empty where there is none
   std::vector<ViewPair> pairs;
   double pixel = 0;  ///< length of a pixel's side where the cameras look
 };
 
 /// Views at a smaller scale (at_scale), and which of them to compare (choose_pairs). Throws
 /// InputError where there is no such pair, UsageError as at_scale does. O(pixels), in parallel over
-/// views; the same for any number of threads.
+/// views; the same for any number of threads. Of views that are packed, so is the scene: 4 bytes a
+/// pixel.
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});
 
 }  // namespace transformesh

@@ -125,8 +125,7 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
                            const Progress& progress) {
   check(options);
   progress("see");
-  const std::vector<SeenSurface> seen =
-      see_surface(mesh, face_unit_normals(mesh), scene.views, options.least_cosine);
+  const SeenViews seen(mesh, scene.views, options.least_cosine);
   const Photoconsistency measured =
       photoconsistency(mesh, scene.views, seen, compared_pairs(scene.pairs, options.order),
                        options.photographs, progress);

@@ -14,6 +14,7 @@ namespace {
 
 /// Sums over the pairs with the same reference view, per pixel of its box.
 struct ReferenceSums {
+  SeenSurface seen;
   GrayImage gradient;  ///< derivative of the energy by the depth of the pixel
   GrayImage curvature;
   GrayImage count;  ///< pairs that see the pixel
@@ -73,19 +74,21 @@ void add_pair(const Warp& warp, const SeenSurface& seen, const PhotoconsistencyO
 }
 
 ReferenceSums compare_with_others(std::size_t reference, std::span<const View> views,
-                                  std::span<const SeenSurface> seen,
-                                  std::span<const ViewPair> pairs,
+                                  const SeenViews& seen, std::span<const ViewPair> pairs,
                                   const PhotoconsistencyOptions& options) {
-  const SeenSurface& from = seen[reference];
   ReferenceSums sums;
+  const auto is_of_reference = [&](const ViewPair& pair) { return pair.first == reference; };
+  if (std::none_of(pairs.begin(), pairs.end(), is_of_reference)) return sums;
+  sums.seen = seen.surface(reference);
+  const SeenSurface& from = sums.seen;
   if (from.first_row >= from.end_row) return sums;
   sums.gradient = sums.curvature = sums.count =
       GrayImage(from.end_column - from.first_column, from.end_row - from.first_row);
   const std::size_t visible = count_visible(from);
   for (const ViewPair& pair : pairs) {
-    if (pair.first != reference) continue;
+    if (!is_of_reference(pair)) continue;
     sums.visible += visible;
-    const Warp warp(views[reference], from, views[pair.second], seen[pair.second],
+    const Warp warp(views[reference], from, views[pair.second], seen.depths(pair.second),
                     options.depth_tolerance);
     add_pair(warp, from, options, sums);
   }
@@ -93,8 +96,8 @@ ReferenceSums compare_with_others(std::size_t reference, std::span<const View> v
 }
 
 /// Adds the sums of each pixel to those of the corners of its face.
-void add_to_faces(const ReferenceSums& sums, const SeenSurface& seen,
-                  std::vector<FaceSums>& faces) {
+void add_to_faces(const ReferenceSums& sums, std::vector<FaceSums>& faces) {
+  const SeenSurface& seen = sums.seen;
   for (int y = 0; y < sums.count.height; ++y) {
     for (int x = 0; x < sums.count.width; ++x) {
       const double count = sums.count.at(x, y);
@@ -132,33 +135,37 @@ void add_to_vertices(const Mesh& mesh, const std::vector<FaceSums>& faces,
   }
 }
 
+void add_view(const ReferenceSums& sums, Photoconsistency& result, std::vector<FaceSums>& faces) {
+  result.energy += sums.sums.energy;
+  result.loss += sums.sums.loss;
+  result.weight += sums.sums.weight;
+  result.pixels += sums.sums.pixels;
+  result.visible += sums.visible;
+  add_to_faces(sums, faces);
+}
+
 }  // namespace
 
 Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
-                                  std::span<const SeenSurface> seen,
-                                  std::span<const ViewPair> pairs,
+                                  const SeenViews& seen, std::span<const ViewPair> pairs,
                                   const PhotoconsistencyOptions& options,
                                   const Progress& progress) {
   check(views, pairs, options);
   progress("compare");
-  std::vector<ReferenceSums> sums(views.size());
-  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v)
-      sums[v] = compare_with_others(v, views, seen, pairs, options);
-  });
-
-  // Sums go by the order of the views, for the same bytes with any number of threads.
-  progress("add up");
   Photoconsistency result;
   std::vector<FaceSums> faces(mesh.faces.size());
-  for (std::size_t v = 0; v < views.size(); ++v) {
-    result.energy += sums[v].sums.energy;
-    result.loss += sums[v].sums.loss;
-    result.weight += sums[v].sums.weight;
-    result.pixels += sums[v].sums.pixels;
-    result.visible += sums[v].visible;
-    add_to_faces(sums[v], seen[v], faces);
+  // As many views at once as there are threads, to save memory. Sums go by the order of the views,
+  // for the same bytes with any number of threads.
+  const std::size_t group = allowed_thread_count();
+  for (std::size_t start = 0; start < views.size(); start += group) {
+    std::vector<ReferenceSums> sums(std::min(group, views.size() - start));
+    parallel_for(sums.size(), 1, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        sums[v] = compare_with_others(start + v, views, seen, pairs, options);
+    });
+    for (const ReferenceSums& view : sums) add_view(view, result, faces);
   }
+  progress("add up");
   add_to_vertices(mesh, faces, result);
   return result;
 }

@@ -9,8 +9,8 @@
 /// The derivative holds what is seen where, and rho, as they are: it is exact for movements that
 /// change no contour and no border of an image. Only the second image of a pair is differentiated:
 /// give both orders. Views without overlap contribute nothing.
-/// Cost: O(views * faces + pairs * pixels); memory 40 bytes a pixel of all views. In parallel over
-/// views; the same bytes for any number of threads.
+/// Cost: O(views * faces + pairs * pixels); memory 40 bytes a pixel of one view for each thread. In
+/// parallel over views; the same bytes for any number of threads.
 #pragma once
 
 #include <span>
@@ -45,11 +45,10 @@ struct Photoconsistency {
   std::vector<double> coverage;  ///< sums of l
 };
 
-/// `seen` is see_surface() of mesh and views. Throws UsageError for options out of range and for a
+/// `seen` is of mesh and views. Throws UsageError for options out of range and for a
 /// pair of views that do not exist.
 Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
-                                  std::span<const SeenSurface> seen,
-                                  std::span<const ViewPair> pairs,
+                                  const SeenViews& seen, std::span<const ViewPair> pairs,
                                   const PhotoconsistencyOptions& options = {},
                                   const Progress& progress = {});
 

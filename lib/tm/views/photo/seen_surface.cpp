@@ -42,33 +42,27 @@ void compare_row(SeenSurface& seen, std::span<const Vec3f> normals, const Pinhol
   }
 }
 
-/// Pixels without a face have depth 0, and so extend no reach.
-void find_reach(SeenSurface& seen) {
-  const FaceBuffer& faces = seen.faces;
-  for (int y = 0; y + 1 < faces.height; ++y) {
-    for (int x = 0; x + 1 < faces.width; ++x) {
-      seen.reach.at(x, y) = std::max({faces.at(x, y).depth, faces.at(x + 1, y).depth,
-                                      faces.at(x, y + 1).depth, faces.at(x + 1, y + 1).depth});
-    }
+Camera camera_of(const View& view) {
+  return {view.camera.projection(), view.image.width, view.image.height};
+}
+
+GrayImage depths_of(const Mesh& mesh, const View& view) {
+  constexpr int rows_per_band = 16;
+  const Camera camera = camera_of(view);
+  const BandRasterizer bands(mesh, camera, rows_per_band, Sides::outside);
+  GrayImage depths(camera.width, camera.height);
+  std::vector<FacePixel> rows;
+  for (std::size_t band = 0; band < bands.bands(); ++band) {
+    rows.assign(static_cast<std::size_t>(rows_per_band) * static_cast<std::size_t>(camera.width),
+                {});
+    bands.draw(band, rows.data());
+    const int start = static_cast<int>(band) * rows_per_band;
+    const int count = std::min(rows_per_band, camera.height - start) * camera.width;
+    std::transform(rows.begin(), rows.begin() + count, depths.row(start),
+                   [](const FacePixel& pixel) { return pixel.depth; });
   }
+  return depths;
 }
-
-SeenSurface see(const Mesh& mesh, std::span<const Vec3f> normals, const View& view,
-                double least_cosine) {
-  const int width = view.image.width;
-  const int height = view.image.height;
-  SeenSurface seen;
-  seen.faces = rasterize(mesh, {view.camera.projection(), width, height}, Sides::outside);
-  seen.depth = seen.inverse_facing = seen.reach = GrayImage(width, height);
-  seen.first_column = width;
-  seen.first_row = height;
-  for (int y = 0; y < height; ++y)
-    compare_row(seen, normals, view.camera, static_cast<float>(least_cosine), y);
-  find_reach(seen);
-  return seen;
-}
-
-}  // namespace
 
 std::vector<Vec3f> face_unit_normals(const Mesh& mesh) {
   std::vector<Vec3f> normals(mesh.faces.size());
@@ -77,12 +71,31 @@ std::vector<Vec3f> face_unit_normals(const Mesh& mesh) {
   return normals;
 }
 
-std::vector<SeenSurface> see_surface(const Mesh& mesh, std::span<const Vec3f> normals,
-                                     std::span<const View> views, double least_cosine) {
-  std::vector<SeenSurface> seen(views.size());
+}  // namespace
+
+SeenViews::SeenViews(const Mesh& mesh, std::span<const View> views, double least_cosine)
+    : mesh_(mesh),
+      views_(views),
+      least_cosine_(least_cosine),
+      normals_(face_unit_normals(mesh)),
+      depths_(views.size()) {
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) seen[v] = see(mesh, normals, views[v], least_cosine);
+    for (std::size_t v = first; v < last; ++v) {
+      depths_[v] = depths_of(mesh, views[v]);
+      if (views[v].image.is_packed()) depths_[v].pack(HeldImage::Kind::depths);
+    }
   });
+}
+
+SeenSurface SeenViews::surface(std::size_t view) const {
+  const Camera camera = camera_of(views_[view]);
+  SeenSurface seen;
+  seen.faces = rasterize(mesh_, camera, Sides::outside);
+  seen.depth = seen.inverse_facing = GrayImage(camera.width, camera.height);
+  seen.first_column = camera.width;
+  seen.first_row = camera.height;
+  for (int y = 0; y < camera.height; ++y)
+    compare_row(seen, normals_, views_[view].camera, static_cast<float>(least_cosine_), y);
   return seen;
 }
 

@@ -14,20 +14,32 @@ struct SeenSurface {
   GrayImage depth;
   /// 1 / (r N) of these, r the pixel's PinholeCamera::ray and N the unit normal of the face: < 0.
   GrayImage inverse_facing;
-  /// At (x, y) the largest depth of any face at (x, y), (x+1, y), (x, y+1), (x+1, y+1): a point
-  /// that lands between these pixels is hidden where it is clearly behind that.
-  GrayImage reach;
   /// The box of the compared pixels; the ends are excluded.
   int first_column = 0, end_column = 0;
   int first_row = 0, end_row = 0;
 };
 
-std::vector<Eigen::Vector3f> face_unit_normals(const Mesh& mesh);
+/// What all views see: of each the depths are held, 4 bytes a pixel or 2
+/// of views that are packed, and all else is found when it
+/// is asked for. Backs of faces hide nothing.
+class SeenViews {
+ public:
+  /// Keeps references to both. `least_cosine` is that of the angle between ray and normal below
+  /// which a face is seen too flatly; >= 0. In parallel over views; the same for any number of
+  /// threads.
+  SeenViews(const Mesh& mesh, std::span<const View> views, double least_cosine);
 
-/// `normals` are face_unit_normals. `least_cosine` is that of the angle between ray and normal
-/// below which a face is seen too flatly; >= 0. Backs of faces hide nothing. In parallel over
-/// views; the same for any number of threads.
-std::vector<SeenSurface> see_surface(const Mesh& mesh, std::span<const Eigen::Vector3f> normals,
-                                     std::span<const View> views, double least_cosine);
+  /// Of any face; 0 where there is none.
+  const HeldImage& depths(std::size_t view) const { return depths_[view]; }
+  /// 28 bytes a pixel. Safe to call from several threads.
+  SeenSurface surface(std::size_t view) const;
+
+ private:
+  const Mesh& mesh_;
+  std::span<const View> views_;
+  double least_cosine_;
+  std::vector<Eigen::Vector3f> normals_;
+  std::vector<HeldImage> depths_;
+};
 
 }  // namespace transformesh

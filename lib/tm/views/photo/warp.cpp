@@ -1,6 +1,7 @@
 #include "tm/views/photo/warp.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "tm/views/images/interpolation.h"
 
@@ -23,14 +24,22 @@ Landing land(double a, double b, double c, double depth, const Vec3& shift) {
   return {x, y, far, (a - x * c) * inverse, (b - y * c) * inverse};
 }
 
+/// The largest depth of the pixels that a place is between: a point there is hidden where it is
+/// clearly behind that. Pixels without a face have depth 0.
+float reach(const GrayImage& depths, int x, int y) {
+  const float* const top = depths.row(y) + x;
+  const float* const bottom = top + depths.width;
+  return std::max({top[0], top[1], bottom[0], bottom[1]});
+}
+
 }  // namespace
 
 Warp::Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
-           const SeenSurface& seen_by_other, double depth_tolerance)
-    : reference_(reference.image),
+           const HeldImage& depths_of_other, double depth_tolerance)
+    : reference_(reference.image.unpacked(room_[0])),
       seen_(seen_by_reference),
-      other_(other.image),
-      reach_(seen_by_other.reach),
+      other_(other.image.unpacked(room_[1])),
+      depths_(depths_of_other.unpacked(room_[2])),
       nearer_(1 - depth_tolerance) {
   const Projection projection = other.camera.projection();
   const Eigen::Matrix3d directions = projection.leftCols<3>();
@@ -57,7 +66,7 @@ void Warp::row(int y, const WarpedRow& out) const {
     if (!(at.depth > 0 && at.x >= first && at.y >= first && at.x < end_x && at.y < end_y)) continue;
     const int to_x = static_cast<int>(at.x);
     const int to_y = static_cast<int>(at.y);
-    if (reach_.at(to_x, to_y) <= at.depth * nearer_) continue;
+    if (reach(depths_, to_x, to_y) <= at.depth * nearer_) continue;
     const Sample found = sample<interpolation>(
         other_, to_x, to_y, static_cast<float>(at.x - to_x), static_cast<float>(at.y - to_y),
         static_cast<float>(at.along_x), static_cast<float>(at.along_y));

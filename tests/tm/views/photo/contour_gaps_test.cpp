@@ -37,8 +37,7 @@ ContourGaps gaps_of(const Mesh& mesh, const std::vector<View>& views,
   std::vector<GrayImage> distances;
   for (const View& view : views)
     distances.push_back(view.silhouette.empty() ? GrayImage() : signed_distance(view.silhouette));
-  return contour_gaps(mesh, views, see_surface(mesh, face_unit_normals(mesh), views, 0.1),
-                      distances, meaning);
+  return contour_gaps(mesh, views, SeenViews(mesh, views, 0.1), distances, meaning);
 }
 
 /// Pixels of a point from the middle of the image of the first view.

@@ -104,8 +104,7 @@ struct Scene {
       p.z() = 0.03 * std::sin(5 * p.x() + 1) * std::cos(4 * p.y()) + random.uniform(-0.004, 0.004);
   }
   Photoconsistency measure() const {
-    return photoconsistency(mesh, views, see_surface(mesh, face_unit_normals(mesh), views, 0.1),
-                            pairs, options);
+    return photoconsistency(mesh, views, SeenViews(mesh, views, 0.1), pairs, options);
   }
   double loss_moved(std::span<const Vec3> field, double factor) const {
     Scene moved(*this);
