@@ -40,7 +40,7 @@ struct Document {
   Mesh mesh;
   Style style;
   std::vector<OtherElement> other_elements;
-  std::string texture;  ///< a PNG file that GLB holds; other formats have it beside them
+  std::string texture = {};  ///< a PNG file that GLB holds; other formats have it beside them
 };
 
 }  // namespace transformesh

@@ -177,7 +177,8 @@ TEST_CASE("with a start, outlines come from a threshold that is given, and from 
     CHECK(outlined.has_value() == is_given);
     CHECK(views[0].silhouette.empty() != is_given);
     if (outlined) outline(views, *outlined);
-    for (const float level : views[0].silhouette.pixels) CHECK((level == 0 || level == 255));
+    const GrayImage silhouette = views[0].silhouette.unpacked();
+    for (const float level : silhouette.pixels) CHECK((level == 0 || level == 255));
   }
 }
 

@@ -93,7 +93,8 @@ TEST_CASE("of a film targets and views come with their frames") {
 
   make_folder(folder + run_file::targets);
   write_mesh_file(folder + run_name(run_file::targets, 1, ".ply"), test::icosphere(2));
-  const std::vector<View> views{{"a", camera_ring({.count = 2}).cameras[0].camera, {8, 6, 1}, {}}};
+  const std::vector<View> views{
+      {"a", camera_ring({.count = 2}).cameras[0].camera, GrayImage{8, 6, 1}, {}}};
   add_to_run(folder, run_files_of(views, 1));
   add_frame(folder, 1, 2);
   live.refresh(10);

@@ -1,6 +1,7 @@
 #include "tm/views/color/glimpses.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace transformesh {
 namespace {
@@ -15,8 +16,9 @@ Eigen::Array3f levels_of(const Glimpse& glimpse) {
           static_cast<float>(glimpse.color[2])};
 }
 
+// Of the first ones; the others are larger than any level.
 float median_of(std::array<float, 4> values, std::size_t count) {
-  std::sort(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
+  std::sort(values.begin(), values.end());
   return (values[(count - 1) / 2] + values[count / 2]) / 2;
 }
 
@@ -46,7 +48,8 @@ Eigen::Array3f Glimpses::blend() const {
   const std::size_t voters = count_as_good(voting_share);
   Eigen::Array3f median;
   for (int channel = 0; channel < 3; ++channel) {
-    std::array<float, 4> values{};
+    std::array<float, 4> values;
+    values.fill(std::numeric_limits<float>::max());
     for (std::size_t i = 0; i < voters; ++i) values[i] = levels_of(best_[i])[channel];
     median[channel] = median_of(values, voters);
   }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/levels.h"
 #include "helpers/view_maker.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
@@ -91,9 +92,8 @@ TEST_CASE("the same for any number of threads") {
 
 TEST_CASE("where there is no hull the level is the dividing one; without photographs none") {
   std::vector<View> views = photographs(160);
-  for (View& view : views)
-    for (float& pixel : view.image.pixels) pixel = 200;
-  views[0].image.pixels[0] = 10;
+  for (View& view : views) test::change_levels(view.image, [](float) { return 200.0F; });
+  views[0].image.at(0, 0) = 10;
   CHECK(agreed_level(views) == doctest::Approx(105));
   for (View& view : views) view.image = GrayImage();
   CHECK_THROWS_AS(agreed_level(views), UsageError);

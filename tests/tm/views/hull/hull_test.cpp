@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/levels.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/view_maker.h"
 #include "tm/clean/intersect/intersect.h"
@@ -119,9 +120,11 @@ TEST_CASE("skipping blocks of cells changes nothing: cells of any size agree abo
   std::vector<View> views = views_of_ball(eyes, {-30, 0, 0}, 30);
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     const View small = ball_view(eyes[i], {55, 10, 20}, 4);
-    for (std::size_t p = 0; p < small.silhouette.pixels.size(); ++p)
-      views[i].silhouette.pixels[p] =
-          std::max(views[i].silhouette.pixels[p], small.silhouette.pixels[p]);
+    for (int y = 0; y < small.silhouette.height; ++y)
+      for (int x = 0; x < small.silhouette.width; ++x) {
+        float& level = views[i].silhouette.at(x, y);
+        level = std::max(level, small.silhouette.at(x, y));
+      }
   }
   const HullResult all = visual_hull(views, {.resolution = 90, .keep = 0});
   bool is_found = false;

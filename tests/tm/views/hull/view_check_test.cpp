@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "helpers/levels.h"
 #include "helpers/view_maker.h"
 #include "tm/io/source.h"
 #include "tm/support/error.h"
@@ -58,7 +59,7 @@ bool has(const std::string& text, const std::string& part) {
 }
 
 void invert(View& view) {
-  for (float& level : view.silhouette.pixels) level = 255 - level;
+  test::change_levels(view.silhouette, [](float level) { return 255 - level; });
 }
 
 /// The object somewhere else in the picture.

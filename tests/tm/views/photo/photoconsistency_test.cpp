@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "helpers/levels.h"
 #include "helpers/random.h"
 #include "tm/picture/rasterize.h"
 #include "tm/support/error.h"
@@ -263,7 +264,7 @@ TEST_CASE("a surface where it belongs is consistent, and a change of light does 
   const Photoconsistency exact = scene.measure();
   CHECK(exact.energy / exact.weight < 2e-3);
   CHECK(exact.weight == exact.pixels);
-  for (float& level : scene.views[1].image.pixels) level = 1.3F * level - 40;
+  test::change_levels(scene.views[1].image, [](float level) { return 1.3F * level - 40; });
   CHECK(scene.measure().energy / exact.weight < 4e-3);
 
   // Off by half a pixel of parallax it is worse, and the gradient leads back.
