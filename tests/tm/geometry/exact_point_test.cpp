@@ -155,6 +155,8 @@ TEST_CASE("orientation and order of defined points agree with rationals") {
       for (Vec3& p : scene.positions) p = Vec3(1e-140, 1e130, 1e145).cwiseProduct(p);
     add_points(scene);
     const ExactGeometry geometry(scene.positions, scene.faces);
+    std::vector<ExactPlane> planes;
+    for (Index f = 0; f < 6; ++f) planes.push_back(geometry.plane(f));
     defined += static_cast<int>(scene.points.size() - scene.positions.size());
     const auto pick = [&] {
       return static_cast<std::size_t>(random.uniform(0, static_cast<double>(scene.points.size())));
@@ -170,7 +172,9 @@ TEST_CASE("orientation and order of defined points agree with rationals") {
       const Face& f = scene.faces[c % 6];
       const Plane plane = plane_of(scene.positions, f);
       const Triangle t{scene.positions[f[0]], scene.positions[f[1]], scene.positions[f[2]]};
-      REQUIRE(geometry.orient3d(t, scene.points[a]) == sign(dot(plane.normal, p) - plane.offset));
+      const int side = sign(dot(plane.normal, p) - plane.offset);
+      REQUIRE(geometry.orient3d(t, scene.points[a]) == side);
+      REQUIRE(geometry.orient3d(planes[c % 6], scene.points[a]) == side);
       for (int k = 0; k < 3; ++k) {
         const Rational off = p[static_cast<std::size_t>(k)] - Rational(scene.points[a].center[k]);
         REQUIRE(abs(off) <= Rational(scene.points[a].radius[k]));
