@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <new>
@@ -15,32 +16,33 @@ namespace {
 
 constexpr std::size_t huge_page = std::size_t{2} << 20;
 constexpr std::size_t large = 2 * huge_page;
-/// A program that takes no block of this size does without huge pages, which take time to clear.
-constexpr std::size_t notable = std::size_t{64} << 10;
+constexpr std::size_t small_page = std::size_t{4} << 10;
+constexpr std::size_t medium = 16 * small_page;
 
-/// Where the heap ended when it was last seen.
-std::atomic<std::uintptr_t> seen_end{0};
+/// Up to where the heap has been touched.
+std::atomic<std::uintptr_t> touched_end{0};
 
-void advise(std::uintptr_t first, std::uintptr_t last) {
+// Asks for huge pages where whole ones lie in the block. It is no error that there are none.
+void advise(void* block, std::size_t size) {
+  const auto address = reinterpret_cast<std::uintptr_t>(block);
+  const std::uintptr_t first = (address + huge_page - 1) / huge_page * huge_page;
+  const std::uintptr_t last = (address + size) / huge_page * huge_page;
   if (last > first) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 }
 
-// Asks for huge pages for what the heap has grown by and, where the block lies elsewhere, for the
-// whole ones in it. It is no error that there are none.
-void advise_around(void* block, std::size_t size) {
+// Takes the pages of a block for which the heap has grown, all at once: one by one, at their first
+// touch, they take three times as long. Where the system cannot do that, nothing happens.
+void touch([[maybe_unused]] void* block, [[maybe_unused]] std::size_t size) {
+#ifdef MADV_POPULATE_WRITE
   const auto address = reinterpret_cast<std::uintptr_t>(block);
-  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
-  if (address > end) {
-    if (size >= large)
-      advise((address + huge_page - 1) / huge_page * huge_page,
-             (address + size) / huge_page * huge_page);
-    return;
-  }
-  const std::uintptr_t before = seen_end.exchange(end);
-  if (before == end) return;
-  const std::uintptr_t page = 4096;
-  advise(before == 0 || before > end ? address / page * page : before / page * page,
-         end / page * page);
+  if (address > reinterpret_cast<std::uintptr_t>(sbrk(0))) return;  // not in the heap
+  const std::uintptr_t last = (address + size) / small_page * small_page;
+  const std::uintptr_t first = std::max(address / small_page * small_page + small_page,
+                                        touched_end.load(std::memory_order_relaxed));
+  if (last <= first) return;
+  touched_end.store(last, std::memory_order_relaxed);
+  madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+#endif
 }
 
 }  // namespace
@@ -49,7 +51,11 @@ void* operator new(std::size_t size) {
   for (;;) {
     void* block = std::malloc(size == 0 ? 1 : size);
     if (block != nullptr) {
-      if (size >= notable) advise_around(block, size);
+      if (size >= large) {
+        advise(block, size);
+      } else if (size >= medium) {
+        touch(block, size);
+      }
       return block;
     }
     const std::new_handler handler = std::get_new_handler();
@@ -68,7 +74,7 @@ void prepare_memory() {
   // them than it saves, but for large blocks.
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, 512 << 20);
-  mallopt(M_TOP_PAD, 32 << 20);
+  mallopt(M_TOP_PAD, 4 << 20);
 }
 
 }  // namespace transformesh::tool

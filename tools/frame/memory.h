@@ -1,5 +1,7 @@
-/// How a program takes memory from the system: rarely, and large blocks in huge pages where the
-/// system gives them, as first touches of small pages cost a sixth of a large mesh's time.
+/// How a program takes memory from the system: rarely, blocks of medium size as a whole, and large
+/// ones in huge pages where the system gives them, as first touches of small pages cost a sixth of
+/// a large mesh's time. (Huge pages for medium blocks too were slower by half on a virtual machine
+/// that hands unused memory back to its host.)
 #pragma once
 
 namespace transformesh::tool {

@@ -64,7 +64,7 @@ std::size_t first_read_size(int descriptor) {
 char* Bytes::reserve(std::size_t size) {
   if (capacity_ - size_ < size) {
     // Programs prepare memory for what is new, but not for what is reallocated.
-    if (data_ == nullptr) ::operator delete(::operator new(size));
+    if (data_ == nullptr && size > block) ::operator delete(::operator new(size));
     const std::size_t capacity = std::max(size_ + size, 2 * capacity_);
     char* data = static_cast<char*>(std::realloc(data_.get(), capacity));
     if (data == nullptr) throw std::bad_alloc();
