@@ -31,7 +31,7 @@ void advise(void* block, std::size_t size) {
 }
 
 // Takes the pages of a block for which the heap has grown, all at once: one by one, at their first
-// touch, they take three times as long. Where the system cannot do that, nothing happens.
+// touch, they take longer. Where the system cannot do that, nothing happens.
 void touch([[maybe_unused]] void* block, [[maybe_unused]] std::size_t size) {
 #ifdef MADV_POPULATE_WRITE
   const auto address = reinterpret_cast<std::uintptr_t>(block);
