@@ -1,5 +1,6 @@
 #include "tm/remesh/vertex_cells.h"
 
+#include <array>
 #include <set>
 
 #include "helpers/random.h"
