@@ -35,6 +35,9 @@ constexpr double adaptive_longest = 0.95;
 /// From so many iterations on, a mesh is made anew and evened out at the end. With fewer it is part
 /// of an evolution, whose next step sees to its shape.
 constexpr int iterations_anew = 3;
+/// After that many, valences hardly change any more, and what is left to gain comes of relaxing.
+constexpr int sweeps_between = 1;
+constexpr int sweeps_at_end = 6;
 
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
@@ -173,6 +176,14 @@ class Iteration {
     relax();
   }
 
+  /// Relaxes up to so many times more, until all is at rest.
+  void settle(int sweeps) {
+    if (task_.options.smoothing != Smoothing::tangential || task_.options.only_smooth) return;
+    for (int i = 0; i < sweeps; ++i)
+      if (relax_tangentially(mesh_, guard_, roles_, task_.surface, task_.progress).moved == 0)
+        break;
+  }
+
   void finish() {
     if (task_.options.smoothing == Smoothing::tangential && task_.surface == nullptr)
       even_out(mesh_, guard_, roles_, task_.progress);
@@ -252,13 +263,15 @@ void refine(const Task& task) {
       split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
 }
 
-void iterate(const Task& task, bool is_first, bool is_finish) {
+void iterate(const Task& task, int pass) {
+  const bool is_last = pass + 1 == task.options.iterations;
   mark_features(task.mesh, task.options.feature_angle_deg);
   const Index first_new = task.mesh.vertex_slots();
   if (!task.options.only_smooth) refine(task);
   Iteration iteration(task, first_new);
-  iteration.run(is_first);
-  if (is_finish) iteration.finish();
+  iteration.run(pass == 0);
+  if (pass >= iterations_anew) iteration.settle(is_last ? sweeps_at_end : sweeps_between);
+  if (is_last && pass + 1 >= iterations_anew) iteration.finish();
   task.result.kept_out += iteration.kept_out();
   remove_small(task);
 }
@@ -291,8 +304,7 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
       progress, result};
   remove_small(task);
   if (options.iterations > 0) editable.set_components(closed_components(editable));
-  for (int i = 0; i < options.iterations; ++i)
-    iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
+  for (int pass = 0; pass < options.iterations; ++pass) iterate(task, pass);
   result.degenerate_faces = count_degenerate_faces(editable);
   Mesh remeshed = editable.to_mesh();
   if (remeshed.faces.empty()) {
