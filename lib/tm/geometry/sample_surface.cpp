@@ -3,9 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
-#include "tm/geometry/point_grid.h"
+#include "tm/geometry/hashed_grid.h"
 #include "tm/geometry/surface_samples.h"
 #include "tm/mesh/measure.h"
 #include "tm/mesh/surface_columns.h"
@@ -19,7 +20,8 @@ namespace {
 
 constexpr double most_points = 1e8;
 constexpr double darts_per_disk = 2;  ///< thrown at first, for each square of the distance
-constexpr double tolerance = 1e-3;    ///< of the distance: smaller parts of faces are left
+constexpr double tolerance = 1e-9;    ///< of the distance: smaller parts of faces are left
+constexpr double roundings = 16;      ///< and those of so many spacings of coordinates
 constexpr std::size_t darts_per_report = 16384;
 
 /// A part of a face, by the weights of its corners in the face.
@@ -31,7 +33,11 @@ struct Part {
 class PoissonDisk {
  public:
   PoissonDisk(const Mesh& mesh, double distance, std::uint64_t seed)
-      : mesh_(mesh), distance_(distance), random_(seed), grid_(distance) {}
+      : mesh_(mesh),
+        distance_(distance),
+        smallest_(std::max(tolerance * distance, roundings * spacing_of(mesh))),
+        random_(seed),
+        grid_(distance) {}
 
   std::vector<SurfacePoint> sample(std::size_t darts, std::uint64_t seed,
                                    const Progress& progress) {
@@ -63,26 +69,25 @@ class PoissonDisk {
            weights[2] * mesh_.positions[corners[2]];
   }
 
-  void add_if_free(const SurfacePoint& point) {
-    bool is_free = true;
-    grid_.visit_around(point.position, [&](Index other) {
-      if ((points_[other].position - point.position).norm() < distance_) is_free = false;
-    });
-    if (!is_free) return;
+  bool is_free(const Vec3& place) const {
+    return !grid_.find_around(
+        place, [&](Index other) { return (points_[other].position - place).norm() < distance_; });
+  }
+
+  bool add_if_free(const SurfacePoint& point) {
+    if (!is_free(point.position)) return false;
     grid_.add(point.position, static_cast<Index>(points_.size()));
     points_.push_back(point);
+    return true;
   }
 
   /// Whether one disk has all of a triangle.
   bool is_covered(const Triangle& corners) const {
-    bool is_covered = false;
-    grid_.visit_around(corners[0], [&](Index point) {
+    return grid_.find_around(corners[0], [&](Index point) {
       const Vec3& center = points_[point].position;
-      if (std::ranges::all_of(corners,
-                              [&](const Vec3& p) { return (p - center).norm() < distance_; }))
-        is_covered = true;
+      return std::ranges::all_of(corners,
+                                 [&](const Vec3& p) { return (p - center).norm() < distance_; });
     });
-    return is_covered;
   }
 
   /// Darts into the parts of a face that are not covered, which are halved until they are.
@@ -94,11 +99,20 @@ class PoissonDisk {
       const Triangle corners{place(face, part.corners[0]), place(face, part.corners[1]),
                              place(face, part.corners[2])};
       if (is_covered(corners)) continue;
-      const bool is_small = longest(corners) < tolerance * distance_;
-      const Vec3 weights = is_small ? middle_of(part) : random_weights(part);
-      add_if_free({face, weights, place(face, weights)});
-      if (!is_small && !is_covered(corners)) halve(part, corners, parts);
+      if (longest(corners) < smallest_) {
+        add_if_free({face, middle_of(part), place(face, middle_of(part))});
+        continue;
+      }
+      const Vec3 weights = random_weights(part);
+      const bool is_added = add_if_free({face, weights, place(face, weights)});
+      if (!is_added || !is_covered(corners)) halve(part, corners, parts);
     }
+  }
+
+  static double spacing_of(const Mesh& mesh) {
+    double most = 0;
+    for (const Vec3& p : mesh.positions) most = std::max(most, p.cwiseAbs().maxCoeff());
+    return most * std::numeric_limits<double>::epsilon();
   }
 
   static double longest(const Triangle& corners) {
@@ -136,8 +150,9 @@ class PoissonDisk {
 
   const Mesh& mesh_;
   double distance_;
+  double smallest_;  ///< parts of faces that are not halved
   Random random_;
-  PointGrid grid_;
+  HashedGrid grid_;
   std::vector<SurfacePoint> points_;
 };
 

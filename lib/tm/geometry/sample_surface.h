@@ -8,7 +8,9 @@
 ///
 /// Reference: Cline, Jeschke, White, Razdan & Wonka, "Dart throwing on surfaces", Computer Graphics
 /// Forum 28(4), 2009: darts, then parts of faces that no disk covers are split until none is left.
-/// Cost: O(n + count); of a Poisson disk O((n + points) log points), about .1 ms a point.
+/// Nothing is left over: the disks of such a sampling, of half the distance, cover .55 of a plane,
+/// .60 of what the densest packing has (Renyi's random sequential addition).
+/// Cost: O(n + count); of a Poisson disk O(n + points), about .02 ms a point.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +27,9 @@ struct SampleOptions {
 };
 
 /// A mesh without faces, points in the order of the faces where they are by area. Of a Poisson disk
-/// every place of the surface is within 1.001 distances of a point. Throws InputError where the
-/// surface has no area or one that no double holds, UsageError where neither or both are asked for,
-/// and where a Poisson disk would have more than 1e8 points.
+/// no place of the surface is farther than the distance from a point, but for rounding and 1e-9 of
+/// it. Throws InputError where the surface has no area or one that no double holds, UsageError
+/// where neither or both are asked for, and where a Poisson disk would have more than 1e8 points.
 Mesh sample_surface(const Mesh& mesh, const SampleOptions& options, const Progress& progress = {});
 
 }  // namespace transformesh
