@@ -49,8 +49,10 @@ std::string page_named(const std::string& word) {
   names.emplace_back("tm");
   for (const std::string& name : {word, "tm-" + word})
     if (std::find(names.begin(), names.end(), name) != names.end()) return name;
-  std::string nearest = nearest_name("tm-" + word, names);
-  throw UsageError("there is no program '" + word + "'; did you mean '" + nearest + "'?");
+  const std::string nearest = nearest_name("tm-" + word, names);
+  throw UsageError("there is no program '" + word + "'; " +
+                   (is_near("tm-" + word, nearest) ? "did you mean '" + nearest + "'?"
+                                                   : "tm lists those that there are"));
 }
 
 /// Replaces this process by one of the commands, the first that is there.

@@ -48,6 +48,9 @@ setup() {
   run tm claen
   assert_status 2
   [ "$output" = "tm: there is no program 'claen'; did you mean 'tm-clean'?" ]
+  run tm nothing
+  assert_status 2
+  [ "$output" = "tm: there is no program 'nothing'; tm lists those that there are" ]
   run tm clean cat
   assert_status 2
   [[ $output == *"'cat' is a second one" ]]

@@ -14,6 +14,7 @@
 #include "tm/mesh/triangle.h"
 #include "tm/support/error.h"
 #include "tm/support/length.h"
+#include "tm/support/number.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -194,7 +195,7 @@ OffsetResult offset(Document& document, const OffsetOptions& options, const Prog
     throw GoalError(
         "nothing of the surface is left, or its walls are too thin for its edges: "
         "nothing seems to be " +
-        shortest_text(-options.distance) + " inside it");
+        significant(-options.distance, 3) + " inside it");
   }
 }
 
