@@ -2,6 +2,7 @@
 # installed it.
 
 load ../helpers/common
+load ../helpers/browser
 
 setup_file() {
   cd "$BATS_FILE_TMPDIR"
@@ -38,27 +39,9 @@ setup_file() {
   tm-view red.ply -o red.html
 }
 
-has_browser() {
-  TM_CHROMIUM=$(command -v chromium || command -v chromium-browser) || return 1
-  export TM_CHROMIUM
-  command -v node >/dev/null && [ -e "$tm_root/tools/viewer/node_modules/puppeteer-core" ] &&
-    [ -e "$tm_root/tools/viewer/node_modules/axe-core" ] && [ -e "$tm_build/share/tm/viewer.html" ]
-}
-
 setup() {
   cd "$BATS_FILE_TMPDIR"
-  has_browser || skip "there is no Chromium or no viewer: scripts/setup --browser"
-}
-
-# check NAME PAGE|WORD...
-check() {
-  local name=$1 words=() word
-  shift
-  for word; do
-    [[ $word != *.html ]] || word=file://$PWD/$word
-    words+=("$word")
-  done
-  timeout 300 node "$tm_root/tests/browser/checks.mjs" "$name" "${words[@]}" 3>&-
+  needs_browser
 }
 
 @test "a page opens from its file, at 800 and 2000 pixels, without an error or a request" {
