@@ -342,6 +342,19 @@ const checks = {
       await page.waitForFunction((old) => viewer.times.length > old, {}, before);
       await settled(page);
       assert.equal(Number(await valueOf(page, 'slider')), await count() - 1, 'the slider does not follow');
+      // It has grown, and is seen all the same.
+      const farthest = await page.evaluate(() => {
+        const {cells: [{surface}], camera} = viewer.view;
+        const {position} = surface.geometry.attributes;
+        const place = camera.position.clone();
+        let result = 0;
+        for (let i = 0; i < position.count; ++i) {
+          place.fromBufferAttribute(position, i).applyMatrix4(surface.matrixWorld).project(camera);
+          result = Math.max(result, Math.abs(place.x), Math.abs(place.y));
+        }
+        return result;
+      });
+      assert(farthest > 0.5 && farthest < 1, `as far as ${farthest} of the picture`);
       // Somebody looks at an early frame: it stays.
       await setSlider(page, 0);
       process.kill(Number(server), 'SIGINT');

@@ -113,7 +113,7 @@ setup() {
 
 @test "a run that is served is followed as it goes on, and its end is told" {
   rm -rf live go
-  tm-evolve -q --step 'while [ $TM_ITERATION -gt 2 ] && [ ! -e go ]; do sleep 0.02; done; cat' \
+  tm-evolve -q --step 'while [ $TM_ITERATION -gt 2 ] && [ ! -e go ]; do sleep 0.02; done; tm-transform -q --scale 1.5' \
     --iterations 4 --every 1 --run live torus.ply 3>&- &
   loop=$!
   while [ ! -e live/frames/frame-00002.ply ]; do sleep 0.02; done

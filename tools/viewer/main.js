@@ -40,6 +40,7 @@ class Viewer {
     const logs = page.runs.map((run) => parseLog(run.log));
     const ends = [this.times[0], this.times.at(-1), ...logs.flatMap((log) => log.columns.get(log.counts) ?? [])];
     this.charts.setLogs(logs, Math.min(...ends), Math.max(...ends));
+    page.runs.forEach((run, i) => this.view.cells[i].fit(run));
     this.goTo(isFirst && !page.live ? this.times.length - 1 : wasAtEnd ? this.times.length - 1 : Math.min(this.place, this.times.length - 1));
   }
 
@@ -52,6 +53,7 @@ class Viewer {
     const isOfRuns = runs.some((run) => run.tool !== '');
     $('summary').textContent = `${isOfRuns ? `${counted(runs.length, 'run')}, ` : ''}${counted(meshes, 'mesh')} · ${version}`;
     $('details').hidden = !isOfRuns;
+    document.body.classList.toggle('alone', !isOfRuns);
     $('tables').replaceChildren(...runs.filter((run) => run.tool !== '').map(runElement));
   }
 

@@ -77,7 +77,8 @@ class Cell {
     this.label.textContent = run.name;
 
     this.group = new Group();
-    this.group.scale.setScalar(extent.radius / radius);
+    this.scale = extent.radius / radius;
+    this.group.scale.setScalar(this.scale);
     if (up === 'z') this.group.rotation.x = -Math.PI / 2;
     if (up === 'x') this.group.rotation.z = Math.PI / 2;
     this.surface = new Mesh(new BufferGeometry(), surfaceMaterial());
@@ -91,6 +92,13 @@ class Cell {
       object.frustumCulled = false;
       this.group.add(object);
     }
+  }
+
+  // Smaller, where the run has grown beyond what was there at first.
+  fit(run) {
+    const {middle, radius} = extentOf(run);
+    const away = Math.hypot(...middle.map((x, axis) => x - this.extent.middle[axis]));
+    this.group.scale.setScalar(this.scale / Math.max(1, (away + radius) / this.extent.radius));
   }
 
   setCameras(cameras) {
@@ -149,6 +157,7 @@ export class View {
     const style = getComputedStyle(document.documentElement);
     const css = (name) => style.getPropertyValue(name).trim();
     this.surfaceColor = css('--surface');
+    this.pointColor = css('--points');
     this.shared.wires.color = new Color(css('--wires'));
     setTint(this.shared.ghost, css('--ghost'));
     this.shared.ghostPoints.color = this.shared.frusta.color = new Color(css('--ghost'));
@@ -238,7 +247,7 @@ export class View {
     const color = cell.isColored ? '#ffffff' : this.surfaceColor;
     for (const {material} of [cell.surface, cell.points]) setVertexColors(material, Boolean(cell.isColored));
     setTint(cell.surface.material, color);
-    cell.points.material.color = new Color(color);
+    cell.points.material.color = new Color(cell.isColored ? color : this.pointColor);
   }
 
   setLooks(looks) {
