@@ -1,11 +1,22 @@
 /// What tm-reconstruct says at the end.
 #pragma once
 
+#include <algorithm>
+
 #include "frame/run.h"
 #include "tm/evolution/sequence.h"
 #include "tm/support/counted.h"
 
 namespace transformesh::tool {
+
+/// The largest ones, joined by semicolons.
+inline std::string texts_of(const std::vector<DoubtfulPlace>& places) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
+    text += (i > 0 ? "; " : "") + in_words(places[i]);
+  return text;
+}
 
 inline void report_reconstruction(const ReconstructionResult& result, std::size_t views, Run& run) {
   run.report("views", views);
@@ -21,6 +32,13 @@ inline void report_reconstruction(const ReconstructionResult& result, std::size_
   run.report("coverage", result.last.coverage);
   run.report("first_pixels", result.first.pixels);
   run.report("pixels", result.last.pixels);
+  const SurfaceEvidence& evidence = result.evidence;
+  run.report("first_silhouette_agreement", evidence.first_agreement);
+  run.report("silhouette_agreement", evidence.agreement);
+  run.report("noise_floor", evidence.doubt.floor);
+  run.report("disagreement", evidence.doubt.disagreement);
+  run.report("doubtful", evidence.doubt.share);
+  run.report("doubtful_places", texts_of(evidence.doubt.places));
   run.report("mean_edge", result.last.displaced.mean_edge);
 }
 

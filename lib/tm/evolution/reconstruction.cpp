@@ -1,12 +1,13 @@
 #include "tm/evolution/reconstruction.h"
 
 #include <limits>
+#include <numeric>
 
-#include "tm/evolution/reconstruction_rules.h"
 #include "tm/evolution/stopwatch.h"
 #include "tm/io/mesh_io.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
+#include "tm/views/hull/silhouette.h"
 
 namespace transformesh {
 namespace {
@@ -23,6 +24,9 @@ class Photographs {
   PhotoStepsResult pass(Mesh& mesh, double scale, double loss, const Progress& progress);
   /// One step in which nothing moves; of pairs in one order, or in both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
+  SurfaceDoubt doubt(const Mesh& mesh, const Progress& progress);
+  /// With exact masks, the mean over the views; 1 without.
+  double agreement(const Mesh& mesh) const;
   int width() const { return width_; }
   double pixel() const { return pixel_size(views_); }
 
@@ -79,6 +83,18 @@ PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
   return photo_steps(mesh, at(scale), options, progress).first;
 }
 
+SurfaceDoubt Photographs::doubt(const Mesh& mesh, const Progress& progress) {
+  return surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_.step.photographs, progress);
+}
+
+double Photographs::agreement(const Mesh& mesh) const {
+  const bool are_exact = steps_.step.meaning == SilhouetteMeaning::exact;
+  if (!are_exact || views_.front().silhouette.empty()) return 1;
+  const std::vector<double> of_views = silhouette_agreements(mesh, views_);
+  return std::accumulate(of_views.begin(), of_views.end(), 0.0) /
+         static_cast<double>(of_views.size());
+}
+
 class ReconstructionLoop : public Loop {
  public:
   ReconstructionLoop(Photographs& photographs, const Document& start,
@@ -130,6 +146,7 @@ class ReconstructionLoop : public Loop {
 
 void ReconstructionLoop::start(Document& document, const Progress& progress) {
   document = start_;
+  document.mesh.vertex_columns.erase(doubt_column);
   coarsen(document, levels_[level_].edge, progress);
 }
 
@@ -208,12 +225,15 @@ void ReconstructionLoop::begin_next_level(Document& document, const Progress& pr
 }
 
 void ReconstructionLoop::finish(Document& document, const Progress& progress) {
-  result_.fault = faults_.in_words();
   result_.topology = clean_in_place(document, progress).topology;
   result_.pixel = photographs_.pixel();
   result_.faces = document.mesh.faces.size();
   result_.first = photographs_.look(start_.mesh, 1, false, progress);
   result_.last = photographs_.look(document.mesh, 1, false, progress);
+  result_.evidence = {photographs_.agreement(start_.mesh), photographs_.agreement(document.mesh),
+                      photographs_.doubt(document.mesh, progress)};
+  result_.fault = faults_.in_words(result_.evidence);
+  set_doubt_column(document.mesh, result_.evidence.doubt);
 }
 
 void ReconstructionLoop::remember(Memory& memory) {

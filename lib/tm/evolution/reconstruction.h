@@ -7,8 +7,9 @@
 /// thin parts off, and was not asked for, the loop begins anew with the next finer one. At last,
 /// where the surface is at rest, windows that disagree pull less (robust_loss).
 ///
-/// The result is converged where it has no fault (reconstruction_rules.h). Deterministic for any
-/// number of threads; the record of a run that was ended in any way continues to the same bytes.
+/// The result is converged where it has no fault (reconstruction_rules.h); the vertex column
+/// `doubt` says where photographs disagree (surface_doubt.h). Deterministic for any number of
+/// threads; the record of a run that was ended in any way continues to the same bytes.
 /// Throws what the stages throw, a failure of a pass with its number; the document is then that of
 /// the last good one.
 #pragma once
@@ -20,6 +21,7 @@
 
 #include "tm/evolution/iteration.h"
 #include "tm/evolution/loop.h"
+#include "tm/evolution/reconstruction_rules.h"
 #include "tm/evolution/reconstruction_start.h"
 #include "tm/evolution/scales.h"
 #include "tm/views/photo/photo_steps.h"
@@ -49,6 +51,7 @@ struct ReconstructionResult {
   double pixel = 0;  ///< length of a pixel's side where the cameras look
   std::size_t faces = 0;
   PhotoStepResult first, last;  ///< of the start and of the result, at full scale; nothing moved
+  SurfaceEvidence evidence;
 };
 
 /// `views` have photographs and, where there are masks, silhouettes; else they get some, but for

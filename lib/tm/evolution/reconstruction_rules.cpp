@@ -17,7 +17,25 @@ constexpr double entering_share = 0.9;
 /// A little below 2, which scales are not exactly.
 constexpr double late_scale = 1.99;
 
+/// Of the agreement with silhouettes: as much as the edges of the start leave open.
+constexpr double agreement_lost = 0.005;
+constexpr double most_disagreement = 0.2;
+constexpr double most_doubtful = 0.03;
+
 double real(std::size_t count) { return static_cast<double>(count); }
+
+std::string in_words_of(const SurfaceDoubt& doubt) {
+  if (doubt.disagreement > most_disagreement)
+    return "photographs disagree by " + fixed(doubt.disagreement, 2) + " beyond their noise";
+  const auto thin = std::find_if(doubt.places.begin(), doubt.places.end(),
+                                 [](const DoubtfulPlace& place) { return place.is_thin; });
+  if (thin != doubt.places.end())
+    return "photographs disagree on a film or fin around " + in_words(*thin);
+  if (doubt.share > most_doubtful)
+    return "photographs disagree on " + fixed(100 * doubt.share, 1) +
+           " % of the surface, most around " + in_words(doubt.places.front());
+  return {};
+}
 
 std::ptrdiff_t fault_count(const std::string& faults) {
   return faults.empty() ? 0 : 1 + std::count(faults.begin(), faults.end(), '+');
@@ -66,7 +84,7 @@ double robust_loss(std::optional<double> factor, double dissimilarity) {
   return loss > 0 ? read_back(significant(std::clamp(loss, 0.001, 1000.0), 9)) : 0;
 }
 
-std::string ReconstructionFaults::in_words() const {
+std::string ReconstructionFaults::in_words(const SurfaceEvidence& evidence) const {
   if (lost_at > 0)
     return "photographs compare less of the surface after scale " + fixed(lost_at, 4) +
            " than before";
@@ -74,7 +92,10 @@ std::string ReconstructionFaults::in_words() const {
   if (late_at > 0)
     return "components or holes came or went as late as at scale " + fixed(late_at, 4) +
            ": maybe films that no photograph shows";
-  return {};
+  if (evidence.agreement < evidence.first_agreement - agreement_lost)
+    return "the outline agrees with the silhouettes by " + fixed(evidence.agreement, 3) +
+           ", that of the start by " + fixed(evidence.first_agreement, 3);
+  return in_words_of(evidence.doubt);
 }
 
 std::string tracking_faults(const SurfaceQuality& surface, const SurfaceQuality& reference) {

@@ -8,6 +8,7 @@
 #include "tm/evolution/iteration.h"
 #include "tm/evolution/memory.h"
 #include "tm/evolution/scales.h"
+#include "tm/evolution/surface_doubt.h"
 #include "tm/views/photo/photo_steps.h"
 
 namespace transformesh {
@@ -67,14 +68,23 @@ bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now);
 /// not a few windows are wrong. 0: all pull alike.
 double robust_loss(std::optional<double> factor, double dissimilarity);
 
+/// What the end of a reconstruction is judged by, beside its passes.
+struct SurfaceEvidence {
+  double first_agreement = 1;  ///< with exact masks, of the start, as the mean over the views
+  double agreement = 1;        ///< of the result
+  SurfaceDoubt doubt;
+};
+
 /// What keeps the end of a reconstruction from being converged.
 struct ReconstructionFaults {
   double lost_at = 0;  ///< scale after which less of the surface was compared than before; 0: none
   double late_at = 0;  ///< scale at which the topology changed late; 0: none
   bool is_at_rest = false;
 
-  /// Empty where there is none.
-  std::string in_words() const;
+  /// The first one, empty where there is none. Beside the above: the outline agrees with masks by
+  /// 0.005 less than that of the start, photographs disagree by more than 0.2 beyond their noise or
+  /// on more than 3 % of what is seen, or a thin place is doubtful.
+  std::string in_words(const SurfaceEvidence& evidence) const;
   void remember(Memory& memory) { memory("lost", lost_at)("late", late_at)("rest", is_at_rest); }
 };
 

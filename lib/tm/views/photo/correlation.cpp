@@ -67,7 +67,8 @@ class Correlation {
 
   CorrelationSums run(int first_row, int end_row,
                       const std::function<void(int, const ComparedRow&)>& fill,
-                      const std::function<void(int, const CorrelationRow&)>& take) {
+                      const std::function<void(int, const CorrelationRow&)>& take,
+                      const std::function<void(int, const WindowRow&)>& look) {
     for (int y = first_row; y < end_row + 2 * radius; ++y) {
       compared_.clear(y);
       if (y < end_row) {
@@ -75,8 +76,11 @@ class Correlation {
                  compared_.row(slope, y)});
       }
       factors_.clear(y - radius);
-      if (y - radius >= first_row && y - radius < end_row) compare(y - radius);
-      if (y - 2 * radius >= first_row) {
+      if (y - radius >= first_row && y - radius < end_row) {
+        compare(y - radius);
+        if (look) look(y - radius, {weight_.data(), energy_.data(), deviations_.data()});
+      }
+      if (take && y - 2 * radius >= first_row) {
         differentiate(y - 2 * radius);
         take(y - 2 * radius,
              {compared_.row(is_seen, y - 2 * radius), gradient_.data(), curvature_.data()});
@@ -204,15 +208,17 @@ class Correlation {
 template <int radius>
 CorrelationSums run(int width, int first_row, int end_row, const CorrelationOptions& options,
                     const std::function<void(int, const ComparedRow&)>& fill,
-                    const std::function<void(int, const CorrelationRow&)>& take) {
-  return Correlation<radius>(width, options).run(first_row, end_row, fill, take);
+                    const std::function<void(int, const CorrelationRow&)>& take,
+                    const std::function<void(int, const WindowRow&)>& look) {
+  return Correlation<radius>(width, options).run(first_row, end_row, fill, take, look);
 }
 
 }  // namespace
 
 CorrelationSums correlate(int width, int first_row, int end_row, const CorrelationOptions& options,
                           const std::function<void(int, const ComparedRow&)>& fill,
-                          const std::function<void(int, const CorrelationRow&)>& take) {
+                          const std::function<void(int, const CorrelationRow&)>& take,
+                          const std::function<void(int, const WindowRow&)>& look) {
   static constexpr std::array runs{run<1>, run<2>, run<3>, run<4>, run<5>};
   if (options.radius < 1 || options.radius > 5) throw UsageError("a window's radius is 1 to 5");
   if (!(options.noise_variance > 0)) throw UsageError("the variance of noise is to be above 0");
@@ -221,7 +227,7 @@ CorrelationSums correlate(int width, int first_row, int end_row, const Correlati
     throw UsageError("the scale of a robust loss is 0, for none, or from 0.001 to 1000");
   if (width < 1 || first_row >= end_row) return {};
   return runs[static_cast<std::size_t>(options.radius - 1)](width, first_row, end_row, options,
-                                                            fill, take);
+                                                            fill, take, look);
 }
 
 }  // namespace transformesh

@@ -43,6 +43,13 @@ struct CorrelationRow {
   const float* curvature = nullptr;  ///< second derivative after Gauss and Newton, halved: >= 0
 };
 
+/// The windows around the pixels of a row.
+struct WindowRow {
+  const float* weight = nullptr;      ///< rho, 0 where they are not compared
+  const float* energy = nullptr;      ///< rho (1 - cc)
+  const float* deviations = nullptr;  ///< sqrt(v1 v2)
+};
+
 struct CorrelationSums {
   double energy = 0;       ///< without regard to the loss
   double loss = 0;         ///< the sum that is differentiated: the energy, if not robust
@@ -51,9 +58,10 @@ struct CorrelationSums {
 };
 
 /// Asks `fill` for rows first_row to end_row - 1 in this order, and hands the derivatives of each
-/// to `take`, later, in the same order.
+/// to `take`, later, in the same order; and the windows, before, to `look`. Either may be empty.
 CorrelationSums correlate(int width, int first_row, int end_row, const CorrelationOptions& options,
                           const std::function<void(int y, const ComparedRow&)>& fill,
-                          const std::function<void(int y, const CorrelationRow&)>& take);
+                          const std::function<void(int y, const CorrelationRow&)>& take,
+                          const std::function<void(int y, const WindowRow&)>& look = {});
 
 }  // namespace transformesh
