@@ -63,6 +63,8 @@ void declare_steps(Program& program, ReconstructChoices& choices) {
                "quarter, 0: all alike; auto: 1 where photographs agree well, else 0");
   program.number("stiffness", &choices.options.steps.step.stiffness, 0, 1e300,
                  "resistance to bending");
+  program.number("crumbs", &choices.options.crumbs, 0, 1,
+                 "at last, drop components of less than this share of the largest one's volume");
   program.number("pull", &choices.options.steps.step.silhouettes, 0, 1e300,
                  "how much silhouettes pull");
 }
@@ -144,6 +146,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
                                  ? options.scales.edge
                                  : number_of("last-edge", choices.last_edge, 1);
   options.robust = number_or_auto("robust", choices.robust, 0);
+  options.on_note = [&run](const std::string& text) { run.note(text); };
   options.on_detail = [&run](const std::string& text) { run.detail(text); };
   return options;
 }

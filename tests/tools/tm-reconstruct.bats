@@ -134,6 +134,30 @@ compared() { # KEY MESH
   "${reconstruct[@]}" -q -o out.ply --require-convergence
 }
 
+@test "a surface at rest whose dents were not found is not converged; the report says where they are" {
+  "${reconstruct[@]}" --coarsest 1 --stiffness 1e6 --passes 20 --robust 0 -q -o out.ply --report report.json
+  [ "$(value converged report.json)" = false ]
+  below "$(value doubtful "$scene/whole.json")" "$(value doubtful report.json)"
+  below "$(value disagreement "$scene/whole.json")" "$(value disagreement report.json)"
+  grep -q '"doubtful_places": ".* square pixels' report.json
+  # The column, from 0 to 1.
+  tm-convert --format ply-ascii "$scene/whole.ply" | sed '/^end_header/q' | grep -q '^property float doubt$'
+  tm-select --where 'doubt > 0.5' out.ply | tm-info --get faces >doubtful
+  [ "$(cat doubtful)" -gt 20 ]
+  tm-render --color-by doubt -o doubt.png out.ply
+  [ "$(value converged "$scene/whole.json")" = true ]
+}
+
+@test "a surface that explodes is told at a coarse scale, begun anew stiffer, and given up" {
+  mkdir other
+  names=("$scene"/images/*.png)
+  for i in "${!names[@]}"; do cp "${names[i]}" "other/$(basename "${names[(i + 5) % ${#names[@]}]}")"; done
+  run --separate-stderr tm-reconstruct --cameras "$scene/par.txt" --images other \
+    --silhouettes "$scene/masks" --pull 0 --stiffness 0.001 --iterations 20 -o out.ply
+  assert_status 4
+  [[ $stderr == *"explodes at scale "*"beginning anew, 4 times as stiff"*"16 times as stiff"*"explodes at scale"* ]]
+}
+
 @test "the report has what all reports have; the result has one comment of the program, or none" {
   for key in '"options": {' '"cameras": ' '"coarsest": "auto"' '"peak_memory_bytes": '; do
     grep -q "^ *$key" "$scene/whole.json" || fail "no $key"

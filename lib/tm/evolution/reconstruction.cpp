@@ -1,10 +1,12 @@
 #include "tm/evolution/reconstruction.h"
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
 #include "tm/evolution/stopwatch.h"
 #include "tm/io/mesh_io.h"
+#include "tm/mesh/components.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/views/hull/silhouette.h"
@@ -14,6 +16,11 @@ namespace {
 
 constexpr const char* start_name = "start.ply";
 constexpr const char* hull_name = "hull.ply";
+/// How much stiffer a surface becomes that exploded, at a time and in all.
+constexpr double stiffer = 4;
+constexpr double most_stiffness = 16;
+/// Below it too much would be done once more. A little below 2, which scales are not exactly.
+constexpr double stiffer_scale = 1.99;
 
 /// The photographs, at the scale that was asked for last, and steps towards them.
 class Photographs {
@@ -21,7 +28,9 @@ class Photographs {
   Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
               bool are_outlines);
 
-  PhotoStepsResult pass(Mesh& mesh, double scale, double loss, const Progress& progress);
+  /// The surface is so many times as stiff as the options say.
+  PhotoStepsResult pass(Mesh& mesh, double scale, double loss, double stiffness,
+                        const Progress& progress);
   /// One step in which nothing moves; of pairs in one order, or in both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
   SurfaceDoubt doubt(const Mesh& mesh, const Progress& progress);
@@ -66,11 +75,12 @@ const PhotoScene& Photographs::at(double scale) {
   return scene_;
 }
 
-PhotoStepsResult Photographs::pass(Mesh& mesh, double scale, double loss,
+PhotoStepsResult Photographs::pass(Mesh& mesh, double scale, double loss, double stiffness,
                                    const Progress& progress) {
   PhotoStepsOptions options = steps_;
   options.alternate = true;
   options.step.photographs.correlation.robust = loss;
+  options.step.stiffness *= stiffness;
   return photo_steps(mesh, at(scale), options, progress);
 }
 
@@ -119,6 +129,8 @@ class ReconstructionLoop : public Loop {
 
  private:
   bool may_begin_finer() const;
+  bool begins_stiffer(Document& document, const Progress& progress);
+  void drop_crumbs(Document& document);
   void begin_finer(Document& document, const Progress& progress);
   bool takes_pass(Document& document, const Progress& progress);
   void take_pass(Document& document, const Progress& progress);
@@ -139,6 +151,7 @@ class ReconstructionLoop : public Loop {
   LevelRule rule_;
   ReconstructionFaults faults_;
   double loss_ = 0;
+  double stiffness_ = 1;  ///< times that of the options
 
   Pass pass_;  ///< the last one
   ReconstructionResult result_;
@@ -165,6 +178,39 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
   start(document, progress);
 }
 
+// Where the last pass made the surface explode.
+bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
+  if (!is_exploded(pass_, connected_components(start_.mesh).components.size())) return false;
+  const std::string what = "the surface explodes at scale " + fixed(pass_.level.scale, 4);
+  if (pass_.level.scale < stiffer_scale || stiffness_ >= most_stiffness)
+    throw GoalError(what + ": photographs, cameras and masks may not belong together; see " +
+                    "--stiffness, --coarsest and tm-cameras");
+  stiffness_ *= stiffer;
+  if (options_.on_note)
+    options_.on_note(what + ": beginning anew, " + fixed(stiffness_, 0) + " times as stiff");
+  level_ = first_;
+  faults_ = {};
+  rule_.begin();
+  start(document, progress);
+  return true;
+}
+
+void ReconstructionLoop::drop_crumbs(Document& document) {
+  const Components parts = connected_components(document.mesh);
+  double largest = 0;
+  for (const Component& part : parts.components) largest = std::max(largest, part.volume);
+  std::vector<bool> keeps;
+  for (const Component& part : parts.components)
+    keeps.push_back(part.volume >= options_.crumbs * largest);
+  result_.crumbs = static_cast<std::size_t>(std::count(keeps.begin(), keeps.end(), false));
+  if (result_.crumbs == 0) return;
+  std::vector<bool> keeps_face;
+  for (const Index part : parts.of_face) keeps_face.push_back(keeps[part]);
+  document.mesh = select_faces(document.mesh, keeps_face);
+  const Components kept = connected_components(document.mesh);
+  result_.topology = {kept.components.size(), kept.genus()};
+}
+
 void ReconstructionLoop::take_pass(Document& document, const Progress& progress) {
   Stopwatch watch;
   IterationResult& mesh = pass_.mesh;
@@ -173,7 +219,7 @@ void ReconstructionLoop::take_pass(Document& document, const Progress& progress)
   mesh.seconds_remesh = watch.lap();
 
   mesh.vertices = document.mesh.positions.size();
-  pass_.steps = photographs_.pass(document.mesh, pass_.level.scale, loss_, progress);
+  pass_.steps = photographs_.pass(document.mesh, pass_.level.scale, loss_, stiffness_, progress);
   round_as_written(document);
   mesh.seconds_step = watch.lap();
 
@@ -199,6 +245,7 @@ bool ReconstructionLoop::takes_pass(Document& document, const Progress& progress
 void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
                                  const Progress& progress) {
   while (!takes_pass(document, progress)) begin_finer(document, progress);
+  if (begins_stiffer(document, progress)) return;
   const PassVerdict verdict = rule_.add(pass_);
   faults_.is_at_rest = verdict.is_at_rest;
   if (verdict.is_late && level_ > first_) faults_.late_at = pass_.level.scale;
@@ -226,6 +273,7 @@ void ReconstructionLoop::begin_next_level(Document& document, const Progress& pr
 
 void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   result_.topology = clean_in_place(document, progress).topology;
+  drop_crumbs(document);
   result_.pixel = photographs_.pixel();
   result_.faces = document.mesh.faces.size();
   result_.first = photographs_.look(start_.mesh, 1, false, progress);
@@ -239,7 +287,7 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
 void ReconstructionLoop::remember(Memory& memory) {
   rule_.remember(memory);
   faults_.remember(memory);
-  memory("first", first_)("level", level_)("loss", loss_);
+  memory("first", first_)("level", level_)("loss", loss_)("stiffness", stiffness_);
 }
 
 void ReconstructionLoop::measure(CsvRow& row) const {

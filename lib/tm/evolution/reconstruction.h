@@ -4,8 +4,9 @@
 /// joins comes apart.
 ///
 /// A coarse scale sees large errors, but its edges are long: where the first one fails or tears
-/// thin parts off, and was not asked for, the loop begins anew with the next finer one. At last,
-/// where the surface is at rest, windows that disagree pull less (robust_loss).
+/// thin parts off, and was not asked for, the loop begins anew with the next finer one. Where the
+/// surface explodes (is_exploded) at scale 2 or above it begins anew four times as stiff, twice at
+/// most; else it ends by a GoalError. At last, at rest, windows that disagree pull less.
 ///
 /// The result is converged where it has no fault (reconstruction_rules.h); the vertex column
 /// `doubt` says where photographs disagree (surface_doubt.h). Deterministic for any number of
@@ -40,7 +41,10 @@ struct ReconstructionOptions {
   /// images in the end: for less memory, where they are not needed any more.
   bool spends_views = false;
   std::optional<double> robust = std::nullopt;  ///< the factor of robust_loss, for the last passes
+  /// [0, 1]: at last, components of less than this share of the largest one's volume go.
+  double crumbs = 0.001;
   std::function<void(const std::string& message)> on_pass = {};
+  std::function<void(const std::string& message)> on_note = {};  ///< of what went wrong
   std::function<void(const std::string& message)> on_detail = {};
 };
 
@@ -48,7 +52,8 @@ struct ReconstructionResult {
   std::size_t passes = 0;  ///< earlier runs included
   std::string fault;       ///< why it is not converged; empty where it is
   Topology topology;
-  double pixel = 0;  ///< length of a pixel's side where the cameras look
+  std::size_t crumbs = 0;  ///< components that went at last
+  double pixel = 0;        ///< length of a pixel's side where the cameras look
   std::size_t faces = 0;
   PhotoStepResult first, last;  ///< of the start and of the result, at full scale; nothing moved
   SurfaceEvidence evidence;

@@ -17,6 +17,8 @@ constexpr double entering_share = 0.9;
 /// A little below 2, which scales are not exactly.
 constexpr double late_scale = 1.99;
 
+constexpr std::size_t exploded_components = 100;
+constexpr double exploded_share = 0.3;
 /// Of the agreement with silhouettes: as much as the edges of the start leave open.
 constexpr double agreement_lost = 0.005;
 constexpr double most_disagreement = 0.2;
@@ -77,6 +79,17 @@ void LevelRule::remember(Memory& memory) {
 
 bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now) {
   return real(pixels_now) < 0.95 * real(pixels_of_start);
+}
+
+bool is_exploded(const Pass& pass, std::size_t components_of_start) {
+  const PhotoStepResult& first = pass.steps.first;
+  const PhotoStepResult& last = pass.steps.last;
+  const std::size_t components = pass.mesh.topology.components;
+  if (components > exploded_components && components > 10 * components_of_start) return true;
+  if (real(last.outside) > exploded_share * real(pass.mesh.vertices) &&
+      last.outside > first.outside)
+    return true;
+  return last.coverage < exploded_share && last.coverage < first.coverage / 2;
 }
 
 double robust_loss(std::optional<double> factor, double dissimilarity) {

@@ -63,6 +63,12 @@ class LevelRule {
 /// twentieth of the pixels that are compared. A start that was only too large loses fewer.
 bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now);
 
+/// Whether the surface flies apart in a pass: more than 100 components, ten times those of the
+/// start; or three tenths of the vertices outside of silhouettes, more than when the pass began; or
+/// less than three tenths of the pixels compared, half the share that it was. Such a surface never
+/// comes back.
+bool is_exploded(const Pass& pass, std::size_t components_of_start);
+
 /// Disagreement at which windows pull by a quarter, at last: `factor` times the mean, which is
 /// the dissimilarity. Without a factor it is 1 below a dissimilarity of 0.25 and 0 above, as there
 /// not a few windows are wrong. 0: all pull alike.

@@ -139,6 +139,30 @@ TEST_CASE("a start is torn where a twentieth of what is compared is gone") {
   CHECK_FALSE(is_torn(1000, 950));
 }
 
+TEST_CASE(
+    "a surface explodes where it goes to pieces, leaves the silhouettes or is hardly compared") {
+  const auto explodes = [](const auto& change) {
+    Pass pass = moving(0.5);
+    change(pass);
+    return is_exploded(pass, 2);
+  };
+  CHECK_FALSE(explodes([](Pass&) {}));
+  CHECK(explodes([](Pass& pass) { pass.mesh.topology.components = 101; }));
+  CHECK_FALSE(explodes([](Pass& pass) { pass.mesh.topology.components = 100; }));
+  CHECK(explodes([](Pass& pass) { pass.steps.last.outside = 301; }));
+  CHECK_FALSE(explodes([](Pass& pass) { pass.steps.last.outside = 300; }));
+  // A start that was outside comes in; one that was hardly compared is no worse.
+  CHECK_FALSE(
+      explodes([](Pass& pass) { pass.steps.first.outside = pass.steps.last.outside = 600; }));
+  CHECK(explodes([](Pass& pass) { pass.steps.last.coverage = 0.29; }));
+  CHECK_FALSE(
+      explodes([](Pass& pass) { pass.steps.first.coverage = pass.steps.last.coverage = 0.2; }));
+  // Hundreds of objects are none that one went to pieces into.
+  Pass many = moving(0.5);
+  many.mesh.topology.components = 500;
+  CHECK_FALSE(is_exploded(many, 50));
+}
+
 TEST_CASE("windows that disagree as much as the mean pull less where photographs agree well") {
   CHECK(robust_loss({}, 0.2) == 0.2);
   CHECK(robust_loss({}, 0.25) == 0);

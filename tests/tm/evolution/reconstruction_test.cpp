@@ -214,3 +214,60 @@ TEST_CASE("comments of the document are those of the result, and its columns are
   CHECK(result.style.coordinate == Scalar::float32);
   CHECK(result.mesh.vertex_columns.find("heat") != nullptr);
 }
+
+TEST_CASE(
+    "a surface that explodes begins anew, stiffer, and is given up where that does not help") {
+  // Photographs of other sides, and nothing that holds the surface.
+  std::vector<View> views = dented_views();
+  std::vector<GrayImage> images;
+  for (const View& view : views) images.push_back(view.image);
+  for (std::size_t v = 0; v < views.size(); ++v) views[v].image = images[(v + 3) % views.size()];
+  ReconstructionOptions options;
+  options.scales = {4, 3, 3};
+  options.steps.iterations = 30;
+  options.steps.step.silhouettes = 0;
+  options.steps.step.stiffness = 1e-4;
+  options.passes = 6;
+  std::vector<std::string> notes;
+  options.on_note = [&](const std::string& text) { notes.push_back(text); };
+  CHECK_THROWS_AS(run_of(options, {}, views), GoalError);
+  REQUIRE(notes.size() == 2);
+  CHECK(notes[0].find("the surface explodes at scale ") == 0);
+  CHECK(notes[0].find("beginning anew, 4 times as stiff") != std::string::npos);
+  CHECK(notes[1].find("beginning anew, 16 times as stiff") != std::string::npos);
+}
+
+TEST_CASE("components that are small beside the largest go at last") {
+  Mesh mesh = test::moved(test::scaled(test::icosphere(4), 0.6), Vec3(0, -0.3, 0));
+  const Mesh moon = test::moved(test::scaled(test::icosphere(4), 0.25), Vec3(0, 0.75, 0));
+  const auto offset = static_cast<Index>(mesh.positions.size());
+  for (const Vec3& p : moon.positions) mesh.positions.push_back(p);
+  for (const auto& [a, b, c] : moon.faces)
+    mesh.faces.push_back({a + offset, b + offset, c + offset});
+  const std::vector<View> views = test::photographed(mesh);
+  ReconstructionOptions options = few_passes();
+  options.start.keep = 0;
+  options.passes = 1;
+  for (const double crumbs : {0.0, 0.2}) {
+    options.crumbs = crumbs;
+    const Run run = run_of(options, {}, views);
+    CHECK(run.result.topology.components == (crumbs > 0 ? 1 : 2));
+    CHECK(run.result.crumbs == (crumbs > 0 ? 1 : 0));
+    CHECK(run.result.faces == run.document.mesh.faces.size());
+  }
+}
+
+TEST_CASE("the result says where photographs disagree, and does not converge where they do") {
+  ReconstructionOptions options = few_passes();
+  const Run good = run_of(options);
+  const Column* doubt = good.document.mesh.vertex_columns.find("doubt");
+  REQUIRE(doubt != nullptr);
+  CHECK(doubt->values.size() == good.document.mesh.positions.size());
+  // Too stiff for the dent.
+  options.scales.coarsest = 1;
+  options.steps.step.stiffness = 1e6;
+  const Run stiff = run_of(options);
+  CHECK(stiff.result.evidence.doubt.share > good.result.evidence.doubt.share);
+  CHECK(stiff.result.evidence.doubt.disagreement > good.result.evidence.doubt.disagreement);
+  CHECK_FALSE(stiff.result.fault.empty());
+}
