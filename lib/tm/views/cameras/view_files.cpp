@@ -112,7 +112,7 @@ void tell_rule(const std::vector<std::string>& paths, const std::vector<MaskRule
 
 /// Floats are quicker, as long as there is room for them.
 void pack_one_of(std::size_t count, HeldImage& image) {
-  constexpr double most_pixels = 16e6;
+  constexpr double most_pixels = 8e6;
   if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();
 }
 

@@ -28,16 +28,15 @@ bool is_byte(float level) { return level >= 0 && level <= 255 && level == std::f
 }  // namespace
 
 std::size_t HeldImage::size() const {
-  return sizeof(float) * floats_.pixels.size() + bytes_.size() + 2 * words_.size();
+  return sizeof(float) * pixels.size() + bytes_.size() + 2 * words_.size();
 }
 
 void HeldImage::pack(Kind kind) {
   if (is_packed() || empty()) return;
   kind_ = kind;
-  const std::vector<float>& pixels = floats_.pixels;
   if (kind == Kind::levels && std::all_of(pixels.begin(), pixels.end(), is_byte)) {
     bytes_.assign(pixels.begin(), pixels.end());
-    floats_ = GrayImage();
+    pixels = {};
     return;
   }
   if (kind == Kind::depths) {
@@ -60,7 +59,7 @@ void HeldImage::pack(Kind kind) {
     return static_cast<std::uint16_t>(
         1 + std::clamp(std::ceil((value - offset_) / step_), 0.0F, 65534.0F));
   });
-  floats_ = GrayImage();
+  pixels = {};
 }
 
 float HeldImage::value_of(std::uint16_t word) const {
@@ -76,47 +75,41 @@ float HeldImage::value_of(std::uint16_t word) const {
 }
 
 float HeldImage::at(int x, int y) const {
-  if (!is_packed()) return floats_.at(x, y);
-  const std::size_t i =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  const std::size_t i = index(x, y);
+  if (!is_packed()) return pixels[i];
   return words_.empty() ? static_cast<float>(bytes_[i]) : value_of(words_[i]);
 }
 
 GrayImage HeldImage::unpacked() const {
-  if (!is_packed()) return floats_;
-  GrayImage image(width, height);
-  if (words_.empty())
-    std::copy(bytes_.begin(), bytes_.end(), image.pixels.begin());
-  else
-    std::transform(words_.begin(), words_.end(), image.pixels.begin(),
-                   [&](std::uint16_t word) { return value_of(word); });
+  GrayImage image;
+  image.width = width;
+  image.height = height;
+  image.pixels = pixels;
+  if (!is_packed()) return image;
+  image.pixels.resize(bytes_.size() + words_.size());
+  std::copy(bytes_.begin(), bytes_.end(), image.pixels.begin());
+  std::transform(words_.begin(), words_.end(), image.pixels.begin(),
+                 [&](std::uint16_t word) { return value_of(word); });
   return image;
-}
-
-const GrayImage& HeldImage::unpacked(GrayImage& room) const {
-  if (!is_packed()) return floats_;
-  room = unpacked();
-  return room;
 }
 
 HeldImage HeldImage::cropped(int column, int row, int columns, int rows) const {
   HeldImage part = *this;
   part.width = columns;
   part.height = rows;
-  const auto crop = [&](auto& pixels) {
-    if (pixels.empty()) return;
-    std::decay_t<decltype(pixels)> kept;
+  const auto crop = [&](auto& values) {
+    if (values.empty()) return;
+    std::decay_t<decltype(values)> kept;
     kept.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     for (int y = row; y < row + rows; ++y) {
-      const auto start = pixels.begin() + static_cast<std::ptrdiff_t>(y) * width + column;
+      const auto start = values.begin() + static_cast<std::ptrdiff_t>(index(column, y));
       kept.insert(kept.end(), start, start + columns);
     }
-    pixels = std::move(kept);
+    values = std::move(kept);
   };
-  crop(part.floats_.pixels);
+  crop(part.pixels);
   crop(part.bytes_);
   crop(part.words_);
-  if (!is_packed()) part.floats_.width = columns, part.floats_.height = rows;
   return part;
 }
 

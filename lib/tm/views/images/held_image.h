@@ -19,10 +19,11 @@ class HeldImage {
 
   int width = 0;
   int height = 0;
+  std::vector<float> pixels;  ///< rows from the top; empty where it is packed
 
   HeldImage() = default;
   HeldImage(GrayImage image)  // NOLINT(google-explicit-constructor): it is that image
-      : width(image.width), height(image.height), floats_(std::move(image)) {}
+      : width(image.width), height(image.height), pixels(std::move(image.pixels)) {}
   operator GrayImage() const { return unpacked(); }  // NOLINT(google-explicit-constructor)
 
   bool empty() const { return width == 0 || height == 0; }
@@ -32,20 +33,21 @@ class HeldImage {
 
   void pack(Kind kind = Kind::levels);
   GrayImage unpacked() const;
-  /// The image itself where it is not packed, else `room`, which it is unpacked to.
-  const GrayImage& unpacked(GrayImage& room) const;
   /// Part of it, which must be inside.
   HeldImage cropped(int column, int row, int columns, int rows) const;
 
   float at(int x, int y) const;
   /// Only where it is not packed.
-  float& at(int x, int y) { return floats_.at(x, y); }
+  float& at(int x, int y) { return pixels[index(x, y)]; }
 
  private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
   float value_of(std::uint16_t word) const;
 
   Kind kind_ = Kind::levels;
-  GrayImage floats_;
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint16_t> words_;
   float offset_ = 0;  ///< of depths

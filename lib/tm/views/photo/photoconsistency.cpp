@@ -14,8 +14,9 @@ namespace {
 
 /// Sums over the pairs with the same reference view, per pixel of its box.
 struct ReferenceSums {
-  SeenSurface seen;
-  GrayImage gradient;  ///< derivative of the energy by the depth of the pixel
+  SeenSurface room;
+  const SeenSurface* seen = nullptr;  ///< null where the view is compared with none
+  GrayImage gradient;                 ///< derivative of the energy by the depth of the pixel
   GrayImage curvature;
   GrayImage count;  ///< pairs that see the pixel
   CorrelationSums sums;
@@ -73,15 +74,14 @@ void add_pair(const Warp& warp, const SeenSurface& seen, const PhotoconsistencyO
   sums.sums.pixels += pair.pixels;
 }
 
-ReferenceSums compare_with_others(std::size_t reference, std::span<const View> views,
-                                  const SeenViews& seen, std::span<const ViewPair> pairs,
-                                  const PhotoconsistencyOptions& options) {
-  ReferenceSums sums;
+void compare_with_others(std::size_t reference, std::span<const View> views, const SeenViews& seen,
+                         std::span<const ViewPair> pairs, const PhotoconsistencyOptions& options,
+                         ReferenceSums& sums) {
   const auto is_of_reference = [&](const ViewPair& pair) { return pair.first == reference; };
-  if (std::none_of(pairs.begin(), pairs.end(), is_of_reference)) return sums;
-  sums.seen = seen.surface(reference);
-  const SeenSurface& from = sums.seen;
-  if (from.first_row >= from.end_row) return sums;
+  if (std::none_of(pairs.begin(), pairs.end(), is_of_reference)) return;
+  const SeenSurface& from = seen.surface(reference, sums.room);
+  sums.seen = &from;
+  if (from.first_row >= from.end_row) return;
   sums.gradient = sums.curvature = sums.count =
       GrayImage(from.end_column - from.first_column, from.end_row - from.first_row);
   const std::size_t visible = count_visible(from);
@@ -92,12 +92,12 @@ ReferenceSums compare_with_others(std::size_t reference, std::span<const View> v
                     options.depth_tolerance);
     add_pair(warp, from, options, sums);
   }
-  return sums;
 }
 
 /// Adds the sums of each pixel to those of the corners of its face.
 void add_to_faces(const ReferenceSums& sums, std::vector<FaceSums>& faces) {
-  const SeenSurface& seen = sums.seen;
+  if (sums.seen == nullptr) return;
+  const SeenSurface& seen = *sums.seen;
   for (int y = 0; y < sums.count.height; ++y) {
     for (int x = 0; x < sums.count.width; ++x) {
       const double count = sums.count.at(x, y);
@@ -161,7 +161,7 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
     std::vector<ReferenceSums> sums(std::min(group, views.size() - start));
     parallel_for(sums.size(), 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v)
-        sums[v] = compare_with_others(start + v, views, seen, pairs, options);
+        compare_with_others(start + v, views, seen, pairs, options, sums[v]);
     });
     for (const ReferenceSums& view : sums) add_view(view, result, faces);
   }

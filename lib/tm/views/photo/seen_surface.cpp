@@ -64,6 +64,13 @@ GrayImage depths_of(const Mesh& mesh, const View& view) {
   return depths;
 }
 
+GrayImage depths_of(const FaceBuffer& faces) {
+  GrayImage depths(faces.width, faces.height);
+  std::transform(faces.pixels.begin(), faces.pixels.end(), depths.pixels.begin(),
+                 [](const FacePixel& pixel) { return pixel.depth; });
+  return depths;
+}
+
 std::vector<Vec3f> face_unit_normals(const Mesh& mesh) {
   std::vector<Vec3f> normals(mesh.faces.size());
   for (std::size_t f = 0; f < normals.size(); ++f)
@@ -78,16 +85,28 @@ SeenViews::SeenViews(const Mesh& mesh, std::span<const View> views, double least
       views_(views),
       least_cosine_(least_cosine),
       normals_(face_unit_normals(mesh)),
-      depths_(views.size()) {
+      depths_(views.size()),
+      surfaces_(views.size()) {
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      depths_[v] = depths_of(mesh, views[v]);
-      if (views[v].image.is_packed()) depths_[v].pack(HeldImage::Kind::depths);
+      if (views[v].image.is_packed()) {
+        depths_[v] = depths_of(mesh, views[v]);
+        depths_[v].pack(HeldImage::Kind::depths);
+      } else {
+        surfaces_[v] = see(v);
+        depths_[v] = depths_of(surfaces_[v].faces);
+      }
     }
   });
 }
 
-SeenSurface SeenViews::surface(std::size_t view) const {
+const SeenSurface& SeenViews::surface(std::size_t view, SeenSurface& room) const {
+  if (!views_[view].image.is_packed()) return surfaces_[view];
+  room = see(view);
+  return room;
+}
+
+SeenSurface SeenViews::see(std::size_t view) const {
   const Camera camera = camera_of(views_[view]);
   SeenSurface seen;
   seen.faces = rasterize(mesh_, camera, Sides::outside);

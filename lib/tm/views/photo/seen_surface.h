@@ -19,9 +19,8 @@ struct SeenSurface {
   int first_row = 0, end_row = 0;
 };
 
-/// What all views see: of each the depths are held, 4 bytes a pixel or 2
-/// of views that are packed, and all else is found when it
-/// is asked for. Backs of faces hide nothing.
+/// What all views see. Of views that are packed (HeldImage) only depths are held, 2 bytes a pixel,
+/// and all else is found when it is asked for. Backs of faces hide nothing.
 class SeenViews {
  public:
   /// Keeps references to both. `least_cosine` is that of the angle between ray and normal below
@@ -31,15 +30,18 @@ class SeenViews {
 
   /// Of any face; 0 where there is none.
   const HeldImage& depths(std::size_t view) const { return depths_[view]; }
-  /// 28 bytes a pixel. Safe to call from several threads.
-  SeenSurface surface(std::size_t view) const;
+  /// In `room`, 24 bytes a pixel, where it is not held. Safe to call from several threads.
+  const SeenSurface& surface(std::size_t view, SeenSurface& room) const;
 
  private:
+  SeenSurface see(std::size_t view) const;
+
   const Mesh& mesh_;
   std::span<const View> views_;
   double least_cosine_;
   std::vector<Eigen::Vector3f> normals_;
   std::vector<HeldImage> depths_;
+  std::vector<SeenSurface> surfaces_;
 };
 
 }  // namespace transformesh

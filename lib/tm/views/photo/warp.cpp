@@ -36,10 +36,10 @@ float reach(const GrayImage& depths, int x, int y) {
 
 Warp::Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
            const HeldImage& depths_of_other, double depth_tolerance)
-    : reference_(reference.image.unpacked(room_[0])),
+    : reference_(reference.image.unpacked()),
       seen_(seen_by_reference),
-      other_(other.image.unpacked(room_[1])),
-      depths_(depths_of_other.unpacked(room_[2])),
+      other_(other.image.unpacked()),
+      depths_(depths_of_other.unpacked()),
       nearer_(1 - depth_tolerance) {
   const Projection projection = other.camera.projection();
   const Eigen::Matrix3d directions = projection.leftCols<3>();
