@@ -91,15 +91,16 @@ void add_pair(const Warp& warp, const SeenSurface& seen, double noise,
 }
 
 BestWindows compare_with_others(std::size_t reference, const PhotoScene& scene,
-                                std::span<const SeenSurface> seen, std::span<const double> noise,
+                                const SeenViews& seen, std::span<const double> noise,
                                 const PhotoconsistencyOptions& options) {
-  const SeenSurface& from = seen[reference];
+  SeenSurface room;
+  const SeenSurface& from = seen.surface(reference, room);
   if (from.first_row >= from.end_row) return {0, 0};
   BestWindows best(from.end_column - from.first_column, from.end_row - from.first_row);
   for (const ViewPair& pair : scene.pairs) {
     if (pair.first != reference) continue;
-    const Warp warp(scene.views[reference], from, scene.views[pair.second], seen[pair.second],
-                    options.depth_tolerance);
+    const Warp warp(scene.views[reference], from, scene.views[pair.second],
+                    seen.depths(pair.second), options.depth_tolerance);
     add_pair(warp, from, (noise[reference] + noise[pair.second]) / 2, options, best);
   }
   return best;
@@ -157,13 +158,14 @@ double noise_variance(const GrayImage& image, const GrayImage& depth) {
 Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                           const PhotoconsistencyOptions& options, const Progress& progress) {
   progress("look for disagreement");
-  const std::vector<SeenSurface> seen =
-      see_surface(mesh, face_unit_normals(mesh), scene.views, least_cosine);
+  const SeenViews seen(mesh, scene.views, least_cosine);
   const std::size_t count = scene.views.size();
   std::vector<double> noise(count);
   parallel_for(count, 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v)
-      noise[v] = noise_variance(scene.views[v].image, seen[v].depth);
+    for (std::size_t v = first; v < last; ++v) {
+      SeenSurface room;
+      noise[v] = noise_variance(scene.views[v].image, seen.surface(v, room).depth);
+    }
   });
 
   // Sums go by the order of the views, for the same bytes with any number of threads.
@@ -175,8 +177,9 @@ Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double leas
       for (std::size_t i = first; i < last; ++i)
         best[i] = compare_with_others(begin + i, scene, seen, noise, options);
     });
+    SeenSurface room;
     for (std::size_t i = 0; i < best.size(); ++i)
-      add_to_vertices(mesh, best[i], seen[begin + i], result);
+      add_to_vertices(mesh, best[i], seen.surface(begin + i, room), result);
   }
   return result;
 }
