@@ -24,7 +24,7 @@ std::string described(const std::vector<OpenHole>& holes, const Mesh& mesh, cons
          significant(first.length, 3) + " long, at " + vertex_text(mesh, first.vertex);
 }
 
-void report(const FillResult& result, const Mesh& mesh, tool::Run& run) {
+void report(const FillResult& result, const Mesh& mesh, bool allows_crossings, tool::Run& run) {
   run.report("holes", result.holes);
   run.report("filled", result.filled());
   run.report("faired", result.faired);
@@ -36,7 +36,9 @@ void report(const FillResult& result, const Mesh& mesh, tool::Run& run) {
   run.report("new_vertices", result.new_vertices);
   run.report("new_faces", result.new_faces);
   if (!result.crossing.empty())
-    run.note(described(result.crossing, mesh, "as every patch would cross or be flat"));
+    run.note(
+        described(result.crossing, mesh, "as every patch would cross or be flat") +
+        (allows_crossings ? "" : "; close what would cross with --allow-crossings, for tm-clean"));
   if (!result.too_large.empty()) run.note(described(result.too_large, mesh, "beyond the limits"));
 }
 
@@ -48,7 +50,8 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
   options.fair = !choices.no_fair;
   options.allow_crossings = choices.allow_crossings;
   options.coordinate = document.style.coordinate;
-  report(fill_holes(document.mesh, options, run.progress()), document.mesh, run);
+  const FillResult result = fill_holes(document.mesh, options, run.progress());
+  report(result, document.mesh, options.allow_crossings, run);
 }
 
 }  // namespace

@@ -46,6 +46,16 @@ setup() {
   assert_status 2
 }
 
+@test "what would cross is named with what closes it" {
+  # The only patch of a face alone is its reverse.
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >face.off
+  run --separate-stderr tm-fill face.off -o still.off
+  assert_status 0
+  [[ $stderr == *"1 hole stays open, as every patch would cross or be flat: "*"; close what would cross with --allow-crossings, for tm-clean" ]]
+  run --separate-stderr tm-fill --allow-crossings face.off -o still.off
+  [[ $stderr != *--allow-crossings* ]]
+}
+
 @test "a soup is refused, and tm-stitch named" {
   printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n' >three.off
   run --separate-stderr tm-fill three.off
