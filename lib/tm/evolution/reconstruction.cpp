@@ -35,7 +35,7 @@ class Photographs {
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
   SurfaceDoubt doubt(const Mesh& mesh, const Progress& progress);
   /// With exact masks, the mean over the views; 1 without.
-  double agreement(const Mesh& mesh) const;
+  double agreement(const Mesh& mesh);
   int width() const { return width_; }
   double pixel() const { return pixel_size(views_); }
 
@@ -97,10 +97,12 @@ SurfaceDoubt Photographs::doubt(const Mesh& mesh, const Progress& progress) {
   return surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_.step.photographs, progress);
 }
 
-double Photographs::agreement(const Mesh& mesh) const {
+// By the views of scale 1, which are there also where those of before were spent.
+double Photographs::agreement(const Mesh& mesh) {
+  const std::vector<View>& views = at(1).views;
   const bool are_exact = steps_.step.meaning == SilhouetteMeaning::exact;
-  if (!are_exact || views_.front().silhouette.empty()) return 1;
-  const std::vector<double> of_views = silhouette_agreements(mesh, views_);
+  if (!are_exact || views.front().silhouette.empty()) return 1;
+  const std::vector<double> of_views = silhouette_agreements(mesh, views);
   return std::accumulate(of_views.begin(), of_views.end(), 0.0) /
          static_cast<double>(of_views.size());
 }
