@@ -36,7 +36,7 @@ void HeldImage::pack(Kind kind) {
   kind_ = kind;
   if (kind == Kind::levels && std::all_of(pixels.begin(), pixels.end(), is_byte)) {
     bytes_.assign(pixels.begin(), pixels.end());
-    pixels = {};
+    std::vector<float>().swap(pixels);  // which frees its memory
     return;
   }
   if (kind == Kind::depths) {
@@ -59,7 +59,7 @@ void HeldImage::pack(Kind kind) {
     return static_cast<std::uint16_t>(
         1 + std::clamp(std::ceil((value - offset_) / step_), 0.0F, 65534.0F));
   });
-  pixels = {};
+  std::vector<float>().swap(pixels);  // which frees its memory
 }
 
 float HeldImage::value_of(std::uint16_t word) const {
