@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "tm/evolution/stopwatch.h"
 #include "tm/io/mesh_io.h"
@@ -97,14 +96,20 @@ SurfaceDoubt Photographs::doubt(const Mesh& mesh, const Progress& progress) {
   return surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_.step.photographs, progress);
 }
 
-// By the views of scale 1, which are there also where those of before were spent.
+// By the distances to silhouettes at scale 1, which are there also where views were spent.
 double Photographs::agreement(const Mesh& mesh) {
-  const std::vector<View>& views = at(1).views;
+  const PhotoScene& scene = at(1);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < scene.views.size(); ++v) {
+    if (scene.distances[v].empty()) continue;
+    GrayImage silhouette = scene.distances[v];
+    for (float& level : silhouette.pixels) level = level < 0 ? 255.0F : 0.0F;
+    sum += silhouette_agreement(mesh_silhouette(mesh, scene.views[v]), silhouette);
+    ++count;
+  }
   const bool are_exact = steps_.step.meaning == SilhouetteMeaning::exact;
-  if (!are_exact || views.front().silhouette.empty()) return 1;
-  const std::vector<double> of_views = silhouette_agreements(mesh, views);
-  return std::accumulate(of_views.begin(), of_views.end(), 0.0) /
-         static_cast<double>(of_views.size());
+  return are_exact && count > 0 ? sum / static_cast<double>(count) : 1;
 }
 
 class ReconstructionLoop : public Loop {
