@@ -73,13 +73,12 @@ std::optional<Topology> topology_of_target(const Target& target, const Progress&
   return std::nullopt;
 }
 
-Agreement agreement(const Mesh& mesh, const Topology& topology, const TargetQuery& query,
+Agreement agreement(const Mesh& mesh, const Topology& topology, const Target& target,
                     const std::optional<Topology>& expected, const Progress& progress) {
-  const Target& target = query.target();
   if (!target.is_mesh()) return {};
   const CompareOptions options{.samples = samples};
-  const Farthest of_mesh = farthest_from(query.surface(), mesh, options, progress);
-  const Farthest of_target = farthest_from(ClosestPointQuery(mesh), target.mesh, options, progress);
+  const Farthest of_mesh = farthest_from(target.mesh, mesh, options, progress);
+  const Farthest of_target = farthest_from(mesh, target.mesh, options, progress);
   Agreement result{{}, of_mesh.distance, of_target.distance};
   if (expected && *expected != topology) {
     const bool is_outside = of_mesh.distance > of_target.distance;

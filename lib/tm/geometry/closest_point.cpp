@@ -96,7 +96,7 @@ struct ClosestPointQuery::Hit {
 /// times the best so far.
 template <class Accept>
 ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink,
-                                                 const Accept& accept, Index hint) const {
+                                                 const Accept& accept) const {
   Hit best;
   const auto offer = [&](Index face) {
     const Vec3& a = mesh_->positions[mesh_->faces[face][0]];
@@ -110,7 +110,6 @@ ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrin
     if (squared == best.squared && face > best.face) return;
     best = {squared, face, candidate, query - candidate.point};
   };
-  if (hint != no_index) offer(hint);
   tree_.visit_nearest(
       query, [&] { return shrink * best.squared; },
       [&](std::size_t place) { offer(tree_.order()[place]); });
@@ -132,13 +131,12 @@ bool ClosestPointQuery::is_within(const Vec3& query, double distance) const {
   return is_found;
 }
 
-NearbyPoint ClosestPointQuery::nearby(const Vec3& query, double tolerance, Index hint) const {
-  const Hit hit = search(query, 1 / ((1 + tolerance) * (1 + tolerance)), accept_all, hint);
-  return {hit.place.point, hit.face};
+Vec3 ClosestPointQuery::nearby(const Vec3& query, double tolerance) const {
+  return search(query, 1 / ((1 + tolerance) * (1 + tolerance)), accept_all).place.point;
 }
 
-ClosestPoint ClosestPointQuery::operator()(const Vec3& query, Index hint) const {
-  return described(query, search(query, 1, accept_all, hint));
+ClosestPoint ClosestPointQuery::operator()(const Vec3& query) const {
+  return described(query, search(query, 1, accept_all));
 }
 
 ClosestPoint ClosestPointQuery::facing(const Vec3& query, const Vec3& normal) const {

@@ -37,11 +37,6 @@ struct ClosestPoint {
   double signed_distance = 0;
 };
 
-struct NearbyPoint {
-  Vec3 point = Vec3::Zero();
-  Index face = no_index;
-};
-
 /// How the faces of a mesh are ordered. `spatial` says that spatial_face_order() did it, which
 /// saves the sorting; where that is not so, queries are right but slow.
 enum class FaceOrder { any, spatial };
@@ -51,8 +46,7 @@ class ClosestPointQuery {
  public:
   /// Keeps a reference to the mesh. Throws InputError for a mesh without faces.
   explicit ClosestPointQuery(const Mesh& mesh, FaceOrder order = FaceOrder::any);
-  /// `hint`: a face that may be close, as that of a query nearby; it only saves time.
-  ClosestPoint operator()(const Vec3& query, Index hint = no_index) const;
+  ClosestPoint operator()(const Vec3& query) const;
   /// The same among the faces whose normals are less than a right angle from that one; among all
   /// where there is none, or the normal is zero.
   ClosestPoint facing(const Vec3& query, const Vec3& normal) const;
@@ -60,12 +54,12 @@ class ClosestPointQuery {
   bool is_within(const Vec3& query, double distance) const;
   /// A point of the mesh that is farther than the closest by no more than that share of the
   /// distance. Much faster far from the mesh, where many points are almost the closest.
-  NearbyPoint nearby(const Vec3& query, double tolerance, Index hint = no_index) const;
+  Vec3 nearby(const Vec3& query, double tolerance) const;
 
  private:
   struct Hit;
   template <class Accept>
-  Hit search(const Vec3& query, double shrink, const Accept& accept, Index hint = no_index) const;
+  Hit search(const Vec3& query, double shrink, const Accept& accept) const;
   ClosestPoint described(const Vec3& query, const Hit& best) const;
   Vec3 pseudonormal(Index face, TrianglePart part) const;
   /// no_index on a border, where more than two faces meet and where both run the same way.

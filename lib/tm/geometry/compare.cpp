@@ -21,8 +21,6 @@ constexpr double default_distance_share = 0.01;  ///< of the reference's diagona
 constexpr double largest_extent = 1e75;
 constexpr std::size_t points_per_task = 256;
 constexpr std::size_t points_per_report = 16384;
-/// One point of so many is searched before the others.
-constexpr std::size_t vanguard = 61;
 /// Less than what rounding adds to a distance.
 constexpr double certainly = 1 - 1e-12;
 
@@ -127,16 +125,6 @@ double share_within(const std::vector<double>& values, double distance) {
   return static_cast<double>(count) / static_cast<double>(values.size());
 }
 
-/// Puts points taken evenly from the list in front.
-std::vector<Vec3> with_vanguard(const std::vector<Vec3>& points) {
-  std::vector<Vec3> result;
-  result.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); i += vanguard) result.push_back(points[i]);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (i % vanguard != 0) result.push_back(points[i]);
-  return result;
-}
-
 // In blocks that grow, so that most points know of a far one; of each block the points are tested
 // at the same time, so that the result depends on no order.
 void take_farthest(std::span<const Vec3> points, const ClosestPointQuery& closest,
@@ -166,12 +154,13 @@ std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
   return distances(mesh.positions, Distance(reference), progress, "vertex distances");
 }
 
-Farthest farthest_from(const ClosestPointQuery& reference, const Mesh& mesh,
-                       const CompareOptions& options, const Progress& progress) {
+Farthest farthest_from(const Mesh& reference, const Mesh& mesh, const CompareOptions& options,
+                       const Progress& progress) {
   progress("farthest point");
+  const ClosestPointQuery closest(reference);
   Farthest farthest;
-  take_farthest(with_vanguard(used_vertices(mesh)), reference, farthest);
-  take_farthest(surface_samples(mesh, options.samples, options.seed), reference, farthest);
+  take_farthest(used_vertices(mesh), closest, farthest);
+  take_farthest(surface_samples(mesh, options.samples, options.seed), closest, farthest);
   return farthest;
 }
 

@@ -81,7 +81,7 @@ class SharpLines {
 
   std::size_t edges() const { return segments_.faces.size(); }
   const std::vector<Vec3>& corners() const { return corners_; }
-  Vec3 nearest(const Vec3& point) const { return closest_->nearby(point, 0).point; }
+  Vec3 nearest(const Vec3& point) const { return closest_->nearby(point, 0); }
 
  private:
   static bool is_corner(const Mesh& target, Index v, const std::vector<Index>& neighbors) {
@@ -261,7 +261,7 @@ void Aligner::snap_to_lines(EmbeddingGuard& guard) {
 
 double Aligner::middle_distance(Index first, Index second) const {
   const Vec3 middle = 0.5 * mesh_.position(first) + 0.5 * mesh_.position(second);
-  return (surface_.nearby(middle, 0).point - middle).norm();
+  return (surface_.nearby(middle, 0) - middle).norm();
 }
 
 double Aligner::roundness_after_flip(Index halfedge) const {

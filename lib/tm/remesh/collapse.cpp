@@ -1,12 +1,9 @@
 #include "tm/remesh/collapse.h"
 
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "tm/remesh/edge_collapser.h"
 #include "tm/remesh/edge_queue.h"
-#include "tm/remesh/slab_edits.h"
 #include "tm/remesh/where.h"
 
 namespace transformesh {
@@ -19,13 +16,10 @@ constexpr double longest_irregular = 1.15;
 template <class Wanted>
 class Candidates {
  public:
-  Candidates(const EditableMesh& mesh, const Wanted& wanted, std::span<const Index> halfedges)
-      : mesh_(mesh), wanted_(wanted) {
-    std::vector<QueuedEdge> edges;
-    edges.reserve(halfedges.size());
-    for (const Index h : halfedges)
-      if (mesh.has_halfedge(h)) edges.emplace_back(mesh, h);
-    queue_ = EdgeQueue<ShorterFirst>(ShorterFirst(), std::move(edges));
+  Candidates(const EditableMesh& mesh, const Wanted& wanted) : mesh_(mesh), wanted_(wanted) {
+    const auto is_candidate = [&](Index h) { return mesh.is_edge(h) && wanted(h); };
+    for (const Index h : indices_where(mesh.halfedge_slots(), is_candidate))
+      queue_.emplace(mesh, h);
   }
 
   bool empty() const { return queue_.empty(); }
@@ -49,49 +43,26 @@ class Candidates {
   EdgeQueue<ShorterFirst> queue_;
 };
 
-/// Collapses those of the edges that are wanted, and then others around them.
 template <class Wanted>
-EditCounts collapse_some(EditableMesh& mesh, EdgeCollapser& collapser, EmbeddingGuard& guard,
-                         Wanted& wanted, std::span<const Index> halfedges, std::vector<Index>& left,
-                         const Progress& progress) {
-  EditCounts counts;
-  Candidates<Wanted> edges(mesh, wanted, halfedges);
+CollapseCounts collapse_wanted(EditableMesh& mesh, EdgeCollapser& collapser, Wanted& wanted,
+                               const Progress& progress) {
+  CollapseCounts counts;
+  Candidates<Wanted> edges(mesh, wanted);
   const auto first = static_cast<double>(edges.size());
   for (double tried = 0; !edges.empty(); ++tried) {
-    if (std::fmod(tried, 1024) == 1023 && !guard.is_part())
-      progress("collapse", tried / (tried + first));
+    if (std::fmod(tried, 1024) == 0) progress("collapse", tried / (tried + first));
     const QueuedEdge edge = edges.pop();
     if (!edge.is_current(mesh) || !wanted(edge.halfedge)) continue;
-    if (!guard.may_edit(edge.source)) {
-      left.push_back(edge.halfedge);
-      continue;
-    }
     const Index vertex = collapser.collapse(edge.halfedge);
-    const bool was_put_off = guard.was_put_off();
-    if (vertex != no_index) {
+    if (vertex == no_index) {
+      ++counts.refused;
+    } else {
       ++counts.done;
       wanted.note_merged(vertex);
       edges.push_around(vertex);
-    } else if (was_put_off) {
-      left.push_back(edge.halfedge);
-    } else {
-      ++counts.refused;
     }
   }
   return counts;
-}
-
-template <class Wanted>
-EditCounts collapse_wanted(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-                           double longest, Wanted& wanted, const Progress& progress) {
-  progress("collapse", 0);
-  const std::vector<Halfedges> edges = sorted_by_slab(mesh, guard.slabs(), wanted.all());
-  return edit_in_slabs(
-      guard, [&](std::size_t slab) -> const Halfedges& { return edges[slab]; },
-      [&](EmbeddingGuard& own, std::span<const Index> some, std::vector<Index>& left) {
-        EdgeCollapser collapser(mesh, own, roles, longest);
-        return collapse_some(mesh, collapser, own, wanted, some, left, progress);
-      });
 }
 
 /// Wants edges shorter than the least length.
@@ -102,11 +73,6 @@ class IsShort {
   bool operator()(Index halfedge) const {
     return mesh_.scaled_squared_length(halfedge) < limit_ &&
            !(keep_border_ && mesh_.is_border(halfedge));
-  }
-  Halfedges all() const {
-    Halfedges edges = edges_where(mesh_, [&](double squared) { return squared < limit_; });
-    std::erase_if(edges, [&](Index h) { return keep_border_ && mesh_.is_border(h); });
-    return edges;
   }
   void note_merged(Index /*vertex*/) const {}
 
@@ -132,23 +98,6 @@ class IsIrregular {
     return mesh_.scaled_squared_length(halfedge) < limit_ && !mesh_.is_border(halfedge) &&
            gain(halfedge) > 0;
   }
-  // Valences are asked before which halfedge names the edge, as few edges pass.
-  Halfedges all() const {
-    return indices_where_in(mesh_.face_slots(), [&](Index face, Halfedges& found) {
-      if (!mesh_.has_face(face)) return;
-      std::array<int, 3> excess;
-      for (Index i = 0; i < 3; ++i) excess[i] = excess_[mesh_.source(3 * face + i)];
-      for (Index i = 0; i < 3; ++i) {
-        const Index h = 3 * face + i;
-        const Index opposite = mesh_.opposite(h);
-        if (opposite == no_index) continue;
-        const int gained = gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
-                                excess_[mesh_.apex(opposite)]);
-        if (gained > 0 && h < opposite && mesh_.scaled_squared_length(h) < limit_)
-          found.push_back(h);
-      }
-    });
-  }
   void note_merged(Index vertex) {
     recount(vertex);
     mesh_.for_each_neighbor(vertex, [&](Index neighbor, Index) { recount(neighbor); });
@@ -157,14 +106,14 @@ class IsIrregular {
  private:
   void recount(Index vertex) { excess_[vertex] = static_cast<int>(mesh_.valence(vertex)) - 6; }
   /// By how much the squared deviations from six shrink.
-  static int gain(int source, int target, int left, int right) {
+  int gain(Index halfedge) const {
+    const int source = excess_[mesh_.source(halfedge)];
+    const int target = excess_[mesh_.target(halfedge)];
+    const int left = excess_[mesh_.apex(halfedge)];
+    const int right = excess_[mesh_.apex(mesh_.opposite(halfedge))];
     const int merged = source + target + 2;
     // Each apex loses an edge, which gains x^2 - (x - 1)^2 = 2x - 1.
     return source * source + target * target - merged * merged + 2 * left + 2 * right - 2;
-  }
-  int gain(Index halfedge) const {
-    return gain(excess_[mesh_.source(halfedge)], excess_[mesh_.target(halfedge)],
-                excess_[mesh_.apex(halfedge)], excess_[mesh_.apex(mesh_.opposite(halfedge))]);
   }
 
   const EditableMesh& mesh_;
@@ -177,17 +126,25 @@ class IsIrregular {
 CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits,
                                     const Progress& progress) {
+  EdgeCollapser collapser(mesh, guard, roles, limits.longest);
   IsShort is_short(mesh, limits.shortest, roles.keeps_border());
-  const EditCounts counts = collapse_wanted(mesh, guard, roles, limits.longest, is_short, progress);
+  CollapseCounts counts = collapse_wanted(mesh, collapser, is_short, progress);
+  if (counts.refused == 0) return counts;
+
   // An edge may have been refused more than once, or be gone in the end.
-  return {counts.done, counts.refused == 0 ? 0 : is_short.all().size()};
+  counts.refused = 0;
+  for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+    counts.refused += mesh.is_edge(h) && is_short(h) ? 1 : 0;
+  }
+  return counts;
 }
 
 std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
                                  const VertexRoles& roles, const EdgeLimits& limits,
                                  const Progress& progress) {
+  EdgeCollapser collapser(mesh, guard, roles, limits.stretched());
   IsIrregular is_irregular(mesh, longest_irregular * limits.shortest);
-  return collapse_wanted(mesh, guard, roles, limits.stretched(), is_irregular, progress).done;
+  return collapse_wanted(mesh, collapser, is_irregular, progress).done;
 }
 
 bool collapse_edge(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,

@@ -13,12 +13,11 @@ struct CollapseCounts {
   std::size_t refused = 0;  ///< short edges that are left
 };
 
-/// Collapses edges shorter than the shortest allowed, the shortest of each slab (slabs.h) first,
-/// where that keeps the topology (link condition; a closed component keeps four faces), turns no
-/// normal by more than 60 degrees, makes no sliver, no edge longer than allowed and no contact. The
-/// merged vertex lies at the midpoint, shifted along the normal so that the volume stays (Lindstrom
-/// & Turk, "Fast and memory efficient polygonal simplification", Visualization 1998), or at the end
-/// that must stay.
+/// Collapses edges shorter than the shortest allowed, the shortest first, where that keeps the
+/// topology (link condition; a closed component keeps four faces), turns no normal by more than 60
+/// degrees, makes no sliver, no edge longer than allowed and no contact. The merged vertex lies at
+/// the midpoint, shifted along the normal so that the volume stays (Lindstrom & Turk, "Fast and
+/// memory efficient polygonal simplification", Visualization 1998), or at the end that must stay.
 CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits,
                                     const Progress& progress);

@@ -159,7 +159,7 @@ bool EdgeCollapser::try_position(const Vec3& wanted, double source_share) {
   const Vec3 position = mesh_.rounded(wanted);
   if (!is_sound(position)) return false;
   fill_patch(position);
-  if (!guard_.allows(patch_) || !guard_.has_room(patch_)) return false;
+  if (!guard_.allows(patch_)) return false;
   mesh_.collapse(edge_, position, source_share);
   guard_.forget(goes_);
   guard_.commit(patch_);

@@ -165,7 +165,6 @@ Index EditableMesh::split(Index halfedge, const Vec3& position) {
   vertex_rows_.push_back(
       append_row(RowBlend{{vertex_rows_[from], vertex_rows_[to], 0}, {0.5, 0.5, 0}}));
   if (!sizes_.empty()) sizes_.push_back(mean_size(from, to));
-  if (!components_.empty()) components_.push_back(components_[from]);
 
   // The face of h keeps its half at `from`, and a new face takes the half at `to`.
   const Index n = next_halfedge(h);
@@ -212,26 +211,11 @@ bool EditableMesh::can_collapse(Index halfedge) const {
   }
 
   // The ends may have no common neighbors but the apexes.
-  return count_common_neighbors(from, to) == (border_edge ? 1U : 2U);
-}
-
-/// Of two vertices that are neighbors.
-Index EditableMesh::count_common_neighbors(Index from, Index to) const {
-  constexpr std::size_t usual = 24;
-  std::array<Index, usual> ring;
-  std::size_t count = 0;
-  for_each_neighbor(to, [&](Index neighbor, Index) {
-    if (count < usual) ring[count] = neighbor;
-    ++count;
-  });
   Index common = 0;
   for_each_neighbor(from, [&](Index neighbor, Index) {
-    const bool is_common = count <= usual ? std::find(ring.begin(), ring.begin() + count,
-                                                      neighbor) != ring.begin() + count
-                                          : are_neighbors(to, neighbor);
-    if (neighbor != to && is_common) ++common;
+    if (neighbor != to && are_neighbors(to, neighbor)) ++common;
   });
-  return common;
+  return common == (border_edge ? 1U : 2U);
 }
 
 /// Makes one edge of the two of a face that vanishes.

@@ -55,21 +55,6 @@ class EditableMesh {
     const double size = mean_size(source(halfedge), target(halfedge));
     return squared / (size * size);
   }
-  /// That of its three halfedges.
-  std::array<double, 3> scaled_squared_lengths(Index face) const {
-    const Index* corners = sources_.data() + std::size_t{3} * face;
-    const Vec3& a = positions_[corners[0]];
-    const Vec3& b = positions_[corners[1]];
-    const Vec3& c = positions_[corners[2]];
-    std::array<double, 3> result{(b - a).squaredNorm(), (c - b).squaredNorm(),
-                                 (a - c).squaredNorm()};
-    if (sizes_.empty()) return result;
-    for (Index i = 0; i < 3; ++i) {
-      const double size = mean_size(corners[i], corners[(i + 1) % 3]);
-      result[i] /= size * size;
-    }
-    return result;
-  }
   Triangle triangle(Index face) const {
     const Index* corners = sources_.data() + std::size_t{3} * face;
     return triangle_of(positions_, {corners[0], corners[1], corners[2]});
@@ -116,11 +101,6 @@ class EditableMesh {
   }
   double size(Index vertex) const { return sizes_.empty() ? 1 : sizes_[vertex]; }
 
-  /// Numbers per vertex that are the same where vertices are connected. Edits keep them right;
-  /// empty where nobody has set them.
-  const std::vector<Index>& components() const { return components_; }
-  void set_components(std::vector<Index> components) { components_ = std::move(components); }
-
   /// Positions are rounded to this type as they are made, so that what is checked is what a file
   /// of that type holds.
   void set_coordinate(Scalar coordinate) { single_ = coordinate == Scalar::float32; }
@@ -148,14 +128,12 @@ class EditableMesh {
   void remove_face(Index face);
   void remove_vertex(Index vertex) { outgoing_[vertex] = no_index; }
 
-  bool has_vertex_columns() const { return !vertex_columns_.columns.empty(); }
   bool has_vertex_attributes() const { return !vertex_columns_.columns.empty() || !sizes_.empty(); }
   /// Gives the vertex the blend of the rows, and of the sizes, of three vertices.
   void blend_attributes(Index vertex, const std::array<Index, 3>& sources,
                         const std::array<double, 3>& weights);
 
  private:
-  Index count_common_neighbors(Index from, Index to) const;
   void link(Index first, Index second);
   void find_outgoing();
   Index append_face(Index a, Index b, Index c, Index row);
@@ -173,7 +151,6 @@ class EditableMesh {
   std::vector<bool> isolated_;    ///< vertices without a face in the input, which are kept
   std::vector<char> features_;    ///< per halfedge, empty while there are none
   std::vector<double> sizes_;     ///< per vertex, empty while there are none
-  std::vector<Index> components_;
   std::vector<Index> vertex_rows_;
   std::vector<Index> face_rows_;
   Columns vertex_columns_;

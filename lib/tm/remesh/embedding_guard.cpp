@@ -16,11 +16,6 @@ namespace {
 /// and each face that meets a ball has a corner within 0.58 of an edge from it.
 constexpr double cell_edges = 1.5;
 constexpr double corner_reach = 0.58;
-/// Slabs are at least so many cells thick. From the center of a patch the test reads what lies
-/// within 4.1 of the longest edges, which are two thirds of a cell, and a change writes within 5;
-/// what stands between two patches in slabs of the same turn is more than both, and as much again
-/// for centers that move.
-constexpr double slab_cells = 10;
 
 Vec3 lowest(const Triangle& triangle) {
   return triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
@@ -80,19 +75,14 @@ Vec3 sum_of(const std::vector<Vec3>& vectors) {
 }
 
 double longest_edge_of(const EditableMesh& mesh) {
-  constexpr std::size_t per_part = 4096;
-  std::vector<double> longest((mesh.face_slots() + per_part - 1) / per_part, 0);
+  constexpr std::size_t per_part = 8192;
+  std::vector<double> longest((mesh.halfedge_slots() + per_part - 1) / per_part, 0);
   parallel_for(longest.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t part = from; part < to; ++part) {
-      const auto last = std::min<std::size_t>(mesh.face_slots(), (part + 1) * per_part);
-      double most = 0;
-      for (auto face = static_cast<Index>(part * per_part); face < last; ++face) {
-        if (!mesh.has_face(face)) continue;
-        const auto [a, b, c] = mesh.triangle(face);
-        most =
-            std::max({most, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+      const auto last = std::min<std::size_t>(mesh.halfedge_slots(), (part + 1) * per_part);
+      for (auto h = static_cast<Index>(part * per_part); h < last; ++h) {
+        if (mesh.is_edge(h)) longest[part] = std::max(longest[part], mesh.squared_length(h));
       }
-      longest[part] = most;
     }
   });
   double result = 0;
@@ -115,40 +105,13 @@ EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge,
       keep_out_(keep_out),
       longest_allowed_(longest_edge),
       longest_edge_(longest_edge_of(mesh)),
-      cells_(std::make_shared<VertexCells>(
-          mesh, cell_edges * std::max(longest_allowed_, longest_edge_))) {}
-
-EmbeddingGuard::EmbeddingGuard(const EmbeddingGuard& whole, const MeshSlab& slab)
-    : mesh_(whole.mesh_),
-      keep_out_(whole.keep_out_),
-      longest_allowed_(whole.longest_allowed_),
-      longest_edge_(whole.longest_edge_),
-      cells_(whole.cells_),
-      slab_(slab),
-      is_part_(true) {}
-
-void EmbeddingGuard::join(const EmbeddingGuard& part) {
-  longest_edge_ = std::max(longest_edge_, part.longest_edge_);
-}
-
-const Slabs& EmbeddingGuard::slabs() {
-  if (slabs_) return *slabs_;
-  const bool is_one = keep_out_ != nullptr || mesh_.has_vertex_columns();
-  slabs_ = is_one ? std::make_unique<Slabs>(mesh_)
-                  : std::make_unique<Slabs>(mesh_, slab_cells * cells_->cell_size());
-  return *slabs_;
-}
-
-bool EmbeddingGuard::has_room(const Patch& patch) {
-  if (!is_part_ || cells_->has_cell(patch.center, patch.center_position)) return true;
-  was_put_off_ = true;
-  return false;
-}
+      cells_(mesh, cell_edges * std::max(longest_allowed_, longest_edge_)),
+      stamp_(mesh.face_slots(), 0) {}
 
 void EmbeddingGuard::commit(const Patch& patch) {
   longest_edge_ = std::max(longest_edge_, std::sqrt(patch.longest_squared));
-  cells_->update(patch.center);
-  cells_->restrict(patch.vertices, cone_, patch.longest_squared);
+  cells_.update(patch.center);
+  for (const Index vertex : patch.vertices) cells_.restrict(vertex, cone_, patch.longest_squared);
 }
 
 bool EmbeddingGuard::keeps_out(const Patch& patch) {
@@ -184,8 +147,8 @@ bool EmbeddingGuard::is_embedded(const Patch& patch) {
 bool EmbeddingGuard::is_certified(const Patch& patch) {
   if (is_too_long(patch)) return false;
   cone_ = common_cone(patch.normals);
-  if ((cone_ & cells_->cell_of(patch.center).cone_around) == 0) return false;
-  return lies_within(cells_->cell_size() - corner_reach * longest_edge_, patch);
+  if ((cone_ & cells_.cell_of(patch.center).cone_around) == 0) return false;
+  return lies_within(cells_.cell_size() - corner_reach * longest_edge_, patch);
 }
 
 /// Whether the ball around the center holds the patch.
@@ -210,12 +173,12 @@ EmbeddingGuard::Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& dir
 /// The certificate of the header with a convex body other than a ball: the part of the box around
 /// both patches that lies in the slab which holds them.
 bool EmbeddingGuard::is_height_field(const Patch& patch) const {
-  const Index component = (*cells_)[patch.center].component;
+  const Index component = cells_[patch.center].component;
   if (component == no_index) return false;
   const Vec3 direction = sum_of(patch.normals).normalized();
   const Slab slab = slab_of(patch, direction);
   const auto is_seen = [&](Index face) {
-    return (*cells_)[mesh_.source(3 * face)].component == component &&
+    return cells_[mesh_.source(3 * face)].component == component &&
            sees(direction, mesh_.triangle(face));
   };
   return std::all_of(patch.made.begin(), patch.made.end(),
@@ -252,9 +215,9 @@ void EmbeddingGuard::enclose(const Patch& patch) {
 /// The certificate of is_height_field() along one direction: of those that see both patches, the
 /// one nearest to the normals. Only faces at vertices whose cones lack it are asked.
 bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
-  const Index component = (*cells_)[patch.center].component;
+  const Index component = cells_[patch.center].component;
   NormalCone cone = component == no_index ? 0 : cone_;
-  for (const Index vertex : patch.vertices) cone &= (*cells_)[vertex].cone;
+  for (const Index vertex : patch.vertices) cone &= cells_[vertex].cone;
   if (cone == 0) return false;
   const Direction direction = nearest_direction(cone, sum_of(patch.normals));
   const auto is_alike = [&](const auto& part) {
@@ -262,10 +225,10 @@ bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
   };
 
   std::optional<Slab> slab;
-  return cells_->for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
+  return cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
     if (is_alike(cell)) return true;
-    for (Index v = cell.first_vertex; v != no_index; v = (*cells_)[v].next) {
-      if (is_alike((*cells_)[v]) || !is_around(v)) continue;
+    for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
+      if (is_alike(cells_[v]) || !is_around(v)) continue;
       if (!slab) slab = slab_of(patch, direction.unit);
       if (!is_seen_or_far(v, component, *slab)) return false;
     }
@@ -275,7 +238,7 @@ bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
 
 /// Whether the slab's direction sees the faces at the vertex, other than those outside slab or box.
 bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& slab) const {
-  const bool is_mine = (*cells_)[vertex].component == component;
+  const bool is_mine = cells_[vertex].component == component;
   bool result = true;
   mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
     const Triangle triangle = mesh_.triangle(halfedge / 3);
@@ -293,27 +256,26 @@ bool EmbeddingGuard::meets_box(const Triangle& triangle) const {
 /// Fills near_ with the faces, other than those that give way, whose boxes touch the patches'.
 void EmbeddingGuard::find_faces_near(const Patch& patch) {
   near_.clear();
+  ++stamp_now_;
+  for (const Index face : patch.replaced) stamp_[face] = stamp_now_;
   const auto add_if_near = [&](Index halfedge) {
     const Index face = halfedge / 3;
+    if (stamp_[face] == stamp_now_) return;
+    stamp_[face] = stamp_now_;
     if (meets_box(mesh_.triangle(face))) near_.push_back(face);
   };
-  cells_->for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
-    for (Index v = cell.first_vertex; v != no_index; v = (*cells_)[v].next) {
+  cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
+    for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
       if (is_around(v)) mesh_.for_each_outgoing(v, add_if_near);
     }
     return true;
-  });
-  std::sort(near_.begin(), near_.end());
-  near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
-  std::erase_if(near_, [&](Index face) {
-    return std::find(patch.replaced.begin(), patch.replaced.end(), face) != patch.replaced.end();
   });
 }
 
 /// Whether a face that meets the box may have this vertex as its nearest corner.
 bool EmbeddingGuard::is_around(Index vertex) const {
   const Vec3& position = mesh_.position(vertex);
-  const double longest = std::sqrt(static_cast<double>((*cells_)[vertex].longest_squared));
+  const double longest = std::sqrt(static_cast<double>(cells_[vertex].longest_squared));
   const double reach = corner_reach * std::min(longest, longest_edge_);
   return (position.array() >= low_.array() - reach).all() &&
          (position.array() <= high_.array() + reach).all();

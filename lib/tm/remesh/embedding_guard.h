@@ -11,18 +11,13 @@
 /// those of its own patch (triangle_contact.h).
 ///
 /// Patches are also kept away from another surface, where one is given (keep_out.h).
-///
-/// Slabs of the mesh (slabs.h) may be edited at the same time, each by one thread with a guard of
-/// its own: that of a part. It allows what lies in its slab and makes no new cell.
 #pragma once
 
-#include <memory>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 #include "tm/geometry/keep_out.h"
 #include "tm/remesh/editable_mesh.h"
-#include "tm/remesh/slabs.h"
 #include "tm/remesh/triangle_contact.h"
 #include "tm/remesh/vertex_cells.h"
 
@@ -48,21 +43,6 @@ class EmbeddingGuard {
   /// patches that were allowed. No new edge may be longer than the longest edge now or
   /// `longest_edge`.
   EmbeddingGuard(const EditableMesh& mesh, double longest_edge, const KeepOut* keep_out = nullptr);
-  /// The guard of a part, which stands in for the whole one as long as it lives; join() ends that.
-  EmbeddingGuard(const EmbeddingGuard& whole, const MeshSlab& slab);
-  void join(const EmbeddingGuard& part);
-
-  /// Slabs that may be edited at the same time, made when they are first asked for; a single one
-  /// where edits have more than the mesh in common.
-  const Slabs& slabs();
-  bool is_part() const { return is_part_; }
-  /// Whether the vertex lies where this guard may allow patches around it.
-  bool may_edit(Index vertex) const { return slab_.holds(mesh_.position(vertex)); }
-  /// Whether the patch needs no new cell, or this guard may make one. To be asked of what was
-  /// allowed; a no is remembered until was_put_off() is asked.
-  bool has_room(const Patch& patch);
-  /// Whether a patch had no room since this was asked last: the whole guard is to be asked then.
-  bool was_put_off() { return std::exchange(was_put_off_, false); }
 
   /// Whether the patch certainly meets nothing but its rim and does not fold onto itself. Contact
   /// within rounding error counts as meeting.
@@ -76,7 +56,7 @@ class EmbeddingGuard {
   std::size_t kept_out() const { return kept_out_; }
   /// To be called after the mesh was changed by the patch that was allowed last.
   void commit(const Patch& patch);
-  void forget(Index vertex) { cells_->remove(vertex); }
+  void forget(Index vertex) { cells_.remove(vertex); }
 
  private:
   class Slab;
@@ -100,12 +80,10 @@ class EmbeddingGuard {
   const KeepOut* keep_out_;
   std::size_t kept_out_ = 0;
   double longest_allowed_;
-  double longest_edge_;                 ///< that there is or has been
-  std::shared_ptr<VertexCells> cells_;  ///< of the whole mesh, also in the guard of a part
-  MeshSlab slab_;
-  bool is_part_ = false;
-  bool was_put_off_ = false;
-  std::unique_ptr<Slabs> slabs_;
+  double longest_edge_;  ///< that there is or has been
+  VertexCells cells_;
+  std::vector<std::uint32_t> stamp_;  ///< per face, against visiting twice
+  std::uint32_t stamp_now_ = 0;
   NormalCone cone_ = 0;      ///< of the patch allowed last
   Vec3 low_ = Vec3::Zero();  ///< the box around the patch in question, before and after
   Vec3 high_ = Vec3::Zero();

@@ -4,7 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "tm/remesh/slab_edits.h"
 #include "tm/remesh/vertex_mover.h"
 
 namespace transformesh {
@@ -55,21 +54,21 @@ std::vector<Vertex> heights(const EditableMesh& mesh, const VertexRoles& roles) 
 
 void even_out(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
               const Progress& progress) {
+  progress("even out", 0);
   const std::vector<Vertex> vertices = heights(mesh, roles);
-  const VertexRings rings(mesh);
-  move_vertices(guard, progress, "even out", [&](EmbeddingGuard& own) {
-    return [&, mover = VertexMover(mesh, own), star = Star()](Index v) mutable {
-      const Vertex& vertex = vertices[v];
-      if (std::isnan(vertex.height)) return Moved::not_wanted;
-      double sum = 0;  // vertices with a height have no border
-      for (const Index neighbor : rings[v].subspan(1)) sum += vertices[neighbor].height;
-      const double way = share * (sum / vertex.valence - vertex.height);
-      if (!(std::abs(way) > rest * vertex.edge)) return Moved::not_wanted;
-      star.gather(mesh, v, rings[v]);
-      const Vec3 target = star.center + way * vertex.normal;
-      return mover.move(v, star, target) ? Moved::done : Moved::refused;
-    };
-  });
+  VertexMover mover(mesh, guard);
+  Star star;
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    if (v % 8192 == 0) progress("even out", static_cast<double>(v) / mesh.vertex_slots());
+    const Vertex& vertex = vertices[v];
+    if (std::isnan(vertex.height)) continue;
+    double sum = 0;
+    mesh.for_each_neighbor(v, [&](Index neighbor, Index) { sum += vertices[neighbor].height; });
+    const double way = share * (sum / vertex.valence - vertex.height);
+    if (!(std::abs(way) > rest * vertex.edge)) continue;
+    star.gather(mesh, v);
+    mover.move(v, star, star.center + way * vertex.normal);
+  }
 }
 
 }  // namespace transformesh

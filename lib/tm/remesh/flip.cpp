@@ -4,14 +4,14 @@
 #include <cmath>
 #include <cstdint>
 
-#include "tm/remesh/slab_edits.h"
 #include "tm/remesh/star.h"
-#include "tm/remesh/where.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
 
 constexpr double least_cosine = 0.5;
+constexpr std::size_t halfedges_per_task = 8192;
 /// The cosine of 20 degrees: below that, a flip for valence may not make the least angle smaller.
 constexpr double narrow = 0.9396926207859084;
 /// A stretched edge may pass the old one at this distance, as a share of its length.
@@ -19,33 +19,12 @@ constexpr double farthest_shift = 0.012;
 /// Angles must grow by more than rounding, so that no edge flips to and fro.
 constexpr double least_gain = 1e-9;
 
-/// What the flips of a mesh have in common, in all its slabs.
-struct FlipBoard {
-  std::vector<int> excess;          ///< per vertex: valence minus what it should be
-  std::vector<std::uint8_t> waits;  ///< per halfedge: whether its edge waits for a visit
-
-  explicit FlipBoard(const EditableMesh& mesh)
-      : excess(mesh.vertex_slots(), -6), waits(mesh.halfedge_slots(), 0) {
-    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-      if (!mesh.has_halfedge(h)) continue;
-      ++excess[mesh.source(h)];
-      // A border vertex has one edge more than faces, and should have four edges.
-      if (mesh.is_border(h)) excess[mesh.source(h)] += 3;
-    }
-  }
-};
-
 class Flipper {
  public:
   Flipper(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule, const EdgeLimits& limits)
       : mesh_(mesh), guard_(guard), rule_(rule), limits_(limits) {}
 
-  /// The edges that are to be flipped, ascending.
-  std::vector<Index> wanted(const FlipBoard& board) const;
-  /// Flips those of the edges that still are to be, and then what that changes around them. Puts
-  /// into `left` what lies elsewhere.
-  EditCounts run(std::span<const Index> edges, FlipBoard& board, std::vector<Index>& left,
-                 const Progress& progress);
+  FlipCounts run(const Progress& progress);
   bool flip(Index halfedge);
 
  private:
@@ -63,27 +42,46 @@ class Flipper {
             mesh_.position(at.right)};
   }
 
-  bool is_wanted(Index halfedge, const FlipBoard& board) const;
-  void note_change(const Corners& at, FlipBoard& board);
+  void count_valences();
+  int deviation_gain(const Corners& at) const;
+  bool is_wanted(Index halfedge) const;
+  void look_ahead();
+  void note_change(const Corners& at);
   bool gains_angle(const Corners& at, bool only_not_narrow) const;
   bool is_too_long(const Corners& at) const;
   bool is_sound(Index halfedge, const Corners& at) const;
   bool attempt(Index halfedge);
-  void wait(Index halfedge, FlipBoard& board);
+  bool visit(Index halfedge);
+  void push_around(Index halfedge);
 
   EditableMesh& mesh_;
   EmbeddingGuard& guard_;
   FlipRule rule_;
   EdgeLimits limits_;
+  std::vector<int> excess_;  ///< valence minus what it should be
   std::vector<Index> queue_;
+  /// Per halfedge: whether it stood for an edge, which was to be flipped, before the first flip;
+  /// whether that may have changed; whether it waits for no visit.
+  using State = std::uint8_t;
+  enum : State { edge = 1, wanted_before = 2, changed = 4, idle = 8 };
+  std::vector<State> states_;
   Patch patch_;
   std::size_t refused_ = 0;
 };
 
-/// By how much the squared deviations from the valences wanted get smaller.
-int deviation_gain(int from, int to, int left, int right) {
+void Flipper::count_valences() {
+  excess_.assign(mesh_.vertex_slots(), -6);
+  for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
+    if (!mesh_.has_halfedge(h)) continue;
+    ++excess_[mesh_.source(h)];
+    // A border vertex has one edge more than faces, and should have four edges.
+    if (mesh_.is_border(h)) excess_[mesh_.source(h)] += 3;
+  }
+}
+
+int Flipper::deviation_gain(const Corners& at) const {
   // Each end gains x^2 - (x - 1)^2, each apex x^2 - (x + 1)^2.
-  return 2 * (from + to - left - right) - 4;
+  return 2 * (excess_[at.from] + excess_[at.to] - excess_[at.left] - excess_[at.right]) - 4;
 }
 
 bool Flipper::gains_angle(const Corners& at, bool only_not_narrow) const {
@@ -96,52 +94,37 @@ bool Flipper::gains_angle(const Corners& at, bool only_not_narrow) const {
   return after < before - least_gain;
 }
 
-bool Flipper::is_wanted(Index halfedge, const FlipBoard& board) const {
-  if (mesh_.is_border(halfedge)) return false;
+bool Flipper::is_wanted(Index halfedge) const {
   const Corners at = corners(halfedge);
   if (rule_ == FlipRule::angle) return gains_angle(at, false);
-  const int gain = deviation_gain(board.excess[at.from], board.excess[at.to], board.excess[at.left],
-                                  board.excess[at.right]);
+  const int gain = deviation_gain(at);
   if (gain < 0) return false;
   return gains_angle(at, gain > 0);
 }
 
-// Valences are asked before which halfedge names the edge, as few edges pass.
-std::vector<Index> Flipper::wanted(const FlipBoard& board) const {
-  return indices_where_in(mesh_.face_slots(), [&](Index face, std::vector<Index>& found) {
-    if (!mesh_.has_face(face)) return;
-    std::array<int, 3> excess;
-    for (Index i = 0; i < 3; ++i) excess[i] = board.excess[mesh_.source(3 * face + i)];
-    for (Index i = 0; i < 3; ++i) {
-      const Index h = 3 * face + i;
-      const Index opposite = mesh_.opposite(h);
-      if (opposite == no_index) continue;
-      const int gain = deviation_gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
-                                      board.excess[mesh_.apex(opposite)]);
-      const bool is_candidate = gain >= 0 || rule_ == FlipRule::angle;
-      if (is_candidate && h < opposite && is_wanted(h, board)) found.push_back(h);
+/// Looks at all edges on all threads: those that a flip changes are looked at again.
+void Flipper::look_ahead() {
+  states_.resize(mesh_.halfedge_slots());
+  parallel_for(states_.size(), halfedges_per_task, [&](std::size_t first, std::size_t last) {
+    for (auto h = static_cast<Index>(first); h < last; ++h) {
+      const bool is_edge = mesh_.is_edge(h);
+      const bool wanted = is_edge && !mesh_.is_border(h) && is_wanted(h);
+      states_[h] = static_cast<State>((is_edge ? edge : 0) | (wanted ? wanted_before : 0));
     }
   });
 }
 
-void Flipper::wait(Index halfedge, FlipBoard& board) {
-  if (mesh_.is_border(halfedge)) return;
-  const Index edge = std::min(halfedge, mesh_.opposite(halfedge));
-  if (board.waits[edge] != 0) return;
-  board.waits[edge] = 1;
-  queue_.push_back(edge);
-}
-
-/// After a flip, whose corners were these: all edges of which they are corners may be wanted now.
-void Flipper::note_change(const Corners& at, FlipBoard& board) {
-  --board.excess[at.from];
-  --board.excess[at.to];
-  ++board.excess[at.left];
-  ++board.excess[at.right];
+/// After a flip, whose corners were these.
+void Flipper::note_change(const Corners& at) {
+  --excess_[at.from];
+  --excess_[at.to];
+  ++excess_[at.left];
+  ++excess_[at.right];
   for (const Index corner : {at.from, at.to, at.left, at.right}) {
     mesh_.for_each_outgoing(corner, [&](Index halfedge) {
-      wait(halfedge, board);
-      wait(next_halfedge(halfedge), board);
+      const Index rim = next_halfedge(halfedge);
+      for (const Index h : {halfedge, rim, previous_halfedge(halfedge), mesh_.opposite(rim)})
+        if (h != no_index) states_[h] |= changed;
     });
   }
 }
@@ -203,26 +186,46 @@ bool Flipper::flip(Index halfedge) {
   return mesh_.can_flip(halfedge) && is_sound(halfedge, corners(halfedge)) && attempt(halfedge);
 }
 
-// Every flip lowers a bounded measure, but in rounded arithmetic a limit is safer than a proof.
-EditCounts Flipper::run(std::span<const Index> edges, FlipBoard& board, std::vector<Index>& left,
-                        const Progress& progress) {
-  EditCounts counts;
-  const std::size_t most = 20 * std::size_t{mesh_.halfedge_slots()};
-  for (const Index edge : edges) wait(edge, board);
-  for (std::size_t next = 0; next < queue_.size() && next < most; ++next) {
-    if (next % 16384 == 16383 && !guard_.is_part())
-      progress("flip", static_cast<double>(next) / static_cast<double>(queue_.size()));
-    const Index edge = queue_[next];
-    board.waits[edge] = 0;
-    if (!guard_.may_edit(mesh_.source(edge))) {
-      left.push_back(edge);
-      continue;
+void Flipper::push_around(Index halfedge) {
+  for (const Index h : {halfedge, mesh_.opposite(halfedge)}) {
+    for (const Index rim : {next_halfedge(h), previous_halfedge(h)}) {
+      if (mesh_.is_border(rim)) continue;
+      const Index named = std::min(rim, mesh_.opposite(rim));
+      if ((states_[named] & idle) == 0) continue;
+      states_[named] &= static_cast<State>(~idle);
+      queue_.push_back(named);
     }
-    if (!is_wanted(edge, board)) continue;
-    const Corners at = corners(edge);
-    if (!flip(edge)) continue;
-    ++counts.done;
-    note_change(at, board);
+  }
+}
+
+bool Flipper::visit(Index halfedge) {
+  State& state = states_[halfedge];
+  state |= idle;
+  if ((state & (wanted_before | changed)) == 0) return false;
+  if ((state & changed) != 0 && (mesh_.is_border(halfedge) || !is_wanted(halfedge))) return false;
+  const Corners at = corners(halfedge);
+  if (!flip(halfedge)) return false;
+  note_change(at);
+  push_around(halfedge);
+  return true;
+}
+
+// Every flip lowers a bounded measure, but in rounded arithmetic a limit is safer than a proof.
+FlipCounts Flipper::run(const Progress& progress) {
+  progress("flip");
+  count_valences();
+  look_ahead();
+  FlipCounts counts;
+  std::size_t edges = 0;
+  for (Index h = 0; h < states_.size(); ++h) {
+    if ((states_[h] & edge) == 0) continue;
+    ++edges;
+    counts.done += visit(h) ? 1 : 0;
+  }
+  for (std::size_t next = 0; next < queue_.size() && next < 19 * edges; ++next) {
+    if (next % 16384 == 0)
+      progress("flip", static_cast<double>(next + 1) / static_cast<double>(next + edges));
+    counts.done += visit(queue_[next]) ? 1 : 0;
   }
   counts.refused = refused_;
   return counts;
@@ -233,16 +236,7 @@ EditCounts Flipper::run(std::span<const Index> edges, FlipBoard& board, std::vec
 FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule,
                       const EdgeLimits& limits, const Progress& progress) {
   if (rule == FlipRule::none) return {};
-  progress("flip");
-  FlipBoard board(mesh);
-  const std::vector<Halfedges> wanted =
-      sorted_by_slab(mesh, guard.slabs(), Flipper(mesh, guard, rule, limits).wanted(board));
-  const EditCounts counts = edit_in_slabs(
-      guard, [&](std::size_t slab) -> const Halfedges& { return wanted[slab]; },
-      [&](EmbeddingGuard& own, std::span<const Index> edges, std::vector<Index>& left) {
-        return Flipper(mesh, own, rule, limits).run(edges, board, left, progress);
-      });
-  return {counts.done, counts.refused};
+  return Flipper(mesh, guard, rule, limits).run(progress);
 }
 
 bool flip_edge(EditableMesh& mesh, EmbeddingGuard& guard, Index halfedge,

@@ -18,7 +18,7 @@ struct FlipCounts {
 /// where the smaller of the least angles grows. No flip makes an edge that exists, takes one on a
 /// line or between faces that meet at more than 60 degrees, turns a normal by more than that, or
 /// makes an edge longer than allowed; stretched ones are made only where the surface hardly moves.
-/// Edges are tried in order, slab by slab (slabs.h), then all that a flip changes.
+/// Edges are tried in order, then again around each that was flipped.
 FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule,
                       const EdgeLimits& limits, const Progress& progress);
 

@@ -39,14 +39,8 @@ struct FourNormals {
   Floats least;
 };
 
-// Where single precision holds the square as well, its root takes half the time.
 float needed_length(const Vec3& normal) {
-  constexpr double small_square = 1e-36;
-  constexpr double large_square = 1e36;
-  const double squared = normal.squaredNorm();
-  if (squared > small_square && squared < large_square)
-    return least_cosine * std::sqrt(static_cast<float>(squared));
-  const double length = std::sqrt(squared);
+  const double length = normal.norm();
   const bool is_usual = length > smallest && length < largest;
   return is_usual ? least_cosine * static_cast<float>(length) : HUGE_VALF;
 }

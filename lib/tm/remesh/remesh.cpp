@@ -15,7 +15,6 @@
 #include "tm/remesh/small_components.h"
 #include "tm/remesh/smooth.h"
 #include "tm/remesh/split.h"
-#include "tm/remesh/where.h"
 #include "tm/support/counted.h"
 #include "tm/support/length.h"
 
@@ -35,9 +34,6 @@ constexpr double adaptive_longest = 0.95;
 /// From so many iterations on, a mesh is made anew and evened out at the end. With fewer it is part
 /// of an evolution, whose next step sees to its shape.
 constexpr int iterations_anew = 3;
-/// After that many, valences hardly change any more, and what is left to gain comes of relaxing.
-constexpr int sweeps_between = 1;
-constexpr int sweeps_at_end = 6;
 
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
@@ -176,14 +172,6 @@ class Iteration {
     relax();
   }
 
-  /// Relaxes up to so many times more, until all is at rest.
-  void settle(int sweeps) {
-    if (task_.options.smoothing != Smoothing::tangential || task_.options.only_smooth) return;
-    for (int i = 0; i < sweeps; ++i)
-      if (relax_tangentially(mesh_, guard_, roles_, task_.surface, task_.progress).moved == 0)
-        break;
-  }
-
   void finish() {
     if (task_.options.smoothing == Smoothing::tangential && task_.surface == nullptr)
       even_out(mesh_, guard_, roles_, task_.progress);
@@ -237,15 +225,34 @@ void remove_small(const Task& task) {
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
 }
 
+/// Lengths over all edges, in units of the local size.
+struct ScaledLengths {
+  double typical = 0;  ///< root of the mean square
+  double longest = 0;
+
+  explicit ScaledLengths(const EditableMesh& mesh) {
+    double sum = 0;
+    double count = 0;
+    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+      if (!mesh.is_edge(h)) continue;
+      const double squared = mesh.scaled_squared_length(h);
+      longest = std::max(longest, squared);
+      sum += squared;
+      ++count;
+    }
+    typical = std::sqrt(sum / count);
+    longest = std::sqrt(longest);
+  }
+};
+
 /// Where edges are far too short, collapses them in stages of less than twice the length: with the
 /// guard made for the longest edges at once, each of its cells would hold many vertices. Returns
-/// the longest edge that came of it.
-double coarsen(const Task& task) {
+/// the lengths that came of it.
+ScaledLengths coarsen(const Task& task) {
   for (bool goes_on = true;;) {
-    const EdgeSummary lengths = summary_of_edges(task.mesh);
-    const double shortest = stage_growth * std::sqrt(lengths.typical);
-    if (!goes_on || !(stage_growth * shortest < task.limits.shortest))
-      return std::sqrt(lengths.longest);
+    const ScaledLengths lengths(task.mesh);
+    const double shortest = stage_growth * lengths.typical;
+    if (!goes_on || !(stage_growth * shortest < task.limits.shortest)) return lengths;
     const EdgeLimits limits{shortest, shortest / task.limits.shortest * task.limits.longest};
     EmbeddingGuard guard(task.mesh, limits.longest * largest_size(task.mesh), task.keep_out);
     const VertexRoles roles(task.mesh, task.options.keep_border);
@@ -258,20 +265,19 @@ double coarsen(const Task& task) {
 }
 
 void refine(const Task& task) {
-  if (coarsen(task) <= task.limits.longest) return;
+  const ScaledLengths lengths = coarsen(task);
+  if (lengths.longest <= task.limits.longest) return;
   task.result.splits +=
       split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
 }
 
-void iterate(const Task& task, int pass) {
-  const bool is_last = pass + 1 == task.options.iterations;
+void iterate(const Task& task, bool is_first, bool is_finish) {
   mark_features(task.mesh, task.options.feature_angle_deg);
   const Index first_new = task.mesh.vertex_slots();
   if (!task.options.only_smooth) refine(task);
   Iteration iteration(task, first_new);
-  iteration.run(pass == 0);
-  if (pass >= iterations_anew) iteration.settle(is_last ? sweeps_at_end : sweeps_between);
-  if (is_last && pass + 1 >= iterations_anew) iteration.finish();
+  iteration.run(is_first);
+  if (is_finish) iteration.finish();
   task.result.kept_out += iteration.kept_out();
   remove_small(task);
 }
@@ -303,8 +309,8 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
       editable, options, limits, surface ? &*surface : nullptr, keep_out ? &*keep_out : nullptr,
       progress, result};
   remove_small(task);
-  if (options.iterations > 0) editable.set_components(closed_components(editable));
-  for (int pass = 0; pass < options.iterations; ++pass) iterate(task, pass);
+  for (int i = 0; i < options.iterations; ++i)
+    iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
   result.degenerate_faces = count_degenerate_faces(editable);
   Mesh remeshed = editable.to_mesh();
   if (remeshed.faces.empty()) {

@@ -12,8 +12,7 @@
 ///   for new and for sliding vertices, inherited by faces;
 ///   normals are computed anew, texture coordinates of corners dropped (surface_columns.h).
 /// Not guaranteed: that all edges reach the interval; regular valences may take 1.12 e2.
-/// Deterministic for any number of threads, which edit slabs of large meshes at the same time
-/// (slabs.h); O(n log n); about 150 bytes per face.
+/// Deterministic; O(n log n); about 150 bytes per face.
 #pragma once
 
 #include <string>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tm/remesh/slab_edits.h"
 #include "tm/remesh/vertex_mover.h"
 #include "tm/support/parallel.h"
 
@@ -18,21 +17,29 @@ constexpr std::size_t things_per_task = 2048;
 class Relaxer {
  public:
   Relaxer(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-          const VertexRings& rings, const ClosestPointQuery* surface)
-      : mesh_(mesh), roles_(roles), rings_(rings), surface_(surface), mover_(mesh, guard) {}
+          const ClosestPointQuery* surface)
+      : mesh_(mesh), roles_(roles), surface_(surface), mover_(mesh, guard) {}
 
-  Moved operator()(Index v) {
-    if (!mesh_.has_vertex(v)) return Moved::not_wanted;
-    const VertexRole role = roles_[v];
-    if (role == VertexRole::fixed) return Moved::not_wanted;
-    star_.gather(mesh_, v, rings_[v]);
-    Vec3 target = role == VertexRole::free ? free_target() : line_target(v);
-    if (role == VertexRole::free && surface_) target = (*surface_)(target).point;
-    if ((target - star_.center).squaredNorm() < rest * rest * star_.normal.norm())
-      return Moved::not_wanted;
-    if (!mover_.move(v, star_, target)) return Moved::refused;
-    carry_attributes(v);
-    return Moved::done;
+  SmoothCounts run(const Progress& progress) {
+    SmoothCounts counts;
+    const VertexRings rings(mesh_);
+    for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
+      if (v % 8192 == 0) progress("smooth", static_cast<double>(v) / mesh_.vertex_slots());
+      if (!mesh_.has_vertex(v)) continue;
+      const VertexRole role = roles_[v];
+      if (role == VertexRole::fixed) continue;
+      star_.gather(mesh_, v, rings[v]);
+      Vec3 target = role == VertexRole::free ? free_target() : line_target(v);
+      if (role == VertexRole::free && surface_) target = (*surface_)(target).point;
+      if ((target - star_.center).squaredNorm() < rest * rest * star_.normal.norm()) continue;
+      if (mover_.move(v, star_, target)) {
+        ++counts.moved;
+        carry_attributes(v);
+      } else {
+        ++counts.refused;
+      }
+    }
+    return counts;
   }
 
  private:
@@ -42,7 +49,6 @@ class Relaxer {
 
   EditableMesh& mesh_;
   const VertexRoles& roles_;
-  const VertexRings& rings_;
   const ClosestPointQuery* surface_;
   VertexMover mover_;
   Star star_;
@@ -156,11 +162,7 @@ class Laplacian {
 
 SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                                 const ClosestPointQuery* surface, const Progress& progress) {
-  const VertexRings rings(mesh);
-  const EditCounts counts = move_vertices(guard, progress, "smooth", [&](EmbeddingGuard& own) {
-    return Relaxer(mesh, own, roles, rings, surface);
-  });
-  return {counts.done, counts.refused};
+  return Relaxer(mesh, guard, roles, surface).run(progress);
 }
 
 SmoothCounts smooth_laplace(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
@@ -173,17 +175,20 @@ SmoothCounts smooth_laplace(EditableMesh& mesh, EmbeddingGuard& guard, const Ver
   std::vector<Vec3> twice;
   if (second != 0) twice = laplacian.apply(once);
 
+  SmoothCounts counts;
+  VertexMover mover(mesh, guard);
   const VertexRings rings(mesh);
-  const EditCounts counts = move_vertices(guard, progress, "smooth", [&](EmbeddingGuard& own) {
-    return [&, mover = VertexMover(mesh, own), star = Star()](Index v) mutable {
-      if (!mesh.has_vertex(v) || once[v].isZero(0)) return Moved::not_wanted;
-      Vec3 target = positions[v] - first * once[v];
-      if (second != 0) target += second * twice[v];
-      star.gather(mesh, v, rings[v]);
-      return mover.move(v, star, target) ? Moved::done : Moved::refused;
-    };
-  });
-  return {counts.done, counts.refused};
+  Star star;
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    if (v % 8192 == 0) progress("smooth", static_cast<double>(v) / mesh.vertex_slots());
+    if (once[v].isZero(0)) continue;
+    Vec3 target = positions[v] - first * once[v];
+    if (second != 0) target += second * twice[v];
+    star.gather(mesh, v, rings[v]);
+    const bool moved = mover.move(v, star, target);
+    ++(moved ? counts.moved : counts.refused);
+  }
+  return counts;
 }
 
 }  // namespace transformesh

@@ -14,11 +14,11 @@ struct SmoothCounts {
 };
 
 /// Moves each vertex towards the center of its star within the plane that keeps the volume: the one
-/// across its area normal. Vertices move one after the other, in slot order within each slab, so
-/// that the volume of a closed mesh stays up to rounding. Attributes are interpolated where the
-/// vertex slides to. Vertices on lines slide along them. A move that would turn a normal by more
-/// than 60 degrees, make a poor triangle poorer or might make contact is halved, then refused.
-/// Where there is a `surface`, free vertices move on to its closest point.
+/// across its area normal. Vertices move one after the other, in slot order, so that the volume of
+/// a closed mesh stays up to rounding. Attributes are interpolated where the vertex slides to.
+/// Vertices on lines slide along them. A move that would turn a normal by more than 60 degrees,
+/// make a poor triangle poorer or might make contact is halved, then refused. Where there is
+/// a `surface`, free vertices move on to its closest point.
 SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                                 const ClosestPointQuery* surface, const Progress& progress);
 

@@ -52,8 +52,10 @@ class Splitter {
 
  private:
   void push_all() {
-    const auto is_wanted = [&](double squared) { return keep_border_ || squared > limit_; };
-    for (const Index h : edges_where(mesh_, is_wanted)) push(h);
+    const auto is_wanted = [&](Index h) {
+      return mesh_.is_edge(h) && (keep_border_ || mesh_.scaled_squared_length(h) > limit_);
+    };
+    for (const Index h : indices_where(mesh_.halfedge_slots(), is_wanted)) push(h);
   }
 
   void push(Index halfedge) {

@@ -12,9 +12,6 @@
 
 namespace transformesh {
 
-/// Per vertex the lowest vertex of its component, or no_index where that has a border.
-std::vector<Index> closed_components(const EditableMesh& mesh);
-
 class VertexCells {
  public:
   struct Cell {
@@ -42,19 +39,13 @@ class VertexCells {
   const Vertex& operator[](Index vertex) const { return vertices_[vertex]; }
   const Cell& cell_of(Index vertex) const { return cells_[vertices_[vertex].cell]; }
 
-  /// Whether there is a cell for the vertex at that position.
-  bool has_cell(Index vertex, const Vec3& position) const {
-    const Key key = key_of(position);
-    return key == cell_of(vertex).key || find_cell(key) != no_index;
-  }
-
   /// To be called after a vertex has moved.
   void update(Index vertex);
   /// To be called before a vertex goes.
   void remove(Index vertex);
-  /// To be called where faces at vertices are replaced by others of that cone, with edges up to
+  /// To be called where faces at a vertex are replaced by others of that cone, with edges up to
   /// that length.
-  void restrict(std::span<const Index> vertices, NormalCone cone, double longest_squared);
+  void restrict(Index vertex, NormalCone cone, double longest_squared);
 
   /// Calls visit(cell) for the cells that meet a box until it returns false.
   template <class Visit>
@@ -90,6 +81,8 @@ class VertexCells {
   /// Calls visit(cell) for the cells around, itself among them.
   template <class Visit>
   void for_each_cell_around(Index cell, const Visit& visit) const;
+  void label_components();
+  bool gather_component(Index seed, std::vector<char>& reached, std::vector<Index>& faces) const;
   void fill(std::span<const NormalCone> cones);  ///< of the faces
   void find_cells_around(Index cell, std::span<const Key> offsets);
   void restrict_to_faces(std::span<const NormalCone> cones);
@@ -102,7 +95,6 @@ class VertexCells {
 
   const EditableMesh& mesh_;
   double cell_size_;
-  double cells_per_length_ = 0;
   Vec3 origin_ = Vec3::Zero();
   std::vector<Cell> cells_;
   std::vector<CellsAround> around_;  ///< per cell

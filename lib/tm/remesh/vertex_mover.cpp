@@ -19,23 +19,6 @@ bool has_normal(const Star::Triangle& triangle) {
          normal_roundness * normal_roundness * triangle.squares * triangle.squares;
 }
 
-/// Whether roundness() is at least so much; without a division.
-bool is_round(double normal_squared, double squares, double roundness) {
-  return 12 * normal_squared >= roundness * roundness * squares * squares && squares > 0;
-}
-
-/// The squared roundness of the narrowest triangle with the center there.
-double least_squared_roundness(const Star& star, const Vec3& center) {
-  double least = 1;
-  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
-    const Vec3 a = star.rim[i] - center;
-    const Vec3 b = star.rim[i + 1] - center;
-    const double squares = a.squaredNorm() + b.squaredNorm() + star.triangles[i].across_squared;
-    least = std::min(least, squared_roundness(a.cross(b).squaredNorm(), squares));
-  }
-  return least;
-}
-
 /// The squared roundness of the narrowest triangle.
 double least_squared_roundness(const Star& star) {
   double least = 1;
@@ -53,30 +36,28 @@ void Star::gather(const EditableMesh& mesh, Index vertex) {
 
 // Sums are kept out of the star meanwhile, where the compiler would have to write them each time.
 void Star::gather(const EditableMesh& mesh, Index vertex, std::span<const Index> neighbors) {
-  const std::size_t count = neighbors.size() - 1;
-  if (own_triangles_.size() < count) own_triangles_.resize(2 * count);
-  rim.resize(count + 1);
+  triangles.clear();
+  rim.clear();
   const Vec3 middle = mesh.position(vertex);
-  rim[0] = mesh.position(neighbors[0]);
+  rim.push_back(mesh.position(neighbors[0]));
   Vec3 a = rim[0] - middle;
   double a_squared = a.squaredNorm();
   double farthest = a_squared;
   Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3& end = mesh.position(neighbors[i + 1]);
+  for (const Index neighbor : neighbors.subspan(1)) {
+    const Vec3& end = mesh.position(neighbor);
     const Vec3 b = end - middle;
     const double b_squared = b.squaredNorm();
     const double across_squared = (b - a).squaredNorm();
     const Vec3 own = a.cross(b);
-    own_triangles_[i] = {own, own.squaredNorm(), across_squared,
-                         a_squared + b_squared + across_squared};
-    rim[i + 1] = end;
+    triangles.push_back(
+        {own, own.squaredNorm(), across_squared, a_squared + b_squared + across_squared});
+    rim.push_back(end);
     sum += own;
     farthest = std::max(farthest, b_squared);
     a = b;
     a_squared = b_squared;
   }
-  triangles = std::span<const Triangle>(own_triangles_).first(count);
   ring = neighbors;
   center = middle;
   normal = sum;
@@ -90,8 +71,7 @@ bool VertexMover::move(Index vertex, const Star& star, const Vec3& target) {
 /// Fills the patch's normals; false where a triangle turns over or gets too narrow.
 bool VertexMover::place_triangles(const Star& star, const Vec3& target) {
   patch_.clear();
-  patch_.normals.resize(star.triangles.size());
-  bool are_round = true;
+  double least = 1;
   Vec3 a = star.rim[0] - target;
   double a_squared = a.squaredNorm();
   double longest_squared = a_squared;
@@ -106,14 +86,15 @@ bool VertexMover::place_triangles(const Star& star, const Vec3& target) {
     const double before_squared = is_narrow ? star.normal.squaredNorm() : triangle.normal_squared;
     const double dot = before.dot(normal);
     if (turns(dot, before_squared, normal_squared, least_turn_cosine)) return false;
-    are_round &= is_round(normal_squared, a_squared + b_squared + triangle.across_squared, enough_);
+    least = std::min(
+        least, squared_roundness(normal_squared, a_squared + b_squared + triangle.across_squared));
     longest_squared = std::max({longest_squared, b_squared, triangle.across_squared});
-    patch_.normals[i] = normal;
+    patch_.normals.push_back(normal);
     a = b;
     a_squared = b_squared;
   }
   patch_.longest_squared = longest_squared;
-  return are_round || least_squared_roundness(star, target) >= least_squared_roundness(star);
+  return least >= enough_ * enough_ || least >= least_squared_roundness(star);
 }
 
 void VertexMover::name_vertices(Index vertex, const Star& star) {
@@ -142,7 +123,7 @@ bool VertexMover::is_allowed(Index vertex, const Star& star, const Vec3& target)
 
 bool VertexMover::attempt(Index vertex, const Star& star, const Vec3& wanted) {
   const Vec3 target = mesh_.rounded(wanted);
-  if (!is_allowed(vertex, star, target) || !guard_.has_room(patch_)) return false;
+  if (!is_allowed(vertex, star, target)) return false;
   mesh_.move(vertex, target);
   guard_.commit(patch_);
   return true;

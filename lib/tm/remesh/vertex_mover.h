@@ -8,15 +8,14 @@
 namespace transformesh {
 
 /// The triangles at a vertex, without that corner, counter-clockwise.
-class Star {
- public:
+struct Star {
   struct Triangle {
     Vec3 normal;            ///< twice the area long
     double normal_squared;  ///< its length
     double across_squared;  ///< of the side across from the vertex
     double squares;         ///< of the three sides, summed
   };
-  std::span<const Triangle> triangles;
+  std::vector<Triangle> triangles;
   std::span<const Index> ring;  ///< triangle i lies between neighbors i and i + 1
   std::vector<Vec3> rim;        ///< their positions
   Vec3 center;
@@ -29,7 +28,6 @@ class Star {
 
  private:
   std::vector<Index> own_ring_;
-  std::vector<Triangle> own_triangles_;
 };
 
 class VertexMover {

@@ -29,17 +29,16 @@ struct Anchor {
 
 }  // namespace
 
-SearchedDistance searched_distance(const Vec3& point, const Vec3& closest, double sign,
-                                   Index face) {
+SearchedDistance searched_distance(const Vec3& point, const Vec3& closest, double sign) {
   const Vec3 way = point - closest;
   const double distance = way.norm();
-  if (distance == 0) return {0, Vec3::Zero(), face};
-  return {sign * distance, sign * way / distance, face};
+  if (distance == 0) return {};
+  return {sign * distance, sign * way / distance};
 }
 
 std::vector<double> sample_distance(
     std::span<const Vec3> points, std::span<const Index> order, double exact_within,
-    const std::function<SearchedDistance(Index point, double sign, Index hint)>& search) {
+    const std::function<SearchedDistance(Index point, double sign)>& search) {
   std::vector<double> distances(points.size());
   const std::size_t runs = (points.size() + run_length - 1) / run_length;
   parallel_for(runs, 1, [&](std::size_t first_run, std::size_t last_run) {
@@ -52,8 +51,7 @@ std::vector<double> sample_distance(
         if (is_far && anchor.reaches(point)) {
           distances[order[i]] = anchor.estimate(point);
         } else {
-          const double sign = is_far ? std::copysign(1, anchor.found.distance) : 0;
-          anchor = {point, search(order[i], sign, anchor.found.face)};
+          anchor = {point, search(order[i], is_far ? std::copysign(1, anchor.found.distance) : 0)};
           distances[order[i]] = anchor.found.distance;
         }
       }

@@ -150,7 +150,7 @@ TEST_CASE("a nearby point is on the mesh, and farther than the closest by no mor
     const Vec3 query = random.point(-4, 4);
     const double least = closest(query).distance;
     for (const double tolerance : {0.0, 0.05, 0.5}) {
-      const Vec3 point = closest.nearby(query, tolerance).point;
+      const Vec3 point = closest.nearby(query, tolerance);
       CHECK((point - query).norm() >= least);
       CHECK((point - query).norm() <= (1 + tolerance) * least * (1 + 1e-12));
       CHECK(closest(point).distance <= 1e-14);
