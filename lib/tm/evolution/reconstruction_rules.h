@@ -50,11 +50,12 @@ class LevelRule {
  private:
   std::size_t passes_;
   std::size_t done_ = 0;
-  struct {
+  struct LastPass {
     double dissimilarity = 0;
     std::size_t outside = 0;
     Topology topology;
-  } before_;             ///< the last pass
+  };
+  LastPass before_;
   double coverage_ = 0;  ///< that the level began with
   std::size_t pixels_ = 0;
 };
