@@ -26,7 +26,7 @@ constexpr int last_given = 3;             // the last start before which thin ce
 constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are too many cells
 constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before,
-constexpr int patience = 2;      // and so many more in further starts, which come from afar
+constexpr int patience = 2;      // and so many more where all starts failed, which begin again
 constexpr std::size_t few_pairs = 1000;
 constexpr std::size_t most_broken_share = 3;
 /// How close new vertices become one where nothing is broken, in spacings.
@@ -107,6 +107,7 @@ class SnapRounder {
   std::size_t most_pairs_ = 0;  ///< with more than these, repair is hopeless
   bool is_hopeless_ = false;
   bool is_extreme_ = false;      ///< rounding breaks a good part of the faces
+  int patience_ = 0;             ///< how many vain rounds more are waited for
   std::string place_;            ///< the first place that was broken
   std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
   SnapRoundingResult result_;
@@ -201,7 +202,7 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     const std::vector<Index> broken = find_broken_faces(assembly);
     if (broken.empty() && round == 0 && !options_.is_open) return true;
     vain = broken.empty() || broken.size() < fewest ? 0 : vain + 1;
-    if (vain == most_vain + (start == 0 || is_extreme_ ? 0 : patience)) return false;
+    if (vain == most_vain + patience_) return false;
     if (round == 0) choose_spacings(start);
     fewest = std::min(fewest, broken.size());
     const Tolerances most = tolerances(start, round);
@@ -295,7 +296,11 @@ SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   Assembly assembly = pass.assembly;
   for (int start = 0; !repair(assembly, start);) {
     start = next_start(start);
-    if (start == most_starts) give_up();
+    if (start == most_starts) {
+      if (patience_ > 0) give_up();
+      patience_ = patience;
+      start = 1;
+    }
     assembly = begin_anew(pass, start);
   }
   drop_unused_vertices(assembly);
