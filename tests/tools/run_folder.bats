@@ -106,6 +106,8 @@ FILES
     until [ -e r/log.csv ] && [ "$(wc -l <r/log.csv)" -ge "$kill_at" ]; do sleep 0.01; done
     kill -KILL $! || true
     wait $! || true
+    # As if it had been writing.
+    echo half >r/frames/.frame-00003.ply.123-0.tmp
     morph --run r --iterations 12 --every 1 --resume
     cmp all.ply r/result.ply
     [ "$(files_of r/frames | wc -l)" -eq 13 ]

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 
 #include "tm/io/atomic_file.h"
 #include "tm/support/error.h"
@@ -61,7 +62,20 @@ void remove_views(const std::string& folder) {
   if (fs::is_empty(photographs, ignored)) fs::remove(photographs, ignored);
 }
 
+/// What a run that was killed had not written to its end (atomic_file.h).
+void remove_unfinished_files(const std::string& folder) {
+  static const std::regex unfinished(R"(\..+\.[0-9]+-[0-9]+\.tmp)");
+  std::error_code ignored;
+  std::vector<fs::path> paths;
+  for (auto entry = fs::recursive_directory_iterator(folder, ignored);
+       entry != fs::recursive_directory_iterator(); entry.increment(ignored))
+    if (std::regex_match(entry->path().filename().string(), unfinished))
+      paths.push_back(entry->path());
+  for (const fs::path& path : paths) fs::remove(path, ignored);
+}
+
 void remove_files_of_run(const std::string& folder) {
+  remove_unfinished_files(folder);
   std::error_code ignored;
   for (const char* name : {run_file::result, run_file::report, run_file::log, run_file::start})
     fs::remove(folder + name, ignored);
@@ -118,6 +132,7 @@ std::string run_name(const char* files, std::size_t number, const std::string& e
 }
 
 void continue_run(const std::string& folder, const std::string& command) {
+  remove_unfinished_files(folder);
   RunDescription description = read_run(folder);
   description.commands.push_back(command);
   write_description(folder, description);

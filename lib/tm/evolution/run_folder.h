@@ -43,7 +43,7 @@ void check_run_folder(const std::string& folder);
 void begin_run(const std::string& folder, const RunDescription& description, const RunFiles& files);
 /// Writes more of them as the loop goes on.
 void add_to_run(const std::string& folder, const RunFiles& files);
-/// Adds a command to the description.
+/// Adds a command to the description, and removes what was not written to its end.
 void continue_run(const std::string& folder, const std::string& command);
 
 /// Throws InputError where the folder is no run, or is one of a later layout.
