@@ -1,6 +1,7 @@
 #!/usr/bin/env bats
 # Batches by GNU parallel over ssh, to this machine.
 load ../helpers/common
+load ../helpers/batch
 load ../helpers/sshd
 
 setup() {
@@ -11,12 +12,6 @@ setup() {
 }
 
 teardown() { [ -z "${sshd_id-}" ] || stop_sshd; }
-
-# batch TARGET...: with the shipped Makefile, results in the current folder.
-batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD" TABLE="$PWD/table" "$@"; }
-
-# columns FOLDER: the table without seconds and memory.
-columns() { cut -d, -f1-4,7- "$1/table.csv" | tr -d '"'; }
 
 @test "a batch over ssh has the rows and the meshes that make has; what was interrupted goes on" {
   cat >table <<'TABLE'

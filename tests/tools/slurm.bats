@@ -1,6 +1,7 @@
 #!/usr/bin/env bats
 # Batches on a real Slurm of one node.
 load ../helpers/common
+load ../helpers/batch
 load ../helpers/slurm
 
 setup() {
@@ -10,12 +11,6 @@ setup() {
 }
 
 teardown() { [ -z "${slurm_ids[*]-}" ] || stop_slurm; }
-
-# batch TARGET...: with the shipped Makefile, results in the current folder.
-batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD" TABLE="$PWD/table" "$@"; }
-
-# columns FOLDER: the table without seconds and memory.
-columns() { cut -d, -f1-4,7- "$1/table.csv" | tr -d '"'; }
 
 # loop_in FOLDER: the id of the tm-morph that works there.
 loop_in() {

@@ -465,10 +465,15 @@ ends_within() {
   tm-info --get angle_min result.ply | awk '{ exit !($1 > 15) }'
 }
 
+# The last part of a test, which is skipped where there is nothing to measure angles with.
+needs_angles() {
+  ls "$tm_build"/python/transformesh/_transformesh.*.so >/dev/null 2>&1 ||
+    skip "all but the angles was tested: they are measured by the Python module, which is not built"
+}
+
 # keeps_angles SHARE TARGET: along so much of the target's sharp edges result.ply turns as the target
-# does; where the Python module is built.
+# does
 keeps_angles() {
-  ls "$tm_build"/python/transformesh/_transformesh.*.so >/dev/null 2>&1 || return 0
   PYTHONPATH=$tm_build/python PYTHONDONTWRITEBYTECODE=1 \
     "$(sed -n 's/^Python3_EXECUTABLE:[A-Z]*=//p' "$tm_build/CMakeCache.txt")" \
     "$tm_root/tests/helpers/feature_angles.py" "$2" result.ply >angles
@@ -480,18 +485,21 @@ keeps_angles() {
   tm-shape sphere --around box.ply --faces 2000 -o ball.ply
   tm-morph -q ball.ply --target box.ply --reference-edge 0.15 -o result.ply --report report.json
   ends_within 1e-4 box.ply
-  keeps_angles 1 box.ply
+  cp result.ply met.ply
   tm-info --get volume result.ply | awk '{ exit !($1 > 1.999999 && $1 < 2.000001) }'
   grep -q '"converged": true' report.json
   grep -Eq '"aligned": [1-9]' report.json
   tm-morph -q ball.ply --target box.ply --reference-edge 0.15 -o cut.ply --features off --report report.json
   grep -Eq '"aligned": 0' report.json
   run -1 tm-compare --reference box.ply --within 0.03 cut.ply
-  cp cut.ply result.ply
-  if (keeps_angles 0.5 box.ply) && [ -e angles ]; then fail "without alignment: $(cat angles)"; fi
   # The same as by hand, on the mesh that is not aligned.
   tm-remesh --align box.ply --reference-edge 0.15 cut.ply -o result.ply
   ends_within 1e-4 box.ply
+  needs_angles
+  cp met.ply result.ply
+  keeps_angles 1 box.ply
+  cp cut.ply result.ply
+  if (keeps_angles 0.5 box.ply); then fail "without alignment: $(cat angles)"; fi
 }
 
 @test "sharp edges of a machine part: within an edge, its angles kept" {
@@ -499,8 +507,9 @@ keeps_angles() {
   tm-shape sphere --around "$shared_file" --faces 2000 -o ball.ply
   tm-morph -q ball.ply --target "$shared_file" --reference-edge 0.04 -o result.ply --report report.json
   ends_within 1 "$shared_file"
-  keeps_angles 0.99 "$shared_file"
   grep -Eq '"aligned": [1-9]' report.json
+  needs_angles
+  keeps_angles 0.99 "$shared_file"
 }
 
 @test "couplingdown: sharp edges nearer than an edge are met within an edge" {
@@ -508,6 +517,7 @@ keeps_angles() {
   tm-shape sphere --around "$shared_file" --faces 4000 -o ball.ply
   tm-morph -q ball.ply --target "$shared_file" --reference-edge 0.018 -o result.ply
   ends_within 1 "$shared_file"
-  keeps_angles 0.9 "$shared_file"
   [ "$(tm-info --get genus result.ply)" -eq 9 ]
+  needs_angles
+  keeps_angles 0.9 "$shared_file"
 }

@@ -29,16 +29,6 @@ struct PreciseCoordinates {
   bool is_spread = false;
   std::shared_ptr<const HomogeneousPoint<WideBall>> wide;
   std::shared_ptr<const HomogeneousPoint<LongBall>> longer;
-
-  template <class Ball>
-  std::shared_ptr<const HomogeneousPoint<Ball>>& balls() {
-    if constexpr (std::is_same_v<Ball, WideBall>) return wide;
-    if constexpr (std::is_same_v<Ball, LongBall>) return longer;
-  }
-  template <class Ball>
-  const std::shared_ptr<const HomogeneousPoint<Ball>>& balls() const {
-    return const_cast<PreciseCoordinates*>(this)->balls<Ball>();
-  }
 };
 
 struct PreciseNormal {
@@ -421,12 +411,20 @@ const PreciseCoordinates& ExactGeometry::precise(const ExactPoint& point) const 
   return *point.precise;
 }
 
+template <class Ball, class Coordinates>
+auto& balls_of(Coordinates& known) {
+  if constexpr (std::is_same_v<Ball, WideBall>)
+    return known.wide;
+  else
+    return known.longer;
+}
+
 // What copies of the point share does not change: other threads may read it.
 template <class Ball>
 const HomogeneousPoint<Ball>& ExactGeometry::spread(const ExactPoint& point) const {
-  if (const auto& balls = precise(point).balls<Ball>()) return *balls;
+  if (const auto& balls = balls_of<Ball>(precise(point))) return *balls;
   PreciseCoordinates known = *point.precise;
-  auto& balls = known.balls<Ball>();
+  auto& balls = balls_of<Ball>(known);
   balls = std::make_shared<const HomogeneousPoint<Ball>>(
       is_exact(point) ? HomogeneousPoint<Ball>{number_vector<Ball>(point.center), Ball(1)}
                       : homogeneous_balls<Ball>(point.definition, positions_, faces_));

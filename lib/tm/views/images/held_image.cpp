@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace transformesh {
 namespace {
@@ -28,15 +29,15 @@ bool is_byte(float level) { return level >= 0 && level <= 255 && level == std::f
 }  // namespace
 
 std::size_t HeldImage::size() const {
-  return sizeof(float) * pixels.size() + bytes_.size() + 2 * words_.size();
+  return sizeof(float) * floats_.pixels.size() + bytes_.size() + 2 * words_.size();
 }
 
 void HeldImage::pack(Kind kind) {
   if (is_packed() || empty()) return;
   kind_ = kind;
+  const std::vector<float> pixels = std::exchange(floats_, GrayImage()).pixels;
   if (kind == Kind::levels && std::all_of(pixels.begin(), pixels.end(), is_byte)) {
     bytes_.assign(pixels.begin(), pixels.end());
-    std::vector<float>().swap(pixels);  // which frees its memory
     return;
   }
   if (kind == Kind::depths) {
@@ -59,7 +60,6 @@ void HeldImage::pack(Kind kind) {
     return static_cast<std::uint16_t>(
         1 + std::clamp(std::ceil((value - offset_) / step_), 0.0F, 65534.0F));
   });
-  std::vector<float>().swap(pixels);  // which frees its memory
 }
 
 float HeldImage::value_of(std::uint16_t word) const {
@@ -76,27 +76,31 @@ float HeldImage::value_of(std::uint16_t word) const {
 
 float HeldImage::at(int x, int y) const {
   const std::size_t i = index(x, y);
-  if (!is_packed()) return pixels[i];
+  if (!is_packed()) return floats_.pixels[i];
   return words_.empty() ? static_cast<float>(bytes_[i]) : value_of(words_[i]);
 }
 
-GrayImage HeldImage::unpacked() const {
-  GrayImage image;
-  image.width = width;
-  image.height = height;
-  image.pixels = pixels;
-  if (!is_packed()) return image;
-  image.pixels.resize(bytes_.size() + words_.size());
-  std::copy(bytes_.begin(), bytes_.end(), image.pixels.begin());
-  std::transform(words_.begin(), words_.end(), image.pixels.begin(),
+const GrayImage& HeldImage::unpacked(GrayImage& room) const {
+  if (!is_packed()) return floats_;
+  room.width = width;
+  room.height = height;
+  room.pixels.resize(bytes_.size() + words_.size());
+  std::copy(bytes_.begin(), bytes_.end(), room.pixels.begin());
+  std::transform(words_.begin(), words_.end(), room.pixels.begin(),
                  [&](std::uint16_t word) { return value_of(word); });
-  return image;
+  return room;
+}
+
+GrayImage HeldImage::unpacked() const {
+  GrayImage room;
+  return unpacked(room);
 }
 
 HeldImage HeldImage::cropped(int column, int row, int columns, int rows) const {
   HeldImage part = *this;
   part.width = columns;
   part.height = rows;
+  if (!is_packed()) part.floats_.width = columns, part.floats_.height = rows;
   const auto crop = [&](auto& values) {
     if (values.empty()) return;
     std::decay_t<decltype(values)> kept;
@@ -107,7 +111,7 @@ HeldImage HeldImage::cropped(int column, int row, int columns, int rows) const {
     }
     values = std::move(kept);
   };
-  crop(part.pixels);
+  crop(part.floats_.pixels);
   crop(part.bytes_);
   crop(part.words_);
   return part;

@@ -19,11 +19,10 @@ class HeldImage {
 
   int width = 0;
   int height = 0;
-  std::vector<float> pixels;  ///< rows from the top; empty where it is packed
 
   HeldImage() = default;
   HeldImage(GrayImage image)  // NOLINT(google-explicit-constructor): it is that image
-      : width(image.width), height(image.height), pixels(std::move(image.pixels)) {}
+      : width(image.width), height(image.height), floats_(std::move(image)) {}
   operator GrayImage() const { return unpacked(); }  // NOLINT(google-explicit-constructor)
 
   bool empty() const { return width == 0 || height == 0; }
@@ -33,12 +32,14 @@ class HeldImage {
 
   void pack(Kind kind = Kind::levels);
   GrayImage unpacked() const;
+  /// The image itself where it is not packed, else `room`, which it is unpacked to.
+  const GrayImage& unpacked(GrayImage& room) const;
   /// Part of it, which must be inside.
   HeldImage cropped(int column, int row, int columns, int rows) const;
 
   float at(int x, int y) const;
   /// Only where it is not packed.
-  float& at(int x, int y) { return pixels[index(x, y)]; }
+  float& at(int x, int y) { return floats_.at(x, y); }
 
  private:
   std::size_t index(int x, int y) const {
@@ -48,6 +49,7 @@ class HeldImage {
   float value_of(std::uint16_t word) const;
 
   Kind kind_ = Kind::levels;
+  GrayImage floats_;  ///< empty where it is packed
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint16_t> words_;
   float offset_ = 0;  ///< of depths

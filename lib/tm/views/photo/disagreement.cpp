@@ -75,11 +75,7 @@ void add_pair(const Warp& warp, const SeenSurface& seen, double noise,
   correlate(
       best.width(), seen.first_row, seen.end_row, options.correlation,
       [&](int y, const ComparedRow& row) {
-        const WarpedRow out{row.is_seen, row.first, row.second, row.slope};
-        if (options.interpolation == Interpolation::bilinear)
-          warp.row<Interpolation::bilinear>(y, out);
-        else
-          warp.row<Interpolation::catmull_rom>(y, out);
+        warp.row(y, options.interpolation, {row.is_seen, row.first, row.second, row.slope});
       },
       {},
       [&](int y, const WindowRow& row) {

@@ -61,11 +61,7 @@ void add_pair(const Warp& warp, const SeenSurface& seen, const PhotoconsistencyO
   const CorrelationSums pair = correlate(
       sums.gradient.width, seen.first_row, seen.end_row, options.correlation,
       [&](int y, const ComparedRow& row) {
-        const WarpedRow out{row.is_seen, row.first, row.second, row.slope};
-        if (options.interpolation == Interpolation::bilinear)
-          warp.row<Interpolation::bilinear>(y, out);
-        else
-          warp.row<Interpolation::catmull_rom>(y, out);
+        warp.row(y, options.interpolation, {row.is_seen, row.first, row.second, row.slope});
       },
       [&](int y, const CorrelationRow& row) { add_row(row, y - seen.first_row, sums); });
   sums.sums.energy += pair.energy;

@@ -36,10 +36,10 @@ float reach(const GrayImage& depths, int x, int y) {
 
 Warp::Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
            const HeldImage& depths_of_other, double depth_tolerance)
-    : reference_(reference.image.unpacked()),
+    : reference_(reference.image.unpacked(room_[0])),
       seen_(seen_by_reference),
-      other_(other.image.unpacked()),
-      depths_(depths_of_other.unpacked()),
+      other_(other.image.unpacked(room_[1])),
+      depths_(depths_of_other.unpacked(room_[2])),
       nearer_(1 - depth_tolerance) {
   const Projection projection = other.camera.projection();
   const Eigen::Matrix3d directions = projection.leftCols<3>();
@@ -77,7 +77,11 @@ void Warp::row(int y, const WarpedRow& out) const {
   }
 }
 
-template void Warp::row<Interpolation::bilinear>(int, const WarpedRow&) const;
-template void Warp::row<Interpolation::catmull_rom>(int, const WarpedRow&) const;
+void Warp::row(int y, Interpolation interpolation, const WarpedRow& out) const {
+  if (interpolation == Interpolation::bilinear)
+    row<Interpolation::bilinear>(y, out);
+  else
+    row<Interpolation::catmull_rom>(y, out);
+}
 
 }  // namespace transformesh

@@ -2,6 +2,8 @@
 /// the same point of the surface (the reprojection of Pons, Keriven & Faugeras, IJCV 72, 2007).
 #pragma once
 
+#include <array>
+
 #include "tm/views/images/interpolation.h"
 #include "tm/views/photo/seen_surface.h"
 
@@ -25,15 +27,21 @@ class Warp {
   /// depth. What is passed must outlive the warp.
   Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
        const HeldImage& depths_of_other, double depth_tolerance);
+  Warp(const Warp&) = delete;
+  Warp& operator=(const Warp&) = delete;
+  ~Warp() = default;
 
+  void row(int y, Interpolation interpolation, const WarpedRow& out) const;
+
+ private:
   template <Interpolation interpolation>
   void row(int y, const WarpedRow& out) const;
 
- private:
-  GrayImage reference_;
+  std::array<GrayImage, 3> room_;  ///< for images that are packed
+  const GrayImage& reference_;
   const SeenSurface& seen_;
-  GrayImage other_;
-  GrayImage depths_;
+  const GrayImage& other_;
+  const GrayImage& depths_;
   Eigen::Matrix3d turn_;  ///< from pixels of the reference to rays in pixels of the other
   Vec3 shift_;            ///< the reference's center in pixels of the other
   double nearer_;
