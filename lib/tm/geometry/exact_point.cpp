@@ -405,6 +405,8 @@ const PreciseCoordinates& ExactGeometry::precise(const ExactPoint& point) const 
   } else {
     coordinates.x =
         precise_coordinates(fraction_of<PreciseBall>(point.definition, positions_, faces_));
+    for (int i = 0; i < 3; ++i)
+      if (point.radius[i] == 0) coordinates.x[static_cast<std::size_t>(i)] = PreciseBall(p[i]);
     coordinates.is_spread = is_spread(point.definition, positions_, faces_);
   }
   point.precise = std::make_shared<const PreciseCoordinates>(std::move(coordinates));
@@ -503,10 +505,11 @@ int ExactGeometry::quick_delaunay_sign(const ExactPoint& a, const ExactPoint& b,
 
 int ExactGeometry::delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                  const ExactPoint& d, PlaneProjection p) const {
-  int sign = quick_delaunay_sign(a, b, c, d, p);
-  if (sign == 0)
-    sign = delaunay_turn_of(precise(a).x, precise(b).x, precise(c).x, precise(d).x, p).sign();
+  const int sign = quick_delaunay_sign(a, b, c, d, p);
   if (sign != 0) return sign;
+  const PreciseBall balls =
+      delaunay_turn_of(precise(a).x, precise(b).x, precise(c).x, precise(d).x, p);
+  if (balls.sign() != 0 || balls.is_zero()) return balls.sign();
   const auto turn = [&](const auto&... points) { return delaunay_turn_of(points..., p); };
   return homogeneous_sign(turn, a, b, c, d);
 }
@@ -527,7 +530,7 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
   const auto j = static_cast<std::size_t>(p.v);
   const Vector<PreciseBall>&pa = precise(a).x, &pb = precise(b).x, &pc = precise(c).x;
   const PreciseBall turn = (pb[i] - pa[i]) * (pc[j] - pa[j]) - (pb[j] - pa[j]) * (pc[i] - pa[i]);
-  if (turn.sign() != 0) return turn.sign();
+  if (turn.sign() != 0 || turn.is_zero()) return turn.sign();
 
   // Expand the determinant of the rows (x, y, w) along the weights.
   const auto determinant = [&]<class Point>(const Point& u, const Point& v, const Point& w) {

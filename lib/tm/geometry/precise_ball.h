@@ -29,12 +29,18 @@ class PreciseBall {
     return value_.high > bound ? 1 : value_.high < -bound ? -1 : 0;
   }
 
+  /// Whether it is 0, and known to be.
+  bool is_zero() const { return value_.high == 0 && error_ == 0; }
+
   friend PreciseBall operator-(const PreciseBall& a) { return {-a.value_, a.error_}; }
   friend PreciseBall operator+(const PreciseBall& a, const PreciseBall& b) {
     const double size = std::abs(a.value_.high) + std::abs(b.value_.high);
     return {a.value_ + b.value_, a.error_ + b.error_ + epsilon * size};
   }
-  friend PreciseBall operator-(const PreciseBall& a, const PreciseBall& b) { return a + -b; }
+  friend PreciseBall operator-(const PreciseBall& a, const PreciseBall& b) {
+    const bool is_same = a.value_.high == b.value_.high && a.value_.low == b.value_.low;
+    return is_same && a.error_ == 0 && b.error_ == 0 ? PreciseBall() : a + -b;
+  }
   friend PreciseBall operator*(const PreciseBall& a, const PreciseBall& b) {
     if (a.is_zero() || b.is_zero()) return {};
     const double size_a = std::abs(a.value_.high), size_b = std::abs(b.value_.high);
@@ -64,7 +70,6 @@ class PreciseBall {
       : value_(value), error_(error * slack) {
     if (!std::isfinite(value_.high) || !std::isfinite(error_)) *this = unknown();
   }
-  bool is_zero() const { return value_.high == 0 && error_ == 0; }
 
   elementary::DoubleDouble value_;
   double error_ = 0;

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace transformesh {
@@ -31,8 +33,8 @@ Vec3 direction(std::span<const Vec3> positions, const Face& face) {
 
 double spacing_at(double coordinate, Scalar type) {
   const double size = std::abs(coordinate);
-  const double spacing = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
-  return type == Scalar::float32 ? std::ldexp(spacing, float_digits_fewer) : spacing;
+  const double spacing = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) + 1) - size;
+  return type == Scalar::float32 ? spacing * (1U << float_digits_fewer) : spacing;
 }
 
 double spacing_around(const Vec3& point, Scalar type) {

@@ -189,8 +189,9 @@ void PlaneCutter::flood(std::size_t k) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Index from = corner[i], to = corner[(i + 1) % 3];
     // The chain runs so that the face lies on its left.
-    for (const Index edge :
-         reversed ? triangulation_.chain(to, from) : triangulation_.chain(from, to)) {
+    const auto line = static_cast<Index>(3 * k + i);
+    for (const Index edge : reversed ? triangulation_.chain(to, from, {line, false})
+                                     : triangulation_.chain(from, to, {line, true})) {
       border_stamp_[edge] = stamp;
       stack.push_back(edge / 3);
       if (k == 0 && triangulation_.source(edge) == from) corner_facets_[i] = edge / 3;

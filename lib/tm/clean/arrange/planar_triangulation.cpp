@@ -90,6 +90,15 @@ int PlanarTriangulation::orientation(Index a, Index b, Index c) const {
   return geometry_.orient2d(points_[a], points_[b], points_[c], projection_);
 }
 
+// The orientation of a point and a segment, both ends of which are on the line.
+int PlanarTriangulation::side_of(const Segment& s, Index point) const {
+  const int sign =
+      ExactGeometry::quick_orient2d(points_[s.from], points_[s.to], points_[point], projection_);
+  if (sign != 0) return sign;
+  if (std::binary_search(lines_[point].begin(), lines_[point].end(), s.line)) return 0;
+  return orientation(s.from, s.to, point);
+}
+
 bool PlanarTriangulation::share_line(std::span<const Index> a, std::span<const Index> b,
                                      std::span<const Index> c) {
   std::span<const Index> shortest = c;
@@ -387,56 +396,55 @@ void PlanarTriangulation::mark(Index edge, Index line) {
 }
 
 void PlanarTriangulation::constrain(Index from, Index to, Index line) {
-  while (from != to) from = step_along(from, to, line);
+  while (from != to) from = step_along({from, to, line});
 }
 
 // Constrains the segment from its start to the next point on it, which is returned.
-Index PlanarTriangulation::step_along(Index from, Index to, Index line) {
+Index PlanarTriangulation::step_along(const Segment& s) {
   bool is_along = false;
-  const Index edge = find_edge_from(from, [&](Index e) {
+  const Index edge = find_edge_from(s.from, [&](Index e) {
     const Index x = target(e), y = target(next_edge(e));
-    const int side_of_x = x == to ? 0 : orientation(from, x, to);
-    is_along = side_of_x == 0 && (x == to || is_ahead(from, x, to));
-    return is_along || (side_of_x > 0 && y != to && orientation(from, to, y) > 0);
+    const int side_of_x = x == s.to ? 0 : side_of(s, x);
+    is_along = side_of_x == 0 && (x == s.to || is_ahead(s.from, x, s.to));
+    return is_along || (side_of_x < 0 && y != s.to && side_of(s, y) > 0);
   });
   if (edge == no_index) throw std::logic_error("a constraint leaves its plane's scaffold");
-  if (!is_along) return march(next_edge(edge), from, to, line);
-  mark(edge, line);
+  if (!is_along) return march(next_edge(edge), s);
+  mark(edge, s.line);
   return target(edge);
 }
 
-// Follows the segment from `from` across the edge to the next point on the segment, and makes that
-// stretch an edge. A constrained edge on the way is split where the segment crosses it, which makes
-// such a point.
-Index PlanarTriangulation::march(Index edge, Index from, Index to, Index line) {
+// Follows the segment from its start across the edge to the next point on the segment, and makes
+// that stretch an edge. A constrained edge on the way is split where the segment crosses it, which
+// makes such a point.
+Index PlanarTriangulation::march(Index edge, const Segment& s) {
   std::vector<std::array<Index, 2>> crossed;
   Index end = no_index;
   while (end == no_index) {
     const Facet& facet = facets_[edge / 3];
     const Index others = facet.line[edge % 3];
     if (others != no_index) {
-      end = add_point(crossing_(line, lists_[others / 2].oldest));
-      add_line(end, line);
+      end = add_point(crossing_(s.line, lists_[others / 2].oldest));
+      add_line(end, s.line);
       split_edge(edge, end);
       break;
     }
     crossed.push_back({facet.v[edge % 3], facet.v[next_corner(edge % 3)]});
     const Index back = opposite(edge);
     const Index apex = facets_[back / 3].v[previous_corner(back % 3)];
-    const int side = apex == to ? 0 : orientation(from, to, apex);
+    const int side = apex == s.to ? 0 : side_of(s, apex);
     if (side == 0) end = apex;
     // Where the apex is on the left, the segment leaves the facet on the right of the apex.
     edge = side > 0 ? next_edge(back) : previous_edge(back);
   }
-  clear_way(std::move(crossed), from, end);
-  mark(edge_between(from, end), line);
+  clear_way(std::move(crossed), {s.from, end, s.line});
+  mark(edge_between(s.from, end), s.line);
   return end;
 }
 
 // Flips the crossed edges until none crosses the segment, which then is an edge (Sloan 1993). An
 // edge that cannot be flipped yet waits until others are.
-void PlanarTriangulation::clear_way(std::vector<std::array<Index, 2>> crossed, Index from,
-                                    Index to) {
+void PlanarTriangulation::clear_way(std::vector<std::array<Index, 2>> crossed, const Segment& s) {
   std::deque<std::array<Index, 2>> queue(crossed.begin(), crossed.end());
   while (!queue.empty()) {
     const auto [x, y] = queue.front();
@@ -449,17 +457,18 @@ void PlanarTriangulation::clear_way(std::vector<std::array<Index, 2>> crossed, I
     const Index diagonal = flip(edge);
     const Index p = facets_[diagonal / 3].v[diagonal % 3];
     const Index q = facets_[diagonal / 3].v[next_corner(diagonal % 3)];
-    if (p == from || p == to || q == from || q == to) continue;
-    if (orientation(from, to, p) * orientation(from, to, q) < 0) queue.push_back({p, q});
+    if (p == s.from || p == s.to || q == s.from || q == s.to) continue;
+    if (side_of(s, p) * side_of(s, q) < 0) queue.push_back({p, q});
   }
 }
 
-std::vector<Index> PlanarTriangulation::chain(Index from, Index to) const {
+std::vector<Index> PlanarTriangulation::chain(Index from, Index to, OnEdge along) const {
   std::vector<Index> edges;
   while (from != to) {
     const Index edge = find_edge_from(from, [&](Index e) {
-      const Index x = target(e);
-      return x == to || (orientation(from, x, to) == 0 && is_ahead(from, x, to));
+      bool is_found = false;
+      for_each_line(e / 3, e % 3, [&](const OnEdge& on) { is_found |= on == along; });
+      return is_found;
     });
     if (edge == no_index) throw std::logic_error("a constraint is missing from its plane");
     edges.push_back(edge);

@@ -26,6 +26,7 @@ class PlanarTriangulation {
   struct OnEdge {
     Index line;
     bool is_along;
+    bool operator==(const OnEdge&) const = default;
   };
   /// The point where two constraint lines cross.
   using Crossing = std::function<ExactPoint(Index first_line, Index second_line)>;
@@ -64,8 +65,8 @@ class PlanarTriangulation {
       visit(OnEdge{lists_[at / 2].line, is_along});
     }
   }
-  /// The edges (facet * 3 + i) from one point straight to another; they must exist.
-  std::vector<Index> chain(Index from, Index to) const;
+  /// The edges (facet * 3 + i) from one point along a constraint, or against it, to another.
+  std::vector<Index> chain(Index from, Index to, OnEdge along) const;
   /// The marked facets in the order of their points' definitions, and by these.
   struct Collection {
     std::vector<ExactPoint> points;  ///< in the order in which the facets name them
@@ -83,6 +84,9 @@ class PlanarTriangulation {
 
  private:
   using Lines = boost::container::small_vector<Index, 4>;
+  struct Segment {
+    Index from, to, line;
+  };
   struct Location {
     Index facet;
     std::array<int, 3> side;  ///< of each edge on which the point is; two zeros: at a corner
@@ -96,6 +100,7 @@ class PlanarTriangulation {
   };
 
   int orientation(Index a, Index b, Index c) const;
+  int side_of(const Segment& segment, Index point) const;
   std::span<const Index> lines_of(Index point) const {
     return {lines_[point].data(), lines_[point].size()};
   }
@@ -117,9 +122,9 @@ class PlanarTriangulation {
   void legalize(Index point);
   Index edge_between(Index from, Index to) const;
   void mark(Index edge, Index line);
-  Index step_along(Index from, Index to, Index line);
-  Index march(Index edge, Index from, Index to, Index line);
-  void clear_way(std::vector<std::array<Index, 2>> crossed, Index from, Index to);
+  Index step_along(const Segment& segment);
+  Index march(Index edge, const Segment& segment);
+  void clear_way(std::vector<std::array<Index, 2>> crossed, const Segment& segment);
   Index opposite(Index edge) const;
   Index target(Index edge) const;
   template <class Accept>

@@ -188,10 +188,11 @@ std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
   for (std::size_t i = 0; i < ends.size(); ++i)
     triangulation.constrain(ends[i][0], ends[i][1], edges + (*parts)[i].segment);
 
+  const SegmentPart& first = parts->front();
   auto [from, to] = ends.front();
-  if (!parts->front().is_left) std::swap(from, to);
-  const std::vector<char> chosen =
-      find_exterior(triangulation, triangulation.chain(from, to).front());
+  if (!first.is_left) std::swap(from, to);
+  const auto chain = triangulation.chain(from, to, {edges + first.segment, first.is_left});
+  const std::vector<char> chosen = find_exterior(triangulation, chain.front());
   triangulation.improve(chosen);
   auto [points, facets, numbers] = triangulation.collect(chosen);
   PlaneCut result{std::move(points), std::move(facets), {}, {}};

@@ -37,20 +37,22 @@ int match_shared_corners(const Face& f, const Face& g, Side& a, Side& b) {
 OrientedPlane plane_of(const Side& side) { return {*side.p[0], *side.p[1], *side.p[2]}; }
 
 // Whether all corners but shared ones lie on the same side of the plane, as far as the filter
-// tells.
-bool lies_on_one_side(const Side& a, const OrientedPlane& plane) {
+// tells; keeps the signs that it told on the way.
+bool lies_on_one_side(Side& a, const OrientedPlane& plane) {
   int common = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (a.shared[i] >= 0) continue;
-    const int side = plane.filtered_side_of(*a.p[i]);
-    if (side == 0 || side == -common) return false;
-    common = side;
+    a.sign[i] = plane.filtered_side_of(*a.p[i]);
+    if (a.sign[i] == 0 || a.sign[i] == -common) return false;
+    common = a.sign[i];
   }
   return true;
 }
 
-void compute_signs(Side& a, const OrientedPlane& plane) {
-  for (std::size_t i = 0; i < 3; ++i) a.sign[i] = a.shared[i] >= 0 ? 0 : plane.side_of(*a.p[i]);
+// Those that the filter has not told.
+void complete_signs(Side& a, const OrientedPlane& plane) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (a.shared[i] < 0 && a.sign[i] == 0) a.sign[i] = plane.side_of(*a.p[i]);
 }
 
 // Whether the face has points in the other's plane beyond shared corners.
@@ -65,11 +67,17 @@ bool reaches_plane(const Side& a) {
   return above && below;
 }
 
-// The simplex of a triangle in which a point lies, given the side of each edge on which it is.
-FaceSimplex simplex_by_sides(std::array<int, 3> side) {
-  const bool left = side[0] > 0 || side[1] > 0 || side[2] > 0;
-  const bool right = side[0] < 0 || side[1] < 0 || side[2] < 0;
-  if (left && right) return outside;
+// The simplex of a triangle in which a point lies, given by which side of each edge it is on.
+template <class SideOfEdge>
+FaceSimplex simplex_by_sides(const SideOfEdge& side_of_edge) {
+  std::array<int, 3> side{};
+  int common = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    side[k] = side_of_edge(k);
+    if (side[k] == 0) continue;
+    if (side[k] == -common) return outside;
+    common = side[k];
+  }
   for (FaceSimplex k = 0; k < 3; ++k) {
     if (side[k] == 0 && side[(k + 2) % 3] == 0) return k;
   }
@@ -82,20 +90,15 @@ FaceSimplex simplex_by_sides(std::array<int, 3> side) {
 // The simplex of b through which the edge from corner i of a passes; that edge crosses the plane of
 // b.
 FaceSimplex simplex_at_edge(const Side& a, std::size_t i, const Side& b) {
-  std::array<int, 3> side{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    side[k] = orient3d(*a.p[i], *a.p[(i + 1) % 3], *b.p[k], *b.p[(k + 1) % 3]);
-  }
-  return simplex_by_sides(side);
+  return simplex_by_sides([&](std::size_t k) {
+    return orient3d(*a.p[i], *a.p[(i + 1) % 3], *b.p[k], *b.p[(k + 1) % 3]);
+  });
 }
 
 // The simplex of b in which a point of its plane lies.
 FaceSimplex simplex_at_point(const Vec3& point, const Side& b, PlaneProjection projection) {
-  std::array<int, 3> side{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    side[k] = orient2d(*b.p[k], *b.p[(k + 1) % 3], point, projection);
-  }
-  return simplex_by_sides(side);
+  return simplex_by_sides(
+      [&](std::size_t k) { return orient2d(*b.p[k], *b.p[(k + 1) % 3], point, projection); });
 }
 
 void add(Contacts& result, FaceSimplex first, FaceSimplex second) {
@@ -130,8 +133,11 @@ void add_contacts(const Side& a, const Side& b, bool swapped, Contacts& result) 
 }
 
 bool edges_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, PlaneProjection p) {
-  return orient2d(a, b, c, p) * orient2d(a, b, d, p) < 0 &&
-         orient2d(c, d, a, p) * orient2d(c, d, b, p) < 0;
+  const auto lie_apart = [p](const Vec3& from, const Vec3& to, const Vec3& x, const Vec3& y) {
+    const int side = orient2d(from, to, x, p);
+    return side != 0 && orient2d(from, to, y, p) == -side;
+  };
+  return lie_apart(a, b, c, d) && lie_apart(c, d, a, b);
 }
 
 bool has_corner_in(const Side& a, const Side& b, PlaneProjection projection) {
@@ -189,13 +195,13 @@ Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
   const OrientedPlane plane_a = plane_of(a);
   if (shared < 3 && lies_on_one_side(b, plane_a)) return result;
 
-  compute_signs(a, plane_b);
+  complete_signs(a, plane_b);
   if (shared < 3 && !reaches_plane(a)) return result;
   if (a.sign == std::array<int, 3>{}) {
     result.coplanar = result.meet = coplanar_faces_meet(a, b, shared);
     return result;
   }
-  compute_signs(b, plane_a);
+  complete_signs(b, plane_a);
   if (!reaches_plane(b)) return result;
 
   // The common segment ends where an edge or a corner of one meets the other.

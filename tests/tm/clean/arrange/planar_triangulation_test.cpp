@@ -133,7 +133,9 @@ void check_chains(const Triangulated& triangulated, const Drawing& drawing,
     const auto on_segment =
         std::count_if(points.begin(), points.end(),
                       [&](const test::RationalPoint& p) { return test::contains(a, b, p); });
-    const auto chain = (*triangulated).chain(triangulated.ids[2 * s], triangulated.ids[2 * s + 1]);
+    const auto chain = (*triangulated)
+                           .chain(triangulated.ids[2 * s], triangulated.ids[2 * s + 1],
+                                  {static_cast<Index>(s), true});
     REQUIRE(static_cast<std::ptrdiff_t>(chain.size()) == on_segment - 1);
     for (const Index edge : chain) {
       const auto lines = lines_on(*triangulated, edge / 3, edge % 3, 1);
