@@ -4,13 +4,13 @@
 /// included, in a tenth of the time of numbers without bounds.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
 namespace transformesh {
 
@@ -81,34 +81,56 @@ FixedInteger<a_length + b_length> operator*(const FixedInteger<a_length>& a,
   return product;
 }
 
-/// The numbers as multiples of one power of two, below 2^122 in size; nothing where that cannot be.
+/// Numbers as multiples of the largest power of two of which all of them are multiples.
 template <std::size_t count>
-std::optional<std::array<FixedInteger<2>, count>> scaled_integers(
-    const std::array<double, count>& numbers) {
-  constexpr int most_bits = 122;
-  int low = std::numeric_limits<int>::max(), high = std::numeric_limits<int>::min();
-  std::array<std::uint64_t, count> mantissas;
-  std::array<int, count> exponents;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto bits = std::bit_cast<std::uint64_t>(numbers[i]);
-    const int biased = static_cast<int>(bits >> 52U & 0x7ffU);
-    const std::uint64_t hidden = biased == 0 ? 0 : std::uint64_t{1} << 52U;
-    mantissas[i] = (bits & ((std::uint64_t{1} << 52U) - 1)) | hidden;
-    exponents[i] = biased == 0 ? 1 : biased;
-    if (mantissas[i] == 0) continue;
-    low = std::min(low, exponents[i] + std::countr_zero(mantissas[i]));
-    high = std::max(high, exponents[i] + static_cast<int>(std::bit_width(mantissas[i])));
+class CommonScale {
+ public:
+  explicit CommonScale(const std::array<double, count>& numbers) {
+    int high = std::numeric_limits<int>::min();
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto bits = std::bit_cast<std::uint64_t>(numbers[i]);
+      const int biased = static_cast<int>(bits >> 52U & 0x7ffU);
+      const std::uint64_t hidden = biased == 0 ? 0 : std::uint64_t{1} << 52U;
+      mantissas_[i] = (bits & ((std::uint64_t{1} << 52U) - 1)) | hidden;
+      exponents_[i] = biased == 0 ? 1 : biased;
+      is_negative_[i] = bits >> 63U != 0;
+      if (mantissas_[i] == 0) continue;
+      low_ = std::min(low_, exponents_[i] + std::countr_zero(mantissas_[i]));
+      high = std::max(high, exponents_[i] + static_cast<int>(std::bit_width(mantissas_[i])));
+    }
+    bits_ = high < low_ ? 0 : high - low_;
   }
-  std::array<FixedInteger<2>, count> result{};
-  if (low > high) return result;
-  if (high - low > most_bits) return {};
-  for (std::size_t i = 0; i < count; ++i) {
-    if (mantissas[i] == 0) continue;
-    const int shift = exponents[i] - low;
-    TwoWords size = mantissas[i];
+
+  /// The multiples are below two to this power in size.
+  int bits() const { return bits_; }
+
+  /// A multiple, in two's complement, which has to have room for one bit more.
+  template <class Unsigned>
+  Unsigned multiple(std::size_t i) const {
+    if (mantissas_[i] == 0) return 0;
+    const int shift = exponents_[i] - low_;
+    Unsigned size = mantissas_[i];
     size =
         shift >= 0 ? size << static_cast<unsigned>(shift) : size >> static_cast<unsigned>(-shift);
-    if (std::signbit(numbers[i])) size = -size;
+    return is_negative_[i] ? -size : size;
+  }
+
+ private:
+  std::array<std::uint64_t, count> mantissas_;
+  std::array<int, count> exponents_;
+  std::array<bool, count> is_negative_;
+  int low_ = std::numeric_limits<int>::max();
+  int bits_ = 0;
+};
+
+/// The most bits of multiples whose differences are FixedInteger<2>.
+constexpr int two_word_bits = 122;
+
+template <std::size_t count>
+std::array<FixedInteger<2>, count> two_word_multiples(const CommonScale<count>& scale) {
+  std::array<FixedInteger<2>, count> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto size = scale.template multiple<TwoWords>(i);
     result[i].words = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64U)};
   }
   return result;

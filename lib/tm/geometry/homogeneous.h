@@ -28,6 +28,16 @@ NumberVector<Number> number_vector(const Vec3& p) {
   return {Number(p[0]), Number(p[1]), Number(p[2])};
 }
 
+/// The normal of its plane.
+template <class Number>
+NumberVector<Number> homogeneous_normal(const Triangle& t) {
+  const auto a = number_vector<Number>(t[0]), b = number_vector<Number>(t[1]),
+             c = number_vector<Number>(t[2]);
+  const auto ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
+  const auto sum = [&](std::size_t i) { return ab[i] + bc[i] + ca[i]; };
+  return {sum(0), sum(1), sum(2)};
+}
+
 template <class Number>
 HomogeneousPlane<Number> homogeneous_plane(const Triangle& t) {
   const auto a = number_vector<Number>(t[0]), b = number_vector<Number>(t[1]),

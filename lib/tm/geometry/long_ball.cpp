@@ -73,18 +73,24 @@ LongBall operator+(const LongBall& a, const LongBall& b) {
   return sum;
 }
 
+// Numbers made of few doubles have few digits. Of what falls below the last digit of the product
+// only what could carry into that is computed: all else is less than a unit there.
 LongBall operator*(const LongBall& a, const LongBall& b) {
   constexpr std::size_t length = LongBall::length;
+  constexpr std::size_t least_place = length - 2;
   LongBall product;
   product.error_ = a.size() * b.error_ + a.error_ * b.size() + a.error_ * b.error_;
   product.sign_ = a.sign_ * b.sign_;
   if (product.sign_ == 0) return product;
 
+  std::size_t last_digit = 0;
+  while (b.digits_[last_digit] == 0) ++last_digit;
   std::array<std::uint64_t, 2 * length> digits{};
   for (std::size_t i = 0; i < length; ++i) {
     if (a.digits_[i] == 0) continue;
     std::uint64_t carry = 0;
-    for (std::size_t j = 0; j < length; ++j) {
+    for (std::size_t j = std::max(last_digit, least_place - std::min(i, least_place)); j < length;
+         ++j) {
       const Twice sum = Twice(a.digits_[i]) * b.digits_[j] + digits[i + j] + carry;
       digits[i + j] = static_cast<std::uint64_t>(sum);
       carry = static_cast<std::uint64_t>(sum >> 64U);
@@ -93,7 +99,7 @@ LongBall operator*(const LongBall& a, const LongBall& b) {
   }
   product.exponent_ = a.exponent_ + b.exponent_;
   std::copy(digits.begin() + length, digits.end(), product.digits_.begin());
-  product.error_ = product.error_ + WideBound::power(product.exponent_ - LongBall::bits);
+  product.error_ = product.error_ + WideBound::power(product.exponent_ + 1 - LongBall::bits);
   product.normalize();
   return product;
 }

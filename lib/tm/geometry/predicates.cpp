@@ -2,6 +2,7 @@
 
 #include <CGAL/Mpzf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,8 @@
 #include "tm/geometry/monomial_sum.h"
 #include "tm/geometry/number_vector.h"
 #include "tm/geometry/precise_ball.h"
+#include "tm/geometry/wide_ball.h"
+#include "tm/geometry/word_determinant.h"
 #include "tm/support/elementary/double_double.h"
 #include "tm/support/parallel.h"
 
@@ -43,28 +46,51 @@ bool is_moderate(const Vec3& p) {
   return is_usual(p[0]) && is_usual(p[1]) && is_usual(p[2]);
 }
 
+// The multiples from the second on, less the first.
+template <std::size_t count>
+std::array<std::int64_t, count - 1> one_word_ways(const CommonScale<count>& scale) {
+  std::array<std::int64_t, count - 1> ways;
+  const auto first = static_cast<std::int64_t>(scale.template multiple<std::uint64_t>(0));
+  for (std::size_t i = 1; i < count; ++i)
+    ways[i - 1] = static_cast<std::int64_t>(scale.template multiple<std::uint64_t>(i)) - first;
+  return ways;
+}
+
+template <std::size_t count>
+std::array<FixedInteger<2>, count - 1> two_word_ways(const CommonScale<count>& scale) {
+  const auto numbers = two_word_multiples(scale);
+  std::array<FixedInteger<2>, count - 1> ways;
+  for (std::size_t i = 1; i < count; ++i) ways[i - 1] = numbers[i] - numbers[0];
+  return ways;
+}
+
 // By integers, scaled for each axis; nothing where coordinates are too far apart for these.
 std::optional<int> integer_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  std::array<std::array<FixedInteger<2>, 3>, 3> ways;  // per axis: from a to b, c and d
-  for (int i = 0; i < 3; ++i) {
-    const auto numbers = scaled_integers<4>({a[i], b[i], c[i], d[i]});
-    if (!numbers) return {};
-    for (std::size_t k = 0; k < 3; ++k)
-      ways[static_cast<std::size_t>(i)][k] = (*numbers)[k + 1] - (*numbers)[0];
+  const CommonScale<4> x({a[0], b[0], c[0], d[0]});
+  const CommonScale<4> y({a[1], b[1], c[1], d[1]});
+  const CommonScale<4> z({a[2], b[2], c[2], d[2]});
+  const int bits = std::max({x.bits(), y.bits(), z.bits()});
+  if (bits <= one_word_bits) {
+    const auto u = one_word_ways(x), v = one_word_ways(y), w = one_word_ways(z);
+    return sign_of_word_determinant({{{u[0], v[0], w[0]}, {u[1], v[1], w[1]}, {u[2], v[2], w[2]}}});
   }
-  const auto& [x, y, z] = ways;
-  const auto minor = [](const auto& u, const auto& v) { return u[0] * v[1] - u[1] * v[0]; };
-  return (minor(y, z) * x[2] + minor(z, x) * y[2] + minor(x, y) * z[2]).sign();
+  if (bits > two_word_bits) return {};
+  const auto u = two_word_ways(x), v = two_word_ways(y), w = two_word_ways(z);
+  const auto minor = [](const auto& s, const auto& t) { return s[0] * t[1] - s[1] * t[0]; };
+  return (minor(v, w) * u[2] + minor(w, u) * v[2] + minor(u, v) * w[2]).sign();
 }
 
 std::optional<int> integer_orient2d(const Vec3& a, const Vec3& b, const Vec3& c,
                                     PlaneProjection p) {
-  const auto u = scaled_integers<3>({a[p.u], b[p.u], c[p.u]});
-  const auto v = scaled_integers<3>({a[p.v], b[p.v], c[p.v]});
-  if (!u || !v) return {};
-  const auto& [ua, ub, uc] = *u;
-  const auto& [va, vb, vc] = *v;
-  return ((ub - ua) * (vc - va) - (vb - va) * (uc - ua)).sign();
+  const CommonScale<3> x({a[p.u], b[p.u], c[p.u]}), y({a[p.v], b[p.v], c[p.v]});
+  const int bits = std::max(x.bits(), y.bits());
+  if (bits <= one_word_bits) {
+    const auto u = one_word_ways(x), v = one_word_ways(y);
+    return sign_of_word(word_minor(u[0], u[1], v[0], v[1]));
+  }
+  if (bits > two_word_bits) return {};
+  const auto u = two_word_ways(x), v = two_word_ways(y);
+  return (u[0] * v[1] - v[0] * u[1]).sign();
 }
 
 bool share_coordinate(const Vec3& a, const Vec3& b, const Vec3& c, int i) {
@@ -232,13 +258,16 @@ bool is_moderate(const Triangle& t) {
 // Of what `compute` makes of the normals: by balls, and exactly where these leave it open.
 template <class Compute>
 int sign_by_normals(const Triangle& first, const Triangle& second, const Compute& compute) {
+  const auto by_coordinates = [&]<class Ball>(const Ball&) {
+    return compute(homogeneous_normal<Ball>(first), homogeneous_normal<Ball>(second)).sign();
+  };
   int sign = 0;
-  if (is_moderate(first) && is_moderate(second))
+  if (is_moderate(first) && is_moderate(second)) {
     sign = compute(normal<PreciseBall>(first), normal<PreciseBall>(second)).sign();
-  else
-    sign = compute(homogeneous_plane<LongBall>(first).normal,
-                   homogeneous_plane<LongBall>(second).normal)
-               .sign();
+  } else {
+    sign = by_coordinates(WideBall());
+    if (sign == 0) sign = by_coordinates(LongBall());
+  }
   return sign != 0 ? sign : sign_of(compute(normal<Exact>(first), normal<Exact>(second)));
 }
 

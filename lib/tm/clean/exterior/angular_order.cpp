@@ -8,6 +8,7 @@ namespace {
 // A face at an edge. The direction into the face and the normal of the face (reversed where it runs
 // backward) enclose the same right angle for all faces, so the normals can be sorted instead.
 struct Spoke {
+  Index face;  ///< of which it is a part
   Triangle triangle;
   bool is_forward;
   Index halfedge;
@@ -23,13 +24,15 @@ struct Axis {
 
 // The sign of the sine of the angle from one spoke to the other.
 int sine_sign(const Spoke& a, const Spoke& b, Axis axis) {
+  if (a.face == b.face) return 0;
   return normals_cross(a.triangle, b.triangle, axis.coordinate) * a.sign * b.sign * axis.direction;
 }
 
 int half_of(const Spoke& first, const Spoke& s, Axis axis) {
   const int sine = sine_sign(first, s, axis);
   if (sine != 0) return sine > 0 ? 1 : 3;
-  return normals_dot(first.triangle, s.triangle) * first.sign * s.sign > 0 ? 0 : 2;
+  const int cosine = first.face == s.face ? 1 : normals_dot(first.triangle, s.triangle);
+  return cosine * first.sign * s.sign > 0 ? 0 : 2;
 }
 
 std::vector<Index> sort_spokes(std::vector<Spoke> spokes, Axis axis) {
@@ -97,7 +100,7 @@ std::vector<Index> sort_around_edge(const Arrangement& arrangement,
   for (const Index h : halfedges) {
     const PieceSource source = arrangement.sources_of(pieces[h / 3]).front();
     const bool forward = is_forward(pieces, h);
-    spokes.push_back({arrangement.welded->triangle(source.face), forward, h,
+    spokes.push_back({source.face, arrangement.welded->triangle(source.face), forward, h,
                       forward == source.reversed ? -1 : 1});
   }
   const Index h = halfedges.front();
@@ -109,7 +112,7 @@ std::vector<Index> sort_around_edge(const Mesh& mesh, std::span<const Index> hal
   std::vector<Spoke> spokes;
   for (const Index h : halfedges) {
     const bool forward = is_forward(mesh.faces, h);
-    spokes.push_back({triangle_of(mesh, h / 3), forward, h, forward ? 1 : -1});
+    spokes.push_back({h / 3, triangle_of(mesh, h / 3), forward, h, forward ? 1 : -1});
   }
   const Index h = halfedges.front();
   return sort_spokes(std::move(spokes),

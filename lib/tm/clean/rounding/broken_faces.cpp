@@ -103,30 +103,34 @@ void visit_faces_without_area(const Surroundings& part, const WeldedMesh& welded
     if (!has_area[f]) visit(part.face_of[f]);
 }
 
-// Calls visit(face, other) for each crossing of which one face is new.
-template <class Visit>
-void visit_crossings(const Surroundings& part, const WeldedMesh& welded, const Visit& visit) {
+// The crossings of which one face is new, by faces of the part; sorted.
+std::vector<FacePair> search(const Surroundings& part, const WeldedMesh& welded,
+                             const KnownPairs& known) {
+  std::vector<FacePair> crossings;
   const NewFaces news = collect_new_faces(part, welded);
-  if (news.faces.empty()) return;
-  const auto visit_pair = [&](Index f, Index g) {
-    visit(part.face_of[welded.face_of[f]], part.face_of[welded.face_of[g]]);
+  if (news.faces.empty()) return crossings;
+  const auto add = [&](Index f, Index g) {
+    crossings.push_back(std::minmax({welded.face_of[f], welded.face_of[g]}));
   };
   const std::vector<char> is_embedded = find_embedded_stars(welded);
   const auto meet = [&](Index f, Index g) {
+    if (const auto cross = known.cross(welded.face_of[f], welded.face_of[g])) return *cross;
     return !share_embedded_star(welded.faces[f], welded.faces[g], is_embedded) &&
            find_contacts(welded, f, g).meet;
   };
   const auto new_ones_meet = [&](Index i, Index k) { return meet(news.faces[i], news.faces[k]); };
   for (const auto& [i, k] : news.bvh.overlapping_pairs(new_ones_meet))
-    visit_pair(news.faces[i], news.faces[k]);
+    add(news.faces[i], news.faces[k]);
   for (Index f = 0; f < welded.faces.size(); ++f) {
     if (part.is_new[welded.face_of[f]]) continue;
     const auto visit_new = [&](Index i) {
-      if (meet(f, news.faces[i])) visit_pair(f, news.faces[i]);
+      if (meet(f, news.faces[i])) add(f, news.faces[i]);
       return true;
     };
     news.bvh.visit_overlaps(welded.box(f), visit_new, news.links.of(f));
   }
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
 }
 
 std::vector<Index> marked(const std::vector<char>& marks) {
@@ -200,23 +204,27 @@ void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
 
 }  // namespace
 
-std::vector<Index> find_broken_faces(const Assembly& assembly) {
-  const Surroundings part = surroundings_of_new_faces(assembly);
+BrokenFaces find_broken_faces(const Assembly& assembly, KnownPairs& known) {
+  Surroundings part = surroundings_of_new_faces(assembly);
   const WeldedMesh welded = weld(part.mesh);
-  std::vector<char> broken(assembly.mesh.faces.size(), 0);
-  visit_faces_without_area(part, welded, [&](Index f) { broken[f] = 1; });
-  visit_crossings(part, welded, [&](Index f, Index g) { broken[f] = broken[g] = 1; });
-  return marked(broken);
+  known.begin(part.mesh);
+  std::vector<FacePair> crossings = search(part, welded, known);
+
+  std::vector<char> is_broken(assembly.mesh.faces.size(), 0);
+  BrokenFaces result;
+  visit_faces_without_area(part, welded, [&](Index f) { is_broken[f] = 1; });
+  for (const auto& [f, g] : crossings) {
+    result.crossings.emplace_back(part.face_of[f], part.face_of[g]);
+    is_broken[part.face_of[f]] = is_broken[part.face_of[g]] = 1;
+  }
+  result.faces = marked(is_broken);
+  known.end(part.mesh, std::move(part.is_new), std::move(crossings));
+  return result;
 }
 
-std::vector<std::pair<Index, Index>> find_crossings(const Assembly& assembly) {
-  const Surroundings part = surroundings_of_new_faces(assembly);
-  std::vector<std::pair<Index, Index>> crossings;
-  visit_crossings(part, weld(part.mesh), [&](Index f, Index g) {
-    crossings.emplace_back(std::min(f, g), std::max(f, g));
-  });
-  std::sort(crossings.begin(), crossings.end());
-  return crossings;
+BrokenFaces find_broken_faces(const Assembly& assembly) {
+  KnownPairs known;
+  return find_broken_faces(assembly, known);
 }
 
 std::vector<Index> find_new_faces(const Assembly& assembly) { return marked(assembly.face_is_new); }

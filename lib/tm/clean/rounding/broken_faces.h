@@ -4,16 +4,21 @@
 #include <utility>
 #include <vector>
 
+#include "tm/clean/rounding/known_pairs.h"
 #include "tm/clean/stitch/assemble.h"
 
 namespace transformesh {
 
-/// Faces that intersect a new face, or have no area, in the coordinates as they are; ascending.
-/// Whole input faces are known not to intersect each other.
-std::vector<Index> find_broken_faces(const Assembly& assembly);
+/// In the coordinates as they are.
+struct BrokenFaces {
+  std::vector<Index> faces;         ///< that intersect a new face, or have no area; ascending
+  std::vector<FacePair> crossings;  ///< pairs, of which one is new; sorted
+};
 
-/// The pairs of faces of which one is new that intersect, sorted.
-std::vector<std::pair<Index, Index>> find_crossings(const Assembly& assembly);
+/// Whole input faces are known not to intersect each other. Of a series of searches each takes less
+/// time where it passes on what is known of pairs.
+BrokenFaces find_broken_faces(const Assembly& assembly);
+BrokenFaces find_broken_faces(const Assembly& assembly, KnownPairs& known);
 
 /// The faces that are no whole faces of the input; ascending.
 std::vector<Index> find_new_faces(const Assembly& assembly);

@@ -16,7 +16,7 @@ namespace {
 class ContactSplitter {
  public:
   ContactSplitter(Assembly& assembly, double spacings, const Spacings& spacing);
-  Displacement split(const std::vector<std::pair<Index, Index>>& crossings);
+  Displacement split(const std::vector<FacePair>& crossings);
 
  private:
   using Ends = std::array<Index, 2>;
@@ -195,7 +195,7 @@ bool ContactSplitter::split_edges(const Ends& first, const Ends& second) {
   return split_edge(first, vertex) && split_edge(second, vertex);
 }
 
-Displacement ContactSplitter::split(const std::vector<std::pair<Index, Index>>& crossings) {
+Displacement ContactSplitter::split(const std::vector<FacePair>& crossings) {
   std::vector<Index> crossed;
   for (const auto& [face, other] : crossings) crossed.insert(crossed.end(), {face, other});
   for (const Index face : with_faces_around(mesh_, crossed))
@@ -218,8 +218,8 @@ Displacement ContactSplitter::split(const std::vector<std::pair<Index, Index>>& 
 
 }  // namespace
 
-Displacement split_at_contacts(Assembly& assembly, double spacings, const Spacings& spacing) {
-  const std::vector<std::pair<Index, Index>> crossings = find_crossings(assembly);
+Displacement split_at_contacts(Assembly& assembly, const std::vector<FacePair>& crossings,
+                               double spacings, const Spacings& spacing) {
   return ContactSplitter(assembly, spacings, spacing).split(crossings);
 }
 

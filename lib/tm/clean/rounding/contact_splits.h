@@ -7,14 +7,20 @@
 /// Geometry 13(4), 1999.
 #pragma once
 
+#include <utility>
+#include <vector>
+
+#include "tm/clean/intersect/intersect.h"
 #include "tm/clean/rounding/displacement.h"
 #include "tm/clean/rounding/local_distance.h"
 #include "tm/clean/stitch/assemble.h"
 
 namespace transformesh {
 
-/// Equal positions have equal indices. A face is split once; others of its contacts are left to a
-/// further call. Returns how far a surface moved, more than zero spacings where a face was split.
-Displacement split_at_contacts(Assembly& assembly, double spacings, const Spacings& spacing);
+/// Equal positions have equal indices; crossings are those of find_broken_faces(). A face is split
+/// once; others of its contacts are left to a further call. Returns how far a surface moved, more
+/// than zero spacings where a face was split.
+Displacement split_at_contacts(Assembly& assembly, const std::vector<FacePair>& crossings,
+                               double spacings, const Spacings& spacing);
 
 }  // namespace transformesh

@@ -94,7 +94,7 @@ class SnapRounder {
   Assembly begin_anew(const CleanPass& pass, int start);
   void choose_spacings(int start);
   int next_start(int start) const;
-  void mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most);
+  void mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most);
   bool clean_again(Assembly& assembly, const GivenCells& cells, int level = 1);
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   [[noreturn]] void give_up() const;
@@ -106,9 +106,10 @@ class SnapRounder {
   Spacings spacing_;            ///< those that count
   std::size_t most_pairs_ = 0;  ///< with more than these, repair is hopeless
   bool is_hopeless_ = false;
-  bool is_extreme_ = false;      ///< rounding breaks a good part of the faces
-  int patience_ = 0;             ///< how many vain rounds more are waited for
-  std::string place_;            ///< the first place that was broken
+  bool is_extreme_ = false;  ///< rounding breaks a good part of the faces
+  int patience_ = 0;         ///< how many vain rounds more are waited for
+  std::string place_;        ///< the first place that was broken
+  KnownPairs known_;
   std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
   SnapRoundingResult result_;
 };
@@ -126,26 +127,26 @@ void SnapRounder::throw_nothing_left() {
       "far from the origin needs --double, or to be moved there");
 }
 
-// Unites what is close around the broken faces.
-void SnapRounder::mend(Assembly& assembly, std::vector<Index> broken, const Tolerances& most) {
-  result_.displacement += merge_close_vertices(assembly, with_faces_around(assembly.mesh, broken),
-                                               {most.vertices, most.moves_input}, spacing_);
+// Unites what is close around the broken faces, until none is left.
+void SnapRounder::mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most) {
+  const auto around = [&] { return with_faces_around(assembly.mesh, broken.faces); };
+  result_.displacement +=
+      merge_close_vertices(assembly, around(), {most.vertices, most.moves_input}, spacing_);
   drop_collapsed_faces(assembly);
-  broken = find_broken_faces(assembly);
-  const auto mend_by = [&](const auto& unite) {
-    if (broken.empty()) return;
-    const Displacement moved = unite(with_faces_around(assembly.mesh, broken));
-    if (!(moved.spacings > 0)) return;
+  broken = find_broken_faces(assembly, known_);
+  const auto note = [&](const Displacement& moved) {
+    if (!(moved.spacings > 0)) return false;
     result_.displacement += moved;
     drop_collapsed_faces(assembly);
-    broken = find_broken_faces(assembly);
+    return true;
   };
-  mend_by(
-      [&](const auto& around) { return flip_slivers(assembly, around, most.slivers, spacing_); });
-  mend_by([&](const auto&) {
-    return push_out(assembly, broken, {most.push, most.moves_input}, spacing_);
-  });
-  mend_by([&](const auto&) { return split_at_contacts(assembly, most.slivers, spacing_); });
+  if (!broken.faces.empty() && note(flip_slivers(assembly, around(), most.slivers, spacing_)))
+    broken = find_broken_faces(assembly, known_);
+  if (!broken.faces.empty() &&
+      note(push_out(assembly, broken.faces, {most.push, most.moves_input}, spacing_)))
+    broken = find_broken_faces(assembly, known_);
+  if (!broken.faces.empty())
+    note(split_at_contacts(assembly, broken.crossings, most.slivers, spacing_));
 }
 
 // Cleans what was rounded, and gives thin cells away. Returns whether nothing is left to be rounded
@@ -199,7 +200,8 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
   for (int round = 0; round < most_rounds; ++round) {
     progress_("round");
     result_.displacement += round_and_merge(assembly, spacing_);
-    const std::vector<Index> broken = find_broken_faces(assembly);
+    BrokenFaces found = find_broken_faces(assembly, known_);
+    const std::vector<Index>& broken = found.faces;
     if (broken.empty() && round == 0 && !options_.is_open) return true;
     vain = broken.empty() || broken.size() < fewest ? 0 : vain + 1;
     if (vain == most_vain + patience_) return false;
@@ -209,6 +211,7 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     for (const Index face : broken) is_broken_[assembly.source_face[face]] = 1;
     is_extreme_ |= spacing_.are_per_axis && start == 0 && round == 0 &&
                    broken.size() > assembly.mesh.faces.size() / most_broken_share;
+    const double most_given = broken.empty() ? 0 : most.cells;
     if (!broken.empty()) {
       if (place_.empty()) {
         place_ = place_of(assembly.mesh, broken.front());
@@ -216,9 +219,9 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
       }
       ++result_.repairs;
       if (is_extreme_ && start == 0) return false;
-      mend(assembly, broken, most);
+      mend(assembly, std::move(found), most);
     }
-    if (clean_again(assembly, {broken.empty() ? 0 : most.cells})) return true;
+    if (clean_again(assembly, {most_given})) return true;
     if (is_hopeless_) return false;
   }
   return false;
@@ -316,7 +319,7 @@ SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
 
 FirstRound round_once(Assembly& assembly, const Spacings& spacings) {
   const Displacement displacement = round_and_merge(assembly, spacings);
-  return {count_places(assembly.mesh, find_broken_faces(assembly)), displacement};
+  return {count_places(assembly.mesh, find_broken_faces(assembly).faces), displacement};
 }
 
 SnapRoundingResult snap_round(const Mesh& mesh, CleanPass pass, const SnapRoundingOptions& options,

@@ -6,6 +6,7 @@
 #include "helpers/assembly_of.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
+#include "tm/clean/rounding/broken_faces.h"
 
 namespace transformesh {
 namespace {
@@ -18,12 +19,16 @@ Mesh pricked_cube(double depth) {
   return test::joined(test::cube(), needle);
 }
 
+Displacement split(Assembly& assembly) {
+  return split_at_contacts(assembly, find_broken_faces(assembly).crossings, 4, {Scalar::float64});
+}
+
 }  // namespace
 
 TEST_CASE("a corner that is a few spacings deep in a face splits it") {
   const Mesh before = pricked_cube(2 * 0x1p-52);
   Assembly assembly = test::assembly_of(before);
-  const Displacement moved = split_at_contacts(assembly, 4, {Scalar::float64});
+  const Displacement moved = split(assembly);
   CHECK(moved.spacings > 0);
   CHECK(assembly.mesh.faces.size() == before.faces.size() + 2);
   CHECK(assembly.mesh.positions == before.positions);
@@ -33,7 +38,7 @@ TEST_CASE("a corner that is a few spacings deep in a face splits it") {
 
 TEST_CASE("a corner that is deep in a face does not") {
   Assembly assembly = test::assembly_of(pricked_cube(0.1));
-  CHECK(split_at_contacts(assembly, 4, {Scalar::float64}).spacings == 0);
+  CHECK(split(assembly).spacings == 0);
   CHECK(assembly.mesh.faces.size() == 16);
 }
 
@@ -50,7 +55,7 @@ TEST_CASE("edges that pass each other closely are both split at one position") {
   for (Vec3& p : both.positions) p.z() += 1;
   for (Index v = 4; v < 6; ++v) both.positions[v].z() = 1 - 0x1p-51;
   Assembly assembly = test::assembly_of(both);
-  CHECK(split_at_contacts(assembly, 4, {Scalar::float64}).spacings > 0);
+  CHECK(split(assembly).spacings > 0);
   CHECK(assembly.mesh.positions.size() == 9);
   CHECK(assembly.mesh.faces.size() == 12);
   CHECK(test::count(assembly.mesh).is_closed_and_oriented);
