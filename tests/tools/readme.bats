@@ -50,6 +50,10 @@ run_line() {
     echo "# the viewer is not built: $1" >&3
     return
   fi
+  if [[ $1 == *--frames*.mp4* ]] && ! is_there ffmpeg; then
+    echo "# ffmpeg is not installed: $1" >&3
+    return
+  fi
   # What serves until it is stopped is run by tm-view.bats.
   if [[ $1 == 'tm-view --serve '* ]]; then return; fi
   bash -euo pipefail -c "$1" >log 2>&1 </dev/null || fail "$1: $(cat log)"
