@@ -108,6 +108,7 @@ class SnapRounder {
   bool is_hopeless_ = false;
   bool is_extreme_ = false;  ///< rounding breaks a good part of the faces
   int patience_ = 0;         ///< how many vain rounds more are waited for
+  bool is_vain_ = false;     ///< whether a start ended for want of it
   std::string place_;        ///< the first place that was broken
   KnownPairs known_;
   std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
@@ -204,6 +205,7 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     const std::vector<Index>& broken = found.faces;
     if (broken.empty() && round == 0 && !options_.is_open) return true;
     vain = broken.empty() || broken.size() < fewest ? 0 : vain + 1;
+    is_vain_ |= vain == most_vain + patience_;
     if (vain == most_vain + patience_) return false;
     if (round == 0) choose_spacings(start);
     fewest = std::min(fewest, broken.size());
@@ -300,7 +302,7 @@ SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   for (int start = 0; !repair(assembly, start);) {
     start = next_start(start);
     if (start == most_starts) {
-      if (patience_ > 0) give_up();
+      if (patience_ > 0 || !is_vain_) give_up();
       patience_ = patience;
       start = 1;
     }
