@@ -83,16 +83,35 @@ MeshPointer make_hull(const Path& cameras, const Path& silhouettes, int resoluti
 
 // --- reconstruct ---------------------------------------------------------------------------------
 
+py::list places_of(const std::vector<DoubtfulPlace>& doubtful) {
+  py::list places;
+  for (const DoubtfulPlace& place : doubtful) places.append(in_words(place));
+  return places;
+}
+
+// The keys of tm-reconstruct --report.
 py::dict report_of(const ReconstructionResult& result) {
   py::dict report;
   report["converged"] = result.fault.empty();
   report["fault"] = result.fault;
   report["passes"] = result.passes;
   report["pixel_size"] = result.pixel;
+  report["crumbs"] = result.crumbs;
   report["components"] = result.topology.components;
   report["genus"] = result.topology.genus;
+  report["first_dissimilarity"] = result.first.dissimilarity;
   report["dissimilarity"] = result.last.dissimilarity;
+  report["first_coverage"] = result.first.coverage;
   report["coverage"] = result.last.coverage;
+  report["first_pixels"] = result.first.pixels;
+  report["pixels"] = result.last.pixels;
+  report["first_silhouette_agreement"] = result.evidence.first_agreement;
+  report["silhouette_agreement"] = result.evidence.agreement;
+  report["noise_floor"] = result.evidence.doubt.floor;
+  report["disagreement"] = result.evidence.doubt.disagreement;
+  report["doubtful"] = result.evidence.doubt.share;
+  report["doubtful_places"] = places_of(result.evidence.doubt.places);
+  report["mean_edge"] = result.last.displaced.mean_edge;
   return report;
 }
 
@@ -102,7 +121,7 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
                                 const std::optional<double>& last_edge,
                                 const std::optional<double>& coarsest, std::size_t passes,
                                 int iterations, const std::optional<double>& robust,
-                                const std::variant<double, std::string>& keep,
+                                const std::variant<double, std::string>& keep, double crumbs,
                                 double least_agreement, bool drop_bad_views, bool mirror,
                                 const py::object& on_pass, const py::object& progress) {
   ReconstructionOptions options;
@@ -117,7 +136,10 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
   options.passes = passes;
   options.steps.iterations = iterations;
   options.robust = robust;
+  options.crumbs = crumbs;
   options.on_pass = teller_to(on_pass);
+  std::vector<std::string> notes;
+  options.on_note = [&notes](const std::string& note) { notes.push_back(note); };
   std::optional<ViewCheckOptions> check;
   if (is_exact) check = {least_agreement, drop_bad_views};
   CheckedViews checked = checked_views(
@@ -127,6 +149,7 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
     Record record;
     return reconstruct(document, checked.views, options, record, to);
   });
+  warn(notes);
   py::dict report = report_of(result);
   report_check(checked, report);
   return mesh_of(std::move(document), report);
@@ -146,17 +169,19 @@ void bind_views(py::module_& module) {
              "disagree with the rest are refused, or with `drop_bad_views` left out, which is a "
              "warning; `least_agreement` 0 believes them. `mirror` is for cameras of a left-handed "
              "world. See tm-hull(1).");
-  module.def("reconstruct", &reconstruct_surface, arg("cameras"), arg("images"),
-             arg("silhouettes") = "", py::kw_only(), arg("start") = none, arg("clip") = "hull",
-             arg("silhouettes_show") = "exact", arg("edge") = ScaleOptions().edge,
-             arg("last_edge") = none, arg("coarsest") = none,
-             arg("passes") = ReconstructionOptions().passes,
-             arg("iterations") = ReconstructionOptions().steps.iterations, arg("robust") = none,
-             arg("keep") = "largest", arg("least_agreement") = ViewCheckOptions().least_agreement,
-             arg("drop_bad_views") = false, arg("mirror") = false, arg("on_pass") = none,
-             arg("progress") = none,
-             "Reconstructs a closed surface from calibrated photographs: files, folders or "
-             "patterns. Views are checked as of hull(). See tm-reconstruct(1).");
+  module.def(
+      "reconstruct", &reconstruct_surface, arg("cameras"), arg("images"), arg("silhouettes") = "",
+      py::kw_only(), arg("start") = none, arg("clip") = "hull", arg("silhouettes_show") = "exact",
+      arg("edge") = ScaleOptions().edge, arg("last_edge") = none, arg("coarsest") = none,
+      arg("passes") = ReconstructionOptions().passes,
+      arg("iterations") = ReconstructionOptions().steps.iterations, arg("robust") = none,
+      arg("keep") = "largest", arg("crumbs") = ReconstructionOptions().crumbs,
+      arg("least_agreement") = ViewCheckOptions().least_agreement, arg("drop_bad_views") = false,
+      arg("mirror") = false, arg("on_pass") = none, arg("progress") = none,
+      "Reconstructs a closed surface from calibrated photographs: files, folders or "
+      "patterns. Views are checked as of hull(). What went wrong on the way, as a surface "
+      "that exploded and was begun anew, is a warning; the report has the keys of the "
+      "program's. See tm-reconstruct(1).");
 }
 
 }  // namespace transformesh::python

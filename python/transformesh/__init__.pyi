@@ -270,6 +270,7 @@ def reconstruct(
     iterations: int = 5,
     robust: Optional[float] = None,
     keep: Union[float, Literal["largest", "all"]] = "largest",
+    crumbs: float = 0.001,
     least_agreement: float = 0.7,
     drop_bad_views: bool = False,
     mirror: bool = False,

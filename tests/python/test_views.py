@@ -1,5 +1,6 @@
 """Hulls and reconstructions are those of the programs, and views are checked as they check them."""
 
+import json
 import shutil
 
 import pytest
@@ -33,6 +34,18 @@ def test_reconstruct(scene):
     words += ["--passes", 1, "--edge", 5, "--coarsest", 1, "--no-provenance"]
     assert result.to_bytes() == run("tm-reconstruct", *words)
     assert result.report["passes"] >= 1
+
+
+def test_the_report_of_a_reconstruction(scene, tmp_path):
+    places = [str(scene / name) for name in ["par.txt", "photos", "masks"]]
+    report = tmp_path / "report.json"
+    result = tm.reconstruct(*places, passes=1, edge=5, coarsest=1, crumbs=0.5)
+    words = sum(([o, p] for o, p in zip(["--cameras", "--images", "--silhouettes"], places)), [])
+    words += ["--passes", 1, "--edge", 5, "--coarsest", 1, "--crumbs", 0.5, "--report", report]
+    run("tm-reconstruct", *words)
+    told = json.loads(report.read_text())["result"]
+    told["doubtful_places"] = [text for text in told["doubtful_places"].split("; ") if text]
+    assert {key: result.report[key] for key in told} == told
 
 
 def test_reconstruct_from_a_start(scene, tmp_path):
