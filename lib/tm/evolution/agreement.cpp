@@ -5,6 +5,7 @@
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 #include "tm/support/number.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
@@ -73,12 +74,17 @@ std::optional<Topology> topology_of_target(const Target& target, const Progress&
   return std::nullopt;
 }
 
-Agreement agreement(const Mesh& mesh, const Topology& topology, const Target& target,
+Agreement agreement(const Mesh& mesh, const Topology& topology, const TargetQuery& query,
                     const std::optional<Topology>& expected, const Progress& progress) {
+  const Target& target = query.target();
   if (!target.is_mesh()) return {};
+  progress("farthest point");
   const CompareOptions options{.samples = samples};
-  const Farthest of_mesh = farthest_from(target.mesh, mesh, options, progress);
-  const Farthest of_target = farthest_from(mesh, target.mesh, options, progress);
+  const ClosestPointQuery& surface = query.surface();
+  Farthest of_mesh, of_target;
+  parallel_invoke(
+      [&] { of_mesh = farthest_from(surface, mesh, options); },
+      [&] { of_target = farthest_from(ClosestPointQuery(mesh), target.mesh, options); });
   Agreement result{{}, of_mesh.distance, of_target.distance};
   if (expected && *expected != topology) {
     const bool is_outside = of_mesh.distance > of_target.distance;

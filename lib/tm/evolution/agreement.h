@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tm/evolution/iteration.h"
-#include "tm/step/target.h"
+#include "tm/step/target_query.h"
 
 namespace transformesh {
 
@@ -27,7 +27,7 @@ struct Agreement {
 /// sharp edge can be cut off by; no point of the target may be missed by more than that edge, as a
 /// thin tip can be; and the topology has to be the one expected, where there is one. Of points
 /// nothing can be said: no fault. Cost: that of farthest_from() with 40 000 samples.
-Agreement agreement(const Mesh& mesh, const Topology& topology, const Target& target,
+Agreement agreement(const Mesh& mesh, const Topology& topology, const TargetQuery& query,
                     const std::optional<Topology>& expected, const Progress& progress = Progress());
 
 }  // namespace transformesh

@@ -41,7 +41,7 @@ class MorphingLoop : public Loop {
   void conclude(Document& document, const Progress& progress);
   Agreement agreement_of(const Document& document, const Topology& topology,
                          const Progress& progress) const {
-    return agreement(document.mesh, topology, target_, result_.expected, progress);
+    return agreement(document.mesh, topology, query_, result_.expected, progress);
   }
 
   const Target& target_;

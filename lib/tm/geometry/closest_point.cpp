@@ -96,7 +96,7 @@ struct ClosestPointQuery::Hit {
 /// times the best so far.
 template <class Accept>
 ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink,
-                                                 const Accept& accept) const {
+                                                 const Accept& accept, Index hint) const {
   Hit best;
   const auto offer = [&](Index face) {
     const Vec3& a = mesh_->positions[mesh_->faces[face][0]];
@@ -110,33 +110,37 @@ ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrin
     if (squared == best.squared && face > best.face) return;
     best = {squared, face, candidate, query - candidate.point};
   };
+  if (hint != no_index) offer(hint);
   tree_.visit_nearest(
       query, [&] { return shrink * best.squared; },
       [&](std::size_t place) { offer(tree_.order()[place]); });
   return best;
 }
 
-bool ClosestPointQuery::is_within(const Vec3& query, double distance) const {
+Index ClosestPointQuery::face_within(const Vec3& query, double distance, Index hint) const {
   const double bound = distance * distance;
-  bool is_found = false;
+  Index found = no_index;
+  const auto offer = [&](Index face) {
+    if (found != no_index) return;
+    const auto& [a, b, c] = mesh_->faces[face];
+    const TrianglePoint nearest = closest_point_of_triangle(
+        query, mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]);
+    if (squared_distance(nearest.point, query) <= bound) found = face;
+  };
+  if (hint != no_index) offer(hint);
+  if (found != no_index) return found;
   tree_.visit_nearest(
-      query, [&] { return is_found ? -1 : bound; },
-      [&](std::size_t place) {
-        if (is_found) return;
-        const auto& [a, b, c] = mesh_->faces[tree_.order()[place]];
-        const TrianglePoint nearest = closest_point_of_triangle(
-            query, mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]);
-        is_found = squared_distance(nearest.point, query) <= bound;
-      });
-  return is_found;
+      query, [&] { return found != no_index ? -1 : bound; },
+      [&](std::size_t place) { offer(tree_.order()[place]); });
+  return found;
 }
 
 Vec3 ClosestPointQuery::nearby(const Vec3& query, double tolerance) const {
   return search(query, 1 / ((1 + tolerance) * (1 + tolerance)), accept_all).place.point;
 }
 
-ClosestPoint ClosestPointQuery::operator()(const Vec3& query) const {
-  return described(query, search(query, 1, accept_all));
+ClosestPoint ClosestPointQuery::operator()(const Vec3& query, Index hint) const {
+  return described(query, search(query, 1, accept_all, hint));
 }
 
 ClosestPoint ClosestPointQuery::facing(const Vec3& query, const Vec3& normal) const {

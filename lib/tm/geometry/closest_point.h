@@ -46,12 +46,13 @@ class ClosestPointQuery {
  public:
   /// Keeps a reference to the mesh. Throws InputError for a mesh without faces.
   explicit ClosestPointQuery(const Mesh& mesh, FaceOrder order = FaceOrder::any);
-  ClosestPoint operator()(const Vec3& query) const;
+  /// `hint`: a face that may be near, as that of a query nearby; it only saves time.
+  ClosestPoint operator()(const Vec3& query, Index hint = no_index) const;
   /// The same among the faces whose normals are less than a right angle from that one; among all
   /// where there is none, or the normal is zero.
   ClosestPoint facing(const Vec3& query, const Vec3& normal) const;
-  /// Whether the mesh comes at least as near as that; stops at the first face that does.
-  bool is_within(const Vec3& query, double distance) const;
+  /// A face that comes at least as near as that, the first that is met; no_index if there is none.
+  Index face_within(const Vec3& query, double distance, Index hint = no_index) const;
   /// A point of the mesh that is farther than the closest by no more than that share of the
   /// distance. Much faster far from the mesh, where many points are almost the closest.
   Vec3 nearby(const Vec3& query, double tolerance) const;
@@ -59,7 +60,7 @@ class ClosestPointQuery {
  private:
   struct Hit;
   template <class Accept>
-  Hit search(const Vec3& query, double shrink, const Accept& accept) const;
+  Hit search(const Vec3& query, double shrink, const Accept& accept, Index hint = no_index) const;
   ClosestPoint described(const Vec3& query, const Hit& best) const;
   Vec3 pseudonormal(Index face, TrianglePart part) const;
   /// no_index on a border, where more than two faces meet and where both run the same way.

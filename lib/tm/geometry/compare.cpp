@@ -21,6 +21,8 @@ constexpr double default_distance_share = 0.01;  ///< of the reference's diagona
 constexpr double largest_extent = 1e75;
 constexpr std::size_t points_per_task = 256;
 constexpr std::size_t points_per_report = 16384;
+/// One point of so many is searched before the others.
+constexpr std::size_t vanguard = 61;
 /// Less than what rounding adds to a distance.
 constexpr double certainly = 1 - 1e-12;
 
@@ -125,24 +127,59 @@ double share_within(const std::vector<double>& values, double distance) {
   return static_cast<double>(count) / static_cast<double>(values.size());
 }
 
+/// The numbers of `count` points: those taken evenly come first.
+std::vector<std::size_t> vanguard_first(std::size_t count) {
+  std::vector<std::size_t> order;
+  order.reserve(count);
+  for (std::size_t i = 0; i < count; i += vanguard) order.push_back(i);
+  for (std::size_t i = 0; i < count; ++i)
+    if (i % vanguard != 0) order.push_back(i);
+  return order;
+}
+
+/// The distances of the points, or 0 where it is certainly less than `least`. A face that shows
+/// this of one point mostly does so of the next.
+std::vector<double> distances_beyond(std::span<const Vec3> points,
+                                     std::span<const std::size_t> numbers,
+                                     const ClosestPointQuery& closest, double least) {
+  std::vector<double> beyond(numbers.size(), 0);
+  parallel_for(numbers.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    Index hint = no_index;
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec3& point = points[numbers[i]];
+      const Index near = closest.face_within(point, certainly * least, hint);
+      if (near != no_index) {
+        hint = near;
+        continue;
+      }
+      const ClosestPoint found = closest(point, hint);
+      beyond[i] = found.distance;
+      hint = found.face;
+    }
+  });
+  return beyond;
+}
+
 // In blocks that grow, so that most points know of a far one; of each block the points are tested
-// at the same time, so that the result depends on no order.
+// at the same time, so that the result depends on no order. Of equally far points the first counts.
 void take_farthest(std::span<const Vec3> points, const ClosestPointQuery& closest,
                    Farthest& farthest) {
-  std::vector<double> beyond;
-  for (std::size_t begin = 0, size = points_per_task; begin < points.size(); begin += size) {
-    size = std::min(std::max(begin, points_per_task), points.size() - begin);
-    beyond.assign(size, 0);
-    parallel_for(size, points_per_task, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        const Vec3& point = points[begin + i];
-        if (!closest.is_within(point, certainly * farthest.distance))
-          beyond[i] = closest(point).distance;
-      }
-    });
-    const auto largest = std::max_element(beyond.begin(), beyond.end());
-    if (*largest <= farthest.distance) continue;
-    farthest = {*largest, points[begin + static_cast<std::size_t>(largest - beyond.begin())]};
+  const std::vector<std::size_t> order = vanguard_first(points.size());
+  std::size_t farthest_number = 0;  // lower than any where the farthest was found before
+  bool is_ours = false;
+  for (std::size_t begin = 0, size = points_per_task; begin < order.size(); begin += size) {
+    size = std::min(std::max(begin, points_per_task), order.size() - begin);
+    const auto numbers = std::span(order).subspan(begin, size);
+    const std::vector<double> beyond =
+        distances_beyond(points, numbers, closest, farthest.distance);
+    for (std::size_t i = 0; i < size; ++i) {
+      const bool is_first_of_equals =
+          is_ours && beyond[i] == farthest.distance && numbers[i] < farthest_number;
+      if (!(beyond[i] > farthest.distance) && !is_first_of_equals) continue;
+      farthest = {beyond[i], points[numbers[i]]};
+      farthest_number = numbers[i];
+      is_ours = true;
+    }
   }
 }
 
@@ -154,13 +191,11 @@ std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
   return distances(mesh.positions, Distance(reference), progress, "vertex distances");
 }
 
-Farthest farthest_from(const Mesh& reference, const Mesh& mesh, const CompareOptions& options,
-                       const Progress& progress) {
-  progress("farthest point");
-  const ClosestPointQuery closest(reference);
+Farthest farthest_from(const ClosestPointQuery& reference, const Mesh& mesh,
+                       const CompareOptions& options) {
   Farthest farthest;
-  take_farthest(used_vertices(mesh), closest, farthest);
-  take_farthest(surface_samples(mesh, options.samples, options.seed), closest, farthest);
+  take_farthest(used_vertices(mesh), reference, farthest);
+  take_farthest(surface_samples(mesh, options.samples, options.seed), reference, farthest);
   return farthest;
 }
 

@@ -16,6 +16,7 @@
 #include "tm/support/progress.h"
 
 namespace transformesh {
+class ClosestPointQuery;
 
 struct CompareOptions {
   std::size_t samples = 100000;  ///< points by area on each surface; with 0 the vertices alone
@@ -51,9 +52,9 @@ struct Farthest {
   double distance = 0;
   Vec3 point = Vec3::Zero();
 };
-/// The farthest of the same points from the faces of another mesh; several times faster than
+/// The farthest of the same points from the faces of another mesh; many times faster than
 /// compare(), as a point that is nearer than one before is not searched to the end.
-Farthest farthest_from(const Mesh& reference, const Mesh& mesh, const CompareOptions& options = {},
-                       const Progress& progress = {});
+Farthest farthest_from(const ClosestPointQuery& reference, const Mesh& mesh,
+                       const CompareOptions& options = {});
 
 }  // namespace transformesh

@@ -38,17 +38,21 @@ Found search_surface(const Mesh& mesh, const TargetQuery& query, double exact_wi
   const Target& target = query.target();
   const ClosestPointQuery& closest = query.surface();
   Found found{{}, room_for_thickness(mesh, target)};
-  found.distances = sample_distance(mesh.positions, order, exact_within, [&](Index v, double sign) {
+  // What is near enough depends on where the search begins, so that a hint would change it.
+  const auto search = [&](Index v, double sign, Index hint) {
     const Vec3& p = mesh.positions[v];
     if (sign != 0) return searched_distance(p, closest.nearby(p, far_tolerance), sign);
-    const ClosestPoint q = closest(p);
+    const ClosestPoint q = closest(p, hint);
     if (!target.thickness.empty()) {
       const auto& [a, b, c] = target.mesh.faces[q.face];
       found.thickness[v] =
           std::min({target.thickness[a], target.thickness[b], target.thickness[c]});
     }
-    return searched_distance(p, q.point, q.signed_distance < 0 ? -1 : 1);
-  });
+    SearchedDistance result = searched_distance(p, q.point, q.signed_distance < 0 ? -1 : 1);
+    result.face = q.face;
+    return result;
+  };
+  found.distances = sample_distance(mesh.positions, order, exact_within, search);
   return found;
 }
 
@@ -156,7 +160,7 @@ DistanceSummary distance_from_target(const Target& target, const Mesh& mesh, dou
   const KdTree tree(mesh.positions, order);
   const VertexFaces faces_at(mesh);
   const std::vector<Vec3> points = thinned(target.mesh.positions, most_vertices_of_target);
-  const auto search = [&](Index point, double) {
+  const auto search = [&](Index point, double, Index) {
     const Vec3& p = points[point];
     const Index nearest = tree.nearest(p);
     return searched_distance(p, closest_around_vertex(p, mesh, nearest, faces_at[nearest]));

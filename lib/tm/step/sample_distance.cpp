@@ -38,7 +38,7 @@ SearchedDistance searched_distance(const Vec3& point, const Vec3& closest, doubl
 
 std::vector<double> sample_distance(
     std::span<const Vec3> points, std::span<const Index> order, double exact_within,
-    const std::function<SearchedDistance(Index point, double sign)>& search) {
+    const std::function<SearchedDistance(Index point, double sign, Index hint)>& search) {
   std::vector<double> distances(points.size());
   const std::size_t runs = (points.size() + run_length - 1) / run_length;
   parallel_for(runs, 1, [&](std::size_t first_run, std::size_t last_run) {
@@ -51,7 +51,8 @@ std::vector<double> sample_distance(
         if (is_far && anchor.reaches(point)) {
           distances[order[i]] = anchor.estimate(point);
         } else {
-          anchor = {point, search(order[i], is_far ? std::copysign(1, anchor.found.distance) : 0)};
+          const double sign = is_far ? std::copysign(1, anchor.found.distance) : 0;
+          anchor = {point, search(order[i], sign, anchor.found.face)};
           distances[order[i]] = anchor.found.distance;
         }
       }

@@ -20,6 +20,7 @@ namespace transformesh {
 struct SearchedDistance {
   double distance = 0;           ///< with or without sign
   Vec3 gradient = Vec3::Zero();  ///< of unit length, or zero where distance is 0
+  Index face = no_index;         ///< where it was found, as a hint for the next search
 };
 
 /// How far a search may go wrong where the sign is known.
@@ -27,10 +28,10 @@ inline constexpr double far_tolerance = 0.05;
 
 /// One distance per point, given their hilbert_order(). `search` takes the index of a point and is
 /// called from several threads at once; where `sign` is not 0 it is the sign of the distance, which
-/// may come out too large by far_tolerance.
+/// may come out too large by far_tolerance. `hint` is the face of a search nearby, or no_index.
 std::vector<double> sample_distance(
     std::span<const Vec3> points, std::span<const Index> order, double exact_within,
-    const std::function<SearchedDistance(Index point, double sign)>& search);
+    const std::function<SearchedDistance(Index point, double sign, Index hint)>& search);
 
 /// The distance from `point` to its closest point, taken with the sign given.
 SearchedDistance searched_distance(const Vec3& point, const Vec3& closest, double sign = 1);

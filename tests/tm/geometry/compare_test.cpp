@@ -119,8 +119,8 @@ TEST_CASE("the farthest point is as far as compare() finds it, and lies there") 
                            test::scaled(sphere, 1.01), sphere}) {
     const CompareOptions options{.samples = 5000};
     const Comparison found = compare(mesh, sphere, options);
-    const Farthest there = farthest_from(sphere, mesh, options);
-    const Farthest back = farthest_from(mesh, sphere, options);
+    const Farthest there = farthest_from(ClosestPointQuery(sphere), mesh, options);
+    const Farthest back = farthest_from(ClosestPointQuery(mesh), sphere, options);
     CHECK(there.distance == found.hausdorff_to_reference);
     CHECK(back.distance == found.hausdorff_from_reference);
     CHECK(ClosestPointQuery(sphere)(there.point).distance == there.distance);
