@@ -213,17 +213,24 @@ Angles angles(const Mesh& mesh) {
 std::vector<Vec3> vertex_normals(const Mesh& mesh) {
   if (const int exponent = extreme_exponent(mesh); exponent != 0)
     return vertex_normals(scaled_down(mesh, exponent));
-  std::vector<std::array<double, 3>> weights(mesh.faces.size());
+  struct Weighted {
+    Vec3 unit;
+    std::array<double, 3> angles;
+  };
+  std::vector<Weighted> weighted(mesh.faces.size());
   parallel_for(mesh.faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f)
-      for (int i = 0; i < 3; ++i) weights[f][i] = corner_angle(mesh, mesh.faces[f], i);
+    for (std::size_t f = first; f < last; ++f) {
+      weighted[f].unit = face_normal(mesh, static_cast<Index>(f)).stableNormalized();
+      for (int i = 0; i < 3; ++i) weighted[f].angles[i] = corner_angle(mesh, mesh.faces[f], i);
+    }
   });
   std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const Vec3 unit = face_normal(mesh, static_cast<Index>(f)).stableNormalized();
-    for (int i = 0; i < 3; ++i) normals[mesh.faces[f][i]] += weights[f][i] * unit;
-  }
-  for (Vec3& normal : normals) normal = normal.stableNormalized();
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for (int i = 0; i < 3; ++i)
+      normals[mesh.faces[f][i]] += weighted[f].angles[i] * weighted[f].unit;
+  parallel_for(normals.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) normals[v] = normals[v].stableNormalized();
+  });
   return normals;
 }
 
