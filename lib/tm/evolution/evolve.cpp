@@ -13,6 +13,7 @@ class EvolveLoop : public Loop {
       : step_(step), options_(std::move(options)), until_(until) {}
 
   void advance(Document& document, std::size_t /*iteration*/, const Progress& progress) override {
+    options_.expects_changes = last_.was_cleaned;
     last_ = iterate(document, step_, options_, progress);
     is_done_ = until_.is_stalled
                    ? stalled_.add(last_.displaced.rms_displacement) || last_.displaced.moved == 0

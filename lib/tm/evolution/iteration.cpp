@@ -1,5 +1,7 @@
 #include "tm/evolution/iteration.h"
 
+#include <atomic>
+#include <exception>
 #include <utility>
 
 #include "tm/clean/clean.h"
@@ -7,7 +9,9 @@
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/measure.h"
+#include "tm/support/beside.h"
 #include "tm/support/counted.h"
+#include "tm/support/parallel.h"
 
 namespace transformesh {
 namespace {
@@ -28,6 +32,90 @@ RemeshOptions remesh_options(const Document& document, const IterationOptions& o
   result.coordinate = document.style.coordinate;
   return result;
 }
+
+/// remesh() of a document that is being cleaned: the result counts where that changes nothing.
+class EarlyRemesh {
+ public:
+  EarlyRemesh(const Document& document, const IterationOptions& options)
+      : document_(document), options_(options) {}
+
+  void run() {
+    try {
+      const Progress goes_on([this](std::string_view, double) { return !is_cancelled_; });
+      result_ = remesh_in_place(document_, options_, goes_on);
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+  }
+  void cancel() { is_cancelled_ = true; }
+  RemeshResult take(Document& document) {
+    if (error_) std::rethrow_exception(error_);
+    document = std::move(document_);
+    return std::move(result_);
+  }
+
+ private:
+  Document document_;
+  const IterationOptions& options_;
+  std::atomic<bool> is_cancelled_{false};
+  RemeshResult result_;
+  std::exception_ptr error_;
+};
+
+/// Cleans and remeshes; fills the result but for the step.
+class CleanAndRemesh {
+ public:
+  CleanAndRemesh(Document& document, const IterationOptions& options, const Progress& progress,
+                 IterationResult& result)
+      : document_(document), options_(options), progress_(progress), result_(result) {}
+
+  void run() {
+    RemeshResult remeshed;
+    if (allowed_thread_count() == 1 || options_.expects_changes) {
+      clean();
+      remeshed = remesh();
+    } else {
+      remeshed = run_both();
+    }
+    result_.seconds_remesh = watch_.lap();
+    result_.topology = {cleaned_.topology.components - remeshed.components_removed,
+                        cleaned_.topology.genus};
+    result_.faces = document_.mesh.faces.size();
+  }
+
+ private:
+  void clean() {
+    cleaned_ = clean_in_place(document_, progress_, options_.outermost);
+    result_.pairs = cleaned_.pairs;
+    result_.was_cleaned = cleaned_.changed;
+    result_.seconds_clean = watch_.lap();
+  }
+  RemeshResult remesh() {
+    return remesh_in_place(document_, options_, progress_, std::move(cleaned_.opposites));
+  }
+  RemeshResult run_both() {
+    EarlyRemesh early(document_, options_);
+    const auto clean_or_cancel = [&] {
+      try {
+        clean();
+        if (cleaned_.changed) early.cancel();
+        progress_("remesh");
+      } catch (...) {
+        early.cancel();
+        throw;
+      }
+    };
+    run_beside(clean_or_cancel, [&] { early.run(); });
+    return cleaned_.changed ? remesh() : early.take(document_);
+  }
+
+  Document& document_;
+  const IterationOptions& options_;
+  const Progress& progress_;
+  IterationResult& result_;
+  CleanedTopology cleaned_;
+  Stopwatch watch_;
+};
 
 }  // namespace
 
@@ -106,16 +194,7 @@ IterationResult iterate(Document& document, const Step& step, const IterationOpt
   round_as_written(document);
   result.seconds_step = watch.lap();
 
-  CleanedTopology cleaned = clean_in_place(document, progress, options.outermost);
-  result.pairs = cleaned.pairs;
-  result.seconds_clean = watch.lap();
-
-  const RemeshResult remeshed =
-      remesh_in_place(document, options, progress, std::move(cleaned.opposites));
-  result.topology = {cleaned.topology.components - remeshed.components_removed,
-                     cleaned.topology.genus};
-  result.faces = document.mesh.faces.size();
-  result.seconds_remesh = watch.lap();
+  CleanAndRemesh(document, options, progress, result).run();
   result.seconds = result.seconds_step + result.seconds_clean + result.seconds_remesh;
   return result;
 }

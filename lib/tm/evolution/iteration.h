@@ -42,6 +42,9 @@ struct IterationOptions {
   /// a size column the lengths are factors of it.
   RemeshOptions remesh = smoothed_by(0.1);
   bool outermost = true;  ///< of clean(): what lies inside goes, cavities too
+  /// Whether clean() is likely to change the mesh. Where not, and threads are free, remesh() begins
+  /// beside it, and again where it did. Results are the same.
+  bool expects_changes = false;
 };
 /// With the reference edge of the mesh where there is none.
 IterationOptions completed(IterationOptions options, const Mesh& mesh);
@@ -60,6 +63,7 @@ struct IterationResult {
   std::size_t vertices = 0;  ///< that took the step
   std::size_t faces = 0;     ///< of the mesh afterwards
   std::size_t pairs = 0;     ///< intersecting pairs of faces that were removed
+  bool was_cleaned = false;  ///< whether clean() changed anything
   Topology topology;         ///< of the mesh afterwards
   DisplaceResult displaced;
   double seconds_step = 0, seconds_clean = 0, seconds_remesh = 0;

@@ -64,6 +64,7 @@ bool MorphingLoop::takes_iteration(Document& document, bool remeshes_first,
   scale_ = rule_.scale();
   IterationOptions iteration = options_.iteration;
   iteration.edge_factor = std::ldexp(1.0, scale_);
+  iteration.expects_changes = last_.was_cleaned;
   const auto step = [&](Mesh& mesh, const Progress& step_progress) {
     step_ = morph_step(mesh, query_, options_.step, step_progress);
     return step_.displaced;

@@ -166,6 +166,7 @@ OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
   OffsetResult result;
   while (!result.is_done && result.iterations < options.iterations) {
     const IterationResult last = iterate(document, step, iteration, progress);
+    iteration.expects_changes = last.was_cleaned;
     result.topology = last.topology;
     ++result.iterations;
     const bool is_close = level.rms() <= close_enough * iteration.reference_edge;

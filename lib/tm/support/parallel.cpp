@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "tm/support/beside.h"
+
 namespace transformesh {
 namespace {
 
@@ -75,6 +77,15 @@ class Loop {
   std::size_t error_at_ = 0;
 };
 
+/// Waits for threads that were taken. Who waits does not work: loops inside what they still do may
+/// take a thread instead.
+template <class Threads>
+void wait_for(Threads& threads) {
+  give_thread_back();
+  threads = Threads();
+  ++working_threads;
+}
+
 /// Works on the loop with up to `wanted` more threads, as far as they are allowed and the system
 /// has them. A loop inside a loop takes what others have given back, so nothing waits for a thread.
 /// To start a thread costs some 10 us, less than to keep it spinning between two loops.
@@ -93,11 +104,7 @@ void work_together(Loop& loop, std::size_t wanted) {
     }
   }
   loop.work();
-  if (helpers.empty()) return;
-  // Who waits does not work: loops inside what the helpers still do may take a thread instead.
-  give_thread_back();
-  helpers.clear();
-  ++working_threads;
+  if (!helpers.empty()) wait_for(helpers);
 }
 
 }  // namespace
@@ -112,6 +119,31 @@ void parallel_for(std::size_t count, std::size_t grain,
   Loop loop(count, range, body);
   work_together(loop, std::min(threads, (count + range - 1) / range) - 1);
   loop.rethrow();
+}
+
+void run_beside(const std::function<void()>& own, const std::function<void()>& other) {
+  std::jthread helper;
+  if (take_thread()) {
+    try {
+      helper = std::jthread([&other] {
+        other();
+        give_thread_back();
+      });
+    } catch (const std::system_error&) {
+      give_thread_back();
+    }
+  }
+  try {
+    own();
+  } catch (...) {
+    if (helper.joinable()) wait_for(helper);
+    throw;
+  }
+  if (helper.joinable()) {
+    wait_for(helper);
+  } else {
+    other();
+  }
 }
 
 std::size_t allowed_thread_count() { return allowed_threads; }
