@@ -151,7 +151,7 @@ class Aligner {
   const Progress& progress_;
   std::vector<char> is_held_;  ///< per vertex: on a corner or a line
   std::vector<Vec3> sides_;    ///< per vertex: the normal of the target where it is nearest
-  Star star_;
+  VertexStar star_;
 };
 
 double Aligner::mean_edge(Index vertex) const {

@@ -17,9 +17,7 @@ template <class Wanted>
 class Candidates {
  public:
   Candidates(const EditableMesh& mesh, const Wanted& wanted) : mesh_(mesh), wanted_(wanted) {
-    const auto is_candidate = [&](Index h) { return mesh.is_edge(h) && wanted(h); };
-    for (const Index h : indices_where(mesh.halfedge_slots(), is_candidate))
-      queue_.emplace(mesh, h);
+    for (const Index h : wanted.all()) queue_.emplace(mesh, h);
   }
 
   bool empty() const { return queue_.empty(); }
@@ -74,6 +72,11 @@ class IsShort {
     return mesh_.scaled_squared_length(halfedge) < limit_ &&
            !(keep_border_ && mesh_.is_border(halfedge));
   }
+  std::vector<Index> all() const {
+    std::vector<Index> edges = edges_where(mesh_, [&](double squared) { return squared < limit_; });
+    if (keep_border_) std::erase_if(edges, [&](Index h) { return mesh_.is_border(h); });
+    return edges;
+  }
   void note_merged(Index /*vertex*/) const {}
 
  private:
@@ -98,6 +101,22 @@ class IsIrregular {
     return mesh_.scaled_squared_length(halfedge) < limit_ && !mesh_.is_border(halfedge) &&
            gain(halfedge) > 0;
   }
+  // Valences are asked before lengths, as few edges pass.
+  std::vector<Index> all() const {
+    return indices_where_in(mesh_.face_slots(), [&](Index face, std::vector<Index>& found) {
+      if (!mesh_.has_face(face)) return;
+      std::array<int, 3> excess;
+      for (Index i = 0; i < 3; ++i) excess[i] = excess_[mesh_.source(3 * face + i)];
+      for (Index i = 0; i < 3; ++i) {
+        const Index h = 3 * face + i;
+        const Index opposite = mesh_.opposite(h);
+        if (opposite == no_index || opposite < h) continue;
+        const int gained = gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
+                                excess_[mesh_.apex(opposite)]);
+        if (gained > 0 && mesh_.scaled_squared_length(h) < limit_) found.push_back(h);
+      }
+    });
+  }
   void note_merged(Index vertex) {
     recount(vertex);
     mesh_.for_each_neighbor(vertex, [&](Index neighbor, Index) { recount(neighbor); });
@@ -105,12 +124,12 @@ class IsIrregular {
 
  private:
   void recount(Index vertex) { excess_[vertex] = static_cast<int>(mesh_.valence(vertex)) - 6; }
-  /// By how much the squared deviations from six shrink.
   int gain(Index halfedge) const {
-    const int source = excess_[mesh_.source(halfedge)];
-    const int target = excess_[mesh_.target(halfedge)];
-    const int left = excess_[mesh_.apex(halfedge)];
-    const int right = excess_[mesh_.apex(mesh_.opposite(halfedge))];
+    return gain(excess_[mesh_.source(halfedge)], excess_[mesh_.target(halfedge)],
+                excess_[mesh_.apex(halfedge)], excess_[mesh_.apex(mesh_.opposite(halfedge))]);
+  }
+  /// By how much the squared deviations from six shrink, of which these are the signed ones.
+  static int gain(int source, int target, int left, int right) {
     const int merged = source + target + 2;
     // Each apex loses an edge, which gains x^2 - (x - 1)^2 = 2x - 1.
     return source * source + target * target - merged * merged + 2 * left + 2 * right - 2;
@@ -132,10 +151,7 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
   if (counts.refused == 0) return counts;
 
   // An edge may have been refused more than once, or be gone in the end.
-  counts.refused = 0;
-  for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-    counts.refused += mesh.is_edge(h) && is_short(h) ? 1 : 0;
-  }
+  counts.refused = is_short.all().size();
   return counts;
 }
 

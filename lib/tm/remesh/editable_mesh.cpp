@@ -165,6 +165,7 @@ Index EditableMesh::split(Index halfedge, const Vec3& position) {
   vertex_rows_.push_back(
       append_row(RowBlend{{vertex_rows_[from], vertex_rows_[to], 0}, {0.5, 0.5, 0}}));
   if (!sizes_.empty()) sizes_.push_back(mean_size(from, to));
+  if (!components_.empty()) components_.push_back(components_[from]);
 
   // The face of h keeps its half at `from`, and a new face takes the half at `to`.
   const Index n = next_halfedge(h);
@@ -211,11 +212,28 @@ bool EditableMesh::can_collapse(Index halfedge) const {
   }
 
   // The ends may have no common neighbors but the apexes.
+  return count_common_neighbors(from, to) == (border_edge ? 1U : 2U);
+}
+
+/// Of two vertices that are neighbors.
+Index EditableMesh::count_common_neighbors(Index from, Index to) const {
+  constexpr std::size_t usual = 24;
+  std::array<Index, usual> ring;
+  std::size_t count = 0;
+  for_each_neighbor(to, [&](Index neighbor, Index) {
+    if (count < usual) ring[count] = neighbor;
+    ++count;
+  });
+  const auto is_neighbor_of_both = [&](Index neighbor) {
+    if (count > usual) return are_neighbors(to, neighbor);
+    const auto* end = ring.data() + count;
+    return std::find(static_cast<const Index*>(ring.data()), end, neighbor) != end;
+  };
   Index common = 0;
   for_each_neighbor(from, [&](Index neighbor, Index) {
-    if (neighbor != to && are_neighbors(to, neighbor)) ++common;
+    if (neighbor != to && is_neighbor_of_both(neighbor)) ++common;
   });
-  return common == (border_edge ? 1U : 2U);
+  return common;
 }
 
 /// Makes one edge of the two of a face that vanishes.

@@ -5,6 +5,7 @@
 /// squeezes dead slots out. Attribute rows travel along: every vertex and face names its row.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tm/mesh/digits.h"
@@ -55,6 +56,21 @@ class EditableMesh {
     const double size = mean_size(source(halfedge), target(halfedge));
     return squared / (size * size);
   }
+  /// That of its three halfedges.
+  std::array<double, 3> scaled_squared_lengths(Index face) const {
+    const Index* corners = sources_.data() + std::size_t{3} * face;
+    const Vec3& a = positions_[corners[0]];
+    const Vec3& b = positions_[corners[1]];
+    const Vec3& c = positions_[corners[2]];
+    std::array<double, 3> result{(b - a).squaredNorm(), (c - b).squaredNorm(),
+                                 (a - c).squaredNorm()};
+    if (sizes_.empty()) return result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double size = mean_size(corners[i], corners[(i + 1) % 3]);
+      result[i] /= size * size;
+    }
+    return result;
+  }
   Triangle triangle(Index face) const {
     const Index* corners = sources_.data() + std::size_t{3} * face;
     return triangle_of(positions_, {corners[0], corners[1], corners[2]});
@@ -101,6 +117,11 @@ class EditableMesh {
   }
   double size(Index vertex) const { return sizes_.empty() ? 1 : sizes_[vertex]; }
 
+  /// A label per vertex, which those of the same component share: operations neither join nor part
+  /// components. Empty where nobody has set them.
+  void set_components(std::vector<Index> components) { components_ = std::move(components); }
+  std::span<const Index> components() const { return components_; }
+
   /// Positions are rounded to this type as they are made, so that what is checked is what a file
   /// of that type holds.
   void set_coordinate(Scalar coordinate) { single_ = coordinate == Scalar::float32; }
@@ -134,6 +155,7 @@ class EditableMesh {
                         const std::array<double, 3>& weights);
 
  private:
+  Index count_common_neighbors(Index from, Index to) const;
   void link(Index first, Index second);
   void find_outgoing();
   Index append_face(Index a, Index b, Index c, Index row);
@@ -145,12 +167,13 @@ class EditableMesh {
   std::vector<Index> squeezed_vertices(std::vector<Index>& new_index) const;
 
   std::vector<Vec3> positions_;
-  std::vector<Index> sources_;    ///< per halfedge; no_index in dead faces
-  std::vector<Index> opposites_;  ///< per halfedge
-  std::vector<Index> outgoing_;   ///< per vertex; no_index for dead and isolated ones
-  std::vector<bool> isolated_;    ///< vertices without a face in the input, which are kept
-  std::vector<char> features_;    ///< per halfedge, empty while there are none
-  std::vector<double> sizes_;     ///< per vertex, empty while there are none
+  std::vector<Index> sources_;     ///< per halfedge; no_index in dead faces
+  std::vector<Index> opposites_;   ///< per halfedge
+  std::vector<Index> outgoing_;    ///< per vertex; no_index for dead and isolated ones
+  std::vector<bool> isolated_;     ///< vertices without a face in the input, which are kept
+  std::vector<char> features_;     ///< per halfedge, empty while there are none
+  std::vector<double> sizes_;      ///< per vertex, empty while there are none
+  std::vector<Index> components_;  ///< per vertex, or empty
   std::vector<Index> vertex_rows_;
   std::vector<Index> face_rows_;
   Columns vertex_columns_;

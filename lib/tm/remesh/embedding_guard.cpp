@@ -75,14 +75,19 @@ Vec3 sum_of(const std::vector<Vec3>& vectors) {
 }
 
 double longest_edge_of(const EditableMesh& mesh) {
-  constexpr std::size_t per_part = 8192;
-  std::vector<double> longest((mesh.halfedge_slots() + per_part - 1) / per_part, 0);
+  constexpr std::size_t per_part = 2048;
+  std::vector<double> longest((mesh.face_slots() + per_part - 1) / per_part, 0);
   parallel_for(longest.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t part = from; part < to; ++part) {
-      const auto last = std::min<std::size_t>(mesh.halfedge_slots(), (part + 1) * per_part);
-      for (auto h = static_cast<Index>(part * per_part); h < last; ++h) {
-        if (mesh.is_edge(h)) longest[part] = std::max(longest[part], mesh.squared_length(h));
+      const auto last = std::min<std::size_t>(mesh.face_slots(), (part + 1) * per_part);
+      double most = 0;
+      for (auto face = static_cast<Index>(part * per_part); face < last; ++face) {
+        if (!mesh.has_face(face)) continue;
+        const auto [a, b, c] = mesh.triangle(face);
+        most =
+            std::max({most, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
       }
+      longest[part] = most;
     }
   });
   double result = 0;
@@ -95,23 +100,24 @@ double longest_edge_of(const EditableMesh& mesh) {
 void Patch::clear() {
   made.clear();
   normals.clear();
+  cone.reset();
   replaced.clear();
   vertices.clear();
 }
 
 EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge,
-                               const KeepOut* keep_out)
+                               const KeepOut* keep_out, std::optional<double> longest_now)
     : mesh_(mesh),
       keep_out_(keep_out),
       longest_allowed_(longest_edge),
-      longest_edge_(longest_edge_of(mesh)),
+      longest_edge_(longest_now ? *longest_now : longest_edge_of(mesh)),
       cells_(mesh, cell_edges * std::max(longest_allowed_, longest_edge_)),
       stamp_(mesh.face_slots(), 0) {}
 
 void EmbeddingGuard::commit(const Patch& patch) {
   longest_edge_ = std::max(longest_edge_, std::sqrt(patch.longest_squared));
   cells_.update(patch.center);
-  for (const Index vertex : patch.vertices) cells_.restrict(vertex, cone_, patch.longest_squared);
+  cells_.restrict(patch.vertices, cone_, patch.longest_squared);
 }
 
 bool EmbeddingGuard::keeps_out(const Patch& patch) {
@@ -146,7 +152,7 @@ bool EmbeddingGuard::is_embedded(const Patch& patch) {
 
 bool EmbeddingGuard::is_certified(const Patch& patch) {
   if (is_too_long(patch)) return false;
-  cone_ = common_cone(patch.normals);
+  cone_ = patch.cone ? *patch.cone : common_cone(patch.normals);
   if ((cone_ & cells_.cell_of(patch.center).cone_around) == 0) return false;
   return lies_within(cells_.cell_size() - corner_reach * longest_edge_, patch);
 }

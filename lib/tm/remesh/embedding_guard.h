@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "tm/geometry/keep_out.h"
@@ -25,11 +26,13 @@ namespace transformesh {
 
 /// A part of the surface about to be replaced by another with the same rim.
 struct Patch {
-  Index center = no_index;      ///< a living vertex of it, before and after
-  Vec3 center_position;         ///< where it will be
-  std::vector<Triangle> made;   ///< the new triangles
-  std::vector<Vec3> normals;    ///< of these, of any length
-  double longest_squared = 0;   ///< of their edges
+  Index center = no_index;         ///< a living vertex of it, before and after
+  Vec3 center_position;            ///< where it will be
+  std::vector<Triangle> made;      ///< the new triangles
+  std::vector<Vec3> normals;       ///< of these, of any length
+  std::optional<NormalCone> cone;  ///< of the normals, if it is known: then the certificate does
+                                   ///< without them
+  double longest_squared = 0;      ///< of their edges
   double reach_squared = -1;    ///< from the center to the farthest of `vertices`; < 0: not known
   std::vector<Index> replaced;  ///< the faces that give way
   std::vector<Index> vertices;  ///< the corners of the new triangles
@@ -41,8 +44,9 @@ class EmbeddingGuard {
  public:
   /// Keeps a reference to the mesh, whose faces and vertices may afterwards only be replaced by
   /// patches that were allowed. No new edge may be longer than the longest edge now or
-  /// `longest_edge`.
-  EmbeddingGuard(const EditableMesh& mesh, double longest_edge, const KeepOut* keep_out = nullptr);
+  /// `longest_edge`. `longest_now`: that edge's length, if it is known.
+  EmbeddingGuard(const EditableMesh& mesh, double longest_edge, const KeepOut* keep_out = nullptr,
+                 std::optional<double> longest_now = std::nullopt);
 
   /// Whether the patch certainly meets nothing but its rim and does not fold onto itself. Contact
   /// within rounding error counts as meeting.

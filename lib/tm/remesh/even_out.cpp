@@ -57,7 +57,7 @@ void even_out(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& role
   progress("even out", 0);
   const std::vector<Vertex> vertices = heights(mesh, roles);
   VertexMover mover(mesh, guard);
-  Star star;
+  VertexStar star;
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
     if (v % 8192 == 0) progress("even out", static_cast<double>(v) / mesh.vertex_slots());
     const Vertex& vertex = vertices[v];
@@ -67,7 +67,7 @@ void even_out(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& role
     const double way = share * (sum / vertex.valence - vertex.height);
     if (!(std::abs(way) > rest * vertex.edge)) continue;
     star.gather(mesh, v);
-    mover.move(v, star, star.center + way * vertex.normal);
+    mover.move(v, star, star.center() + way * vertex.normal);
   }
 }
 

@@ -11,7 +11,7 @@ namespace transformesh {
 namespace {
 
 constexpr double least_cosine = 0.5;
-constexpr std::size_t halfedges_per_task = 8192;
+constexpr std::size_t faces_per_task = 2048;
 /// The cosine of 20 degrees: below that, a flip for valence may not make the least angle smaller.
 constexpr double narrow = 0.9396926207859084;
 /// A stretched edge may pass the old one at this distance, as a share of its length.
@@ -43,7 +43,6 @@ class Flipper {
   }
 
   void count_valences();
-  int deviation_gain(const Corners& at) const;
   bool is_wanted(Index halfedge) const;
   void look_ahead();
   void note_change(const Corners& at);
@@ -61,10 +60,12 @@ class Flipper {
   std::vector<int> excess_;  ///< valence minus what it should be
   std::vector<Index> queue_;
   /// Per halfedge: whether it stood for an edge, which was to be flipped, before the first flip;
-  /// whether that may have changed; whether it waits for no visit.
+  /// whether that may have changed; whether it is in the queue. Only those that stood for an edge
+  /// are visited.
   using State = std::uint8_t;
-  enum : State { edge = 1, wanted_before = 2, changed = 4, idle = 8 };
+  enum : State { edge = 1, wanted_before = 2, changed = 4, queued = 8 };
   std::vector<State> states_;
+  Index swept_ = 0;  ///< the edges below are not visited any more unless they are in the queue
   Patch patch_;
   std::size_t refused_ = 0;
 };
@@ -79,9 +80,10 @@ void Flipper::count_valences() {
   }
 }
 
-int Flipper::deviation_gain(const Corners& at) const {
+/// By how much the squared deviations from the valences wanted get smaller, given the signed ones.
+int deviation_gain(int from, int to, int left, int right) {
   // Each end gains x^2 - (x - 1)^2, each apex x^2 - (x + 1)^2.
-  return 2 * (excess_[at.from] + excess_[at.to] - excess_[at.left] - excess_[at.right]) - 4;
+  return 2 * (from + to - left - right) - 4;
 }
 
 bool Flipper::gains_angle(const Corners& at, bool only_not_narrow) const {
@@ -97,19 +99,31 @@ bool Flipper::gains_angle(const Corners& at, bool only_not_narrow) const {
 bool Flipper::is_wanted(Index halfedge) const {
   const Corners at = corners(halfedge);
   if (rule_ == FlipRule::angle) return gains_angle(at, false);
-  const int gain = deviation_gain(at);
+  const int gain =
+      deviation_gain(excess_[at.from], excess_[at.to], excess_[at.left], excess_[at.right]);
   if (gain < 0) return false;
   return gains_angle(at, gain > 0);
 }
 
-/// Looks at all edges on all threads: those that a flip changes are looked at again.
+/// Looks at all edges on all threads: those that a flip changes are looked at again. Valences are
+/// asked before angles, as few edges pass.
 void Flipper::look_ahead() {
-  states_.resize(mesh_.halfedge_slots());
-  parallel_for(states_.size(), halfedges_per_task, [&](std::size_t first, std::size_t last) {
-    for (auto h = static_cast<Index>(first); h < last; ++h) {
-      const bool is_edge = mesh_.is_edge(h);
-      const bool wanted = is_edge && !mesh_.is_border(h) && is_wanted(h);
-      states_[h] = static_cast<State>((is_edge ? edge : 0) | (wanted ? wanted_before : 0));
+  states_.assign(mesh_.halfedge_slots(), 0);
+  parallel_for(mesh_.face_slots(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (auto face = static_cast<Index>(first); face < last; ++face) {
+      if (!mesh_.has_face(face)) continue;
+      std::array<int, 3> excess;
+      for (Index i = 0; i < 3; ++i) excess[i] = excess_[mesh_.source(3 * face + i)];
+      for (Index i = 0; i < 3; ++i) {
+        const Index h = 3 * face + i;
+        const Index opposite = mesh_.opposite(h);
+        if (opposite < h) continue;
+        states_[h] = edge;
+        if (opposite == no_index) continue;
+        const int gain = deviation_gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
+                                        excess_[mesh_.apex(opposite)]);
+        if ((gain >= 0 || rule_ == FlipRule::angle) && is_wanted(h)) states_[h] |= wanted_before;
+      }
     }
   });
 }
@@ -191,8 +205,8 @@ void Flipper::push_around(Index halfedge) {
     for (const Index rim : {next_halfedge(h), previous_halfedge(h)}) {
       if (mesh_.is_border(rim)) continue;
       const Index named = std::min(rim, mesh_.opposite(rim));
-      if ((states_[named] & idle) == 0) continue;
-      states_[named] &= static_cast<State>(~idle);
+      if (named >= swept_ || (states_[named] & (edge | queued)) != edge) continue;
+      states_[named] |= queued;
       queue_.push_back(named);
     }
   }
@@ -200,7 +214,7 @@ void Flipper::push_around(Index halfedge) {
 
 bool Flipper::visit(Index halfedge) {
   State& state = states_[halfedge];
-  state |= idle;
+  state &= static_cast<State>(~queued);
   if ((state & (wanted_before | changed)) == 0) return false;
   if ((state & changed) != 0 && (mesh_.is_border(halfedge) || !is_wanted(halfedge))) return false;
   const Corners at = corners(halfedge);
@@ -217,10 +231,11 @@ FlipCounts Flipper::run(const Progress& progress) {
   look_ahead();
   FlipCounts counts;
   std::size_t edges = 0;
-  for (Index h = 0; h < states_.size(); ++h) {
-    if ((states_[h] & edge) == 0) continue;
+  while (swept_ < states_.size()) {
+    const State state = states_[swept_++];
+    if ((state & edge) == 0) continue;
     ++edges;
-    counts.done += visit(h) ? 1 : 0;
+    if ((state & (wanted_before | changed)) != 0) counts.done += visit(swept_ - 1) ? 1 : 0;
   }
   for (std::size_t next = 0; next < queue_.size() && next < 19 * edges; ++next) {
     if (next % 16384 == 0)

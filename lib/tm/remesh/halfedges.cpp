@@ -1,6 +1,7 @@
 #include "tm/remesh/halfedges.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -48,6 +49,40 @@ void check_corners(const Mesh& mesh) {
                    ": the mesh is not an oriented manifold" + advice);
 }
 
+/// The opposites of an oriented manifold, found as the halfedges come; nothing where two run alike
+/// along an edge or a third one comes to it, or a vertex has so many that looking for them would
+/// take long. Pre: corners are good.
+std::optional<std::vector<Index>> quick_opposites(const Mesh& mesh) {
+  struct Waiting {
+    Index larger;  ///< vertex of the edge
+    Index next;    ///< that waits at the smaller vertex
+  };
+  constexpr std::size_t usual_steps = 16;  // a halfedge
+  const auto halfedges = static_cast<Index>(3 * mesh.faces.size());
+  std::size_t steps_left = usual_steps * halfedges;
+  std::vector<Index> first_at(mesh.positions.size(), no_index);
+  std::vector<Waiting> waiting(halfedges);
+  std::vector<Index> opposites(halfedges, no_index);
+  for (Index h = 0; h < halfedges; ++h) {
+    const Index source = halfedge_source(mesh, h);
+    const Index target = halfedge_target(mesh, h);
+    const Index larger = std::max(source, target);
+    Index& first = first_at[std::min(source, target)];
+    Index other = first;
+    for (; other != no_index && waiting[other].larger != larger; other = waiting[other].next)
+      if (--steps_left == 0) return std::nullopt;
+    if (other == no_index) {
+      waiting[h] = {larger, first};
+      first = h;
+      continue;
+    }
+    if (opposites[other] != no_index || halfedge_source(mesh, other) == source) return std::nullopt;
+    opposites[h] = other;
+    opposites[other] = h;
+  }
+  return opposites;
+}
+
 /// The lowest two halfedges that run the same way along an edge, or no_index twice.
 std::pair<Index, Index> find_alike(const Mesh& mesh, const Edges& edges) {
   std::pair<Index, Index> lowest{no_index, no_index};
@@ -70,6 +105,7 @@ std::pair<Index, Index> find_alike(const Mesh& mesh, const Edges& edges) {
 
 std::vector<Index> manifold_opposites(const Mesh& mesh) {
   check_corners(mesh);
+  if (auto opposites = quick_opposites(mesh)) return *std::move(opposites);
   const Edges edges(mesh);
   const auto [first, second] = find_alike(mesh, edges);
   if (first != no_index) refuse_alike(mesh, first, second);

@@ -39,6 +39,11 @@ struct FourNormals {
   Floats least;
 };
 
+Floats floats(NumberPair first, NumberPair second) {
+  return Floats{static_cast<float>(first[0]), static_cast<float>(first[1]),
+                static_cast<float>(second[0]), static_cast<float>(second[1])};
+}
+
 float needed_length(const Vec3& normal) {
   const double length = normal.norm();
   const bool is_usual = length > smallest && length < largest;
@@ -89,13 +94,52 @@ Words cones_of_four(const FourNormals& n) {
   return front | back << 16;
 }
 
+/// As needed_length() has it.
+Floats needed_lengths(NumberPair first_squares, NumberPair second_squares) {
+  const NumberPair first = square_roots(first_squares);
+  const NumberPair second = square_roots(second_squares);
+  const MaskPair are_usual = (first > twice(smallest)) & (first < twice(largest)) &
+                             (second > twice(smallest)) & (second < twice(largest));
+  Floats lengths = floats(first, second);
+  if (!all(are_usual))
+    for (int i = 0; i < 4; ++i) {
+      const double length = i < 2 ? first[i] : second[i - 2];
+      if (!(length > smallest && length < largest)) lengths[i] = HUGE_VALF;
+    }
+  return least_cosine * lengths;
+}
+
+NormalCone common_bits(const Words& cone) {
+  return all_directions & static_cast<NormalCone>(cone[0] & cone[1] & cone[2] & cone[3]);
+}
+
 }  // namespace
 
 NormalCone common_cone(std::span<const Vec3> normals) {
   Words cone{-1, -1, -1, -1};
   for (std::size_t i = 0; i < normals.size(); i += 4)
     cone &= cones_of_four(four_normals(normals.subspan(i)));
-  return all_directions & static_cast<NormalCone>(cone[0] & cone[1] & cone[2] & cone[3]);
+  return common_bits(cone);
+}
+
+// What is missing of the last four is like others.
+NormalCone common_cone(std::span<const NormalPair> pairs, std::size_t count) {
+  Words cone{-1, -1, -1, -1};
+  const auto pair_at = [&](std::size_t i) {
+    NormalPair pair = pairs[i < count ? i / 2 : 0];
+    if (i + 1 == count)
+      for (NumberPair* numbers : {&pair.normal.x, &pair.normal.y, &pair.normal.z, &pair.squared})
+        (*numbers)[1] = (*numbers)[0];
+    return pair;
+  };
+  for (std::size_t i = 0; i < count; i += 4) {
+    const NormalPair first = pair_at(i);
+    const NormalPair second = pair_at(i + 2);
+    cone &= cones_of_four(
+        {floats(first.normal.x, second.normal.x), floats(first.normal.y, second.normal.y),
+         floats(first.normal.z, second.normal.z), needed_lengths(first.squared, second.squared)});
+  }
+  return common_bits(cone);
 }
 
 void find_cones(std::span<const Vec3> normals, std::span<NormalCone> cones) {

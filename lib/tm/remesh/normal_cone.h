@@ -8,6 +8,7 @@
 #include <span>
 
 #include "tm/mesh/triangle.h"
+#include "tm/remesh/number_pair.h"
 
 namespace transformesh {
 
@@ -21,6 +22,8 @@ inline constexpr NormalCone all_directions = 0x1fff1fff;
 NormalCone cone_of(const Vec3& normal);
 /// What the cones of all the normals have in common: several times as fast as one by one.
 NormalCone common_cone(std::span<const Vec3> normals);
+/// The same of `count` normals in pairs.
+NormalCone common_cone(std::span<const NormalPair> pairs, std::size_t count);
 /// The cone of each normal.
 void find_cones(std::span<const Vec3> normals, std::span<NormalCone> cones);
 

@@ -150,12 +150,12 @@ struct Task {
 /// The steps of one iteration after the splits, whose new vertices are those from `first_new` on.
 class Iteration {
  public:
-  Iteration(const Task& task, Index first_new)
+  Iteration(const Task& task, Index first_new, std::optional<double> longest_edge)
       : task_(task),
         mesh_(task.mesh),
         first_new_(first_new),
         roles_(mesh_, task.options.keep_border),
-        guard_(mesh_, task.limits.stretched() * largest_size(mesh_), task.keep_out) {}
+        guard_(mesh_, task.limits.stretched() * largest_size(mesh_), task.keep_out, longest_edge) {}
 
   void run(bool is_first) {
     task_.result.refused = settle_midpoints(mesh_, guard_, first_new_);
@@ -233,12 +233,15 @@ struct ScaledLengths {
   explicit ScaledLengths(const EditableMesh& mesh) {
     double sum = 0;
     double count = 0;
-    for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-      if (!mesh.is_edge(h)) continue;
-      const double squared = mesh.scaled_squared_length(h);
-      longest = std::max(longest, squared);
-      sum += squared;
-      ++count;
+    for (Index face = 0; face < mesh.face_slots(); ++face) {
+      if (!mesh.has_face(face)) continue;
+      const std::array<double, 3> squared = mesh.scaled_squared_lengths(face);
+      for (Index i = 0; i < 3; ++i) {
+        if (mesh.opposite(3 * face + i) < 3 * face + i) continue;
+        longest = std::max(longest, squared[i]);
+        sum += squared[i];
+        ++count;
+      }
     }
     typical = std::sqrt(sum / count);
     longest = std::sqrt(longest);
@@ -264,18 +267,24 @@ ScaledLengths coarsen(const Task& task) {
   }
 }
 
-void refine(const Task& task) {
+/// Returns the length of the longest edge that is left, where that is known.
+std::optional<double> refine(const Task& task) {
   const ScaledLengths lengths = coarsen(task);
-  if (lengths.longest <= task.limits.longest) return;
+  if (lengths.longest <= task.limits.longest) {
+    if (task.mesh.has_sizes()) return std::nullopt;
+    return lengths.longest;
+  }
   task.result.splits +=
       split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
+  return std::nullopt;
 }
 
 void iterate(const Task& task, bool is_first, bool is_finish) {
   mark_features(task.mesh, task.options.feature_angle_deg);
   const Index first_new = task.mesh.vertex_slots();
-  if (!task.options.only_smooth) refine(task);
-  Iteration iteration(task, first_new);
+  std::optional<double> longest_edge;
+  if (!task.options.only_smooth) longest_edge = refine(task);
+  Iteration iteration(task, first_new, longest_edge);
   iteration.run(is_first);
   if (is_finish) iteration.finish();
   task.result.kept_out += iteration.kept_out();
@@ -309,6 +318,7 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
       editable, options, limits, surface ? &*surface : nullptr, keep_out ? &*keep_out : nullptr,
       progress, result};
   remove_small(task);
+  if (options.iterations > 1) editable.set_components(closed_components(editable));
   for (int i = 0; i < options.iterations; ++i)
     iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
   result.degenerate_faces = count_degenerate_faces(editable);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tm/remesh/where.h"
 #include "tm/support/elementary/exponential.h"
 
 namespace transformesh {
@@ -35,13 +36,12 @@ class ComponentWalk {
     return true;
   }
 
- private:
   bool has_short_edges(Index face) const {
-    return mesh_.scaled_squared_length(3 * face) < limit_ &&
-           mesh_.scaled_squared_length(3 * face + 1) < limit_ &&
-           mesh_.scaled_squared_length(3 * face + 2) < limit_;
+    const auto [a, b, c] = mesh_.scaled_squared_lengths(face);
+    return a < limit_ && b < limit_ && c < limit_;
   }
 
+ private:
   /// False next to a face that an earlier walk reached, which then met a long edge.
   bool visit(Index face, const Vec3& origin) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
@@ -80,7 +80,10 @@ void remove_faces(EditableMesh& mesh, const std::vector<Index>& faces) {
 std::size_t remove_small_components(EditableMesh& mesh, double edge, bool keep_border) {
   std::size_t removed = 0;
   ComponentWalk component(mesh, edge);
-  for (Index face = 0; face < mesh.face_slots(); ++face) {
+  const std::vector<Index> seeds = indices_where(mesh.face_slots(), [&](Index face) {
+    return mesh.has_face(face) && component.has_short_edges(face);
+  });
+  for (const Index face : seeds) {
     if (!mesh.has_face(face) || !component.walk(face)) continue;
     if (keep_border && component.has_border()) continue;
     const double diameter = edge * component.mean_size();

@@ -31,7 +31,7 @@ class Relaxer {
       star_.gather(mesh_, v, rings[v]);
       Vec3 target = role == VertexRole::free ? free_target() : line_target(v);
       if (role == VertexRole::free && surface_) target = (*surface_)(target).point;
-      if ((target - star_.center).squaredNorm() < rest * rest * star_.normal.norm()) continue;
+      if ((target - star_.center()).squaredNorm() < rest * rest * star_.normal().norm()) continue;
       if (mover_.move(v, star_, target)) {
         ++counts.moved;
         carry_attributes(v);
@@ -51,45 +51,51 @@ class Relaxer {
   const VertexRoles& roles_;
   const ClosestPointQuery* surface_;
   VertexMover mover_;
-  Star star_;
+  VertexStar star_;
 };
 
 Vec3 Relaxer::free_target() const {
   // The mean of the triangles' centroids, weighted by area, is taken relative to the old center.
-  Vec3 sum = Vec3::Zero();
-  double weight = 0;
-  for (std::size_t i = 0; i < star_.triangles.size(); ++i) {
-    const Vec3 a = star_.rim[i] - star_.center;
-    const Vec3 b = star_.rim[i + 1] - star_.center;
-    const double area = std::sqrt(star_.triangles[i].normal_squared);
-    sum += area * (a + b);
-    weight += area;
+  double x = 0, y = 0, z = 0, weight = 0;
+  const VertexStar::Pair* const pairs = star_.pairs();
+  for (std::size_t i = 0; i < star_.size(); i += 2) {
+    const VertexStar::Pair& pair = pairs[i / 2];
+    const NumberPair area = square_roots(pair.squared);
+    const VectorPair both = pair.way + middle(pair.way, pairs[i / 2 + 1].way);
+    const VectorPair weighted{area * both.x, area * both.y, area * both.z};
+    for (std::size_t k = 0; k < std::min<std::size_t>(2, star_.size() - i); ++k) {
+      x += weighted.x[k];
+      y += weighted.y[k];
+      z += weighted.z[k];
+      weight += area[k];
+    }
   }
-  if (weight == 0) return star_.center;
-  const Vec3 shift = sum / (2 * weight);
-  const double squared = star_.normal.squaredNorm();
-  const double along = squared > 0 ? shift.dot(star_.normal) / squared : 0;
-  return star_.center + shift - along * star_.normal;
+  if (weight == 0) return star_.center();
+  const Vec3 shift = Vec3(x, y, z) / (2 * weight);
+  const Vec3& normal = star_.normal();
+  const double squared = normal.squaredNorm();
+  const double along = squared > 0 ? shift.dot(normal) / squared : 0;
+  return star_.center() + shift - along * normal;
 }
 
 Vec3 Relaxer::line_target(Index vertex) const {
   const auto [before, after] = roles_.line_neighbors(vertex);
   const Vec3& first = mesh_.position(before);
   const Vec3 along = mesh_.position(after) - first;
-  const Vec3 shift = first + 0.5 * along - star_.center;
-  return star_.center + shift.dot(along) / along.squaredNorm() * along;
+  const Vec3 shift = first + 0.5 * along - star_.center();
+  return star_.center() + shift.dot(along) / along.squaredNorm() * along;
 }
 
 void Relaxer::carry_attributes(Index vertex) {
   if (!mesh_.has_vertex_attributes()) return;
   // Barycentric coordinates find the triangle of the old star that holds the new position best.
-  const Vec3 shift = mesh_.position(vertex) - star_.center;
+  const Vec3 shift = mesh_.position(vertex) - star_.center();
   double best = -HUGE_VAL;
   std::array<Index, 3> sources{vertex, vertex, vertex};
   std::array<double, 3> weights{1, 0, 0};
   mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
-    const Vec3 a = mesh_.position(mesh_.target(halfedge)) - star_.center;
-    const Vec3 b = mesh_.position(mesh_.apex(halfedge)) - star_.center;
+    const Vec3 a = mesh_.position(mesh_.target(halfedge)) - star_.center();
+    const Vec3 b = mesh_.position(mesh_.apex(halfedge)) - star_.center();
     const Vec3 normal = a.cross(b);
     const double squared = normal.squaredNorm();
     if (squared == 0) return;
@@ -178,7 +184,7 @@ SmoothCounts smooth_laplace(EditableMesh& mesh, EmbeddingGuard& guard, const Ver
   SmoothCounts counts;
   VertexMover mover(mesh, guard);
   const VertexRings rings(mesh);
-  Star star;
+  VertexStar star;
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
     if (v % 8192 == 0) progress("smooth", static_cast<double>(v) / mesh.vertex_slots());
     if (once[v].isZero(0)) continue;

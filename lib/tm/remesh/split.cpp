@@ -52,10 +52,8 @@ class Splitter {
 
  private:
   void push_all() {
-    const auto is_wanted = [&](Index h) {
-      return mesh_.is_edge(h) && (keep_border_ || mesh_.scaled_squared_length(h) > limit_);
-    };
-    for (const Index h : indices_where(mesh_.halfedge_slots(), is_wanted)) push(h);
+    const auto is_wanted = [&](double squared) { return keep_border_ || squared > limit_; };
+    for (const Index h : edges_where(mesh_, is_wanted)) push(h);
   }
 
   void push(Index halfedge) {
@@ -117,13 +115,14 @@ class Splitter {
   std::size_t splits_ = 0;
 };
 
-bool settle(EditableMesh& mesh, VertexMover& mover, Index vertex, Star& star) {
+bool settle(EditableMesh& mesh, VertexMover& mover, Index vertex, VertexStar& star) {
   star.gather(mesh, vertex);
-  if (mover.move(vertex, star, star.center)) return true;
-  const Vec3 step = rounding_at(mesh, star.center) * star.normal.normalized();
+  const Vec3 center = star.center();
+  if (mover.move(vertex, star, center)) return true;
+  const Vec3 step = rounding_at(mesh, center) * star.normal().normalized();
   for (const double distance : roundings) {
-    if (mover.move(vertex, star, star.center + distance * step)) return true;
-    if (mover.move(vertex, star, star.center - distance * step)) return true;
+    if (mover.move(vertex, star, center + distance * step)) return true;
+    if (mover.move(vertex, star, center - distance * step)) return true;
   }
   return false;
 }
@@ -137,7 +136,7 @@ std::size_t split_long_edges(EditableMesh& mesh, double max_edge, bool keep_bord
 
 std::size_t settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, Index first) {
   VertexMover mover(mesh, guard);
-  Star star;
+  VertexStar star;
   std::vector<Index> in_contact;
   const auto try_to_settle = [&](Index vertex) {
     if (!settle(mesh, mover, vertex, star)) in_contact.push_back(vertex);

@@ -27,7 +27,38 @@ std::vector<NormalCone> cones_of_faces(const EditableMesh& mesh) {
   return cones;
 }
 
+/// Collects the faces of the component of that vertex, and says whether it is closed.
+bool gather_component(const EditableMesh& mesh, Index seed, std::vector<char>& reached,
+                      std::vector<Index>& faces) {
+  bool closed = true;
+  faces.assign(1, mesh.outgoing(seed) / 3);
+  reached[faces[0]] = 1;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (Index h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
+      const Index opposite = mesh.opposite(h);
+      closed &= opposite != no_index;
+      if (opposite == no_index || reached[opposite / 3]) continue;
+      reached[opposite / 3] = 1;
+      faces.push_back(opposite / 3);
+    }
+  }
+  return closed;
+}
+
 }  // namespace
+
+std::vector<Index> closed_components(const EditableMesh& mesh) {
+  std::vector<Index> components(mesh.vertex_slots(), no_index);
+  std::vector<char> reached(mesh.face_slots(), 0);
+  std::vector<Index> faces;
+  for (Index seed = 0; seed < mesh.vertex_slots(); ++seed) {
+    if (!mesh.has_vertex(seed) || reached[mesh.outgoing(seed) / 3]) continue;
+    if (!gather_component(mesh, seed, reached, faces)) continue;
+    for (const Index face : faces)
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) components[mesh.source(h)] = seed;
+  }
+  return components;
+}
 
 VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
     : mesh_(mesh), cell_size_(cell_size), vertices_(mesh.vertex_slots()) {
@@ -42,38 +73,15 @@ VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
   cell_size_ = std::max(cell_size_, (high - low).maxCoeff() / (1 << (key_bits - 3)));
   origin_ = low - Vec3::Constant(8 * cell_size_);
   std::vector<NormalCone> cones;
-  parallel_invoke([&] { label_components(); }, [&] { cones = cones_of_faces(mesh); });
+  std::vector<Index> found;
+  parallel_invoke(
+      [&] {
+        if (mesh.components().empty()) found = closed_components(mesh);
+      },
+      [&] { cones = cones_of_faces(mesh); });
+  const std::span<const Index> components = found.empty() ? mesh.components() : found;
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) vertices_[v].component = components[v];
   fill(cones);
-}
-
-void VertexCells::label_components() {
-  std::vector<char> reached(mesh_.face_slots(), 0);
-  std::vector<Index> faces;
-  for (Index seed = 0; seed < mesh_.vertex_slots(); ++seed) {
-    if (!mesh_.has_vertex(seed) || reached[mesh_.outgoing(seed) / 3]) continue;
-    if (!gather_component(seed, reached, faces)) continue;
-    for (const Index face : faces) {
-      for (Index h = 3 * face; h < 3 * face + 3; ++h) vertices_[mesh_.source(h)].component = seed;
-    }
-  }
-}
-
-/// Collects the faces of the component of that vertex, and says whether it is closed.
-bool VertexCells::gather_component(Index seed, std::vector<char>& reached,
-                                   std::vector<Index>& faces) const {
-  bool closed = true;
-  faces.assign(1, mesh_.outgoing(seed) / 3);
-  reached[faces[0]] = 1;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (Index h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
-      const Index opposite = mesh_.opposite(h);
-      closed &= opposite != no_index;
-      if (opposite == no_index || reached[opposite / 3]) continue;
-      reached[opposite / 3] = 1;
-      faces.push_back(opposite / 3);
-    }
-  }
-  return closed;
 }
 
 VertexCells::Key VertexCells::key_of(const Vec3& position) const {
@@ -131,18 +139,20 @@ void VertexCells::find_cells_around(Index cell, std::span<const Key> offsets) {
 
 void VertexCells::fill(std::span<const NormalCone> cones) {
   grow_table();
+  Index cell = no_index;
   for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
     if (!mesh_.has_vertex(v)) continue;
+    // Vertices that follow each other are often in one cell.
     const Key key = key_of(mesh_.position(v));
-    Index cell = find_cell(key);
+    if (cell == no_index || cells_[cell].key != key) cell = find_cell(key);
     if (cell == no_index) cell = make_cell(key, vertices_[v].component);
     if (cells_[cell].component != vertices_[v].component) cells_[cell].cone = 0;
     insert(v, cell);
   }
   restrict_to_faces(cones);
   const auto lower = std::span(offsets_around).first<offsets_around.size() / 2>();
-  for (Index cell = 0; cell < cells_.size(); ++cell) find_cells_around(cell, lower);
-  for (Index cell = 0; cell < cells_.size(); ++cell) dilate(cell);
+  for (Index c = 0; c < cells_.size(); ++c) find_cells_around(c, lower);
+  for (Index c = 0; c < cells_.size(); ++c) dilate(c);
   if (mesh_.has_sizes()) measure_edges();
 }
 
@@ -214,10 +224,15 @@ void VertexCells::update(Index vertex) {
   if (key != cell_of(vertex).key) change_cell(vertex, key);
 }
 
-void VertexCells::restrict(Index vertex, NormalCone cone, double longest_squared) {
-  restrict_cell(vertices_[vertex].cell, cone);
-  vertices_[vertex].cone &= cone;
-  if (mesh_.has_sizes()) stretch(vertex, longest_squared);
+void VertexCells::restrict(std::span<const Index> vertices, NormalCone cone,
+                           double longest_squared) {
+  for (const Index v : vertices) {
+    Vertex& vertex = vertices_[v];
+    vertex.cone &= cone;
+    if ((cells_[vertex.cell].cone & ~cone) != 0) restrict_cell(vertex.cell, cone);
+  }
+  if (!mesh_.has_sizes()) return;
+  for (const Index v : vertices) stretch(v, longest_squared);
 }
 
 void VertexCells::change_cell(Index vertex, Key key) {

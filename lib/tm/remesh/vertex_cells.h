@@ -12,6 +12,9 @@
 
 namespace transformesh {
 
+/// Per vertex the lowest vertex of its component; no_index where that has a border. O(n).
+std::vector<Index> closed_components(const EditableMesh& mesh);
+
 class VertexCells {
  public:
   struct Cell {
@@ -26,13 +29,14 @@ class VertexCells {
     Index cell = no_index;
     Index next = no_index;  ///< in the cell
     Index previous = no_index;
-    Index component = no_index;        ///< its lowest vertex; no_index where it has a border
+    Index component = no_index;        ///< as closed_components() labels it
     NormalCone cone = all_directions;  ///< of all faces at the vertex
     /// No edge of these faces is longer; measured only where the mesh has sizes.
     float longest_squared = HUGE_VALF;
   };
 
-  /// Keeps a reference to the mesh. Cells become larger where there are too many for a key.
+  /// Keeps a reference to the mesh. Looks for components where the mesh does not know them. Cells
+  /// become larger where there are too many for a key.
   VertexCells(const EditableMesh& mesh, double cell_size);
 
   double cell_size() const { return cell_size_; }
@@ -43,9 +47,9 @@ class VertexCells {
   void update(Index vertex);
   /// To be called before a vertex goes.
   void remove(Index vertex);
-  /// To be called where faces at a vertex are replaced by others of that cone, with edges up to
+  /// To be called where faces at vertices are replaced by others of that cone, with edges up to
   /// that length.
-  void restrict(Index vertex, NormalCone cone, double longest_squared);
+  void restrict(std::span<const Index> vertices, NormalCone cone, double longest_squared);
 
   /// Calls visit(cell) for the cells that meet a box until it returns false.
   template <class Visit>
@@ -81,8 +85,6 @@ class VertexCells {
   /// Calls visit(cell) for the cells around, itself among them.
   template <class Visit>
   void for_each_cell_around(Index cell, const Visit& visit) const;
-  void label_components();
-  bool gather_component(Index seed, std::vector<char>& reached, std::vector<Index>& faces) const;
   void fill(std::span<const NormalCone> cones);  ///< of the faces
   void find_cells_around(Index cell, std::span<const Key> offsets);
   void restrict_to_faces(std::span<const NormalCone> cones);

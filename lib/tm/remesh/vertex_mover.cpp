@@ -10,118 +10,121 @@ constexpr double least_turn_cosine = 0.5;
 constexpr double normal_roundness = 0.02;
 
 /// The square of roundness() in star.h.
-double squared_roundness(double normal_squared, double squares) {
-  return squares > 0 ? 12 * normal_squared / (squares * squares) : 0;
-}
-
-bool has_normal(const Star::Triangle& triangle) {
-  return 12 * triangle.normal_squared >
-         normal_roundness * normal_roundness * triangle.squares * triangle.squares;
+NumberPair squared_roundness(NumberPair normal_squared, NumberPair squares) {
+  return squares > twice(0) ? 12 * normal_squared / (squares * squares) : twice(0);
 }
 
 /// The squared roundness of the narrowest triangle.
-double least_squared_roundness(const Star& star) {
-  double least = 1;
-  for (const Star::Triangle& triangle : star.triangles)
-    least = std::min(least, squared_roundness(triangle.normal_squared, triangle.squares));
-  return least;
+double least_squared_roundness(const VertexStar& star) {
+  NumberPair least = twice(1);
+  for (std::size_t k = 0; k < star.pair_count(); ++k) {
+    const VertexStar::Pair& pair = star.pairs()[k];
+    const NumberPair roundness = squared_roundness(pair.squared, pair.squares);
+    least = lesser(least, star.is_there(k) ? roundness : twice(1));
+  }
+  return std::min(least[0], least[1]);
+}
+
+/// What normals are compared with: those of before, or that of the whole star where they are mostly
+/// rounding error.
+NormalPair normals_before(const VertexStar& star, const VertexStar::Pair& pair) {
+  const NumberPair bound = twice(normal_roundness * normal_roundness) * pair.squares * pair.squares;
+  const MaskPair has_normal = 12 * pair.squared > bound;
+  if (all(has_normal)) return {pair.normal, pair.squared};
+  const VectorPair mean = twice_vector(star.normal());
+  return {{has_normal ? pair.normal.x : mean.x, has_normal ? pair.normal.y : mean.y,
+           has_normal ? pair.normal.z : mean.z},
+          has_normal ? pair.squared : mean.squared()};
+}
+
+/// turns() in star.h.
+MaskPair turn(const NormalPair& before, const NormalPair& after) {
+  const NumberPair dot = before.normal.dot(after.normal);
+  const NumberPair bound =
+      twice(least_turn_cosine * least_turn_cosine) * before.squared * after.squared;
+  return (dot <= twice(0)) | (dot * dot < bound);
 }
 
 }  // namespace
 
-void Star::gather(const EditableMesh& mesh, Index vertex) {
-  find_ring(mesh, vertex, own_ring_);
-  gather(mesh, vertex, own_ring_);
+bool VertexMover::move(Index vertex, const VertexStar& star, const Vec3& target) {
+  return attempt(vertex, star, target) || attempt(vertex, star, 0.5 * star.center() + 0.5 * target);
 }
 
-// Sums are kept out of the star meanwhile, where the compiler would have to write them each time.
-void Star::gather(const EditableMesh& mesh, Index vertex, std::span<const Index> neighbors) {
-  triangles.clear();
-  rim.clear();
-  const Vec3 middle = mesh.position(vertex);
-  rim.push_back(mesh.position(neighbors[0]));
-  Vec3 a = rim[0] - middle;
-  double a_squared = a.squaredNorm();
-  double farthest = a_squared;
-  Vec3 sum = Vec3::Zero();
-  for (const Index neighbor : neighbors.subspan(1)) {
-    const Vec3& end = mesh.position(neighbor);
-    const Vec3 b = end - middle;
-    const double b_squared = b.squaredNorm();
-    const double across_squared = (b - a).squaredNorm();
-    const Vec3 own = a.cross(b);
-    triangles.push_back(
-        {own, own.squaredNorm(), across_squared, a_squared + b_squared + across_squared});
-    rim.push_back(end);
-    sum += own;
-    farthest = std::max(farthest, b_squared);
-    a = b;
-    a_squared = b_squared;
+void VertexMover::place_ways(const VertexStar& star, const Vec3& target) {
+  const std::size_t needed = star.ring().size() / 2 + 1;
+  if (ways_.size() < needed) {
+    ways_.resize(2 * needed);
+    normals_.resize(2 * needed);
   }
-  ring = neighbors;
-  center = middle;
-  normal = sum;
-  reach_squared = farthest;
-}
-
-bool VertexMover::move(Index vertex, const Star& star, const Vec3& target) {
-  return attempt(vertex, star, target) || attempt(vertex, star, 0.5 * star.center + 0.5 * target);
-}
-
-/// Fills the patch's normals; false where a triangle turns over or gets too narrow.
-bool VertexMover::place_triangles(const Star& star, const Vec3& target) {
-  patch_.clear();
-  double least = 1;
-  Vec3 a = star.rim[0] - target;
-  double a_squared = a.squaredNorm();
-  double longest_squared = a_squared;
-  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
-    const Star::Triangle& triangle = star.triangles[i];
-    const Vec3 b = star.rim[i + 1] - target;
-    const double b_squared = b.squaredNorm();
-    const Vec3 normal = a.cross(b);
-    const double normal_squared = normal.squaredNorm();
-    const bool is_narrow = !has_normal(triangle);
-    const Vec3& before = is_narrow ? star.normal : triangle.normal;
-    const double before_squared = is_narrow ? star.normal.squaredNorm() : triangle.normal_squared;
-    const double dot = before.dot(normal);
-    if (turns(dot, before_squared, normal_squared, least_turn_cosine)) return false;
-    least = std::min(
-        least, squared_roundness(normal_squared, a_squared + b_squared + triangle.across_squared));
-    longest_squared = std::max({longest_squared, b_squared, triangle.across_squared});
-    patch_.normals.push_back(normal);
-    a = b;
-    a_squared = b_squared;
+  const VectorPair center = twice_vector(target);
+  WayPair* const ways = ways_.data();
+  for (std::size_t k = 0; 2 * k < star.ring().size(); ++k) {
+    ways[k].way = star.pairs()[k].rim - center;
+    ways[k].squared = ways[k].way.squared();
   }
-  patch_.longest_squared = longest_squared;
-  return least >= enough_ * enough_ || least >= least_squared_roundness(star);
 }
 
-void VertexMover::name_vertices(Index vertex, const Star& star) {
+/// Finds normals; false where a triangle turns over or gets too narrow.
+bool VertexMover::place_triangles(const VertexStar& star, const Vec3& target) {
+  place_ways(star, target);
+  const WayPair* const ways = ways_.data();
+  NormalPair* const normals = normals_.data();
+  MaskPair turned = {0, 0};
+  NumberPair least = twice(1);
+  NumberPair longest = twice(ways[0].squared[0]);
+  for (std::size_t k = 0; k < star.pair_count(); ++k) {
+    const VertexStar::Pair& pair = star.pairs()[k];
+    const MaskPair is_there = star.is_there(k);
+    const VectorPair b = middle(ways[k].way, ways[k + 1].way);
+    const NumberPair b_squared = middle(ways[k].squared, ways[k + 1].squared);
+    const VectorPair normal = ways[k].way.cross(b);
+    normals[k] = {normal, normal.squared()};
+    turned |= is_there & turn(normals_before(star, pair), normals[k]);
+    const NumberPair squares = ways[k].squared + b_squared + pair.across_squared;
+    const NumberPair roundness = squared_roundness(normals[k].squared, squares);
+    least = lesser(least, is_there ? roundness : twice(1));
+    longest = greater(longest, is_there ? greater(b_squared, pair.across_squared) : twice(0));
+  }
+  if (any(turned)) return false;
+  patch_.longest_squared = std::max(longest[0], longest[1]);
+  const double least_now = std::min(least[0], least[1]);
+  return least_now >= enough_ * enough_ || least_now >= least_squared_roundness(star);
+}
+
+void VertexMover::name_vertices(Index vertex, const VertexStar& star) {
+  const std::span<const Index> ring = star.ring();
   patch_.center = vertex;
-  patch_.reach_squared = star.reach_squared;
-  patch_.vertices.push_back(vertex);
-  const std::size_t repeated = star.ring.front() == star.ring.back() ? 1 : 0;
-  patch_.vertices.insert(patch_.vertices.end(), star.ring.begin() + repeated, star.ring.end());
+  patch_.reach_squared = star.reach_squared();
+  patch_.vertices.resize(ring.size() + 1);
+  patch_.vertices[0] = vertex;
+  const std::size_t repeated = ring.front() == ring.back() ? 1 : 0;
+  std::copy(ring.begin() + repeated, ring.end(), patch_.vertices.begin() + 1);
+  patch_.vertices.resize(ring.size() + 1 - repeated);
 }
 
-void VertexMover::name_faces(Index vertex, const Star& star, const Vec3& target) {
-  for (std::size_t i = 0; i < star.triangles.size(); ++i)
-    patch_.made.push_back({target, star.rim[i], star.rim[i + 1]});
+void VertexMover::name_faces(Index vertex, const VertexStar& star, const Vec3& target) {
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const VectorPair& normal = normals_[i / 2].normal;
+    patch_.normals.emplace_back(normal.x[i % 2], normal.y[i % 2], normal.z[i % 2]);
+    patch_.made.push_back({target, star.rim(i), star.rim(i + 1)});
+  }
   mesh_.for_each_outgoing(vertex, [&](Index halfedge) { patch_.replaced.push_back(halfedge / 3); });
 }
 
 // What the certificate does not look at is found where that says no.
-bool VertexMover::is_allowed(Index vertex, const Star& star, const Vec3& target) {
+bool VertexMover::is_allowed(Index vertex, const VertexStar& star, const Vec3& target) {
   if (!place_triangles(star, target)) return false;
+  patch_.clear();
   patch_.center_position = target;
   name_vertices(vertex, star);
+  patch_.cone = common_cone(normals_, star.size());
   if (guard_.certifies(patch_)) return true;
   name_faces(vertex, star, target);
   return guard_.allows_uncertified(patch_);
 }
 
-bool VertexMover::attempt(Index vertex, const Star& star, const Vec3& wanted) {
+bool VertexMover::attempt(Index vertex, const VertexStar& star, const Vec3& wanted) {
   const Vec3 target = mesh_.rounded(wanted);
   if (!is_allowed(vertex, star, target)) return false;
   mesh_.move(vertex, target);

@@ -13,20 +13,20 @@ namespace {
 
 /// The star of a vertex as it would be with the vertex elsewhere.
 Patch star_moved_to(const EditableMesh& mesh, Index vertex, const Vec3& position) {
-  Star star;
+  VertexStar star;
   star.gather(mesh, vertex);
   Patch patch;
   patch.center = vertex;
   patch.center_position = position;
   patch.vertices.push_back(vertex);
-  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
-    const Vec3 a = star.rim[i] - position;
-    const Vec3 b = star.rim[i + 1] - position;
-    patch.made.push_back({position, star.rim[i], star.rim[i + 1]});
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Vec3 a = star.rim(i) - position;
+    const Vec3 b = star.rim(i + 1) - position;
+    patch.made.push_back({position, star.rim(i), star.rim(i + 1)});
     patch.normals.push_back(a.cross(b));
     patch.longest_squared =
         std::max({patch.longest_squared, a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-    patch.vertices.push_back(star.ring[i]);
+    patch.vertices.push_back(star.ring()[i]);
   }
   mesh.for_each_outgoing(vertex, [&](Index halfedge) { patch.replaced.push_back(halfedge / 3); });
   return patch;

@@ -70,6 +70,15 @@ TEST_CASE("cones of many normals are those of each, and what these have in commo
         common &= cones[i];
       }
       REQUIRE(common_cone(normals) == common);
+      std::vector<NormalPair> pairs((count + 1) / 2);
+      for (std::size_t i = 0; i < count; ++i) {
+        NormalPair& pair = pairs[i / 2];
+        pair.normal.x[i % 2] = normals[i].x();
+        pair.normal.y[i % 2] = normals[i].y();
+        pair.normal.z[i % 2] = normals[i].z();
+        pair.squared[i % 2] = normals[i].squaredNorm();
+      }
+      REQUIRE(common_cone(pairs, count) == common);
     }
   }
 }

@@ -94,7 +94,7 @@ TEST_CASE("faces that are replaced restrict the cones of vertex, cell and cells 
   VertexCells cells(mesh, 0.5);
   const NormalCone lowest_bit = cells[0].cone & ~(cells[0].cone - 1);
   REQUIRE(lowest_bit != cells[0].cone);
-  cells.restrict(0, lowest_bit, 0);
+  cells.restrict(std::vector<Index>{0}, lowest_bit, 0);
   CHECK(cells[0].cone == lowest_bit);
   CHECK((cells.cell_of(0).cone & ~lowest_bit) == 0);
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
@@ -132,7 +132,7 @@ TEST_CASE("with sizes the longest edges of the faces at a vertex are known") {
   mesh.set_sizes(std::vector<double>(8, 1));
   VertexCells cells(mesh, 1);
   for (Index v = 0; v < 8; ++v) CHECK(cells[v].longest_squared == doctest::Approx(2));
-  cells.restrict(3, all_directions, 5);
+  cells.restrict(std::vector<Index>{3}, all_directions, 5);
   CHECK(cells[3].longest_squared == doctest::Approx(5));
   CHECK(cells[3].longest_squared >= 5);
 }

@@ -1,8 +1,10 @@
 #include "tm/remesh/vertex_mover.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "tm/mesh/digits.h"
 #include "tm/remesh/remesh_checks.h"
@@ -29,7 +31,7 @@ struct Scene {
   EditableMesh mesh;
   EmbeddingGuard guard{mesh, 3};
   VertexMover mover{mesh, guard};
-  Star star;
+  VertexStar star;
 
   explicit Scene(const Mesh& input) : mesh(input) {}
   bool move(Index vertex, const Vec3& target) {
@@ -42,18 +44,47 @@ struct Scene {
 
 TEST_CASE("the star of a hexagon has its six triangles, counter-clockwise") {
   const EditableMesh mesh(hexagon());
-  Star star;
+  VertexStar star;
   star.gather(mesh, 0);
-  REQUIRE(star.triangles.size() == 6);
-  CHECK((star.normal - Vec3(0, 0, 6 * std::sqrt(3) / 2)).norm() < 1e-14);
+  REQUIRE(star.size() == 6);
+  CHECK((star.normal() - Vec3(0, 0, 6 * std::sqrt(3) / 2)).norm() < 1e-14);
   for (std::size_t i = 0; i < 6; ++i) {
-    const Star::Triangle& triangle = star.triangles[i];
-    CHECK(triangle.across_squared == doctest::Approx(1));
-    CHECK(triangle.squares == doctest::Approx(3));
-    CHECK(star.rim[i + 1] == star.rim[(i + 1) % 6]);
-    CHECK(roundness(star.center, star.rim[i], star.rim[i + 1]) == doctest::Approx(1));
-    CHECK(cosine_of_smallest_angle(star.center, star.rim[i], star.rim[i + 1]) ==
+    const VertexStar::Pair& pair = star.pairs()[i / 2];
+    CHECK(pair.across_squared[i % 2] == doctest::Approx(1));
+    CHECK(pair.squares[i % 2] == doctest::Approx(3));
+    CHECK(star.rim(i + 1) == star.rim((i + 1) % 6));
+    CHECK(roundness(star.center(), star.rim(i), star.rim(i + 1)) == doctest::Approx(1));
+    CHECK(cosine_of_smallest_angle(star.center(), star.rim(i), star.rim(i + 1)) ==
           doctest::Approx(0.5));
+  }
+}
+
+TEST_CASE("numbers of a star are those of its triangles one by one, for any number of them") {
+  const EditableMesh mesh(test::icosphere(2));
+  EditableMesh border(hexagon());
+  test::Random random(7);
+  VertexStar star;
+  const auto check = [&](const EditableMesh& of, Index vertex) {
+    star.gather(of, vertex);
+    Vec3 sum = Vec3::Zero();
+    double farthest = 0;
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      const VertexStar::Pair& pair = star.pairs()[i / 2];
+      const Vec3 a = star.rim(i) - star.center(), b = star.rim(i + 1) - star.center();
+      const Vec3 normal = a.cross(b);
+      CHECK(pair.squared[i % 2] == normal.squaredNorm());
+      CHECK(pair.across_squared[i % 2] == (b - a).squaredNorm());
+      CHECK(pair.squares[i % 2] == a.squaredNorm() + b.squaredNorm() + (b - a).squaredNorm());
+      sum += normal;
+      farthest = std::max({farthest, a.squaredNorm(), b.squaredNorm()});
+    }
+    CHECK(star.normal() == sum);
+    CHECK(star.reach_squared() == farthest);
+  };
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) check(mesh, v);
+  for (Index v = 0; v < border.vertex_slots(); ++v) {
+    border.move(v, border.position(v) + random.point(-0.1, 0.1));
+    check(border, v);
   }
 }
 
