@@ -2,12 +2,16 @@
 
 #include <doctest/doctest.h>
 
+#include <utility>
+
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 #include "tm/clean/clean.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/measure.h"
 #include "tm/step/velocity.h"
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
 
 using namespace transformesh;
 
@@ -62,6 +66,45 @@ TEST_CASE("an iteration is displace, clean and remesh, each read back as it woul
     CHECK(result.pairs > 0);
     CHECK(result.faces == together.mesh.faces.size());
     CHECK(result.moved_share() == 1);
+  }
+}
+
+TEST_CASE("whether remeshing begins beside cleaning or after it, the result is the same") {
+  for (const double apart : {0.05, 0.5}) {
+    const Document before = two_balls(apart, Scalar::float64);
+    IterationOptions options = completed({}, before.mesh);
+    const auto iterated = [&](int threads, bool expects_changes) {
+      const ThreadLimit limit(threads);
+      options.expects_changes = expects_changes;
+      Document document = before;
+      const IterationResult result = iterate(document, growing(0.05), options);
+      CHECK(result.was_cleaned == (apart < 0.1));
+      CHECK(result.faces == document.mesh.faces.size());
+      return document.mesh;
+    };
+    const Mesh expected = iterated(1, false);
+    for (const auto& [threads, expects_changes] :
+         {std::pair(1, true), std::pair(2, false), std::pair(2, true), std::pair(4, false)}) {
+      const Mesh mesh = iterated(threads, expects_changes);
+      CHECK(mesh.positions == expected.positions);
+      CHECK(mesh.faces == expected.faces);
+    }
+  }
+}
+
+TEST_CASE("an iteration that leaves nothing, or is cancelled, says so beside cleaning as well") {
+  for (const int threads : {1, 2}) {
+    const ThreadLimit limit(threads);
+    const auto stay = [](Mesh&, const Progress&) { return DisplaceResult(); };
+    Document document = two_balls(1, Scalar::float64);
+    IterationOptions options = completed({}, document.mesh);
+    options.reference_edge *= 20;
+    CHECK_THROWS_WITH_AS(iterate(document, stay, options),
+                         doctest::Contains("nothing would be left"), GoalError);
+    document = two_balls(1, Scalar::float64);
+    options = completed({}, document.mesh);
+    const Progress cancel([](std::string_view phase, double) { return phase != "stitch"; });
+    CHECK_THROWS_AS(iterate(document, stay, options, cancel), CancelledError);
   }
 }
 

@@ -119,6 +119,31 @@ TEST_CASE("signed distances to a cube agree with the closed form") {
   CHECK(closest(Vec3(1, 1, 1)).signed_distance == 0);
 }
 
+TEST_CASE("a hint changes nothing, and a face within a distance is found where there is one") {
+  const Mesh mesh = spiky_sphere();
+  const ClosestPointQuery closest(mesh);
+  test::Random random(8);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 query = random.point(-1.5, 1.5);
+    const auto hint = static_cast<Index>(random.below(mesh.faces.size()));
+    const ClosestPoint found = closest(query);
+    const ClosestPoint hinted = closest(query, hint);
+    CHECK(hinted.point == found.point);
+    CHECK(hinted.face == found.face);
+    CHECK(hinted.signed_distance == found.signed_distance);
+    for (const Index first : {no_index, hint}) {
+      CHECK(closest.face_within(query, 0.999 * found.distance, first) == no_index);
+      const Index near = closest.face_within(query, 1.1 * found.distance, first);
+      REQUIRE(near != no_index);
+      const auto& [a, b, c] = mesh.faces[near];
+      const Vec3 point =
+          closest_point_of_triangle(query, mesh.positions[a], mesh.positions[b], mesh.positions[c])
+              .point;
+      CHECK((point - query).norm() <= 1.1 * found.distance);
+    }
+  }
+}
+
 TEST_CASE("closest points agree with a search, the sign with the winding number") {
   const Mesh mesh = spiky_sphere();
   const ClosestPointQuery closest(mesh);
