@@ -126,7 +126,8 @@ NormalCone common_cone(std::span<const Vec3> normals) {
 NormalCone common_cone(std::span<const NormalPair> pairs, std::size_t count) {
   Words cone{-1, -1, -1, -1};
   const auto pair_at = [&](std::size_t i) {
-    NormalPair pair = pairs[i < count ? i / 2 : 0];
+    if (i >= count) i = 0;
+    NormalPair pair = pairs[i / 2];
     if (i + 1 == count)
       for (NumberPair* numbers : {&pair.normal.x, &pair.normal.y, &pair.normal.z, &pair.squared})
         (*numbers)[1] = (*numbers)[0];
