@@ -9,6 +9,7 @@
 #include "tm/clean/rounding/broken_faces.h"
 #include "tm/clean/rounding/close_vertices.h"
 #include "tm/clean/rounding/contact_splits.h"
+#include "tm/clean/rounding/own_grids.h"
 #include "tm/clean/rounding/push_out.h"
 #include "tm/clean/rounding/slivers.h"
 #include "tm/clean/rounding/thin_cells.h"
@@ -28,6 +29,7 @@ constexpr int rounds_ahead = 3;  // every start begins as coarse as that round o
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before,
 constexpr int patience = 2;      // and so many more where all starts failed, which begin again
 constexpr std::size_t few_pairs = 1000;
+constexpr std::size_t pairs_to_repair = 4;  // times those of the input
 constexpr std::size_t most_broken_share = 3;
 /// How close new vertices become one where nothing is broken, in spacings.
 constexpr double close_to_new = 0.75;
@@ -92,6 +94,7 @@ class SnapRounder {
  private:
   bool repair(Assembly& assembly, int start);
   Assembly begin_anew(const CleanPass& pass, int start);
+  Assembly begin_simpler(const CleanPass& pass);
   void choose_spacings(int start);
   int next_start(int start) const;
   void mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most);
@@ -285,6 +288,7 @@ Assembly unchanged_assembly(const Mesh& mesh) {
 Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
   result_.displacement = {};
   is_hopeless_ = false;
+  if (is_extreme_ && start > last_given) return begin_simpler(pass);
   const bool is_crowded = pass.pairs > most_crossed * mesh_.faces.size();
   if (options_.is_open || is_crowded || start > last_given) return pass.assembly;
   Assembly assembly = unchanged_assembly(mesh_);
@@ -292,11 +296,23 @@ Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
   return assembly;
 }
 
+// Of coordinates that are extreme in every direction only the digits are kept that count where the
+// vertex is.
+Assembly SnapRounder::begin_simpler(const CleanPass& pass) {
+  most_pairs_ = pairs_to_repair * pass.pairs + few_pairs;
+  Assembly assembly = unchanged_assembly(mesh_);
+  result_.displacement = snap_to_own_grids(assembly.mesh, options_.coordinate);
+  clean_again(assembly, {0}, options_.level);
+  if (!is_hopeless_) return assembly;
+  result_.displacement = {};
+  return pass.assembly;
+}
+
 SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
   spacing_ = spacings_for(mesh_, options_.coordinate);
   // What is extreme is better given up early, and begun anew.
-  most_pairs_ = (spacing_.are_per_axis ? 1 : 4) * pass.pairs + few_pairs;
+  most_pairs_ = (spacing_.are_per_axis ? 1 : pairs_to_repair) * pass.pairs + few_pairs;
   is_broken_.assign(mesh_.faces.size(), 0);
   Assembly assembly = pass.assembly;
   for (int start = 0; !repair(assembly, start);) {
