@@ -75,9 +75,10 @@ class Correlation {
         fill(y, {compared_.row(is_seen, y), compared_.row(first, y), compared_.row(second, y),
                  compared_.row(slope, y)});
       }
-      factors_.clear(y - radius);
+      if (take) factors_.clear(y - radius);
       if (y - radius >= first_row && y - radius < end_row) {
         compare(y - radius);
+        if (take) keep_factors(y - radius);
         if (look) look(y - radius, {weight_.data(), energy_.data(), deviations_.data()});
       }
       if (take && y - 2 * radius >= first_row) {
@@ -150,8 +151,7 @@ class Correlation {
     pull_ *= share_.square();
   }
 
-  /// Adds the energy of row y, and keeps what its windows contribute to the derivative at their
-  /// pixels.
+  /// Adds the energy of row y.
   void compare(int y) {
     find_moments(y);
     const auto noise = static_cast<float>(options_.noise_variance);
@@ -165,16 +165,20 @@ class Correlation {
     deviations_ = (variance1_ * variance2_).sqrt();
     correlation_ = (sums_[sum12] * inverse_ - mean1_ * mean2_) / deviations_;
     find_loss();
+    totals_.energy += energy_.template cast<double>().sum();
+    totals_.loss += loss_.template cast<double>().sum();
+    totals_.weight += weight_.template cast<double>().sum();
+    totals_.pixels += static_cast<std::size_t>((weight_ > 0).count());
+  }
+
+  /// What the windows of row y contribute to the derivative at their pixels.
+  void keep_factors(int y) {
     by_deviations_ = pull_ * inverse_ / deviations_;
     by_variance_ = pull_ * inverse_ / variance2_;
     factor(of_first, y) = -by_deviations_;
     factor(of_second, y) = by_variance_ * correlation_;
     factor(constant, y) = mean1_ * by_deviations_ - mean2_ * correlation_ * by_variance_;
     factor(of_square, y) = by_variance_;
-    totals_.energy += energy_.template cast<double>().sum();
-    totals_.loss += loss_.template cast<double>().sum();
-    totals_.weight += weight_.template cast<double>().sum();
-    totals_.pixels += static_cast<std::size_t>((weight_ > 0).count());
   }
 
   Eigen::Map<Row> factor(Factor plane, int y) { return {factors_.row(plane, y), width_}; }
