@@ -211,6 +211,24 @@ ValueGrid make_grid(const Box& box, const HullOptions& options) {
   return grid;
 }
 
+struct Measured {
+  ValueGrid grid;
+  Box box;
+};
+
+Measured measured(std::span<const View> views, const HullOptions& options,
+                  const Progress& progress) {
+  check(options);
+  progress("contours");
+  const std::vector<Carver> carvers = make_carvers(views);
+  const Box box = options.box ? *options.box : silhouette_box(views);
+  Measured measured{make_grid(box, options), box};
+  Sampler(carvers, measured.grid).run(progress);
+  return measured;
+}
+
+}  // namespace
+
 std::size_t drop_components(Mesh& mesh, double keep) {
   const Components parts = connected_components(mesh);
   double largest = 0;
@@ -227,21 +245,16 @@ std::size_t drop_components(Mesh& mesh, double keep) {
   return parts.components.size() - kept;
 }
 
-}  // namespace
+ValueGrid hull_values(std::span<const View> views, const HullOptions& options,
+                      const Progress& progress) {
+  return measured(views, options, progress).grid;
+}
 
 HullResult visual_hull(std::span<const View> views, const HullOptions& options,
                        const Progress& progress) {
-  check(options);
-  progress("contours");
-  const std::vector<Carver> carvers = make_carvers(views);
-  HullResult result;
-  result.box = options.box ? *options.box : silhouette_box(views);
-  ValueGrid grid = make_grid(result.box, options);
-  result.cell = grid.spacing;
-
-  Sampler(carvers, grid).run(progress);
+  const Measured field = measured(views, options, progress);
   progress("march");
-  result.mesh = march_tetrahedra(grid);
+  HullResult result{march_tetrahedra(field.grid), field.box, field.grid.spacing};
   if (result.mesh.faces.empty())
     throw InputError(
         "nothing is inside all silhouettes: look at the cameras, or use smaller cells");

@@ -13,6 +13,7 @@
 #include "tm/mesh/measure.h"
 #include "tm/support/progress.h"
 #include "tm/views/cameras/view.h"
+#include "tm/views/hull/marching_tetrahedra.h"
 
 namespace transformesh {
 
@@ -48,5 +49,14 @@ struct HullResult {
 /// a cell. Parallel; the same mesh for any number of threads.
 HullResult visual_hull(std::span<const View> views, const HullOptions& options = {},
                        const Progress& progress = {});
+
+/// F on a grid, cut off at four cells, on whose zero the mesh lies with all its components; of the
+/// options `keep` is not used. Throws and costs as visual_hull().
+ValueGrid hull_values(std::span<const View> views, const HullOptions& options = {},
+                      const Progress& progress = {});
+
+/// Drops components of less than this share of the largest one's volume, and those inside out;
+/// returns how many.
+std::size_t drop_components(Mesh& mesh, double keep);
 
 }  // namespace transformesh

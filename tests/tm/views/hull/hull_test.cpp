@@ -58,6 +58,16 @@ TEST_CASE("every vertex of a ball's hull lies on a cone, and within all others")
   CHECK(close > 0.9 * static_cast<double>(result.mesh.positions.size()));
 }
 
+TEST_CASE("values are cut off at four cells, and 0 on the hull") {
+  const Vec3 center(4, -3, 2);
+  const std::vector<View> views = views_of_ball(ring_of_eyes(9, 500, 25), center, 60);
+  const ValueGrid grid = hull_values(views, {.resolution = 40});
+  const auto [least, most] = std::minmax_element(grid.values.begin(), grid.values.end());
+  CHECK(*least == doctest::Approx(-4 * grid.spacing));
+  CHECK(*most == doctest::Approx(4 * grid.spacing));
+  CHECK(march_tetrahedra(grid).positions == visual_hull(views, {.resolution = 40}).mesh.positions);
+}
+
 TEST_CASE("three far away cameras see the solid of three cylinders") {
   const Frame frame{200, 200, 20000};
   const std::vector<Vec3> eyes = {{10000, 0, 0}, {0, 10000, 0}, {0, 0, 10000}};
