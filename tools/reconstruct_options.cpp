@@ -27,6 +27,9 @@ void declare_start(Program& program, ReconstructChoices& choices) {
                "begin with this mesh, not with the visual hull");
   program.choice("clip", &choices.clip, {"hull", "nothing"},
                  "of that mesh, keep what is within the hull of exact silhouettes, or all");
+  program.choice("hollows", &choices.hollows, {"auto", "closed"},
+                 "of the hull: where depth maps see into hollows that it closes, begin with them "
+                 "open, or leave all closed");
   program.text("sequence", &choices.sequence, "WHERE",
                "reconstruct one time step after the other: a file with a name per line, a folder "
                "of folders, or a pattern; {} in other places stands for the name");
@@ -56,8 +59,10 @@ void declare_colors(Program& program, ReconstructChoices& choices) {
 void declare_steps(Program& program, ReconstructChoices& choices) {
   program.integer("pairs", &choices.options.pairs.neighbors, 1, 1000,
                   "neighbors with which each view is compared");
-  program.integer("window", &choices.options.steps.step.photographs.correlation.radius, 1, 5,
-                  "radius of compared windows, 1 to 5 pixels");
+  program.text(
+      "window", &choices.window, "auto|N|N,N",
+      "radius of compared windows, 1 to 5 pixels, or two: at scale 2 and above, and below; "
+      "auto: 3, but 5,3 from open hollows");
   program.text("robust", &choices.robust, "auto|NUMBER",
                "at last, windows that disagree this many times as much as the mean pull by a "
                "quarter, 0: all alike; auto: 1 where photographs agree well, else 0");
@@ -80,6 +85,19 @@ std::optional<double> number_or_auto(const std::string& option, const std::strin
                                      double minimum) {
   if (text == "auto") return std::nullopt;
   return number_of(option, text, minimum);
+}
+
+std::optional<WindowRadii> windows_of(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  const auto radius_of = [&](const std::string& part) {
+    const auto radius = number_in<int>(part);
+    if (radius && *radius >= 1 && *radius <= 5) return *radius;
+    throw UsageError("--window: '" + text + "' is neither auto nor one or two numbers from 1 to 5");
+  };
+  const std::size_t comma = text.find(',');
+  const int coarse = radius_of(text.substr(0, comma));
+  return WindowRadii{coarse,
+                     comma == std::string::npos ? coarse : radius_of(text.substr(comma + 1))};
 }
 
 // What is read again by a run that continues cannot be a pipe.
@@ -137,6 +155,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   StartOptions& start = options.start;
   start.is_given = !start.name.empty();
   start.clips_by_hull = choices.clip == "hull";
+  start.opens_hollows = choices.hollows == "auto";
   if (choices.silhouettes_show == "least") start.meaning = SilhouetteMeaning::least;
   if (!choices.threshold.empty()) start.threshold = {.level = threshold_level(choices.threshold)};
   start.keep = hull_share(choices.keep);
@@ -145,6 +164,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   options.scales.last_edge = choices.last_edge.empty()
                                  ? options.scales.edge
                                  : number_of("last-edge", choices.last_edge, 1);
+  options.windows = windows_of(choices.window);
   options.robust = number_or_auto("robust", choices.robust, 0);
   options.on_note = [&run](const std::string& text) { run.note(text); };
   options.on_detail = [&run](const std::string& text) { run.detail(text); };

@@ -23,10 +23,12 @@ struct ReconstructChoices {
   std::string threshold;
   std::string keep = "largest";
   std::string clip = "hull";
+  std::string hollows = "auto";
   std::string sequence;
   double track = SequenceOptions().track;
   std::string coarsest = "auto";
   std::string last_edge;
+  std::string window = "auto";
   std::string robust = "auto";
   ViewCheckChoices check;
   bool is_colored = false;

@@ -177,6 +177,43 @@ compared() { # KEY MESH
   tm-checkmanifold --closed out.ply
 }
 
+# A block with a pocket that no silhouette shows.
+take_pocket() {
+  mkdir images masks
+  tm-shape box 60 60 40 --faces 3000 -o block.ply
+  tm-shape box 30 30 60 --faces 3000 --center 0,0,24 | tm-stitch --flip -o pocket.ply
+  tm-cat block.ply pocket.ply | tm-clean -o truth.ply
+  tm-photograph --ring 20 --elevations 50,-30 --size 160x120 --finest 5 --coarsest 30 \
+    --write-images images --write-silhouettes masks -o par.txt truth.ply
+  pocket=(tm-reconstruct --cameras par.txt --images images --silhouettes masks --no-provenance -q)
+}
+
+@test "a hollow that the hull closes is seen into, and a run from there continues to the same result" {
+  take_pocket
+  "${pocket[@]}" -o open.ply --report open.json
+  "${pocket[@]}" --hollows closed -o closed.ply
+  far() { tm-compare --reference truth.ply "$1" | awk '/^hausdorff:/ { print $2 }'; }
+  below "$(far open.ply)" "$(awk "BEGIN { print 0.6 * $(far closed.ply) }")"
+  [ "$(value components open.json) $(value genus open.json)" = "1 0" ]
+  tm-intersect --check open.ply
+  "${pocket[@]}" --window 5,3 --threads 1 -o two.ply
+  cmp two.ply open.ply
+
+  env --default-signal=INT "${pocket[@]}" -o out.ply --csv log.csv 2>messages 3>&- &
+  while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt 3 ]; do sleep 0.01; done
+  kill -INT $!
+  wait $! || code=$?
+  [ "$code" -eq 130 ]
+  "${pocket[@]}" -o out.ply --csv log.csv --resume
+  cmp out.ply open.ply
+}
+
+@test "without deep hollows it is all one whether they are looked for" {
+  "${reconstruct[@]}" --hollows closed --coarsest 4 --passes 1 --no-provenance -q -o closed.ply
+  "${reconstruct[@]}" --coarsest 4 --passes 1 --no-provenance -q -o auto.ply
+  cmp auto.ply closed.ply
+}
+
 @test "two balls in one wrapping come apart" {
   mkdir images masks
   tm-shape two-spheres --radius 20 --gap 6 --faces 10000 -o truth.ply
@@ -233,8 +270,11 @@ compared() { # KEY MESH
   one_line "$stderr"
   run --separate-stderr "${reconstruct[@]}" --edge 0.5 -o out.ply
   assert_status 2
-  run --separate-stderr "${reconstruct[@]}" --window 6 -o out.ply
-  assert_status 2
+  for window in 6 0 '5,' 5,6 3,3,3 large; do
+    run --separate-stderr "${reconstruct[@]}" --window "$window" -o out.ply
+    assert_status 2
+    one_line "$stderr"
+  done
   run --separate-stderr "${reconstruct[@]}" --egde 3 -o out.ply
   assert_status 2
   [[ $stderr == *"--edge"* ]]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "tm/evolution/reconstruction_beginning.h"
 #include "tm/evolution/stopwatch.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/components.h"
@@ -13,8 +14,6 @@
 namespace transformesh {
 namespace {
 
-constexpr const char* start_name = "start.ply";
-constexpr const char* hull_name = "hull.ply";
 /// How much stiffer a surface becomes that exploded, at a time and in all.
 constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
@@ -25,7 +24,7 @@ constexpr double stiffer_scale = 1.99;
 class Photographs {
  public:
   Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
-              bool are_outlines);
+              const Beginning& beginning);
 
   /// The surface is so many times as stiff as the options say.
   PhotoStepsResult pass(Mesh& mesh, double scale, double loss, double stiffness,
@@ -40,23 +39,28 @@ class Photographs {
 
  private:
   const PhotoScene& at(double scale);
+  /// The steps of the options, with the window of the scale.
+  PhotoStepsOptions steps_at(double scale) const;
 
   std::vector<View>& views_;
   int width_;
   bool spends_views_;
   PairOptions pairs_;
   PhotoStepsOptions steps_;
+  WindowRadii windows_;
   double scale_ = 0;  ///< of the scene; 0: none
   PhotoScene scene_;
 };
 
 Photographs::Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
-                         bool are_outlines)
+                         const Beginning& beginning)
     : views_(views),
       width_(width),
       spends_views_(options.spends_views),
       pairs_(options.pairs),
-      steps_(options.steps) {
+      steps_(options.steps),
+      windows_(options.windows.value_or(WindowRadii{beginning.coarsest ? 5 : 3, 3})) {
+  const bool are_outlines = beginning.outlined.has_value();
   double& pull = steps_.step.silhouettes;
   if (are_outlines) pull = read_back(significant(0.2 * pull, 9));
   steps_.step.meaning = are_outlines ? SilhouetteMeaning::least : options.start.meaning;
@@ -74,9 +78,15 @@ const PhotoScene& Photographs::at(double scale) {
   return scene_;
 }
 
+PhotoStepsOptions Photographs::steps_at(double scale) const {
+  PhotoStepsOptions options = steps_;
+  options.step.photographs.correlation.radius = windows_.at(scale);
+  return options;
+}
+
 PhotoStepsResult Photographs::pass(Mesh& mesh, double scale, double loss, double stiffness,
                                    const Progress& progress) {
-  PhotoStepsOptions options = steps_;
+  PhotoStepsOptions options = steps_at(scale);
   options.alternate = true;
   options.step.photographs.correlation.robust = loss;
   options.step.stiffness *= stiffness;
@@ -85,7 +95,7 @@ PhotoStepsResult Photographs::pass(Mesh& mesh, double scale, double loss, double
 
 PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
                                   const Progress& progress) {
-  PhotoStepsOptions options = steps_;
+  PhotoStepsOptions options = steps_at(scale);
   options.iterations = 1;
   options.alternate = in_one_order;
   options.step.alpha = 0;
@@ -93,7 +103,8 @@ PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
 }
 
 SurfaceDoubt Photographs::doubt(const Mesh& mesh, const Progress& progress) {
-  return surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_.step.photographs, progress);
+  return surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_at(1).step.photographs,
+                       progress);
 }
 
 // By the distances to silhouettes at scale 1, which are there also where views were spent.
@@ -112,14 +123,21 @@ double Photographs::agreement(const Mesh& mesh) {
   return are_exact && count > 0 ? sum / static_cast<double>(count) : 1;
 }
 
+ScaleOptions scales_of(const ReconstructionOptions& options, const Beginning& beginning) {
+  ScaleOptions scales = options.scales;
+  if (beginning.coarsest) scales.largest = std::min(scales.largest, *beginning.coarsest);
+  return scales;
+}
+
 class ReconstructionLoop : public Loop {
  public:
-  ReconstructionLoop(Photographs& photographs, const Document& start,
+  ReconstructionLoop(Photographs& photographs, const Beginning& beginning,
                      const ReconstructionOptions& options)
       : photographs_(photographs),
-        start_(start),
+        start_(beginning.start),
         options_(options),
-        levels_(coarse_to_fine(options.scales, photographs.width(), photographs.pixel())),
+        levels_(coarse_to_fine(scales_of(options, beginning), photographs.width(),
+                               photographs.pixel())),
         rule_(options.passes) {}
 
   std::string noun() const override { return "pass"; }
@@ -314,41 +332,22 @@ std::string ReconstructionLoop::message() const {
          fixed(pass_.steps.last.dissimilarity, 4);
 }
 
-struct Beginning {
-  Document start;
-  std::optional<Mesh> outlined;  ///< the hull whose outlines take the place of masks
-};
-
-Beginning found_in(const Record& record) {
-  const auto start = record.find(start_name);
-  const auto hull = record.find(hull_name);
-  if (!start) throw InputError("the state of the run is not that of a reconstruction");
-  Beginning found{read_mesh(*start, start_name).document, std::nullopt};
-  if (hull) found.outlined = read_mesh(*hull, hull_name).document.mesh;
-  return found;
-}
-
-Beginning begun(const Document& document, std::vector<View>& views,
-                const ReconstructionOptions& options, Record& record, const Progress& progress) {
-  Beginning begun{document, std::nullopt};
-  begun.outlined = begin_surface(begun.start, views, options.start, pixel_size(views), progress);
-  record.add(start_name, write_mesh(begun.start).bytes);
-  if (begun.outlined) record.add(hull_name, write_mesh({*begun.outlined, {}, {}}).bytes);
-  return begun;
-}
-
 }  // namespace
 
 ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress) {
   const Beginning beginning =
-      record.resumed() ? found_in(record) : begun(document, views, options, record, progress);
+      record.resumed()
+          ? found_beginning(record)
+          : begin_reconstruction(document, views, {options.start, options.pairs}, record, progress);
+  if (beginning.coarsest && options.on_detail)
+    options.on_detail("photographs see into hollows of the hull: beginning with them open");
   if (beginning.outlined) outline(views, *beginning.outlined);
   const int width = views.front().image.width;
   if (options.spends_views) crop_views(views, beginning.start.mesh);
-  Photographs photographs(views, width, options, beginning.outlined.has_value());
-  ReconstructionLoop loop(photographs, beginning.start, options);
+  Photographs photographs(views, width, options, beginning);
+  ReconstructionLoop loop(photographs, beginning, options);
   const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_pass};
   run_loop(loop, document, unlimited, record, progress);
   ReconstructionResult result = loop.result();

@@ -1,7 +1,7 @@
 /// From calibrated photographs to a closed surface without self-intersection (paper 5.3): from the
-/// visual hull, or a mesh given, towards agreement of the photographs, from coarse to fine. A pass
-/// is remesh(), photo_steps(), clean(). Its topology is what the photographs show: what the hull
-/// joins comes apart.
+/// visual hull, opened where photographs see into it, or a mesh given, towards agreement of the
+/// photographs, from coarse to fine. A pass is remesh(), photo_steps(), clean(). Its topology is
+/// what the photographs show: what the hull joins comes apart.
 ///
 /// A coarse scale sees large errors, but its edges are long: where the first one fails or tears
 /// thin parts off, and was not asked for, the loop begins anew with the next finer one. Where the
@@ -33,6 +33,8 @@ struct ReconstructionOptions {
   StartOptions start;
   ScaleOptions scales;
   PairOptions pairs;
+  /// Nothing: 3, but 5 and then 3 from a hull that was opened.
+  std::optional<WindowRadii> windows = std::nullopt;
   std::size_t passes = 4;  ///< at a scale, at most; twice while the topology changes
   /// Of a pass. Silhouettes pull as strongly as masks; outlines of the hull, which are as if only
   /// the least was shown, pull by a fifth of it. What they mean is in `start`.

@@ -77,6 +77,8 @@ void LevelRule::remember(Memory& memory) {
   memory("coverage", coverage_)("pixels", pixels_);
 }
 
+int WindowRadii::at(double scale) const { return scale > late_scale ? coarse : fine; }
+
 bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now) {
   return real(pixels_now) < 0.95 * real(pixels_of_start);
 }

@@ -60,6 +60,15 @@ class LevelRule {
   std::size_t pixels_ = 0;
 };
 
+/// Radii of the windows in which photographs are compared: larger ones at scale 2 and above find
+/// the way where a surface is far off or there is little texture, smaller ones below show detail.
+struct WindowRadii {
+  int coarse = 3;
+  int fine = 3;
+
+  int at(double scale) const;
+};
+
 /// Whether edges were too long, so that thin parts of the object are gone, and with them a
 /// twentieth of the pixels that are compared. A start that was only too large loses fewer.
 bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now);

@@ -23,6 +23,7 @@ struct StartOptions {
   /// all where a mesh is given, as there may be anything behind the object.
   std::optional<ThresholdOptions> threshold = std::nullopt;
   double keep = 1;               ///< HullOptions::keep
+  bool opens_hollows = true;     ///< of a hull, by depth maps (opened_hull.h)
   double least_agreement = 0.7;  ///< ViewCheckOptions::least_agreement, without masks
 };
 

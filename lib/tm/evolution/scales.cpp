@@ -13,7 +13,6 @@ namespace transformesh {
 namespace {
 
 constexpr double coarsest_pixels = 28.5;
-constexpr double largest_scale = 11.3;
 /// Of a scale or an edge that is nearly the one wanted.
 constexpr double tolerance = 0.999;
 
@@ -27,7 +26,7 @@ Level rounded(double scale, double edge) {
 
 std::vector<Level> coarse_to_fine(const ScaleOptions& options, int image_width, double pixel) {
   const double coarsest =
-      options.coarsest.value_or(std::min(image_width / coarsest_pixels, largest_scale));
+      options.coarsest.value_or(std::min(image_width / coarsest_pixels, options.largest));
   int steps = 0;
   while (scale_after(steps) < coarsest * tolerance) ++steps;
   std::vector<Level> levels;

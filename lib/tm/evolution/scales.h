@@ -12,10 +12,11 @@ namespace transformesh {
 
 struct ScaleOptions {
   /// The first scale, >= 1, rounded up to a power of the square root of 2. Nothing: that at which
-  /// photographs are 28 pixels wide, 11.3 at most.
+  /// photographs are 28 pixels wide, `largest` at most.
   std::optional<double> coarsest = std::nullopt;
   double edge = 3;       ///< pixels of the scale; >= 1
   double last_edge = 3;  ///< at full scale edges become as short as this
+  double largest = 11.3;
 };
 
 struct Level {

@@ -163,6 +163,14 @@ TEST_CASE(
   CHECK_FALSE(is_exploded(many, 50));
 }
 
+TEST_CASE("windows are those of coarse scales down to scale 2") {
+  const WindowRadii radii{5, 2};
+  CHECK(radii.at(11.3137) == 5);
+  CHECK(radii.at(2) == 5);
+  CHECK(radii.at(1.4142) == 2);
+  CHECK(radii.at(1) == 2);
+}
+
 TEST_CASE("windows that disagree as much as the mean pull less where photographs agree well") {
   CHECK(robust_loss({}, 0.2) == 0.2);
   CHECK(robust_loss({}, 0.25) == 0);

@@ -1,0 +1,31 @@
+/// Opens a visual hull where depth maps see into it: signed distances to what the views see, fused
+/// on the hull's grid.
+/// Reference: Curless & Levoy, "A volumetric method for building complex models from range images",
+/// SIGGRAPH 1996.
+///
+/// A node before the depth of a view is free there by that distance, one closely behind it solid,
+/// and of one farther behind the view says nothing. The mean over the views, cut off at a few
+/// cells, counts by how many they are; solid is what none sees, but for what lies between free
+/// nodes. So a few wrong depths among many nodes open nothing, and no films are left between rays.
+#pragma once
+
+#include <span>
+
+#include "tm/support/progress.h"
+#include "tm/views/depth/depth_maps.h"
+
+namespace transformesh {
+
+struct DepthFusionOptions {
+  double truncation = 3;  ///< cells, > 0: distances are cut off at it
+  double prior = 1;       ///< > 0: views whose word what no view sees is worth, as being solid
+  int blur = 1;           ///< cells, >= 0: radius of the neighborhood that votes
+};
+
+/// The larger of the hull's value and the fused one, at each node. O(nodes * views), in parallel;
+/// the same for any number of threads.
+ValueGrid fuse_depths(const ValueGrid& hull, std::span<const View> views,
+                      std::span<const DepthMap> maps, const DepthFusionOptions& options = {},
+                      const Progress& progress = {});
+
+}  // namespace transformesh

@@ -1,0 +1,38 @@
+/// The visual hull, opened where photographs see into hollows that no silhouette shows: as deep as
+/// that steps from a hull (photo_step.h) would not get there.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "tm/support/progress.h"
+#include "tm/views/cameras/view_pairs.h"
+#include "tm/views/depth/depth_fusion.h"
+#include "tm/views/hull/hull.h"
+
+namespace transformesh {
+
+struct OpenedHullOptions {
+  double size_px = 140;  ///< photographs are made smaller, so that the longest side is as long
+  double cell_px = 1.5;  ///< of the grid, in pixels of these
+  /// [0, 1]: of the hull's volume, that must be open deeper than four cells.
+  double least_share = 0.015;
+  double keep = 1;  ///< HullOptions::keep
+  PairOptions pairs;
+  DepthMapsOptions maps;
+  DepthFusionOptions fusion;
+};
+
+struct OpenedHull {
+  Mesh mesh;         ///< as HullResult::mesh
+  double scale = 1;  ///< of the photographs whose depths were fused
+};
+
+/// Nothing where no hollow is that deep. Views have photographs, and silhouettes as those of
+/// visual_hull(); throws as that does. O(pixels at that size * planes * pairs); in parallel, the
+/// same for any number of threads.
+std::optional<OpenedHull> opened_hull(std::span<const View> views,
+                                      const OpenedHullOptions& options = {},
+                                      const Progress& progress = {});
+
+}  // namespace transformesh
