@@ -1,5 +1,7 @@
 /// tm-cameras: converts camera files, and lists what they hold.
 
+#include <map>
+
 #include "camera_table.h"
 #include "frame/run.h"
 #include "tm/support/error.h"
@@ -21,6 +23,12 @@ struct Options {
   std::vector<double> center;
 };
 
+const std::map<std::string, CameraFormat> formats{{"middlebury", CameraFormat::middlebury},
+                                                  {"colmap", CameraFormat::colmap},
+                                                  {"colmap-binary", CameraFormat::colmap_binary},
+                                                  {"opencv", CameraFormat::opencv},
+                                                  {"matrices", CameraFormat::matrices}};
+
 CameraList read(const std::string& where, const Options& options, tool::Run& run) {
   run.progress()("reading cameras");
   CameraList list = where == "-" ? parse_cameras(run.read_bytes("-"), "standard input", "camera")
@@ -35,7 +43,12 @@ CameraList read(const std::string& where, const Options& options, tool::Run& run
 
 std::string table(CameraList list, const Options& options, tool::Run& run) {
   std::vector<PinholeCamera> cameras;
-  for (const CameraRecord& record : list.cameras) cameras.push_back(record.camera);
+  for (const CameraRecord& record : list.cameras) {
+    if (record.is_relative)
+      throw InputError("the focal length of '" + record.name +
+                       "' is a share of the image's side (" + record.place + "): name the images");
+    cameras.push_back(record.camera);
+  }
   PairOptions pairs;
   pairs.neighbors = static_cast<std::size_t>(options.neighbors);
   tool::CameraTable table;
@@ -52,9 +65,7 @@ std::string table(CameraList list, const Options& options, tool::Run& run) {
 
 // Into the folder if one is named, and then nothing to standard output.
 std::string convert(const CameraList& list, const Options& options, tool::Run& run) {
-  const CameraFormat format = options.format == "colmap"     ? CameraFormat::colmap
-                              : options.format == "matrices" ? CameraFormat::matrices
-                                                             : CameraFormat::middlebury;
+  const CameraFormat format = formats.at(options.format);
   if (options.folder.empty()) return write_cameras(list, format);
   const auto files = write_camera_files(list, format);
   for (const CameraText& file : files) run.write_into(options.folder, file.name, file.text);
@@ -68,7 +79,8 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-cameras", "[OPTION]... [WHERE]",
                         "Converts the camera files of calibrated photographs, or lists them",
                         tool::Reads::file, tool::Writes::text};
-  program.choice("format", &options.format, {"middlebury", "colmap", "matrices"},
+  program.choice("format", &options.format,
+                 {"middlebury", "colmap", "colmap-binary", "opencv", "matrices"},
                  "format of the output; the input's is told by its content");
   program.text("folder", &options.folder, "FOLDER",
                "write the format's own files there instead of one text to the output");

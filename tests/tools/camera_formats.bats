@@ -163,3 +163,131 @@ opencv() {
     [[ $stderr == *"${what#* }"*"${what%% *}.yaml"* ]] || fail "$stderr"
   done
 }
+
+# program bundler|metashape|csv|xmp K1: the cameras of par.txt as bundle.out, metashape.xml,
+# cameras.csv or a file for each in the folder xmp, for images of 64x48.
+program() {
+  mkdir -p xmp
+  awk -v format="$1" -v k1="$2" '
+    function degrees(y, x) { return atan2(y, x) * 57.29577951308232 }
+    function row(i, sign) { return sprintf("%.17g %.17g %.17g\n", sign * r[i, 0], sign * r[i, 1], sign * r[i, 2]) }
+    NR == 1 && format == "bundler" { print "# Bundle file v0.3\n" $1 " 0" }
+    NR == 1 && format == "csv" { print "#cameras " $1 "\r\n#name,x,y,alt,heading,pitch,roll,f,px,py,k1,k2,k3,k4,t1,t2\r" }
+    NR == 1 && format == "metashape" {
+      print "<?xml version=\"1.0\"?>\n<document version=\"1.5.0\">\n<chunk label=\"1\">\n<sensors>"
+      print "<!-- <sensor id=\"9\"> --><sensor id=\"7\" type=\"frame\"><resolution width=\"64\" height=\"48\"/>"
+      print "<calibration type=\"frame\" class=\"initial\"><f>90</f></calibration>"
+      print "<calibration type=\"frame\" class=\"adjusted\"><resolution width=\"64\" height=\"48\"/>"
+      print "<f>120</f><cx>0</cx><cy>0</cy><k1>" k1 "</k1></calibration></sensor></sensors>\n<cameras>"
+      print "<camera id=\"99\" sensor_id=\"7\" label=\"not aligned\"/>"
+    }
+    NR > 1 {
+      name = substr($1, 1, length($1) - 4)
+      for (i = 0; i < 9; ++i) r[int(i / 3), i % 3] = $(11 + i)
+      for (i = 0; i < 3; ++i) c[i] = -(r[0, i] * $20 + r[1, i] * $21 + r[2, i] * $22)
+      if (format == "bundler")
+        printf "120 %g 0\n%s%s%s%.17g %.17g %.17g\n", k1, row(0, 1), row(1, -1), row(2, -1), $20, -$21, -$22
+      if (format == "metashape") {
+        printf "<camera id=\"%d\" sensor_id=\"7\" label=\"%s\"><transform>", NR, name
+        for (i = 0; i < 3; ++i) printf "%.17g %.17g %.17g %.17g ", r[0, i], r[1, i], r[2, i], c[i]
+        print "0 0 0 1</transform></camera>"
+      }
+      if (format == "csv") {
+        # Columns of the turn from a camera with y up, which looks along -z.
+        heading = -degrees(r[1, 0], -r[1, 1])
+        pitch = degrees(-r[1, 2], sqrt(r[1, 0] ^ 2 + r[1, 1] ^ 2))
+        roll = degrees(-r[0, 2], -r[2, 2])
+        printf "%s.pgm,%.15g,%.15g,%.15g,%.15g,%.15g,%.15g,67.5,0,0,%g,0,0,0,0,0\r\n", name, c[0], c[1], c[2], heading, pitch, roll, k1
+      }
+      if (format == "xmp") {
+        file = "xmp/" name ".xmp"
+        print "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF><rdf:Description xcr:Version=\"3\"" >file
+        print "xcr:DistortionModel=\"brown3\" xcr:FocalLength35mm=\"67.5\" xcr:Skew=\"0\" xcr:AspectRatio=\"1\"" >file
+        print "xcr:PrincipalPointU=\"0\" xcr:PrincipalPointV=\"0\">\n<xcr:Rotation>" >file
+        print row(0, 1) row(1, 1) row(2, 1) "</xcr:Rotation>" >file
+        printf "<xcr:Position>%.17g %.17g %.17g</xcr:Position>\n", c[0], c[1], c[2] >file
+        print "<xcr:DistortionCoeficients>" k1 " 0 0 0 0 0</xcr:DistortionCoeficients>" >file
+        print "</rdf:Description></rdf:RDF></x:xmpmeta>" >file
+        close(file)
+      }
+    }
+    END { if (format == "metashape") print "</cameras>\n</chunk>\n</document>" }' par.txt
+}
+
+@test "Bundler, Metashape and RealityCapture give the hull of the same cameras, with and without distortion" {
+  for k1 in 0 2; do
+    make_balls . $k1
+    tm-cameras --images masks --format colmap --folder colmap par.txt
+    [ $k1 = 0 ] || echo "1 OPENCV 64 48 120 120 32 24 $k1 0 0 0" >colmap/cameras.txt
+    hull right colmap
+    program bundler $k1 >bundle.out
+    program metashape $k1 >metashape.xml
+    program csv $k1 >cameras.csv
+    program xmp $k1
+    # A node of the grid that is on the surface may count as in or out: a twentieth of a cell, where a
+    # pixel is 0.067 wide.
+    for cameras in bundle.out metashape.xml cameras.csv xmp; do
+      hull other $cameras
+      near right other 0.01
+      # There and back.
+      tm-cameras --images masks --format colmap-binary --folder back $cameras
+      hull back back
+      near right back 0.01
+    done
+  done
+}
+
+@test "COLMAP's binary model and OpenCV's files are written as they are read" {
+  make_balls . 2
+  echo '1 OPENCV 64 48 120 121 32 24.5 2 0.1 0.02 0.03' >colmap/cameras.txt
+  tm-cameras --format colmap-binary --folder binary colmap
+  [ "$(cd binary && echo *)" = "cameras.bin images.bin points3D.bin" ]
+  # The same numbers as text.
+  tm-cameras --format colmap --folder text colmap
+  cmp <(tm-cameras --format colmap text) <(tm-cameras --format colmap binary)
+  hull text text
+  hull binary binary
+  cmp text.ply binary.ply
+  tm-cameras --format opencv --folder opencv binary
+  [ "$(ls opencv | wc -l)" -eq 9 ]
+  hull opencv opencv
+  near text opencv 0.01
+  tm-cameras --format opencv opencv/view3.yml | cmp - opencv/view3.yml
+  # What is several files needs a folder.
+  for format in opencv colmap-binary; do
+    run --separate-stderr tm-cameras --format $format colmap
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr == *folder* ]]
+  done
+}
+
+@test "what Metashape and RealityCapture leave out, and what is not taken out here, is told" {
+  program metashape 0 >metashape.xml
+  program csv 0 >cameras.csv
+  program xmp 0
+  tm-cameras --list metashape.xml >table
+  [ "$(grep -c ^view table)" -eq 9 ]
+  run --separate-stderr tm-cameras --list cameras.csv
+  assert_status 3
+  one_line "$stderr"
+  [[ $stderr == *"cameras.csv line 3"*"name the images"* ]]
+  run --separate-stderr tm-cameras cameras.csv
+  assert_status 3
+  [[ $stderr == *"name the images"* ]]
+  refused() { # FILE WORDS
+    run --separate-stderr tm-cameras --images masks "$1"
+    assert_status 3
+    one_line "$stderr"
+    [[ $stderr == *"$2"* ]] || fail "$stderr"
+  }
+  sed 's/<k1>0/<k4>0.5<\/k4><k1>0/' metashape.xml >bad.xml && refused bad.xml 'k4'
+  sed 's/type="frame" class/type="fisheye" class/' metashape.xml >bad.xml && refused bad.xml "'fisheye'"
+  sed 's/sensor_id="7"/sensor_id="8"/' metashape.xml >bad.xml && refused bad.xml 'no sensor'
+  sed 's/<transform>/<moved>/; s/<.transform>/<\/moved>/' metashape.xml >bad.xml && refused bad.xml 'aligned'
+  sed '4s/67.5/67.5x/' cameras.csv >bad.csv && refused bad.csv "'67.5x'"
+  sed 's/,pitch/,pinch/' cameras.csv >bad.csv && refused bad.csv 'pitch'
+  sed '5s/,0,0\r/\r/' cameras.csv >bad.csv && refused bad.csv 'line 5'
+  sed 's/brown3/division/; s/>0 0 0 0 0 0</>0.1 0 0 0 0 0</' xmp/view0.xmp >bad.xmp && refused bad.xmp "'division'"
+  sed 's/Position/Place/g' xmp/view0.xmp >bad.xmp && refused bad.xmp 'Position'
+}

@@ -31,9 +31,9 @@ CameraRecord read_camera(TextRows& rows, const Source& source, std::size_t numbe
     rows.fail(who + " has focal length 0: Bundler could not place it, leave it out");
   record.camera.intrinsics = Vec3(lens.x(), lens.x(), 1).asDiagonal();
   check_intrinsics(rows, record.camera.intrinsics, who);
-  if (lens.y() != 0 || lens.z() != 0) {
-    rows.fail(who + " has radial distortion (k1, k2): undistort the images first");
-  }
+  // The same in a world with y down: distortion is radial.
+  record.distortion.radial[0] = lens.y();
+  record.distortion.radial[1] = lens.z();
   const Vec3 turned(1, -1, -1);
   for (int i = 0; i < 3; ++i) {
     const Vec3 row = read_vector(rows, "row " + std::to_string(i + 1) + " of R of " + who);

@@ -12,8 +12,8 @@ namespace transformesh {
 namespace {
 
 constexpr std::string_view known_formats =
-    "Middlebury parameters, COLMAP's models, Bundler, OpenCV's YAML and XML and 3x4 matrices are "
-    "read";
+    "Middlebury parameters, COLMAP's models, Bundler, OpenCV's YAML and XML, Metashape's XML, "
+    "RealityCapture's CSV and XMP and 3x4 matrices are read";
 
 /// Goes to the first row that is not a comment; false where there is none.
 bool first_row(TextRows& rows) {
@@ -28,6 +28,16 @@ bool are_numbers(TextRows rows) {
     if (!is_number(rows.word())) return false;
   }
   return true;
+}
+
+/// By words that only one program writes.
+std::optional<CameraFormat> format_of_program(std::string_view beginning) {
+  const auto has = [&](const char* word) { return beginning.find(word) != std::string_view::npos; };
+  if (has("<document") && has("<chunk")) return CameraFormat::metashape;
+  const bool is_xmp = has("<x:xmpmeta") && has("xcr:");
+  if (is_xmp || beginning.starts_with("#name,") || has("\n#name,"))
+    return CameraFormat::reality_capture;
+  return {};
 }
 
 /// The format of a file by its first row, where the number of numbers in that does not tell.
@@ -64,16 +74,17 @@ void check_written_name(const CameraRecord& record) {
 void check_complete(const CameraList& list) {
   for (const CameraRecord& record : list.cameras) {
     check_written_name(record);
-    if (!record.is_centered) continue;
-    throw InputError("the principal point of " + transformesh::quoted(record.name) +
-                     " is the center of an image of unknown size (" + record.place +
+    if (!record.is_centered && !record.is_relative) continue;
+    throw InputError("the principal point of " + transformesh::quoted(record.name) + " is " +
+                     (record.is_centered ? "" : "counted from ") +
+                     "the center of an image of unknown size (" + record.place +
                      "): name the images");
   }
 }
 
-/// Of the formats that are written, COLMAP's alone has distortion.
+/// Of the formats that are written, COLMAP's and OpenCV's alone have distortion.
 void check_undistorted(const CameraList& list, CameraFormat format) {
-  if (format == CameraFormat::colmap) return;
+  if (format != CameraFormat::middlebury && format != CameraFormat::matrices) return;
   for (const CameraRecord& record : list.cameras) {
     if (record.distortion.is_none()) continue;
     throw InputError("the lens of " + transformesh::quoted(record.name) + " has distortion (" +
@@ -83,14 +94,28 @@ void check_undistorted(const CameraList& list, CameraFormat format) {
   }
 }
 
-/// Each matrix needs a file of its own that is found in its folder.
+/// Throws for what is not written, or into several files.
+void check_is_one_text(const CameraList& list, CameraFormat format) {
+  const auto refuse = [](const char* program) {
+    throw InputError(std::string(program) + "'s files are read, not written");
+  };
+  if (format == CameraFormat::bundler) refuse("Bundler");
+  if (format == CameraFormat::metashape) refuse("Metashape");
+  if (format == CameraFormat::reality_capture) refuse("RealityCapture");
+  if (format == CameraFormat::colmap_binary)
+    throw InputError("COLMAP's binary model has several files: name a folder for them");
+  if (format == CameraFormat::opencv && list.cameras.size() != 1)
+    throw InputError("OpenCV's files hold a camera each: name a folder for them");
+}
+
+/// Each camera needs a file of its own that is found in its folder.
 void check_files(const std::vector<CameraText>& files, const CameraList& list) {
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string& name = files[i].name;
     const bool is_new = names.insert(name).second;
     if (is_new && !name.starts_with('.')) continue;
-    throw InputError("the matrix of " + transformesh::quoted(list.cameras[i].name) + " (" +
+    throw InputError("the file of " + transformesh::quoted(list.cameras[i].name) + " (" +
                      list.cameras[i].place + ") would be in " + transformesh::quoted(name) +
                      (is_new ? ", a hidden file" : ", as another one is") + ": rename the image");
   }
@@ -106,6 +131,11 @@ CameraList parse(const Source& source, CameraFormat format, const std::string& s
       return read_bundler(source);
     case CameraFormat::opencv:
       return read_opencv(source, stem);
+    case CameraFormat::metashape:
+      return read_metashape(source);
+    case CameraFormat::reality_capture:
+      return read_reality_capture(source, stem);
+    case CameraFormat::colmap_binary:
     case CameraFormat::matrices:
       break;
   }
@@ -192,6 +222,7 @@ std::optional<CameraFormat> camera_format(std::string_view bytes) {
   if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) return {};
   if (bytes.starts_with("%YAML") || bytes.find("<opencv_storage") < 4096)
     return CameraFormat::opencv;
+  if (const auto format = format_of_program(bytes.substr(0, 4096))) return format;
   const Source source{bytes, ""};
   TextRows rows(source, 0, {'\0', false});
   const bool has_row = first_row(rows);
@@ -230,8 +261,8 @@ CameraList cameras_from(const std::string& where) {
 std::string write_cameras(const CameraList& list, CameraFormat format) {
   check_complete(list);
   check_undistorted(list, format);
-  if (format == CameraFormat::bundler) throw InputError("Bundler's files are read, not written");
-  if (format == CameraFormat::opencv) throw InputError("OpenCV's files are read, not written");
+  check_is_one_text(list, format);
+  if (format == CameraFormat::opencv) return write_opencv(list.cameras.front());
   if (format == CameraFormat::middlebury) return write_middlebury(list);
   if (format == CameraFormat::colmap) return write_colmap_cameras(list) + write_colmap_images(list);
   std::string text;
@@ -249,10 +280,18 @@ std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat 
             {"images.txt", write_colmap_images(list)},
             {"points3D.txt", "# No points\n"}};
   }
-  if (format != CameraFormat::matrices) return {{"cameras_par.txt", write_cameras(list, format)}};
+  if (format == CameraFormat::colmap_binary) {
+    return {{"cameras.bin", binary_colmap_cameras(write_colmap_cameras(list))},
+            {"images.bin", binary_colmap_images(write_colmap_images(list))},
+            {"points3D.bin", std::string(8, '\0')}};
+  }
+  const bool is_opencv = format == CameraFormat::opencv;
+  if (!is_opencv && format != CameraFormat::matrices)
+    return {{"cameras_par.txt", write_cameras(list, format)}};
   std::vector<CameraText> files;
   for (const CameraRecord& record : list.cameras) {
-    files.push_back({stem_of(record.name) + ".txt", write_matrix(record)});
+    files.push_back({stem_of(record.name) + (is_opencv ? ".yml" : ".txt"),
+                     is_opencv ? write_opencv(record) : write_matrix(record)});
   }
   check_files(files, list);
   return files;

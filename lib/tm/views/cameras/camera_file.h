@@ -1,5 +1,5 @@
-/// Camera files: Middlebury parameters, COLMAP's models, Bundler, and 3x4 matrices, told apart by
-/// their content.
+/// Camera files: Middlebury parameters, COLMAP's models, Bundler, OpenCV, Metashape, RealityCapture
+/// and 3x4 matrices, told apart by their content.
 ///
 /// Middlebury: the number of cameras, then a line `name k11 .. k33 r11 .. r33 t1 t2 t3` for each.
 /// COLMAP: cameras.txt and images.txt, in two files of a folder or joined in one text, or
@@ -8,12 +8,14 @@
 /// scale; several may follow each other in a file, each perhaps after a comment `# name`.
 ///
 /// OpenCV: YAML or XML with camera_matrix, distortion_coefficients, and R and T, or rows of
-/// extrinsic_parameters.
+/// extrinsic_parameters. Metashape: the XML of its cameras, aligned ones, in units of the chunk.
+/// RealityCapture: its table (CSV) of internal and external parameters, or an XMP file a camera.
 ///
-/// Distortion is known of OpenCV and of COLMAP's models SIMPLE_RADIAL, RADIAL, OPENCV and
-/// FULL_OPENCV. All of them throw InputError naming file and line for cameras that a pinhole, but
-/// for that, is not, for numbers that are missing, not finite, beyond 1e100 or no numbers, for
-/// focal lengths that are nothing beside the principal point, and for counts that disagree.
+/// Distortion is known of Bundler, OpenCV, Metashape and RealityCapture, but for their terms beyond
+/// r^6, and of COLMAP's models SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV. All of them throw
+/// InputError naming file and line for cameras that a pinhole, but for that, is not, for numbers
+/// that are missing, not finite, beyond 1e100 or no numbers, for focal lengths that are nothing
+/// beside the principal point, and for counts that disagree.
 #pragma once
 
 #include <optional>
@@ -25,7 +27,16 @@
 
 namespace transformesh {
 
-enum class CameraFormat { middlebury, colmap, bundler, matrices, opencv };
+enum class CameraFormat {
+  middlebury,
+  colmap,
+  colmap_binary,  ///< to be written
+  bundler,
+  matrices,
+  opencv,
+  metashape,
+  reality_capture
+};
 
 /// None where the beginning looks like no camera file.
 std::optional<CameraFormat> camera_format(std::string_view bytes);
@@ -46,13 +57,14 @@ struct CameraText {
 };
 
 /// One text that reads back as the same cameras. Throws InputError for what the format cannot hold:
-/// Bundler and OpenCV are only read, COLMAP needs the images' sizes and no skew, the others no
+/// Bundler, Metashape and RealityCapture are only read, OpenCV holds one camera, COLMAP's binary
+/// files are two, COLMAP needs the images' sizes, these three no skew, Middlebury and matrices no
 /// distortion, Middlebury names without blanks, all of them names that are not empty; and for
-/// cameras that are still to be centered.
+/// cameras that are still to be given the size of their image.
 std::string write_cameras(const CameraList& list, CameraFormat format);
 
-/// As the programs of the format expect it in a folder: COLMAP's three files, a matrix for each
-/// camera as `NAME.txt`, Middlebury's `cameras_par.txt`.
+/// As the programs of the format expect it in a folder: COLMAP's three files, for each camera a
+/// matrix as `NAME.txt` or OpenCV's `NAME.yml`, Middlebury's `cameras_par.txt`.
 std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat format);
 
 }  // namespace transformesh

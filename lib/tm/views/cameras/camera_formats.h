@@ -13,6 +13,9 @@ CameraList read_middlebury(const Source& source);
 CameraList read_bundler(const Source& source);
 /// Cameras are called after the stem.
 CameraList read_opencv(const Source& source, const std::string& stem);
+CameraList read_metashape(const Source& source);
+/// The table of cameras, or the XMP file of one, which is called after the stem.
+CameraList read_reality_capture(const Source& source, const std::string& stem);
 /// Cameras without a name are called after the stem.
 CameraList read_matrices(const Source& source, const std::string& stem);
 /// Cameras and images in one text.
@@ -30,6 +33,10 @@ std::string write_middlebury(const CameraList& list);
 std::string write_matrix(const CameraRecord& record);
 std::string write_colmap_cameras(const CameraList& list);
 std::string write_colmap_images(const CameraList& list);
+/// cameras.bin and images.bin of their texts.
+std::string binary_colmap_cameras(const std::string& text);
+std::string binary_colmap_images(const std::string& text);
+std::string write_opencv(const CameraRecord& record);
 
 bool is_number(std::string_view word);
 

@@ -33,10 +33,11 @@ void CameraRecord::set_size(int columns, int rows, const std::string& image) {
   }
   width = columns;
   height = rows;
-  if (!is_centered) return;
-  camera.intrinsics(0, 2) = (columns - 1) / 2.0;
-  camera.intrinsics(1, 2) = (rows - 1) / 2.0;
-  is_centered = false;
+  if (is_relative) camera.intrinsics.topRows<2>() *= std::max(columns, rows);
+  if (is_centered) camera.intrinsics.col(2).head<2>().setZero();
+  if (is_centered || is_relative)
+    camera.intrinsics.col(2).head<2>() += Eigen::Vector2d(columns - 1, rows - 1) / 2;
+  is_centered = is_relative = false;
 }
 
 bool is_number(std::string_view word) {

@@ -18,9 +18,12 @@ struct CameraRecord {
   int height = 0;
   LensDistortion distortion;  ///< of the photograph; the camera is the pinhole without it
   bool is_centered = false;   ///< the principal point is the center of an image of unknown size
+  /// The intrinsics are in units of the larger side of an image of unknown size, with the principal
+  /// point counted from its center.
+  bool is_relative = false;
 
-  /// Checks the image's size, and centers the principal point if that is still to be done. Throws
-  /// InputError where the file says another size; `image` names it there.
+  /// Checks the image's size, and makes the intrinsics those of that size if that is still to be
+  /// done. Throws InputError where the file says another size; `image` names it there.
   void set_size(int columns, int rows, const std::string& image);
 };
 

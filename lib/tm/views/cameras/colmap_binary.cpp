@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 
+#include "tm/support/number.h"
 #include "tm/views/cameras/camera_formats.h"
 
 namespace transformesh {
@@ -115,7 +117,90 @@ std::string images_text(const Source& source) {
   return text.take();
 }
 
+/// Numbers one after the other, little-endian.
+class Bytes {
+ public:
+  template <class Number>
+  void add(Number number) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    bytes_.append(bytes.data(), bytes.size());
+  }
+  void add(std::string_view text) { bytes_ += text; }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+/// The words of a row of text, and the rest where there is no more than a name.
+class Words {
+ public:
+  explicit Words(std::string_view row) : rest_(row) {}
+
+  bool has_more() const { return !rest_.empty(); }
+  std::string_view rest() const { return rest_; }
+  std::string_view word() {
+    const std::string_view word = rest_.substr(0, rest_.find(' '));
+    rest_.remove_prefix(std::min(word.size() + 1, rest_.size()));
+    return word;
+  }
+  template <class Number>
+  Number number() {
+    return number_in<Number>(word()).value_or(0);
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+/// The rows that are neither empty nor comments.
+std::vector<std::string_view> rows_of(std::string_view text) {
+  std::vector<std::string_view> rows;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    if (end > 0 && text.front() != '#') rows.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  return rows;
+}
+
+std::int32_t number_of_model(std::string_view name) {
+  const auto* const model =
+      std::find_if(models.begin(), models.end(), [&](const Model& m) { return m.name == name; });
+  return static_cast<std::int32_t>(model - models.begin());
+}
+
 }  // namespace
+
+std::string binary_colmap_cameras(const std::string& text) {
+  const std::vector<std::string_view> rows = rows_of(text);
+  Bytes bytes;
+  bytes.add(static_cast<std::uint64_t>(rows.size()));
+  for (const std::string_view row : rows) {
+    Words words(row);
+    bytes.add(words.number<std::int32_t>());
+    bytes.add(number_of_model(words.word()));
+    for (int side = 0; side < 2; ++side) bytes.add(words.number<std::uint64_t>());
+    while (words.has_more()) bytes.add(words.number<double>());
+  }
+  return bytes.take();
+}
+
+std::string binary_colmap_images(const std::string& text) {
+  const std::vector<std::string_view> rows = rows_of(text);
+  Bytes bytes;
+  bytes.add(static_cast<std::uint64_t>(rows.size()));
+  for (const std::string_view row : rows) {
+    Words words(row);
+    bytes.add(words.number<std::uint32_t>());
+    for (int i = 0; i < 7; ++i) bytes.add(words.number<double>());
+    bytes.add(words.number<std::uint32_t>());
+    bytes.add(words.rest());
+    bytes.add('\0');
+    bytes.add(std::uint64_t{0});  // points
+  }
+  return bytes.take();
+}
 
 CameraList read_colmap_binary(const Source& cameras, const Source& images) {
   const std::string camera_lines = cameras_text(cameras);

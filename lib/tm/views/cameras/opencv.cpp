@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tm/support/elementary/trigonometric.h"
+#include "tm/support/error.h"
 #include "tm/views/cameras/camera_formats.h"
 
 namespace transformesh {
@@ -168,7 +169,61 @@ std::vector<PinholeCamera> poses_of(const Storage& storage) {
   return {pose};
 }
 
+void add_matrix(const char* key, int rows, int columns, const std::vector<double>& numbers,
+                TextBuffer& text) {
+  text.add(key);
+  text.add(": !!opencv-matrix\n   rows: ");
+  text.add_number(rows);
+  text.add("\n   cols: ");
+  text.add_number(columns);
+  text.add("\n   dt: d\n   data: [ ");
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0) text.add(i % 3 == 0 ? ",\n       " : ", ");
+    text.add_decimal(numbers[i]);
+  }
+  text.add(" ]\n");
+}
+
+std::vector<double> numbers_of(const Eigen::Matrix3d& matrix) {
+  std::vector<double> numbers;
+  for (int i = 0; i < 9; ++i) numbers.push_back(matrix(i / 3, i % 3));
+  return numbers;
+}
+
+/// As many as there are: k1 k2 p1 p2 k3, and k4 k5 k6 behind them.
+std::vector<double> numbers_of(const LensDistortion& distortion) {
+  const auto& k = distortion.radial;
+  const auto& [p1, p2] = distortion.tangential;
+  std::vector<double> numbers{k[0], k[1], p1, p2, k[2], k[3], k[4], k[5]};
+  if (k[3] == 0 && k[4] == 0 && k[5] == 0) numbers.resize(5);
+  return numbers;
+}
+
 }  // namespace
+
+std::string write_opencv(const CameraRecord& record) {
+  const PinholeCamera& camera = record.camera;
+  if (camera.intrinsics(0, 1) != 0) {
+    throw InputError("OpenCV's pinhole has no skew, but the camera of " + quoted(record.name) +
+                     " has (" + record.place + ")");
+  }
+  TextBuffer text;
+  text.add("%YAML:1.0\n---\n");
+  if (record.width > 0) {
+    text.add("image_width: ");
+    text.add_number(record.width);
+    text.add("\nimage_height: ");
+    text.add_number(record.height);
+    text.add('\n');
+  }
+  add_matrix("camera_matrix", 3, 3, numbers_of(camera.intrinsics), text);
+  const std::vector<double> distortion = numbers_of(record.distortion);
+  add_matrix("distortion_coefficients", static_cast<int>(distortion.size()), 1, distortion, text);
+  add_matrix("R", 3, 3, numbers_of(camera.rotation), text);
+  const Vec3& t = camera.translation;
+  add_matrix("T", 3, 1, {t.x(), t.y(), t.z()}, text);
+  return text.take();
+}
 
 CameraList read_opencv(const Source& source, const std::string& stem) {
   const Storage storage(source);

@@ -69,7 +69,8 @@ TEST_CASE("Bundler: looks along -z with y up, around the image's center") {
   const double f = 500;
   const Eigen::Matrix3d r = Eigen::AngleAxisd(0.4, Vec3(1, 2, 2) / 3).toRotationMatrix();
   const Vec3 t(0.2, -0.3, -6);
-  std::string text = bundle + "500 0 0\n";
+  const double k1 = 0.2, k2 = -0.3;
+  std::string text = bundle + "500 0.2 -0.3\n";
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       text += exact(r(i, j)) + ' ';
@@ -81,21 +82,27 @@ TEST_CASE("Bundler: looks along -z with y up, around the image's center") {
   CHECK_FALSE(list.names_images);
   list.cameras[0].set_size(641, 481, "a.png");
 
-  // As Bundler's manual has it: P = R X + t, p = -P / P.z, pixel f p from the center, y upwards.
+  // As Bundler's manual has it: P = R X + t, p = -P / P.z, pixel f r(p) p from the center, y
+  // upwards, where r(p) = 1 + k1 |p|^2 + k2 |p|^4.
   const Vec3 point(0.5, 0.1, 0.3);
   const Vec3 in_camera = r * point + t;
   const Vec3 p = -in_camera / in_camera.z();
-  const Eigen::Vector2d expected(320 + f * p.x(), 240 - f * p.y());
-  const Vec3 q = list.cameras[0].camera.projection() * point.homogeneous();
-  CHECK(q.z() > 0);
+  const double size = p.head<2>().squaredNorm();
+  const double bend = f * (1 + k1 * size + k2 * size * size);
+  const Eigen::Vector2d expected(320 + bend * p.x(), 240 - bend * p.y());
+  const PinholeCamera& camera = list.cameras[0].camera;
+  const Vec3 seen = camera.rotation * point + camera.translation;
+  CHECK(seen.z() > 0);
+  const Eigen::Vector2d bent =
+      list.cameras[0].distortion.distorted(seen.x() / seen.z(), seen.y() / seen.z());
+  const Vec3 q = camera.intrinsics * bent.homogeneous();
   CHECK((q.hnormalized() - expected).norm() < 1e-9);
 }
 
 TEST_CASE("Bundler: every mistake is refused with its line") {
   const std::string pose = "1 0 0\n0 1 0\n0 0 1\n0 0 -5\n";
   CHECK(refusal(bundle + "500 0 0\n" + pose).empty());
-  CHECK(is_refused(bundle + "500 0.1 0\n" + pose, "distortion", 3));
-  CHECK(is_refused(bundle + "500 0 -1e-9\n" + pose, "distortion", 3));
+  CHECK(is_refused(bundle + "500 0.1 k\n" + pose, "k2", 3));
   CHECK(is_refused(bundle + "0 0 0\n" + pose, "could not place", 3));
   CHECK(is_refused(bundle + "-5 0 0\n" + pose, "positive", 3));
   CHECK(is_refused("# Bundle file v0.2\n1 0\n500 0 0\n" + pose, "version 0.3", 1));
