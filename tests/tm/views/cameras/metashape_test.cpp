@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
+
 #include "helpers/camera_texts.h"
 
 using namespace transformesh;
