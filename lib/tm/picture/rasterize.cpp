@@ -19,14 +19,15 @@ struct Range {
   int last = -1;
 };
 
-/// What is known of a face before it is drawn.
+}  // namespace
+
 struct FaceSetup {
   EdgeFunctions functions;
   Range columns;
   Range rows;
-
-  bool is_seen() const { return rows.first <= rows.last && columns.first <= columns.last; }
 };
+
+namespace {
 
 /// The integers in [low, high] that are pixels of a row or column.
 Range pixels_between(double low, double high, int size) {
@@ -80,13 +81,13 @@ FaceSetup set_up(const Face& face, const std::vector<Vec3>& projected, const Dra
 }
 
 /// Sorts faces into the bands of rows that they touch, in face order.
-std::vector<std::vector<Index>> faces_of_bands(const std::vector<Range>& rows_of_face, int height,
+std::vector<std::vector<Index>> faces_of_bands(const std::vector<FaceSetup>& setups, int height,
                                                int rows_per_band) {
   std::vector<std::vector<Index>> bands(
       static_cast<std::size_t>((height + rows_per_band - 1) / rows_per_band));
-  for (std::size_t f = 0; f < rows_of_face.size(); ++f) {
-    const Range& rows = rows_of_face[f];
-    if (rows.first > rows.last) continue;
+  for (std::size_t f = 0; f < setups.size(); ++f) {
+    const Range& rows = setups[f].rows;
+    if (rows.first > rows.last || setups[f].columns.first > setups[f].columns.last) continue;
     for (int band = rows.first / rows_per_band; band <= rows.last / rows_per_band; ++band)
       bands[static_cast<std::size_t>(band)].push_back(static_cast<Index>(f));
   }
@@ -145,36 +146,30 @@ EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
                                Sides sides)
-    : camera_(camera),
-      sides_(sides),
-      rows_per_band_(rows_per_band),
-      projected_(mesh.positions.size()),
-      faces_(mesh.faces) {
-  parallel_for(projected_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) projected_[v] = camera.project(mesh.positions[v]);
+    : width_(camera.width), rows_per_band_(rows_per_band), setups_(mesh.faces.size()) {
+  // Project the corners, and find the edge functions.
+  std::vector<Vec3> projected(mesh.positions.size());
+  parallel_for(projected.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) projected[v] = camera.project(mesh.positions[v]);
   });
-  // A face is set up again when it is drawn, which is quicker than to keep what is known of all.
   const Drawn is_drawn(camera, sides);
-  std::vector<Range> rows(faces_.size());
-  parallel_for(rows.size(), items_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f) {
-      const FaceSetup setup = set_up(faces_[f], projected_, is_drawn, camera.width, camera.height);
-      if (setup.is_seen()) rows[f] = setup.rows;
-    }
+  parallel_for(setups_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f)
+      setups_[f] = set_up(mesh.faces[f], projected, is_drawn, camera.width, camera.height);
   });
-  bands_ = faces_of_bands(rows, camera.height, rows_per_band);
+  faces_ = faces_of_bands(setups_, camera.height, rows_per_band);
 }
+
+BandRasterizer::~BandRasterizer() = default;
 
 void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {
   const int first = static_cast<int>(band) * rows_per_band_;
   const int last = first + rows_per_band_ - 1;
-  const Drawn is_drawn(camera_, sides_);
-  for (const Index face : bands_[band]) {
-    const FaceSetup setup =
-        set_up(faces_[face], projected_, is_drawn, camera_.width, camera_.height);
+  for (const Index face : faces_[band]) {
+    const FaceSetup& setup = setups_[face];
     for (int y = std::max(first, setup.rows.first); y <= std::min(last, setup.rows.last); ++y) {
       const auto row = static_cast<std::size_t>(y - first);
-      draw_row(setup, face, y, rows + row * static_cast<std::size_t>(camera_.width));
+      draw_row(setup, face, y, rows + row * static_cast<std::size_t>(width_));
     }
   }
 }

@@ -30,25 +30,26 @@ enum class Sides { both, outside };
 
 FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both);
 
-/// The same a band of rows at a time, for pictures that are not held as a whole. 24 bytes a vertex
-/// and 16 a face.
+struct FaceSetup;  // what is known of a face before it is drawn
+
+/// The same a band of rows at a time, for pictures that are not held as a whole. 120 bytes a face.
 class BandRasterizer {
  public:
   BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
                  Sides sides = Sides::both);
+  ~BandRasterizer();
+  BandRasterizer(const BandRasterizer&) = delete;
+  BandRasterizer& operator=(const BandRasterizer&) = delete;
 
-  std::size_t bands() const { return bands_.size(); }
+  std::size_t bands() const { return faces_.size(); }
   /// Draws rows_per_band rows, of which those below the picture stay empty, to `rows`, which is as
   /// wide as the picture and holds nothing. Safe to call from several threads at once.
   void draw(std::size_t band, FacePixel* rows) const;
 
  private:
-  Camera camera_;
-  Sides sides_;
-  int rows_per_band_;
-  std::vector<Vec3> projected_;  ///< vertices
-  std::vector<Face> faces_;
-  std::vector<std::vector<Index>> bands_;  ///< the faces that touch each, ascending
+  int width_, rows_per_band_;
+  std::vector<FaceSetup> setups_;
+  std::vector<std::vector<Index>> faces_;  ///< that touch each band, ascending
 };
 
 /// The linear functions of pixel (x, y, 1) that vanish on the image of the edge across from each

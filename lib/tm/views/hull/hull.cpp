@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -18,8 +17,6 @@ namespace transformesh {
 namespace {
 
 constexpr double most_nodes = 1 << 28;
-/// Where silhouettes are packed, distances of so many are held at a time; 2 bytes a pixel.
-constexpr std::size_t packed_at_once = 8;
 /// Side of the blocks of nodes that a single look at the silhouettes may carve or keep.
 constexpr std::size_t block_nodes = 8;
 /// By how much an interpolated distance between pixels may be off.
@@ -45,22 +42,18 @@ struct Carver {
   }
 };
 
-std::vector<const View*> usable_of(std::span<const View> views) {
+std::vector<Carver> make_carvers(std::span<const View> views) {
   std::vector<const View*> usable;
   for (const View& view : views)
     if (!view.silhouette.empty()) usable.push_back(&view);
   if (usable.empty()) throw InputError("no view has a silhouette");
-  return usable;
-}
-
-std::vector<Carver> make_carvers(std::span<const View* const> views) {
-  std::vector<Carver> carvers(views.size());
-  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+  std::vector<Carver> carvers(usable.size());
+  parallel_for(usable.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const PinholeCamera& camera = views[i]->camera;
+      const PinholeCamera& camera = usable[i]->camera;
       carvers[i] = {camera.projection(), camera.focal_length(),
-                    signed_distance(views[i]->silhouette)};
-      if (views[i]->silhouette.is_packed()) carvers[i].distances.pack(HeldImage::Kind::distances);
+                    signed_distance(usable[i]->silhouette)};
+      if (usable[i]->silhouette.is_packed()) carvers[i].distances.pack(HeldImage::Kind::distances);
     }
   });
   return carvers;
@@ -131,29 +124,27 @@ Verdict verdict_of(const std::vector<Carver>& carvers, const Box& box) {
   return verdict;
 }
 
-/// Measures the field at the nodes of a grid, block by block, for some views after the other.
+/// Measures the field at the nodes of a grid, block by block.
 class Sampler {
  public:
-  explicit Sampler(ValueGrid& grid) : grid_(grid), far_(static_cast<float>(4 * grid.spacing)) {
+  Sampler(const std::vector<Carver>& carvers, ValueGrid& grid)
+      : carvers_(carvers), grid_(grid), far_(static_cast<float>(4 * grid.spacing)) {
     for (int axis = 0; axis < 3; ++axis)
       blocks_[axis] = (grid.nodes[axis] + block_nodes - 1) / block_nodes;
-    grid_.values.assign(grid_.nodes[0] * grid_.nodes[1] * grid_.nodes[2], far_);
-    states_.assign(blocks_[0] * blocks_[1] * blocks_[2], State::untouched);
   }
 
-  void add(const std::vector<Carver>& carvers, const Progress& progress) {
+  void run(const Progress& progress) {
+    grid_.values.assign(grid_.nodes[0] * grid_.nodes[1] * grid_.nodes[2], far_);
     for (std::size_t z = 0; z < blocks_[2]; ++z) {
       progress("carve", static_cast<double>(z) / static_cast<double>(blocks_[2]));
       parallel_for(blocks_[0] * blocks_[1], 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-          fill({i % blocks_[0], i / blocks_[0], z}, carvers);
+        for (std::size_t i = first; i < last; ++i) fill({i % blocks_[0], i / blocks_[0], z});
       });
     }
   }
 
  private:
   using Site = std::array<std::size_t, 3>;
-  enum class State : std::uint8_t { untouched, inside, carved };  ///< inside: not yet carved
 
   Vec3 place(const Site& site) const {
     return grid_.origin + grid_.spacing * Vec3(static_cast<double>(site[0]),
@@ -161,9 +152,7 @@ class Sampler {
                                                static_cast<double>(site[2]));
   }
 
-  void fill(const Site& block, const std::vector<Carver>& carvers) {
-    State& state = states_[block[0] + blocks_[0] * (block[1] + blocks_[1] * block[2])];
-    if (state == State::carved) return;
+  void fill(const Site& block) {
     Site low, high;
     for (int axis = 0; axis < 3; ++axis) {
       low[axis] = block[axis] * block_nodes;
@@ -172,47 +161,27 @@ class Sampler {
     // The box is one cell wider than the block, so that no edge that leaves a carved or kept block
     // crosses the surface.
     const Vec3 cell = Vec3::Constant(grid_.spacing);
-    const Verdict verdict = verdict_of(carvers, Box{place(low) - cell, place(high)});
-    const State before = state;
-    state = verdict == Verdict::carved ? State::carved : State::inside;
-    // Nodes are outside from the start.
-    if (before == State::untouched && verdict == Verdict::carved) return;
-    if (before == State::inside && verdict == Verdict::kept) return;
+    const Verdict verdict = verdict_of(carvers_, Box{place(low) - cell, place(high)});
+    if (verdict == Verdict::carved) return;  // nodes are outside from the start
     for (std::size_t z = low[2]; z < high[2]; ++z)
       for (std::size_t y = low[1]; y < high[1]; ++y)
-        for (std::size_t x = low[0]; x < high[0]; ++x)
-          measure({x, y, z}, verdict, before == State::untouched, carvers);
+        for (std::size_t x = low[0]; x < high[0]; ++x) measure({x, y, z}, verdict);
   }
 
-  void measure(const Site& site, Verdict verdict, bool is_first,
-               const std::vector<Carver>& carvers) {
+  void measure(const Site& site, Verdict verdict) {
     for (int axis = 0; axis < 3; ++axis)
       if (site[axis] == 0 || site[axis] + 1 == grid_.nodes[axis]) return;
-    float value = verdict == Verdict::carved ? far_ : -far_;
+    float value = -far_;
     if (verdict == Verdict::open)
-      value = static_cast<float>(std::clamp<double>(field(carvers, place(site)), -far_, far_));
-    float& at = grid_.values[grid_.index(site[0], site[1], site[2])];
-    at = is_first ? value : std::max(at, value);
+      value = static_cast<float>(std::clamp<double>(field(carvers_, place(site)), -far_, far_));
+    grid_.values[grid_.index(site[0], site[1], site[2])] = value;
   }
 
+  const std::vector<Carver>& carvers_;
   ValueGrid& grid_;
   float far_;  ///< values are cut off at this distance, beyond which only their sign counts
   Site blocks_{};
-  std::vector<State> states_;  ///< of blocks
 };
-
-/// The values of the field, which is a maximum: some views after the other.
-void sample(std::span<const View* const> views, ValueGrid& grid, const Progress& progress) {
-  Sampler sampler(grid);
-  const bool is_packed = std::any_of(views.begin(), views.end(),
-                                     [](const View* view) { return view->silhouette.is_packed(); });
-  const std::size_t group = is_packed ? packed_at_once : views.size();
-  for (std::size_t first = 0; first < views.size(); first += group) {
-    progress("contours");
-    const auto some = views.subspan(first, std::min(group, views.size() - first));
-    sampler.add(make_carvers(some), progress);
-  }
-}
 
 void check(const HullOptions& options) {
   if (options.resolution < 4 || options.resolution > 4096)
@@ -250,10 +219,11 @@ struct Measured {
 Measured measured(std::span<const View> views, const HullOptions& options,
                   const Progress& progress) {
   check(options);
-  const std::vector<const View*> usable = usable_of(views);
+  progress("contours");
+  const std::vector<Carver> carvers = make_carvers(views);
   const Box box = options.box ? *options.box : silhouette_box(views);
   Measured measured{make_grid(box, options), box};
-  sample(usable, measured.grid, progress);
+  Sampler(carvers, measured.grid).run(progress);
   return measured;
 }
 

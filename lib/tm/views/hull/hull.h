@@ -45,9 +45,8 @@ struct HullResult {
 /// Views without silhouette are passed over. Throws UsageError for options out of range and for
 /// more than 2^28 cells, InputError as silhouette_box does, where no view has a silhouette and
 /// where nothing is inside all of them (the object may be smaller than a cell). Only cells near the
-/// surface are measured: a quarter of a second for 16 views of 640x480 and 100^3 cells. 4 bytes a
-/// cell and 4 a pixel, or 2 a pixel of eight views at a time where silhouettes are packed.
-/// Parallel; the same mesh for any number of threads.
+/// surface are measured: a quarter of a second for 16 views of 640x480 and 100^3 cells, and 4 bytes
+/// a cell. Parallel; the same mesh for any number of threads.
 HullResult visual_hull(std::span<const View> views, const HullOptions& options = {},
                        const Progress& progress = {});
 

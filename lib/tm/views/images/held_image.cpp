@@ -24,28 +24,18 @@ std::uint16_t word_of_distance(float distance) {
   return word_of(std::clamp(no_distance + distances_per_unit * distance, 1.0F, 65534.0F));
 }
 
-constexpr float inside_mask = 255;
-
-bool is_of_mask(float level) { return level == 0 || level == inside_mask; }
 bool is_byte(float level) { return level >= 0 && level <= 255 && level == std::floor(level); }
 
 }  // namespace
 
 std::size_t HeldImage::size() const {
-  return sizeof(float) * floats_.pixels.size() + (bits_.size() + 7) / 8 + bytes_.size() +
-         2 * words_.size();
+  return sizeof(float) * floats_.pixels.size() + bytes_.size() + 2 * words_.size();
 }
 
 void HeldImage::pack(Kind kind) {
   if (is_packed() || empty()) return;
   kind_ = kind;
   const std::vector<float> pixels = std::exchange(floats_, GrayImage()).pixels;
-  if (kind == Kind::levels && std::all_of(pixels.begin(), pixels.end(), is_of_mask)) {
-    bits_.resize(pixels.size());
-    std::transform(pixels.begin(), pixels.end(), bits_.begin(),
-                   [](float level) { return level > 0; });
-    return;
-  }
   if (kind == Kind::levels && std::all_of(pixels.begin(), pixels.end(), is_byte)) {
     bytes_.assign(pixels.begin(), pixels.end());
     return;
@@ -86,19 +76,15 @@ float HeldImage::value_of(std::uint16_t word) const {
 
 float HeldImage::at(int x, int y) const {
   const std::size_t i = index(x, y);
-  if (!words_.empty()) return value_of(words_[i]);
-  if (!bytes_.empty()) return bytes_[i];
-  if (!bits_.empty()) return bits_[i] ? inside_mask : 0;
-  return floats_.pixels[i];
+  if (!is_packed()) return floats_.pixels[i];
+  return words_.empty() ? static_cast<float>(bytes_[i]) : value_of(words_[i]);
 }
 
 const GrayImage& HeldImage::unpacked(GrayImage& room) const {
   if (!is_packed()) return floats_;
   room.width = width;
   room.height = height;
-  room.pixels.resize(bits_.size() + bytes_.size() + words_.size());
-  std::transform(bits_.begin(), bits_.end(), room.pixels.begin(),
-                 [](bool is_inside) { return is_inside ? inside_mask : 0.0F; });
+  room.pixels.resize(bytes_.size() + words_.size());
   std::copy(bytes_.begin(), bytes_.end(), room.pixels.begin());
   std::transform(words_.begin(), words_.end(), room.pixels.begin(),
                  [&](std::uint16_t word) { return value_of(word); });
@@ -111,25 +97,23 @@ GrayImage HeldImage::unpacked() const {
 }
 
 HeldImage HeldImage::cropped(int column, int row, int columns, int rows) const {
-  HeldImage part;
+  HeldImage part = *this;
   part.width = columns;
   part.height = rows;
   if (!is_packed()) part.floats_.width = columns, part.floats_.height = rows;
-  const auto crop = [&](const auto& values, auto& kept) {
+  const auto crop = [&](auto& values) {
     if (values.empty()) return;
+    std::decay_t<decltype(values)> kept;
     kept.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     for (int y = row; y < row + rows; ++y) {
       const auto start = values.begin() + static_cast<std::ptrdiff_t>(index(column, y));
       kept.insert(kept.end(), start, start + columns);
     }
+    values = std::move(kept);
   };
-  crop(floats_.pixels, part.floats_.pixels);
-  crop(bits_, part.bits_);
-  crop(bytes_, part.bytes_);
-  crop(words_, part.words_);
-  part.kind_ = kind_;
-  part.offset_ = offset_;
-  part.step_ = step_;
+  crop(part.floats_.pixels);
+  crop(part.bytes_);
+  crop(part.words_);
   return part;
 }
 

@@ -1,8 +1,7 @@
-/// A gray image as it is held while it is not worked upon: as floats, or packed in 1, 8 or 16 bits
+/// A gray image as it is held while it is not worked upon: as floats, or packed in 8 or 16 bits
 /// where many large images are held together.
 ///
-/// Packed are levels, of which masks (0 and 255) and those of 8 bits stay as they are and others
-/// are rounded to 1/256;
+/// Packed are levels, of which those of 8 bits stay as they are and others are rounded to 1/256;
 /// distances to contours, rounded to 1/64 pixel and cut off at 511 pixels but for those that are
 /// infinite; and depths, rounded up by at most a 65534th of their range.
 #pragma once
@@ -27,7 +26,7 @@ class HeldImage {
   operator GrayImage() const { return unpacked(); }  // NOLINT(google-explicit-constructor)
 
   bool empty() const { return width == 0 || height == 0; }
-  bool is_packed() const { return !bits_.empty() || !bytes_.empty() || !words_.empty(); }
+  bool is_packed() const { return !bytes_.empty() || !words_.empty(); }
   /// Bytes of memory.
   std::size_t size() const;
 
@@ -50,8 +49,7 @@ class HeldImage {
   float value_of(std::uint16_t word) const;
 
   Kind kind_ = Kind::levels;
-  GrayImage floats_;        ///< empty where it is packed
-  std::vector<bool> bits_;  ///< of a mask
+  GrayImage floats_;  ///< empty where it is packed
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint16_t> words_;
   float offset_ = 0;  ///< of depths

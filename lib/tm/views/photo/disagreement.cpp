@@ -17,6 +17,8 @@ constexpr double variance_by_squared_median = 0.1523 / (0.6745 * 0.6745);
 
 /// Above it hardly anything is left that photographs could have in common, and excess says little.
 constexpr double largest_floor = 0.9;
+/// Views whose pixels are held at a time.
+constexpr std::size_t views_at_once = 8;
 
 struct Window {
   float weight = 0, energy = 0, floor = 0;
@@ -165,10 +167,8 @@ Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double leas
   // Sums go by the order of the views, for the same bytes with any number of threads.
   Disagreement result;
   result.of_vertex.resize(mesh.positions.size());
-  // As many views at once as there are threads, to save memory.
-  const std::size_t group = allowed_thread_count();
-  for (std::size_t begin = 0; begin < count; begin += group) {
-    std::vector<BestWindows> best(std::min(group, count - begin), BestWindows(0, 0));
+  for (std::size_t begin = 0; begin < count; begin += views_at_once) {
+    std::vector<BestWindows> best(std::min(views_at_once, count - begin), BestWindows(0, 0));
     parallel_for(best.size(), 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
         best[i] = compare_with_others(begin + i, scene, seen, noise, options);

@@ -23,7 +23,4 @@ struct PhotoScene {
 /// pixel.
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});
 
-/// The same, and takes the images from the views, each as soon as the scene has it.
-PhotoScene take_photo_scene(std::vector<View>& views, double scale, const PairOptions& pairs = {});
-
 }  // namespace transformesh

@@ -149,22 +149,6 @@ TEST_CASE("skipping blocks of cells changes nothing: cells of any size agree abo
   CHECK(bounding_box(largest.mesh).maximum.x() < 10);
 }
 
-TEST_CASE("packed silhouettes, of which some are held at a time, have nearly the same hull") {
-  std::vector<View> views = views_of_ball(ring_of_eyes(21, 500, 25), Vec3(4, -3, 2), 60);
-  const HullResult plain = visual_hull(views, {.resolution = 60});
-  for (View& view : views) view.silhouette.pack();
-  const HullResult packed = visual_hull(views, {.resolution = 60});
-  check_surface(packed.mesh);
-  REQUIRE(packed.mesh.positions.size() == plain.mesh.positions.size());
-  double most = 0;
-  for (std::size_t v = 0; v < plain.mesh.positions.size(); ++v)
-    most = std::max(most, (packed.mesh.positions[v] - plain.mesh.positions[v]).norm());
-  // A pixel is 0.8 wide, and distances are held to 1/64 of it.
-  CHECK(most < 0.05);
-  const ThreadLimit one(1);
-  CHECK(visual_hull(views, {.resolution = 60}).mesh.positions == packed.mesh.positions);
-}
-
 TEST_CASE("the same hull for any number of threads") {
   const std::vector<View> views = views_of_ball(ring_of_eyes(6, 500, 25), Vec3::Zero(), 60);
   const HullResult several = visual_hull(views, {.resolution = 40});

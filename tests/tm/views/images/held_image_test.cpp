@@ -55,32 +55,6 @@ TEST_CASE("whole levels take a byte and stay; others take two and are rounded") 
   CHECK(difference(fine, packed(fine)) <= 1.0F / 512);
 }
 
-TEST_CASE("masks take a bit a pixel and stay, also in part") {
-  GrayImage mask = ramp(0, 0);
-  for (std::size_t i = 0; i < mask.pixels.size(); i += 1 + i % 7) mask.pixels[i] = 255;
-  const HeldImage held = packed(mask);
-  CHECK(held.size() == (mask.pixels.size() + 7) / 8);
-  CHECK(difference(mask, held) == 0);
-  const HeldImage part = held.cropped(3, 4, 10, 5);
-  CHECK(part.is_packed());
-  for (int y = 0; y < 5; ++y)
-    for (int x = 0; x < 10; ++x) CHECK(part.at(x, y) == mask.at(x + 3, y + 4));
-}
-
-TEST_CASE("a scene that takes the images is the one that leaves them") {
-  std::vector<View> views = photographed(make_sphere(Vec3::Zero(), 1, 500));
-  const PhotoScene scene = photo_scene(views, 1);
-  const PhotoScene taken = take_photo_scene(views, 1);
-  CHECK(taken.pixel == scene.pixel);
-  REQUIRE(taken.views.size() == scene.views.size());
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    CHECK(views[i].image.empty());
-    CHECK(views[i].silhouette.empty());
-    CHECK(taken.views[i].image.unpacked().pixels == scene.views[i].image.unpacked().pixels);
-    CHECK(taken.distances[i].unpacked().pixels == scene.distances[i].unpacked().pixels);
-  }
-}
-
 TEST_CASE("distances keep their sign, and those without a contour are infinite") {
   const auto kind = HeldImage::Kind::distances;
   CHECK(difference(ramp(-300, 1.01F), packed(ramp(-300, 1.01F), kind)) <= 1.0F / 128);
