@@ -87,12 +87,6 @@ C
   done >colmap/images.txt
   cameras=colmap
   refused_by_all images cameras.txt 'line 2' distort
-  {
-    printf '# Bundle file v0.3\n3 0\n'
-    for _ in 1 2 3; do printf '10 0.1 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -10\n'; done
-  } >bundle.out
-  cameras=bundle.out
-  refused_by_all images bundle.out 'line 3' distort
 }
 
 @test "a singular matrix" {
