@@ -28,12 +28,11 @@ NumberVector<Number> number_vector(const Vec3& p) {
   return {Number(p[0]), Number(p[1]), Number(p[2])};
 }
 
-/// The normal of its plane.
+/// a x b + b x c + c x a, given b x c.
 template <class Number>
-NumberVector<Number> homogeneous_normal(const Triangle& t) {
-  const auto a = number_vector<Number>(t[0]), b = number_vector<Number>(t[1]),
-             c = number_vector<Number>(t[2]);
-  const auto ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
+NumberVector<Number> sum_of_crosses(const NumberVector<Number>& a, const NumberVector<Number>& b,
+                                    const NumberVector<Number>& c, const NumberVector<Number>& bc) {
+  const auto ab = cross(a, b), ca = cross(c, a);
   const auto sum = [&](std::size_t i) { return ab[i] + bc[i] + ca[i]; };
   return {sum(0), sum(1), sum(2)};
 }
@@ -42,9 +41,15 @@ template <class Number>
 HomogeneousPlane<Number> homogeneous_plane(const Triangle& t) {
   const auto a = number_vector<Number>(t[0]), b = number_vector<Number>(t[1]),
              c = number_vector<Number>(t[2]);
-  const auto ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
-  const auto sum = [&](std::size_t i) { return ab[i] + bc[i] + ca[i]; };
-  return {{sum(0), sum(1), sum(2)}, dot(a, bc)};
+  const auto bc = cross(b, c);
+  return {sum_of_crosses(a, b, c, bc), dot(a, bc)};
+}
+
+/// The normal alone.
+template <class Number>
+NumberVector<Number> homogeneous_normal(const Triangle& t) {
+  const auto b = number_vector<Number>(t[1]), c = number_vector<Number>(t[2]);
+  return sum_of_crosses(number_vector<Number>(t[0]), b, c, cross(b, c));
 }
 
 /// Where line uv crosses the plane.
