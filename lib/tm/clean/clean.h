@@ -4,11 +4,11 @@
 /// close.
 ///
 /// Guarantees: every output face is an input face or a piece of one. What takes part in no
-/// intersection keeps its coordinates, columns and order; a manifold with nothing to clean comes
-/// back unchanged. Equal positions are one point, whatever their indices. The output has no
-/// self-intersection in its coordinates as rounded to `coordinate` (coincident duplicates of
-/// vertices and edges may touch), and no face without area. Exact throughout; nothing is perturbed.
-/// Deterministic for any number of threads. Open meshes keep their borders (paper 4.6).
+/// intersection keeps its coordinates (but for extreme ones: snap_rounding.h), columns and order; a
+/// manifold with nothing to clean comes back unchanged. Equal positions are one point. The output
+/// has no self-intersection in its coordinates as rounded to `coordinate` (coincident vertices and
+/// edges may touch), and no face without area. Exact; deterministic for any number of threads. Open
+/// meshes keep their borders (paper 4.6).
 ///
 /// Throws InputError (not oriented: two or more faces left over along an edge, but for borders of a
 /// stitched mesh that lie partly upon each other), UsageError (static_test on an open mesh),

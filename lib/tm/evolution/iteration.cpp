@@ -36,18 +36,23 @@ RemeshOptions remesh_options(const Document& document, const IterationOptions& o
 /// remesh() of a document that is being cleaned: the result counts where that changes nothing.
 class EarlyRemesh {
  public:
-  EarlyRemesh(const Document& document, const IterationOptions& options)
-      : document_(document), options_(options) {}
+  EarlyRemesh(const Document& document, const IterationOptions& options, const Progress& progress)
+      : document_(document), options_(options), progress_(progress) {}
 
   void run() {
     try {
-      const Progress goes_on([this](std::string_view, double) { return !is_cancelled_; });
+      const Progress goes_on([this](std::string_view phase, double fraction) {
+        if (is_awaited_) progress_(phase, fraction);
+        return !is_cancelled_;
+      });
       result_ = remesh_in_place(document_, options_, goes_on);
     } catch (...) {
       error_ = std::current_exception();
     }
   }
   void cancel() { is_cancelled_ = true; }
+  /// From now on it is all that is done: it tells its progress, and may be cancelled by that.
+  void await() { is_awaited_ = true; }
   RemeshResult take(Document& document) {
     if (error_) std::rethrow_exception(error_);
     document = std::move(document_);
@@ -57,7 +62,8 @@ class EarlyRemesh {
  private:
   Document document_;
   const IterationOptions& options_;
-  std::atomic<bool> is_cancelled_{false};
+  const Progress& progress_;
+  std::atomic<bool> is_cancelled_{false}, is_awaited_{false};
   RemeshResult result_;
   std::exception_ptr error_;
 };
@@ -94,12 +100,12 @@ class CleanAndRemesh {
     return remesh_in_place(document_, options_, progress_, std::move(cleaned_.opposites));
   }
   RemeshResult run_both() {
-    EarlyRemesh early(document_, options_);
+    EarlyRemesh early(document_, options_, progress_);
     const auto clean_or_cancel = [&] {
       try {
         clean();
-        if (cleaned_.changed) early.cancel();
         progress_("remesh");
+        cleaned_.changed ? early.cancel() : early.await();
       } catch (...) {
         early.cancel();
         throw;

@@ -143,9 +143,10 @@ std::vector<double> distances_beyond(std::span<const Vec3> points,
                                      std::span<const std::size_t> numbers,
                                      const ClosestPointQuery& closest, double least) {
   std::vector<double> beyond(numbers.size(), 0);
-  parallel_for(numbers.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+  const auto take_run = [&](std::size_t run) {
     Index hint = no_index;
-    for (std::size_t i = first; i < last; ++i) {
+    const std::size_t end = std::min((run + 1) * points_per_task, numbers.size());
+    for (std::size_t i = run * points_per_task; i < end; ++i) {
       const Vec3& point = points[numbers[i]];
       const Index near = closest.face_within(point, certainly * least, hint);
       if (near != no_index) {
@@ -156,6 +157,11 @@ std::vector<double> distances_beyond(std::span<const Vec3> points,
       beyond[i] = found.distance;
       hint = found.face;
     }
+  };
+  // Runs have one length for any number of threads, and so does every point its hint.
+  const std::size_t runs = (numbers.size() + points_per_task - 1) / points_per_task;
+  parallel_for(runs, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t run = first; run < last; ++run) take_run(run);
   });
   return beyond;
 }

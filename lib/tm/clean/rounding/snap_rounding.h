@@ -22,11 +22,11 @@
 /// Guaranteed: the result has no crossing. All that moves or goes is within `displacement` of where
 /// it was, so winding numbers farther than that from the surface are those of the input (a homotopy
 /// that does not meet a point keeps its winding number). Nothing moves that takes no part in an
-/// intersection, but around broken faces. That repair ends well is measured, not proven; its work
-/// is bounded by a multiple of that of the first pass. Deterministic. References: Halperin &
-/// Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002; Valque & Lazard, "Removing
-/// self-intersections in 3D meshes while preserving floating-point coordinates", 2025, where every
-/// round snaps to one grid.
+/// intersection, but around broken faces, and to own grids. That repair ends well is measured, not
+/// proven; its work is bounded by a multiple of that of the first pass. Deterministic. References:
+/// Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002; Valque &
+/// Lazard, "Removing self-intersections in 3D meshes while preserving floating-point coordinates",
+/// 2025, where every round snaps to one grid.
 #pragma once
 
 #include "tm/clean/pass/clean_pass.h"

@@ -170,36 +170,39 @@ std::int32_t number_of_model(std::string_view name) {
   return static_cast<std::int32_t>(model - models.begin());
 }
 
-}  // namespace
-
-std::string binary_colmap_cameras(const std::string& text) {
+/// How many rows there are, and what `add` makes of the words of each.
+template <class Add>
+std::string binary_rows(const std::string& text, const Add& add) {
   const std::vector<std::string_view> rows = rows_of(text);
   Bytes bytes;
   bytes.add(static_cast<std::uint64_t>(rows.size()));
   for (const std::string_view row : rows) {
     Words words(row);
-    bytes.add(words.number<std::int32_t>());
-    bytes.add(number_of_model(words.word()));
-    for (int side = 0; side < 2; ++side) bytes.add(words.number<std::uint64_t>());
-    while (words.has_more()) bytes.add(words.number<double>());
+    add(words, bytes);
   }
   return bytes.take();
 }
 
+}  // namespace
+
+std::string binary_colmap_cameras(const std::string& text) {
+  return binary_rows(text, [](Words& words, Bytes& bytes) {
+    bytes.add(words.number<std::int32_t>());
+    bytes.add(number_of_model(words.word()));
+    for (int side = 0; side < 2; ++side) bytes.add(words.number<std::uint64_t>());
+    while (words.has_more()) bytes.add(words.number<double>());
+  });
+}
+
 std::string binary_colmap_images(const std::string& text) {
-  const std::vector<std::string_view> rows = rows_of(text);
-  Bytes bytes;
-  bytes.add(static_cast<std::uint64_t>(rows.size()));
-  for (const std::string_view row : rows) {
-    Words words(row);
+  return binary_rows(text, [](Words& words, Bytes& bytes) {
     bytes.add(words.number<std::uint32_t>());
     for (int i = 0; i < 7; ++i) bytes.add(words.number<double>());
     bytes.add(words.number<std::uint32_t>());
     bytes.add(words.rest());
     bytes.add('\0');
     bytes.add(std::uint64_t{0});  // points
-  }
-  return bytes.take();
+  });
 }
 
 CameraList read_colmap_binary(const Source& cameras, const Source& images) {

@@ -60,7 +60,8 @@ std::string without_entities(std::string_view text) {
 
 std::string without_xml_comments(std::string_view text) {
   std::string result(text);
-  for (std::size_t at = result.find("<!--"); at != std::string::npos; at = result.find("<!--")) {
+  for (std::size_t at = result.find("<!--"); at != std::string::npos;
+       at = result.find("<!--", at)) {
     const std::size_t end = std::min(result.find("-->", at + 4), result.size() - 3) + 3;
     std::replace_if(
         result.begin() + static_cast<std::ptrdiff_t>(at),

@@ -81,9 +81,7 @@ void Fusion::vote(std::size_t z) {
     for (std::size_t x = 0; x < hull_.nodes[0]; ++x) {
       const std::size_t node = hull_.index(x, y, z);
       if (!(hull_.values[node] < 0)) continue;
-      const Vec3 point =
-          hull_.origin + hull_.spacing * Vec3(static_cast<double>(x), static_cast<double>(y),
-                                              static_cast<double>(z));
+      const Vec3 point = hull_.position(x, y, z);
       for (const Witness& witness : witnesses_) {
         const std::optional<double> way = witness.free_way(point);
         if (!way || *way < -reach_) continue;

@@ -28,11 +28,6 @@ struct Extent {
   bool is_before_camera() const { return near > 0 && near < far; }
 };
 
-Vec3 node_position(const ValueGrid& grid, std::size_t x, std::size_t y, std::size_t z) {
-  return grid.origin + grid.spacing * Vec3(static_cast<double>(x), static_cast<double>(y),
-                                           static_cast<double>(z));
-}
-
 Extent extent_of(const ValueGrid& hull, const Projection& projection) {
   Extent extent;
   for (std::size_t z = 0; z < hull.nodes[2]; ++z) {
@@ -40,7 +35,7 @@ Extent extent_of(const ValueGrid& hull, const Projection& projection) {
       const float* const row = hull.values.data() + hull.index(0, y, z);
       for (std::size_t x = 0; x < hull.nodes[0]; ++x) {
         if (!(row[x] < 0)) continue;
-        const Vec3 q = projection.leftCols<3>() * node_position(hull, x, y, z) + projection.col(3);
+        const Vec3 q = projection.leftCols<3>() * hull.position(x, y, z) + projection.col(3);
         extent.near = std::min(extent.near, q.z());
         extent.far = std::max(extent.far, q.z());
         if (!(q.z() > 0)) continue;

@@ -146,11 +146,7 @@ class Sampler {
  private:
   using Site = std::array<std::size_t, 3>;
 
-  Vec3 place(const Site& site) const {
-    return grid_.origin + grid_.spacing * Vec3(static_cast<double>(site[0]),
-                                               static_cast<double>(site[1]),
-                                               static_cast<double>(site[2]));
-  }
+  Vec3 place(const Site& site) const { return grid_.position(site[0], site[1], site[2]); }
 
   void fill(const Site& block) {
     Site low, high;

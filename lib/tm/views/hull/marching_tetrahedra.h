@@ -20,6 +20,10 @@ struct ValueGrid {
   std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
     return (z * nodes[1] + y) * nodes[0] + x;
   }
+  Vec3 position(std::size_t x, std::size_t y, std::size_t z) const {
+    return origin +
+           spacing * Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+  }
 };
 
 /// A closed, oriented 2-manifold without self-intersection, whatever the values: each face lies in

@@ -90,9 +90,7 @@ float value_at(const Function& function, const ValueGrid& grid,
                const std::array<std::size_t, 3>& site) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (site[axis] == 0 || site[axis] + 1 == grid.nodes[axis]) return outside;
-  const Vec3 place =
-      grid.origin + grid.spacing * Vec3(static_cast<double>(site[0]), static_cast<double>(site[1]),
-                                        static_cast<double>(site[2]));
+  const Vec3 place = grid.position(site[0], site[1], site[2]);
   const double value = function(Kernel::Point_3(place.x(), place.y(), place.z()));
   return std::isfinite(value) ? static_cast<float>(value) : outside;
 }
