@@ -4,12 +4,13 @@
 
 namespace transformesh {
 
-Displacement snap_to_own_grids(Mesh& mesh, Scalar type) {
+Displacement snap_to_own_grids(Mesh& mesh, Scalar type, double coarser) {
   Displacement displacement;
   for (Vec3& p : mesh.positions) {
     const Vec3 before = p;
     const double spacing = spacing_around(p, type);
-    for (double& x : p) x = std::round(x / spacing) * spacing;
+    const double step = coarser * spacing;
+    for (double& x : p) x = std::round(x / step) * step;
     displacement.note((p - before).stableNorm(), spacing);
   }
   return displacement;

@@ -7,7 +7,8 @@
 
 namespace transformesh {
 
-/// Moves every vertex to the nearest point of its own grid, within .87 spacings. Returns how far.
-Displacement snap_to_own_grids(Mesh& mesh, Scalar type);
+/// Moves every vertex to the nearest point of its own grid, or of one that is so many times
+/// coarser, a power of two: within .87 of its steps. Returns how far.
+Displacement snap_to_own_grids(Mesh& mesh, Scalar type, double coarser);
 
 }  // namespace transformesh

@@ -25,6 +25,7 @@ constexpr int most_rounds = 14;
 constexpr int most_starts = 7;
 constexpr int last_given = 3;             // the last start before which thin cells are given away
 constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are too many cells
+constexpr int digits_fewer = 5;           // binary, of what is extreme in every direction
 constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before,
 constexpr int patience = 2;      // and so many more where all starts failed, which begin again
@@ -94,7 +95,7 @@ class SnapRounder {
  private:
   bool repair(Assembly& assembly, int start);
   Assembly begin_anew(const CleanPass& pass, int start);
-  Assembly begin_simpler(const CleanPass& pass);
+  Assembly begin_simpler(const CleanPass& pass, int start);
   void choose_spacings(int start);
   int next_start(int start) const;
   void mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most);
@@ -109,10 +110,11 @@ class SnapRounder {
   Spacings spacing_;            ///< those that count
   std::size_t most_pairs_ = 0;  ///< with more than these, repair is hopeless
   bool is_hopeless_ = false;
-  bool is_extreme_ = false;  ///< rounding breaks a good part of the faces
-  int patience_ = 0;         ///< how many vain rounds more are waited for
-  bool is_vain_ = false;     ///< whether a start ended for want of it
-  std::string place_;        ///< the first place that was broken
+  bool is_shattered_ = false;  ///< rounding breaks a good part of the faces
+  bool is_extreme_ = false;    ///< so it does where coordinates are extreme in every direction
+  int patience_ = 0;           ///< how many vain rounds more are waited for
+  bool is_vain_ = false;       ///< whether a start ended for want of it
+  std::string place_;          ///< the first place that was broken
   KnownPairs known_;
   std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
   SnapRoundingResult result_;
@@ -214,8 +216,9 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     fewest = std::min(fewest, broken.size());
     const Tolerances most = tolerances(start, round);
     for (const Index face : broken) is_broken_[assembly.source_face[face]] = 1;
-    is_extreme_ |= spacing_.are_per_axis && start == 0 && round == 0 &&
-                   broken.size() > assembly.mesh.faces.size() / most_broken_share;
+    is_shattered_ |=
+        start == 0 && round == 0 && broken.size() > assembly.mesh.faces.size() / most_broken_share;
+    is_extreme_ |= spacing_.are_per_axis && is_shattered_;
     const double most_given = broken.empty() ? 0 : most.cells;
     if (!broken.empty()) {
       if (place_.empty()) {
@@ -288,7 +291,7 @@ Assembly unchanged_assembly(const Mesh& mesh) {
 Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
   result_.displacement = {};
   is_hopeless_ = false;
-  if (is_extreme_ && start > last_given) return begin_simpler(pass);
+  if (is_shattered_ && start > last_given) return begin_simpler(pass, start);
   const bool is_crowded = pass.pairs > most_crossed * mesh_.faces.size();
   if (options_.is_open || is_crowded || start > last_given) return pass.assembly;
   Assembly assembly = unchanged_assembly(mesh_);
@@ -297,11 +300,12 @@ Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
 }
 
 // Of coordinates that are extreme in every direction only the digits are kept that count where the
-// vertex is.
-Assembly SnapRounder::begin_simpler(const CleanPass& pass) {
+// vertex is, and further starts keep fewer.
+Assembly SnapRounder::begin_simpler(const CleanPass& pass, int start) {
   most_pairs_ = pairs_to_repair * pass.pairs + few_pairs;
   Assembly assembly = unchanged_assembly(mesh_);
-  result_.displacement = snap_to_own_grids(assembly.mesh, options_.coordinate);
+  result_.displacement = snap_to_own_grids(assembly.mesh, options_.coordinate,
+                                           std::ldexp(1, digits_fewer * (start - last_given - 1)));
   clean_again(assembly, {0}, options_.level);
   if (!is_hopeless_) return assembly;
   result_.displacement = {};
