@@ -59,6 +59,8 @@ void declare_colors(Program& program, ReconstructChoices& choices) {
 void declare_steps(Program& program, ReconstructChoices& choices) {
   program.integer("pairs", &choices.options.pairs.neighbors, 1, 1000,
                   "neighbors with which each view is compared");
+  program.number("max-angle", &choices.options.pairs.maximum_angle_deg, 5, 180,
+                 "largest angle in degrees between views that are compared");
   program.text(
       "window", &choices.window, "auto|N|N,N",
       "radius of compared windows, 1 to 5 pixels, or two: at scale 2 and above, and below; "

@@ -1,8 +1,10 @@
 /// Calibrated photographs: visual hulls and reconstructions, whose views are checked first.
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "arguments.h"
 #include "call.h"
@@ -115,23 +117,50 @@ py::dict report_of(const ReconstructionResult& result) {
   return report;
 }
 
+using Window = std::variant<std::string, int, std::pair<int, int>>;
+
+std::optional<WindowRadii> radii_of(const Window& window) {
+  const auto refuse = [] { throw UsageError("window: auto, or one or two numbers from 1 to 5"); };
+  if (const auto* text = std::get_if<std::string>(&window)) {
+    if (*text != "auto") refuse();
+    return std::nullopt;
+  }
+  const auto* one = std::get_if<int>(&window);
+  const auto [coarse, fine] =
+      one != nullptr ? std::pair(*one, *one) : std::get<std::pair<int, int>>(window);
+  if (std::min(coarse, fine) < 1 || std::max(coarse, fine) > 5) refuse();
+  return WindowRadii{coarse, fine};
+}
+
+StartOptions start_of(double keep, const std::string& clip, const std::string& hollows,
+                      bool is_exact, double least_agreement) {
+  StartOptions start;
+  start.name = "start";
+  start.keep = keep;
+  start.clips_by_hull = choice("clip", clip, {"hull", "nothing"}) == 0;
+  start.opens_hollows = choice("hollows", hollows, {"auto", "closed"}) == 0;
+  if (!is_exact) start.meaning = SilhouetteMeaning::least;
+  start.least_agreement = least_agreement;
+  return start;
+}
+
 MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const Path& silhouettes,
                                 const std::optional<MeshPointer>& start, const std::string& clip,
                                 const std::string& silhouettes_show, double edge,
                                 const std::optional<double>& last_edge,
                                 const std::optional<double>& coarsest, std::size_t passes,
                                 int iterations, const std::optional<double>& robust,
-                                const std::variant<double, std::string>& keep, double crumbs,
-                                double least_agreement, bool drop_bad_views, bool mirror,
-                                const py::object& on_pass, const py::object& progress) {
+                                const std::variant<double, std::string>& keep,
+                                const std::string& hollows, const Window& window, double max_angle,
+                                double crumbs, double least_agreement, bool drop_bad_views,
+                                bool mirror, const py::object& on_pass,
+                                const py::object& progress) {
   ReconstructionOptions options;
-  options.start.keep = share_of(keep);
-  options.start.is_given = start.has_value();
-  options.start.name = "start";
-  options.start.clips_by_hull = choice("clip", clip, {"hull", "nothing"}) == 0;
   const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
-  if (!is_exact) options.start.meaning = SilhouetteMeaning::least;
-  options.start.least_agreement = least_agreement;
+  options.start = start_of(share_of(keep), clip, hollows, is_exact, least_agreement);
+  options.start.is_given = start.has_value();
+  options.windows = radii_of(window);
+  options.pairs.maximum_angle_deg = max_angle;
   options.scales = {coarsest, edge, last_edge.value_or(edge)};
   options.passes = passes;
   options.steps.iterations = iterations;
@@ -175,7 +204,9 @@ void bind_views(py::module_& module) {
       arg("edge") = ScaleOptions().edge, arg("last_edge") = none, arg("coarsest") = none,
       arg("passes") = ReconstructionOptions().passes,
       arg("iterations") = ReconstructionOptions().steps.iterations, arg("robust") = none,
-      arg("keep") = "largest", arg("crumbs") = ReconstructionOptions().crumbs,
+      arg("keep") = "largest", arg("hollows") = "auto", arg("window") = "auto",
+      arg("max_angle") = PairOptions().maximum_angle_deg,
+      arg("crumbs") = ReconstructionOptions().crumbs,
       arg("least_agreement") = ViewCheckOptions().least_agreement, arg("drop_bad_views") = false,
       arg("mirror") = false, arg("on_pass") = none, arg("progress") = none,
       "Reconstructs a closed surface from calibrated photographs: files, folders or "

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, MutableMapping, Sequence
 from os import PathLike
-from typing import Any, Literal, Optional, Union
+from typing import Any, Literal, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -270,6 +270,9 @@ def reconstruct(
     iterations: int = 5,
     robust: Optional[float] = None,
     keep: Union[float, Literal["largest", "all"]] = "largest",
+    hollows: Literal["auto", "closed"] = "auto",
+    window: Union[Literal["auto"], int, Tuple[int, int]] = "auto",
+    max_angle: float = 50.0,
     crumbs: float = 0.001,
     least_agreement: float = 0.7,
     drop_bad_views: bool = False,

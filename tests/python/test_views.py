@@ -36,6 +36,22 @@ def test_reconstruct(scene):
     assert result.report["passes"] >= 1
 
 
+def test_how_photographs_are_compared(scene):
+    places = [str(scene / name) for name in ["par.txt", "photos", "masks"]]
+    options = {"hollows": "closed", "window": (2, 1), "max_angle": 90}
+    result = tm.reconstruct(*places, passes=1, edge=5, coarsest=1, **options)
+    words = sum(([o, p] for o, p in zip(["--cameras", "--images", "--silhouettes"], places)), [])
+    words += ["--passes", 1, "--edge", 5, "--coarsest", 1, "--no-provenance"]
+    plain = run("tm-reconstruct", *words)
+    words += ["--hollows", "closed", "--window", "2,1", "--max-angle", 90]
+    assert result.to_bytes() == run("tm-reconstruct", *words) != plain
+    for window in ["wide", 6, (3, 0)]:
+        with pytest.raises(ValueError, match="window"):
+            tm.reconstruct(*places, window=window)
+    with pytest.raises(ValueError, match="hollows"):
+        tm.reconstruct(*places, hollows="open")
+
+
 def test_the_report_of_a_reconstruction(scene, tmp_path):
     places = [str(scene / name) for name in ["par.txt", "photos", "masks"]]
     report = tmp_path / "report.json"
