@@ -12,19 +12,16 @@ namespace {
 /// Views whose planes are swept before progress is reported again.
 constexpr std::size_t views_at_once = 8;
 
-/// Whether the other view has the point at about its depth, in one of the pixels around it.
+/// Whether the other view has the point at about its depth.
 bool is_found(const Vec3& point, const Projection& projection, const DepthMap& map,
               double tolerance) {
   const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
   if (!(q.z() > 0)) return false;
-  const double x = std::floor(q.x() / q.z());
-  const double y = std::floor(q.y() / q.z());
-  if (!(x >= 0 && y >= 0 && x + 1 < map.depth.width && y + 1 < map.depth.height)) return false;
-  for (int i = 0; i < 4; ++i) {
-    const float depth = map.depth.at(static_cast<int>(x) + i % 2, static_cast<int>(y) + i / 2);
-    if (depth > 0 && std::abs(1 / depth - 1 / q.z()) <= tolerance * map.plane_gap) return true;
-  }
-  return false;
+  const double x = std::floor(q.x() / q.z() + 0.5);
+  const double y = std::floor(q.y() / q.z() + 0.5);
+  if (!(x >= 0 && y >= 0 && x < map.depth.width && y < map.depth.height)) return false;
+  const float depth = map.depth.at(static_cast<int>(x), static_cast<int>(y));
+  return depth > 0 && std::abs(1 / depth - 1 / q.z()) <= tolerance * map.plane_gap;
 }
 
 GrayImage agreed(std::size_t view, std::span<const View> views, std::span<const ViewPair> pairs,
@@ -51,6 +48,37 @@ GrayImage agreed(std::size_t view, std::span<const View> views, std::span<const 
   return depth;
 }
 
+/// Drops the depths of patches that are connected within the tolerance, and of fewer pixels.
+void drop_islands(DepthMap& map, const DepthMapsOptions& options) {
+  GrayImage& depth = map.depth;
+  const auto is_next = [&](float a, float b) {
+    return b > 0 && std::abs(1 / a - 1 / b) <= options.tolerance * map.plane_gap;
+  };
+  std::vector<char> is_met(depth.pixels.size(), 0);
+  std::vector<std::pair<int, int>> island;
+  for (int y = 0; y < depth.height; ++y) {
+    for (int x = 0; x < depth.width; ++x) {
+      island.clear();
+      const auto meet = [&](int i, int j) {
+        char& met = is_met[static_cast<std::size_t>(j * depth.width + i)];
+        if (met == 0) island.emplace_back(i, j);
+        met = 1;
+      };
+      if (depth.at(x, y) > 0) meet(x, y);
+      for (std::size_t k = 0; k < island.size(); ++k) {
+        const auto [i, j] = island[k];
+        const float here = depth.at(i, j);
+        if (i > 0 && is_next(here, depth.at(i - 1, j))) meet(i - 1, j);
+        if (j > 0 && is_next(here, depth.at(i, j - 1))) meet(i, j - 1);
+        if (i + 1 < depth.width && is_next(here, depth.at(i + 1, j))) meet(i + 1, j);
+        if (j + 1 < depth.height && is_next(here, depth.at(i, j + 1))) meet(i, j + 1);
+      }
+      if (island.size() < options.least_pixels)
+        for (const auto& [i, j] : island) depth.at(i, j) = 0;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<DepthMap> depth_maps(std::span<const View> views, std::span<const ViewPair> pairs,
@@ -73,7 +101,10 @@ std::vector<DepthMap> depth_maps(std::span<const View> views, std::span<const Vi
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) depths[i] = agreed(i, views, pairs, maps, options);
   });
-  for (std::size_t i = 0; i < maps.size(); ++i) maps[i].depth = std::move(depths[i]);
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    maps[i].depth = std::move(depths[i]);
+    drop_islands(maps[i], options);
+  }
   return maps;
 }
 

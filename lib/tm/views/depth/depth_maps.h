@@ -1,7 +1,9 @@
 /// Depths of all views that agree with each other: first those of each view (plane_sweep.h), of
-/// which only those stay that the neighbors found as well, where they look at the same place.
+/// which only those stay that the neighbors found as well, where they look at the same place, and
+/// of these only patches, as what agrees by chance is scattered.
 /// Reference: the consistency check of Merrell et al., "Real-time visibility-based fusion of depth
-/// maps", ICCV 2007.
+/// maps", ICCV 2007; patches as the speckle filter of Hirschmueller, "Stereo processing by
+/// semiglobal matching and mutual information", PAMI 30(2), 2008.
 #pragma once
 
 #include <span>
@@ -15,8 +17,9 @@ namespace transformesh {
 
 struct DepthMapsOptions {
   PlaneSweepOptions sweep;
-  double tolerance = 2.5;       ///< planes by which views may differ; > 0
-  std::size_t least_views = 1;  ///< neighbors that must agree
+  double tolerance = 1;           ///< planes by which views may differ; > 0
+  std::size_t least_views = 1;    ///< neighbors that must agree
+  std::size_t least_pixels = 20;  ///< of a patch whose pixels differ by less than the tolerance
 };
 
 /// One map per view. `pairs` as choose_pairs has them; `hull` is negative inside. In parallel over

@@ -19,8 +19,16 @@ std::vector<View> shrunk(std::span<const View> views, double scale) {
   return result;
 }
 
+/// A hull, and what depths found at a scale leave of it.
+struct Opening {
+  ValueGrid hull, opened;
+  double scale;
+
+  double deep_share() const;
+};
+
 /// Of the nodes inside the hull, the share of those that are open and as deep as values say.
-double deep_share(const ValueGrid& hull, const ValueGrid& opened) {
+double Opening::deep_share() const {
   const float deepest = *std::min_element(hull.values.begin(), hull.values.end());
   std::size_t inside = 0;
   std::size_t deep = 0;
@@ -31,25 +39,35 @@ double deep_share(const ValueGrid& hull, const ValueGrid& opened) {
   return inside > 0 ? static_cast<double>(deep) / static_cast<double>(inside) : 0;
 }
 
-}  // namespace
-
-std::optional<OpenedHull> opened_hull(std::span<const View> views, const OpenedHullOptions& options,
-                                      const Progress& progress) {
+Opening open_at(double size_px, std::span<const View> views, const OpenedHullOptions& options,
+                const Progress& progress) {
   const std::vector<PinholeCamera> cameras = cameras_of(views);
   const Vec3 center = viewed_point(cameras);
   const double pixel = pixel_size(cameras, center);
   const Box box = silhouette_box(views);
-  const double length_px = (box.maximum - box.minimum).maxCoeff() / pixel;
-  const double scale = std::max(1.0, length_px / options.size_px);
+  const double scale = std::max(1.0, (box.maximum - box.minimum).maxCoeff() / pixel / size_px);
 
-  const ValueGrid hull =
-      hull_values(views, {.box = box, .edge = options.cell_px * scale * pixel}, progress);
+  Opening opening{
+      hull_values(views, {.box = box, .edge = options.cell_px * scale * pixel}, progress),
+      {},
+      scale};
+  DepthMapsOptions maps = options.maps;
+  maps.sweep.correlation.noise_variance /= scale * scale;
   const std::vector<ViewPair> pairs = choose_pairs(cameras, center, options.pairs);
   const std::vector<View> small = shrunk(views, scale);
-  const std::vector<DepthMap> maps = depth_maps(small, pairs, hull, options.maps, progress);
-  const ValueGrid opened = fuse_depths(hull, small, maps, options.fusion, progress);
-  if (deep_share(hull, opened) < options.least_share) return std::nullopt;
-  OpenedHull result{march_tetrahedra(opened), scale};
+  const std::vector<DepthMap> depths = depth_maps(small, pairs, opening.hull, maps, progress);
+  opening.opened = fuse_depths(opening.hull, small, depths, options.fusion, progress);
+  return opening;
+}
+
+}  // namespace
+
+std::optional<OpenedHull> opened_hull(std::span<const View> views, const OpenedHullOptions& options,
+                                      const Progress& progress) {
+  Opening opening = open_at(options.trial_px, views, options, progress);
+  if (opening.deep_share() < options.least_share) return std::nullopt;
+  if (opening.scale > 1) opening = open_at(options.size_px, views, options, progress);
+  OpenedHull result{march_tetrahedra(opening.opened), opening.scale};
   drop_components(result.mesh, options.keep);
   if (result.mesh.faces.empty()) return std::nullopt;
   return result;

@@ -13,13 +13,15 @@
 namespace transformesh {
 
 struct OpenedHullOptions {
-  double size_px = 140;  ///< photographs are made smaller, so that the longest side is as long
+  /// Photographs are made smaller, so that the longest side is as long: at first, and where that
+  /// shows hollows.
+  double trial_px = 140, size_px = 200;
   double cell_px = 1.5;  ///< of the grid, in pixels of these
   /// [0, 1]: of the hull's volume, that must be open deeper than four cells.
   double least_share = 0.015;
   double keep = 1;  ///< HullOptions::keep
   PairOptions pairs;
-  DepthMapsOptions maps;
+  DepthMapsOptions maps;  ///< the variance of the noise at full size, which shrinks with them
   DepthFusionOptions fusion;
 };
 

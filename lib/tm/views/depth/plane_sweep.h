@@ -18,10 +18,10 @@
 namespace transformesh {
 
 struct PlaneSweepOptions {
-  CorrelationOptions correlation = {.contrast = 0};
-  double step = 1.5;               ///< pixels from plane to plane, where that is most; > 0
-  double least_correlation = 0.7;  ///< [0, 1], mean of two neighbors
-  double least_lead = 0.1;         ///< >= 0: how much less it is at all other depths
+  CorrelationOptions correlation = {.noise_variance = 4, .contrast = 0};
+  double step = 2;                 ///< pixels from plane to plane, where that is most; > 0
+  double least_correlation = 0.5;  ///< [0, 1], mean of two neighbors
+  double least_lead = 0.02;        ///< >= 0: how much less it is at all other depths
 };
 
 struct DepthMap {
