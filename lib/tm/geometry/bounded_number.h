@@ -19,17 +19,17 @@ struct BoundedNumber {
   }
 
   friend BoundedNumber operator+(const BoundedNumber& a, const BoundedNumber& b) {
-    const double value = a.value + b.value;
-    return {value, a.error + b.error + epsilon * std::abs(value)};
+    const double sum = a.value + b.value;
+    return {sum, a.error + b.error + epsilon * std::abs(sum)};
   }
   friend BoundedNumber operator-(const BoundedNumber& a, const BoundedNumber& b) {
-    const double value = a.value - b.value;
-    return {value, a.error + b.error + epsilon * std::abs(value)};
+    const double difference = a.value - b.value;
+    return {difference, a.error + b.error + epsilon * std::abs(difference)};
   }
   friend BoundedNumber operator*(const BoundedNumber& a, const BoundedNumber& b) {
-    const double value = a.value * b.value;
-    return {value, std::abs(a.value) * b.error + a.error * (std::abs(b.value) + b.error) +
-                       epsilon * std::abs(value)};
+    const double product = a.value * b.value;
+    return {product, std::abs(a.value) * b.error + a.error * (std::abs(b.value) + b.error) +
+                         epsilon * std::abs(product)};
   }
 
  private:

@@ -32,9 +32,9 @@ struct FixedInteger {
     FixedInteger sum;
     std::uint64_t carry = 0;
     for (std::size_t i = 0; i < length; ++i) {
-      const TwoWords words = TwoWords(a.words[i]) + b.words[i] + carry;
-      sum.words[i] = static_cast<std::uint64_t>(words);
-      carry = static_cast<std::uint64_t>(words >> 64U);
+      const TwoWords both = TwoWords(a.words[i]) + b.words[i] + carry;
+      sum.words[i] = static_cast<std::uint64_t>(both);
+      carry = static_cast<std::uint64_t>(both >> 64U);
     }
     return sum;
   }
@@ -42,9 +42,9 @@ struct FixedInteger {
     FixedInteger difference;
     std::uint64_t borrow = 0;
     for (std::size_t i = 0; i < length; ++i) {
-      const TwoWords words = TwoWords(a.words[i]) - b.words[i] - borrow;
-      difference.words[i] = static_cast<std::uint64_t>(words);
-      borrow = static_cast<std::uint64_t>(words >> 64U) & 1U;
+      const TwoWords both = TwoWords(a.words[i]) - b.words[i] - borrow;
+      difference.words[i] = static_cast<std::uint64_t>(both);
+      borrow = static_cast<std::uint64_t>(both >> 64U) & 1U;
     }
     return difference;
   }

@@ -119,7 +119,7 @@ bool is_open_hinge(const Vec3& edge, const Vec3& first_apex, const Vec3& second_
 struct CommonCorners {
   std::array<std::size_t, 3> in_first{};
   std::array<std::size_t, 3> in_second{};
-  std::size_t count = 0;
+  std::size_t count = 0;  ///< 3 where a triangle has two corners in one place, which may touch any
 
   CommonCorners(const Triangle& first, const Triangle& second) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -130,6 +130,7 @@ struct CommonCorners {
         ++count;
       }
     }
+    if (count == 2 && (in_first[0] == in_first[1] || in_second[0] == in_second[1])) count = 3;
   }
 };
 
@@ -155,7 +156,7 @@ bool may_touch(const Triangle& first, const Triangle& second) {
       return !is_open_hinge(edge, first[3 - i - common.in_first[1]] - origin,
                             second[3 - j - common.in_second[1]] - origin);
     }
-    default:
+    default:  // the same triangle, or one without area
       return true;
   }
 }

@@ -1,6 +1,7 @@
 #include "tm/remesh/triangle_contact.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
@@ -95,4 +96,19 @@ TEST_CASE("a gap below rounding is contact, one above is not") {
   CHECK(may_touch(floor, above(0)));
   CHECK(may_touch(floor, above(1e-13)));
   CHECK_FALSE(may_touch(floor, above(1e-10)));
+}
+
+TEST_CASE("a triangle with two corners in one place may touch any that has a corner there") {
+  const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(-1, 0, 1), e(0, -1, 1);
+  for (std::size_t turn = 0; turn < 3; ++turn) {
+    Triangle thin{a, a, b};
+    std::rotate(thin.begin(), thin.begin() + static_cast<std::ptrdiff_t>(turn), thin.end());
+    for (const Triangle& other :
+         {Triangle{a, d, e}, Triangle{d, a, e}, Triangle{d, e, a}, Triangle{a, b, c}, thin}) {
+      CHECK(may_touch(thin, other));
+      CHECK(may_touch(other, thin));
+    }
+    CHECK_FALSE(may_touch(thin, {Vec3(5, 5, 5), Vec3(6, 5, 5), Vec3(5, 6, 5)}));
+  }
+  CHECK(may_touch({a, a, a}, {a, b, c}));
 }
