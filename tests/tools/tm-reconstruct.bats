@@ -219,6 +219,50 @@ take_pocket() {
   cmp auto.ply closed.ply
 }
 
+@test "the result is colored as tm-color does it, or gets a texture" {
+  quick=("${reconstruct[@]}" --coarsest 4 --passes 1 --no-provenance -q)
+  "${quick[@]}" -o plain.ply
+  "${quick[@]}" --color -o colored.ply
+  [ "$(tm-convert --format ply-ascii colored.ply | grep -c "^property uchar \(red\|green\|blue\)$")" -eq 3 ]
+  tm-color --cameras "$scene/par.txt" --images "$scene/images" --no-provenance -q plain.ply -o again.ply
+  colors() { tm-convert --format ply-ascii --no-provenance "$1" | sed '1,/end_header/d' | sort | sha256sum; }
+  [ "$(tm-info --get vertices colored.ply)" -eq "$(tm-info --get vertices plain.ply)" ]
+  [ "$(colors colored.ply)" = "$(colors again.ply)" ]
+  "${quick[@]}" --texture --texture-size 256 -o textured.obj
+  grep -qx "mtllib textured.mtl" textured.obj
+  [ -s textured.png ]
+  run --separate-stderr "${quick[@]}" --texture --color -o both.obj
+  assert_status 2
+  [ ! -e both.obj ]
+}
+
+@test "--crumbs says which components go at last" {
+  mkdir images masks
+  tm-shape sphere --radius 20 --faces 4000 -o large.ply
+  tm-shape sphere --radius 5 --center 34,0,0 --faces 1000 -o small.ply
+  tm-cat large.ply small.ply -o truth.ply
+  tm-photograph --ring 12 --size 120x90 --write-images images --write-silhouettes masks -o par.txt truth.ply
+  for share in 0 0.1; do
+    tm-reconstruct --cameras par.txt --images images --silhouettes masks --keep all --crumbs "$share" \
+      --coarsest 2 --passes 1 -q -o "out-$share.ply" --report "$share.json"
+  done
+  [ "$(value crumbs 0.json) $(tm-info --get components out-0.ply)" = "0 2" ]
+  [ "$(value crumbs 0.1.json) $(tm-info --get components out-0.1.ply)" = "1 1" ]
+}
+
+@test "views that are farther apart than --max-angle are not compared" {
+  mkdir images masks
+  tm-shape dented --radius 50 --faces 8000 -o truth.ply
+  tm-photograph --ring 6 --elevations 0,0 --size 120x90 --write-images images \
+    --write-silhouettes masks -o par.txt truth.ply
+  wide=(tm-reconstruct --cameras par.txt --images images --silhouettes masks --passes 1 --coarsest 2 -q)
+  "${wide[@]}" --max-angle 65 -o wide.ply --report wide.json
+  below 0.3 "$(value coverage wide.json)"
+  run --separate-stderr "${wide[@]}" -o none.ply
+  assert_status 3
+  [ ! -e none.ply ]
+}
+
 @test "two balls in one wrapping come apart" {
   mkdir images masks
   tm-shape two-spheres --radius 20 --gap 6 --faces 10000 -o truth.ply
