@@ -19,7 +19,7 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
   try {
     result = stitch(mesh, options);
   } catch (const InputError&) {
-    demand(options.orient, "refused, although nothing is to be oriented");
+    demand(options.orient || options.one_side, "refused, although nothing is to be oriented");
     return;
   }
   const ManifoldReport report = check_manifold(mesh);

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <zlib.h>
 
+#include <cstdint>
+
 namespace transformesh {
 
 TEST_CASE("base64 as RFC 4648 has it") {
@@ -16,7 +18,7 @@ TEST_CASE("base64 as RFC 4648 has it") {
 
 TEST_CASE("zlib inflates what was deflated") {
   std::string bytes;
-  for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(i * i / 97);
+  for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(std::int64_t{i} * i / 97);
   for (const std::string& text : {std::string(), std::string("a"), bytes}) {
     const std::string packed = deflated(text);
     std::string back(text.size() + 1, '\0');
