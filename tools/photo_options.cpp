@@ -33,6 +33,8 @@ void declare_comparison(Program& program, PhotoOptions& options) {
 void declare_step(Program& program, PhotoOptions& options) {
   PhotoStepOptions& step = options.steps.step;
   program.integer("iterations", &options.iterations, 1, 1000, "steps in a row");
+  program.number("momentum", &options.steps.momentum, 0, 0.99,
+                 "share of a step's movement that goes on in the next one, but for the last");
   program.choice("step", &options.rule, {"gauss-newton", "paper"},
                  "how far to go down the gradient");
   program.number("alpha", &step.alpha, 0, 1e300,

@@ -47,8 +47,8 @@ void declare_scales(Program& program, ReconstructChoices& choices) {
                "then shorten them to this in steps of the square root of 2, at full scale "
                "(default: as --edge)");
   program.integer("passes", &choices.options.passes, 1, no_limit, "at most so many at each scale");
-  program.integer("iterations", &choices.options.steps.iterations, 1, no_limit,
-                  "steps between two cleanings");
+  program.text("iterations", &choices.iterations, "auto|N",
+               "steps between two cleanings; auto: 5, but 8 from open hollows");
 }
 
 void declare_colors(Program& program, ReconstructChoices& choices) {
@@ -87,6 +87,13 @@ std::optional<double> number_or_auto(const std::string& option, const std::strin
                                      double minimum) {
   if (text == "auto") return std::nullopt;
   return number_of(option, text, minimum);
+}
+
+std::optional<int> iterations_of(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  const auto count = number_in<int>(text);
+  if (count && *count >= 1) return count;
+  throw UsageError("--iterations: '" + text + "' is neither auto nor a whole number of at least 1");
 }
 
 std::optional<WindowRadii> windows_of(const std::string& text) {
@@ -166,6 +173,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   options.scales.last_edge = choices.last_edge.empty()
                                  ? options.scales.edge
                                  : number_of("last-edge", choices.last_edge, 1);
+  options.iterations = iterations_of(choices.iterations);
   options.windows = windows_of(choices.window);
   options.robust = number_or_auto("robust", choices.robust, 0);
   options.on_note = [&run](const std::string& text) { run.note(text); };

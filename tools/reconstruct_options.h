@@ -28,6 +28,7 @@ struct ReconstructChoices {
   double track = SequenceOptions().track;
   std::string coarsest = "auto";
   std::string last_edge;
+  std::string iterations = "auto";
   std::string window = "auto";
   std::string robust = "auto";
   ViewCheckChoices check;

@@ -144,17 +144,15 @@ StartOptions start_of(double keep, const std::string& clip, const std::string& h
   return start;
 }
 
-MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const Path& silhouettes,
-                                const std::optional<MeshPointer>& start, const std::string& clip,
-                                const std::string& silhouettes_show, double edge,
-                                const std::optional<double>& last_edge,
-                                const std::optional<double>& coarsest, std::size_t passes,
-                                int iterations, const std::optional<double>& robust,
-                                const std::variant<double, std::string>& keep,
-                                const std::string& hollows, const Window& window, double max_angle,
-                                double crumbs, double least_agreement, bool drop_bad_views,
-                                bool mirror, const py::object& on_pass,
-                                const py::object& progress) {
+MeshPointer reconstruct_surface(
+    const Path& cameras, const Path& images, const Path& silhouettes,
+    const std::optional<MeshPointer>& start, const std::string& clip,
+    const std::string& silhouettes_show, double edge, const std::optional<double>& last_edge,
+    const std::optional<double>& coarsest, std::size_t passes, const std::optional<int>& iterations,
+    const std::optional<double>& robust, const std::variant<double, std::string>& keep,
+    const std::string& hollows, const Window& window, double max_angle, double crumbs,
+    double least_agreement, bool drop_bad_views, bool mirror, const py::object& on_pass,
+    const py::object& progress) {
   ReconstructionOptions options;
   const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
   options.start = start_of(share_of(keep), clip, hollows, is_exact, least_agreement);
@@ -163,7 +161,7 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
   options.pairs.maximum_angle_deg = max_angle;
   options.scales = {coarsest, edge, last_edge.value_or(edge)};
   options.passes = passes;
-  options.steps.iterations = iterations;
+  options.iterations = iterations;
   options.robust = robust;
   options.crumbs = crumbs;
   options.on_pass = teller_to(on_pass);
@@ -202,10 +200,9 @@ void bind_views(py::module_& module) {
       "reconstruct", &reconstruct_surface, arg("cameras"), arg("images"), arg("silhouettes") = "",
       py::kw_only(), arg("start") = none, arg("clip") = "hull", arg("silhouettes_show") = "exact",
       arg("edge") = ScaleOptions().edge, arg("last_edge") = none, arg("coarsest") = none,
-      arg("passes") = ReconstructionOptions().passes,
-      arg("iterations") = ReconstructionOptions().steps.iterations, arg("robust") = none,
-      arg("keep") = "largest", arg("hollows") = "auto", arg("window") = "auto",
-      arg("max_angle") = PairOptions().maximum_angle_deg,
+      arg("passes") = ReconstructionOptions().passes, arg("iterations") = none,
+      arg("robust") = none, arg("keep") = "largest", arg("hollows") = "auto",
+      arg("window") = "auto", arg("max_angle") = PairOptions().maximum_angle_deg,
       arg("crumbs") = ReconstructionOptions().crumbs,
       arg("least_agreement") = ViewCheckOptions().least_agreement, arg("drop_bad_views") = false,
       arg("mirror") = false, arg("on_pass") = none, arg("progress") = none,

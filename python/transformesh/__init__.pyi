@@ -267,7 +267,7 @@ def reconstruct(
     last_edge: Optional[float] = None,
     coarsest: Optional[float] = None,
     passes: int = 4,
-    iterations: int = 5,
+    iterations: Optional[int] = None,
     robust: Optional[float] = None,
     keep: Union[float, Literal["largest", "all"]] = "largest",
     hollows: Literal["auto", "closed"] = "auto",

@@ -60,6 +60,7 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       pairs_(options.pairs),
       steps_(options.steps),
       windows_(options.windows.value_or(WindowRadii{beginning.coarsest ? 5 : 3, 3})) {
+  steps_.iterations = options.iterations.value_or(beginning.coarsest ? 8 : 5);
   const bool are_outlines = beginning.outlined.has_value();
   double& pull = steps_.step.silhouettes;
   if (are_outlines) pull = read_back(significant(0.2 * pull, 9));

@@ -35,10 +35,11 @@ struct ReconstructionOptions {
   PairOptions pairs;
   /// Nothing: 3, but 5 and then 3 from a hull that was opened.
   std::optional<WindowRadii> windows = std::nullopt;
+  std::optional<int> iterations = std::nullopt;  ///< of a pass. Nothing: 5, but 8 from such a hull
   std::size_t passes = 4;  ///< at a scale, at most; twice while the topology changes
-  /// Of a pass. Silhouettes pull as strongly as masks; outlines of the hull, which are as if only
-  /// the least was shown, pull by a fifth of it. What they mean is in `start`.
-  PhotoStepsOptions steps = {.step = {.silhouettes = 0.5}, .iterations = 5};
+  /// But for iterations. Silhouettes pull as strongly as masks; outlines of the hull, which are as
+  /// if only the least was shown, pull by a fifth of it. What they mean is in `start`.
+  PhotoStepsOptions steps = {.step = {.silhouettes = 0.5}, .momentum = 0.7};
   /// The views may be cropped to the object, where they are packed (HeldImage), and lose their
   /// images in the end: for less memory, where they are not needed any more.
   bool spends_views = false;

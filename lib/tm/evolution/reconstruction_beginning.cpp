@@ -12,7 +12,7 @@ constexpr const char* start_name = "start.ply";
 constexpr const char* hull_name = "hull.ply";
 constexpr const char* coarsest_name = "coarsest";
 /// Of the scale at which depths were found, so that edges do not close the hollows.
-constexpr double coarsest_by_scale = 2;
+constexpr double coarsest_by_scale = 1.5;
 
 void open_hollows(Beginning& begun, const std::vector<View>& views, const BeginningOptions& options,
                   const Progress& progress) {

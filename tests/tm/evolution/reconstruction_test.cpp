@@ -34,7 +34,7 @@ ReconstructionOptions few_passes() {
   ReconstructionOptions options;
   options.scales = {2, 4, 4};
   options.passes = 2;
-  options.steps.iterations = 3;
+  options.iterations = 3;
   return options;
 }
 
@@ -143,7 +143,8 @@ TEST_CASE("a start is clipped by the hull of exact masks, and only by that") {
   };
   ReconstructionOptions options = few_passes();
   options.scales = {4, 3, 3};
-  options.passes = options.steps.iterations = 1;
+  options.passes = 1;
+  options.iterations = 1;
   CHECK(outside(options) < 10);
   options.start.clips_by_hull = false;
   CHECK(outside(options) > 50);
@@ -188,7 +189,8 @@ TEST_CASE(
   const std::vector<View> views = test::photographed(test::scaled(test::icosphere(4), 0.2));
   ReconstructionOptions options = few_passes();
   options.scales = {};
-  options.passes = options.steps.iterations = 1;
+  options.passes = 1;
+  options.iterations = 1;
   std::vector<std::string> details;
   options.on_detail = [&](const std::string& text) { details.push_back(text); };
   const Run run = run_of(options, {}, views);
@@ -207,7 +209,8 @@ TEST_CASE("comments of the document are those of the result, and its columns are
   start.mesh.vertex_columns.get("heat", Scalar::float32, start.mesh.positions.size());
   ReconstructionOptions options = from_given(few_passes());
   options.scales = {2, 6, 6};
-  options.passes = options.steps.iterations = 1;
+  options.passes = 1;
+  options.iterations = 1;
   options.start.clips_by_hull = false;
   const Document result = run_of(options, start).document;
   CHECK(result.style.comments == start.style.comments);
@@ -224,7 +227,7 @@ TEST_CASE(
   for (std::size_t v = 0; v < views.size(); ++v) views[v].image = images[(v + 3) % views.size()];
   ReconstructionOptions options;
   options.scales = {4, 3, 3};
-  options.steps.iterations = 30;
+  options.iterations = 30;
   options.steps.step.silhouettes = 0;
   options.steps.step.stiffness = 1e-4;
   options.passes = 6;

@@ -26,7 +26,7 @@ SequenceOptions options_in(const TemporaryFolder& folder) {
   SequenceOptions options;
   options.reconstruction.scales = {2, 4, 4};
   options.reconstruction.passes = 1;
-  options.reconstruction.steps.iterations = 3;
+  options.reconstruction.iterations = 3;
   options.track = 2;
   options.comments = {"tm-reconstruct 0.1.0"};
   options.folder = folder / "out";

@@ -1,4 +1,10 @@
 /// Several steps towards photographs (photo_step.h) in a row, on the same faces.
+///
+/// With momentum a step also goes on with a share of the movement before it, but for the last one:
+/// where steps are small and agree, as where noise is most of what photographs show, the surface
+/// gets there in a fraction of them, while movements to and fro cancel.
+/// Reference: Polyak, "Some methods of speeding up the convergence of iteration methods", USSR
+/// Computational Mathematics and Mathematical Physics 4(5), 1964.
 #pragma once
 
 #include "tm/views/photo/photo_step.h"
@@ -11,6 +17,7 @@ struct PhotoStepsOptions {
   /// Compare a pair of views in one order only, the lower index first, and in the next step the
   /// other way round: half the work, and as good after a few steps.
   bool alternate = false;
+  double momentum = 0;  ///< [0, 1): the share
 };
 
 struct PhotoStepsResult {
@@ -23,7 +30,8 @@ struct PhotoStepsResult {
   bool lost_coverage = false;
 };
 
-/// Throws as photo_step() does, and UsageError for less than one iteration.
+/// Throws as photo_step() does, and UsageError for less than one iteration and a momentum out of
+/// range.
 PhotoStepsResult photo_steps(Mesh& mesh, const PhotoScene& scene,
                              const PhotoStepsOptions& options = {}, const Progress& progress = {});
 

@@ -39,6 +39,24 @@ TEST_CASE("one order of the pairs after the other is as good") {
   CHECK(static_cast<double>(result.first.pixels) < 0.6 * static_cast<double>(both));
 }
 
+TEST_CASE("with momentum small steps get there in fewer, and a single one is as without") {
+  const PhotoScene scene = photo_scene(ring(), 2);
+  PhotoStepOptions small;
+  small.damping = 3;
+  const auto error_after = [&](int iterations, double momentum) {
+    Mesh mesh = ball(1.05);
+    photo_steps(mesh, scene, {small, iterations, true, momentum});
+    return error(mesh, 1);
+  };
+  CHECK(error_after(1, 0.7) == error_after(1, 0));
+  CHECK(error_after(6, 0.7) < 0.75 * error_after(6, 0));
+  CHECK(error_after(10, 0.7) < error_after(16, 0));
+  // The last step is no farther than it goes by itself, so that the surface comes to rest.
+  CHECK(error_after(30, 0.7) < 0.3 * scene.pixel);
+  CHECK_THROWS_AS(error_after(2, 1), UsageError);
+  CHECK_THROWS_AS(error_after(2, -0.1), UsageError);
+}
+
 TEST_CASE("a robust loss minds less what photographs show that is not on the surface") {
   // Speckles that stay where they are in every photograph, as dirt on a lens.
   std::vector<View> views = ring();
