@@ -72,8 +72,8 @@ void declare_steps(Program& program, ReconstructChoices& choices) {
                  "resistance to bending");
   program.number("crumbs", &choices.options.crumbs, 0, 1,
                  "at last, drop components of less than this share of the largest one's volume");
-  program.number("pull", &choices.options.steps.step.silhouettes, 0, 1e300,
-                 "how much silhouettes pull");
+  program.text("pull", &choices.pull, "auto|NUMBER",
+               "how much silhouettes pull; auto: 0.5, or 1.5 where views are far apart");
 }
 
 double number_of(const std::string& option, const std::string& text, double minimum) {
@@ -175,6 +175,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
                                  : number_of("last-edge", choices.last_edge, 1);
   options.iterations = iterations_of(choices.iterations);
   options.windows = windows_of(choices.window);
+  options.pull = number_or_auto("pull", choices.pull, 0);
   options.robust = number_or_auto("robust", choices.robust, 0);
   options.on_note = [&run](const std::string& text) { run.note(text); };
   options.on_detail = [&run](const std::string& text) { run.detail(text); };

@@ -31,6 +31,7 @@ struct ReconstructChoices {
   std::string iterations = "auto";
   std::string window = "auto";
   std::string robust = "auto";
+  std::string pull = "auto";
   ViewCheckChoices check;
   bool is_colored = false;
   ColorChoices color;

@@ -9,6 +9,8 @@
 #include "tm/mesh/components.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
+#include "tm/views/cameras/pinhole_camera.h"
+#include "tm/views/cameras/view_pairs.h"
 #include "tm/views/hull/silhouette.h"
 
 namespace transformesh {
@@ -19,6 +21,11 @@ constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
 /// Below it too much would be done once more. A little below 2, which scales are not exactly.
 constexpr double stiffer_scale = 1.99;
+
+std::vector<ViewPair> pairs_of(const std::vector<View>& views, const PairOptions& options) {
+  const std::vector<PinholeCamera> cameras = cameras_of(views);
+  return choose_pairs(cameras, viewed_point(cameras), options);
+}
 
 /// The photographs, at the scale that was asked for last, and steps towards them.
 class Photographs {
@@ -62,8 +69,8 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       windows_(options.windows.value_or(WindowRadii{beginning.coarsest ? 5 : 3, 3})) {
   steps_.iterations = options.iterations.value_or(beginning.coarsest ? 8 : 5);
   const bool are_outlines = beginning.outlined.has_value();
-  double& pull = steps_.step.silhouettes;
-  if (are_outlines) pull = read_back(significant(0.2 * pull, 9));
+  const double pull = options.pull.value_or(is_wide(pairs_of(views, options.pairs)) ? 1.5 : 0.5);
+  steps_.step.silhouettes = are_outlines ? read_back(significant(0.2 * pull, 9)) : pull;
   steps_.step.meaning = are_outlines ? SilhouetteMeaning::least : options.start.meaning;
 }
 

@@ -37,9 +37,10 @@ struct ReconstructionOptions {
   std::optional<WindowRadii> windows = std::nullopt;
   std::optional<int> iterations = std::nullopt;  ///< of a pass. Nothing: 5, but 8 from such a hull
   std::size_t passes = 4;  ///< at a scale, at most; twice while the topology changes
-  /// But for iterations. Silhouettes pull as strongly as masks; outlines of the hull, which are as
-  /// if only the least was shown, pull by a fifth of it. What they mean is in `start`.
-  PhotoStepsOptions steps = {.step = {.silhouettes = 0.5}, .momentum = 0.7};
+  /// Of masks; outlines of the hull, which are as if only the least was shown, pull by a fifth of
+  /// it. Nothing: 0.5, or 1.5 where photographs say little as they are far apart (is_wide).
+  std::optional<double> pull = std::nullopt;
+  PhotoStepsOptions steps = {.momentum = 0.7};  ///< but for what is said above and in `start`
   /// The views may be cropped to the object, where they are packed (HeldImage), and lose their
   /// images in the end: for less memory, where they are not needed any more.
   bool spends_views = false;

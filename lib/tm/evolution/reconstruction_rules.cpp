@@ -1,6 +1,7 @@
 #include "tm/evolution/reconstruction_rules.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "tm/support/number.h"
 
@@ -23,6 +24,7 @@ constexpr double exploded_share = 0.3;
 constexpr double agreement_lost = 0.005;
 constexpr double most_disagreement = 0.2;
 constexpr double most_doubtful = 0.03;
+constexpr double wide_deg = 40;
 
 double real(std::size_t count) { return static_cast<double>(count); }
 
@@ -78,6 +80,13 @@ void LevelRule::remember(Memory& memory) {
 }
 
 int WindowRadii::at(double scale) const { return scale > late_scale ? coarse : fine; }
+
+bool is_wide(std::span<const ViewPair> pairs) {
+  const double sum =
+      std::accumulate(pairs.begin(), pairs.end(), 0.0,
+                      [](double angles, const ViewPair& pair) { return angles + pair.angle_deg; });
+  return sum > wide_deg * real(pairs.size());
+}
 
 bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now) {
   return real(pixels_now) < 0.95 * real(pixels_of_start);

@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "tm/evolution/iteration.h"
 #include "tm/evolution/memory.h"
 #include "tm/evolution/scales.h"
 #include "tm/evolution/surface_doubt.h"
+#include "tm/views/cameras/view_pairs.h"
 #include "tm/views/photo/photo_steps.h"
 
 namespace transformesh {
@@ -68,6 +70,9 @@ struct WindowRadii {
 
   int at(double scale) const;
 };
+
+/// Whether views that are compared are more than 40 degrees apart, on average.
+bool is_wide(std::span<const ViewPair> pairs);
 
 /// Whether edges were too long, so that thin parts of the object are gone, and with them a
 /// twentieth of the pixels that are compared. A start that was only too large loses fewer.

@@ -62,6 +62,15 @@ TEST_CASE("while the topology changes a level has twice as many passes, and no r
   CHECK_FALSE(verdict.is_at_rest);
 }
 
+TEST_CASE(
+    "views are wide where those that are compared are more than 40 degrees apart on average") {
+  const std::vector<ViewPair> eight{{0, 1, 45}, {1, 0, 45}};
+  const std::vector<ViewPair> mixed{{0, 1, 45}, {1, 0, 45}, {0, 2, 20}, {2, 0, 20}};
+  CHECK(is_wide(eight));
+  CHECK_FALSE(is_wide(mixed));
+  CHECK_FALSE(is_wide(std::vector<ViewPair>{}));
+}
+
 TEST_CASE("while vertices come in from outside of silhouettes a level goes on") {
   LevelRule rule(2);
   CHECK_FALSE(rule.add(with_outside(moving(0.5), 100)).is_done);

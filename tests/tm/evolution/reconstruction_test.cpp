@@ -228,7 +228,7 @@ TEST_CASE(
   ReconstructionOptions options;
   options.scales = {4, 3, 3};
   options.iterations = 30;
-  options.steps.step.silhouettes = 0;
+  options.pull = 0;
   options.steps.step.stiffness = 1e-4;
   options.passes = 6;
   std::vector<std::string> notes;
