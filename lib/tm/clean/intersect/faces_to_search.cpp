@@ -8,9 +8,9 @@
 namespace transformesh {
 namespace {
 
-/// In so many cells a face may be on average.
-constexpr std::size_t most_cells_each = 16;
-constexpr double most_cells_per_axis = 255;
+/// There are about as many cells as faces, and large faces may take up so many times that.
+constexpr std::size_t most_cells_per_face = 16;
+constexpr double most_cells_per_axis = 253;
 constexpr Index several = no_index - 1;  ///< zones
 
 std::vector<Index> first_copies(const WeldedMesh& welded) {
@@ -22,45 +22,93 @@ std::vector<Index> first_copies(const WeldedMesh& welded) {
   return firsts;
 }
 
-// Per cell, the zone of the faces there. Empty where faces are in too many cells to look at each.
-std::vector<Index> find_zones_at(const WeldedMesh& welded, const CornerCells& cells,
-                                 std::span<const Index> faces, std::span<const Index> zones) {
-  std::size_t left = most_cells_each * faces.size();
-  std::vector<Index> zone_at(cells.count(), no_index);
-  for (const Index f : faces) {
-    const CellRange range = cells.around(welded.faces[f]);
-    const std::size_t size = range.size();
-    if (size > left) return {};
-    left -= size;
-    const Index zone = zones[f] == no_index ? several : zones[f];
-    cells.for_each(range, [&](std::size_t cell) {
-      zone_at[cell] = zone_at[cell] == no_index || zone_at[cell] == zone ? zone : several;
-      return true;
-    });
-  }
-  return zone_at;
+/// Whether a face is in two cells at most along each axis.
+bool is_usual(const CellRange& range) {
+  unsigned most = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    most = std::max(most, static_cast<unsigned>(range.high[axis] - range.low[axis]));
+  return most <= 1;
 }
+
+/// The zones of faces in the cells of a grid. A usual face is entered into its lowest cell only:
+/// where two have a cell in common, these are the same or next to each other.
+class ZoneGrid {
+ public:
+  explicit ZoneGrid(unsigned per_axis)
+      : side_(per_axis + 2), zone_at_(std::size_t{side_} * side_ * side_, no_index) {}
+
+  Index cell(std::size_t x, std::size_t y, std::size_t z) const {
+    return static_cast<Index>(((x + 1) * side_ + y + 1) * side_ + z + 1);
+  }
+  Index lowest_cell(const CellRange& range) const {
+    return cell(range.low[0], range.low[1], range.low[2]);
+  }
+
+  void enter(Index cell, Index zone) {
+    Index& at = zone_at_[cell];
+    if (at == no_index) occupied_.push_back(cell);
+    at = at == no_index || at == zone ? zone : several;
+  }
+  void enter_large(const CellRange& range) {
+    for (std::size_t x = range.low[0]; x <= range.high[0]; ++x)
+      for (std::size_t y = range.low[1]; y <= range.high[1]; ++y)
+        for (std::size_t z = range.low[2]; z <= range.high[2]; ++z) enter(cell(x, y, z), several);
+  }
+
+  /// Marks the cells in which, or next to which, there are faces of several zones.
+  std::vector<char> find_crowded() const {
+    std::vector<char> is_crowded(zone_at_.size(), 0);
+    for (const Index cell : occupied_) {
+      const Index zone = zone_at_[cell];
+      bool found = zone == several;
+      for (const std::size_t x : {cell - side_ * side_, cell + 0U, cell + side_ * side_})
+        for (const std::size_t y : {x - side_, x, x + side_})
+          for (const std::size_t z : {y - 1, y, y + 1})
+            found |= zone_at_[z] != no_index && zone_at_[z] != zone;
+      is_crowded[cell] = found ? 1 : 0;
+    }
+    return is_crowded;
+  }
+
+ private:
+  Index side_;  ///< with a margin
+  std::vector<Index> zone_at_;
+  std::vector<Index> occupied_;
+};
 
 }  // namespace
 
-// There are about as many cells as faces.
 std::vector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> zones) {
-  std::vector<Index> firsts = first_copies(welded);
+  std::vector<Index> faces = first_copies(welded);
   const auto count = static_cast<std::size_t>(std::count(zones.begin(), zones.end(), no_index));
-  if (count > zones.size() / 2) return firsts;
-  const double side = std::cbrt(static_cast<double>(firsts.size()));
-  const CornerCells cells(welded.points,
-                          static_cast<unsigned>(std::clamp(side, 2.0, most_cells_per_axis)));
-  if (!cells.is_usable()) return firsts;
-  const std::vector<Index> zone_at = find_zones_at(welded, cells, firsts, zones);
-  if (zone_at.empty()) return firsts;
-  std::erase_if(firsts, [&](Index f) {
-    bool is_alone = true;
-    cells.for_each(cells.around(welded.faces[f]),
-                   [&](std::size_t cell) { return is_alone = zone_at[cell] != several; });
-    return is_alone;
-  });
-  return firsts;
+  if (count > zones.size() / 2) return faces;
+  const double side = std::cbrt(static_cast<double>(faces.size()));
+  const auto per_axis = static_cast<unsigned>(std::clamp(side, 2.0, most_cells_per_axis));
+  const CornerCells cells(welded.points, per_axis);
+  if (!cells.is_usable()) return faces;
+
+  ZoneGrid grid(per_axis);
+  std::vector<Index> cell_of(faces.size(), no_index);  // of usual ones
+  std::size_t cells_left = most_cells_per_face * faces.size();
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const CellRange range = cells.around(welded.faces[faces[i]]);
+    if (is_usual(range)) {
+      cell_of[i] = grid.lowest_cell(range);
+      grid.enter(cell_of[i], zones[faces[i]] == no_index ? several : zones[faces[i]]);
+    } else {
+      if (range.size() > cells_left) return faces;
+      cells_left -= range.size();
+      grid.enter_large(range);
+    }
+  }
+  const std::vector<char> is_crowded = grid.find_crowded();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    faces[kept] = faces[i];
+    kept += cell_of[i] == no_index || is_crowded[cell_of[i]] ? 1 : 0;
+  }
+  faces.resize(kept);
+  return faces;
 }
 
 }  // namespace transformesh

@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-/// Of equal faces the first, but for those without a cell in common with any face of another zone,
+/// Of equal faces the first, but for those that are far from any face of another zone,
 /// or of none (zones.h): these meet nothing. Where most have no zone, all of them. Ascending. O(n);
 /// deterministic.
 std::vector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> zones);
