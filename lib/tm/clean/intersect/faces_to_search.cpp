@@ -1,7 +1,6 @@
 #include "tm/clean/intersect/faces_to_search.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "tm/clean/intersect/corner_cells.h"
 
@@ -10,7 +9,7 @@ namespace {
 
 /// There are about as many cells as faces, and large faces may take up so many times that.
 constexpr std::size_t most_cells_per_face = 16;
-constexpr double most_cells_per_axis = 253;
+constexpr unsigned most_cells_per_axis = 253;
 constexpr Index several = no_index - 1;  ///< zones
 
 std::vector<Index> first_copies(const WeldedMesh& welded) {
@@ -20,6 +19,12 @@ std::vector<Index> first_copies(const WeldedMesh& welded) {
     if (welded.first_copy[f] == f) firsts.push_back(f);
   }
   return firsts;
+}
+
+unsigned cells_per_axis(std::size_t cells) {
+  unsigned side = 2;
+  while (side < most_cells_per_axis && std::size_t{side} * side * side < cells) ++side;
+  return side;
 }
 
 /// Whether a face is in two cells at most along each axis.
@@ -82,8 +87,7 @@ std::vector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<cons
   std::vector<Index> faces = first_copies(welded);
   const auto count = static_cast<std::size_t>(std::count(zones.begin(), zones.end(), no_index));
   if (count > zones.size() / 2) return faces;
-  const double side = std::cbrt(static_cast<double>(faces.size()));
-  const auto per_axis = static_cast<unsigned>(std::clamp(side, 2.0, most_cells_per_axis));
+  const unsigned per_axis = cells_per_axis(faces.size());
   const CornerCells cells(welded.points, per_axis);
   if (!cells.is_usable()) return faces;
 

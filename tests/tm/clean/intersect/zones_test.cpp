@@ -19,7 +19,7 @@ std::size_t count_in_zones(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   const Zones zones = find_zones(welded);
   std::vector<Index> zone_at(welded.points.size(), no_index);
-  std::size_t count = 0;
+  std::size_t count = 0, meetings = 0;
   for (Index f = 0; f < welded.faces.size(); ++f) {
     const Index zone = zones.of_face[f];
     for (const Index point : welded.faces[f]) {
@@ -31,8 +31,9 @@ std::size_t count_in_zones(const Mesh& mesh) {
     if (zone == no_index) continue;
     ++count;
     for (Index g = 0; g < f; ++g)
-      if (zones.of_face[g] == zone) CHECK(!find_contacts(welded, f, g).meet);
+      meetings += zones.of_face[g] == zone && find_contacts(welded, f, g).meet ? 1 : 0;
   }
+  CHECK(meetings == 0);
   return count;
 }
 
@@ -53,7 +54,7 @@ Mesh stairs(int turns, double rise) {
 }
 
 TEST_CASE("a smooth surface consists of few zones") {
-  const Mesh sphere = test::icosphere(4);
+  const Mesh sphere = test::icosphere(3);
   CHECK(count_in_zones(sphere) > sphere.faces.size() * 9 / 10);
   const WeldedMesh welded = weld(sphere);
   std::vector<Index> zones = find_zones(welded).of_face;
