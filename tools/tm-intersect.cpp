@@ -65,7 +65,7 @@ void intersect(Document& document, const Options& options, tool::Run& run) {
   if (!options.segments.empty()) {
     run.write(options.segments, segment_file(intersection_segments(document.mesh, pairs)));
   }
-  count_per_face(document.mesh, pairs);
+  if (!options.check) count_per_face(document.mesh, pairs);
   if (options.refine) document.mesh = refine(document.mesh, run.progress());
   run.answer(pairs.empty() || !options.check);
 }

@@ -3,6 +3,7 @@
 #include "frame/run.h"
 #include "remesh_options.h"
 #include "tm/geometry/source_points.h"
+#include "tm/io/comments.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/remesh.h"
 #include "tm/support/number.h"
@@ -42,12 +43,14 @@ bool refers_to_edge(const std::optional<Length>& length) {
 }
 
 // The comment of an evolution may be older than the mesh.
-void note_reference_edge(const tool::RemeshChoices& choices, const Mesh& mesh, tool::Run& run) {
+void note_reference_edge(const tool::RemeshChoices& choices, const Document& document,
+                         tool::Run& run) {
   const bool is_used = refers_to_edge(choices.min_edge) || refers_to_edge(choices.max_edge) ||
                        refers_to_edge(choices.adaptive);
   const bool is_chosen = !run.program().common.reference_edge.empty();
   if (!is_used || is_chosen || !choices.remesh.size_column.empty()) return;
-  const double mean = edge_lengths(mesh).mean;
+  if (!reference_edge_of(document.style.comments)) return;
+  const double mean = edge_lengths(document.mesh).mean;
   const double reference = run.reference_edge();
   if (reference <= most_apart * mean && mean <= most_apart * reference) return;
   run.note("edges become " + significant(reference, 3) +
@@ -57,7 +60,7 @@ void note_reference_edge(const tool::RemeshChoices& choices, const Mesh& mesh, t
 
 StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   const RemeshOptions options = tool::remesh_options(choices, document, run);
-  note_reference_edge(choices, document.mesh, run);
+  note_reference_edge(choices, document, run);
   const RemeshResult result = remesh(document.mesh, options, run.progress());
   run.report("splits", result.splits);
   run.report("collapses", result.collapses);

@@ -15,33 +15,39 @@
 namespace {
 
 constexpr std::size_t huge_page = std::size_t{2} << 20;
-constexpr std::size_t large = 2 * huge_page;
+constexpr std::size_t large = huge_page / 4;
 constexpr std::size_t small_page = std::size_t{4} << 10;
 constexpr std::size_t medium = 16 * small_page;
 
-/// Up to where the heap has been touched.
-std::atomic<std::uintptr_t> touched_end{0};
+/// Up to where the heap has been prepared.
+std::atomic<std::uintptr_t> prepared_end{0};
 
-// Asks for huge pages where whole ones lie in the block. It is no error that there are none.
-void advise(void* block, std::size_t size) {
-  const auto address = reinterpret_cast<std::uintptr_t>(block);
-  const std::uintptr_t first = (address + huge_page - 1) / huge_page * huge_page;
-  const std::uintptr_t last = (address + size) / huge_page * huge_page;
-  if (last > first) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+void advise(std::uintptr_t first, std::uintptr_t last, int advice) {
+  if (last > first) madvise(reinterpret_cast<void*>(first), last - first, advice);
 }
 
-// Takes the pages of a block for which the heap has grown, all at once: one by one, at their first
-// touch, they take longer. Where the system cannot do that, nothing happens.
-void touch([[maybe_unused]] void* block, [[maybe_unused]] std::size_t size) {
+// Pages take long one by one at their first touch. Once a block is large, all that the heap has
+// grown by may have huge pages; before, small ones are taken for each block, all at once. Outside
+// of the heap, a block has huge pages where whole ones lie in it. It is no error where the system
+// cannot do that.
+void prepare(void* block, std::size_t size) {
+  const auto first = reinterpret_cast<std::uintptr_t>(block);
+  const std::uintptr_t last = first + size;
+  const auto heap_end = reinterpret_cast<std::uintptr_t>(sbrk(0));
+  if (first >= heap_end) {
+    advise((first + huge_page - 1) / huge_page * huge_page, last / huge_page * huge_page,
+           MADV_HUGEPAGE);
+    return;
+  }
+  const std::uintptr_t prepared = prepared_end.load(std::memory_order_relaxed);
+  if (last <= prepared) return;
+  const std::uintptr_t begin = std::max(first / small_page * small_page + small_page, prepared);
+  const std::uintptr_t end = size >= large ? heap_end : last / small_page * small_page;
+  prepared_end.store(end, std::memory_order_relaxed);
+  if (size >= large) advise(begin, end, MADV_HUGEPAGE);
 #ifdef MADV_POPULATE_WRITE
-  const auto address = reinterpret_cast<std::uintptr_t>(block);
-  if (address > reinterpret_cast<std::uintptr_t>(sbrk(0))) return;  // not in the heap
-  const std::uintptr_t last = (address + size) / small_page * small_page;
-  const std::uintptr_t first = std::max(address / small_page * small_page + small_page,
-                                        touched_end.load(std::memory_order_relaxed));
-  if (last <= first) return;
-  touched_end.store(last, std::memory_order_relaxed);
-  madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+  else
+    advise(begin, end, MADV_POPULATE_WRITE);
 #endif
 }
 
@@ -51,11 +57,7 @@ void* operator new(std::size_t size) {
   for (;;) {
     void* block = std::malloc(size == 0 ? 1 : size);
     if (block != nullptr) {
-      if (size >= large) {
-        advise(block, size);
-      } else if (size >= medium) {
-        touch(block, size);
-      }
+      if (size >= medium) prepare(block, size);
       return block;
     }
     const std::new_handler handler = std::get_new_handler();
@@ -74,7 +76,7 @@ void prepare_memory() {
   // them than it saves, but for large blocks.
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, 512 << 20);
-  mallopt(M_TOP_PAD, 4 << 20);
+  mallopt(M_TOP_PAD, 16 << 20);
 }
 
 }  // namespace transformesh::tool

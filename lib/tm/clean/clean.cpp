@@ -49,8 +49,9 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
   result.connectivity = std::move(pass.connectivity);
   if (options.outermost && (result.changed || result.patches != 1)) {
     const auto& known = result.connectivity;
-    result.dropped_components = known ? drop_enclosed_components(result.mesh, known->components)
-                                      : drop_enclosed_components(result.mesh);
+    result.dropped_components =
+        known ? drop_enclosed_components(result.mesh, connected_components(result.mesh, *known))
+              : drop_enclosed_components(result.mesh);
     result.changed |= result.dropped_components > 0;
     if (result.dropped_components > 0) result.connectivity.reset();
   }

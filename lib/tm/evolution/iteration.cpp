@@ -175,7 +175,7 @@ CleanedTopology clean_in_place(Document& document, const Progress& progress, boo
   round_as_written(document);
   CleanedTopology cleaned{{}, result.changed, result.pairs, {}};
   if (result.connectivity) {
-    cleaned.topology = topology_of(result.connectivity->components);
+    cleaned.topology = topology_of(connected_components(document.mesh, *result.connectivity));
     cleaned.opposites = std::move(result.connectivity->opposites);
   } else {
     cleaned.topology = topology_of(connected_components(document.mesh));

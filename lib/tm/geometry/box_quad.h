@@ -26,6 +26,11 @@ struct alignas(16) BoxQuad {
   }
 };
 
+/// The group of each box of a quad, or no_index for none.
+struct alignas(16) GroupQuad {
+  std::array<Index, 4> group;
+};
+
 inline constexpr float unused = std::numeric_limits<float>::quiet_NaN();
 inline constexpr FloatBox unused_box{{unused, unused, unused}, {unused, unused, unused}};
 

@@ -79,6 +79,26 @@ Index Bvh::add_common_links(std::span<const Index> rows) {
   return static_cast<Index>(links_.size() - 1);
 }
 
+// Unused boxes are like the first, so that they change nothing above.
+void Bvh::set_groups(std::span<const Index> group_of_box) {
+  groups_.clear();
+  std::vector<Index> groups(order_.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = group_of_box[order_[i]];
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    std::vector<GroupQuad> quads(levels_[level].size());
+    std::vector<Index> above(quads.size());
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+      std::array<Index, 4>& group = quads[q].group;
+      group.fill(groups[4 * q]);
+      std::copy_n(&groups[4 * q], std::min(groups.size() - 4 * q, group.size()), group.data());
+      const bool is_one = group[1] == group[0] && group[2] == group[0] && group[3] == group[0];
+      above[q] = is_one ? group[0] : no_index;
+    }
+    groups_.push_back(std::move(quads));
+    groups = std::move(above);
+  }
+}
+
 const LinkBoxes* Bvh::links_of(std::size_t level, std::size_t place) const {
   const Index row = link_rows_.empty() ? no_index : link_rows_[level][place];
   return row == no_index ? nullptr : &links_[row];

@@ -29,6 +29,9 @@ class Bvh {
   /// Box i is that of face i.
   explicit Bvh(const Mesh& mesh);
 
+  /// Boxes of one group, which is a number or no_index for none, count as apart from now on.
+  void set_groups(std::span<const Index> group_of_box);
+
   using Pair = std::pair<Index, Index>;
   using Accept = std::function<bool(Index, Index)>;
   /// All pairs of overlapping boxes with first < second that pass `accept`, sorted. `accept` is
@@ -63,6 +66,8 @@ class Bvh {
   /// What the faces below each box have in common: rows of links_, or no_index; empty for no links.
   std::vector<std::vector<Index>> link_rows_;
   std::vector<LinkBoxes> links_;
+  /// The group of all below each box of a quad, or no_index; empty for no groups.
+  std::vector<std::vector<GroupQuad>> groups_;
 };
 
 }  // namespace transformesh

@@ -97,7 +97,8 @@ class Bvh::PairSearch {
       : here_(here),
         there_(there),
         is_self_(&here == &there),
-        has_links_(!here.links_.empty() && !there.links_.empty()) {}
+        has_links_(!here.links_.empty() && !there.links_.empty()),
+        has_groups_(is_self_ && !here.groups_.empty()) {}
 
   void run(const Prepare& prepare, const VisitPairs& visit) const {
     std::vector<Task> tasks = first_tasks();
@@ -129,10 +130,19 @@ class Bvh::PairSearch {
     return tasks;
   }
 
+  /// Returns whether any pairs are left.
+  bool leave_out_groups(const Task& task, std::array<unsigned, 4>& counting) const {
+    const std::vector<GroupQuad>& groups = here_.groups_[task.level];
+    const auto same = turned_group_masks(groups[task.first], groups[task.second]);
+    for (std::size_t turn = 0; turn < 4; ++turn) counting[turn] &= ~same[turn];
+    return (counting[0] | counting[1] | counting[2] | counting[3]) != 0;
+  }
+
   /// Writes the overlaps of a task as places in its level, and returns their end.
   PlacePair* list_overlaps_of(const Task& task, PlacePair* to) const {
     const bool is_same = is_self_ && task.first == task.second;
-    const auto& counting = !is_same ? all_pairs : task.level == 0 ? different_inside : pairs_inside;
+    auto counting = !is_same ? all_pairs : task.level == 0 ? different_inside : pairs_inside;
+    if (has_groups_ && !leave_out_groups(task, counting)) return to;
     PlacePair* end = list_overlaps(here_.levels_[task.level][task.first],
                                    there_.levels_[task.level][task.second],
                                    place_pair(4 * task.first, 4 * task.second), counting, to);
@@ -190,6 +200,7 @@ class Bvh::PairSearch {
   const Bvh& there_;
   bool is_self_;
   bool has_links_;
+  bool has_groups_;
 };
 
 void Bvh::visit_pairs(const Prepare& prepare, const VisitPairs& visit) const {

@@ -134,8 +134,7 @@ class HilbertSort {
   std::vector<Index> order() {
     make_keys();
     sort_by_leading_bits();
-    sort_runs(leading_mask(), [](Key a, Key b) { return a < b; });
-    sort_runs(~index_mask_, [this](Key a, Key b) { return full_place(a) < full_place(b); });
+    sort_runs();
     std::vector<Index> order(keys_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = box_of(keys_[i]);
     return order;
@@ -182,16 +181,21 @@ class HilbertSort {
     }
   }
 
-  /// Sorts those that follow each other and agree in the bits of the mask.
-  template <class ComesBefore>
-  void sort_runs(Key mask, const ComesBefore& comes_before) {
+  bool comes_before(Key a, Key b) const {
+    return ((a ^ b) & ~index_mask_) != 0 ? a < b : full_place(a) < full_place(b);
+  }
+
+  /// Sorts those that follow each other and agree in the bits sorted so far.
+  void sort_runs() {
+    const Key mask = leading_mask();
     const auto begin = keys_.begin();
     for (std::size_t first = 0, last = 0; first < keys_.size(); first = last) {
       last = first + 1;
       while (last < keys_.size() && ((keys_[last] ^ keys_[first]) & mask) == 0) ++last;
       if (last - first > 1)
         std::sort(begin + static_cast<std::ptrdiff_t>(first),
-                  begin + static_cast<std::ptrdiff_t>(last), comes_before);
+                  begin + static_cast<std::ptrdiff_t>(last),
+                  [this](Key a, Key b) { return comes_before(a, b); });
     }
   }
 

@@ -67,4 +67,31 @@ inline std::array<unsigned, 4> turned_overlap_masks(const BoxQuad& first, const 
   return masks;
 }
 
+/// Bit i of mask r is set where box i of the first is in the group of box (i + r) % 4 of the
+/// second.
+inline std::array<unsigned, 4> turned_group_masks(const GroupQuad& first, const GroupQuad& second) {
+  std::array<unsigned, 4> masks{};
+#ifdef __SSE2__
+  const auto load = [](const GroupQuad& quad) {
+    return _mm_load_si128(reinterpret_cast<const __m128i*>(quad.group.data()));
+  };
+  const __m128i own = load(first);
+  const __m128i has_none = _mm_cmpeq_epi32(own, _mm_set1_epi32(-1));
+  __m128i turned = load(second);
+  for (unsigned& mask : masks) {
+    const __m128i same = _mm_andnot_si128(has_none, _mm_cmpeq_epi32(own, turned));
+    mask = static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(same)));
+    turned = _mm_shuffle_epi32(turned, _MM_SHUFFLE(0, 3, 2, 1));
+  }
+#else
+  for (unsigned turn = 0; turn < 4; ++turn)
+    for (unsigned i = 0; i < 4; ++i) {
+      const Index own = first.group[i];
+      const bool is_same = own != no_index && own == second.group[(i + turn) % 4];
+      masks[turn] |= static_cast<unsigned>(is_same) << i;
+    }
+#endif
+  return masks;
+}
+
 }  // namespace transformesh

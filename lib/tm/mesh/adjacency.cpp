@@ -1,5 +1,7 @@
 #include "tm/mesh/adjacency.h"
 
+#include <algorithm>
+
 namespace transformesh {
 namespace {
 
@@ -27,18 +29,9 @@ bool has_single_fans(const Mesh& mesh, std::span<const Index> opposites) {
 
 }  // namespace
 
-std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, const Edges& edges) {
-  if (2 * edges.size() != 3 * mesh.faces.size()) return std::nullopt;
-  std::vector<Index> opposites(3 * mesh.faces.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto halfedges = edges.halfedges(e);
-    if (halfedges.size() != 2) return std::nullopt;
-    const auto [first, second] = std::pair(halfedges[0], halfedges[1]);
-    if (halfedge_source(mesh, first) == halfedge_source(mesh, second)) return std::nullopt;
-    opposites[first] = second;
-    opposites[second] = first;
-  }
-  if (!has_single_fans(mesh, opposites)) return std::nullopt;
+std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, std::vector<Index> opposites) {
+  const bool is_closed = std::find(opposites.begin(), opposites.end(), no_index) == opposites.end();
+  if (!is_closed || !has_single_fans(mesh, opposites)) return std::nullopt;
   return opposites;
 }
 

@@ -14,9 +14,8 @@ namespace transformesh {
 /// way. Vertices are the same when their indices are. O(n); deterministic.
 std::vector<Index> opposite_halfedges(const Mesh& mesh);
 
-/// The same, given the edges, where the mesh is a closed oriented manifold; nothing where it is
-/// none.
-std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, const Edges& edges);
+/// These, where they are those of a closed oriented manifold; nothing where that is none.
+std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, std::vector<Index> opposites);
 
 /// The faces around each vertex in ascending order, as one array with offsets.
 class VertexFaces {

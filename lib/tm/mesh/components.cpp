@@ -1,5 +1,7 @@
 #include "tm/mesh/components.h"
 
+#include <utility>
+
 #include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/fans.h"
@@ -32,30 +34,6 @@ Components numbered_components(const Mesh& mesh) {
       result.components.emplace_back();
     }
     result.of_face.push_back(component);
-  }
-  return result;
-}
-
-/// The same across edges: a manifold hangs together there.
-Components numbered_components(const Mesh& mesh, std::span<const Index> opposites) {
-  Components result;
-  result.of_face.assign(mesh.faces.size(), no_index);
-  std::vector<Index> stack;
-  const auto reach = [&](Index face, Index component) {
-    if (result.of_face[face] != no_index) return;
-    result.of_face[face] = component;
-    stack.push_back(face);
-  };
-  for (Index seed = 0; seed < mesh.faces.size(); ++seed) {
-    if (result.of_face[seed] != no_index) continue;
-    const auto component = static_cast<Index>(result.components.size());
-    result.components.emplace_back();
-    reach(seed, component);
-    while (!stack.empty()) {
-      const Index face = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * face; h < 3 * face + 3; ++h) reach(opposites[h] / 3, component);
-    }
   }
   return result;
 }
@@ -115,8 +93,34 @@ Components connected_components(const Mesh& mesh) {
   return result;
 }
 
-Components connected_components(const Mesh& mesh, std::span<const Index> opposites) {
-  Components result = numbered_components(mesh, opposites);
+// A manifold hangs together across edges.
+Connectivity connect(std::vector<Index> opposites) {
+  const std::size_t faces = opposites.size() / 3;
+  std::vector<Index> component_of(faces, no_index);
+  std::vector<Index> stack;
+  Index component = 0;
+  const auto reach = [&](Index face) {
+    if (component_of[face] != no_index) return;
+    component_of[face] = component;
+    stack.push_back(face);
+  };
+  for (Index seed = 0; seed < faces; ++seed) {
+    if (component_of[seed] != no_index) continue;
+    reach(seed);
+    while (!stack.empty()) {
+      const Index face = stack.back();
+      stack.pop_back();
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) reach(opposites[h] / 3);
+    }
+    ++component;
+  }
+  return {std::move(opposites), component, std::move(component_of)};
+}
+
+Components connected_components(const Mesh& mesh, const Connectivity& connectivity) {
+  Components result;
+  result.components.resize(connectivity.components);
+  result.of_face = connectivity.component_of;
   count_faces(mesh, result);
   for (Component& component : result.components) component.edges = component.faces / 2 * 3;
   return result;

@@ -110,10 +110,12 @@ class IsIrregular {
       for (Index i = 0; i < 3; ++i) {
         const Index h = 3 * face + i;
         const Index opposite = mesh_.opposite(h);
-        if (opposite == no_index || opposite < h) continue;
+        if (opposite == no_index) continue;
+        // Which of two halfedges is the lower is a coin toss: that is asked last.
         const int gained = gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                 excess_[mesh_.apex(opposite)]);
-        if (gained > 0 && mesh_.scaled_squared_length(h) < limit_) found.push_back(h);
+        if (gained > 0 && h < opposite && mesh_.scaled_squared_length(h) < limit_)
+          found.push_back(h);
       }
     });
   }

@@ -117,12 +117,13 @@ void Flipper::look_ahead() {
       for (Index i = 0; i < 3; ++i) {
         const Index h = 3 * face + i;
         const Index opposite = mesh_.opposite(h);
-        if (opposite < h) continue;
-        states_[h] = edge;
+        states_[h] = static_cast<State>(h < opposite ? edge : 0);
         if (opposite == no_index) continue;
+        // Which of two halfedges is the lower is a coin toss: that is asked last.
         const int gain = deviation_gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                         excess_[mesh_.apex(opposite)]);
-        if ((gain >= 0 || rule_ == FlipRule::angle) && is_wanted(h)) states_[h] |= wanted_before;
+        if ((gain >= 0 || rule_ == FlipRule::angle) && h < opposite && is_wanted(h))
+          states_[h] |= wanted_before;
       }
     }
   });
@@ -233,9 +234,9 @@ FlipCounts Flipper::run(const Progress& progress) {
   std::size_t edges = 0;
   while (swept_ < states_.size()) {
     const State state = states_[swept_++];
-    if ((state & edge) == 0) continue;
-    ++edges;
-    if ((state & (wanted_before | changed)) != 0) counts.done += visit(swept_ - 1) ? 1 : 0;
+    const bool is_edge = (state & edge) != 0, may_flip = (state & (wanted_before | changed)) != 0;
+    edges += is_edge ? 1 : 0;
+    if (is_edge & may_flip) counts.done += visit(swept_ - 1) ? 1 : 0;
   }
   for (std::size_t next = 0; next < queue_.size() && next < 19 * edges; ++next) {
     if (next % 16384 == 0)

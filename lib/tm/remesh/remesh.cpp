@@ -232,18 +232,19 @@ struct ScaledLengths {
 
   explicit ScaledLengths(const EditableMesh& mesh) {
     double sum = 0;
-    double count = 0;
+    std::size_t count = 0;
     for (Index face = 0; face < mesh.face_slots(); ++face) {
       if (!mesh.has_face(face)) continue;
       const std::array<double, 3> squared = mesh.scaled_squared_lengths(face);
       for (Index i = 0; i < 3; ++i) {
-        if (mesh.opposite(3 * face + i) < 3 * face + i) continue;
+        // Without a branch, as it is a coin toss which of two halfedges is the lower.
+        const bool is_lower = 3 * face + i < mesh.opposite(3 * face + i);
         longest = std::max(longest, squared[i]);
-        sum += squared[i];
-        ++count;
+        sum += is_lower ? squared[i] : 0;
+        count += is_lower ? 1 : 0;
       }
     }
-    typical = std::sqrt(sum / count);
+    typical = std::sqrt(sum / static_cast<double>(count));
     longest = std::sqrt(longest);
   }
 };

@@ -22,8 +22,10 @@ inline double cosine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3&
   const double ab = (b - a).squaredNorm();
   const double bc = (c - b).squaredNorm();
   const double ca = (a - c).squaredNorm();
-  const double shortest = std::min({ab, bc, ca});
-  const double product = shortest == ab ? bc * ca : shortest == bc ? ab * ca : ab * bc;
+  // Which edge is the shortest is left to minima and maxima: a branch would be a coin toss.
+  const double lesser = std::min(ab, bc), greater = std::max(ab, bc);
+  const double shortest = std::min(lesser, ca);
+  const double product = std::max(lesser, std::min(greater, ca)) * std::max(greater, ca);
   return product > 0 ? (ab + bc + ca - 2 * shortest) / (2 * std::sqrt(product)) : 1;
 }
 

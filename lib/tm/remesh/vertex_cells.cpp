@@ -10,6 +10,9 @@ namespace {
 
 constexpr std::size_t faces_per_task = 4096;
 constexpr std::size_t faces_at_once = 64;
+/// Of the slots of the table one in so many is used at most: most searches find nothing, and end at
+/// the first slot that is free.
+constexpr std::size_t most_full = 6;
 
 std::vector<NormalCone> cones_of_faces(const EditableMesh& mesh) {
   std::vector<NormalCone> cones(mesh.face_slots());
@@ -111,7 +114,7 @@ Index VertexCells::make_cell(Key key, Index component) {
   const NormalCone cone = component == no_index ? 0 : all_directions;
   cells_.push_back({key, cone, cone, no_index, component});
   around_.emplace_back();
-  if (2 * cells_.size() > table_.size()) {
+  if (most_full * cells_.size() > table_.size()) {
     grow_table();
   } else {
     enter_in_table(cell);

@@ -110,6 +110,23 @@ TEST_CASE("boxes at the ends of the float range and beyond are paired") {
   CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
 }
 
+TEST_CASE("boxes of one group are not paired, those of none are") {
+  for (const std::size_t count : {1, 3, 50, 1000}) {
+    const auto boxes = random_boxes(12, count, 0.3);
+    for (const Index groups : {1, 2, 40}) {
+      std::vector<Index> group_of(count);
+      for (Index i = 0; i < count; ++i)
+        group_of[i] = i % 5 == 0 ? no_index : boxes[i].minimum[0] < 0 ? 0 : i % groups;
+      std::vector<Bvh::Pair> expected;
+      for (const auto& [i, j] : pairs_by_search(boxes))
+        if (group_of[i] == no_index || group_of[i] != group_of[j]) expected.emplace_back(i, j);
+      Bvh bvh(boxes);
+      bvh.set_groups(group_of);
+      CHECK(bvh.overlapping_pairs(every_pair) == expected);
+    }
+  }
+}
+
 TEST_CASE("many equal boxes cost pairs, not depth") {
   const std::vector<FloatBox> boxes(10000, float_box(Vec3::Zero(), Vec3::Ones()));
   const auto pairs = Bvh(boxes).overlapping_pairs([](Index, Index j) { return j == 9999; });

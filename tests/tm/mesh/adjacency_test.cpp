@@ -96,7 +96,9 @@ TEST_CASE("a mesh without faces has no halfedges") {
 }
 
 TEST_CASE("closed manifolds have their opposites told from edges, and other meshes have not") {
-  const auto closed = [](const Mesh& mesh) { return closed_opposites(mesh, Edges(mesh)); };
+  const auto closed = [](const Mesh& mesh) {
+    return closed_opposites(mesh, opposite_halfedges(mesh));
+  };
   const Mesh mesh = test::joined(test::torus(2, 0.5, 7, 5), test::icosphere(1));
   REQUIRE(closed(mesh));
   CHECK(*closed(mesh) == opposites_by_search(mesh));

@@ -37,7 +37,7 @@ TEST_CASE("components of a closed manifold are the same by its opposite halfedge
   const Mesh mesh = test::joined(test::joined(test::torus(2, 0.5, 20, 10), test::icosphere(2)),
                                  test::moved(test::cube(), Vec3(5, 5, 5)));
   const Components expected = connected_components(mesh);
-  const Components found = connected_components(mesh, opposite_halfedges(mesh));
+  const Components found = connected_components(mesh, connect(opposite_halfedges(mesh)));
   CHECK(found.of_face == expected.of_face);
   REQUIRE(found.components.size() == expected.components.size());
   for (std::size_t i = 0; i < found.components.size(); ++i) {

@@ -3,7 +3,7 @@
 /// may touch them; where these do not meet, everything is searched. So the answer is exact, and yes
 /// is quick where some faces in a thousand cross.
 /// Cost: O(n), mostly a look at each vertex and each face, where the first search finds something;
-/// else as find_intersections and a tenth more. Parallel; deterministic.
+/// else as find_intersections and a third more. Parallel; deterministic.
 #pragma once
 
 #include "tm/mesh/mesh.h"

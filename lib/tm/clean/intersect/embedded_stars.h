@@ -6,6 +6,7 @@
 /// animations using geometrical shape regularity", Computer Graphics Forum 13(3), 1994.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tm/clean/intersect/welded_mesh.h"
@@ -15,6 +16,8 @@ namespace transformesh {
 /// Per point; what is marked is certain, what is not may be embedded all the same. O(n); parallel;
 /// deterministic.
 std::vector<char> find_embedded_stars(const WeldedMesh& welded);
+/// Of those that are wanted.
+std::vector<char> find_embedded_stars(const WeldedMesh& welded, std::span<const char> is_wanted);
 
 /// Whether two faces share a vertex with such a star, and so meet in nothing but what they share.
 /// Without branches, as chance decides.

@@ -4,6 +4,8 @@
 
 #include "tm/clean/intersect/contacts.h"
 #include "tm/clean/intersect/embedded_stars.h"
+#include "tm/clean/intersect/faces_to_search.h"
+#include "tm/clean/intersect/zones.h"
 #include "tm/geometry/bvh.h"
 #include "tm/geometry/sort_pairs.h"
 #include "tm/support/parallel.h"
@@ -83,70 +85,47 @@ std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<Face
 
 namespace {
 
-/// Tells which pairs need to be looked at: those that share no vertex with an embedded star.
-class NeighborFilter {
- public:
-  NeighborFilter(const WeldedMesh& welded, std::span<const Index> faces,
-                 const std::vector<char>& is_embedded)
-      : corners_(faces.size()) {
-    parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        const auto& [a, b, c] = welded.faces[faces[i]];
-        const auto shown = [&](Index corner) { return is_embedded[corner] ? corner : no_index; };
-        corners_[i] = Corners{shown(a), shown(b), shown(c), no_index};
-      }
-    });
+std::vector<Index> zones_of(std::span<const Index> faces, std::span<const Index> zones) {
+  std::vector<Index> result;
+  result.reserve(faces.size());
+  for (const Index f : faces) result.push_back(zones[f]);
+  return result;
+}
+
+// Those of the pairs whose faces share no embedded star. There are no branches, as chance decides.
+void list_others(const WeldedMesh& welded, std::span<const Index> faces,
+                 const std::vector<char>& is_embedded, std::span<const Bvh::Pair> pairs,
+                 std::vector<Bvh::Pair>& others) {
+  others.resize(pairs.size());
+  std::size_t count = 0;
+  for (const auto& [i, k] : pairs) {
+    others[count] = {i, k};
+    count +=
+        share_embedded_star(welded.faces[faces[i]], welded.faces[faces[k]], is_embedded) ? 0 : 1;
   }
-
-  /// Puts the pairs to look at into `rest`. There are no branches, as chance decides.
-  void operator()(std::span<const Bvh::Pair> pairs, std::vector<Bvh::Pair>& rest) const {
-    rest.resize(pairs.size());
-    std::size_t count = 0;
-    for (const Bvh::Pair& pair : pairs) {
-      rest[count] = pair;
-      count += share_corner(corners_[pair.first], corners_[pair.second]) ? 0 : 1;
-    }
-    rest.resize(count);
-  }
-
- private:
-  /// For vector instructions; the last is not used.
-  using Corners [[gnu::vector_size(16)]] = Index;
-
-  static bool share_corner(Corners f, Corners g) {
-    const Corners next = {g[1], g[2], g[0], g[3]}, previous = {g[2], g[0], g[1], g[3]};
-    const auto shared = ((f == g) | (f == next) | (f == previous)) & (f != no_index);
-    return (shared[0] | shared[1] | shared[2]) != 0;
-  }
-
-  std::vector<Corners> corners_;  ///< no_index for those without an embedded star
-};
+  others.resize(count);
+}
 
 }  // namespace
 
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
-  std::vector<Index> firsts;
-  firsts.reserve(welded.faces.size());
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (welded.first_copy[f] == f) firsts.push_back(f);
-  }
+  const Zones zones = find_zones(welded);
+  const std::vector<Index> faces = find_faces_to_search(welded, zones.of_face);
   std::vector<char> is_embedded;
   Bvh bvh;
-  parallel_invoke([&] { is_embedded = find_embedded_stars(welded); },
-                  [&] {
-                    bvh = Bvh(boxes_of(welded, firsts), find_links(welded.points, welded.faces),
-                              firsts);
-                  });
-  const NeighborFilter filter(welded, firsts, is_embedded);
+  parallel_invoke(
+      [&] { is_embedded = find_embedded_stars(welded, zones.is_seam); },
+      [&] { bvh = Bvh(boxes_of(welded, faces), find_links(welded.points, welded.faces), faces); });
+  bvh.set_groups(zones_of(faces, zones.of_face));
   std::vector<std::vector<Meeting>> lists;
   bvh.visit_pairs([&](std::size_t count) { lists.resize(count); },
                   [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
-                    thread_local std::vector<Bvh::Pair> rest;
-                    filter(pairs, rest);
-                    for (const auto& [i, k] : rest) {
-                      const Contacts contacts = find_contacts(welded, firsts[i], firsts[k]);
-                      if (contacts.meet) lists[list].push_back({firsts[i], firsts[k], contacts});
+                    thread_local std::vector<Bvh::Pair> others;
+                    list_others(welded, faces, is_embedded, pairs, others);
+                    for (const auto& [i, k] : others) {
+                      const Contacts contacts = find_contacts(welded, faces[i], faces[k]);
+                      if (contacts.meet) lists[list].push_back({faces[i], faces[k], contacts});
                     }
                   });
   std::vector<Meeting> meetings = joined(lists);

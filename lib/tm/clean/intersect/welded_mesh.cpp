@@ -132,11 +132,12 @@ void number_points(const Mesh& mesh, WeldedMesh& welded) {
     welded.points[p] = positions[welded.vertex_of[p]] + Vec3::Zero();
 }
 
-// Marks the faces that may have copies: these share every edge with the same opposite corner. Where
-// an edge has more than two faces, all of them are marked.
-std::vector<char> find_repeated_faces(const WeldedMesh& welded) {
+// Finds what is opposite, and marks the faces that may have copies: these share every edge with the
+// same opposite corner. Where an edge has more than two faces, all of them are marked.
+std::vector<char> find_opposites(WeldedMesh& welded) {
   std::vector<char> is_repeated(welded.faces.size(), 0);
-  const auto opposite = [&](Index h) { return welded.faces[h / 3][(h + 2) % 3]; };
+  welded.opposites.assign(3 * welded.faces.size(), no_index);
+  const auto corner = [&](Index h, Index i) { return welded.faces[h / 3][(h + i) % 3]; };
   const auto mark = [&](Index h) {
     std::atomic_ref(is_repeated[h / 3]).store(1, std::memory_order_relaxed);
   };
@@ -144,7 +145,12 @@ std::vector<char> find_repeated_faces(const WeldedMesh& welded) {
     for (std::size_t e = first; e < last; ++e) {
       const auto halfedges = welded.edges.halfedges(e);
       if (halfedges.size() == 1) continue;
-      if (halfedges.size() == 2 && opposite(halfedges[0]) != opposite(halfedges[1])) continue;
+      const Index h = halfedges[0], other = halfedges[1];
+      if (halfedges.size() == 2 && corner(h, 0) != corner(other, 0)) {
+        welded.opposites[h] = other;
+        welded.opposites[other] = h;
+      }
+      if (halfedges.size() == 2 && corner(h, 2) != corner(other, 2)) continue;
       std::for_each(halfedges.begin(), halfedges.end(), mark);
     }
   });
@@ -153,7 +159,7 @@ std::vector<char> find_repeated_faces(const WeldedMesh& welded) {
 
 void find_copies(WeldedMesh& welded) {
   const std::vector<Face>& faces = welded.faces;
-  const std::vector<char> is_repeated = find_repeated_faces(welded);
+  const std::vector<char> is_repeated = find_opposites(welded);
   FirstOfEqual copies(std::count(is_repeated.begin(), is_repeated.end(), 1));
   welded.first_copy.resize(faces.size());
   for (Index f = 0; f < faces.size(); ++f) {
@@ -162,9 +168,11 @@ void find_copies(WeldedMesh& welded) {
   }
 }
 
-bool is_degenerate(const WeldedMesh& welded, const Face& face) {
-  return is_collapsed(face) ||
-         collinear(welded.points[face[0]], welded.points[face[1]], welded.points[face[2]]);
+// A face that looks any way for certain has an area.
+bool is_degenerate(const WeldedMesh& welded, const Face& face, FaceWays ways) {
+  return ways.looks == 0 &&
+         (is_collapsed(face) ||
+          collinear(welded.points[face[0]], welded.points[face[1]], welded.points[face[2]]));
 }
 
 template <class Thing>
@@ -183,11 +191,15 @@ WeldedMesh weld(const Mesh& mesh) {
   welded.frame = BoxFrame(welded.points);
   std::vector<Face> by_points(mesh.faces.size());
   std::vector<char> has_area(mesh.faces.size());
+  welded.ways.resize(mesh.faces.size());
   parallel_for(mesh.faces.size(), things_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) {
       const auto& [a, b, c] = mesh.faces[f];
-      by_points[f] = {welded.point_of[a], welded.point_of[b], welded.point_of[c]};
-      has_area[f] = is_degenerate(welded, by_points[f]) ? 0 : 1;
+      const Face face{welded.point_of[a], welded.point_of[b], welded.point_of[c]};
+      by_points[f] = face;
+      welded.ways[f] =
+          ways_of_face(welded.points[face[0]], welded.points[face[1]], welded.points[face[2]]);
+      has_area[f] = is_degenerate(welded, face, welded.ways[f]) ? 0 : 1;
     }
   });
   welded.faces = std::move(by_points);
@@ -196,6 +208,7 @@ WeldedMesh weld(const Mesh& mesh) {
   if (std::count(has_area.begin(), has_area.end(), 0) > 0) {
     keep_marked(has_area, welded.faces);
     keep_marked(has_area, welded.face_of);
+    keep_marked(has_area, welded.ways);
   }
   index_faces(welded);
   return welded;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tm/clean/intersect/face_ways.h"
 #include "tm/geometry/float_box.h"
 #include "tm/geometry/predicates.h"
 #include "tm/mesh/edges.h"
@@ -17,9 +18,13 @@ struct WeldedMesh {
   std::vector<Index> point_of;    ///< the point of each mesh vertex
   std::vector<Face> faces;        ///< corners as points; none is degenerate
   std::vector<Index> face_of;     ///< the mesh face of each face; ascending
+  std::vector<FaceWays> ways;     ///< that each face looks
   std::vector<Index> first_copy;  ///< per face: the first with the same three points, in any order
   Edges edges;                    ///< of the faces
-  BoxFrame frame;                 ///< of the points
+  /// Per halfedge, the one that runs the other way along its edge where that has no others; else
+  /// no_index.
+  std::vector<Index> opposites;
+  BoxFrame frame;  ///< of the points
 
   Triangle triangle(Index face) const { return triangle_of(points, faces[face]); }
   FloatBox box(Index face) const { return box(triangle(face)); }
@@ -32,7 +37,8 @@ struct WeldedMesh {
 /// deterministic.
 WeldedMesh weld(const Mesh& mesh);
 
-/// Finds the edges of the faces and the first copy of each, as `weld` does. O(n).
+/// Finds the edges of the faces, what is opposite, and the first copy of each, as `weld` does.
+/// O(n).
 void index_faces(WeldedMesh& welded);
 
 }  // namespace transformesh

@@ -66,7 +66,7 @@ class Pass {
 void Pass::find_borders_or_none() {
   const bool is_as_given = welded_->points.size() == mesh_.positions.size() &&
                            welded_->faces.size() == mesh_.faces.size();
-  if (is_as_given) opposites_ = closed_opposites(mesh_, welded_->edges);
+  if (is_as_given) opposites_ = closed_opposites(mesh_, welded_->opposites);
   if (opposites_) return;
   borders_ = options_.check_orientation ? find_oriented_borders(*welded_, mesh_)
                                         : find_borders(*welded_, mesh_);
@@ -77,20 +77,21 @@ void Pass::find_borders_or_none() {
 bool Pass::find_all_exterior() {
   if (!opposites_) return false;
   progress_("arrange");
-  Components components = connected_components(mesh_, *opposites_);
-  const std::size_t count = components.components.size();
+  Connectivity connectivity = connect(std::move(*opposites_));
+  opposites_.reset();
+  const std::size_t count = connectivity.components;
   const WindingRay ray(*welded_, count);
   const ExactGeometry geometry(welded_->points, welded_->faces);
   std::size_t seen = 0;
   for (Index f = 0; seen < count; ++f) {
-    if (components.of_face[f] != seen) continue;
+    if (connectivity.component_of[f] != seen) continue;
     const auto& [a, b, c] = welded_->faces[f];
     const int w = ray.in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, f);
     if (w >= options_.level || w + 1 < options_.level) return false;
     ++seen;
   }
   pass_.exterior.rays = count;
-  pass_.connectivity = {std::move(*opposites_), std::move(components)};
+  pass_.connectivity = std::move(connectivity);
   return true;
 }
 
