@@ -40,7 +40,8 @@ struct ReconstructionOptions {
   /// Of masks; outlines of the hull, which are as if only the least was shown, pull by a fifth of
   /// it. Nothing: 0.5, or 1.5 where photographs say little as they are far apart (is_wide).
   std::optional<double> pull = std::nullopt;
-  PhotoStepsOptions steps = {.momentum = 0.7};  ///< but for what is said above and in `start`
+  PhotoStepsOptions steps = {.step = {},
+                             .momentum = 0.7};  ///< but for what is said above and in `start`
   /// The views may be cropped to the object, where they are packed (HeldImage), and lose their
   /// images in the end: for less memory, where they are not needed any more.
   bool spends_views = false;

@@ -1,7 +1,6 @@
 #include "tm/evolution/reconstruction_rules.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "tm/support/number.h"
 
@@ -82,10 +81,16 @@ void LevelRule::remember(Memory& memory) {
 int WindowRadii::at(double scale) const { return scale > late_scale ? coarse : fine; }
 
 bool is_wide(std::span<const ViewPair> pairs) {
-  const double sum =
-      std::accumulate(pairs.begin(), pairs.end(), 0.0,
-                      [](double angles, const ViewPair& pair) { return angles + pair.angle_deg; });
-  return sum > wide_deg * real(pairs.size());
+  double sum = 0;
+  double views = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++views) {
+    double nearest = 180;
+    const std::size_t view = pairs[i].first;
+    for (; i < pairs.size() && pairs[i].first == view; ++i)
+      nearest = std::min(nearest, pairs[i].angle_deg);
+    sum += nearest;
+  }
+  return sum > wide_deg * views;
 }
 
 bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now) {

@@ -71,7 +71,8 @@ struct WindowRadii {
   int at(double scale) const;
 };
 
-/// Whether views that are compared are more than 40 degrees apart, on average.
+/// Whether even the nearest of the views with which one is compared is on average more than 40
+/// degrees apart. Pairs of the same first view stand together.
 bool is_wide(std::span<const ViewPair> pairs);
 
 /// Whether edges were too long, so that thin parts of the object are gone, and with them a

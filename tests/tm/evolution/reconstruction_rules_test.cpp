@@ -62,12 +62,11 @@ TEST_CASE("while the topology changes a level has twice as many passes, and no r
   CHECK_FALSE(verdict.is_at_rest);
 }
 
-TEST_CASE(
-    "views are wide where those that are compared are more than 40 degrees apart on average") {
-  const std::vector<ViewPair> eight{{0, 1, 45}, {1, 0, 45}};
-  const std::vector<ViewPair> mixed{{0, 1, 45}, {1, 0, 45}, {0, 2, 20}, {2, 0, 20}};
+TEST_CASE("views are wide where even the nearest ones are more than 40 degrees apart on average") {
+  const std::vector<ViewPair> eight{{0, 1, 45}, {0, 2, 50}, {1, 0, 45}, {2, 0, 50}, {2, 1, 39}};
+  const std::vector<ViewPair> dense{{0, 1, 45}, {0, 2, 20}, {1, 0, 45}, {2, 0, 20}, {2, 3, 50}};
   CHECK(is_wide(eight));
-  CHECK_FALSE(is_wide(mixed));
+  CHECK_FALSE(is_wide(dense));
   CHECK_FALSE(is_wide(std::vector<ViewPair>{}));
 }
 
