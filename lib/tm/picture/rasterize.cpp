@@ -19,15 +19,25 @@ struct Range {
   int last = -1;
 };
 
-}  // namespace
-
-struct FaceSetup {
-  EdgeFunctions functions;
+/// The pixels that a face may cover.
+struct Bounds {
   Range columns;
   Range rows;
+
+  bool is_empty() const { return columns.first > columns.last || rows.first > rows.last; }
 };
 
-namespace {
+/// What is known of a face before it is drawn.
+struct FaceSetup {
+  EdgeFunctions functions;
+  Bounds bounds;
+};
+
+using Corners = std::array<Vec3, 3>;
+
+Corners corners_of(const Face& face, const std::vector<Vec3>& projected) {
+  return {projected[face[0]], projected[face[1]], projected[face[2]]};
+}
 
 /// The integers in [low, high] that are pixels of a row or column.
 Range pixels_between(double low, double high, int size) {
@@ -39,7 +49,7 @@ Range pixels_between(double low, double high, int size) {
 }
 
 /// The bounds of the image of a face; the whole image for one that reaches behind the eye.
-void find_bounds(const std::array<Vec3, 3>& corners, int width, int height, FaceSetup& setup) {
+Bounds bounds_of(const Corners& corners, int width, int height) {
   Eigen::Array2d low(0, 0);
   Eigen::Array2d high(width - 1, height - 1);
   if (corners[0].z() > 0 && corners[1].z() > 0 && corners[2].z() > 0) {
@@ -51,8 +61,7 @@ void find_bounds(const std::array<Vec3, 3>& corners, int width, int height, Face
       high = high.max(pixel);
     }
   }
-  setup.columns = pixels_between(low.x(), high.x(), width);
-  setup.rows = pixels_between(low.y(), high.y(), height);
+  return {pixels_between(low.x(), high.x(), width), pixels_between(low.y(), high.y(), height)};
 }
 
 /// Which faces are drawn: where not both sides, those whose corners, projected, have a determinant
@@ -64,30 +73,43 @@ struct Drawn {
   Drawn(const Camera& camera, Sides sides)
       : is_both(sides == Sides::both),
         sign(camera.projection.leftCols<3>().determinant() > 0 ? -1 : 1) {}
-  bool operator()(const std::array<Vec3, 3>& corners) const {
+  bool operator()(const Corners& corners) const {
+    if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return false;
     return is_both || sign * corners[0].dot(corners[1].cross(corners[2])) > 0;
   }
 };
 
-FaceSetup set_up(const Face& face, const std::vector<Vec3>& projected, const Drawn& is_drawn,
-                 int width, int height) {
+/// Of a face that is drawn.
+FaceSetup set_up(const Corners& corners, int width, int height) {
   FaceSetup setup;
-  const std::array<Vec3, 3> corners{projected[face[0]], projected[face[1]], projected[face[2]]};
-  if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return setup;
-  if (!is_drawn(corners)) return setup;
   setup.functions = edge_functions(corners[0], corners[1], corners[2]);
-  if (setup.functions.depth_numerator > 0) find_bounds(corners, width, height, setup);
+  if (setup.functions.depth_numerator > 0) setup.bounds = bounds_of(corners, width, height);
   return setup;
 }
 
+PixelBox box_of(const std::vector<Bounds>& bounds_of_face) {
+  Bounds all;
+  const auto unite = [](Range& range, const Range& other) {
+    if (range.first > range.last) range = other;
+    range.first = std::min(range.first, other.first);
+    range.last = std::max(range.last, other.last);
+  };
+  for (const Bounds& bounds : bounds_of_face) {
+    if (bounds.is_empty()) continue;
+    unite(all.columns, bounds.columns);
+    unite(all.rows, bounds.rows);
+  }
+  return {all.columns.first, all.columns.last + 1, all.rows.first, all.rows.last + 1};
+}
+
 /// Sorts faces into the bands of rows that they touch, in face order.
-std::vector<std::vector<Index>> faces_of_bands(const std::vector<FaceSetup>& setups, int height,
-                                               int rows_per_band) {
+std::vector<std::vector<Index>> faces_of_bands(const std::vector<Bounds>& bounds_of_face,
+                                               int height, int rows_per_band) {
   std::vector<std::vector<Index>> bands(
       static_cast<std::size_t>((height + rows_per_band - 1) / rows_per_band));
-  for (std::size_t f = 0; f < setups.size(); ++f) {
-    const Range& rows = setups[f].rows;
-    if (rows.first > rows.last || setups[f].columns.first > setups[f].columns.last) continue;
+  for (std::size_t f = 0; f < bounds_of_face.size(); ++f) {
+    if (bounds_of_face[f].is_empty()) continue;
+    const Range& rows = bounds_of_face[f].rows;
     for (int band = rows.first / rows_per_band; band <= rows.last / rows_per_band; ++band)
       bands[static_cast<std::size_t>(band)].push_back(static_cast<Index>(f));
   }
@@ -116,8 +138,9 @@ void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row) {
     slope[i] = edge.x();
     start[i] = edge.y() * y + edge.z();
   }
-  const bool is_narrow = setup.columns.last - setup.columns.first < columns_worth_narrowing;
-  const Range columns = is_narrow ? setup.columns : narrowed(setup.columns, slope, start);
+  const Range& all = setup.bounds.columns;
+  const bool is_narrow = all.last - all.first < columns_worth_narrowing;
+  const Range columns = is_narrow ? all : narrowed(all, slope, start);
   for (int x = columns.first; x <= columns.last; ++x) {
     const double e0 = slope[0] * x + start[0];
     const double e1 = slope[1] * x + start[1];
@@ -146,28 +169,35 @@ EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
                                Sides sides)
-    : width_(camera.width), rows_per_band_(rows_per_band), setups_(mesh.faces.size()) {
-  // Project the corners, and find the edge functions.
-  std::vector<Vec3> projected(mesh.positions.size());
-  parallel_for(projected.size(), items_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) projected[v] = camera.project(mesh.positions[v]);
+    : mesh_(mesh),
+      width_(camera.width),
+      height_(camera.height),
+      rows_per_band_(rows_per_band),
+      projected_(mesh.positions.size()) {
+  parallel_for(projected_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) projected_[v] = camera.project(mesh.positions[v]);
   });
+  // Edge functions of all faces would take several times the memory of the mesh: a face is set up
+  // when it is drawn.
   const Drawn is_drawn(camera, sides);
-  parallel_for(setups_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f)
-      setups_[f] = set_up(mesh.faces[f], projected, is_drawn, camera.width, camera.height);
+  std::vector<Bounds> bounds(mesh.faces.size());
+  parallel_for(bounds.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      const Corners corners = corners_of(mesh.faces[f], projected_);
+      if (is_drawn(corners)) bounds[f] = bounds_of(corners, width_, height_);
+    }
   });
-  faces_ = faces_of_bands(setups_, camera.height, rows_per_band);
+  box_ = box_of(bounds);
+  faces_ = faces_of_bands(bounds, camera.height, rows_per_band);
 }
-
-BandRasterizer::~BandRasterizer() = default;
 
 void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {
   const int first = static_cast<int>(band) * rows_per_band_;
   const int last = first + rows_per_band_ - 1;
   for (const Index face : faces_[band]) {
-    const FaceSetup& setup = setups_[face];
-    for (int y = std::max(first, setup.rows.first); y <= std::min(last, setup.rows.last); ++y) {
+    const FaceSetup setup = set_up(corners_of(mesh_.faces[face], projected_), width_, height_);
+    const Range& own = setup.bounds.rows;
+    for (int y = std::max(first, own.first); y <= std::min(last, own.last); ++y) {
       const auto row = static_cast<std::size_t>(y - first);
       draw_row(setup, face, y, rows + row * static_cast<std::size_t>(width_));
     }
