@@ -12,6 +12,8 @@ namespace {
 constexpr int usual_rows_per_band = 16;
 constexpr int columns_worth_narrowing = 8;
 constexpr std::size_t items_per_task = 4096;
+/// Whose bounds are known at a time.
+constexpr std::size_t faces_at_once = std::size_t{1} << 16;
 
 /// A range of pixels from first to last, both included.
 struct Range {
@@ -87,33 +89,10 @@ FaceSetup set_up(const Corners& corners, int width, int height) {
   return setup;
 }
 
-PixelBox box_of(const std::vector<Bounds>& bounds_of_face) {
-  Bounds all;
-  const auto unite = [](Range& range, const Range& other) {
-    if (range.first > range.last) range = other;
-    range.first = std::min(range.first, other.first);
-    range.last = std::max(range.last, other.last);
-  };
-  for (const Bounds& bounds : bounds_of_face) {
-    if (bounds.is_empty()) continue;
-    unite(all.columns, bounds.columns);
-    unite(all.rows, bounds.rows);
-  }
-  return {all.columns.first, all.columns.last + 1, all.rows.first, all.rows.last + 1};
-}
-
-/// Sorts faces into the bands of rows that they touch, in face order.
-std::vector<std::vector<Index>> faces_of_bands(const std::vector<Bounds>& bounds_of_face,
-                                               int height, int rows_per_band) {
-  std::vector<std::vector<Index>> bands(
-      static_cast<std::size_t>((height + rows_per_band - 1) / rows_per_band));
-  for (std::size_t f = 0; f < bounds_of_face.size(); ++f) {
-    if (bounds_of_face[f].is_empty()) continue;
-    const Range& rows = bounds_of_face[f].rows;
-    for (int band = rows.first / rows_per_band; band <= rows.last / rows_per_band; ++band)
-      bands[static_cast<std::size_t>(band)].push_back(static_cast<Index>(f));
-  }
-  return bands;
+void unite(Range& range, const Range& other) {
+  if (range.first > range.last) range = other;
+  range.first = std::min(range.first, other.first);
+  range.last = std::max(range.last, other.last);
 }
 
 /// The columns of a row on which all edge functions can be positive, one too many on either side.
@@ -177,18 +156,34 @@ BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_
   parallel_for(projected_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) projected_[v] = camera.project(mesh.positions[v]);
   });
-  // Edge functions of all faces would take several times the memory of the mesh: a face is set up
-  // when it is drawn.
+  sort_faces(camera, sides);
+}
+
+// Sorts faces into the bands of rows that they touch, in face order. What else is known of them
+// would take several times the memory of the mesh: a face is set up again when it is drawn.
+void BandRasterizer::sort_faces(const Camera& camera, Sides sides) {
+  faces_.resize(static_cast<std::size_t>((height_ + rows_per_band_ - 1) / rows_per_band_));
   const Drawn is_drawn(camera, sides);
-  std::vector<Bounds> bounds(mesh.faces.size());
-  parallel_for(bounds.size(), items_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f) {
-      const Corners corners = corners_of(mesh.faces[f], projected_);
-      if (is_drawn(corners)) bounds[f] = bounds_of(corners, width_, height_);
+  Bounds all;
+  std::vector<Bounds> some;
+  for (std::size_t start = 0; start < mesh_.faces.size(); start += faces_at_once) {
+    some.assign(std::min(faces_at_once, mesh_.faces.size() - start), {});
+    parallel_for(some.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Corners corners = corners_of(mesh_.faces[start + i], projected_);
+        if (is_drawn(corners)) some[i] = bounds_of(corners, width_, height_);
+      }
+    });
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if (some[i].is_empty()) continue;
+      const Range& rows = some[i].rows;
+      unite(all.columns, some[i].columns);
+      unite(all.rows, rows);
+      for (int band = rows.first / rows_per_band_; band <= rows.last / rows_per_band_; ++band)
+        faces_[static_cast<std::size_t>(band)].push_back(static_cast<Index>(start + i));
     }
-  });
-  box_ = box_of(bounds);
-  faces_ = faces_of_bands(bounds, camera.height, rows_per_band);
+  }
+  box_ = {all.columns.first, all.columns.last + 1, all.rows.first, all.rows.last + 1};
 }
 
 void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {

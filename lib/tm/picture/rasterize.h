@@ -58,6 +58,8 @@ class BandRasterizer {
   void draw(std::size_t band, FacePixel* rows) const;
 
  private:
+  void sort_faces(const Camera& camera, Sides sides);
+
   const Mesh& mesh_;
   int width_, height_, rows_per_band_;
   std::vector<Vec3> projected_;  ///< vertices

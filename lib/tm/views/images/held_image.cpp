@@ -90,10 +90,10 @@ std::uint16_t HeldImage::word_of_depth(float depth) const {
 }
 
 void HeldImage::keep(Raster<std::uint16_t> words) {
-  if (kind_ == Kind::distances)
-    tiles_ = TiledWords(words);
-  else
+  if (kind_ == Kind::levels)
     words_ = std::move(words.pixels);
+  else
+    tiles_ = TiledWords(words);
 }
 
 void HeldImage::read(int x, int y, int count, float* out) const {
@@ -105,18 +105,34 @@ void HeldImage::read(int x, int y, int count, float* out) const {
   if (!bytes_.empty())
     return from(bytes_, [](std::uint8_t byte) { return static_cast<float>(byte); });
   if (!words_.empty() && kind_ == Kind::levels) return from(words_, level_of);
-  if (!words_.empty()) return from(words_, [&](std::uint16_t word) { return depth_of(word); });
+  if (!words_.empty()) return from(words_, [&](std::uint16_t word) { return value_of(word); });
   if (tiles_.empty()) return from(floats_.pixels, [](float value) { return value; });
-  for (int i = 0; i < count; ++i) out[i] = distance_of(tiles_.at(x + i, y));
+  for (int i = 0; i < count; ++i) out[i] = value_of(tiles_.at(x + i, y));
+}
+
+const HeldImage& HeldImage::opened(HeldImage& room) const {
+  if (tiles_.empty()) return *this;
+  room.width = width;
+  room.height = height;
+  room.kind_ = kind_;
+  room.offset_ = offset_;
+  room.step_ = step_;
+  tiles_.copy_to(room.words_);
+  return room;
+}
+
+float HeldImage::value_of(std::uint16_t word) const {
+  if (kind_ == Kind::levels) return level_of(word);
+  return kind_ == Kind::distances ? distance_of(word) : depth_of(word);
 }
 
 float HeldImage::at(int x, int y) const {
-  if (!tiles_.empty()) return distance_of(tiles_.at(x, y));
+  if (!tiles_.empty()) return value_of(tiles_.at(x, y));
   const std::size_t i = index(x, y);
   if (!bits_.empty()) return bits_[i] ? inside_mask : 0.0F;
   if (!bytes_.empty()) return static_cast<float>(bytes_[i]);
   if (words_.empty()) return floats_.pixels[i];
-  return kind_ == Kind::levels ? level_of(words_[i]) : depth_of(words_[i]);
+  return value_of(words_[i]);
 }
 
 void HeldImage::unpack_part(int column, int row, int columns, int rows, GrayImage& part) const {

@@ -3,8 +3,8 @@
 ///
 /// Packed are levels, of which those of masks take a bit, other ones of 8 bits a byte, and others
 /// are rounded to 1/256; distances to contours, rounded to 1/64 pixel and cut off at 511 pixels but
-/// for those that are infinite, in about a byte (tiled_words.h); and depths, rounded up by at most
-/// a 65534th of their range.
+/// for those that are infinite; and depths, rounded up by at most a 65534th of their range. Both
+/// take about a byte (tiled_words.h).
 #pragma once
 
 #include <algorithm>
@@ -48,7 +48,9 @@ class HeldImage {
   float at(int x, int y) const;
   /// Only where it is not packed.
   float& at(int x, int y) { return floats_.at(x, y); }
-  /// Of depths, the largest of four: (x, y), and to the right of it and below.
+  /// The image itself, or, where it is packed in tiles, `room` with its words: quick to read.
+  const HeldImage& opened(HeldImage& room) const;
+  /// Of depths that are opened, the largest of four: (x, y), and to the right of it and below.
   float largest_of_four(int x, int y) const {
     const auto largest = [&](const auto& values) {
       const auto* const top = values.data() + index(x, y);
@@ -66,6 +68,7 @@ class HeldImage {
   void keep(Raster<std::uint16_t> words);
   void find_range(const std::vector<float>& depths);
   std::uint16_t word_of_depth(float depth) const;
+  float value_of(std::uint16_t word) const;
   float depth_of(std::uint16_t word) const {
     return word == 0 ? 0 : offset_ + step_ * static_cast<float>(word - 1);
   }
@@ -75,7 +78,7 @@ class HeldImage {
   std::vector<bool> bits_;
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint16_t> words_;
-  TiledWords tiles_;  ///< of distances
+  TiledWords tiles_;  ///< of distances and depths
   float offset_ = 0;  ///< of depths
   float step_ = 0;
 };

@@ -29,10 +29,22 @@ std::uint16_t bits_of(int least, int most) {
   return least >= -128 && most < 128 ? 8 : 16;
 }
 
+std::uint16_t word_at(const std::uint8_t* bytes, std::size_t i) {
+  return static_cast<std::uint16_t>(bytes[2 * i] | bytes[2 * i + 1] << 8);
+}
+
+int byte_at(const std::uint8_t* bytes, std::size_t i) { return static_cast<std::int8_t>(bytes[i]); }
+
+/// The upper half of a byte comes with its sign.
+int half_byte_at(const std::uint8_t* bytes, std::size_t i) {
+  const int upper = i % 2 == 0 ? bytes[i / 2] << 4 : bytes[i / 2];
+  return static_cast<std::int8_t>(upper & 0xf0) / 16;
+}
+
 }  // namespace
 
 TiledWords::TiledWords(const Raster<std::uint16_t>& words)
-    : columns_((words.width + side - 1) / side) {
+    : width_(words.width), height_(words.height), columns_((words.width + side - 1) / side) {
   tiles_.reserve(static_cast<std::size_t>(columns_) *
                  static_cast<std::size_t>((words.height + side - 1) / side));
   for (int top = 0; top < words.height; top += side)
@@ -72,13 +84,40 @@ std::uint16_t TiledWords::at(int x, int y) const {
   const int row = y % side;
   const auto i = static_cast<std::size_t>(side * row + column);
   const std::uint8_t* const bytes = bytes_.data() + tile.bytes;
-  if (tile.bits == 16) return static_cast<std::uint16_t>(bytes[2 * i] | bytes[2 * i + 1] << 8);
+  if (tile.bits == 16) return word_at(bytes, i);
   int value = tile.start + column * tile.across + row * tile.down;
-  if (tile.bits == 8) value += static_cast<std::int8_t>(bytes[i]);
-  // The upper half of a byte comes with its sign.
-  if (tile.bits == 4)
-    value += static_cast<std::int8_t>(i % 2 == 0 ? bytes[i / 2] << 4 : bytes[i / 2] & 0xf0) / 16;
+  if (tile.bits == 8) value += byte_at(bytes, i);
+  if (tile.bits == 4) value += half_byte_at(bytes, i);
   return static_cast<std::uint16_t>(value);
+}
+
+void TiledWords::copy_tile(const Tile& tile, std::uint16_t* words, int columns, int rows) const {
+  const std::uint8_t* const bytes = bytes_.data() + tile.bytes;
+  const auto copy = [&](const auto& rest_at) {
+    for (int y = 0; y < rows; ++y) {
+      std::uint16_t* const row = words + static_cast<std::ptrdiff_t>(y) * width_;
+      const int start = tile.start + y * tile.down;
+      for (int x = 0; x < columns; ++x)
+        row[x] = static_cast<std::uint16_t>(start + x * tile.across +
+                                            rest_at(static_cast<std::size_t>(side * y + x)));
+    }
+  };
+  if (tile.bits == 0) return copy([](std::size_t) { return 0; });
+  if (tile.bits == 4) return copy([&](std::size_t i) { return half_byte_at(bytes, i); });
+  if (tile.bits == 8) return copy([&](std::size_t i) { return byte_at(bytes, i); });
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x)
+      words[static_cast<std::ptrdiff_t>(y) * width_ + x] =
+          word_at(bytes, static_cast<std::size_t>(side * y + x));
+}
+
+void TiledWords::copy_to(std::vector<std::uint16_t>& words) const {
+  words.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  const Tile* tile = tiles_.data();
+  for (int top = 0; top < height_; top += side)
+    for (int left = 0; left < width_; left += side)
+      copy_tile(*tile++, words.data() + static_cast<std::ptrdiff_t>(top) * width_ + left,
+                std::min(side, width_ - left), std::min(side, height_ - top));
 }
 
 }  // namespace transformesh

@@ -20,6 +20,8 @@ class TiledWords {
   /// Bytes of memory.
   std::size_t size() const { return tiles_.size() * sizeof(Tile) + bytes_.size(); }
   std::uint16_t at(int x, int y) const;
+  /// All of them, row by row.
+  void copy_to(std::vector<std::uint16_t>& words) const;
 
  private:
   /// Word (x, y) of a tile is start + x across + y down and, from `bytes` on, the rest in so many
@@ -30,8 +32,10 @@ class TiledWords {
     std::int16_t across = 0, down = 0;
     std::uint16_t bits = 0;
   };
+  void copy_tile(const Tile& tile, std::uint16_t* words, int columns, int rows) const;
   void add(const Raster<std::uint16_t>& words, int left, int top);
 
+  int width_ = 0, height_ = 0;
   int columns_ = 0;  ///< of tiles
   std::vector<Tile> tiles_;
   std::vector<std::uint8_t> bytes_;

@@ -88,7 +88,7 @@ void add_pair(const Warp& warp, const SeenSurface& seen, double noise,
 /// A view as it sees the surface, and how well others agree with it.
 struct Compared {
   SeenSurface room;
-  GrayImage other_room;
+  WarpRoom warp_room;
   const SeenSurface* seen = nullptr;
   BestWindows best;
 };
@@ -103,7 +103,7 @@ void compare_with_others(std::size_t reference, const PhotoScene& scene, const S
   for (const ViewPair& pair : scene.pairs) {
     if (pair.first != reference) continue;
     const Warp warp(scene.views[reference], from, scene.views[pair.second],
-                    seen.depths(pair.second), options.depth_tolerance, result.other_room);
+                    seen.depths(pair.second), options.depth_tolerance, result.warp_room);
     add_pair(warp, from, (noise[reference] + noise[pair.second]) / 2, options, result.best);
   }
 }

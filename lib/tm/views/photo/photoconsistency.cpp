@@ -15,7 +15,7 @@ namespace {
 /// Sums over the pairs with the same reference view, per pixel of its box.
 struct ReferenceSums {
   SeenSurface room;
-  GrayImage other_room;
+  WarpRoom warp_room;
   const SeenSurface* seen = nullptr;  ///< null where the view is compared with none
   GrayImage gradient;                 ///< derivative of the energy by the depth of the pixel
   GrayImage curvature;
@@ -98,7 +98,7 @@ void compare_with_others(std::size_t reference, std::span<const View> views, con
     if (!is_of_reference(pair)) continue;
     sums.visible += visible;
     const Warp warp(views[reference], from, views[pair.second], seen.depths(pair.second),
-                    options.depth_tolerance, sums.other_room);
+                    options.depth_tolerance, sums.warp_room);
     add_pair(warp, from, options, sums);
   }
 }

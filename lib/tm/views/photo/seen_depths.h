@@ -20,7 +20,14 @@ class SeenDepths {
     const bool is_in = column >= 0 && row >= 0 && column < depths_.width && row < depths_.height;
     return is_in ? depths_.at(column, row) : 0;
   }
-  /// The largest of the pixels that a place is between, from (x, y) on.
+  /// The same, quick to read; in `room` where these are packed.
+  const SeenDepths& opened(SeenDepths& room) const {
+    if (&depths_.opened(room.depths_) == &depths_) return *this;
+    room.left_ = left_;
+    room.top_ = top_;
+    return room;
+  }
+  /// Where they are opened, the largest of the pixels that a place is between, from (x, y) on.
   float reach(int x, int y) const {
     const int column = x - left_;
     const int row = y - top_;

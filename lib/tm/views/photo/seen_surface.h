@@ -20,8 +20,8 @@ struct SeenSurface {
   PixelBox compared;
 };
 
-/// What all views see. Of views that are packed (HeldImage) only depths are held, 2 bytes a pixel
-/// of the box, and all else is found when it is asked for. Backs of faces hide nothing.
+/// What all views see. Of views that are packed (HeldImage) only depths are held, a byte or so a
+/// pixel of the box, and all else is found when it is asked for. Backs of faces hide nothing.
 class SeenViews {
  public:
   /// Keeps references to both. `least_cosine` is that of the angle between ray and normal below

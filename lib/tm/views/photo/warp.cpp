@@ -41,14 +41,14 @@ const GrayImage& unpacked(const HeldImage& image, const PixelBox& part, GrayImag
 }  // namespace
 
 Warp::Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
-           const SeenDepths& depths_of_other, double depth_tolerance, GrayImage& room)
+           const SeenDepths& depths_of_other, double depth_tolerance, WarpRoom& room)
     : reference_(reference.image),
       seen_(seen_by_reference),
       width_(other.image.width),
       height_(other.image.height),
       part_(part_of(other.image, depths_of_other.box())),
-      other_(unpacked(other.image, part_, room)),
-      depths_(depths_of_other),
+      other_(unpacked(other.image, part_, room.image)),
+      depths_(depths_of_other.opened(room.depths)),
       nearer_(1 - depth_tolerance) {
   const Projection projection = other.camera.projection();
   const Eigen::Matrix3d directions = projection.leftCols<3>();

@@ -19,13 +19,19 @@ struct WarpedRow {
 /// Levels are less this one, so that sums of their squares keep their digits.
 inline constexpr float middle_level = 128;
 
+/// For images that are packed.
+struct WarpRoom {
+  GrayImage image;
+  SeenDepths depths;
+};
+
 class Warp {
  public:
   /// A point is hidden where it is farther than the surface by more than `depth_tolerance` of its
-  /// depth. What is passed must outlive the warp; `room` is for an image that is packed, 4 bytes a
-  /// pixel of what is seen of it.
+  /// depth. What is passed must outlive the warp; `room` takes 6 bytes a pixel of
+  /// what is seen of an image that is packed.
   Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
-       const SeenDepths& depths_of_other, double depth_tolerance, GrayImage& room);
+       const SeenDepths& depths_of_other, double depth_tolerance, WarpRoom& room);
   Warp(const Warp&) = delete;
   Warp& operator=(const Warp&) = delete;
   ~Warp() = default;

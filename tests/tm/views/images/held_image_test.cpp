@@ -86,7 +86,8 @@ TEST_CASE("the largest of four pixels, packed or not") {
   for (std::size_t i = 0; i < depths.pixels.size(); i += 3) depths.pixels[i] = 0;
   const HeldImage plain = depths;
   const HeldImage held = packed(depths, HeldImage::Kind::depths);
-  for (const HeldImage* const image : {&plain, &held})
+  HeldImage room;
+  for (const HeldImage* const image : {&plain, &held.opened(room)})
     for (int y = 0; y + 1 < 20; ++y)
       for (int x = 0; x + 1 < 30; ++x)
         CHECK(image->largest_of_four(x, y) ==

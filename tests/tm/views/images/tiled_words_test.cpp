@@ -28,6 +28,9 @@ double bytes_per_pixel(const Words& words) {
   for (int y = 0; y < words.height; ++y)
     for (int x = 0; x < words.width; ++x) different += tiled.at(x, y) != words.at(x, y);
   CHECK(different == 0);
+  std::vector<std::uint16_t> all;
+  tiled.copy_to(all);
+  CHECK(all == words.pixels);
   return static_cast<double>(tiled.size()) / static_cast<double>(words.pixels.size());
 }
 
