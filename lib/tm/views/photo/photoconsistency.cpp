@@ -177,6 +177,7 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
     for (std::size_t v = 0; v < count; ++v) add_view(sums[v], result, faces);
   }
   progress("add up");
+  sums = {};
   add_to_vertices(mesh, faces, result);
   return result;
 }
