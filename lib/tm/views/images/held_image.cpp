@@ -96,7 +96,25 @@ void HeldImage::keep(Raster<std::uint16_t> words) {
     tiles_ = TiledWords(words);
 }
 
+bool HeldImage::blur_when_read(const ThreeTaps& taps) {
+  if (bytes_.empty() || blur_ || width < 2 || height < 2) return false;
+  blur_ = taps;
+  return true;
+}
+
+// Levels are rounded as those of words are.
+void HeldImage::read_blurred(int x, int y, int columns, int rows, float* out) const {
+  blur_part(bytes_, width, height, *blur_, {x, y}, columns, rows, out);
+  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(columns) * rows;
+  std::transform(out, out + count, out, [](float level) {
+    return static_cast<float>(
+               static_cast<int>(std::clamp(levels_per_unit * level + 0.5F, 0.0F, 65535.0F))) /
+           levels_per_unit;
+  });
+}
+
 void HeldImage::read(int x, int y, int count, float* out) const {
+  if (blur_) return read_blurred(x, y, count, 1, out);
   const auto from = [&](const auto& values, const auto& value_of) {
     const auto start = values.begin() + static_cast<std::ptrdiff_t>(index(x, y));
     std::transform(start, start + count, out, value_of);
@@ -128,6 +146,11 @@ float HeldImage::value_of(std::uint16_t word) const {
 
 float HeldImage::at(int x, int y) const {
   if (!tiles_.empty()) return value_of(tiles_.at(x, y));
+  if (blur_) {
+    float level = 0;
+    read_blurred(x, y, 1, 1, &level);
+    return level;
+  }
   const std::size_t i = index(x, y);
   if (!bits_.empty()) return bits_[i] ? inside_mask : 0.0F;
   if (!bytes_.empty()) return static_cast<float>(bytes_[i]);
@@ -139,6 +162,7 @@ void HeldImage::unpack_part(int column, int row, int columns, int rows, GrayImag
   part.width = columns;
   part.height = rows;
   part.pixels.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  if (blur_) return read_blurred(column, row, columns, rows, part.pixels.data());
   for (int y = 0; y < rows; ++y) read(column, row + y, columns, part.row(y));
 }
 
@@ -154,6 +178,13 @@ GrayImage HeldImage::unpacked() const {
 }
 
 HeldImage HeldImage::cropped(int column, int row, int columns, int rows) const {
+  if (blur_) {
+    GrayImage levels;
+    unpack_part(column, row, columns, rows, levels);
+    HeldImage packed = std::move(levels);
+    packed.pack();
+    return packed;
+  }
   HeldImage part;
   part.width = columns;
   part.height = rows;

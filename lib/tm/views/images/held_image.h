@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "tm/views/images/gray_image.h"
+#include "tm/views/images/three_taps.h"
 #include "tm/views/images/tiled_words.h"
 
 namespace transformesh {
@@ -36,6 +38,9 @@ class HeldImage {
   std::size_t size() const;
 
   void pack(Kind kind = Kind::levels);
+  /// Blurs an image of packed bytes whenever it is read, with the same result as a blurred image
+  /// that is packed. False, and nothing is done, where it is none.
+  bool blur_when_read(const ThreeTaps& taps);
   GrayImage unpacked() const;
   /// The image itself where it is not packed, else `room`, which it is unpacked to.
   const GrayImage& unpacked(GrayImage& room) const;
@@ -65,6 +70,7 @@ class HeldImage {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
   }
+  void read_blurred(int x, int y, int columns, int rows, float* out) const;
   void keep(Raster<std::uint16_t> words);
   void find_range(const std::vector<float>& depths);
   std::uint16_t word_of_depth(float depth) const;
@@ -78,6 +84,7 @@ class HeldImage {
   std::vector<bool> bits_;
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint16_t> words_;
+  std::optional<ThreeTaps> blur_;
   TiledWords tiles_;  ///< of distances and depths
   float offset_ = 0;  ///< of depths
   float step_ = 0;

@@ -135,8 +135,10 @@ std::vector<double> noise_variances(std::span<const View> views, const SeenViews
       const SeenSurface& surface = seen.surface(v, room);
       const PixelBox& box = surface.box;
       GrayImage part;
-      views[v].image.unpack_part(box.first_column, box.first_row, box.columns(), box.rows(), part);
-      noise[v] = noise_variance(part, surface.depth);
+      if (surface.level.empty())
+        views[v].image.unpack_part(box.first_column, box.first_row, box.columns(), box.rows(),
+                                   part);
+      noise[v] = noise_variance(surface.level.empty() ? part : surface.level, surface.depth);
     }
   });
   return noise;

@@ -150,6 +150,9 @@ void SeenViews::see(std::size_t view, SeenSurface& seen) const {
   draw_rows(bands, camera.width, [&](int y, const FacePixel* row) {
     std::copy_n(row, box.columns(), seen.faces.row(y - box.first_row));
   });
+  const HeldImage& image = views_[view].image;
+  if (image.is_packed())
+    image.unpack_part(box.first_column, box.first_row, box.columns(), box.rows(), seen.level);
   seen.compared = {camera.width, 0, camera.height, 0};
   for (int y = box.first_row; y < box.end_row; ++y)
     compare_row(seen, normals_, views_[view].camera, static_cast<float>(least_cosine_), y);

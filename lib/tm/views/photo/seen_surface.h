@@ -16,6 +16,7 @@ struct SeenSurface {
   GrayImage depth;
   /// 1 / (r N) of these, r the pixel's PinholeCamera::ray and N the unit normal of the face: < 0.
   GrayImage inverse_facing;
+  GrayImage level;  ///< of the photograph, where that is packed; else it is empty
   /// That of the compared pixels, within the box above.
   PixelBox compared;
 };
@@ -31,7 +32,7 @@ class SeenViews {
 
   /// Of any face; 0 where there is none.
   const SeenDepths& depths(std::size_t view) const { return depths_[view]; }
-  /// In `room`, 24 bytes a pixel of the box, where it is not held. Safe to call from several
+  /// In `room`, 28 bytes a pixel of the box, where it is not held. Safe to call from several
   /// threads.
   const SeenSurface& surface(std::size_t view, SeenSurface& room) const;
 

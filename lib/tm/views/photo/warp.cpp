@@ -66,7 +66,13 @@ void Warp::row(int y, const WarpedRow& out) const {
   const Vec3 step = turn_.col(0);
   const PixelBox& columns = seen_.compared;
   const float* const depths = seen_.depth.row(y - seen_.box.first_row);
-  reference_.read(columns.first_column, y, columns.columns(), out.reference);
+  if (seen_.level.empty()) {
+    reference_.read(columns.first_column, y, columns.columns(), out.reference);
+  } else {
+    std::copy_n(
+        seen_.level.row(y - seen_.box.first_row) + columns.first_column - seen_.box.first_column,
+        columns.columns(), out.reference);
+  }
 
   for (int x = columns.first_column; x < columns.end_column; ++x) {
     const int i = x - columns.first_column;
