@@ -1,5 +1,6 @@
 /// tm-reconstruct: from calibrated photographs to a closed, clean mesh, from coarse to fine (paper
 /// 5.3), or to one for each time step of a film.
+#include "frame/memory.h"
 #include "reconstruct_options.h"
 #include "reconstruct_report.h"
 #include "tm/evolution/run_views.h"
@@ -78,6 +79,7 @@ int main(int argc, char** argv) {
                         tool::Reads::nothing, tool::Writes::evolved_mesh};
   tool::declare_reconstruction(program, choices);
   return program.run(argc, argv, [&](tool::Run& run) {
+    tool::give_large_blocks_back();
     const ReconstructionOptions options = tool::reconstruction_of(choices, run);
     choices.sequence.empty() ? reconstruct_one(choices, options, run)
                              : reconstruct_film(choices, options, run);

@@ -79,6 +79,12 @@ void prepare_memory() {
   mallopt(M_TOP_PAD, 16 << 20);
 }
 
+void give_large_blocks_back() {
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  mallopt(M_MMAP_MAX, 1 << 16);
+  mallopt(M_TRIM_THRESHOLD, 16 << 20);
+}
+
 }  // namespace transformesh::tool
 
 #else
@@ -86,6 +92,7 @@ void prepare_memory() {
 namespace transformesh::tool {
 
 void prepare_memory() {}
+void give_large_blocks_back() {}
 
 }  // namespace transformesh::tool
 

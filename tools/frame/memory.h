@@ -9,4 +9,9 @@ namespace transformesh::tool {
 /// Before anything large is allocated.
 void prepare_memory();
 
+/// From here on each large block is taken from the system by itself and given back when it is not
+/// needed any more: for programs that run for long and hold much, of which no more than that is to
+/// count.
+void give_large_blocks_back();
+
 }  // namespace transformesh::tool

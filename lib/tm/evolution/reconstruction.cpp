@@ -77,12 +77,10 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
 const PhotoScene& Photographs::at(double scale) {
   if (scale == scale_) return scene_;
   scene_ = PhotoScene();
-  scene_ = photo_scene(views_, scale, pairs_);
+  // After scale 1 there is no other one.
+  const bool is_last = spends_views_ && scale == 1;
+  scene_ = is_last ? take_photo_scene(views_, scale, pairs_) : photo_scene(views_, scale, pairs_);
   scale_ = scale;
-  if (spends_views_ && scale == 1) {
-    // From here on there is no other scale.
-    for (View& view : views_) view.image = view.silhouette = HeldImage();
-  }
   return scene_;
 }
 

@@ -12,6 +12,8 @@ namespace {
 constexpr int usual_rows_per_band = 16;
 constexpr int columns_worth_narrowing = 8;
 constexpr std::size_t items_per_task = 4096;
+/// Whose bounds are known at a time.
+constexpr std::size_t faces_at_once = std::size_t{1} << 16;
 
 /// A range of pixels from first to last, both included.
 struct Range {
@@ -19,15 +21,25 @@ struct Range {
   int last = -1;
 };
 
-}  // namespace
-
-struct FaceSetup {
-  EdgeFunctions functions;
+/// The pixels that a face may cover.
+struct Bounds {
   Range columns;
   Range rows;
+
+  bool is_empty() const { return columns.first > columns.last || rows.first > rows.last; }
 };
 
-namespace {
+/// What is known of a face before it is drawn.
+struct FaceSetup {
+  EdgeFunctions functions;
+  Bounds bounds;
+};
+
+using Corners = std::array<Vec3, 3>;
+
+Corners corners_of(const Face& face, const std::vector<Vec3>& projected) {
+  return {projected[face[0]], projected[face[1]], projected[face[2]]};
+}
 
 /// The integers in [low, high] that are pixels of a row or column.
 Range pixels_between(double low, double high, int size) {
@@ -39,7 +51,7 @@ Range pixels_between(double low, double high, int size) {
 }
 
 /// The bounds of the image of a face; the whole image for one that reaches behind the eye.
-void find_bounds(const std::array<Vec3, 3>& corners, int width, int height, FaceSetup& setup) {
+Bounds bounds_of(const Corners& corners, int width, int height) {
   Eigen::Array2d low(0, 0);
   Eigen::Array2d high(width - 1, height - 1);
   if (corners[0].z() > 0 && corners[1].z() > 0 && corners[2].z() > 0) {
@@ -51,8 +63,7 @@ void find_bounds(const std::array<Vec3, 3>& corners, int width, int height, Face
       high = high.max(pixel);
     }
   }
-  setup.columns = pixels_between(low.x(), high.x(), width);
-  setup.rows = pixels_between(low.y(), high.y(), height);
+  return {pixels_between(low.x(), high.x(), width), pixels_between(low.y(), high.y(), height)};
 }
 
 /// Which faces are drawn: where not both sides, those whose corners, projected, have a determinant
@@ -64,34 +75,24 @@ struct Drawn {
   Drawn(const Camera& camera, Sides sides)
       : is_both(sides == Sides::both),
         sign(camera.projection.leftCols<3>().determinant() > 0 ? -1 : 1) {}
-  bool operator()(const std::array<Vec3, 3>& corners) const {
+  bool operator()(const Corners& corners) const {
+    if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return false;
     return is_both || sign * corners[0].dot(corners[1].cross(corners[2])) > 0;
   }
 };
 
-FaceSetup set_up(const Face& face, const std::vector<Vec3>& projected, const Drawn& is_drawn,
-                 int width, int height) {
+/// Of a face that is drawn.
+FaceSetup set_up(const Corners& corners, int width, int height) {
   FaceSetup setup;
-  const std::array<Vec3, 3> corners{projected[face[0]], projected[face[1]], projected[face[2]]};
-  if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return setup;
-  if (!is_drawn(corners)) return setup;
   setup.functions = edge_functions(corners[0], corners[1], corners[2]);
-  if (setup.functions.depth_numerator > 0) find_bounds(corners, width, height, setup);
+  if (setup.functions.depth_numerator > 0) setup.bounds = bounds_of(corners, width, height);
   return setup;
 }
 
-/// Sorts faces into the bands of rows that they touch, in face order.
-std::vector<std::vector<Index>> faces_of_bands(const std::vector<FaceSetup>& setups, int height,
-                                               int rows_per_band) {
-  std::vector<std::vector<Index>> bands(
-      static_cast<std::size_t>((height + rows_per_band - 1) / rows_per_band));
-  for (std::size_t f = 0; f < setups.size(); ++f) {
-    const Range& rows = setups[f].rows;
-    if (rows.first > rows.last || setups[f].columns.first > setups[f].columns.last) continue;
-    for (int band = rows.first / rows_per_band; band <= rows.last / rows_per_band; ++band)
-      bands[static_cast<std::size_t>(band)].push_back(static_cast<Index>(f));
-  }
-  return bands;
+void unite(Range& range, const Range& other) {
+  if (range.first > range.last) range = other;
+  range.first = std::min(range.first, other.first);
+  range.last = std::max(range.last, other.last);
 }
 
 /// The columns of a row on which all edge functions can be positive, one too many on either side.
@@ -116,8 +117,9 @@ void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row) {
     slope[i] = edge.x();
     start[i] = edge.y() * y + edge.z();
   }
-  const bool is_narrow = setup.columns.last - setup.columns.first < columns_worth_narrowing;
-  const Range columns = is_narrow ? setup.columns : narrowed(setup.columns, slope, start);
+  const Range& all = setup.bounds.columns;
+  const bool is_narrow = all.last - all.first < columns_worth_narrowing;
+  const Range columns = is_narrow ? all : narrowed(all, slope, start);
   for (int x = columns.first; x <= columns.last; ++x) {
     const double e0 = slope[0] * x + start[0];
     const double e1 = slope[1] * x + start[1];
@@ -146,28 +148,51 @@ EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
                                Sides sides)
-    : width_(camera.width), rows_per_band_(rows_per_band), setups_(mesh.faces.size()) {
-  // Project the corners, and find the edge functions.
-  std::vector<Vec3> projected(mesh.positions.size());
-  parallel_for(projected.size(), items_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) projected[v] = camera.project(mesh.positions[v]);
+    : mesh_(mesh),
+      width_(camera.width),
+      height_(camera.height),
+      rows_per_band_(rows_per_band),
+      projected_(mesh.positions.size()) {
+  parallel_for(projected_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) projected_[v] = camera.project(mesh.positions[v]);
   });
-  const Drawn is_drawn(camera, sides);
-  parallel_for(setups_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f)
-      setups_[f] = set_up(mesh.faces[f], projected, is_drawn, camera.width, camera.height);
-  });
-  faces_ = faces_of_bands(setups_, camera.height, rows_per_band);
+  sort_faces(camera, sides);
 }
 
-BandRasterizer::~BandRasterizer() = default;
+// Sorts faces into the bands of rows that they touch, in face order. What else is known of them
+// would take several times the memory of the mesh: a face is set up again when it is drawn.
+void BandRasterizer::sort_faces(const Camera& camera, Sides sides) {
+  faces_.resize(static_cast<std::size_t>((height_ + rows_per_band_ - 1) / rows_per_band_));
+  const Drawn is_drawn(camera, sides);
+  Bounds all;
+  std::vector<Bounds> some;
+  for (std::size_t start = 0; start < mesh_.faces.size(); start += faces_at_once) {
+    some.assign(std::min(faces_at_once, mesh_.faces.size() - start), {});
+    parallel_for(some.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Corners corners = corners_of(mesh_.faces[start + i], projected_);
+        if (is_drawn(corners)) some[i] = bounds_of(corners, width_, height_);
+      }
+    });
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if (some[i].is_empty()) continue;
+      const Range& rows = some[i].rows;
+      unite(all.columns, some[i].columns);
+      unite(all.rows, rows);
+      for (int band = rows.first / rows_per_band_; band <= rows.last / rows_per_band_; ++band)
+        faces_[static_cast<std::size_t>(band)].push_back(static_cast<Index>(start + i));
+    }
+  }
+  box_ = {all.columns.first, all.columns.last + 1, all.rows.first, all.rows.last + 1};
+}
 
 void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {
   const int first = static_cast<int>(band) * rows_per_band_;
   const int last = first + rows_per_band_ - 1;
   for (const Index face : faces_[band]) {
-    const FaceSetup& setup = setups_[face];
-    for (int y = std::max(first, setup.rows.first); y <= std::min(last, setup.rows.last); ++y) {
+    const FaceSetup setup = set_up(corners_of(mesh_.faces[face], projected_), width_, height_);
+    const Range& own = setup.bounds.rows;
+    for (int y = std::max(first, own.first); y <= std::min(last, own.last); ++y) {
       const auto row = static_cast<std::size_t>(y - first);
       draw_row(setup, face, y, rows + row * static_cast<std::size_t>(width_));
     }

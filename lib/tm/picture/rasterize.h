@@ -18,6 +18,15 @@
 
 namespace transformesh {
 
+/// Pixels from the first to before the end; none where these are equal.
+struct PixelBox {
+  int first_column = 0, end_column = 0;
+  int first_row = 0, end_row = 0;
+
+  int columns() const { return end_column - first_column; }
+  int rows() const { return end_row - first_row; }
+};
+
 struct FacePixel {
   Index face = no_index;
   float depth = 0;                ///< as the camera defines it
@@ -30,25 +39,31 @@ enum class Sides { both, outside };
 
 FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both);
 
-struct FaceSetup;  // what is known of a face before it is drawn
-
-/// The same a band of rows at a time, for pictures that are not held as a whole. 120 bytes a face.
+/// The same a band of rows at a time, for pictures that are not held as a whole. 24 bytes a vertex
+/// and 4 a face that is seen.
 class BandRasterizer {
  public:
+  /// Keeps a reference to the mesh.
   BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
                  Sides sides = Sides::both);
-  ~BandRasterizer();
   BandRasterizer(const BandRasterizer&) = delete;
   BandRasterizer& operator=(const BandRasterizer&) = delete;
+  ~BandRasterizer() = default;
 
   std::size_t bands() const { return faces_.size(); }
+  /// Around all pixels that see a face, and maybe some more.
+  const PixelBox& box() const { return box_; }
   /// Draws rows_per_band rows, of which those below the picture stay empty, to `rows`, which is as
   /// wide as the picture and holds nothing. Safe to call from several threads at once.
   void draw(std::size_t band, FacePixel* rows) const;
 
  private:
-  int width_, rows_per_band_;
-  std::vector<FaceSetup> setups_;
+  void sort_faces(const Camera& camera, Sides sides);
+
+  const Mesh& mesh_;
+  int width_, height_, rows_per_band_;
+  std::vector<Vec3> projected_;  ///< vertices
+  PixelBox box_;
   std::vector<std::vector<Index>> faces_;  ///< that touch each band, ascending
 };
 

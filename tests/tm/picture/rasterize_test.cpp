@@ -185,3 +185,27 @@ TEST_CASE("bands of any height are the rows of the whole buffer") {
     CHECK(different == 0);
   }
 }
+
+TEST_CASE("the box of bands is around what is seen, and hardly larger") {
+  const Mesh ball = moved(icosphere(4), {0.3, 0.1, 4});
+  const Camera camera = camera_at_origin(90, 61, 70);
+  const FaceBuffer whole = rasterize(ball, camera);
+  PixelBox seen{90, 0, 61, 0};
+  for (int y = 0; y < 61; ++y) {
+    for (int x = 0; x < 90; ++x) {
+      if (whole.at(x, y).face == no_index) continue;
+      seen = {std::min(seen.first_column, x), std::max(seen.end_column, x + 1),
+              std::min(seen.first_row, y), std::max(seen.end_row, y + 1)};
+    }
+  }
+  const PixelBox box = BandRasterizer(ball, camera, 16).box();
+  CHECK(std::abs(box.columns() - seen.columns()) <= 2);
+  CHECK(std::abs(box.rows() - seen.rows()) <= 2);
+  CHECK(box.first_column <= seen.first_column);
+  CHECK(box.end_column >= seen.end_column);
+  CHECK(box.first_row <= seen.first_row);
+  CHECK(box.end_row >= seen.end_row);
+  const PixelBox none = BandRasterizer(moved(ball, {0, 0, -20}), camera, 16).box();
+  CHECK(none.columns() == 0);
+  CHECK(none.rows() == 0);
+}

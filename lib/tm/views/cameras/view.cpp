@@ -1,6 +1,7 @@
 #include "tm/views/cameras/view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -97,6 +98,30 @@ GrayImage resampled(const GrayImage& image, double scale, double deviation) {
   return result;
 }
 
+/// The blur of scale 1, which reaches a pixel to either side.
+ThreeTaps taps_at_scale_one() {
+  const Kernel kernel(1, blur_at_scale_one);
+  constexpr int size = 3;
+  const auto weights = [&]<std::size_t count>(int place, std::array<float, count>& taps) {
+    const Blend blend = blend_at(place, size, kernel);
+    std::copy_n(blend.weights.begin(), count, taps.begin());
+  };
+  ThreeTaps taps;
+  weights(0, taps.first);
+  weights(1, taps.inside);
+  weights(2, taps.last);
+  return taps;
+}
+
+/// As at_scale(), and packed where it was.
+HeldImage held_at_scale(const HeldImage& image, double scale) {
+  HeldImage result = scale == 1 ? image : HeldImage();
+  if (scale == 1 && result.blur_when_read(taps_at_scale_one())) return result;
+  result = at_scale(image.unpacked(), scale);
+  if (image.is_packed()) result.pack();
+  return result;
+}
+
 }  // namespace
 
 std::vector<PinholeCamera> cameras_of(std::span<const View> views) {
@@ -110,8 +135,7 @@ GrayImage at_scale(const GrayImage& image, double scale) {
 }
 
 View at_scale(const View& view, double scale) {
-  View result{view.name, view.camera.shrunk(scale), at_scale(view.image.unpacked(), scale), {}};
-  if (view.image.is_packed()) result.image.pack();
+  View result{view.name, view.camera.shrunk(scale), held_at_scale(view.image, scale), {}};
   if (view.silhouette.empty()) return result;
   result.silhouette = view.silhouette;
   if (scale > 1) result.silhouette = at_scale(view.silhouette.unpacked(), scale);

@@ -106,10 +106,10 @@ class ContourDistance {
     for (int y = silhouette_.height - 1; y >= 0; --y) sweep_row(y, y + 1);
   }
 
-  GrayImage signed_roots() const {
-    GrayImage distances = squared_;
+  GrayImage signed_roots() {
+    GrayImage distances = std::move(squared_);
     for (std::size_t i = 0; i < distances.pixels.size(); ++i) {
-      const float root = std::sqrt(squared_.pixels[i]);
+      const float root = std::sqrt(distances.pixels[i]);
       distances.pixels[i] = is_inside(silhouette_.pixels[i]) ? -root : root;
     }
     return distances;

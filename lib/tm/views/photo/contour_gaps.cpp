@@ -29,14 +29,14 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
 /// Whether a pixel beside the place shows background, and no other part of the surface lies so much
 /// nearer to the eye that it is that part which borders on it. Where a surface meets the background
 /// it curves away from the eye, by `pixels_of_curvature` at most.
-bool borders_on_background(const HeldImage& depths, double x, double y, double depth,
-                           double pixel) {
+bool borders_on_background(const SeenDepths& depths, const HeldImage& image, double x, double y,
+                           double depth, double pixel) {
   const int column = static_cast<int>(std::lround(x));
   const int row = static_cast<int>(std::lround(y));
   bool has_background = false;
   double farthest = 0;
-  for (int i = std::max(row - 1, 0); i <= std::min(row + 1, depths.height - 1); ++i) {
-    for (int j = std::max(column - 1, 0); j <= std::min(column + 1, depths.width - 1); ++j) {
+  for (int i = std::max(row - 1, 0); i <= std::min(row + 1, image.height - 1); ++i) {
+    for (int j = std::max(column - 1, 0); j <= std::min(column + 1, image.width - 1); ++j) {
       const float seen = depths.at(j, i);
       has_background = has_background || seen == 0;
       farthest = std::max(farthest, static_cast<double>(seen));
@@ -45,7 +45,7 @@ bool borders_on_background(const HeldImage& depths, double x, double y, double d
   return has_background && farthest > depth - pixels_of_curvature * pixel;
 }
 
-void add_view(const Mesh& mesh, const View& view, const HeldImage& depths,
+void add_view(const Mesh& mesh, const View& view, const SeenDepths& depths,
               const HeldImage& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
   const Projection projection = view.camera.projection();
   const double focal = view.camera.focal_length();
@@ -61,7 +61,8 @@ void add_view(const Mesh& mesh, const View& view, const HeldImage& depths,
     if (!std::isfinite(gap)) continue;
     if (gap >= 0) {
       if (is_exact) gaps.outside[v] = std::max(gaps.outside[v], gap);
-    } else if (facing[v] == both && borders_on_background(depths, x, y, q.z(), q.z() / focal)) {
+    } else if (facing[v] == both &&
+               borders_on_background(depths, view.image, x, y, q.z(), q.z() / focal)) {
       gaps.inside[v] -= gap;
       ++gaps.rims[v];
     }

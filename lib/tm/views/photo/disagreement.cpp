@@ -17,8 +17,6 @@ constexpr double variance_by_squared_median = 0.1523 / (0.6745 * 0.6745);
 
 /// Above it hardly anything is left that photographs could have in common, and excess says little.
 constexpr double largest_floor = 0.9;
-/// Views whose pixels are held at a time.
-constexpr std::size_t views_at_once = 8;
 
 struct Window {
   float weight = 0, energy = 0, floor = 0;
@@ -28,10 +26,11 @@ struct Window {
 /// Of the pairs with the same reference view the two that agree best, for each pixel of its box.
 class BestWindows {
  public:
-  BestWindows(int width, int height)
-      : width_(width),
-        windows_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
-
+  /// Anew, in the same memory.
+  void begin(int width, int height) {
+    width_ = width;
+    windows_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), {});
+  }
   int width() const { return width_; }
   void add(int x, int y, const Window& window) {
     if (!(window.weight > 0)) return;
@@ -58,7 +57,7 @@ class BestWindows {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);
   }
-  int width_;
+  int width_ = 0;
   std::vector<Ranked> windows_;
 };
 
@@ -73,7 +72,7 @@ void add_pair(const Warp& warp, const SeenSurface& seen, double noise,
               const PhotoconsistencyOptions& options, BestWindows& best) {
   const auto excess = static_cast<float>(options.correlation.noise_variance + noise);
   correlate(
-      best.width(), seen.first_row, seen.end_row, options.correlation,
+      best.width(), seen.compared.first_row, seen.compared.end_row, options.correlation,
       [&](int y, const ComparedRow& row) {
         warp.row(y, options.interpolation, {row.is_seen, row.first, row.second, row.slope});
       },
@@ -81,35 +80,43 @@ void add_pair(const Warp& warp, const SeenSurface& seen, double noise,
       [&](int y, const WindowRow& row) {
         for (int x = 0; x < best.width(); ++x) {
           const float floor = row.weight[x] * std::min(excess / row.deviations[x], 1.0F);
-          best.add(x, y - seen.first_row, {row.weight[x], row.energy[x], floor});
+          best.add(x, y - seen.compared.first_row, {row.weight[x], row.energy[x], floor});
         }
       });
 }
 
-BestWindows compare_with_others(std::size_t reference, const PhotoScene& scene,
-                                const SeenViews& seen, std::span<const double> noise,
-                                const PhotoconsistencyOptions& options) {
+/// A view as it sees the surface, and how well others agree with it.
+struct Compared {
   SeenSurface room;
-  const SeenSurface& from = seen.surface(reference, room);
-  if (from.first_row >= from.end_row) return {0, 0};
-  BestWindows best(from.end_column - from.first_column, from.end_row - from.first_row);
+  WarpRoom warp_room;
+  const SeenSurface* seen = nullptr;
+  BestWindows best;
+};
+
+void compare_with_others(std::size_t reference, const PhotoScene& scene, const SeenViews& seen,
+                         std::span<const double> noise, const PhotoconsistencyOptions& options,
+                         Compared& result) {
+  const SeenSurface& from = seen.surface(reference, result.room);
+  result.seen = &from;
+  result.best.begin(std::max(from.compared.columns(), 0), std::max(from.compared.rows(), 0));
+  if (from.compared.rows() <= 0) return;
   for (const ViewPair& pair : scene.pairs) {
     if (pair.first != reference) continue;
     const Warp warp(scene.views[reference], from, scene.views[pair.second],
-                    seen.depths(pair.second), options.depth_tolerance);
-    add_pair(warp, from, (noise[reference] + noise[pair.second]) / 2, options, best);
+                    seen.depths(pair.second), options.depth_tolerance, result.warp_room);
+    add_pair(warp, from, (noise[reference] + noise[pair.second]) / 2, options, result.best);
   }
-  return best;
 }
 
-void add_to_vertices(const Mesh& mesh, const BestWindows& best, const SeenSurface& seen,
-                     Disagreement& result) {
-  for (int y = seen.first_row; y < seen.end_row; ++y) {
-    for (int x = seen.first_column; x < seen.end_column; ++x) {
-      const Window window = best.at(x - seen.first_column, y - seen.first_row);
+void add_to_vertices(const Mesh& mesh, const Compared& view, Disagreement& result) {
+  const SeenSurface& seen = *view.seen;
+  const PixelBox& box = seen.compared;
+  for (int y = box.first_row; y < box.end_row; ++y) {
+    for (int x = box.first_column; x < box.end_column; ++x) {
+      const Window window = view.best.at(x - box.first_column, y - box.first_row);
       if (window.weight == 0) continue;
       result.all += {window.weight, window.energy, window.floor};
-      const FacePixel& pixel = seen.faces.at(x, y);
+      const FacePixel& pixel = seen.faces.at(x - seen.box.first_column, y - seen.box.first_row);
       const std::array<double, 3> share{pixel.weight[0], pixel.weight[1],
                                         1.0 - pixel.weight[0] - pixel.weight[1]};
       for (std::size_t i = 0; i < 3; ++i)
@@ -117,6 +124,24 @@ void add_to_vertices(const Mesh& mesh, const BestWindows& best, const SeenSurfac
             {share[i] * window.weight, share[i] * window.energy, share[i] * window.floor};
     }
   }
+}
+
+/// The variance of the noise in each view.
+std::vector<double> noise_variances(std::span<const View> views, const SeenViews& seen) {
+  std::vector<double> noise(views.size());
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    SeenSurface room;
+    for (std::size_t v = first; v < last; ++v) {
+      const SeenSurface& surface = seen.surface(v, room);
+      const PixelBox& box = surface.box;
+      GrayImage part;
+      if (surface.level.empty())
+        views[v].image.unpack_part(box.first_column, box.first_row, box.columns(), box.rows(),
+                                   part);
+      noise[v] = noise_variance(surface.level.empty() ? part : surface.level, surface.depth);
+    }
+  });
+  return noise;
 }
 
 }  // namespace
@@ -156,26 +181,20 @@ Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double leas
   progress("look for disagreement");
   const SeenViews seen(mesh, scene.views, least_cosine);
   const std::size_t count = scene.views.size();
-  std::vector<double> noise(count);
-  parallel_for(count, 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      SeenSurface room;
-      noise[v] = noise_variance(scene.views[v].image, seen.surface(v, room).depth);
-    }
-  });
+  const std::vector<double> noise = noise_variances(scene.views, seen);
 
   // Sums go by the order of the views, for the same bytes with any number of threads.
   Disagreement result;
   result.of_vertex.resize(mesh.positions.size());
-  for (std::size_t begin = 0; begin < count; begin += views_at_once) {
-    std::vector<BestWindows> best(std::min(views_at_once, count - begin), BestWindows(0, 0));
-    parallel_for(best.size(), 1, [&](std::size_t first, std::size_t last) {
+  // Views by as many at once as there are threads, to save memory.
+  std::vector<Compared> compared(std::min(allowed_thread_count(), count));
+  for (std::size_t begin = 0; begin < count; begin += compared.size()) {
+    const std::size_t end = std::min(compared.size(), count - begin);
+    parallel_for(end, 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
-        best[i] = compare_with_others(begin + i, scene, seen, noise, options);
+        compare_with_others(begin + i, scene, seen, noise, options, compared[i]);
     });
-    SeenSurface room;
-    for (std::size_t i = 0; i < best.size(); ++i)
-      add_to_vertices(mesh, best[i], seen.surface(begin + i, room), result);
+    for (std::size_t i = 0; i < end; ++i) add_to_vertices(mesh, compared[i], result);
   }
   return result;
 }

@@ -19,8 +19,11 @@ struct PhotoScene {
 
 /// Views at a smaller scale (at_scale), and which of them to compare (choose_pairs). Throws
 /// InputError where there is no such pair, UsageError as at_scale does. O(pixels), in parallel over
-/// views; the same for any number of threads. Of views that are packed, so is the scene: 4 bytes a
-/// pixel.
+/// views; the same for any number of threads. Of views that are packed, so is the scene: 2 bytes a
+/// pixel, or 3 of photographs with levels between those of 8 bits.
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});
+
+/// The same, and images and silhouettes of the views are gone, each as soon as it is not needed.
+PhotoScene take_photo_scene(std::span<View> views, double scale, const PairOptions& pairs = {});
 
 }  // namespace transformesh

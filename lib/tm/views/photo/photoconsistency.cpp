@@ -15,12 +15,24 @@ namespace {
 /// Sums over the pairs with the same reference view, per pixel of its box.
 struct ReferenceSums {
   SeenSurface room;
+  WarpRoom warp_room;
   const SeenSurface* seen = nullptr;  ///< null where the view is compared with none
   GrayImage gradient;                 ///< derivative of the energy by the depth of the pixel
   GrayImage curvature;
   GrayImage count;  ///< pairs that see the pixel
   CorrelationSums sums;
   std::size_t visible = 0;
+
+  /// For the next view, in the same memory.
+  void begin(const SeenSurface& surface) {
+    seen = &surface;
+    for (GrayImage* const image : {&gradient, &curvature, &count}) {
+      image->width = surface.compared.columns();
+      image->height = surface.compared.rows();
+      image->pixels.assign(
+          static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height), 0);
+    }
+  }
 };
 
 /// Sums per face, for each corner its barycentric share; derivatives are by the movement of the
@@ -59,11 +71,11 @@ std::size_t count_visible(const SeenSurface& seen) {
 void add_pair(const Warp& warp, const SeenSurface& seen, const PhotoconsistencyOptions& options,
               ReferenceSums& sums) {
   const CorrelationSums pair = correlate(
-      sums.gradient.width, seen.first_row, seen.end_row, options.correlation,
+      sums.gradient.width, seen.compared.first_row, seen.compared.end_row, options.correlation,
       [&](int y, const ComparedRow& row) {
         warp.row(y, options.interpolation, {row.is_seen, row.first, row.second, row.slope});
       },
-      [&](int y, const CorrelationRow& row) { add_row(row, y - seen.first_row, sums); });
+      [&](int y, const CorrelationRow& row) { add_row(row, y - seen.compared.first_row, sums); });
   sums.sums.energy += pair.energy;
   sums.sums.loss += pair.loss;
   sums.sums.weight += pair.weight;
@@ -74,18 +86,19 @@ void compare_with_others(std::size_t reference, std::span<const View> views, con
                          std::span<const ViewPair> pairs, const PhotoconsistencyOptions& options,
                          ReferenceSums& sums) {
   const auto is_of_reference = [&](const ViewPair& pair) { return pair.first == reference; };
+  sums.seen = nullptr;
+  sums.sums = {};
+  sums.visible = 0;
   if (std::none_of(pairs.begin(), pairs.end(), is_of_reference)) return;
   const SeenSurface& from = seen.surface(reference, sums.room);
-  sums.seen = &from;
-  if (from.first_row >= from.end_row) return;
-  sums.gradient = sums.curvature = sums.count =
-      GrayImage(from.end_column - from.first_column, from.end_row - from.first_row);
+  if (from.compared.first_row >= from.compared.end_row) return;
+  sums.begin(from);
   const std::size_t visible = count_visible(from);
   for (const ViewPair& pair : pairs) {
     if (!is_of_reference(pair)) continue;
     sums.visible += visible;
     const Warp warp(views[reference], from, views[pair.second], seen.depths(pair.second),
-                    options.depth_tolerance);
+                    options.depth_tolerance, sums.warp_room);
     add_pair(warp, from, options, sums);
   }
 }
@@ -94,12 +107,14 @@ void compare_with_others(std::size_t reference, std::span<const View> views, con
 void add_to_faces(const ReferenceSums& sums, std::vector<FaceSums>& faces) {
   if (sums.seen == nullptr) return;
   const SeenSurface& seen = *sums.seen;
+  const int left = seen.compared.first_column - seen.box.first_column;
+  const int top = seen.compared.first_row - seen.box.first_row;
   for (int y = 0; y < sums.count.height; ++y) {
     for (int x = 0; x < sums.count.width; ++x) {
       const double count = sums.count.at(x, y);
       if (count == 0) continue;
-      const FacePixel& pixel = seen.faces.at(x + seen.first_column, y + seen.first_row);
-      const double inverse = seen.inverse_facing.at(x + seen.first_column, y + seen.first_row);
+      const FacePixel& pixel = seen.faces.at(x + left, y + top);
+      const double inverse = seen.inverse_facing.at(x + left, y + top);
       const double gradient = sums.gradient.at(x, y) * inverse;
       const double curvature = sums.curvature.at(x, y) * inverse * inverse;
       const std::array<double, 3> share{pixel.weight[0], pixel.weight[1],
@@ -152,16 +167,17 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
   std::vector<FaceSums> faces(mesh.faces.size());
   // As many views at once as there are threads, to save memory. Sums go by the order of the views,
   // for the same bytes with any number of threads.
-  const std::size_t group = allowed_thread_count();
-  for (std::size_t start = 0; start < views.size(); start += group) {
-    std::vector<ReferenceSums> sums(std::min(group, views.size() - start));
-    parallel_for(sums.size(), 1, [&](std::size_t first, std::size_t last) {
+  std::vector<ReferenceSums> sums(std::min(allowed_thread_count(), views.size()));
+  for (std::size_t start = 0; start < views.size(); start += sums.size()) {
+    const std::size_t count = std::min(sums.size(), views.size() - start);
+    parallel_for(count, 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v)
         compare_with_others(start + v, views, seen, pairs, options, sums[v]);
     });
-    for (const ReferenceSums& view : sums) add_view(view, result, faces);
+    for (std::size_t v = 0; v < count; ++v) add_view(sums[v], result, faces);
   }
   progress("add up");
+  sums = {};
   add_to_vertices(mesh, faces, result);
   return result;
 }

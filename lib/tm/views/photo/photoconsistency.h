@@ -9,8 +9,8 @@
 /// The derivative holds what is seen where, and rho, as they are: it is exact for movements that
 /// change no contour and no border of an image. Only the second image of a pair is differentiated:
 /// give both orders. Views without overlap contribute nothing.
-/// Cost: O(views * faces + pairs * pixels); memory 40 bytes a pixel of one view for each thread. In
-/// parallel over views; the same bytes for any number of threads.
+/// Cost: O(views * faces + pairs * pixels); memory 46 bytes a pixel of what one view sees for
+/// each thread, and 72 a face. In parallel over views; the same bytes for any number of threads.
 #pragma once
 
 #include <span>

@@ -3,24 +3,26 @@
 
 #include "tm/picture/rasterize.h"
 #include "tm/views/cameras/view.h"
+#include "tm/views/photo/seen_depths.h"
 
 namespace transformesh {
 
-/// Images are of the view's size, 0 where there is nothing.
+/// Images are of a box of the view, beyond which nothing is seen, and 0 where there is nothing.
 struct SeenSurface {
+  PixelBox box;
   FaceBuffer faces;
   /// Depth of the pixels that are compared, which see the outside of a face, and not too flatly
   /// along it.
   GrayImage depth;
   /// 1 / (r N) of these, r the pixel's PinholeCamera::ray and N the unit normal of the face: < 0.
   GrayImage inverse_facing;
-  /// The box of the compared pixels; the ends are excluded.
-  int first_column = 0, end_column = 0;
-  int first_row = 0, end_row = 0;
+  GrayImage level;  ///< of the photograph, where that is packed; else it is empty
+  /// That of the compared pixels, within the box above.
+  PixelBox compared;
 };
 
-/// What all views see. Of views that are packed (HeldImage) only depths are held, 2 bytes a pixel,
-/// and all else is found when it is asked for. Backs of faces hide nothing.
+/// What all views see. Of views that are packed (HeldImage) only depths are held, a byte or so a
+/// pixel of the box, and all else is found when it is asked for. Backs of faces hide nothing.
 class SeenViews {
  public:
   /// Keeps references to both. `least_cosine` is that of the angle between ray and normal below
@@ -29,18 +31,19 @@ class SeenViews {
   SeenViews(const Mesh& mesh, std::span<const View> views, double least_cosine);
 
   /// Of any face; 0 where there is none.
-  const HeldImage& depths(std::size_t view) const { return depths_[view]; }
-  /// In `room`, 24 bytes a pixel, where it is not held. Safe to call from several threads.
+  const SeenDepths& depths(std::size_t view) const { return depths_[view]; }
+  /// In `room`, 28 bytes a pixel of the box, where it is not held. Safe to call from several
+  /// threads.
   const SeenSurface& surface(std::size_t view, SeenSurface& room) const;
 
  private:
-  SeenSurface see(std::size_t view) const;
+  void see(std::size_t view, SeenSurface& seen) const;
 
   const Mesh& mesh_;
   std::span<const View> views_;
   double least_cosine_;
   std::vector<Eigen::Vector3f> normals_;
-  std::vector<HeldImage> depths_;
+  std::vector<SeenDepths> depths_;
   std::vector<SeenSurface> surfaces_;
 };
 

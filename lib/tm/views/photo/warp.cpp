@@ -24,22 +24,31 @@ Landing land(double a, double b, double c, double depth, const Vec3& shift) {
   return {x, y, far, (a - x * c) * inverse, (b - y * c) * inverse};
 }
 
-/// The largest depth of the pixels that a place is between: a point there is hidden where it is
-/// clearly behind that. Pixels without a face have depth 0.
-float reach(const GrayImage& depths, int x, int y) {
-  const float* const top = depths.row(y) + x;
-  const float* const bottom = top + depths.width;
-  return std::max({top[0], top[1], bottom[0], bottom[1]});
+/// The pixels that places between seen ones need: all of an image that is not packed.
+PixelBox part_of(const HeldImage& image, const PixelBox& seen) {
+  constexpr int around = 2;
+  if (!image.is_packed()) return {0, image.width, 0, image.height};
+  return {std::max(seen.first_column - around, 0), std::min(seen.end_column + around, image.width),
+          std::max(seen.first_row - around, 0), std::min(seen.end_row + around, image.height)};
+}
+
+const GrayImage& unpacked(const HeldImage& image, const PixelBox& part, GrayImage& room) {
+  if (!image.is_packed()) return image.unpacked(room);
+  image.unpack_part(part.first_column, part.first_row, part.columns(), part.rows(), room);
+  return room;
 }
 
 }  // namespace
 
 Warp::Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
-           const HeldImage& depths_of_other, double depth_tolerance)
-    : reference_(reference.image.unpacked(room_[0])),
+           const SeenDepths& depths_of_other, double depth_tolerance, WarpRoom& room)
+    : reference_(reference.image),
       seen_(seen_by_reference),
-      other_(other.image.unpacked(room_[1])),
-      depths_(depths_of_other.unpacked(room_[2])),
+      width_(other.image.width),
+      height_(other.image.height),
+      part_(part_of(other.image, depths_of_other.box())),
+      other_(unpacked(other.image, part_, room.image)),
+      depths_(depths_of_other.opened(room.depths)),
       nearer_(1 - depth_tolerance) {
   const Projection projection = other.camera.projection();
   const Eigen::Matrix3d directions = projection.leftCols<3>();
@@ -51,27 +60,39 @@ Warp::Warp(const View& reference, const SeenSurface& seen_by_reference, const Vi
 template <Interpolation interpolation>
 void Warp::row(int y, const WarpedRow& out) const {
   constexpr int first = margin<interpolation>;
-  const int end_x = other_.width - 1 - first;
-  const int end_y = other_.height - 1 - first;
+  const int end_x = width_ - 1 - first;
+  const int end_y = height_ - 1 - first;
   const Vec3 start = turn_ * Vec3(0, y, 1);
   const Vec3 step = turn_.col(0);
+  const PixelBox& columns = seen_.compared;
+  const float* const depths = seen_.depth.row(y - seen_.box.first_row);
+  if (seen_.level.empty()) {
+    reference_.read(columns.first_column, y, columns.columns(), out.reference);
+  } else {
+    std::copy_n(
+        seen_.level.row(y - seen_.box.first_row) + columns.first_column - seen_.box.first_column,
+        columns.columns(), out.reference);
+  }
 
-  for (int x = seen_.first_column; x < seen_.end_column; ++x) {
-    const int i = x - seen_.first_column;
+  for (int x = columns.first_column; x < columns.end_column; ++x) {
+    const int i = x - columns.first_column;
+    const float level = out.reference[i];
     out.is_seen[i] = out.reference[i] = out.other[i] = out.slope[i] = 0;
-    const float depth = seen_.depth.at(x, y);
+    const float depth = depths[x - seen_.box.first_column];
     if (depth == 0) continue;
     const Landing at = land(start.x() + x * step.x(), start.y() + x * step.y(),
                             start.z() + x * step.z(), depth, shift_);
     if (!(at.depth > 0 && at.x >= first && at.y >= first && at.x < end_x && at.y < end_y)) continue;
     const int to_x = static_cast<int>(at.x);
     const int to_y = static_cast<int>(at.y);
-    if (reach(depths_, to_x, to_y) <= at.depth * nearer_) continue;
-    const Sample found = sample<interpolation>(
-        other_, to_x, to_y, static_cast<float>(at.x - to_x), static_cast<float>(at.y - to_y),
-        static_cast<float>(at.along_x), static_cast<float>(at.along_y));
+    // A point between pixels is hidden where it is clearly behind the farthest of them.
+    if (depths_.reach(to_x, to_y) <= at.depth * nearer_) continue;
+    const Sample found =
+        sample<interpolation>(other_, to_x - part_.first_column, to_y - part_.first_row,
+                              static_cast<float>(at.x - to_x), static_cast<float>(at.y - to_y),
+                              static_cast<float>(at.along_x), static_cast<float>(at.along_y));
     out.is_seen[i] = 1;
-    out.reference[i] = reference_.at(x, y) - middle_level;
+    out.reference[i] = level - middle_level;
     out.other[i] = found.level - middle_level;
     out.slope[i] = found.slope;
   }

@@ -2,8 +2,6 @@
 /// the same point of the surface (the reprojection of Pons, Keriven & Faugeras, IJCV 72, 2007).
 #pragma once
 
-#include <array>
-
 #include "tm/views/images/interpolation.h"
 #include "tm/views/photo/seen_surface.h"
 
@@ -21,12 +19,19 @@ struct WarpedRow {
 /// Levels are less this one, so that sums of their squares keep their digits.
 inline constexpr float middle_level = 128;
 
+/// For images that are packed.
+struct WarpRoom {
+  GrayImage image;
+  SeenDepths depths;
+};
+
 class Warp {
  public:
   /// A point is hidden where it is farther than the surface by more than `depth_tolerance` of its
-  /// depth. What is passed must outlive the warp.
+  /// depth. What is passed must outlive the warp; `room` takes 6 bytes a pixel of
+  /// what is seen of an image that is packed.
   Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
-       const HeldImage& depths_of_other, double depth_tolerance);
+       const SeenDepths& depths_of_other, double depth_tolerance, WarpRoom& room);
   Warp(const Warp&) = delete;
   Warp& operator=(const Warp&) = delete;
   ~Warp() = default;
@@ -37,11 +42,12 @@ class Warp {
   template <Interpolation interpolation>
   void row(int y, const WarpedRow& out) const;
 
-  std::array<GrayImage, 3> room_;  ///< for images that are packed
-  const GrayImage& reference_;
+  const HeldImage& reference_;
   const SeenSurface& seen_;
+  int width_, height_;  ///< of the other view
+  PixelBox part_;       ///< of it, that is in `other_`
   const GrayImage& other_;
-  const GrayImage& depths_;
+  const SeenDepths& depths_;
   Eigen::Matrix3d turn_;  ///< from pixels of the reference to rays in pixels of the other
   Vec3 shift_;            ///< the reference's center in pixels of the other
   double nearer_;

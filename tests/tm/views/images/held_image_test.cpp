@@ -42,6 +42,21 @@ float difference(const GrayImage& first, const HeldImage& second) {
   return most;
 }
 
+void check_part(const HeldImage& held) {
+  const HeldImage part = held.cropped(3, 4, 10, 5);
+  GrayImage unpacked;
+  held.unpack_part(3, 4, 10, 5, unpacked);
+  CHECK(part.width == 10);
+  CHECK(part.height == 5);
+  CHECK(part.is_packed() == held.is_packed());
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 10; ++x) {
+      CHECK(part.at(x, y) == held.at(x + 3, y + 4));
+      CHECK(unpacked.at(x, y) == held.at(x + 3, y + 4));
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("whole levels take a byte and stay; others take two and are rounded") {
@@ -53,6 +68,31 @@ TEST_CASE("whole levels take a byte and stay; others take two and are rounded") 
   const GrayImage fine = ramp(0.1F, 0.37F);
   CHECK(packed(fine).size() == 2 * fine.pixels.size());
   CHECK(difference(fine, packed(fine)) <= 1.0F / 512);
+}
+
+TEST_CASE("masks take a bit a pixel") {
+  GrayImage mask = ramp(0, 0);
+  for (std::size_t i = 0; i < mask.pixels.size(); ++i)
+    if (i * i % 7 < 3) mask.pixels[i] = 255;
+  CHECK(packed(mask).size() == (mask.pixels.size() + 7) / 8);
+  CHECK(difference(mask, packed(mask)) == 0);
+  mask.at(3, 4) = 254;
+  CHECK(packed(mask).size() == mask.pixels.size());
+  CHECK(difference(mask, packed(mask)) == 0);
+}
+
+TEST_CASE("the largest of four pixels, packed or not") {
+  GrayImage depths = ramp(5, 0.3F);
+  for (std::size_t i = 0; i < depths.pixels.size(); i += 3) depths.pixels[i] = 0;
+  const HeldImage plain = depths;
+  const HeldImage held = packed(depths, HeldImage::Kind::depths);
+  HeldImage room;
+  for (const HeldImage* const image : {&plain, &held.opened(room)})
+    for (int y = 0; y + 1 < 20; ++y)
+      for (int x = 0; x + 1 < 30; ++x)
+        CHECK(image->largest_of_four(x, y) ==
+              std::max({image->at(x, y), image->at(x + 1, y), image->at(x, y + 1),
+                        image->at(x + 1, y + 1)}));
 }
 
 TEST_CASE("distances keep their sign, and those without a contour are infinite") {
@@ -89,12 +129,14 @@ TEST_CASE("a part of an image, packed or not") {
   for (const bool is_packed : {false, true}) {
     HeldImage held = image;
     if (is_packed) held.pack();
-    const HeldImage part = held.cropped(3, 4, 10, 5);
-    CHECK(part.width == 10);
-    CHECK(part.height == 5);
-    for (int y = 0; y < 5; ++y)
-      for (int x = 0; x < 10; ++x) CHECK(part.at(x, y) == image.at(x + 3, y + 4));
+    check_part(held);
   }
+  HeldImage distances = image;
+  distances.pack(HeldImage::Kind::distances);
+  check_part(distances);
+  GrayImage mask = image;
+  for (float& level : mask.pixels) level = std::fmod(level, 2.0F) < 1 ? 0.0F : 255.0F;
+  check_part(packed(mask));
 }
 
 TEST_CASE("a step by packed photographs is nearly that by floats") {
@@ -118,6 +160,55 @@ TEST_CASE("a step by packed photographs is nearly that by floats") {
   }
   CHECK(moved > 0.005);
   CHECK(most < 0.02 * moved);
+}
+
+TEST_CASE("an image of bytes is blurred when it is read, to the levels of one blurred before") {
+  for (const auto& [width, height] : {std::pair(30, 20), std::pair(2, 2), std::pair(3, 7)}) {
+    GrayImage bytes(width, height);
+    for (std::size_t i = 0; i < bytes.pixels.size(); ++i)
+      bytes.pixels[i] = static_cast<float>(i * i * 37 % 256);
+    const HeldImage blurred = packed(at_scale(bytes, 1));
+    View view{"", PinholeCamera(), bytes, {}};
+    view.image.pack();
+    const HeldImage held = at_scale(view, 1).image;
+    CHECK(held.size() == bytes.pixels.size());
+    int different = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) different += held.at(x, y) != blurred.at(x, y);
+    CHECK(different == 0);
+    for (const auto& [x, y] :
+         {std::pair(0, 0), std::pair(1, 1), std::pair(width - 1, height - 1)}) {
+      GrayImage part, expected;
+      held.unpack_part(x, y, width - x, height - y, part);
+      blurred.unpack_part(x, y, width - x, height - y, expected);
+      CHECK(part.pixels == expected.pixels);
+    }
+    const HeldImage cropped = held.cropped(1, 0, width - 1, height - 1);
+    CHECK(GrayImage(cropped).pixels ==
+          GrayImage(blurred.cropped(1, 0, width - 1, height - 1)).pixels);
+  }
+}
+
+TEST_CASE("packed photographs and what is found in them take less than 8 bytes a pixel") {
+  const Mesh ball = make_sphere(Vec3::Zero(), 1, 2000);
+  std::vector<View> views = photographed(ball);
+  double pixels = 0;
+  double held = 0;
+  for (View& view : views) {
+    view.image.pack(), view.silhouette.pack();
+    pixels += view.image.width * view.image.height;
+    held += static_cast<double>(view.image.size() + view.silhouette.size());
+  }
+  CHECK(held < 1.2 * pixels);
+
+  const PhotoScene scene = take_photo_scene(views, 1);
+  for (const View& view : views) CHECK(view.image.size() + view.silhouette.size() == 0);
+  const SeenViews seen(ball, scene.views, 0.1);
+  held = 0;
+  for (std::size_t v = 0; v < views.size(); ++v)
+    held += static_cast<double>(scene.views[v].image.size() + scene.views[v].silhouette.size() +
+                                scene.distances[v].size() + seen.depths(v).size());
+  CHECK(held < 4 * pixels);
 }
 
 TEST_CASE("a cropped view shows points at its own pixels") {
