@@ -40,7 +40,8 @@ class Shader {
                                     : std::nullopt),
         rays_(samples.projection.leftCols<3>().inverse()),
         rows_(rows_per_band(samples, options)),
-        seen_(seen(mesh, samples, options)) {}
+        lined_(with_segments(mesh, samples, options)),
+        seen_(options.segments.empty() ? mesh : lined_, samples, rows_ * options.samples) {}
 
   std::size_t bands() const { return seen_.bands(); }
 
@@ -81,13 +82,12 @@ class Shader {
     return std::clamp(most_samples / (samples.width * options.samples), 1, most_rows);
   }
 
-  /// Faces beyond those of the mesh are segments.
-  static BandRasterizer seen(const Mesh& mesh, const Camera& samples, const ShadeOptions& options) {
-    const int rows = rows_per_band(samples, options) * options.samples;
-    if (options.segments.empty()) return {mesh, samples, rows};
-    Mesh drawn{mesh.positions, mesh.faces, {}, {}};
-    add_ribbons(options.segments, samples, segment_width * options.samples, drawn);
-    return {drawn, samples, rows};
+  /// Nothing where there are no segments, which are the faces beyond those of the mesh.
+  static Mesh with_segments(const Mesh& mesh, const Camera& samples, const ShadeOptions& options) {
+    if (options.segments.empty()) return {};
+    Mesh lined{mesh.positions, mesh.faces, {}, {}};
+    add_ribbons(options.segments, samples, segment_width * options.samples, lined);
+    return lined;
   }
 
   /// Of what is behind, that share is dark.
@@ -190,6 +190,7 @@ class Shader {
   const std::optional<SoftShadow> shadow_;
   const Eigen::Matrix3d rays_;  ///< from pixels to directions away from the eye
   const int rows_;              ///< of pixels in a band
+  const Mesh lined_;
   const BandRasterizer seen_;
 };
 
