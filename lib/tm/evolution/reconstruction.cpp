@@ -9,8 +9,6 @@
 #include "tm/mesh/components.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
-#include "tm/views/cameras/pinhole_camera.h"
-#include "tm/views/cameras/view_pairs.h"
 #include "tm/views/hull/silhouette.h"
 
 namespace transformesh {
@@ -21,11 +19,6 @@ constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
 /// Below it too much would be done once more. A little below 2, which scales are not exactly.
 constexpr double stiffer_scale = 1.99;
-
-std::vector<ViewPair> pairs_of(const std::vector<View>& views, const PairOptions& options) {
-  const std::vector<PinholeCamera> cameras = cameras_of(views);
-  return choose_pairs(cameras, viewed_point(cameras), options);
-}
 
 /// The photographs, at the scale that was asked for last, and steps towards them.
 class Photographs {
@@ -46,14 +39,16 @@ class Photographs {
 
  private:
   const PhotoScene& at(double scale);
-  /// The steps of the options, with the window of the scale.
-  PhotoStepsOptions steps_at(double scale) const;
+  /// The steps of the options, with the window of the scale and the pull for its pairs.
+  PhotoStepsOptions steps_at(double scale);
 
   std::vector<View>& views_;
   int width_;
   bool spends_views_;
   PairOptions pairs_;
   PhotoStepsOptions steps_;
+  std::optional<double> pull_;
+  bool are_outlines_;  ///< of the hull
   WindowRadii windows_;
   double scale_ = 0;  ///< of the scene; 0: none
   PhotoScene scene_;
@@ -66,12 +61,11 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       spends_views_(options.spends_views),
       pairs_(options.pairs),
       steps_(options.steps),
+      pull_(options.pull),
+      are_outlines_(beginning.outlined.has_value()),
       windows_(options.windows.value_or(WindowRadii{beginning.coarsest ? 5 : 3, 3})) {
   steps_.iterations = options.iterations.value_or(beginning.coarsest ? 8 : 5);
-  const bool are_outlines = beginning.outlined.has_value();
-  const double pull = options.pull.value_or(is_wide(pairs_of(views, options.pairs)) ? 1.5 : 0.5);
-  steps_.step.silhouettes = are_outlines ? read_back(significant(0.2 * pull, 9)) : pull;
-  steps_.step.meaning = are_outlines ? SilhouetteMeaning::least : options.start.meaning;
+  steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.start.meaning;
 }
 
 const PhotoScene& Photographs::at(double scale) {
@@ -84,8 +78,10 @@ const PhotoScene& Photographs::at(double scale) {
   return scene_;
 }
 
-PhotoStepsOptions Photographs::steps_at(double scale) const {
+PhotoStepsOptions Photographs::steps_at(double scale) {
   PhotoStepsOptions options = steps_;
+  const double pull = pull_.value_or(is_wide(at(scale).pairs) ? 1.5 : 0.5);
+  options.step.silhouettes = are_outlines_ ? read_back(significant(0.2 * pull, 9)) : pull;
   options.step.photographs.correlation.radius = windows_.at(scale);
   return options;
 }

@@ -86,6 +86,11 @@ TEST_CASE("a dent that the hull does not show is found; the surface is closed") 
   CHECK(messages[0].find("pass 1, scale 2.00: ") == 0);
   CHECK(summary_of(run.result).find("components 1, genus 0; dissimilarity from ") !=
         std::string::npos);
+  // The last, robust passes go on towards the truth, where all windows agree a little less.
+  options.robust = 0;
+  const Run plain = run_of(options);
+  CHECK(plain.result.last.dissimilarity < 0.7 * plain.result.first.dissimilarity);
+  CHECK(largest_distance(run.document.mesh) < largest_distance(plain.document.mesh));
 }
 
 TEST_CASE("a run that was ended continues to the same bytes, from any pass") {

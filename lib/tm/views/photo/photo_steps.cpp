@@ -23,7 +23,9 @@ class Momentum {
   Momentum(double share, double alpha) : share_(share), alpha_(alpha) {}
 
   /// Called before a step, and after it.
-  void begin(const Mesh& mesh) { before_ = mesh.positions; }
+  void begin(const Mesh& mesh) {
+    if (share_ > 0) before_ = mesh.positions;
+  }
   void add(Mesh& mesh);
 
  private:
@@ -34,9 +36,10 @@ class Momentum {
 
 // The sum is clamped as a step is.
 void Momentum::add(Mesh& mesh) {
+  if (share_ == 0) return;
   const std::vector<Vec3> last = std::exchange(ways_, mesh.positions);
   for (std::size_t v = 0; v < ways_.size(); ++v) ways_[v] -= before_[v];
-  if (last.empty() || share_ == 0) return;
+  if (last.empty()) return;
   for (std::size_t v = 0; v < ways_.size(); ++v) ways_[v] += share_ * last[v];
   mesh.positions = before_;
   displace(mesh, ways_, {1, alpha_});
