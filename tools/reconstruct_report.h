@@ -25,6 +25,7 @@ inline void report_reconstruction(const ReconstructionResult& result, std::size_
   run.report("converged", result.fault.empty());
   run.report("fault", result.fault);
   run.report("crumbs", result.crumbs);
+  run.report("handles", result.handles);
   run.report("components", result.topology.components);
   run.report("genus", result.topology.genus);
   run.report("first_dissimilarity", result.first.dissimilarity);

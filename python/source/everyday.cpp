@@ -1,14 +1,16 @@
-/// Everyday steps between the others: fill, transform, select, split, sample, carry.
+/// Everyday steps between the others: fill, handles, transform, select, split, sample, carry.
 #include <algorithm>
 
 #include "arguments.h"
 #include "call.h"
 #include "python_mesh.h"
 #include "tm/fill/fill.h"
+#include "tm/fill/handles.h"
 #include "tm/geometry/carry.h"
 #include "tm/geometry/sample_surface.h"
 #include "tm/geometry/selection.h"
 #include "tm/io/comments.h"
+#include "tm/mesh/components.h"
 #include "tm/mesh/transform.h"
 #include "tm/support/error.h"
 
@@ -42,6 +44,26 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
   report["left_too_large"] = result.too_large.size();
   report["new_vertices"] = result.new_vertices;
   report["new_faces"] = result.new_faces;
+  return mesh_of(std::move(document), report);
+}
+
+// --- handles -------------------------------------------------------------------------------------
+
+MeshPointer remove_handles_of(const PythonMesh& mesh, const PythonLength& max_length,
+                              const py::object& progress) {
+  Document document = mesh.document;
+  HandleOptions options;
+  options.max_length = Lengths(document)(max_length);
+  options.coordinate = document.style.coordinate;
+  const HandleResult result = without_lock(
+      progress, [&](const Progress& to) { return remove_handles(document.mesh, options, to); });
+  py::dict report;
+  report["max_length"] = options.max_length;
+  report["removed"] = result.removed;
+  report["refused"] = result.refused;
+  report["new_vertices"] = result.new_vertices;
+  report["new_faces"] = result.new_faces;
+  report["genus"] = connected_components(document.mesh).genus();
   return mesh_of(std::move(document), report);
 }
 
@@ -221,6 +243,11 @@ void bind_everyday(py::module_& module) {
              arg("allow_crossings") = false, arg("progress") = none,
              "Closes holes by smooth patches, never into a crossing unless `allow_crossings` says "
              "so; the report has what stays open. See tm-fill(1).");
+  module.def(
+      "handles", &remove_handles_of, arg("mesh"), py::kw_only(), arg("max_length") = "4x",
+      arg("progress") = none,
+      "Removes handles that a loop of at most this length goes around; the surface may cross "
+      "itself there, for clean(). See tm-handles(1).");
   module.def("transform", &transform_mesh, arg("mesh"),
              "Moves, turns, scales and mirrors, in the order of the keywords: translate=(x, y, z), "
              "rotate=(x, y, z, degrees), scale=factor, scale_axes=(x, y, z), mirror='x' or "

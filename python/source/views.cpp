@@ -99,6 +99,7 @@ py::dict report_of(const ReconstructionResult& result) {
   report["passes"] = result.passes;
   report["pixel_size"] = result.pixel;
   report["crumbs"] = result.crumbs;
+  report["handles"] = result.handles;
   report["components"] = result.topology.components;
   report["genus"] = result.topology.genus;
   report["first_dissimilarity"] = result.first.dissimilarity;
@@ -151,8 +152,8 @@ MeshPointer reconstruct_surface(
     const std::optional<double>& coarsest, std::size_t passes, const std::optional<int>& iterations,
     const std::optional<double>& robust, const std::variant<double, std::string>& keep,
     const std::string& hollows, const Window& window, double max_angle, double crumbs,
-    double least_agreement, bool drop_bad_views, bool mirror, const py::object& on_pass,
-    const py::object& progress) {
+    double handles, double least_agreement, bool drop_bad_views, bool mirror,
+    const py::object& on_pass, const py::object& progress) {
   ReconstructionOptions options;
   const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
   options.start = start_of(share_of(keep), clip, hollows, is_exact, least_agreement);
@@ -164,6 +165,7 @@ MeshPointer reconstruct_surface(
   options.iterations = iterations;
   options.robust = robust;
   options.crumbs = crumbs;
+  options.handles = handles;
   options.on_pass = teller_to(on_pass);
   std::vector<std::string> notes;
   options.on_note = [&notes](const std::string& note) { notes.push_back(note); };
@@ -204,6 +206,7 @@ void bind_views(py::module_& module) {
       arg("robust") = none, arg("keep") = "largest", arg("hollows") = "auto",
       arg("window") = "auto", arg("max_angle") = PairOptions().maximum_angle_deg,
       arg("crumbs") = ReconstructionOptions().crumbs,
+      arg("handles") = ReconstructionOptions().handles,
       arg("least_agreement") = ViewCheckOptions().least_agreement, arg("drop_bad_views") = false,
       arg("mirror") = false, arg("on_pass") = none, arg("progress") = none,
       "Reconstructs a closed surface from calibrated photographs: files, folders or "

@@ -24,6 +24,7 @@ from ._transformesh import (
     displace,
     evolve,
     fill,
+    handles,
     hull,
     info,
     intersect,

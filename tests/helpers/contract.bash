@@ -18,6 +18,7 @@ tm-convert|filter|
 tm-displace|filter|--normal-speed 0.01
 tm-evolve|loop|--step cat --iterations 1
 tm-fill|filter|
+tm-handles|filter|
 tm-hull|source|--cameras SCENE/par.txt --silhouettes SCENE/masks --resolution 20
 tm-info|predicate|
 tm-intersect|filter|

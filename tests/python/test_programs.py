@@ -193,6 +193,16 @@ def test_fill(holes, options, words, tmp_path):
     assert filled.report["filled"] == (0 if "max_edges" in options or "max_diameter" in options else 2)
 
 
+@pytest.mark.parametrize("options, words", [({}, []), ({"max_length": 3.5}, ["--max-length", 3.5])])
+def test_handles(options, words, tmp_path):
+    torus = shape("torus", "--faces", 2000)
+    untied = tm.handles(tm.parse(torus), **options)
+    words += ["--report", tmp_path / "report"]
+    assert same(untied, "tm-handles", *words, stdin=torus)
+    assert untied.report == json.loads((tmp_path / "report").read_text())["result"]
+    assert untied.report["genus"] == (0 if options else 1)
+
+
 @pytest.mark.parametrize(
     "options, words",
     [

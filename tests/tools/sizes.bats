@@ -42,6 +42,7 @@ tm-convert
 tm-displace --normal-speed 1%
 tm-evolve --step cat --iterations 1 --format off
 tm-fill
+tm-handles
 tm-info
 tm-intersect
 tm-morph --target TARGET --iterations 1 --format off

@@ -5,6 +5,7 @@
 
 #include "tm/evolution/reconstruction_beginning.h"
 #include "tm/evolution/stopwatch.h"
+#include "tm/fill/handles.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/components.h"
 #include "tm/support/counted.h"
@@ -65,6 +66,7 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       are_outlines_(beginning.outlined.has_value()),
       windows_(options.windows.value_or(WindowRadii{beginning.coarsest ? 5 : 3, 3})) {
   steps_.iterations = options.iterations.value_or(beginning.coarsest ? 8 : 5);
+  steps_.momentum = options.momentum;
   steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.start.meaning;
 }
 
@@ -157,6 +159,7 @@ class ReconstructionLoop : public Loop {
  private:
   bool may_begin_finer() const;
   bool begins_stiffer(Document& document, const Progress& progress);
+  void drop_handles(Document& document, const Progress& progress);
   void drop_crumbs(Document& document);
   void begin_finer(Document& document, const Progress& progress);
   bool takes_pass(Document& document, const Progress& progress);
@@ -220,6 +223,13 @@ bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& prog
   rule_.begin();
   start(document, progress);
   return true;
+}
+
+void ReconstructionLoop::drop_handles(Document& document, const Progress& progress) {
+  if (options_.handles == 0) return;
+  const HandleOptions options{options_.handles * levels_.back().edge, document.style.coordinate};
+  result_.handles = remove_handles(document.mesh, options, progress).removed;
+  if (result_.handles > 0) result_.topology = clean_in_place(document, progress).topology;
 }
 
 void ReconstructionLoop::drop_crumbs(Document& document) {
@@ -300,6 +310,7 @@ void ReconstructionLoop::begin_next_level(Document& document, const Progress& pr
 
 void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   result_.topology = clean_in_place(document, progress).topology;
+  drop_handles(document, progress);
   drop_crumbs(document);
   result_.pixel = photographs_.pixel();
   result_.faces = document.mesh.faces.size();

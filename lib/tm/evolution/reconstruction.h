@@ -40,14 +40,17 @@ struct ReconstructionOptions {
   /// Of masks; outlines of the hull, which are as if only the least was shown, pull by a fifth of
   /// it. Nothing: 0.5, or 1.5 where photographs say little as they are far apart (is_wide).
   std::optional<double> pull = std::nullopt;
-  PhotoStepsOptions steps = {.step = {},
-                             .momentum = 0.7};  ///< but for what is said above and in `start`
+  double momentum = 0.7;    ///< of the steps
+  PhotoStepsOptions steps;  ///< but for what is said above and in `start`
   /// The views may be cropped to the object, where they are packed (HeldImage), and lose their
   /// images in the end: for less memory, where they are not needed any more.
   bool spends_views = false;
   std::optional<double> robust = std::nullopt;  ///< the factor of robust_loss, for the last passes
   /// [0, 1]: at last, components of less than this share of the largest one's volume go.
   double crumbs = 0.001;
+  /// At last, handles go that a loop of so many of the last edges goes around (handles.h): meshes
+  /// of such edges hold none, and what looks like one is a web between near parts. 0: all stay.
+  double handles = 4;
   std::function<void(const std::string& message)> on_pass = {};
   std::function<void(const std::string& message)> on_note = {};  ///< of what went wrong
   std::function<void(const std::string& message)> on_detail = {};
@@ -57,8 +60,9 @@ struct ReconstructionResult {
   std::size_t passes = 0;  ///< earlier runs included
   std::string fault;       ///< why it is not converged; empty where it is
   Topology topology;
-  std::size_t crumbs = 0;  ///< components that went at last
-  double pixel = 0;        ///< length of a pixel's side where the cameras look
+  std::size_t crumbs = 0;   ///< components that went at last
+  std::size_t handles = 0;  ///< so did these
+  double pixel = 0;         ///< length of a pixel's side where the cameras look
   std::size_t faces = 0;
   PhotoStepResult first, last;  ///< of the start and of the result, at full scale; nothing moved
   SurfaceEvidence evidence;

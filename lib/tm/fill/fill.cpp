@@ -7,6 +7,7 @@
 
 #include "tm/clean/intersect/intersect.h"
 #include "tm/fill/hole_patch.h"
+#include "tm/fill/mesh_part.h"
 #include "tm/geometry/predicates.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/digits.h"
@@ -48,31 +49,6 @@ std::vector<Loop> loops_of(const Mesh& mesh, const std::vector<Index>& border) {
   return loops;
 }
 
-/// A part of a mesh, and which vertices of that mesh its own are.
-struct Part {
-  Mesh mesh;
-  std::vector<Index> vertices;
-};
-
-/// Those faces, which ascend; vertices come in the order of the mesh.
-Part part_of(const Mesh& mesh, const std::vector<Index>& faces) {
-  Part part;
-  for (const Index f : faces)
-    part.vertices.insert(part.vertices.end(), mesh.faces[f].begin(), mesh.faces[f].end());
-  std::sort(part.vertices.begin(), part.vertices.end());
-  part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
-  for (const Index v : part.vertices) part.mesh.positions.push_back(mesh.positions[v]);
-  const auto local = [&](Index v) {
-    const auto found = std::lower_bound(part.vertices.begin(), part.vertices.end(), v);
-    return static_cast<Index>(found - part.vertices.begin());
-  };
-  for (const Index f : faces) {
-    const Face& face = mesh.faces[f];
-    part.mesh.faces.push_back({local(face[0]), local(face[1]), local(face[2])});
-  }
-  return part;
-}
-
 class Filler {
  public:
   Filler(Mesh& mesh, const FillOptions& options)
@@ -84,15 +60,14 @@ class Filler {
   FillResult& result() { return result_; }
 
  private:
-  std::vector<Index> faces_around(const Loop& loop) const;
-  bool fits(const HolePatch& patch, const Part& part, bool may_cross) const;
-  bool crosses(const HolePatch& patch, const Part& part) const;
-  bool try_kinds(const Loop& loop, const Part& part, Index border, Search search,
+  bool fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const;
+  bool crosses(const HolePatch& patch, const MeshPart& part) const;
+  bool try_kinds(const Loop& loop, const MeshPart& part, Index border, Search search,
                  bool may_cross = false);
-  void add(const HolePatch& patch, const Part& part, const Loop& loop);
-  RowBlend blend_at(const Vec3& point, const Loop& loop) const;
+  void add(const HolePatch& patch, const MeshPart& part, const Loop& loop);
   OpenHole open_hole(const Loop& loop) const;
   bool is_too_large(const Loop& loop) const;
+  std::vector<Index> vertices_of(const Loop& loop) const;
 
   Mesh& mesh_;
   const FillOptions& options_;
@@ -119,25 +94,14 @@ bool Filler::is_too_large(const Loop& loop) const {
   return loop.size() > options_.max_edges || (high - low).norm() > options_.max_diameter;
 }
 
-/// The faces within two rings.
-std::vector<Index> Filler::faces_around(const Loop& loop) const {
-  std::vector<Index> vertices, faces;
+std::vector<Index> Filler::vertices_of(const Loop& loop) const {
+  std::vector<Index> vertices;
   for (const Index h : loop) vertices.push_back(halfedge_source(mesh_, h));
-  for (int ring = 0; ring < 2; ++ring) {
-    for (const Index v : vertices) faces.insert(faces.end(), around_[v].begin(), around_[v].end());
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    vertices.clear();
-    for (const Index f : faces)
-      vertices.insert(vertices.end(), mesh_.faces[f].begin(), mesh_.faces[f].end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  }
-  return faces;
+  return vertices;
 }
 
 /// Whether the patch crosses itself or any face of the mesh that is near.
-bool Filler::crosses(const HolePatch& patch, const Part& part) const {
+bool Filler::crosses(const HolePatch& patch, const MeshPart& part) const {
   // The faces that meet the box of the patch.
   const Mesh& local = part.mesh;
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -171,7 +135,7 @@ bool Filler::crosses(const HolePatch& patch, const Part& part) const {
                      [&](const FacePair& pair) { return pair.second >= old_faces; });
 }
 
-bool Filler::fits(const HolePatch& patch, const Part& part, bool may_cross) const {
+bool Filler::fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const {
   Mesh joined = part.mesh;
   joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
   joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
@@ -184,35 +148,13 @@ bool Filler::fits(const HolePatch& patch, const Part& part, bool may_cross) cons
   return may_cross || !crosses(patch, part);
 }
 
-/// The three nearest vertices of the border, nearer ones more.
-RowBlend Filler::blend_at(const Vec3& point, const Loop& loop) const {
-  std::vector<std::pair<double, Index>> distances;
-  for (const Index h : loop) {
-    const Index v = halfedge_source(mesh_, h);
-    distances.emplace_back((mesh_.positions[v] - point).norm(), v);
-  }
-  std::partial_sort(distances.begin(), distances.begin() + 3, distances.end());
-  RowBlend blend;
-  if (distances[0].first == 0) {
-    blend.source[0] = distances[0].second;
-    return blend;
-  }
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    blend.source.at(i) = distances[i].second;
-    blend.weight.at(i) = distances[0].first / distances[i].first;
-    sum += blend.weight.at(i);
-  }
-  for (double& weight : blend.weight) weight /= sum;
-  return blend;
-}
-
-void Filler::add(const HolePatch& patch, const Part& part, const Loop& loop) {
+void Filler::add(const HolePatch& patch, const MeshPart& part, const Loop& loop) {
   const auto first_new = static_cast<Index>(mesh_.positions.size());
   const auto known = static_cast<Index>(part.vertices.size());
+  const std::vector<Index> border = vertices_of(loop);
   for (const Vec3& point : patch.points) {
     mesh_.positions.push_back(point);
-    blends_.push_back(blend_at(point, loop));
+    blends_.push_back(blend_of_nearest(mesh_, border, point));
   }
   for (Face face : patch.faces) {
     for (Index& v : face) v = v < known ? part.vertices[v] : first_new + v - known;
@@ -228,8 +170,11 @@ void Filler::fill(const Loop& loop) {
     result_.too_large.push_back(open_hole(loop));
     return;
   }
-  const std::vector<Index> faces = faces_around(loop);
-  const Part part = part_of(mesh_, faces);
+  const std::vector<Index> faces =
+      faces_around(mesh_, vertices_of(loop), [&](Index v, std::vector<Index>& all) {
+        all.insert(all.end(), around_[v].begin(), around_[v].end());
+      });
+  const MeshPart part = part_of(mesh_, faces);
   const auto place = std::lower_bound(faces.begin(), faces.end(), loop.front() / 3);
   const auto border = static_cast<Index>(3 * (place - faces.begin()) + loop.front() % 3);
 
@@ -240,7 +185,7 @@ void Filler::fill(const Loop& loop) {
   result_.crossing.push_back(open_hole(loop));
 }
 
-bool Filler::try_kinds(const Loop& loop, const Part& part, Index border, Search search,
+bool Filler::try_kinds(const Loop& loop, const MeshPart& part, Index border, Search search,
                        bool may_cross) {
   const std::array<std::pair<PatchKind, std::size_t*>, 3> kinds{
       {{PatchKind::faired, &result_.faired},

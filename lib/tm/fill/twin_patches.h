@@ -1,0 +1,25 @@
+/// Closes both sides of a slit by the same patch (hole_patch.h, not faired), seen from either side
+/// and drawn apart: its border as the slit says, what is within it along the mean of that. Two
+/// patches of their own would pass through each other where the loop is wide and uneven.
+/// Cost: that of the patch, and O(faces around the loop). Deterministic.
+#pragma once
+
+#include <optional>
+
+#include "tm/fill/hole_patch.h"
+#include "tm/fill/slit.h"
+
+namespace transformesh {
+
+/// A patch for the left side, and so for the right one, before the mesh is slit. Its new points are
+/// the vertices behind those of the mesh. Nothing where none is found, or where each has an edge
+/// that a side has already.
+std::optional<HolePatch> patch_of_slit(const Mesh& mesh, const std::vector<Index>& loop,
+                                       const SlitSides& sides, const Surroundings& around);
+
+/// Slits the mesh and closes it. New vertices have columns as fill.h says; those of faces are the
+/// caller's.
+void close_slit(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides,
+                const HolePatch& patch, Scalar coordinate);
+
+}  // namespace transformesh

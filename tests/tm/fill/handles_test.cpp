@@ -1,0 +1,138 @@
+/// Surfaces without their handles: what is left, against closed forms and the Euler characteristic.
+#include "tm/fill/handles.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "helpers/shapes.h"
+#include "tm/clean/clean.h"
+#include "tm/clean/intersect/intersect.h"
+#include "tm/mesh/components.h"
+#include "tm/mesh/manifold.h"
+#include "tm/mesh/measure.h"
+#include "tm/shapes/shapes.h"
+#include "tm/support/error.h"
+#include "tm/support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+Mesh shape(const std::string& kind, std::vector<std::string> parameters, std::size_t faces) {
+  ShapeOptions options;
+  options.kind = kind;
+  options.parameters = std::move(parameters);
+  options.faces = faces;
+  return make_shape(options);
+}
+
+void check_closed(const Mesh& mesh) {
+  const ManifoldReport found = check_manifold(mesh);
+  CHECK((found.is_manifold() && found.is_oriented() && found.is_closed()));
+}
+
+}  // namespace
+
+TEST_CASE("a ring that is cut through is a bent rod, a slice shorter") {
+  const Mesh ring = test::torus(2, 0.5, 60, 24);
+  Mesh rod = ring;
+  const HandleResult result = remove_handles(rod, {.max_length = 3.2});
+  CHECK(result.removed == 1);
+  CHECK(result.refused == 0);
+  check_closed(rod);
+  CHECK(find_intersections(rod).empty());
+  const Components parts = connected_components(rod);
+  CHECK(parts.components.size() == 1);
+  CHECK(parts.genus() == 0);
+  // Both ends are drawn back by a third of an edge.
+  const double slice = 2.0 / 3 / 60;
+  CHECK(volume(rod) == doctest::Approx(volume(ring) * (1 - slice)).epsilon(0.004));
+  CHECK(result.new_vertices == rod.positions.size() - ring.positions.size());
+  CHECK(result.new_faces == rod.faces.size() - ring.faces.size());
+}
+
+TEST_CASE("a narrow hole is closed, and a ring with a wide one around a thick tube stays") {
+  const Mesh thick = test::torus(1, 0.9, 40, 80);
+  Mesh closed = thick;
+  CHECK(remove_handles(closed, {.max_length = 0.7}).removed == 1);
+  check_closed(closed);
+  CHECK(find_intersections(closed).empty());
+  CHECK(connected_components(closed).genus() == 0);
+  CHECK(volume(closed) > volume(thick));
+
+  Mesh same = thick;
+  CHECK(remove_handles(same, {.max_length = 0.6}).removed == 0);
+  CHECK(same.positions == thick.positions);
+  CHECK(same.faces == thick.faces);
+}
+
+TEST_CASE("all handles go where the length allows it, and the parts of a mesh stay") {
+  for (const Mesh& mesh :
+       {shape("genus", {"7"}, 4000), shape("tori", {}, 4000), clean(shape("boxes", {}, 3000)).mesh}) {
+    const Components before = connected_components(mesh);
+    Mesh untied = mesh;
+    const HandleResult result = remove_handles(untied, {.max_length = 1e3});
+    check_closed(untied);
+    const Components after = connected_components(untied);
+    CHECK(after.components.size() == before.components.size());
+    CHECK(before.genus() - after.genus() == static_cast<long>(result.removed));
+    CHECK((after.genus() == 0 || result.refused > 0));
+    CHECK(before.genus() >= 2);
+    CHECK(result.removed > 0.9 * static_cast<double>(before.genus()));
+  }
+}
+
+TEST_CASE("cleaned afterwards, handles do not come back") {
+  Mesh mesh = shape("genus", {"5"}, 5000);
+  remove_handles(mesh, {.max_length = 1e3});
+  CHECK(connected_components(clean(mesh).mesh).genus() == 0);
+}
+
+TEST_CASE("columns go on, and thin limbs that are no handles stay") {
+  Mesh mesh = test::torus(2, 0.5, 30, 12);
+  mesh.vertex_columns.get("heat", Scalar::float32, mesh.positions.size())
+      .values.assign(mesh.positions.size(), 7);
+  mesh.face_columns.get("label", Scalar::int32, mesh.faces.size())
+      .values.assign(mesh.faces.size(), 3);
+  const std::size_t faces = mesh.faces.size();
+  const HandleResult result = remove_handles(mesh, {.max_length = 4});
+  const std::vector<double>& heat = mesh.vertex_columns.find("heat")->values;
+  CHECK(heat.size() == mesh.positions.size());
+  CHECK(std::all_of(heat.begin(), heat.end(), [](double x) { return x == doctest::Approx(7); }));
+  const std::vector<double>& label = mesh.face_columns.find("label")->values;
+  CHECK(label.size() == faces + result.new_faces);
+  CHECK(std::count(label.begin(), label.end(), 0) == static_cast<long>(result.new_faces));
+
+  Mesh limb = shape("dumbbell", {}, 2000);
+  const Mesh before = limb;
+  CHECK(remove_handles(limb, {.max_length = 1e3}).removed == 0);
+  CHECK(limb.positions == before.positions);
+}
+
+TEST_CASE("positions are those that floats hold, for any number of threads the same") {
+  Mesh first;
+  for (const int threads : {1, 2, 5}) {
+    const ThreadLimit limit(threads);
+    Mesh mesh = test::torus(2, 0.5, 60, 24);
+    for (Vec3& p : mesh.positions) p = p.cast<float>().cast<double>();
+    remove_handles(mesh, {.max_length = 4, .coordinate = Scalar::float32});
+    for (const Vec3& p : mesh.positions) CHECK(p == p.cast<float>().cast<double>());
+    if (threads == 1) first = mesh;
+    CHECK(mesh.positions == first.positions);
+    CHECK(mesh.faces == first.faces);
+  }
+}
+
+TEST_CASE("what is no closed manifold and no length is refused") {
+  Mesh open = test::torus(2, 0.5, 30, 12);
+  open.faces.pop_back();
+  CHECK_THROWS_AS(remove_handles(open, {.max_length = 1}), InputError);
+  Mesh mesh = test::cube();
+  CHECK_THROWS_AS(remove_handles(mesh, {.max_length = 0}), UsageError);
+  CHECK_THROWS_AS(remove_handles(mesh, {.max_length = -1}), UsageError);
+  Mesh empty;
+  CHECK(remove_handles(empty, {.max_length = 1}).removed == 0);
+}
+
+}  // namespace transformesh

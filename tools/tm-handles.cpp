@@ -1,0 +1,45 @@
+/// tm-handles: removes thin handles and narrow tunnels.
+#include "frame/run.h"
+#include "tm/fill/handles.h"
+#include "tm/mesh/components.h"
+#include "tm/support/counted.h"
+
+namespace {
+
+using namespace transformesh;
+
+// Of the noise of scans and the webs of reconstructions: few triangles around.
+constexpr Length short_loop{4, Length::Unit::reference_edge};
+
+struct Choices {
+  std::optional<Length> max_length;
+};
+
+void handle_document(Document& document, const Choices& choices, tool::Run& run) {
+  HandleOptions options;
+  options.max_length = run.length(choices.max_length.value_or(short_loop));
+  options.coordinate = document.style.coordinate;
+  const HandleResult result = remove_handles(document.mesh, options, run.progress());
+
+  run.report("max_length", options.max_length);
+  run.report("removed", result.removed);
+  run.report("refused", result.refused);
+  run.report("new_vertices", result.new_vertices);
+  run.report("new_faces", result.new_faces);
+  run.report("genus", connected_components(document.mesh).genus());
+  if (result.refused > 0)
+    run.note("no patches fit along " + counted(result.refused, "loop") +
+             ", where handles stay: tm-remesh, and then tm-handles again, may remove them");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Choices choices;
+  tool::Program program{"tm-handles", "[OPTION]... [INPUT]",
+                        "Removes thin handles and closes narrow tunnels, for tm-clean"};
+  program.length("max-length", &choices.max_length,
+                 "remove handles that a loop of this length goes around (default 4x)");
+  return program.run(argc, argv,
+                     [&](tool::Run& run) { handle_document(run.document(), choices, run); });
+}
