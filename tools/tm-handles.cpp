@@ -9,7 +9,7 @@ namespace {
 using namespace transformesh;
 
 // Of the noise of scans and the webs of reconstructions: few triangles around.
-constexpr Length short_loop{4, Length::Unit::reference_edge};
+constexpr Length short_loop{5, Length::Unit::reference_edge};
 
 struct Choices {
   std::optional<Length> max_length;
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-handles", "[OPTION]... [INPUT]",
                         "Removes thin handles and closes narrow tunnels, for tm-clean"};
   program.length("max-length", &choices.max_length,
-                 "remove handles that a loop of this length goes around (default 4x)");
+                 "remove handles that a loop of this length goes around (default 5x)");
   return program.run(argc, argv,
                      [&](tool::Run& run) { handle_document(run.document(), choices, run); });
 }

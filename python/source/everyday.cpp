@@ -244,7 +244,7 @@ void bind_everyday(py::module_& module) {
              "Closes holes by smooth patches, never into a crossing unless `allow_crossings` says "
              "so; the report has what stays open. See tm-fill(1).");
   module.def(
-      "handles", &remove_handles_of, arg("mesh"), py::kw_only(), arg("max_length") = "4x",
+      "handles", &remove_handles_of, arg("mesh"), py::kw_only(), arg("max_length") = "5x",
       arg("progress") = none,
       "Removes handles that a loop of at most this length goes around; the surface may cross "
       "itself there, for clean(). See tm-handles(1).");

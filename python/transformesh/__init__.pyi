@@ -131,7 +131,7 @@ def fill(
     allow_crossings: bool = False,
     progress: Progress = None,
 ) -> Mesh: ...
-def handles(mesh: Mesh, *, max_length: Length = "4x", progress: Progress = None) -> Mesh: ...
+def handles(mesh: Mesh, *, max_length: Length = "5x", progress: Progress = None) -> Mesh: ...
 def transform(
     mesh: Mesh,
     *,
@@ -275,7 +275,7 @@ def reconstruct(
     window: Union[Literal["auto"], int, Tuple[int, int]] = "auto",
     max_angle: float = 50.0,
     crumbs: float = 0.001,
-    handles: float = 4.0,
+    handles: float = 5.0,
     least_agreement: float = 0.7,
     drop_bad_views: bool = False,
     mirror: bool = False,

@@ -50,7 +50,7 @@ struct ReconstructionOptions {
   double crumbs = 0.001;
   /// At last, handles go that a loop of so many of the last edges goes around (handles.h): meshes
   /// of such edges hold none, and what looks like one is a web between near parts. 0: all stay.
-  double handles = 4;
+  double handles = 5;
   std::function<void(const std::string& message)> on_pass = {};
   std::function<void(const std::string& message)> on_note = {};  ///< of what went wrong
   std::function<void(const std::string& message)> on_detail = {};
