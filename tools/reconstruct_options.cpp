@@ -73,7 +73,7 @@ void declare_steps(Program& program, ReconstructChoices& choices) {
   program.number("crumbs", &choices.options.crumbs, 0, 1,
                  "at last, drop components of less than this share of the largest one's volume");
   program.number("handles", &choices.options.handles, 0, 1e300,
-                 "at last, remove handles that a loop of so many of the last edges goes around");
+                 "remove handles that a loop of so many of the last edges goes around");
   program.text("pull", &choices.pull, "auto|NUMBER",
                "how much silhouettes pull; auto: 0.5, or 1.5 where views are far apart");
 }

@@ -159,7 +159,7 @@ class ReconstructionLoop : public Loop {
  private:
   bool may_begin_finer() const;
   bool begins_stiffer(Document& document, const Progress& progress);
-  void drop_handles(Document& document, const Progress& progress);
+  bool drops_handles(Document& document, const Progress& progress);
   void drop_crumbs(Document& document);
   void begin_finer(Document& document, const Progress& progress);
   bool takes_pass(Document& document, const Progress& progress);
@@ -181,7 +181,8 @@ class ReconstructionLoop : public Loop {
   LevelRule rule_;
   ReconstructionFaults faults_;
   double loss_ = 0;
-  double stiffness_ = 1;  ///< times that of the options
+  double stiffness_ = 1;     ///< times that of the options
+  std::size_t handles_ = 0;  ///< that went
 
   Pass pass_;  ///< the last one
   ReconstructionResult result_;
@@ -225,11 +226,13 @@ bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& prog
   return true;
 }
 
-void ReconstructionLoop::drop_handles(Document& document, const Progress& progress) {
-  if (options_.handles == 0) return;
+// Whether there were any; then the mesh is to be cleaned again.
+bool ReconstructionLoop::drops_handles(Document& document, const Progress& progress) {
+  if (options_.handles == 0) return false;
   const HandleOptions options{options_.handles * levels_.back().edge, document.style.coordinate};
-  result_.handles = remove_handles(document.mesh, options, progress).removed;
-  if (result_.handles > 0) result_.topology = clean_in_place(document, progress).topology;
+  const std::size_t removed = remove_handles(document.mesh, options, progress).removed;
+  handles_ += removed;
+  return removed > 0;
 }
 
 void ReconstructionLoop::drop_crumbs(Document& document) {
@@ -263,6 +266,8 @@ void ReconstructionLoop::take_pass(Document& document, const Progress& progress)
   const CleanedTopology cleaned = clean_in_place(document, progress);
   mesh.pairs = cleaned.pairs;
   mesh.topology = cleaned.topology;
+  if (is_late_scale(pass_.level.scale) && drops_handles(document, progress))
+    mesh.topology = clean_in_place(document, progress).topology;
   mesh.faces = document.mesh.faces.size();
   mesh.seconds_clean = watch.lap();
 }
@@ -310,7 +315,9 @@ void ReconstructionLoop::begin_next_level(Document& document, const Progress& pr
 
 void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   result_.topology = clean_in_place(document, progress).topology;
-  drop_handles(document, progress);
+  if (drops_handles(document, progress))
+    result_.topology = clean_in_place(document, progress).topology;
+  result_.handles = handles_;
   drop_crumbs(document);
   result_.pixel = photographs_.pixel();
   result_.faces = document.mesh.faces.size();
@@ -326,6 +333,7 @@ void ReconstructionLoop::remember(Memory& memory) {
   rule_.remember(memory);
   faults_.remember(memory);
   memory("first", first_)("level", level_)("loss", loss_)("stiffness", stiffness_);
+  memory("handles", handles_);
 }
 
 void ReconstructionLoop::measure(CsvRow& row) const {

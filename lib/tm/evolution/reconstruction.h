@@ -48,8 +48,9 @@ struct ReconstructionOptions {
   std::optional<double> robust = std::nullopt;  ///< the factor of robust_loss, for the last passes
   /// [0, 1]: at last, components of less than this share of the largest one's volume go.
   double crumbs = 0.001;
-  /// At last, handles go that a loop of so many of the last edges goes around (handles.h): meshes
-  /// of such edges hold none, and what looks like one is a web between near parts. 0: all stay.
+  /// At late scales handles go that a loop of so many of the last edges goes around (handles.h):
+  /// meshes of such edges hold none, and what looks like one is a web between near parts. 0: all
+  /// stay.
   double handles = 5;
   std::function<void(const std::string& message)> on_pass = {};
   std::function<void(const std::string& message)> on_note = {};  ///< of what went wrong
@@ -61,7 +62,7 @@ struct ReconstructionResult {
   std::string fault;       ///< why it is not converged; empty where it is
   Topology topology;
   std::size_t crumbs = 0;   ///< components that went at last
-  std::size_t handles = 0;  ///< so did these
+  std::size_t handles = 0;  ///< that went on the way and at last
   double pixel = 0;         ///< length of a pixel's side where the cameras look
   std::size_t faces = 0;
   PhotoStepResult first, last;  ///< of the start and of the result, at full scale; nothing moved

@@ -63,7 +63,7 @@ PassVerdict LevelRule::add(const Pass& pass) {
   const bool is_other = !is_first && pass.mesh.topology != before_.topology;
   const bool changes = enters || is_other;
   verdict.is_at_rest = !verdict.is_lost && is_slow && !changes;
-  verdict.is_late = is_other && pass.level.scale < late_scale;
+  verdict.is_late = is_other && is_late_scale(pass.level.scale);
   ++done_;
   verdict.is_done = verdict.is_at_rest || done_ >= (changes ? 2 * passes_ : passes_);
 
@@ -78,7 +78,9 @@ void LevelRule::remember(Memory& memory) {
   memory("coverage", coverage_)("pixels", pixels_);
 }
 
-int WindowRadii::at(double scale) const { return scale > late_scale ? coarse : fine; }
+bool is_late_scale(double scale) { return scale < late_scale; }
+
+int WindowRadii::at(double scale) const { return is_late_scale(scale) ? fine : coarse; }
 
 bool is_wide(std::span<const ViewPair> pairs) {
   double sum = 0;

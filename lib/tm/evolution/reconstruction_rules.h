@@ -22,6 +22,9 @@ struct Pass {
   PhotoStepsResult steps;
 };
 
+/// Below 2: where the topology should be found, and photographs show what is thin.
+bool is_late_scale(double scale);
+
 struct PassVerdict {
   bool is_done = false;     ///< go on with the next level
   bool is_at_rest = false;  ///< hardly moves, and neither enters silhouettes nor changes topology
