@@ -21,6 +21,8 @@ html_theme_options = {"navigation_with_keys": True}
 smartquotes = False
 default_role = "code"
 highlight_language = "none"
+# Colors of the others have too little contrast.
+pygments_style = "bw"
 nitpicky = False
 
 breathe_projects = {"tm": os.environ["TM_DOXYGEN"]}
