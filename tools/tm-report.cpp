@@ -10,7 +10,7 @@ using namespace transformesh;
 
 struct Options {
   std::string title, color_by;
-  std::string up = "y";
+  std::string up = "auto";
   RunPageOptions page;
 };
 
@@ -19,7 +19,8 @@ void declare(tool::Program& program, Options& options) {
                   "of the frames take every so many, and the last");
   program.text("color-by", &options.color_by, "PROPERTY",
                "color by this property at first; distance is that from the target");
-  program.choice("up", &options.up, {"x", "y", "z"}, "the axis that points up");
+  program.choice("up", &options.up, {"auto", "x", "y", "z", "-x", "-y", "-z"},
+                 "the axis that points up; auto: in the photographs, else y");
   program.text("title", &options.title, "TEXT", "of the page (default: the names of the runs)");
   program.epilog = "tm-morph a.ply --target b.ply --run morph && tm-report morph -o morph.html";
 }

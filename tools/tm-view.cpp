@@ -11,7 +11,7 @@ using namespace transformesh;
 
 struct Options {
   std::string run, color_by, title;
-  std::string up = "y";
+  std::string up = "auto";
   bool is_beside = false, is_opened = false, is_served = false;
   int port = 0;
 };
@@ -27,7 +27,8 @@ void declare(tool::Program& program, Options& options) {
   program.flag("open", &options.is_opened,
                "open the page in the browser, as is done where standard output is a terminal");
   program.text("color-by", &options.color_by, "PROPERTY", "color by this property at first");
-  program.choice("up", &options.up, {"x", "y", "z"}, "the axis that points up");
+  program.choice("up", &options.up, {"auto", "x", "y", "z", "-x", "-y", "-z"},
+                 "the axis that points up; auto: in the photographs, else y");
   program.text("title", &options.title, "TEXT", "of the page (default: the names of the meshes)");
   program.epilog = "A morph as it goes on: tm-view --serve --run morph";
   program.reads_nothing_if = [&options] { return !options.run.empty(); };

@@ -79,8 +79,9 @@ class Cell {
     this.group = new Group();
     this.scale = extent.radius / radius;
     this.group.scale.setScalar(this.scale);
-    if (up === 'z') this.group.rotation.x = -Math.PI / 2;
-    if (up === 'x') this.group.rotation.z = Math.PI / 2;
+    const turns = {'x': [0, 1], '-x': [0, -1], '-y': [2, 0], 'z': [-1, 0], '-z': [1, 0]};
+    const [aboutX, aboutZ] = turns[up] ?? [0, 0];
+    this.group.rotation.set(aboutX * Math.PI / 2, 0, aboutZ * Math.PI / 2);
     this.surface = new Mesh(new BufferGeometry(), surfaceMaterial());
     this.wires = new Mesh(new BufferGeometry(), shared.wires);
     this.points = new Points(new BufferGeometry(), shared.points.clone());

@@ -33,6 +33,7 @@ class Descriptor {
 };
 
 [[noreturn]] void throw_unreadable(const std::string& path) {
+  if (errno == EISDIR) throw InputError(input_name(path) + " is a folder, not a file");
   throw InputError(input_name(path) + ": cannot be read: " + std::strerror(errno));
 }
 

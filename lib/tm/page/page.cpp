@@ -146,6 +146,23 @@ std::string data_element(const std::string& id, const std::string& type, std::st
   return "<script id=\"" + id + "\" type=\"" + type + "\">" + text + "</script>\n";
 }
 
+/// The axis that is nearest to what is up in the photographs, which are seldom taken upside down;
+/// perhaps with a minus. y where there are none, or where they were taken from all around.
+std::string axis_up(const std::vector<PageRun>& runs) {
+  Vec3 up = Vec3::Zero();
+  double count = 0;
+  for (const PageRun& run : runs)
+    for (const PageViews& step : run.views)
+      for (const RunView& view : step.views) {
+        up -= view.camera.camera.rotation.row(1).transpose();
+        ++count;
+      }
+  constexpr double least = 0.3;  // of cameras that look down by 70 degrees
+  Eigen::Index axis = 1;
+  if (!(up.cwiseAbs().maxCoeff(&axis) > least * count)) return "y";
+  return (up[axis] < 0 ? "-" : "") + std::string(1, "xyz"[axis]);
+}
+
 }  // namespace
 
 std::string page_json(const Page& page) {
@@ -154,7 +171,7 @@ std::string page_json(const Page& page) {
   return text_of({{"title", page.title},
                   {"version", page.version},
                   {"color_by", page.color_by},
-                  {"up", page.up},
+                  {"up", page.up == "auto" ? axis_up(page.runs) : page.up},
                   {"live", page.is_live},
                   {"colors", {{"one_sign", colors_json(0)}, {"two_signs", colors_json(-1)}}},
                   {"runs", runs}});

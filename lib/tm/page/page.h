@@ -38,10 +38,10 @@ struct PageRun {
 
 struct Page {
   std::string title;
-  std::string version;   ///< of what makes the page
-  std::string color_by;  ///< column shown at first; empty: none
-  std::string up = "y";  ///< axis that points up
-  bool is_live = false;  ///< the viewer asks for what is new, beside the page
+  std::string version;      ///< of what makes the page
+  std::string color_by;     ///< column shown at first; empty: none
+  std::string up = "auto";  ///< axis that points up; auto: in the photographs, where there are any
+  bool is_live = false;     ///< the viewer asks for what is new, beside the page
   std::vector<PageRun> runs;
 };
 

@@ -57,6 +57,28 @@ TEST_CASE("a page holds what there is to show, and every mesh") {
   CHECK(html.find("connect-src 'none'") != std::string::npos);
 }
 
+TEST_CASE("up is what photographs have above, y where they do not say it, and what is asked for") {
+  Page page = page_of_two_meshes();
+  const auto up = [&] { return Json::parse(page_json(page))["up"]; };
+  CHECK(up() == "y");
+  // Cameras around the z axis that look down on it.
+  std::vector<RunView>& views = page.runs[0].views.emplace_back().views;
+  for (const double angle : {0.0, 2.0, 4.0}) {
+    const Vec3 forward(-std::cos(angle), -std::sin(angle), -0.5);
+    const Vec3 right = forward.cross(Vec3::UnitZ()).normalized();
+    views.emplace_back().camera.camera.rotation << right.transpose(),
+        forward.cross(right).normalized().transpose(), forward.normalized().transpose();
+  }
+  CHECK(up() == "z");
+  for (RunView& view : views) view.camera.camera.rotation.topRows(2) *= -1;
+  CHECK(up() == "-z");
+  views.resize(2);
+  views[1].camera.camera.rotation.topRows(2) = -views[0].camera.camera.rotation.topRows(2);
+  CHECK(up() == "y");
+  page.up = "x";
+  CHECK(up() == "x");
+}
+
 TEST_CASE("a live page has no meshes, and may ask for them") {
   Page page = page_of_two_meshes();
   page.is_live = true;
