@@ -7,7 +7,7 @@ set(public_headers
   clean/certify/certify.h clean/clean.h clean/clean_box.h clean/intersect/intersect.h clean/stitch/stitch.h
   evolution/evolve.h evolution/filter_step.h evolution/morphing.h evolution/offset.h
   evolution/reconstruction.h evolution/sequence.h evolution/tracking.h
-  fill/fill.h
+  fill/fill.h fill/handles.h
   geometry/carry.h geometry/compare.h geometry/sample_surface.h geometry/selection.h
   geometry/source_points.h
   io/comments.h io/concatenate.h io/length_basis.h io/mesh_io.h

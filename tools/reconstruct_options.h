@@ -8,8 +8,8 @@
 #include "color_options.h"
 #include "frame/loop_options.h"
 #include "frame/run.h"
+#include "tm/evolution/reconstruction/time_steps.h"
 #include "tm/evolution/sequence.h"
-#include "tm/evolution/time_steps.h"
 #include "tm/views/cameras/view_files.h"
 #include "view_options.h"
 

@@ -1,7 +1,7 @@
 /// tm-morph: evolves a mesh until it lies on a target, or follows a film of them (paper 5.2).
 #include "morph_options.h"
 #include "morph_report.h"
-#include "tm/evolution/run_folder.h"
+#include "tm/evolution/loop/run_folder.h"
 #include "tm/evolution/tracking.h"
 #include "tm/io/streams.h"
 #include "tm/step/morph_check.h"

@@ -3,7 +3,7 @@
 #include "frame/memory.h"
 #include "reconstruct_options.h"
 #include "reconstruct_report.h"
-#include "tm/evolution/run_views.h"
+#include "tm/evolution/loop/run_views.h"
 
 namespace {
 

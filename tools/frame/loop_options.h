@@ -7,8 +7,8 @@
 #include <string>
 
 #include "frame/run.h"
-#include "tm/evolution/loop.h"
-#include "tm/evolution/run_folder.h"
+#include "tm/evolution/loop/loop.h"
+#include "tm/evolution/loop/run_folder.h"
 
 namespace transformesh::tool {
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "tm/evolution/stopwatch.h"
+#include "tm/evolution/loop/stopwatch.h"
 #include "tm/support/length.h"
 
 namespace transformesh::tool {

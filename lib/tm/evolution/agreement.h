@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "tm/evolution/iteration.h"
+#include "tm/evolution/loop/iteration.h"
 #include "tm/step/target_query.h"
 
 namespace transformesh {

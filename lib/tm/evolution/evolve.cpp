@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "tm/evolution/stop_rules.h"
+#include "tm/evolution/loop/stop_rules.h"
 
 namespace transformesh {
 namespace {

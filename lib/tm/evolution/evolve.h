@@ -13,8 +13,8 @@
 /// way continues to the same bytes.
 #pragma once
 
-#include "tm/evolution/iteration.h"
-#include "tm/evolution/loop.h"
+#include "tm/evolution/loop/iteration.h"
+#include "tm/evolution/loop/loop.h"
 
 namespace transformesh {
 

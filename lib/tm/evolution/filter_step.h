@@ -11,7 +11,7 @@
 #include <functional>
 #include <string>
 
-#include "tm/evolution/iteration.h"
+#include "tm/evolution/loop/iteration.h"
 
 namespace transformesh {
 

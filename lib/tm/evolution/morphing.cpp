@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tm/evolution/stop_rules.h"
-#include "tm/evolution/stopwatch.h"
+#include "tm/evolution/loop/stop_rules.h"
+#include "tm/evolution/loop/stopwatch.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/align_features.h"

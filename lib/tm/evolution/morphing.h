@@ -18,8 +18,8 @@
 #include <string>
 
 #include "tm/evolution/agreement.h"
-#include "tm/evolution/iteration.h"
-#include "tm/evolution/loop.h"
+#include "tm/evolution/loop/iteration.h"
+#include "tm/evolution/loop/loop.h"
 #include "tm/step/morph_step.h"
 
 namespace transformesh {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tm/evolution/stop_rules.h"
+#include "tm/evolution/loop/stop_rules.h"
 #include "tm/geometry/closest_point.h"
 #include "tm/geometry/surface_samples.h"
 #include "tm/io/mesh_io.h"

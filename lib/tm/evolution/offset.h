@@ -11,7 +11,7 @@
 
 #include <cstddef>
 
-#include "tm/evolution/iteration.h"
+#include "tm/evolution/loop/iteration.h"
 
 namespace transformesh {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "tm/evolution/reconstruction_beginning.h"
-#include "tm/evolution/stopwatch.h"
+#include "tm/evolution/loop/stopwatch.h"
+#include "tm/evolution/reconstruction/beginning.h"
 #include "tm/fill/handles.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/components.h"

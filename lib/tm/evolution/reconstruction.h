@@ -8,7 +8,7 @@
 /// surface explodes (is_exploded) at scale 2 or above it begins anew four times as stiff, twice at
 /// most; else it ends by a GoalError. At last, at rest, windows that disagree pull less.
 ///
-/// The result is converged where it has no fault (reconstruction_rules.h); the vertex column
+/// The result is converged where it has no fault (reconstruction/convergence.h); the vertex column
 /// `doubt` says where photographs disagree (surface_doubt.h). Deterministic for any number of
 /// threads; the record of a run that was ended in any way continues to the same bytes.
 /// Throws what the stages throw, a failure of a pass with its number; the document is then that of
@@ -20,11 +20,12 @@
 #include <string>
 #include <vector>
 
-#include "tm/evolution/iteration.h"
-#include "tm/evolution/loop.h"
-#include "tm/evolution/reconstruction_rules.h"
-#include "tm/evolution/reconstruction_start.h"
-#include "tm/evolution/scales.h"
+#include "tm/evolution/loop/iteration.h"
+#include "tm/evolution/loop/loop.h"
+#include "tm/evolution/loop/scales.h"
+#include "tm/evolution/reconstruction/convergence.h"
+#include "tm/evolution/reconstruction/pass_rules.h"
+#include "tm/evolution/reconstruction/start.h"
 #include "tm/views/photo/photo_steps.h"
 
 namespace transformesh {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "tm/evolution/reconstruction_rules.h"
-#include "tm/evolution/stopwatch.h"
+#include "tm/evolution/loop/stopwatch.h"
+#include "tm/evolution/reconstruction/surface_quality.h"
 #include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
 #include "tm/support/error.h"

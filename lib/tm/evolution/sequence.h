@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tm/evolution/reconstruction.h"
-#include "tm/evolution/time_steps.h"
+#include "tm/evolution/reconstruction/time_steps.h"
 
 namespace transformesh {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "tm/evolution/stopwatch.h"
+#include "tm/evolution/loop/stopwatch.h"
 #include "tm/support/counted.h"
 
 namespace transformesh {

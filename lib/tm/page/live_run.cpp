@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "tm/evolution/run_folder.h"
-#include "tm/evolution/stopwatch.h"
+#include "tm/evolution/loop/run_folder.h"
+#include "tm/evolution/loop/stopwatch.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tm/evolution/run_views.h"
+#include "tm/evolution/loop/run_views.h"
 #include "tm/page/pack.h"
 
 namespace transformesh {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tm/evolution/run_views.h"
+#include "tm/evolution/loop/run_views.h"
 #include "tm/geometry/compare.h"
 #include "tm/io/mesh_io.h"
 #include "tm/io/streams.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tm/evolution/run_folder.h"
+#include "tm/evolution/loop/run_folder.h"
 #include "tm/page/page.h"
 #include "tm/support/progress.h"
 

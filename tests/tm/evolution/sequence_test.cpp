@@ -5,7 +5,7 @@
 #include "helpers/photographed.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
-#include "tm/evolution/time_steps.h"
+#include "tm/evolution/reconstruction/time_steps.h"
 #include "tm/io/mesh_io.h"
 #include "tm/support/error.h"
 

@@ -68,8 +68,8 @@ TEST_CASE("a narrow hole is closed, and a ring with a wide one around a thick tu
 }
 
 TEST_CASE("all handles go where the length allows it, and the parts of a mesh stay") {
-  for (const Mesh& mesh :
-       {shape("genus", {"7"}, 4000), shape("tori", {}, 4000), clean(shape("boxes", {}, 3000)).mesh}) {
+  for (const Mesh& mesh : {shape("genus", {"7"}, 4000), shape("tori", {}, 4000),
+                           clean(shape("boxes", {}, 3000)).mesh}) {
     const Components before = connected_components(mesh);
     Mesh untied = mesh;
     const HandleResult result = remove_handles(untied, {.max_length = 1e3});

@@ -6,7 +6,7 @@
 
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
-#include "tm/evolution/run_folder.h"
+#include "tm/evolution/loop/run_folder.h"
 #include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
 #include "tm/support/error.h"
