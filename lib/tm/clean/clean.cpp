@@ -30,7 +30,7 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
     result.mesh = mesh;
   } else {
     const SnapRoundingOptions how{options.level, options.method, pass.is_open, options.coordinate};
-    SnapRoundingResult rounded = snap_round(mesh, std::move(pass), how, progress);
+    SnapRoundingResult rounded = snap_round(mesh, pass, how, progress);
     result.cut_faces += rounded.cut_faces;
     result.removed_faces += rounded.removed_faces;
     result.new_vertices = rounded.new_vertices;

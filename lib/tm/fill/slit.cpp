@@ -64,7 +64,7 @@ SlitSides sides_of(const Mesh& mesh, const std::vector<Index>& loop, const Surro
 void slit_along(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const auto copy = static_cast<Index>(mesh.positions.size());
-    mesh.positions.push_back(Vec3(mesh.positions[loop[i]]));
+    mesh.positions.push_back(mesh.positions[loop[i]]);
     mesh.vertex_columns.append(RowBlend{{loop[i]}});
     for (const Index corner : sides.right.corners[i]) mesh.faces[corner / 3].at(corner % 3) = copy;
   }

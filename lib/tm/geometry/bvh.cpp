@@ -84,8 +84,8 @@ void Bvh::set_groups(std::span<const Index> group_of_box) {
   groups_.clear();
   std::vector<Index> groups(order_.size());
   for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = group_of_box[order_[i]];
-  for (std::size_t level = 0; level < levels_.size(); ++level) {
-    std::vector<GroupQuad> quads(levels_[level].size());
+  for (const auto& level : levels_) {
+    std::vector<GroupQuad> quads(level.size());
     std::vector<Index> above(quads.size());
     for (std::size_t q = 0; q < quads.size(); ++q) {
       std::array<Index, 4>& group = quads[q].group;

@@ -156,7 +156,8 @@ class HilbertSort {
   }
   int passes() const { return keys_.size() < few ? 0 : keys_.size() < many ? 2 : 3; }
   Key leading_mask() const {
-    return passes() == 0 ? 0 : ~Key{0} << (key_bits - passes() * digit_bits);
+    const int bits = passes() * digit_bits;
+    return bits == 0 ? 0 : ~Key{0} << (key_bits - bits);
   }
 
   void make_keys() {

@@ -47,7 +47,7 @@ struct PointDefinition {
 /// For hash tables.
 struct PointDefinitionHash {
   std::size_t operator()(const PointDefinition& definition) const {
-    std::uint64_t hash = static_cast<std::uint64_t>(definition.kind);
+    auto hash = static_cast<std::uint64_t>(definition.kind);
     for (const Index i : definition.indices) {
       hash = (hash ^ i) * 0x9e3779b97f4a7c15U;
       hash ^= hash >> 29U;

@@ -97,7 +97,7 @@ class Shader {
       const float covered = static_cast<float>(hits) + static_cast<float>(samples - hits) * dark;
       if (covered == 0) return {0, 0, 0, 0};
       const auto alpha =
-          static_cast<std::uint8_t>(255 * covered / static_cast<float>(samples) + 0.5F);
+          static_cast<std::uint8_t>(std::lround(255 * covered / static_cast<float>(samples)));
       return opaque(sum / covered, alpha);
     }
     const Color behind = (1 - dark) * background.at(y, camera_.height / options_.samples);

@@ -90,10 +90,18 @@ class SnapRounder {
   SnapRounder(const Mesh& mesh, const SnapRoundingOptions& options, const Progress& progress)
       : mesh_(mesh), options_(options), progress_(progress) {}
 
-  SnapRoundingResult snap_round(CleanPass pass);
+  SnapRoundingResult snap_round(const CleanPass& pass);
 
  private:
+  /// Of one start.
+  struct Attempts {
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();  ///< broken faces until now
+    int vain = 0;                                                  ///< rounds without fewer
+  };
+
   bool repair(Assembly& assembly, int start);
+  bool is_in_vain(std::size_t broken, Attempts& attempts);
+  void note_broken(const Assembly& assembly, const std::vector<Index>& broken, bool is_first);
   Assembly begin_anew(const CleanPass& pass, int start);
   Assembly begin_simpler(const CleanPass& pass, int start);
   void choose_spacings(int start);
@@ -201,38 +209,44 @@ int SnapRounder::next_start(int start) const {
 // whole at once need not be cleaned again, unless the mesh is open: then other fans close its
 // borders now. Returns whether it succeeded.
 bool SnapRounder::repair(Assembly& assembly, int start) {
-  std::size_t fewest = std::numeric_limits<std::size_t>::max();
-  int vain = 0;
+  Attempts attempts;
   for (int round = 0; round < most_rounds; ++round) {
     progress_("round");
     result_.displacement += round_and_merge(assembly, spacing_);
     BrokenFaces found = find_broken_faces(assembly, known_);
-    const std::vector<Index>& broken = found.faces;
-    if (broken.empty() && round == 0 && !options_.is_open) return true;
-    vain = broken.empty() || broken.size() < fewest ? 0 : vain + 1;
-    is_vain_ |= vain == most_vain + patience_;
-    if (vain == most_vain + patience_) return false;
+    const bool is_whole = found.faces.empty();
+    if (is_whole && round == 0 && !options_.is_open) return true;
+    if (is_in_vain(found.faces.size(), attempts)) return false;
     if (round == 0) choose_spacings(start);
-    fewest = std::min(fewest, broken.size());
     const Tolerances most = tolerances(start, round);
-    for (const Index face : broken) is_broken_[assembly.source_face[face]] = 1;
-    is_shattered_ |=
-        start == 0 && round == 0 && broken.size() > assembly.mesh.faces.size() / most_broken_share;
-    is_extreme_ |= spacing_.are_per_axis && is_shattered_;
-    const double most_given = broken.empty() ? 0 : most.cells;
-    if (!broken.empty()) {
-      if (place_.empty()) {
-        place_ = place_of(assembly.mesh, broken.front());
-        result_.places = count_places(assembly.mesh, broken);
-      }
-      ++result_.repairs;
-      if (is_extreme_ && start == 0) return false;
-      mend(assembly, std::move(found), most);
-    }
-    if (clean_again(assembly, {most_given})) return true;
+    note_broken(assembly, found.faces, start == 0 && round == 0);
+    if (!is_whole && is_extreme_ && start == 0) return false;
+    if (!is_whole) mend(assembly, std::move(found), most);
+    if (clean_again(assembly, {is_whole ? 0 : most.cells})) return true;
     if (is_hopeless_) return false;
   }
   return false;
+}
+
+// Whether for too long there have not been fewer.
+bool SnapRounder::is_in_vain(std::size_t broken, Attempts& attempts) {
+  attempts.vain = broken == 0 || broken < attempts.fewest ? 0 : attempts.vain + 1;
+  attempts.fewest = std::min(attempts.fewest, broken);
+  const bool is_now = attempts.vain == most_vain + patience_;
+  is_vain_ |= is_now;
+  return is_now;
+}
+
+void SnapRounder::note_broken(const Assembly& assembly, const std::vector<Index>& broken,
+                              bool is_first) {
+  for (const Index face : broken) is_broken_[assembly.source_face[face]] = 1;
+  is_shattered_ |= is_first && broken.size() > assembly.mesh.faces.size() / most_broken_share;
+  is_extreme_ |= spacing_.are_per_axis && is_shattered_;
+  if (broken.empty()) return;
+  ++result_.repairs;
+  if (!place_.empty()) return;
+  place_ = place_of(assembly.mesh, broken.front());
+  result_.places = count_places(assembly.mesh, broken);
 }
 
 // What was mended may leave vertices that no face uses.
@@ -312,7 +326,7 @@ Assembly SnapRounder::begin_simpler(const CleanPass& pass, int start) {
   return pass.assembly;
 }
 
-SnapRoundingResult SnapRounder::snap_round(CleanPass pass) {
+SnapRoundingResult SnapRounder::snap_round(const CleanPass& pass) {
   const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
   spacing_ = spacings_for(mesh_, options_.coordinate);
   // What is extreme is better given up early, and begun anew.
@@ -344,9 +358,9 @@ FirstRound round_once(Assembly& assembly, const Spacings& spacings) {
   return {count_places(assembly.mesh, find_broken_faces(assembly).faces), displacement};
 }
 
-SnapRoundingResult snap_round(const Mesh& mesh, CleanPass pass, const SnapRoundingOptions& options,
-                              const Progress& progress) {
-  return SnapRounder(mesh, options, progress).snap_round(std::move(pass));
+SnapRoundingResult snap_round(const Mesh& mesh, const CleanPass& pass,
+                              const SnapRoundingOptions& options, const Progress& progress) {
+  return SnapRounder(mesh, options, progress).snap_round(pass);
 }
 
 }  // namespace transformesh

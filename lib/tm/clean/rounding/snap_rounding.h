@@ -65,7 +65,7 @@ FirstRound round_once(Assembly& assembly, const Spacings& spacings);
 
 /// `pass` is that of the mesh, and is not unchanged. Throws GoalError, with the place, where repair
 /// does not end, and where nothing is left that is thicker than rounding moves it.
-SnapRoundingResult snap_round(const Mesh& mesh, CleanPass pass, const SnapRoundingOptions& options,
-                              const Progress& progress);
+SnapRoundingResult snap_round(const Mesh& mesh, const CleanPass& pass,
+                              const SnapRoundingOptions& options, const Progress& progress);
 
 }  // namespace transformesh

@@ -36,8 +36,8 @@ RemeshOptions remesh_options(const Document& document, const IterationOptions& o
 /// remesh() of a document that is being cleaned: the result counts where that changes nothing.
 class EarlyRemesh {
  public:
-  EarlyRemesh(const Document& document, const IterationOptions& options, const Progress& progress)
-      : document_(document), options_(options), progress_(progress) {}
+  EarlyRemesh(Document document, const IterationOptions& options, const Progress& progress)
+      : document_(std::move(document)), options_(options), progress_(progress) {}
 
   void run() {
     try {

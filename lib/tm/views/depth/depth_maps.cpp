@@ -48,36 +48,47 @@ GrayImage agreed(std::size_t view, std::span<const View> views, std::span<const 
   return depth;
 }
 
-/// Drops the depths of patches that are connected within the tolerance, and of fewer pixels.
-void drop_islands(DepthMap& map, const DepthMapsOptions& options) {
-  GrayImage& depth = map.depth;
-  const auto is_next = [&](float a, float b) {
-    return b > 0 && std::abs(1 / a - 1 / b) <= options.tolerance * map.plane_gap;
-  };
-  std::vector<char> is_met(depth.pixels.size(), 0);
-  std::vector<std::pair<int, int>> island;
-  for (int y = 0; y < depth.height; ++y) {
-    for (int x = 0; x < depth.width; ++x) {
-      island.clear();
-      const auto meet = [&](int i, int j) {
-        char& met = is_met[static_cast<std::size_t>(j * depth.width + i)];
-        if (met == 0) island.emplace_back(i, j);
-        met = 1;
-      };
-      if (depth.at(x, y) > 0) meet(x, y);
-      for (std::size_t k = 0; k < island.size(); ++k) {
-        const auto [i, j] = island[k];
-        const float here = depth.at(i, j);
-        if (i > 0 && is_next(here, depth.at(i - 1, j))) meet(i - 1, j);
-        if (j > 0 && is_next(here, depth.at(i, j - 1))) meet(i, j - 1);
-        if (i + 1 < depth.width && is_next(here, depth.at(i + 1, j))) meet(i + 1, j);
-        if (j + 1 < depth.height && is_next(here, depth.at(i, j + 1))) meet(i, j + 1);
-      }
-      if (island.size() < options.least_pixels)
-        for (const auto& [i, j] : island) depth.at(i, j) = 0;
+/// Patches of depths that are connected within the tolerance.
+class Islands {
+ public:
+  Islands(DepthMap& map, double tolerance)
+      : depth_(map.depth), gap_(tolerance * map.plane_gap), is_met_(depth_.pixels.size(), 0) {}
+
+  void drop_those_below(std::size_t pixels) {
+    for (std::size_t first = 0; first < is_met_.size(); ++first) {
+      if (depth_.pixels[first] == 0 || is_met_[first]) continue;
+      const std::vector<std::size_t> island = island_of(first);
+      if (island.size() >= pixels) continue;
+      for (const std::size_t pixel : island) depth_.pixels[pixel] = 0;
     }
   }
-}
+
+ private:
+  std::vector<std::size_t> island_of(std::size_t first) {
+    const auto width = static_cast<std::size_t>(depth_.width);
+    std::vector<std::size_t> island{first};
+    is_met_[first] = 1;
+    for (std::size_t k = 0; k < island.size(); ++k) {
+      const std::size_t pixel = island[k];
+      if (pixel % width > 0) meet(pixel, pixel - 1, island);
+      if (pixel >= width) meet(pixel, pixel - width, island);
+      if (pixel % width + 1 < width) meet(pixel, pixel + 1, island);
+      if (pixel + width < is_met_.size()) meet(pixel, pixel + width, island);
+    }
+    return island;
+  }
+
+  void meet(std::size_t from, std::size_t to, std::vector<std::size_t>& island) {
+    const float here = depth_.pixels[from], there = depth_.pixels[to];
+    if (is_met_[to] || there <= 0 || std::abs(1 / here - 1 / there) > gap_) return;
+    is_met_[to] = 1;
+    island.push_back(to);
+  }
+
+  GrayImage& depth_;
+  double gap_;
+  std::vector<char> is_met_;
+};
 
 }  // namespace
 
@@ -103,7 +114,7 @@ std::vector<DepthMap> depth_maps(std::span<const View> views, std::span<const Vi
   });
   for (std::size_t i = 0; i < maps.size(); ++i) {
     maps[i].depth = std::move(depths[i]);
-    drop_islands(maps[i], options);
+    Islands(maps[i], options.tolerance).drop_those_below(options.least_pixels);
   }
   return maps;
 }
