@@ -108,6 +108,7 @@ class SnapRounder {
   int next_start(int start) const;
   void mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most);
   bool clean_again(Assembly& assembly, const GivenCells& cells, int level = 1);
+  bool has_changed(const Assembly& before, const Assembly& now) const;
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   [[noreturn]] void give_up() const;
   [[noreturn]] static void throw_nothing_left();
@@ -249,6 +250,11 @@ void SnapRounder::note_broken(const Assembly& assembly, const std::vector<Index>
   result_.places = count_places(assembly.mesh, broken);
 }
 
+// Where nothing was mended or merged, whole faces are those that were, as their corners stay.
+bool SnapRounder::has_changed(const Assembly& before, const Assembly& now) const {
+  return result_.repairs > 0 || before.mesh.faces.size() != now.mesh.faces.size();
+}
+
 // What was mended may leave vertices that no face uses.
 void drop_unused_vertices(Assembly& assembly) {
   std::vector<char> is_used(assembly.mesh.positions.size(), 0);
@@ -327,7 +333,6 @@ Assembly SnapRounder::begin_simpler(const CleanPass& pass, int start) {
 }
 
 SnapRoundingResult SnapRounder::snap_round(const CleanPass& pass) {
-  const std::vector<char> was_whole = whole_faces(mesh_, pass.assembly);
   spacing_ = spacings_for(mesh_, options_.coordinate);
   // What is extreme is better given up early, and begun anew.
   most_pairs_ = (spacing_.are_per_axis ? 1 : pairs_to_repair) * pass.pairs + few_pairs;
@@ -342,8 +347,9 @@ SnapRoundingResult SnapRounder::snap_round(const CleanPass& pass) {
     }
     assembly = begin_anew(pass, start);
   }
+  if (has_changed(pass.assembly, assembly))
+    count_faces(whole_faces(mesh_, pass.assembly), assembly);
   drop_unused_vertices(assembly);
-  count_faces(was_whole, assembly);
   const auto& is_new = assembly.vertex_is_new;
   result_.new_vertices = static_cast<std::size_t>(std::count(is_new.begin(), is_new.end(), 1));
   result_.copied_vertices = assembly.copies;
