@@ -65,9 +65,9 @@ void declare_steps(Program& program, ReconstructChoices& choices) {
       "window", &choices.window, "auto|N|N,N",
       "radius of compared windows, 1 to 5 pixels, or two: at scale 2 and above, and below; "
       "auto: 3, but 5,3 from open hollows");
-  program.text("robust", &choices.robust, "auto|NUMBER",
-               "at last, windows that disagree this many times as much as the mean pull by a "
-               "quarter, 0: all alike; auto: 1 where photographs agree well, else 0");
+  program.number("robust", &choices.options.robust, 0, 1e300,
+                 "at last, windows that disagree this many times as much as the mean pull by a "
+                 "quarter, 0: all alike");
   program.number("stiffness", &choices.options.steps.step.stiffness, 0, 1e300,
                  "resistance to bending");
   program.number("crumbs", &choices.options.crumbs, 0, 1,
@@ -178,7 +178,6 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   options.iterations = iterations_of(choices.iterations);
   options.windows = windows_of(choices.window);
   options.pull = number_or_auto("pull", choices.pull, 0);
-  options.robust = number_or_auto("robust", choices.robust, 0);
   options.on_note = [&run](const std::string& text) { run.note(text); };
   options.on_detail = [&run](const std::string& text) { run.detail(text); };
   return options;

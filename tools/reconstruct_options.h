@@ -30,7 +30,6 @@ struct ReconstructChoices {
   std::string last_edge;
   std::string iterations = "auto";
   std::string window = "auto";
-  std::string robust = "auto";
   std::string pull = "auto";
   ViewCheckChoices check;
   bool is_colored = false;

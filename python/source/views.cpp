@@ -150,10 +150,9 @@ MeshPointer reconstruct_surface(
     const std::optional<MeshPointer>& start, const std::string& clip,
     const std::string& silhouettes_show, double edge, const std::optional<double>& last_edge,
     const std::optional<double>& coarsest, std::size_t passes, const std::optional<int>& iterations,
-    const std::optional<double>& robust, const std::variant<double, std::string>& keep,
-    const std::string& hollows, const Window& window, double max_angle, double crumbs,
-    double handles, double least_agreement, bool drop_bad_views, bool mirror,
-    const py::object& on_pass, const py::object& progress) {
+    double robust, const std::variant<double, std::string>& keep, const std::string& hollows,
+    const Window& window, double max_angle, double crumbs, double handles, double least_agreement,
+    bool drop_bad_views, bool mirror, const py::object& on_pass, const py::object& progress) {
   ReconstructionOptions options;
   const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
   options.start = start_of(share_of(keep), clip, hollows, is_exact, least_agreement);
@@ -203,8 +202,9 @@ void bind_views(py::module_& module) {
       py::kw_only(), arg("start") = none, arg("clip") = "hull", arg("silhouettes_show") = "exact",
       arg("edge") = ScaleOptions().edge, arg("last_edge") = none, arg("coarsest") = none,
       arg("passes") = ReconstructionOptions().passes, arg("iterations") = none,
-      arg("robust") = none, arg("keep") = "largest", arg("hollows") = "auto",
-      arg("window") = "auto", arg("max_angle") = PairOptions().maximum_angle_deg,
+      arg("robust") = ReconstructionOptions().robust, arg("keep") = "largest",
+      arg("hollows") = "auto", arg("window") = "auto",
+      arg("max_angle") = PairOptions().maximum_angle_deg,
       arg("crumbs") = ReconstructionOptions().crumbs,
       arg("handles") = ReconstructionOptions().handles,
       arg("least_agreement") = ViewCheckOptions().least_agreement, arg("drop_bad_views") = false,

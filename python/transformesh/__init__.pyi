@@ -269,7 +269,7 @@ def reconstruct(
     coarsest: Optional[float] = None,
     passes: int = 4,
     iterations: Optional[int] = None,
-    robust: Optional[float] = None,
+    robust: float = 1.0,
     keep: Union[float, Literal["largest", "all"]] = "largest",
     hollows: Literal["auto", "closed"] = "auto",
     window: Union[Literal["auto"], int, Tuple[int, int]] = "auto",

@@ -46,7 +46,7 @@ struct ReconstructionOptions {
   /// The views may be cropped to the object, where they are packed (HeldImage), and lose their
   /// images in the end: for less memory, where they are not needed any more.
   bool spends_views = false;
-  std::optional<double> robust = std::nullopt;  ///< the factor of robust_loss, for the last passes
+  double robust = 1;  ///< the factor of robust_loss, for the last passes
   /// [0, 1]: at last, components of less than this share of the largest one's volume go.
   double crumbs = 0.001;
   /// At late scales handles go that a loop of so many of the last edges goes around (handles.h):

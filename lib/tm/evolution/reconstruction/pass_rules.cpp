@@ -45,8 +45,8 @@ bool is_exploded(const Pass& pass, std::size_t components_of_start) {
   return last.coverage < exploded_share && last.coverage < first.coverage / 2;
 }
 
-double robust_loss(std::optional<double> factor, double dissimilarity) {
-  const double loss = factor.value_or(dissimilarity < 0.25 ? 1 : 0) * dissimilarity;
+double robust_loss(double factor, double dissimilarity) {
+  const double loss = factor * dissimilarity;
   return loss > 0 ? read_back(significant(std::clamp(loss, 0.001, 1000.0), 9)) : 0;
 }
 

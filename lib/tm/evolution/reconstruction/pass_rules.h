@@ -2,7 +2,6 @@
 /// out.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "tm/evolution/reconstruction/level_rule.h"
@@ -34,8 +33,7 @@ bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now);
 bool is_exploded(const Pass& pass, std::size_t components_of_start);
 
 /// Disagreement at which windows pull by a quarter, at last: `factor` times the mean, which is
-/// the dissimilarity. Without a factor it is 1 below a dissimilarity of 0.25 and 0 above, as there
-/// not a few windows are wrong. 0: all pull alike.
-double robust_loss(std::optional<double> factor, double dissimilarity);
+/// the dissimilarity. 0: all pull alike.
+double robust_loss(double factor, double dissimilarity);
 
 }  // namespace transformesh
