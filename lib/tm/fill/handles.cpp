@@ -71,8 +71,9 @@ bool Round::remove(const ShortLoop& loop) {
 HandleResult Round::run(const Progress& progress) {
   HandleResult result;
   IndependentWords removed;
-  for (const ShortLoop& loop : short_loops(mesh_, around_.opposites(), options_.max_length)) {
-    progress("removing handles");
+  for (const ShortLoop& loop :
+       short_loops(mesh_, around_.opposites(), options_.max_length, progress)) {
+    progress("remove handles");
     if (!has_room(loop) || !removed.is_new(loop.word)) continue;
     if (!remove(loop)) {
       for (const Index v : loop.vertices) is_near_[v] = 1;

@@ -19,12 +19,22 @@ Surface surface_of(const Mesh& mesh) {
   return surface;
 }
 
+/// So few that a search among all triangles takes a hundredth of a second.
+constexpr std::size_t few_edges = 64;
+
+bool has_few_edges(const Surface& surface, Surface::Halfedge_index border) {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto h : surface.halfedges_around_face(border))
+    if (++count > few_edges) return false;
+  return true;
+}
+
 /// Whether the surface has a patch of that kind now.
 bool fill_hole(Surface& surface, Surface::Halfedge_index border, PatchKind kind, Search search) {
   std::vector<Surface::Face_index> faces;
-  processing::triangulate_hole(
-      surface, border, std::back_inserter(faces),
-      CGAL::parameters::use_delaunay_triangulation(search == Search::delaunay));
+  const bool is_quick = search == Search::delaunay && !has_few_edges(surface, border);
+  processing::triangulate_hole(surface, border, std::back_inserter(faces),
+                               CGAL::parameters::use_delaunay_triangulation(is_quick));
   if (faces.empty() || kind == PatchKind::plain) return !faces.empty();
 
   std::vector<Vertex> vertices;

@@ -1,9 +1,9 @@
 /// A patch for one hole: the triangulation of its border with the smallest dihedral angles and then
 /// area, refined until its triangles are as dense as those around, and faired so that it continues
 /// them smoothly. Reference: Liepa, "Filling holes in meshes", SGP 2003, as CGAL has it. The patch
-/// may cross itself and the mesh. Cost: nearly O(n log n) for n border edges where the Delaunay
-/// tetrahedra of the border hold a patch, O(n^3) where they do not and for Search::all.
-/// Deterministic.
+/// may cross itself and the mesh. Cost: O(n^3) for n border edges, but nearly O(n log n) for
+/// Search::delaunay of many edges. Deterministic, but for this: of triangulations that are equally
+/// good to the last digit Search::delaunay takes for many edges the one that memory holds first.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ namespace transformesh {
 
 enum class PatchKind { plain, refined, faired };
 
-/// Among which triangles: those of the Delaunay tetrahedra of the border, where they hold a patch,
-/// or all.
+/// Among which triangles: beyond 64 edges those of the Delaunay tetrahedra of the border, where
+/// they hold a patch; or always all.
 enum class Search { delaunay, all };
 
 struct HolePatch {

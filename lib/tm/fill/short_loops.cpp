@@ -19,9 +19,11 @@ struct Surface {
   std::vector<Index> leaving;  ///< a halfedge from each vertex
 
   double length(Index halfedge) const {
-    return (mesh.positions[halfedge_target(mesh, halfedge)] -
-            mesh.positions[halfedge_source(mesh, halfedge)])
-        .norm();
+    const Vec3 edge = mesh.positions[halfedge_target(mesh, halfedge)] -
+                      mesh.positions[halfedge_source(mesh, halfedge)];
+    constexpr double small = 1e-150, large = 1e150;  // whose squares are numbers
+    const double norm = edge.norm();
+    return norm > small && norm < large ? norm : edge.stableNorm();
   }
 
   template <class Visit>
@@ -141,15 +143,20 @@ std::vector<Index> bases_of(const Surface& surface) {
 }  // namespace
 
 std::vector<ShortLoop> short_loops(const Mesh& mesh, const std::vector<Index>& opposites,
-                                   double max_length) {
+                                   double max_length, const Progress& progress) {
   const std::vector<HomologyWord> words = homology_words(mesh, opposites);
   const Surface surface = surface_of(mesh, opposites, words);
   const std::vector<Index> bases = bases_of(surface);
   std::vector<std::optional<ShortLoop>> found(bases.size());
-  parallel_for(bases.size(), 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      found[i] = Paths(surface, bases[i], max_length).shortest_loop();
-  });
+  constexpr std::size_t at_once = 256;
+  for (std::size_t begin = 0; begin < bases.size(); begin += at_once) {
+    progress("find handles", static_cast<double>(begin) / static_cast<double>(bases.size()));
+    const std::size_t count = std::min(at_once, bases.size() - begin);
+    parallel_for(count, 8, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = begin + first; i < begin + last; ++i)
+        found[i] = Paths(surface, bases[i], max_length).shortest_loop();
+    });
+  }
 
   std::vector<ShortLoop> loops;
   for (std::optional<ShortLoop>& loop : found)

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tm/fill/homology.h"
+#include "tm/support/progress.h"
 
 namespace transformesh {
 
@@ -23,6 +24,6 @@ struct ShortLoop {
 /// At most one for each such vertex, of at most that length; the shortest ones come first, of equal
 /// ones that of the lower vertices. Pre: as homology_words().
 std::vector<ShortLoop> short_loops(const Mesh& mesh, const std::vector<Index>& opposites,
-                                   double max_length);
+                                   double max_length, const Progress& progress = Progress());
 
 }  // namespace transformesh
