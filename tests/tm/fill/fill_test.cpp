@@ -52,24 +52,6 @@ TEST_CASE("a faired patch continues a ball, and what was there stays") {
   CHECK(volume(flat) < 0.99 * volume(mesh));
 }
 
-TEST_CASE("of patches that are equally good it is always the same one") {
-  // A ring of whose border all edges and angles are the same.
-  Mesh ring = test::torus(2, 0.5, 60, 24);
-  ring.faces.erase(ring.faces.begin(), ring.faces.begin() + 48);
-  ring = select_faces(ring, std::vector<bool>(ring.faces.size(), true));
-  Mesh first = ring;
-  fill_holes(first);
-  check_solid(first);
-  std::vector<std::vector<char>> elsewhere;  // so that memory is not where it was
-  for (std::size_t i = 1; i < 30; ++i) {
-    elsewhere.emplace_back(997 * i);
-    Mesh again = ring;
-    fill_holes(again);
-    CHECK(again.positions == first.positions);
-    CHECK(again.faces == first.faces);
-  }
-}
-
 TEST_CASE("without new vertices a box becomes the box that it was") {
   Mesh mesh = opened(test::cube(), 0.5);
   const FillResult result = fill_holes(mesh, {.refine = false});
