@@ -110,7 +110,8 @@ TEST_CASE("columns go on, and thin limbs that are no handles stay") {
   CHECK(limb.positions == before.positions);
 }
 
-TEST_CASE("positions are those that floats hold, for any number of threads the same") {
+// Many patches of these loops are equally good.
+TEST_CASE("positions are those that floats hold, and always the same, for any number of threads") {
   Mesh first;
   for (const int threads : {1, 2, 5}) {
     const ThreadLimit limit(threads);
