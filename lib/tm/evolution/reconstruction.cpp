@@ -5,6 +5,7 @@
 
 #include "tm/evolution/loop/stopwatch.h"
 #include "tm/evolution/reconstruction/beginning.h"
+#include "tm/evolution/reconstruction/carve.h"
 #include "tm/fill/handles.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/components.h"
@@ -18,6 +19,8 @@ namespace {
 /// How much stiffer a surface becomes that exploded, at a time and in all.
 constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
+/// How far inwards doubtful parts of a hull that was opened are drawn, once.
+constexpr double carved_edges = 3.5;
 /// Below it too much would be done once more. A little below 2, which scales are not exactly.
 constexpr double stiffer_scale = 1.99;
 
@@ -32,7 +35,7 @@ class Photographs {
                         const Progress& progress);
   /// One step in which nothing moves; of pairs in one order, or in both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
-  SurfaceDoubt doubt(const Mesh& mesh, const Progress& progress);
+  SurfaceDoubt doubt(const Mesh& mesh, double scale, const Progress& progress);
   /// With exact masks, the mean over the views; 1 without.
   double agreement(const Mesh& mesh);
   int width() const { return width_; }
@@ -106,8 +109,8 @@ PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
   return photo_steps(mesh, at(scale), options, progress).first;
 }
 
-SurfaceDoubt Photographs::doubt(const Mesh& mesh, const Progress& progress) {
-  return surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_at(1).step.photographs,
+SurfaceDoubt Photographs::doubt(const Mesh& mesh, double scale, const Progress& progress) {
+  return surface_doubt(mesh, at(scale), steps_.step.least_cosine, steps_at(scale).step.photographs,
                        progress);
 }
 
@@ -133,12 +136,19 @@ ScaleOptions scales_of(const ReconstructionOptions& options, const Beginning& be
   return scales;
 }
 
+/// Whether edges become so short after this level that what is wrong stays where it is.
+bool is_last_coarse(const std::vector<Level>& levels, std::size_t level) {
+  return level > 0 && level + 1 < levels.size() && !is_late_scale(levels[level].scale) &&
+         is_late_scale(levels[level + 1].scale);
+}
+
 class ReconstructionLoop : public Loop {
  public:
   ReconstructionLoop(Photographs& photographs, const Beginning& beginning,
                      const ReconstructionOptions& options)
       : photographs_(photographs),
         start_(beginning.start),
+        opens_hollows_(beginning.coarsest.has_value()),
         options_(options),
         levels_(coarse_to_fine(scales_of(options, beginning), photographs.width(),
                                photographs.pixel())),
@@ -161,6 +171,7 @@ class ReconstructionLoop : public Loop {
   bool begins_stiffer(Document& document, const Progress& progress);
   bool drops_handles(Document& document, const Progress& progress);
   void drop_crumbs(Document& document);
+  void carve_doubtful(Document& document, const Progress& progress);
   void begin_finer(Document& document, const Progress& progress);
   bool takes_pass(Document& document, const Progress& progress);
   void take_pass(Document& document, const Progress& progress);
@@ -172,6 +183,7 @@ class ReconstructionLoop : public Loop {
 
   Photographs& photographs_;
   const Document& start_;
+  bool opens_hollows_;
   const ReconstructionOptions& options_;
   std::vector<Level> levels_;
 
@@ -311,6 +323,28 @@ void ReconstructionLoop::begin_next_level(Document& document, const Progress& pr
   rule_.begin();
   if (was_first && is_torn(pixels_compared(start_, progress), pixels_compared(document, progress)))
     begin_finer(document, progress);
+  else if (opens_hollows_ && is_last_coarse(levels_, level_))
+    carve_doubtful(document, progress);
+}
+
+// What nothing is left of stays as it was.
+void ReconstructionLoop::carve_doubtful(Document& document, const Progress& progress) {
+  const double depth = carved_edges * pass_.level.edge;
+  const SurfaceDoubt doubt = photographs_.doubt(document.mesh, pass_.level.scale, progress);
+  Document carved = document;
+  const double share = carve(carved.mesh, doubt.of_vertex, depth);
+  if (share == 0) return;
+  round_as_written(carved);
+  try {
+    clean_in_place(carved, progress);
+  } catch (const GoalError&) {
+    return;
+  }
+  drop_crumbs(carved);
+  document = std::move(carved);
+  if (options_.on_detail)
+    options_.on_detail("photographs speak against " + fixed(100 * share, 1) +
+                       " % of the surface, which is drawn inwards");
 }
 
 void ReconstructionLoop::finish(Document& document, const Progress& progress) {
@@ -324,7 +358,7 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   result_.first = photographs_.look(start_.mesh, 1, false, progress);
   result_.last = photographs_.look(document.mesh, 1, false, progress);
   result_.evidence = {photographs_.agreement(start_.mesh), photographs_.agreement(document.mesh),
-                      photographs_.doubt(document.mesh, progress)};
+                      photographs_.doubt(document.mesh, 1, progress)};
   result_.fault = faults_.in_words(result_.evidence);
   set_doubt_column(document.mesh, result_.evidence.doubt);
 }

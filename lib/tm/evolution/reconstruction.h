@@ -1,7 +1,7 @@
 /// From calibrated photographs to a closed surface without self-intersection (paper 5.3): from the
-/// visual hull, opened where photographs see into it, or a mesh given, towards agreement of the
-/// photographs, from coarse to fine. A pass is remesh(), photo_steps(), clean(). Its topology is
-/// what the photographs show: what the hull joins comes apart.
+/// visual hull, opened where photographs see into it (and carved once, carve.h), or a mesh given,
+/// towards agreement of the photographs, from coarse to fine. A pass is remesh(), photo_steps(),
+/// clean(). Its topology is what the photographs show: what the hull joins comes apart.
 ///
 /// A coarse scale sees large errors, but its edges are long: where the first one fails or tears
 /// thin parts off, and was not asked for, the loop begins anew with the next finer one. Where the
