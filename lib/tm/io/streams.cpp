@@ -33,7 +33,7 @@ class Descriptor {
 };
 
 [[noreturn]] void throw_unreadable(const std::string& path) {
-  if (errno == EISDIR) throw InputError(input_name(path) + " is a folder, not a file");
+  if (errno == EISDIR) throw InputError(input_name(path) + ": cannot be read: it is a folder");
   throw InputError(input_name(path) + ": cannot be read: " + std::strerror(errno));
 }
 

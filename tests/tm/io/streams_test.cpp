@@ -84,7 +84,7 @@ TEST_CASE("what cannot be read or written is told") {
                        (folder / "absent: cannot be read: No such file or directory").c_str(),
                        InputError);
   CHECK_THROWS_WITH_AS(read_all(folder / "."),
-                       (folder / ".: cannot be read: Is a directory").c_str(), InputError);
+                       (folder / ".: cannot be read: it is a folder").c_str(), InputError);
   CHECK_THROWS_WITH_AS(read_all(""), "'': cannot be read: No such file or directory", InputError);
   CHECK(input_name("-") == "standard input");
 
