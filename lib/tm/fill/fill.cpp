@@ -19,8 +19,6 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t most_edges_of_all = 200;
-
 using Loop = std::vector<Index>;  ///< border halfedges, each starting where the one before ends
 
 void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& options) {
@@ -175,8 +173,7 @@ void Filler::fill(const Loop& loop) {
         all.insert(all.end(), around_[v].begin(), around_[v].end());
       });
   const MeshPart part = part_of(mesh_, faces);
-  const auto place = std::lower_bound(faces.begin(), faces.end(), loop.front() / 3);
-  const auto border = static_cast<Index>(3 * (place - faces.begin()) + loop.front() % 3);
+  const Index border = halfedge_in_part(faces, loop.front());
 
   // Searching all triangles takes the cube of the edges in time.
   if (try_kinds(loop, part, border, Search::delaunay)) return;

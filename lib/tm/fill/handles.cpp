@@ -26,7 +26,7 @@ class Round {
   Round(Mesh& mesh, const HandleOptions& options)
       : mesh_(mesh),
         options_(options),
-        around_(mesh, checked_opposites(mesh)),
+        stars_(mesh, checked_opposites(mesh)),
         is_near_(mesh.positions.size(), 0) {}
 
   /// Counts what this round removes and refuses.
@@ -39,7 +39,7 @@ class Round {
 
   Mesh& mesh_;
   const HandleOptions& options_;
-  Surroundings around_;
+  HalfedgeStars stars_;
   std::vector<char> is_near_;  ///< per vertex: of a loop that was slit, or next to one
 };
 
@@ -52,14 +52,14 @@ bool Round::has_room(const ShortLoop& loop) const {
 void Round::take_room(const ShortLoop& loop) {
   for (const Index vertex : loop.vertices) {
     is_near_[vertex] = 1;
-    for (const Index h : around_.leaving(mesh_, vertex)) is_near_[halfedge_target(mesh_, h)] = 1;
+    stars_.visit(vertex, [&](Index h) { is_near_[halfedge_target(mesh_, h)] = 1; });
   }
 }
 
 // Whether both sides can be closed. If not the mesh stays as it is.
 bool Round::remove(const ShortLoop& loop) {
-  const SlitSides sides = sides_of(mesh_, loop.vertices, around_);
-  const auto patch = patch_of_slit(mesh_, loop.vertices, sides, around_);
+  const SlitSides sides = sides_of(mesh_, loop.vertices, stars_);
+  const auto patch = patch_of_slit(mesh_, loop.vertices, sides, stars_);
   if (!patch) return false;
   take_room(loop);
   const std::size_t faces = mesh_.faces.size();
@@ -71,8 +71,7 @@ bool Round::remove(const ShortLoop& loop) {
 HandleResult Round::run(const Progress& progress) {
   HandleResult result;
   IndependentWords removed;
-  for (const ShortLoop& loop :
-       short_loops(mesh_, around_.opposites(), options_.max_length, progress)) {
+  for (const ShortLoop& loop : short_loops(mesh_, stars_, options_.max_length, progress)) {
     progress("remove handles");
     if (!has_room(loop) || !removed.is_new(loop.word)) continue;
     if (!remove(loop)) {

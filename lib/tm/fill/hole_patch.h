@@ -6,6 +6,7 @@
 /// good to the last digit Search::delaunay takes for many edges the one that memory holds first.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,9 @@ enum class PatchKind { plain, refined, faired };
 /// Among which triangles: beyond 64 edges those of the Delaunay tetrahedra of the border, where
 /// they hold a patch; or always all.
 enum class Search { delaunay, all };
+
+/// Beyond it Search::all takes seconds.
+inline constexpr std::size_t most_edges_of_all = 200;
 
 struct HolePatch {
   std::vector<Vec3> points;  ///< new ones: the vertices behind those of the mesh

@@ -22,6 +22,11 @@ MeshPart part_of(const Mesh& mesh, const std::vector<Index>& faces) {
   return part;
 }
 
+Index halfedge_in_part(const std::vector<Index>& faces, Index halfedge) {
+  const auto place = std::lower_bound(faces.begin(), faces.end(), halfedge / 3);
+  return static_cast<Index>(3 * (place - faces.begin())) + halfedge % 3;
+}
+
 std::vector<Index> faces_around(const Mesh& mesh, std::vector<Index> vertices,
                                 const FacesOfVertex& append_faces) {
   std::vector<Index> faces;

@@ -17,6 +17,9 @@ struct MeshPart {
 /// Those faces, which ascend; vertices come in the order of the mesh. O(k log k).
 MeshPart part_of(const Mesh& mesh, const std::vector<Index>& faces);
 
+/// The halfedge of the part that is this one of the mesh; `faces` are those of the part.
+Index halfedge_in_part(const std::vector<Index>& faces, Index halfedge);
+
 /// Appends the faces around a vertex.
 using FacesOfVertex = std::function<void(Index vertex, std::vector<Index>& faces)>;
 

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "tm/mesh/length_of.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {
@@ -14,25 +15,12 @@ namespace {
 
 struct Surface {
   const Mesh& mesh;
-  const std::vector<Index>& opposites;
+  const HalfedgeStars& stars;
   const std::vector<HomologyWord>& words;
-  std::vector<Index> leaving;  ///< a halfedge from each vertex
 
   double length(Index halfedge) const {
-    const Vec3 edge = mesh.positions[halfedge_target(mesh, halfedge)] -
-                      mesh.positions[halfedge_source(mesh, halfedge)];
-    constexpr double small = 1e-150, large = 1e150;  // whose squares are numbers
-    const double norm = edge.norm();
-    return norm > small && norm < large ? norm : edge.stableNorm();
-  }
-
-  template <class Visit>
-  void visit_halfedges_from(Index vertex, const Visit& visit) const {
-    Index h = leaving[vertex];
-    do {
-      visit(h);
-      h = opposites[previous_halfedge(h)];
-    } while (h != leaving[vertex]);
+    return length_of(mesh.positions[halfedge_target(mesh, halfedge)] -
+                     mesh.positions[halfedge_source(mesh, halfedge)]);
   }
 };
 
@@ -79,7 +67,7 @@ Paths::Paths(const Surface& surface, Index base, double max_length)
 
 void Paths::leave(Index vertex) {
   const Reached here = reached_[vertex];
-  surface_.visit_halfedges_from(vertex, [&](Index h) {
+  surface_.stars.visit(vertex, [&](Index h) {
     const double distance = here.distance + surface_.length(h);
     const Index target = halfedge_target(surface_.mesh, h);
     const auto [place, is_new] = reached_.try_emplace(target);
@@ -123,13 +111,6 @@ std::optional<ShortLoop> Paths::shortest_loop() const {
   return loop;
 }
 
-Surface surface_of(const Mesh& mesh, const std::vector<Index>& opposites,
-                   const std::vector<HomologyWord>& words) {
-  Surface surface{mesh, opposites, words, std::vector<Index>(mesh.positions.size(), no_index)};
-  for (Index h = 0; h < opposites.size(); ++h) surface.leaving[halfedge_source(mesh, h)] = h;
-  return surface;
-}
-
 /// The vertices of edges with words.
 std::vector<Index> bases_of(const Surface& surface) {
   std::vector<Index> bases;
@@ -142,10 +123,10 @@ std::vector<Index> bases_of(const Surface& surface) {
 
 }  // namespace
 
-std::vector<ShortLoop> short_loops(const Mesh& mesh, const std::vector<Index>& opposites,
-                                   double max_length, const Progress& progress) {
-  const std::vector<HomologyWord> words = homology_words(mesh, opposites);
-  const Surface surface = surface_of(mesh, opposites, words);
+std::vector<ShortLoop> short_loops(const Mesh& mesh, const HalfedgeStars& stars, double max_length,
+                                   const Progress& progress) {
+  const std::vector<HomologyWord> words = homology_words(mesh, stars.opposites());
+  const Surface surface{mesh, stars, words};
   const std::vector<Index> bases = bases_of(surface);
   std::vector<std::optional<ShortLoop>> found(bases.size());
   constexpr std::size_t at_once = 256;

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "tm/fill/halfedge_stars.h"
 #include "tm/fill/homology.h"
 #include "tm/support/progress.h"
 
@@ -22,8 +23,8 @@ struct ShortLoop {
 };
 
 /// At most one for each such vertex, of at most that length; the shortest ones come first, of equal
-/// ones that of the lower vertices. Pre: as homology_words().
-std::vector<ShortLoop> short_loops(const Mesh& mesh, const std::vector<Index>& opposites,
-                                   double max_length, const Progress& progress = Progress());
+/// ones that of the lower vertices.
+std::vector<ShortLoop> short_loops(const Mesh& mesh, const HalfedgeStars& stars, double max_length,
+                                   const Progress& progress = Progress());
 
 }  // namespace transformesh

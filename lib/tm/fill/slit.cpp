@@ -29,30 +29,12 @@ void add_vertex(const Mesh& mesh, const std::vector<Index>& loop, std::vector<In
 
 }  // namespace
 
-Surroundings::Surroundings(const Mesh& mesh, std::vector<Index> opposites)
-    : opposites_(std::move(opposites)), leaving_(mesh.positions.size(), no_index) {
-  for (Index h = 0; h < opposites_.size(); ++h) leaving_[halfedge_source(mesh, h)] = h;
-}
-
-std::vector<Index> Surroundings::leaving(const Mesh& mesh, Index vertex, Index first) const {
-  std::vector<Index> halfedges;
-  Index h = leaving_[vertex];
-  do {
-    halfedges.push_back(h);
-    h = opposites_[previous_halfedge(h)];
-  } while (h != leaving_[vertex]);
-  const auto start = std::find_if(halfedges.begin(), halfedges.end(),
-                                  [&](Index l) { return halfedge_target(mesh, l) == first; });
-  if (start != halfedges.end()) std::rotate(halfedges.begin(), start, halfedges.end());
-  return halfedges;
-}
-
-SlitSides sides_of(const Mesh& mesh, const std::vector<Index>& loop, const Surroundings& around) {
+SlitSides sides_of(const Mesh& mesh, const std::vector<Index>& loop, const HalfedgeStars& stars) {
   SlitSides sides;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Index next = loop[(i + 1) % loop.size()];
     const Index previous = loop[(i + loop.size() - 1) % loop.size()];
-    const std::vector<Index> all = around.leaving(mesh, loop[i], next);
+    const std::vector<Index> all = stars.from(mesh, loop[i], next);
     const auto middle = std::find_if(all.begin(), all.end(),
                                      [&](Index h) { return halfedge_target(mesh, h) == previous; });
     add_vertex(mesh, loop, {all.begin(), middle}, sides.left);

@@ -6,23 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "tm/fill/halfedge_stars.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {
-
-/// How to turn around the vertices of a closed oriented manifold.
-class Surroundings {
- public:
-  Surroundings(const Mesh& mesh, std::vector<Index> opposites);
-
-  const std::vector<Index>& opposites() const { return opposites_; }
-  /// The halfedges from a vertex, counter-clockwise, beginning with that to `first`, or with any.
-  std::vector<Index> leaving(const Mesh& mesh, Index vertex, Index first = no_index) const;
-
- private:
-  std::vector<Index> opposites_;  ///< of each halfedge
-  std::vector<Index> leaving_;    ///< a halfedge from each vertex
-};
 
 /// What lies on one side of the loop, per vertex of it.
 struct SlitSide {
@@ -37,9 +24,9 @@ struct SlitSides {
   SlitSide left, right;
 };
 
-/// Pre: `loop` is a simple loop of edges, and since the surroundings were taken the faces at its
+/// Pre: `loop` is a simple loop of edges, and since the stars were taken the faces at its
 /// vertices are the same.
-SlitSides sides_of(const Mesh& mesh, const std::vector<Index>& loop, const Surroundings& around);
+SlitSides sides_of(const Mesh& mesh, const std::vector<Index>& loop, const HalfedgeStars& stars);
 
 /// Gives new vertices to the faces on the right: behind the others in the order of the loop, at the
 /// same places and with the same columns.

@@ -8,9 +8,6 @@
 namespace transformesh {
 namespace {
 
-/// Beyond it a search among all triangles takes too long.
-constexpr std::size_t most_edges_of_all = 200;
-
 std::vector<Index> sorted_faces(const SlitSide& side) {
   std::vector<Index> faces;
   for (const std::vector<Index>& corners : side.corners)
@@ -21,9 +18,9 @@ std::vector<Index> sorted_faces(const SlitSide& side) {
 
 /// Within two rings of the loop, without what lies on the right of it.
 std::vector<Index> faces_on_left(const Mesh& mesh, const std::vector<Index>& loop,
-                                 const SlitSides& sides, const Surroundings& around) {
+                                 const SlitSides& sides, const HalfedgeStars& stars) {
   std::vector<Index> faces = faces_around(mesh, loop, [&](Index v, std::vector<Index>& all) {
-    for (const Index h : around.leaving(mesh, v)) all.push_back(h / 3);
+    stars.visit(v, [&](Index h) { all.push_back(h / 3); });
   });
   const std::vector<Index> right = sorted_faces(sides.right);
   std::erase_if(faces, [&](Index f) { return std::binary_search(right.begin(), right.end(), f); });
@@ -82,12 +79,10 @@ void draw(Mesh& mesh, const PatchVertices& vertices, const SlitSide& side, Scala
 }  // namespace
 
 std::optional<HolePatch> patch_of_slit(const Mesh& mesh, const std::vector<Index>& loop,
-                                       const SlitSides& sides, const Surroundings& around) {
-  const std::vector<Index> faces = faces_on_left(mesh, loop, sides, around);
+                                       const SlitSides& sides, const HalfedgeStars& stars) {
+  const std::vector<Index> faces = faces_on_left(mesh, loop, sides, stars);
   const MeshPart part = part_of(mesh, faces);
-  const Index first = sides.left.corners.front().front();
-  const auto place = std::lower_bound(faces.begin(), faces.end(), first / 3);
-  const auto border = static_cast<Index>(3 * (place - faces.begin()) + first % 3);
+  const Index border = halfedge_in_part(faces, sides.left.corners.front().front());
   for (const Search search : {Search::delaunay, Search::all}) {
     if (search == Search::all && loop.size() > most_edges_of_all) break;
     for (const PatchKind kind : {PatchKind::refined, PatchKind::plain}) {

@@ -15,7 +15,7 @@ namespace transformesh {
 /// the vertices behind those of the mesh. Nothing where none is found, or where each has an edge
 /// that a side has already.
 std::optional<HolePatch> patch_of_slit(const Mesh& mesh, const std::vector<Index>& loop,
-                                       const SlitSides& sides, const Surroundings& around);
+                                       const SlitSides& sides, const HalfedgeStars& stars);
 
 /// Slits the mesh and closes it. New vertices have columns as fill.h says; those of faces are the
 /// caller's.

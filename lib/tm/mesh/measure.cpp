@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tm/mesh/edges.h"
+#include "tm/mesh/length_of.h"
 #include "tm/mesh/triangle.h"
 #include "tm/support/elementary/arctangent.h"
 #include "tm/support/parallel.h"
@@ -39,12 +40,6 @@ Mesh scaled_down(const Mesh& mesh, int exponent) {
     scaled.positions.emplace_back(
         point.unaryExpr([&](double x) { return std::ldexp(x, -exponent); }));
   return scaled;
-}
-
-/// Also where squares overflow or vanish.
-double length_of(const Vec3& vector) {
-  const double length = vector.norm();
-  return length > small && length < large ? length : vector.stableNorm();
 }
 
 /// The angle between two vectors in [0, pi]; accurate for small and for flat ones.

@@ -19,7 +19,7 @@ namespace {
 constexpr double any_length = 1e9;
 
 std::vector<ShortLoop> loops_of(const Mesh& mesh, double max_length = any_length) {
-  return short_loops(mesh, opposite_halfedges(mesh), max_length);
+  return short_loops(mesh, HalfedgeStars(mesh, opposite_halfedges(mesh)), max_length);
 }
 
 /// Whether faces hang together in as many parts as before when the loop's edges are cut.

@@ -2,22 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/moving_pass.h"
+
 using namespace transformesh;
 
 namespace {
 
-/// A surface that moves, agrees better and better, and loses nothing.
-Pass moving(double dissimilarity) {
-  Pass pass;
-  pass.level.scale = 4;
-  pass.mesh.vertices = 1000;
-  pass.mesh.topology = {1, 0};
-  pass.steps.last.mean_share = 0.1;
-  pass.steps.last.dissimilarity = dissimilarity;
-  pass.steps.last.coverage = pass.steps.first.coverage = 0.8;
-  pass.steps.last.pixels = pass.steps.first.pixels = 900;
-  return pass;
-}
+using test::moving;
 
 Pass with_topology(Pass pass, Topology topology) {
   pass.mesh.topology = topology;

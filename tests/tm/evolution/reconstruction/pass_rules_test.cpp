@@ -2,24 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/moving_pass.h"
+
 using namespace transformesh;
 
-namespace {
-
-/// A surface that moves, agrees better and better, and loses nothing.
-Pass moving(double dissimilarity) {
-  Pass pass;
-  pass.level.scale = 4;
-  pass.mesh.vertices = 1000;
-  pass.mesh.topology = {1, 0};
-  pass.steps.last.mean_share = 0.1;
-  pass.steps.last.dissimilarity = dissimilarity;
-  pass.steps.last.coverage = pass.steps.first.coverage = 0.8;
-  pass.steps.last.pixels = pass.steps.first.pixels = 900;
-  return pass;
-}
-
-}  // namespace
+using test::moving;
 
 TEST_CASE("views are wide where even the nearest ones are more than 40 degrees apart on average") {
   const std::vector<ViewPair> eight{{0, 1, 45}, {0, 2, 50}, {1, 0, 45}, {2, 0, 50}, {2, 1, 39}};
