@@ -62,9 +62,8 @@ void declare_steps(Program& program, ReconstructChoices& choices) {
   program.number("max-angle", &choices.options.pairs.maximum_angle_deg, 5, 180,
                  "largest angle in degrees between views that are compared");
   program.text(
-      "window", &choices.window, "auto|N|N,N",
-      "radius of compared windows, 1 to 5 pixels, or two: at scale 2 and above, and below; "
-      "auto: 3, but 5,3 from open hollows");
+      "window", &choices.window, "N|N,N",
+      "radius of compared windows, 1 to 5 pixels, or two: at scale 2 and above, and below");
   program.number("robust", &choices.options.robust, 0, 1e300,
                  "at last, windows that disagree this many times as much as the mean pull by a "
                  "quarter, 0: all alike");
@@ -98,17 +97,15 @@ std::optional<int> iterations_of(const std::string& text) {
   throw UsageError("--iterations: '" + text + "' is neither auto nor a whole number of at least 1");
 }
 
-std::optional<WindowRadii> windows_of(const std::string& text) {
-  if (text == "auto") return std::nullopt;
+WindowRadii windows_of(const std::string& text) {
   const auto radius_of = [&](const std::string& part) {
     const auto radius = number_in<int>(part);
     if (radius && *radius >= 1 && *radius <= 5) return *radius;
-    throw UsageError("--window: '" + text + "' is neither auto nor one or two numbers from 1 to 5");
+    throw UsageError("--window: '" + text + "' is not one or two numbers from 1 to 5");
   };
   const std::size_t comma = text.find(',');
   const int coarse = radius_of(text.substr(0, comma));
-  return WindowRadii{coarse,
-                     comma == std::string::npos ? coarse : radius_of(text.substr(comma + 1))};
+  return {coarse, comma == std::string::npos ? coarse : radius_of(text.substr(comma + 1))};
 }
 
 // What is read again by a run that continues cannot be a pipe.

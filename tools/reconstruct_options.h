@@ -29,7 +29,7 @@ struct ReconstructChoices {
   std::string coarsest = "auto";
   std::string last_edge;
   std::string iterations = "auto";
-  std::string window = "auto";
+  std::string window = "3";
   std::string pull = "auto";
   ViewCheckChoices check;
   bool is_colored = false;

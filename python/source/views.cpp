@@ -118,19 +118,15 @@ py::dict report_of(const ReconstructionResult& result) {
   return report;
 }
 
-using Window = std::variant<std::string, int, std::pair<int, int>>;
+using Window = std::variant<int, std::pair<int, int>>;
 
-std::optional<WindowRadii> radii_of(const Window& window) {
-  const auto refuse = [] { throw UsageError("window: auto, or one or two numbers from 1 to 5"); };
-  if (const auto* text = std::get_if<std::string>(&window)) {
-    if (*text != "auto") refuse();
-    return std::nullopt;
-  }
+WindowRadii radii_of(const Window& window) {
   const auto* one = std::get_if<int>(&window);
   const auto [coarse, fine] =
       one != nullptr ? std::pair(*one, *one) : std::get<std::pair<int, int>>(window);
-  if (std::min(coarse, fine) < 1 || std::max(coarse, fine) > 5) refuse();
-  return WindowRadii{coarse, fine};
+  if (std::min(coarse, fine) < 1 || std::max(coarse, fine) > 5)
+    throw UsageError("window: one or two numbers from 1 to 5");
+  return {coarse, fine};
 }
 
 StartOptions start_of(double keep, const std::string& clip, const std::string& hollows,
@@ -203,7 +199,7 @@ void bind_views(py::module_& module) {
       arg("edge") = ScaleOptions().edge, arg("last_edge") = none, arg("coarsest") = none,
       arg("passes") = ReconstructionOptions().passes, arg("iterations") = none,
       arg("robust") = ReconstructionOptions().robust, arg("keep") = "largest",
-      arg("hollows") = "auto", arg("window") = "auto",
+      arg("hollows") = "auto", arg("window") = 3,
       arg("max_angle") = PairOptions().maximum_angle_deg,
       arg("crumbs") = ReconstructionOptions().crumbs,
       arg("handles") = ReconstructionOptions().handles,

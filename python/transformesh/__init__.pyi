@@ -272,7 +272,7 @@ def reconstruct(
     robust: float = 1.0,
     keep: Union[float, Literal["largest", "all"]] = "largest",
     hollows: Literal["auto", "closed"] = "auto",
-    window: Union[Literal["auto"], int, Tuple[int, int]] = "auto",
+    window: Union[int, Tuple[int, int]] = 3,
     max_angle: float = 50.0,
     crumbs: float = 0.001,
     handles: float = 5.0,

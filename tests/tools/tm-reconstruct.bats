@@ -201,7 +201,7 @@ take_pocket() {
   below "$(far open.ply)" "$(awk "BEGIN { print 0.6 * $(far closed.ply) }")"
   [ "$(value components open.json) $(value genus open.json)" = "1 0" ]
   tm-intersect --check open.ply
-  "${pocket[@]}" --window 5,3 --threads 1 -o two.ply
+  "${pocket[@]}" --threads 1 -o two.ply
   cmp two.ply open.ply
 
   env --default-signal=INT "${pocket[@]}" -o out.ply --csv log.csv 2>messages 3>&- &

@@ -5,7 +5,6 @@
 
 #include "tm/evolution/loop/stopwatch.h"
 #include "tm/evolution/reconstruction/beginning.h"
-#include "tm/evolution/reconstruction/carve.h"
 #include "tm/fill/handles.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/components.h"
@@ -19,8 +18,8 @@ namespace {
 /// How much stiffer a surface becomes that exploded, at a time and in all.
 constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
-/// How far inwards doubtful parts of a hull that was opened are drawn, once.
-constexpr double carved_edges = 3.5;
+/// Of the views that are compared above scale 1.
+constexpr double near_spread = 1.5;
 /// Below it too much would be done once more. A little below 2, which scales are not exactly.
 constexpr double stiffer_scale = 1.99;
 
@@ -50,6 +49,9 @@ class Photographs {
   int width_;
   bool spends_views_;
   PairOptions pairs_;
+  /// Above scale 1, where the surface may be far off: from wide apart one would compare places that
+  /// the true one hides.
+  PairOptions near_pairs_;
   PhotoStepsOptions steps_;
   std::optional<double> pull_;
   bool are_outlines_;  ///< of the hull
@@ -64,10 +66,12 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       width_(width),
       spends_views_(options.spends_views),
       pairs_(options.pairs),
+      near_pairs_(options.pairs),
       steps_(options.steps),
       pull_(options.pull),
       are_outlines_(beginning.outlined.has_value()),
-      windows_(options.windows.value_or(WindowRadii{beginning.coarsest ? 5 : 3, 3})) {
+      windows_(options.windows) {
+  near_pairs_.spread = near_spread;
   steps_.iterations = options.iterations.value_or(beginning.coarsest ? 8 : 5);
   steps_.momentum = options.momentum;
   steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.start.meaning;
@@ -78,7 +82,8 @@ const PhotoScene& Photographs::at(double scale) {
   scene_ = PhotoScene();
   // After scale 1 there is no other one.
   const bool is_last = spends_views_ && scale == 1;
-  scene_ = is_last ? take_photo_scene(views_, scale, pairs_) : photo_scene(views_, scale, pairs_);
+  const PairOptions& pairs = scale > 1 ? near_pairs_ : pairs_;
+  scene_ = is_last ? take_photo_scene(views_, scale, pairs) : photo_scene(views_, scale, pairs);
   scale_ = scale;
   return scene_;
 }
@@ -136,19 +141,12 @@ ScaleOptions scales_of(const ReconstructionOptions& options, const Beginning& be
   return scales;
 }
 
-/// Whether edges become so short after this level that what is wrong stays where it is.
-bool is_last_coarse(const std::vector<Level>& levels, std::size_t level) {
-  return level > 0 && level + 1 < levels.size() && !is_late_scale(levels[level].scale) &&
-         is_late_scale(levels[level + 1].scale);
-}
-
 class ReconstructionLoop : public Loop {
  public:
   ReconstructionLoop(Photographs& photographs, const Beginning& beginning,
                      const ReconstructionOptions& options)
       : photographs_(photographs),
         start_(beginning.start),
-        opens_hollows_(beginning.coarsest.has_value()),
         options_(options),
         levels_(coarse_to_fine(scales_of(options, beginning), photographs.width(),
                                photographs.pixel())),
@@ -171,7 +169,6 @@ class ReconstructionLoop : public Loop {
   bool begins_stiffer(Document& document, const Progress& progress);
   bool drops_handles(Document& document, const Progress& progress);
   void drop_crumbs(Document& document);
-  void carve_doubtful(Document& document, const Progress& progress);
   void begin_finer(Document& document, const Progress& progress);
   bool takes_pass(Document& document, const Progress& progress);
   void take_pass(Document& document, const Progress& progress);
@@ -183,7 +180,6 @@ class ReconstructionLoop : public Loop {
 
   Photographs& photographs_;
   const Document& start_;
-  bool opens_hollows_;
   const ReconstructionOptions& options_;
   std::vector<Level> levels_;
 
@@ -323,28 +319,6 @@ void ReconstructionLoop::begin_next_level(Document& document, const Progress& pr
   rule_.begin();
   if (was_first && is_torn(pixels_compared(start_, progress), pixels_compared(document, progress)))
     begin_finer(document, progress);
-  else if (opens_hollows_ && is_last_coarse(levels_, level_))
-    carve_doubtful(document, progress);
-}
-
-// What nothing is left of stays as it was.
-void ReconstructionLoop::carve_doubtful(Document& document, const Progress& progress) {
-  const double depth = carved_edges * pass_.level.edge;
-  const SurfaceDoubt doubt = photographs_.doubt(document.mesh, pass_.level.scale, progress);
-  Document carved = document;
-  const double share = carve(carved.mesh, doubt.of_vertex, depth);
-  if (share == 0) return;
-  round_as_written(carved);
-  try {
-    clean_in_place(carved, progress);
-  } catch (const GoalError&) {
-    return;
-  }
-  drop_crumbs(carved);
-  document = std::move(carved);
-  if (options_.on_detail)
-    options_.on_detail("photographs speak against " + fixed(100 * share, 1) +
-                       " % of the surface, which is drawn inwards");
 }
 
 void ReconstructionLoop::finish(Document& document, const Progress& progress) {

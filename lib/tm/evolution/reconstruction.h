@@ -1,7 +1,7 @@
 /// From calibrated photographs to a closed surface without self-intersection (paper 5.3): from the
-/// visual hull, opened where photographs see into it (and carved once, carve.h), or a mesh given,
-/// towards agreement of the photographs, from coarse to fine. A pass is remesh(), photo_steps(),
-/// clean(). Its topology is what the photographs show: what the hull joins comes apart.
+/// visual hull, opened where photographs see into it, or a mesh given, towards agreement of the
+/// photographs, from coarse to fine. A pass is remesh(), photo_steps(), clean(). Its topology is
+/// what the photographs show: what the hull joins comes apart.
 ///
 /// A coarse scale sees large errors, but its edges are long: where the first one fails or tears
 /// thin parts off, and was not asked for, the loop begins anew with the next finer one. Where the
@@ -34,9 +34,9 @@ struct ReconstructionOptions {
   StartOptions start;
   ScaleOptions scales;
   PairOptions pairs;
-  /// Nothing: 3, but 5 and then 3 from a hull that was opened.
-  std::optional<WindowRadii> windows = std::nullopt;
-  std::optional<int> iterations = std::nullopt;  ///< of a pass. Nothing: 5, but 8 from such a hull
+  WindowRadii windows;
+  std::optional<int> iterations =
+      std::nullopt;        ///< of a pass. Nothing: 5, but 8 from an opened hull
   std::size_t passes = 4;  ///< at a scale, at most; twice while the topology changes
   /// Of masks; outlines of the hull, which are as if only the least was shown, pull by a fifth of
   /// it. Nothing: 0.5, or 1.5 where photographs say little as they are far apart (is_wide).

@@ -11,8 +11,6 @@ namespace {
 constexpr const char* start_name = "start.ply";
 constexpr const char* hull_name = "hull.ply";
 constexpr const char* coarsest_name = "coarsest";
-/// Of the scale at which depths were found, so that edges do not close the hollows.
-constexpr double coarsest_by_scale = 1.5;
 
 void open_hollows(Beginning& begun, const std::vector<View>& views, const BeginningOptions& options,
                   const Progress& progress) {
@@ -22,7 +20,7 @@ void open_hollows(Beginning& begun, const std::vector<View>& views, const Beginn
   std::optional<OpenedHull> opened = opened_hull(views, opening, progress);
   if (!opened) return;
   begun.start.mesh = std::move(opened->mesh);
-  begun.coarsest = read_back(fixed(coarsest_by_scale * opened->scale, 4));
+  begun.coarsest = read_back(fixed(opened->scale, 4));
 }
 
 }  // namespace

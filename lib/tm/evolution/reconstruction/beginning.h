@@ -13,7 +13,8 @@ namespace transformesh {
 struct Beginning {
   Document start;
   std::optional<Mesh> outlined;  ///< the hull whose outlines take the place of masks
-  /// Of a hull that was opened: how much smaller photographs may be without losing its hollows.
+  /// Of a hull that was opened: the scale of the photographs that did. Longer edges than those of
+  /// that scale would close hollows.
   std::optional<double> coarsest;
 };
 

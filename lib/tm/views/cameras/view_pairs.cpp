@@ -10,6 +10,8 @@ namespace transformesh {
 namespace {
 
 constexpr double best_angle_deg = 15;
+/// Neighbors within it are near, whatever the best one's angle is.
+constexpr double near_deg = 30;
 
 double badness(const ViewPair& pair) {
   const double difference = pair.angle_deg - best_angle_deg;
@@ -19,6 +21,12 @@ double badness(const ViewPair& pair) {
 double angle_deg(const Vec3& first, const Vec3& second) {
   const double angle = elementary::atan2(first.cross(second).norm(), first.dot(second));
   return angle * 180 / std::numbers::pi;
+}
+
+void drop_distant(std::vector<ViewPair>& pairs, double spread) {
+  if (pairs.empty()) return;
+  const double widest_deg = std::max(near_deg, spread * pairs.front().angle_deg);
+  std::erase_if(pairs, [&](const ViewPair& pair) { return pair.angle_deg > widest_deg; });
 }
 
 }  // namespace
@@ -41,6 +49,7 @@ std::vector<ViewPair> choose_pairs(std::span<const PinholeCamera> cameras, const
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const ViewPair& a, const ViewPair& b) { return badness(a) < badness(b); });
     candidates.resize(std::min(candidates.size(), options.neighbors));
+    drop_distant(candidates, options.spread);
     pairs.insert(pairs.end(), candidates.begin(), candidates.end());
   }
   return pairs;

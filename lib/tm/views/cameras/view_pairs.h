@@ -3,6 +3,7 @@
 /// "Multi-View Stereo for Community Photo Collections", ICCV 2007.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct PairOptions {
   std::size_t neighbors = 4;      ///< at most so many for each view
   double minimum_angle_deg = 4;   ///< below it depth is uncertain
   double maximum_angle_deg = 50;  ///< above it surfaces look too different
+  /// >= 1: of a view's neighbors, those go that are above 30 degrees and above so many times the
+  /// angle of the best one.
+  double spread = std::numeric_limits<double>::infinity();
 };
 
 /// An ordered pair: view `first` is compared with what view `second` sees of its surface.

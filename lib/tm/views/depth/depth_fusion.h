@@ -18,7 +18,7 @@ namespace transformesh {
 
 struct DepthFusionOptions {
   double truncation = 3;  ///< cells, > 0: distances are cut off at it
-  double prior = 1;       ///< > 0: views whose word what no view sees is worth, as being solid
+  double prior = 0.5;     ///< > 0: views whose word what no view sees is worth, as being solid
   int blur = 1;           ///< cells, >= 0: radius of the neighborhood that votes
 };
 

@@ -1,9 +1,11 @@
 #include "tm/views/depth/opened_hull.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "tm/support/parallel.h"
 #include "tm/views/cameras/pinhole_camera.h"
+#include "tm/views/hull/silhouette.h"
 
 namespace transformesh {
 namespace {
@@ -60,6 +62,13 @@ Opening open_at(double size_px, std::span<const View> views, const OpenedHullOpt
   return opening;
 }
 
+/// Over the views, of the silhouettes with the mesh.
+double mean_agreement(const Mesh& mesh, std::span<const View> views) {
+  const std::vector<double> agreements = silhouette_agreements(mesh, views);
+  return std::accumulate(agreements.begin(), agreements.end(), 0.0) /
+         static_cast<double>(agreements.size());
+}
+
 }  // namespace
 
 std::optional<OpenedHull> opened_hull(std::span<const View> views, const OpenedHullOptions& options,
@@ -70,6 +79,9 @@ std::optional<OpenedHull> opened_hull(std::span<const View> views, const OpenedH
   OpenedHull result{march_tetrahedra(opening.opened), opening.scale};
   drop_components(result.mesh, options.keep);
   if (result.mesh.faces.empty()) return std::nullopt;
+  const double before = mean_agreement(march_tetrahedra(opening.hull), views);
+  if (mean_agreement(result.mesh, views) < before - options.most_agreement_lost)
+    return std::nullopt;
   return result;
 }
 

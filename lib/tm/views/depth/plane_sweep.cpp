@@ -15,8 +15,6 @@ namespace transformesh {
 namespace {
 
 constexpr int most_planes = 400;
-/// Planes to either side of the best one that belong to its peak, and so do those down its slopes.
-constexpr int peak_reach = 2;
 
 /// What a view sees of the nodes inside the hull.
 struct Extent {
@@ -79,8 +77,10 @@ class Sweep {
     DepthMap map{GrayImage(view_.image.width, view_.image.height), 0};
     if (neighbors_.empty() || !find_planes()) return map;
     map.plane_gap = gap_;
-    scores_.assign(size() * static_cast<std::size_t>(planes_), 0.0F);
+    costs_ = {columns_, rows_, planes_};
+    costs_.values.assign(size() * static_cast<std::size_t>(planes_), 1.0F);
     for (int plane = 0; plane < planes_; ++plane) score(plane);
+    sums_ = semiglobal_costs(costs_, options_.semiglobal);
     for (int y = 0; y < rows_; ++y)
       for (int x = 0; x < columns_; ++x) map.depth.at(left_ + x, top_ + y) = best_depth(x, y);
     return map;
@@ -110,7 +110,8 @@ class Sweep {
   int planes_ = 0;
   double nearest_ = 0, gap_ = 0;         ///< inverse depth of the first plane, and between planes
   std::vector<std::uint8_t> is_inside_;  ///< the hull, on the plane in question
-  std::vector<float> scores_;            ///< by plane, then by pixel; 0 where not compared
+  MatchingCosts costs_;                  ///< of the rectangle
+  MatchingCosts sums_;                   ///< along paths
 };
 
 // As many planes as the neighbor needs in which the middle of the rectangle moves most.
@@ -215,34 +216,33 @@ void Sweep::compare(const Neighbor& neighbor, double depth, float* best, float* 
 void Sweep::score(int plane) {
   const double depth = depth_of(plane);
   if (!mark_inside(depth)) return;
+  std::vector<float> best(size(), 0.0F);
   std::vector<float> second(size(), 0.0F);
-  float* const best = scores_.data() + size() * static_cast<std::size_t>(plane);
-  for (const Neighbor& neighbor : neighbors_) compare(neighbor, depth, best, second.data());
-  if (neighbors_.size() < 2) return;
-  for (std::size_t i = 0; i < size(); ++i) best[i] = (best[i] + second[i]) / 2;
+  for (const Neighbor& neighbor : neighbors_) compare(neighbor, depth, best.data(), second.data());
+  const std::vector<float>& others = neighbors_.size() < 2 ? best : second;
+  for (int y = first_row_; y < end_row_; ++y) {
+    for (int x = first_column_; x < end_column_; ++x) {
+      const std::size_t i = index(x, y);
+      costs_.at(x, y)[static_cast<std::size_t>(plane)] = 1 - (best[i] + others[i]) / 2;
+    }
+  }
 }
 
+// Of the planes on which the pixel was compared.
 float Sweep::best_depth(int x, int y) const {
-  const auto at = [&](int plane) {
-    return scores_[size() * static_cast<std::size_t>(plane) + index(x, y)];
-  };
-  int best = 0;
-  for (int plane = 1; plane < planes_; ++plane)
-    if (at(plane) > at(best)) best = plane;
-  const float peak = at(best);
-  if (!(peak >= options_.least_correlation)) return 0;
-  int low = std::max(best - peak_reach, 0);
-  int high = std::min(best + peak_reach, planes_ - 1);
-  while (low > 0 && at(low - 1) <= at(low)) --low;
-  while (high + 1 < planes_ && at(high + 1) <= at(high)) ++high;
-  for (int plane = 0; plane < planes_; ++plane)
-    if ((plane < low || plane > high) && at(plane) > peak - options_.least_lead) return 0;
-  if (best == 0 || best == planes_ - 1) return static_cast<float>(depth_of(best));
-  const float before = at(best - 1);
-  const float after = at(best + 1);
-  const float bend = before - 2 * peak + after;
-  const float offset = bend < 0 ? (before - after) / (2 * bend) : 0;
-  return static_cast<float>(depth_of(best + std::clamp(offset, -0.5F, 0.5F)));
+  const std::span<const float> costs = costs_.at(x, y);
+  const std::span<const float> sums = sums_.at(x, y);
+  std::size_t best = costs.size();
+  for (std::size_t plane = 0; plane < costs.size(); ++plane)
+    if (costs[plane] < 1 && (best == costs.size() || sums[plane] < sums[best])) best = plane;
+  if (best == costs.size() || 1 - costs[best] < options_.least_correlation) return 0;
+  const auto at = static_cast<double>(best);
+  if (best == 0 || best + 1 == costs.size()) return static_cast<float>(depth_of(at));
+  const float before = sums[best - 1];
+  const float after = sums[best + 1];
+  const float bend = before - 2 * sums[best] + after;
+  const float offset = bend > 0 ? (before - after) / (2 * bend) : 0;
+  return static_cast<float>(depth_of(at + std::clamp(offset, -0.5F, 0.5F)));
 }
 
 }  // namespace

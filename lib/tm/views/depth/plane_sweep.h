@@ -4,14 +4,16 @@
 /// Planes across the viewing axis, evenly spaced by inverse depth, cut the visual hull. On each of
 /// them the photograph is compared with its neighbors in windows (correlation.h), of which only
 /// what is in the hull counts; of the neighbors the two that agree best, as others may not see the
-/// place. The depth of a pixel is where they agree best, between planes by a parabola. It is kept
-/// where they agree well there and clearly less at any other depth (the peak's lead: Hu & Mordohai,
-/// "A quantitative evaluation of confidence measures for stereo vision", PAMI 34(11), 2012).
+/// place. The cost of a plane is 1 less their mean correlation; costs are added up along paths
+/// (semiglobal.h), and the depth of a pixel is where the sum is least, between planes by a
+/// parabola. Where they do not agree there it is not known; else it may still be wrong: see
+/// depth_maps.h.
 #pragma once
 
 #include <span>
 
 #include "tm/views/cameras/view.h"
+#include "tm/views/depth/semiglobal.h"
 #include "tm/views/hull/marching_tetrahedra.h"
 #include "tm/views/photo/correlation.h"
 
@@ -19,9 +21,9 @@ namespace transformesh {
 
 struct PlaneSweepOptions {
   CorrelationOptions correlation = {.noise_variance = 4, .contrast = 0};
-  double step = 2;                 ///< pixels from plane to plane, where that is most; > 0
-  double least_correlation = 0.5;  ///< [0, 1], mean of two neighbors
-  double least_lead = 0.02;        ///< >= 0: how much less it is at all other depths
+  double step = 2;  ///< pixels from plane to plane, where that is most; > 0
+  SemiglobalOptions semiglobal;
+  double least_correlation = 0.3;  ///< [0, 1], mean of two neighbors at the depth found
 };
 
 struct DepthMap {
@@ -30,7 +32,7 @@ struct DepthMap {
 };
 
 /// `hull` is negative inside. Without neighbors nothing is known. O(pixels * planes * neighbors);
-/// 4 bytes for each plane of each pixel of the hull's rectangle. Deterministic.
+/// 8 bytes for each plane of each pixel of the hull's rectangle. Deterministic.
 DepthMap sweep_planes(const View& view, std::span<const View* const> neighbors,
                       const ValueGrid& hull, const PlaneSweepOptions& options = {});
 

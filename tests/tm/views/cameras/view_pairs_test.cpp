@@ -71,6 +71,14 @@ TEST_CASE("angles outside the limits make no pair") {
         std::vector<long>{-3, -2, 2, 3});
 }
 
+TEST_CASE("neighbors much farther than the best one may be left out, but not near ones") {
+  CHECK(steps_in_ring(24) == std::vector<long>{-2, -1, 1, 2});
+  CHECK(steps_in_ring(24, {.spread = 1.5}) == std::vector<long>{-1, 1});
+  CHECK(steps_in_ring(24, {.spread = 2.1}) == std::vector<long>{-2, -1, 1, 2});
+  CHECK(steps_in_ring(14, {.spread = 1}) == std::vector<long>{-2, -1, 1, 2});
+  CHECK(steps_in_ring(45, {.spread = 1.1}) == std::vector<long>{-1, 1});
+}
+
 TEST_CASE("angles are those at the center, whatever the distances") {
   const Vec3 middle(1, 2, 3);
   const double angle = 0.3;
