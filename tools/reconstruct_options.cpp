@@ -1,6 +1,7 @@
 #include "reconstruct_options.h"
 
 #include "tm/support/error.h"
+#include "tm/views/hull/keep_in_box.h"
 
 namespace transformesh::tool {
 namespace {
@@ -21,6 +22,8 @@ void declare_places(Program& program, ReconstructChoices& choices) {
 }
 
 void declare_start(Program& program, ReconstructChoices& choices) {
+  program.numbers("box", &choices.box, "X,Y,Z,X,Y,Z",
+                  "where the object is: two corners; what photographs show beside it is forgotten");
   program.text("keep", &choices.keep, "largest|all|SHARE",
                "components of the hull: of at least this share of the largest one's volume");
   program.text("start", &choices.options.start.name, "FILE",
@@ -211,6 +214,8 @@ std::vector<View> checked_views(const ViewSources& sources, const ReconstructCho
   ViewSources telling = sources;
   telling.on_note = [&run](const std::string& text) { run.note(text); };
   std::vector<View> views = views_from(telling);
+  const std::vector<double>& box = choices.box;
+  if (!box.empty()) keep_in_box(views, {{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
   if (choices.silhouettes_show == "exact") check_views(views, choices.check, run);
   return views;
 }

@@ -29,6 +29,7 @@ struct ReconstructChoices {
   std::string coarsest = "auto";
   std::string last_edge;
   std::string iterations = "auto";
+  std::vector<double> box;
   std::string window = "3";
   std::string pull = "auto";
   ViewCheckChoices check;

@@ -13,6 +13,7 @@
 #include "tm/support/error.h"
 #include "tm/views/cameras/view_files.h"
 #include "tm/views/hull/hull.h"
+#include "tm/views/hull/keep_in_box.h"
 #include "tm/views/hull/view_check.h"
 
 namespace transformesh::python {
@@ -33,12 +34,13 @@ struct CheckedViews {
 /// Reads the views and looks whether they agree, where there is a check; what programs say of that
 /// on stderr are warnings.
 CheckedViews checked_views(ViewSources sources, const std::optional<ViewCheckOptions>& options,
-                           const py::object& progress) {
+                           const py::object& progress, const std::optional<Box>& box = {}) {
   std::vector<std::string> notes;
   sources.on_note = [&notes](const std::string& note) { notes.push_back(note); };
   CheckedViews read = without_lock(progress, [&](const Progress& to) {
     to("read views");
     CheckedViews reading{views_from(sources), {}};
+    if (box) keep_in_box(reading.views, *box);
     if (options) reading.check = check_views(reading.views, *options, to);
     return reading;
   });
@@ -141,14 +143,17 @@ StartOptions start_of(double keep, const std::string& clip, const std::string& h
   return start;
 }
 
-MeshPointer reconstruct_surface(
-    const Path& cameras, const Path& images, const Path& silhouettes,
-    const std::optional<MeshPointer>& start, const std::string& clip,
-    const std::string& silhouettes_show, double edge, const std::optional<double>& last_edge,
-    const std::optional<double>& coarsest, std::size_t passes, const std::optional<int>& iterations,
-    double robust, const std::variant<double, std::string>& keep, const std::string& hollows,
-    const Window& window, double max_angle, double crumbs, double handles, double least_agreement,
-    bool drop_bad_views, bool mirror, const py::object& on_pass, const py::object& progress) {
+MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const Path& silhouettes,
+                                const std::optional<MeshPointer>& start, const std::string& clip,
+                                const std::string& silhouettes_show, double edge,
+                                const std::optional<double>& last_edge,
+                                const std::optional<double>& coarsest, std::size_t passes,
+                                const std::optional<int>& iterations, double robust,
+                                const std::variant<double, std::string>& keep,
+                                const std::string& hollows, const Window& window, double max_angle,
+                                double crumbs, double handles, const py::object& box,
+                                double least_agreement, bool drop_bad_views, bool mirror,
+                                const py::object& on_pass, const py::object& progress) {
   ReconstructionOptions options;
   const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
   options.start = start_of(share_of(keep), clip, hollows, is_exact, least_agreement);
@@ -166,8 +171,9 @@ MeshPointer reconstruct_surface(
   options.on_note = [&notes](const std::string& note) { notes.push_back(note); };
   std::optional<ViewCheckOptions> check;
   if (is_exact) check = {least_agreement, drop_bad_views};
-  CheckedViews checked = checked_views(
-      {cameras.string(), images.string(), silhouettes.string(), mirror}, check, progress);
+  CheckedViews checked =
+      checked_views({cameras.string(), images.string(), silhouettes.string(), mirror}, check,
+                    progress, box.is_none() ? std::nullopt : std::optional(box_of(box)));
   Document document = start ? (*start)->document : Document();
   const ReconstructionResult result = without_lock(progress, [&](const Progress& to) {
     Record record;
@@ -202,7 +208,7 @@ void bind_views(py::module_& module) {
       arg("hollows") = "auto", arg("window") = 3,
       arg("max_angle") = PairOptions().maximum_angle_deg,
       arg("crumbs") = ReconstructionOptions().crumbs,
-      arg("handles") = ReconstructionOptions().handles,
+      arg("handles") = ReconstructionOptions().handles, arg("box") = none,
       arg("least_agreement") = ViewCheckOptions().least_agreement, arg("drop_bad_views") = false,
       arg("mirror") = false, arg("on_pass") = none, arg("progress") = none,
       "Reconstructs a closed surface from calibrated photographs: files, folders or "

@@ -276,6 +276,7 @@ def reconstruct(
     max_angle: float = 50.0,
     crumbs: float = 0.001,
     handles: float = 5.0,
+    box: Optional[ArrayLike] = None,
     least_agreement: float = 0.7,
     drop_bad_views: bool = False,
     mirror: bool = False,

@@ -38,12 +38,14 @@ def test_reconstruct(scene):
 
 def test_how_photographs_are_compared(scene):
     places = [str(scene / name) for name in ["par.txt", "photos", "masks"]]
-    options = {"hollows": "closed", "window": (2, 1), "max_angle": 90}
+    box = [(-9, -9, -9), (9, 9, 9)]
+    options = {"hollows": "closed", "window": (2, 1), "max_angle": 90, "box": box}
     result = tm.reconstruct(*places, passes=1, edge=5, coarsest=1, **options)
     words = sum(([o, p] for o, p in zip(["--cameras", "--images", "--silhouettes"], places)), [])
     words += ["--passes", 1, "--edge", 5, "--coarsest", 1, "--no-provenance"]
     plain = run("tm-reconstruct", *words)
     words += ["--hollows", "closed", "--window", "2,1", "--max-angle", 90]
+    words += ["--box", "-9,-9,-9,9,9,9"]
     assert result.to_bytes() == run("tm-reconstruct", *words) != plain
     for window in [6, (3, 0)]:
         with pytest.raises(ValueError, match="window"):
@@ -52,6 +54,8 @@ def test_how_photographs_are_compared(scene):
         tm.reconstruct(*places, window="wide")
     with pytest.raises(ValueError, match="hollows"):
         tm.reconstruct(*places, hollows="open")
+    with pytest.raises(ValueError, match="no inside"):
+        tm.reconstruct(*places, box=[(0, 0, 0), (0, 1, 1)])
 
 
 def test_the_report_of_a_reconstruction(scene, tmp_path):

@@ -448,3 +448,24 @@ CSV
   assert_status 3
   [[ $stderr == *"missing/images"* ]]
 }
+
+@test "with a box, what stands around the object is forgotten, with masks and without" {
+  mkdir images masks
+  tm-shape ellipsoid 20 20 20 --faces 2000 -o ball.ply
+  tm-shape ellipsoid 30 30 14 --faces 2000 | tm-transform --translate 0,0,52 | tm-cat ball.ply - -o both.ply
+  tm-photograph --ring 12 --elevations 10,-10 --size 160x120 --finest 5 --coarsest 30 \
+    --write-images images --write-silhouettes masks -o par.txt both.ply
+  boxed=(tm-reconstruct --cameras par.txt --images images -q '--box=-25,-25,-25,25,25,25')
+  "${boxed[@]}" -o photographed.ply
+  "${boxed[@]}" --silhouettes masks -o masked.ply
+  for mesh in photographed.ply masked.ply; do
+    below "$(tm-compare --reference ball.ply "$mesh" | awk '/^hausdorff:/ { print $2 }')" 1
+  done
+
+  run --separate-stderr tm-reconstruct --cameras par.txt --images images --box 60,60,60,65,65,65 -o out.ply
+  [ "$status" -eq 3 ]
+  [[ $stderr == *"nothing of the box is in this view"* ]]
+  [ ! -e out.ply ]
+  run --separate-stderr tm-reconstruct --cameras par.txt --images images --box 1,1,1,0,0,0 -o out.ply
+  [ "$status" -eq 2 ]
+}
