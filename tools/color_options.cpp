@@ -100,6 +100,7 @@ void color(Document& document, std::span<const PictureView> views, const ColorCh
   }
   run.report("unseen", result.unseen);
   run.report("disagreement", result.disagreement);
+  run.report("largest_gain", result.largest_gain);
   if (result.unseen > 0) run.detail("no photograph sees " + counted(result.unseen, "vertex"));
 }
 

@@ -15,7 +15,8 @@ import bpy
 import mathutils
 import numpy
 
-WIDTH, HEIGHT, SAMPLES = 640, 480, int(os.environ.get("SAMPLES", "32"))
+WIDTH, HEIGHT = map(int, os.environ.get("SIZE", "640x480").split("x"))
+SAMPLES = int(os.environ.get("SAMPLES", "32"))
 
 
 def read_mesh(path):

@@ -8,6 +8,7 @@
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
+#include "tm/views/color/even_exposure.h"
 #include "tm/views/color/surface_looks.h"
 
 namespace transformesh {
@@ -79,21 +80,21 @@ void look(const Mesh& mesh, std::span<const PictureView> views, double pixel,
     const SeenPicture picture(mesh, views[i].camera, views[i].picture(), pixel);
     for (Looks* const kind : looks) {
       parallel_for(kind->count, places_per_task, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) kind->seen[k].add(picture.at(kind->place(k)));
+        for (std::size_t k = first; k < last; ++k) kind->seen[k].add(picture.at(kind->place(k)), i);
       });
     }
   }
 }
 
 std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const Looks& looks,
-                                          ColorResult& result) {
+                                          std::span<const Gain> gains, ColorResult& result) {
   std::vector<Eigen::Array3f> colors(looks.count, middle_gray);
   std::vector<char> is_known(looks.count, 0);
   double differences = 0;
   for (std::size_t v = 0; v < looks.count; ++v) {
     if (!looks.seen[v].is_seen()) continue;
-    colors[v] = looks.seen[v].blend();
-    differences += looks.seen[v].difference(colors[v]);
+    colors[v] = looks.seen[v].blend(gains);
+    differences += looks.seen[v].difference(colors[v], gains);
     is_known[v] = 1;
   }
   const auto seen = static_cast<std::size_t>(std::count(is_known.begin(), is_known.end(), 1));
@@ -102,6 +103,7 @@ std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const Looks& looks,
         "no view sees any of the mesh: are cameras, photographs and mesh of one "
         "scene, in the same units?");
   result.unseen = looks.count - seen;
+  result.largest_gain = largest_gain(gains);
   result.disagreement = differences / static_cast<double>(seen);
   fill_unseen(mesh, is_known, colors);
   return colors;
@@ -114,7 +116,8 @@ ColorResult color_vertices(Mesh& mesh, std::span<const PictureView> views,
   const std::array<Looks*, 1> looks{&vertices};
   look(mesh, views, usual_pixel(mesh, views), looks, progress);
   ColorResult result;
-  const std::vector<Eigen::Array3f> colors = vertex_colors(mesh, vertices, result);
+  const std::vector<Gain> gains = even_exposure(vertices.seen, views.size());
+  const std::vector<Eigen::Array3f> colors = vertex_colors(mesh, vertices, gains, result);
   constexpr std::array names{"red", "green", "blue"};
   for (int channel = 0; channel < 3; ++channel) {
     const char* name = names.at(static_cast<std::size_t>(channel));

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace transformesh {
 
@@ -13,25 +15,40 @@ struct Glimpse {
   std::array<std::uint8_t, 3> color{};
 };
 
+/// By which the levels of a photograph are multiplied: those of red, green and blue.
+using Gain = Eigen::Array3f;
+
 /// The four best. Their blend weighs qualities by the 16th power: nearly everywhere it is what the
 /// best view shows, and where another one takes over it goes smoothly from one to the other. Where
 /// three or more see the place about as well, those that differ from their median, as highlights
-/// and what is not part of the surface do, hardly count.
+/// and what is not part of the surface do, hardly count. 32 bytes.
 class Glimpses {
  public:
-  /// Of equal ones those that came first are better.
-  void add(const Glimpse& glimpse);
+  /// Of equal ones those that came first are better; views beyond 65535 count as that one.
+  void add(const Glimpse& glimpse, std::size_t view);
   bool is_seen() const { return best_[0].quality > 0; }
-  /// Levels from 0 to 255.
-  Eigen::Array3f blend() const;
-  /// Mean difference of the views' levels from a color, over all that see it nearly as well as the
-  /// best one does.
-  float difference(const Eigen::Array3f& color) const;
+  /// How many see the place nearly as well as the best one does: the first ones.
+  std::size_t count_good() const;
+  std::size_t view(std::size_t i) const { return best_[i].view; }
+  Eigen::Array3f levels(std::size_t i) const;
+
+  /// Levels from 0 to 255, with the gains of all views.
+  Eigen::Array3f blend(std::span<const Gain> gains) const;
+  /// Mean difference of the good ones' levels, with gains, from a color.
+  float difference(const Eigen::Array3f& color, std::span<const Gain> gains) const;
 
  private:
-  std::size_t count_as_good(float share) const;
+  struct Held {
+    std::uint16_t quality = 0;  ///< coded, in the same order
+    std::uint16_t view = 0;
+    std::array<std::uint8_t, 3> color{};
+  };
+  Eigen::Array3f evened(std::size_t i, std::span<const Gain> gains) const {
+    return levels(i) * gains[view(i)];
+  }
+  float share(std::size_t i) const;
 
-  std::array<Glimpse, 4> best_{};
+  std::array<Held, 4> best_{};
 };
 
 }  // namespace transformesh

@@ -30,9 +30,9 @@ Looks looks_at_vertices(const Mesh& mesh, std::span<const Vec3> normals);
 void look(const Mesh& mesh, std::span<const PictureView> views, double pixel,
           std::span<Looks* const> looks, const Progress& progress);
 
-/// The blends; what no view sees takes the mean of its neighbors that have a color, or middle gray
-/// where there is none.
+/// The blends, with the gains of all views; what no view sees takes the mean of its neighbors that
+/// have a color, or middle gray where there is none.
 std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const Looks& looks,
-                                          ColorResult& result);
+                                          std::span<const Gain> gains, ColorResult& result);
 
 }  // namespace transformesh

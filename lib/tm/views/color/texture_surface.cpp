@@ -8,6 +8,7 @@
 #include "tm/support/parallel.h"
 #include "tm/views/color/chart_packing.h"
 #include "tm/views/color/charts.h"
+#include "tm/views/color/even_exposure.h"
 #include "tm/views/color/surface_looks.h"
 #include "tm/views/color/texels.h"
 
@@ -199,7 +200,8 @@ Atlas texture_surface(Mesh& mesh, std::span<const PictureView> views, const Atla
   const std::array<Looks*, 2> looks{&at_vertices, &at_texels};
   look(mesh, views, pixel, looks, progress);
   Atlas atlas{Image(texels.width, texels.height, Pixel{}), layout.charts.size(), layout.texel, {}};
-  const std::vector<Eigen::Array3f> colors = vertex_colors(mesh, at_vertices, atlas.color);
+  const std::vector<Gain> gains = even_exposure(at_vertices.seen, views.size());
+  const std::vector<Eigen::Array3f> colors = vertex_colors(mesh, at_vertices, gains, atlas.color);
 
   progress("paint");
   parallel_for(texels.pixels.size(), 4096, [&](std::size_t first, std::size_t last) {
@@ -208,7 +210,7 @@ Atlas texture_surface(Mesh& mesh, std::span<const PictureView> views, const Atla
       if (texel.face == no_index) continue;
       const Glimpses& seen = at_texels.seen[i];
       atlas.picture.pixels[i] =
-          pixel_of(seen.is_seen() ? seen.blend() : texel.mean_of(mesh, colors));
+          pixel_of(seen.is_seen() ? seen.blend(gains) : texel.mean_of(mesh, colors));
     }
   });
   spread(atlas.picture, options.padding);

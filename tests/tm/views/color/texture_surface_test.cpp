@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
@@ -238,4 +239,43 @@ TEST_CASE("a mesh that no view sees, and a texture without room, are refused") {
   Mesh inside_out = knot();
   for (Face& face : inside_out.faces) std::swap(face[0], face[1]);
   CHECK_THROWS_AS(color_vertices(inside_out, views), InputError);
+}
+
+TEST_CASE("photographs of other exposures and white balances give the same colors") {
+  Mesh mesh = knot();
+  std::vector<PictureView> views = photographed(mesh);
+  const ColorResult even = color_vertices(mesh, views);
+  const auto levels_of = [](const Mesh& colored) {
+    std::array<std::vector<double>, 3> levels;
+    for (std::size_t i = 0; i < 3; ++i)
+      levels[i] = colored.vertex_columns.find(std::array{"red", "green", "blue"}[i])->values;
+    return levels;
+  };
+  const auto expected = levels_of(mesh);
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const Eigen::Array3d factor =
+        Eigen::Array3d(0.8, 0.85, 0.9) + 0.05 * static_cast<double>(v * 5 % 7);
+    views[v].picture = [picture = views[v].picture, factor] {
+      Image darker = picture();
+      for (Pixel& pixel : darker.pixels)
+        for (int i = 0; i < 3; ++i)
+          pixel[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(
+              std::min(factor[i] * pixel[static_cast<std::size_t>(i)] + 0.5, 255.0));
+      return darker;
+    };
+  }
+  const ColorResult uneven = color_vertices(mesh, views);
+  CHECK(even.largest_gain < 1.02);
+  CHECK(uneven.largest_gain > 1.15);
+  CHECK(uneven.disagreement < even.disagreement + 0.5);
+  // But for one factor of each channel.
+  const auto found = levels_of(mesh);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double by = std::accumulate(found[i].begin(), found[i].end(), 0.0) /
+                      std::accumulate(expected[i].begin(), expected[i].end(), 0.0);
+    double difference = 0;
+    for (std::size_t v = 0; v < found[i].size(); ++v)
+      difference += std::abs(found[i][v] - by * expected[i][v]);
+    CHECK(difference / static_cast<double>(found[i].size()) < 1.5);
+  }
 }
