@@ -18,7 +18,6 @@ namespace transformesh::tool {
 namespace {
 
 void prepare_process() {
-  prepare_memory();
   // Every word on stderr is a message of the program. Ours do not go through std::cerr, on which
   // CGAL says what it cannot do.
   std::cerr.setstate(std::ios::failbit);
@@ -157,7 +156,9 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
     }
     inputs = inputs_of(*this, words);
     check_needed(*this);
+    // In this order: what the heap takes at once must be within the limit.
     limit_resources(common, name, terminal);
+    prepare_memory();
     terminal.configure(common.quiet, common.verbose, common.progress, common.no_progress);
     const ThreadLimit limit(common.threads);
     run.emplace(*this, terminal);

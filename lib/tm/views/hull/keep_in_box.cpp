@@ -42,7 +42,9 @@ void keep_in_box(std::vector<View>& views, const Box& box) {
     for (std::size_t i = first; i < last; ++i) {
       const GrayImage shown = mesh_silhouette(surface, views[i]);
       if (inside_share(shown) == 0)
-        throw InputError(views[i].name + ": nothing of the box is in this view; are its units those of the cameras?");
+        throw InputError(
+            views[i].name +
+            ": nothing of the box is in this view; are its units those of the cameras?");
       blacken(views[i].image, shown);
       blacken(views[i].silhouette, shown);
     }
