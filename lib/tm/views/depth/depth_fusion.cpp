@@ -9,6 +9,10 @@
 namespace transformesh {
 namespace {
 
+constexpr std::size_t nodes_per_task = 1 << 14;
+/// Up to so many views, on the mean of a neighborhood, say nothing.
+constexpr float unheard = 0.5F;
+
 /// What a view says of places in space.
 struct Witness {
   Projection projection;
@@ -50,13 +54,12 @@ class Fusion {
       blur(votes_.sum, axis);
       blur(votes_.count, axis);
     }
+    std::vector<float> means = means_of_votes();
+    continue_into_unseen(means);
     ValueGrid opened = hull_;
-    for (std::size_t i = 0; i < opened.values.size(); ++i) {
-      if (!(votes_.count[i] > 0)) continue;
-      const auto prior = static_cast<float>(options_.prior);
-      const float mean = (votes_.sum[i] - prior) / (votes_.count[i] + prior);
-      opened.values[i] = std::max(opened.values[i], mean * static_cast<float>(reach_));
-    }
+    for (std::size_t i = 0; i < opened.values.size(); ++i)
+      if (means[i] > -1)
+        opened.values[i] = std::max(opened.values[i], means[i] * static_cast<float>(reach_));
     return opened;
   }
 
@@ -66,6 +69,12 @@ class Fusion {
       for (std::size_t z = first; z < last; ++z) work(z);
     });
   }
+  std::vector<float> means_of_votes() const;
+  bool is_unseen(std::size_t node) const {
+    return hull_.values[node] < 0 && votes_.count[node] <= unheard;
+  }
+  std::vector<std::size_t> unseen_nodes() const;
+  void continue_into_unseen(std::vector<float>& means) const;
   void vote(std::size_t z);
   void blur(std::vector<float>& values, int axis) const;
 
@@ -75,6 +84,49 @@ class Fusion {
   std::vector<Witness> witnesses_;
   Votes votes_;
 };
+
+// In the hull, with that of the prior; -1, which is solid, where no view says anything.
+std::vector<float> Fusion::means_of_votes() const {
+  const auto prior = static_cast<float>(options_.prior);
+  std::vector<float> means(hull_.values.size(), -1.0F);
+  for (std::size_t i = 0; i < means.size(); ++i)
+    if (hull_.values[i] < 0) means[i] = (votes_.sum[i] - prior) / (votes_.count[i] + prior);
+  return means;
+}
+
+/// Of those that have six neighbors.
+std::vector<std::size_t> Fusion::unseen_nodes() const {
+  std::vector<std::size_t> nodes;
+  for (std::size_t z = 1; z + 1 < hull_.nodes[2]; ++z)
+    for (std::size_t y = 1; y + 1 < hull_.nodes[1]; ++y)
+      for (std::size_t x = 1; x + 1 < hull_.nodes[0]; ++x)
+        if (is_unseen(hull_.index(x, y, z))) nodes.push_back(hull_.index(x, y, z));
+  return nodes;
+}
+
+// Each becomes the mean of its neighbors in the hull, again and again.
+void Fusion::continue_into_unseen(std::vector<float>& means) const {
+  const std::vector<std::size_t> nodes = unseen_nodes();
+  const std::array<std::size_t, 3> strides{1, hull_.nodes[0], hull_.nodes[0] * hull_.nodes[1]};
+  std::vector<float> next(nodes.size());
+  for (int round = 0; round < options_.rounds; ++round) {
+    parallel_for(nodes.size(), nodes_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        float sum = 0;
+        float count = 0;
+        for (const std::size_t stride : strides) {
+          for (const std::size_t neighbor : {nodes[i] - stride, nodes[i] + stride}) {
+            if (!(hull_.values[neighbor] < 0)) continue;
+            sum += means[neighbor];
+            ++count;
+          }
+        }
+        next[i] = count > 0 ? sum / count : -1;
+      }
+    });
+    for (std::size_t i = 0; i < nodes.size(); ++i) means[nodes[i]] = next[i];
+  }
+}
 
 void Fusion::vote(std::size_t z) {
   for (std::size_t y = 0; y < hull_.nodes[1]; ++y) {

@@ -79,6 +79,28 @@ TEST_CASE("without depths the hull stays as it is, and a few wrong ones open not
   CHECK(fuse_depths(hull, scene().views, maps).values == hull.values);
 }
 
+TEST_CASE("where a surface has a gap that no view sees it goes on smoothly") {
+  const ValueGrid hull = hull_of_block();
+  std::vector<DepthMap> maps = true_maps();
+  for (std::size_t v = 0; v < maps.size(); ++v) {
+    GrayImage& depth = maps[v].depth;
+    const PinholeCamera& camera = scene().views[v].camera;
+    for (int y = 0; y < depth.height; ++y)
+      for (int x = 0; x < depth.width; ++x) {
+        const Vec3 point = camera.center() + depth.at(x, y) * camera.ray(x, y);
+        const bool is_deep = point.head<2>().cwiseAbs().maxCoeff() < 0.505 && point.z() < 0.3;
+        if (is_deep && point.z() > 0) depth.at(x, y) = 0;
+      }
+  }
+  // Rays that end in the lower third of the pocket say nothing.
+  const std::size_t solid =
+      wrong_nodes(fuse_depths(hull, scene().views, maps, {.rounds = 0}), 0.05);
+  const std::size_t smooth = wrong_nodes(fuse_depths(hull, scene().views, maps), 0.05);
+  MESSAGE(solid, " wrong nodes, by diffusion ", smooth);
+  CHECK(solid > 100);
+  CHECK(static_cast<double>(smooth) < 0.8 * static_cast<double>(solid));
+}
+
 TEST_CASE("photographs open a hull that closes a pocket; the same for any number of threads") {
   const double of_hull = volume(visual_hull(scene().views, {.resolution = 60}).mesh);
   const double of_truth = test::block_volume - test::pocket_volume;
