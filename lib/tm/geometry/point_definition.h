@@ -41,6 +41,7 @@ struct PointDefinition {
 
   bool is_known() const { return kind != Kind::free && kind != Kind::mean; }
   bool operator==(const PointDefinition&) const = default;
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison with 0 for a pointer
   auto operator<=>(const PointDefinition&) const = default;
 };
 

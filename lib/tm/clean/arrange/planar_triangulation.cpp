@@ -57,6 +57,7 @@ bool PlanarTriangulation::begin_with_triangle(const std::array<ExactPoint, 3>& c
   constexpr double enlarged = 6;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& across = corners[(i + 2) % 3].center;
+    // NOLINTNEXTLINE(clang-analyzer-unix.Malloc): references are counted
     points_[i] = ExactGeometry::free(middle + enlarged * (middle - across));
     if (!points_[i].center.allFinite()) return points_ = old_points, false;
   }
