@@ -94,8 +94,13 @@ class Sweep {
   void fill(const Neighbor& neighbor, double depth, int y, const ComparedRow& row) const;
   float best_depth(int x, int y) const;
 
-  std::size_t size() const { return static_cast<std::size_t>(columns_ * rows_); }
-  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * columns_ + x); }
+  std::size_t size() const {
+    return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(x);
+  }
   double depth_of(double plane) const { return 1 / (nearest_ - gap_ * plane); }
 
   const View& view_;

@@ -41,7 +41,7 @@ class Paths {
   void follow(int x, int y, int dx, int dy) {
     bool begins = true;
     for (; is_in(x, y); x += dx, y += dy) {
-      const bool shows = shows_[static_cast<std::size_t>(y * costs_.columns + x)];
+      const bool shows = shows_[costs_.pixel(x, y)];
       if (shows) enter(costs_.at(x, y), sums_.at(x, y), begins);
       begins = !shows;
     }

@@ -22,14 +22,16 @@ struct MatchingCosts {
   int columns = 0, rows = 0, planes = 0;
   std::vector<float> values = {};
 
+  std::size_t pixel(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(x);
+  }
   std::span<float> at(int x, int y) { return {values.data() + offset(x, y), count()}; }
   std::span<const float> at(int x, int y) const { return {values.data() + offset(x, y), count()}; }
 
  private:
   std::size_t count() const { return static_cast<std::size_t>(planes); }
-  std::size_t offset(int x, int y) const {
-    return static_cast<std::size_t>(y * columns + x) * count();
-  }
+  std::size_t offset(int x, int y) const { return pixel(x, y) * count(); }
 };
 
 struct SemiglobalOptions {
