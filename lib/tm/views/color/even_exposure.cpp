@@ -1,5 +1,6 @@
 #include "tm/views/color/even_exposure.h"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <map>
 
@@ -9,8 +10,6 @@ namespace {
 constexpr double level_variance = 100;
 constexpr float least_level = 8, largest_level = 247;
 constexpr float most_different = 1.5F;  ///< times the other level
-constexpr int sweeps = 200;
-constexpr double enough = 1e-4;  ///< change of a gain in a sweep
 constexpr double most_gain = 4;
 
 /// Sums of levels over the places that two views see.
@@ -46,51 +45,52 @@ Overlaps overlaps_of(std::span<const Glimpses> seen, int channel) {
   return overlaps;
 }
 
-/// The equations of a view: diagonal * gain = prior + sum of factors * other gains.
-struct Equation {
-  double diagonal = 0, prior = 0;
-  std::vector<std::pair<std::size_t, double>> others;
-
-  void add(double sum, double sum_of_other, double count, std::size_t other) {
-    const double mean = sum / count;
-    diagonal += mean * sum / level_variance + count;
-    prior += count;
-    others.emplace_back(other, mean * sum_of_other / level_variance);
+/// The normal equations of all gains of a channel.
+class Equations {
+ public:
+  /// Each gain is 1 as if one place said so, for views that meet no other one.
+  explicit Equations(std::size_t views)
+      : matrix_(static_cast<Eigen::Index>(views), static_cast<Eigen::Index>(views)),
+        right_(Eigen::VectorXd::Ones(matrix_.rows())) {
+    for (Eigen::Index i = 0; i < matrix_.rows(); ++i) entries_.emplace_back(i, i, 1);
   }
+
+  void add(const ViewPairKey& pair, const Overlap& overlap) {
+    const auto first = static_cast<Eigen::Index>(pair.first);
+    const auto second = static_cast<Eigen::Index>(pair.second);
+    const double weight = 1 / (overlap.count * level_variance);
+    entries_.emplace_back(first, first, weight * overlap.first * overlap.first + overlap.count);
+    entries_.emplace_back(second, second, weight * overlap.second * overlap.second + overlap.count);
+    for (const auto& [row, column] : {std::pair(first, second), std::pair(second, first)})
+      entries_.emplace_back(row, column, -weight * overlap.first * overlap.second);
+    right_[first] += overlap.count;
+    right_[second] += overlap.count;
+  }
+
+  Eigen::VectorXd solve() {
+    matrix_.setFromTriplets(entries_.begin(), entries_.end());
+    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix_).solve(right_);
+  }
+
+ private:
+  Eigen::SparseMatrix<double> matrix_;
+  Eigen::VectorXd right_;
+  std::vector<Eigen::Triplet<double>> entries_;
 };
-
-/// By Gauss and Seidel: the matrix is symmetric and positive definite.
-std::vector<double> solved(std::span<const Equation> equations) {
-  std::vector<double> gains(equations.size(), 1);
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    double change = 0;
-    for (std::size_t i = 0; i < gains.size(); ++i) {
-      const Equation& equation = equations[i];
-      if (equation.diagonal == 0) continue;
-      double sum = equation.prior;
-      for (const auto& [other, factor] : equation.others) sum += factor * gains[other];
-      const double gain = std::clamp(sum / equation.diagonal, 1 / most_gain, most_gain);
-      change = std::max(change, std::abs(gain - gains[i]));
-      gains[i] = gain;
-    }
-    if (change < enough) break;
-  }
-  return gains;
-}
 
 }  // namespace
 
 std::vector<Gain> even_exposure(std::span<const Glimpses> seen, std::size_t views) {
   std::vector<Gain> gains(views, Gain::Ones());
+  if (views == 0) return gains;
   for (int channel = 0; channel < 3; ++channel) {
-    std::vector<Equation> equations(views);
-    for (const auto& [pair, overlap] : overlaps_of(seen, channel)) {
-      const auto& [first, second] = pair;
-      equations[first].add(overlap.first, overlap.second, overlap.count, second);
-      equations[second].add(overlap.second, overlap.first, overlap.count, first);
+    Equations equations(views);
+    for (const auto& [pair, overlap] : overlaps_of(seen, channel)) equations.add(pair, overlap);
+    const Eigen::VectorXd found = equations.solve();
+    for (std::size_t i = 0; i < views; ++i) {
+      const double gain = found[static_cast<Eigen::Index>(i)];
+      gains[i][channel] = static_cast<float>(std::clamp(gain, 1 / most_gain, most_gain));
     }
-    const std::vector<double> found = solved(equations);
-    for (std::size_t i = 0; i < views; ++i) gains[i][channel] = static_cast<float>(found[i]);
   }
   return gains;
 }

@@ -17,8 +17,8 @@
 
 namespace transformesh {
 
-/// For each view, from 1/4 to 4; 1 where nothing is known. O(places + pairs of views that meet);
-/// deterministic.
+/// For each view, from 1/4 to 4; 1 where nothing is known. O(places), and sparse equations with as
+/// many unknowns as there are views; deterministic.
 std::vector<Gain> even_exposure(std::span<const Glimpses> seen, std::size_t views);
 
 /// The largest of all gains and of their inverses: 1 where exposures are the same.

@@ -33,8 +33,8 @@ struct OpenedHull {
   double scale = 1;  ///< of the photographs whose depths were fused
 };
 
-/// Nothing where no hollow is that deep, or silhouettes are lost. Views have photographs, and
-/// silhouettes as those of visual_hull(); throws as that does. O(pixels at that size * planes *
+/// Nothing where no hollow is that deep, or silhouettes are lost. Every view has
+/// a photograph and a silhouette; throws as visual_hull() does. O(pixels at that size * planes *
 /// pairs); in parallel, the same for any number of threads.
 std::optional<OpenedHull> opened_hull(std::span<const View> views,
                                       const OpenedHullOptions& options = {},

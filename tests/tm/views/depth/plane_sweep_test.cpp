@@ -34,6 +34,14 @@ const std::vector<DepthMap>& agreed_maps() {
   return maps;
 }
 
+/// With the photographs of others.
+std::vector<View> views_of_other_places() {
+  std::vector<View> views = scene().views;
+  for (std::size_t v = 0; v < views.size(); ++v)
+    views[v].image = scene().views[(v * 7 + 3) % views.size()].image;
+  return views;
+}
+
 struct Known {
   double share = 0;  ///< of the pixels that see the block
   double right = 0;  ///< of these, to within a pixel in the nearest neighbor, 0.06
@@ -81,6 +89,23 @@ TEST_CASE("one view's depths are those of the block, down to the floor of its po
     if (map.depth.pixels[i] > 0) CHECK(map.depth.pixels[i] > 8);
 }
 
+TEST_CASE("asked to agree well, photographs say less, and that is right") {
+  DepthMapsOptions strict;
+  strict.sweep.least_correlation = 0.6;
+  const GrayImage& truth = scene().photographed.depths[0];
+  const DepthMap map = scene().swept(0, strict.sweep);
+  const Known all = known_of(map.depth, truth, [&](int x, int y) { return truth.at(x, y) > 0; });
+  CHECK(all.share > 0.6);
+  CHECK(all.right > 0.85);
+  const auto known = [](const DepthMap& depths) {
+    return std::count_if(depths.depth.pixels.begin(), depths.depth.pixels.end(),
+                         [](float depth) { return depth > 0; });
+  };
+  const auto true_maps = depth_maps(scene().views, scene().pairs, scene().hull, strict);
+  const auto wrong_maps = depth_maps(views_of_other_places(), scene().pairs, scene().hull, strict);
+  CHECK(known(wrong_maps[0]) < known(true_maps[0]) / 5);
+}
+
 TEST_CASE("without texture, neighbors or a hull nothing is known") {
   const auto is_empty = [](const DepthMap& map) {
     return std::all_of(map.depth.pixels.begin(), map.depth.pixels.end(),
@@ -110,10 +135,7 @@ TEST_CASE("depths that other views do not find go, and those that they find stay
   const GrayImage& truth = true_scene.photographed.depths[0];
   CHECK(known_of(maps[0].depth, truth, [&](int x, int y) { return truth.at(x, y) > 0; }).right >
         0.88);
-  // Photographs of other places.
-  std::vector<View> views = true_scene.views;
-  for (std::size_t v = 0; v < views.size(); ++v)
-    views[v].image = true_scene.views[(v * 7 + 3) % views.size()].image;
-  const std::vector<DepthMap> wrong = depth_maps(views, true_scene.pairs, true_scene.hull);
+  const std::vector<DepthMap> wrong =
+      depth_maps(views_of_other_places(), true_scene.pairs, true_scene.hull);
   CHECK(count(wrong[0]) < count(maps[0]) / 3);
 }
