@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "tm/io/output_target.h"
-#include "tm/io/streams.h"
+#include "tm/io/streams/output_target.h"
+#include "tm/io/streams/streams.h"
 #include "tm/support/error.h"
 
 namespace transformesh::tool {

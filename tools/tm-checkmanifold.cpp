@@ -2,7 +2,7 @@
 #include "frame/run.h"
 #include "tm/clean/certify/certify.h"
 #include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
 #include "tm/support/counted.h"

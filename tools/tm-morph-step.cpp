@@ -1,7 +1,7 @@
 /// tm-morph-step: one step of a surface towards a target (paper 5.2).
 #include "frame/displacement_report.h"
 #include "frame/run.h"
-#include "tm/io/streams.h"
+#include "tm/io/streams/streams.h"
 #include "tm/step/local_thickness.h"
 #include "tm/step/morph_check.h"
 #include "tm/step/morph_step.h"

@@ -3,7 +3,7 @@
 #include "morph_report.h"
 #include "tm/evolution/loop/run_folder.h"
 #include "tm/evolution/tracking.h"
-#include "tm/io/streams.h"
+#include "tm/io/streams/streams.h"
 #include "tm/step/morph_check.h"
 #include "tm/step/target_file.h"
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "frame/run.h"
-#include "tm/io/streams.h"
+#include "tm/io/streams/streams.h"
 #include "tm/step/target_file.h"
 #include "tm/support/error.h"
 #include "tm/views/wrap/unit_scale.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "page_server.h"
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 #include "tm/page/live_run.h"
 #include "tm/page/page.h"
 

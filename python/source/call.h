@@ -9,7 +9,7 @@
 #include <string>
 #include <variant>
 
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 #include "tm/support/length.h"
 #include "tm/support/parallel.h"
 #include "tm/support/progress.h"

@@ -7,9 +7,9 @@
 #include "arguments.h"
 #include "call.h"
 #include "columns_binding.h"
-#include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
-#include "tm/io/streams.h"
+#include "tm/io/streams/atomic_file.h"
+#include "tm/io/streams/streams.h"
 #include "tm/support/error.h"
 
 namespace transformesh::python {

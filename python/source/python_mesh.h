@@ -1,5 +1,5 @@
-/// What Python sees as a Mesh: a document (lib/tm/io/document.h) whose numbers NumPy arrays show
-/// without a copy, and what the operation that made it has to say.
+/// What Python sees as a Mesh: a document (lib/tm/io/document/document.h) whose numbers NumPy
+/// arrays show without a copy, and what the operation that made it has to say.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -8,7 +8,7 @@
 #include <list>
 #include <memory>
 
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 
 namespace transformesh::python {
 

@@ -6,7 +6,7 @@
 #include "fuzz/tiny_mesh.h"
 #include "tm/clean/certify/certify.h"
 #include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/manifold.h"
 

@@ -4,7 +4,7 @@
 
 #include "fuzz/tiny_mesh.h"
 #include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"

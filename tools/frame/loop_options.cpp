@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "tm/io/mesh_io.h"
-#include "tm/io/output_target.h"
+#include "tm/io/streams/output_target.h"
 #include "tm/support/error.h"
 
 namespace transformesh::tool {

@@ -10,7 +10,7 @@
 #include "frame/limits.h"
 #include "frame/memory.h"
 #include "frame/run.h"
-#include "tm/io/streams.h"
+#include "tm/io/streams/streams.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 

@@ -10,7 +10,7 @@
 #include "tm/clean/intersect/intersect.h"
 #include "tm/io/comments.h"
 #include "tm/io/mesh_io.h"
-#include "tm/io/output_target.h"
+#include "tm/io/streams/output_target.h"
 #include "tm/mesh/digits.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/counted.h"

@@ -11,10 +11,10 @@
 
 #include "frame/program.h"
 #include "frame/terminal.h"
-#include "tm/io/atomic_file.h"
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 #include "tm/io/length_basis.h"
-#include "tm/io/streams.h"
+#include "tm/io/streams/atomic_file.h"
+#include "tm/io/streams/streams.h"
 #include "tm/support/progress.h"
 
 namespace transformesh::tool {

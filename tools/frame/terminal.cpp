@@ -13,8 +13,8 @@
 #include <map>
 
 #include "frame/program.h"
-#include "tm/io/atomic_file.h"
-#include "tm/io/streams.h"
+#include "tm/io/streams/atomic_file.h"
+#include "tm/io/streams/streams.h"
 #include "tm/support/number.h"
 
 namespace transformesh::tool {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "tm/evolution/loop/stop_rules.h"
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/geometry/surface_samples.h"
 #include "tm/io/mesh_io.h"
 #include "tm/mesh/components.h"

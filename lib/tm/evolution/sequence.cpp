@@ -7,8 +7,8 @@
 
 #include "tm/evolution/loop/stopwatch.h"
 #include "tm/evolution/reconstruction/surface_quality.h"
-#include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
+#include "tm/io/streams/atomic_file.h"
 #include "tm/support/error.h"
 #include "tm/views/hull/silhouette.h"
 

@@ -8,7 +8,7 @@
 #include "tm/clean/intersect/intersect.h"
 #include "tm/fill/hole_patch.h"
 #include "tm/fill/mesh_part.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/digits.h"
 #include "tm/mesh/manifold.h"

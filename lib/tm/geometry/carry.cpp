@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/measure.h"
 #include "tm/mesh/surface_columns.h"

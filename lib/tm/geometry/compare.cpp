@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "tm/geometry/closest_point.h"
-#include "tm/geometry/kd_tree.h"
+#include "tm/geometry/search/closest_point.h"
+#include "tm/geometry/search/kd_tree.h"
 #include "tm/geometry/surface_samples.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"

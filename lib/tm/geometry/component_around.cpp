@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/geometry/winding.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/measure.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "tm/geometry/closest_point.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/geometry/winding.h"
 #include "tm/mesh/location_text.h"
 #include "tm/support/error.h"

@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "tm/geometry/bvh.h"
 #include "tm/geometry/keep_out_options.h"
+#include "tm/geometry/search/bvh.h"
 #include "tm/mesh/triangle.h"
 
 namespace transformesh {

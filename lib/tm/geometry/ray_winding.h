@@ -11,8 +11,8 @@
 
 #include <optional>
 
-#include "tm/geometry/bvh.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
+#include "tm/geometry/search/bvh.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {

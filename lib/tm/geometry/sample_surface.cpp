@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "tm/geometry/hashed_grid.h"
+#include "tm/geometry/search/hashed_grid.h"
 #include "tm/geometry/surface_samples.h"
 #include "tm/mesh/measure.h"
 #include "tm/mesh/surface_columns.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/measure.h"
 #include "tm/mesh/surface_columns.h"

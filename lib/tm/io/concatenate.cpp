@@ -3,7 +3,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "tm/io/obj_labels.h"
+#include "tm/io/formats/obj_labels.h"
 
 namespace transformesh {
 namespace {

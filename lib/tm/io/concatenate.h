@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 
 namespace transformesh {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 #include "tm/support/length.h"
 
 namespace transformesh {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tm/io/text_rows.h"
+#include "tm/io/formats/text_rows.h"
 
 namespace transformesh {
 

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "tm/io/atomic_file.h"
-#include "tm/io/glb.h"
-#include "tm/io/obj.h"
-#include "tm/io/off.h"
-#include "tm/io/ply.h"
-#include "tm/io/scalar.h"
-#include "tm/io/sniff.h"
-#include "tm/io/stl.h"
-#include "tm/io/streams.h"
-#include "tm/io/vtp.h"
+#include "tm/io/document/scalar.h"
+#include "tm/io/formats/glb.h"
+#include "tm/io/formats/obj.h"
+#include "tm/io/formats/off.h"
+#include "tm/io/formats/ply.h"
+#include "tm/io/formats/sniff.h"
+#include "tm/io/formats/stl.h"
+#include "tm/io/formats/vtp.h"
+#include "tm/io/streams/atomic_file.h"
+#include "tm/io/streams/streams.h"
 #include "tm/mesh/digits.h"
 #include "tm/support/error.h"
 

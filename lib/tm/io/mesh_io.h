@@ -14,19 +14,9 @@
 #include <string_view>
 #include <vector>
 
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 
 namespace transformesh {
-
-struct ReadResult {
-  Document document;
-  std::vector<std::string> notes;  ///< what was changed on the way in, one line each
-};
-
-struct WriteResult {
-  std::string bytes;
-  std::vector<std::string> notes;  ///< what the format cannot hold, one line each
-};
 
 /// Throws InputError. An input without a single byte says so. A mesh may be empty of faces.
 ReadResult read_mesh(std::string_view bytes, const std::string& name);

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 
 namespace transformesh {
 

@@ -8,7 +8,7 @@
 #include "tm/evolution/loop/run_views.h"
 #include "tm/geometry/compare.h"
 #include "tm/io/mesh_io.h"
-#include "tm/io/streams.h"
+#include "tm/io/streams/streams.h"
 #include "tm/step/target_file.h"
 #include "tm/support/error.h"
 #include "tm/support/number.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "tm/geometry/bvh.h"
+#include "tm/geometry/search/bvh.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/elementary/trigonometric.h"
 #include "tm/support/parallel.h"

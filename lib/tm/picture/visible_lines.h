@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "tm/geometry/bvh.h"
+#include "tm/geometry/search/bvh.h"
 #include "tm/mesh/mesh.h"
 #include "tm/picture/camera.h"
 #include "tm/picture/rasterize.h"

@@ -6,17 +6,17 @@
 #include <optional>
 #include <vector>
 
-#include "tm/geometry/closest_point.h"
-#include "tm/geometry/kd_tree.h"
+#include "tm/geometry/search/closest_point.h"
+#include "tm/geometry/search/kd_tree.h"
 #include "tm/mesh/digits.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/measure.h"
-#include "tm/remesh/collapse.h"
-#include "tm/remesh/flip.h"
-#include "tm/remesh/smooth.h"
-#include "tm/remesh/split.h"
-#include "tm/remesh/star.h"
-#include "tm/remesh/vertex_mover.h"
+#include "tm/remesh/halfedges/star.h"
+#include "tm/remesh/operations/collapse.h"
+#include "tm/remesh/operations/flip.h"
+#include "tm/remesh/operations/smooth.h"
+#include "tm/remesh/operations/split.h"
+#include "tm/remesh/operations/vertex_mover.h"
 #include "tm/support/elementary/trigonometric.h"
 #include "tm/support/error.h"
 

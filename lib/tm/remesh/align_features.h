@@ -17,7 +17,7 @@
 
 #include "tm/mesh/mesh.h"
 #include "tm/mesh/surface_columns.h"
-#include "tm/remesh/edge_rules.h"
+#include "tm/remesh/guards/edge_rules.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tm/remesh/editable_mesh.h"
+#include "tm/remesh/halfedges/editable_mesh.h"
 
 namespace transformesh {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "tm/mesh/measure.h"
-#include "tm/remesh/edge_collapser.h"
-#include "tm/remesh/quadric.h"
+#include "tm/remesh/operations/edge_collapser.h"
+#include "tm/remesh/operations/quadric.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

@@ -5,16 +5,16 @@
 #include <optional>
 #include <string>
 
-#include "tm/remesh/collapse.h"
-#include "tm/remesh/degenerate.h"
-#include "tm/remesh/edge_rules.h"
-#include "tm/remesh/even_out.h"
-#include "tm/remesh/flip.h"
-#include "tm/remesh/halfedges.h"
+#include "tm/remesh/guards/edge_rules.h"
+#include "tm/remesh/halfedges/halfedges.h"
+#include "tm/remesh/operations/collapse.h"
+#include "tm/remesh/operations/degenerate.h"
+#include "tm/remesh/operations/even_out.h"
+#include "tm/remesh/operations/flip.h"
+#include "tm/remesh/operations/smooth.h"
+#include "tm/remesh/operations/split.h"
 #include "tm/remesh/sizing.h"
 #include "tm/remesh/small_components.h"
-#include "tm/remesh/smooth.h"
-#include "tm/remesh/split.h"
 #include "tm/support/counted.h"
 #include "tm/support/length.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tm/remesh/editable_mesh.h"
+#include "tm/remesh/halfedges/editable_mesh.h"
 
 namespace transformesh {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tm/remesh/where.h"
+#include "tm/remesh/halfedges/where.h"
 #include "tm/support/elementary/exponential.h"
 
 namespace transformesh {

@@ -1,7 +1,7 @@
 /// Removes components too small to be surface (paper 5.1.2).
 #pragma once
 
-#include "tm/remesh/editable_mesh.h"
+#include "tm/remesh/halfedges/editable_mesh.h"
 
 namespace transformesh {
 

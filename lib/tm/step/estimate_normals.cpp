@@ -5,7 +5,7 @@
 #include <queue>
 #include <tuple>
 
-#include "tm/geometry/kd_tree.h"
+#include "tm/geometry/search/kd_tree.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <limits>
 
-#include "tm/geometry/closest_point.h"
-#include "tm/geometry/kd_tree.h"
+#include "tm/geometry/search/closest_point.h"
+#include "tm/geometry/search/kd_tree.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/parallel.h"
 

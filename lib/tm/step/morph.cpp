@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tm/geometry/hilbert.h"
+#include "tm/geometry/search/hilbert.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/measure.h"
 #include "tm/step/sample_distance.h"

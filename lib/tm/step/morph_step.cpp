@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tm/geometry/hilbert.h"
+#include "tm/geometry/search/hilbert.h"
 #include "tm/step/velocity.h"
 #include "tm/support/parallel.h"
 

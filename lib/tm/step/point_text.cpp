@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tm/io/text_rows.h"
+#include "tm/io/formats/text_rows.h"
 
 namespace transformesh {
 namespace {

@@ -4,7 +4,7 @@
 /// follows a # are skipped.
 #pragma once
 
-#include "tm/io/source.h"
+#include "tm/io/streams/source.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {

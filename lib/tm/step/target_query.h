@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "tm/geometry/closest_point.h"
-#include "tm/geometry/kd_tree.h"
+#include "tm/geometry/search/closest_point.h"
+#include "tm/geometry/search/kd_tree.h"
 #include "tm/mesh/measure.h"
 #include "tm/step/target.h"
 

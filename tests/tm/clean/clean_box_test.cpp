@@ -11,7 +11,7 @@
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/mesh/digits.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/transform.h"

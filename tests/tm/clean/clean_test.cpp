@@ -7,7 +7,7 @@
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
 #include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/digits.h"

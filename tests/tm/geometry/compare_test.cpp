@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "helpers/shapes.h"
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 

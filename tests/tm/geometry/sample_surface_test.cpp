@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "helpers/shapes.h"
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/geometry/surface_samples.h"
 #include "tm/mesh/measure.h"
 #include "tm/mesh/triangle.h"

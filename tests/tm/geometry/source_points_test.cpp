@@ -6,7 +6,7 @@
 
 #include "helpers/shapes.h"
 #include "tm/clean/clean.h"
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/remesh.h"
 #include "tm/support/error.h"

@@ -7,8 +7,8 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "tm/evolution/loop/run_folder.h"
-#include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
+#include "tm/io/streams/atomic_file.h"
 #include "tm/support/error.h"
 #include "tm/views/cameras/camera_ring.h"
 

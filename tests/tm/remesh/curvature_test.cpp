@@ -5,8 +5,8 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "tm/remesh/halfedges/vertex_role.h"
 #include "tm/remesh/remesh_checks.h"
-#include "tm/remesh/vertex_role.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

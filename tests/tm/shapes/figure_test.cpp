@@ -4,7 +4,7 @@
 
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/support/error.h"
 
 using namespace transformesh;

@@ -8,7 +8,7 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"

@@ -10,7 +10,7 @@
 #include "tm/clean/arrange/cut_plane.h"
 #include "tm/clean/intersect/intersect.h"
 #include "tm/clean/intersect/welded_mesh.h"
-#include "tm/geometry/exact_point.h"
+#include "tm/geometry/numbers/exact_point.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {

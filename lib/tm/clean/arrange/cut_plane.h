@@ -7,7 +7,7 @@
 
 #include "tm/clean/arrange/planes.h"
 #include "tm/clean/arrange/winding_steps.h"
-#include "tm/geometry/exact_point.h"
+#include "tm/geometry/numbers/exact_point.h"
 
 namespace transformesh {
 

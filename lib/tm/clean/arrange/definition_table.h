@@ -5,7 +5,7 @@
 #include <bit>
 #include <vector>
 
-#include "tm/geometry/point_definition.h"
+#include "tm/geometry/numbers/point_definition.h"
 
 namespace transformesh {
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "tm/geometry/exact_point.h"
+#include "tm/geometry/numbers/exact_point.h"
 
 namespace transformesh {
 

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 
 namespace transformesh {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "tm/clean/certify/certify_faces.h"
 #include "tm/clean/certify/certify_samples.h"
-#include "tm/geometry/closest_point.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/geometry/winding.h"
 #include "tm/mesh/location_text.h"
 #include "tm/mesh/measure.h"

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/mesh/disjoint_sets.h"
 
 namespace transformesh {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tm/geometry/closest_point.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/mesh/digits.h"
 #include "tm/support/parallel.h"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "tm/clean/certify/certify_faces.h"
-#include "tm/geometry/bvh.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
+#include "tm/geometry/search/bvh.h"
 
 namespace transformesh {
 

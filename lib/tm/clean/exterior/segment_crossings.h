@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "tm/geometry/exact_point.h"
+#include "tm/geometry/numbers/exact_point.h"
 
 namespace transformesh {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tm/geometry/float_box.h"
+#include "tm/geometry/search/float_box.h"
 
 namespace transformesh {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/mesh/mesh.h"
 
 namespace transformesh {

@@ -9,7 +9,7 @@
 #include "tm/clean/arrange/arrange.h"
 #include "tm/clean/exterior/close_borders.h"
 #include "tm/clean/exterior/surroundings.h"
-#include "tm/geometry/bvh.h"
+#include "tm/geometry/search/bvh.h"
 
 namespace transformesh {
 

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "tm/clean/intersect/welded_mesh.h"
-#include "tm/geometry/exact_point.h"
+#include "tm/geometry/numbers/exact_point.h"
 
 namespace transformesh {
 

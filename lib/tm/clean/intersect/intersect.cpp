@@ -6,8 +6,8 @@
 #include "tm/clean/intersect/embedded_stars.h"
 #include "tm/clean/intersect/faces_to_search.h"
 #include "tm/clean/intersect/zones.h"
-#include "tm/geometry/bvh.h"
-#include "tm/geometry/sort_pairs.h"
+#include "tm/geometry/search/bvh.h"
+#include "tm/geometry/search/sort_pairs.h"
 #include "tm/support/parallel.h"
 
 namespace transformesh {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 
 namespace transformesh {
 

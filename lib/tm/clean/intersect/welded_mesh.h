@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "tm/clean/intersect/face_ways.h"
-#include "tm/geometry/float_box.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
+#include "tm/geometry/search/float_box.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/mesh.h"
 

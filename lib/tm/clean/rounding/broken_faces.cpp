@@ -6,7 +6,7 @@
 #include "tm/clean/intersect/contacts.h"
 #include "tm/clean/intersect/embedded_stars.h"
 #include "tm/clean/intersect/welded_mesh.h"
-#include "tm/geometry/bvh.h"
+#include "tm/geometry/search/bvh.h"
 #include "tm/mesh/disjoint_sets.h"
 #include "tm/support/parallel.h"
 

@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "tm/clean/rounding/local_distance.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 
 namespace transformesh {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "tm/clean/intersect/contacts.h"
-#include "tm/geometry/bvh.h"
+#include "tm/geometry/search/bvh.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/digits.h"
 #include "tm/support/elementary/arctangent.h"

@@ -7,9 +7,9 @@
 #include <memory>
 #include <numeric>
 
-#include "tm/geometry/kd_tree.h"
-#include "tm/geometry/point_grid.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
+#include "tm/geometry/search/kd_tree.h"
+#include "tm/geometry/search/point_grid.h"
 #include "tm/mesh/disjoint_sets.h"
 
 namespace transformesh {

@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "tm/io/atomic_file.h"
+#include "tm/io/streams/atomic_file.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

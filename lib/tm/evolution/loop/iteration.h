@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tm/evolution/loop/csv_row.h"
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 #include "tm/io/length_basis.h"
 #include "tm/remesh/remesh.h"
 #include "tm/step/displace.h"

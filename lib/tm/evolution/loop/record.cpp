@@ -7,9 +7,9 @@
 #include <iterator>
 #include <string_view>
 
-#include "tm/io/atomic_file.h"
 #include "tm/io/mesh_io.h"
-#include "tm/io/output_target.h"
+#include "tm/io/streams/atomic_file.h"
+#include "tm/io/streams/output_target.h"
 #include "tm/support/error.h"
 
 namespace transformesh {

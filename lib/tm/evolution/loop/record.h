@@ -17,8 +17,8 @@
 
 #include "tm/evolution/loop/folder_lock.h"
 #include "tm/evolution/loop/memory.h"
-#include "tm/io/document.h"
-#include "tm/io/line_file.h"
+#include "tm/io/document/document.h"
+#include "tm/io/streams/line_file.h"
 
 namespace transformesh {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <regex>
 
-#include "tm/io/atomic_file.h"
+#include "tm/io/streams/atomic_file.h"
 #include "tm/support/error.h"
 #include "tm/support/number.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "tm/io/streams.h"
+#include "tm/io/streams/streams.h"
 #include "tm/picture/png.h"
 #include "tm/support/number.h"
 #include "tm/views/cameras/camera_file.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {

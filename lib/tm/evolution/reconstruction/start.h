@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tm/io/document.h"
+#include "tm/io/document/document.h"
 #include "tm/support/progress.h"
 #include "tm/views/cameras/view.h"
 #include "tm/views/hull/silhouette.h"

@@ -2,8 +2,8 @@
 /// camera_file.
 #pragma once
 
-#include "tm/io/text_buffer.h"
-#include "tm/io/text_rows.h"
+#include "tm/io/formats/text_rows.h"
+#include "tm/io/streams/text_buffer.h"
 #include "tm/views/cameras/camera_file.h"
 
 namespace transformesh {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "tm/io/source.h"
+#include "tm/io/streams/source.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/views/cameras/file_list.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tm/io/source.h"
+#include "tm/io/streams/source.h"
 
 namespace transformesh {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "tm/io/source.h"
+#include "tm/io/streams/source.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"

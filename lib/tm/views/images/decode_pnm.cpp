@@ -1,4 +1,4 @@
-#include "tm/io/number_text.h"
+#include "tm/io/streams/number_text.h"
 #include "tm/support/counted.h"
 #include "tm/views/images/decoders.h"
 

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "tm/io/source.h"
+#include "tm/io/streams/source.h"
 #include "tm/picture/image.h"
 #include "tm/views/images/gray_image.h"
 

@@ -8,7 +8,7 @@
 #include "helpers/shapes.h"
 #include "tm/clean/certify/certify_faces.h"
 #include "tm/clean/clean.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/mesh/digits.h"
 #include "tm/support/parallel.h"
 

@@ -10,7 +10,7 @@
 #include "helpers/shapes.h"
 #include "tm/clean/clean.h"
 #include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/predicates.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/mesh/digits.h"
 #include "tm/support/error.h"
 

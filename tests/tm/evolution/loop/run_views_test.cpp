@@ -6,7 +6,7 @@
 
 #include "helpers/temporary_folder.h"
 #include "tm/evolution/loop/run_folder.h"
-#include "tm/io/atomic_file.h"
+#include "tm/io/streams/atomic_file.h"
 #include "tm/views/cameras/camera_ring.h"
 #include "tm/views/images/image_file.h"
 

@@ -6,7 +6,7 @@
 
 #include "helpers/levels.h"
 #include "helpers/view_maker.h"
-#include "tm/io/source.h"
+#include "tm/io/streams/source.h"
 #include "tm/support/error.h"
 #include "tm/support/parallel.h"
 #include "tm/views/hull/hull.h"
