@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -11,8 +12,8 @@
 #include "tm/remesh/operations/degenerate.h"
 #include "tm/remesh/operations/even_out.h"
 #include "tm/remesh/operations/flip.h"
+#include "tm/remesh/operations/safe_split.h"
 #include "tm/remesh/operations/smooth.h"
-#include "tm/remesh/operations/split.h"
 #include "tm/remesh/sizing.h"
 #include "tm/remesh/small_components.h"
 #include "tm/support/counted.h"
@@ -147,18 +148,13 @@ struct Task {
   RemeshResult& result;
 };
 
-/// The steps of one iteration after the splits, whose new vertices are those from `first_new` on.
+/// The steps of one iteration after the splits.
 class Iteration {
  public:
-  Iteration(const Task& task, Index first_new, std::optional<double> longest_edge)
-      : task_(task),
-        mesh_(task.mesh),
-        first_new_(first_new),
-        roles_(mesh_, task.options.keep_border),
-        guard_(mesh_, task.limits.stretched() * largest_size(mesh_), task.keep_out, longest_edge) {}
+  Iteration(const Task& task, EmbeddingGuard& guard)
+      : task_(task), mesh_(task.mesh), roles_(mesh_, task.options.keep_border), guard_(guard) {}
 
   void run(bool is_first) {
-    task_.result.refused = settle_midpoints(mesh_, guard_, first_new_);
     if (task_.options.only_smooth) {
       smooth(true);
       return relax();
@@ -176,8 +172,6 @@ class Iteration {
     if (task_.options.smoothing == Smoothing::tangential && task_.surface == nullptr)
       even_out(mesh_, guard_, roles_, task_.progress);
   }
-
-  std::size_t kept_out() const { return guard_.kept_out(); }
 
  private:
   void collapse() {
@@ -214,9 +208,8 @@ class Iteration {
 
   const Task& task_;
   EditableMesh& mesh_;
-  Index first_new_;
   VertexRoles roles_;
-  EmbeddingGuard guard_;
+  EmbeddingGuard& guard_;
 };
 
 void remove_small(const Task& task) {
@@ -268,27 +261,39 @@ ScaledLengths coarsen(const Task& task) {
   }
 }
 
-/// Returns the length of the longest edge that is left, where that is known.
-std::optional<double> refine(const Task& task) {
+std::unique_ptr<EmbeddingGuard> make_guard(const Task& task,
+                                           std::optional<double> longest_edge = std::nullopt) {
+  return std::make_unique<EmbeddingGuard>(
+      task.mesh, task.limits.stretched() * largest_size(task.mesh), task.keep_out, longest_edge);
+}
+
+/// Collapses what is far too short and splits what is too long. Returns the guard of the mesh that
+/// came of it.
+std::unique_ptr<EmbeddingGuard> refine(const Task& task) {
+  task.result.refused = 0;
   const ScaledLengths lengths = coarsen(task);
   if (lengths.longest <= task.limits.longest) {
-    if (task.mesh.has_sizes()) return std::nullopt;
-    return lengths.longest;
+    if (task.mesh.has_sizes()) return make_guard(task);
+    return make_guard(task, lengths.longest);
   }
-  task.result.splits +=
-      split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
-  return std::nullopt;
+  const SafeSplitOptions options{task.limits.longest, task.options.keep_border,
+                                 [&] { return make_guard(task); },
+                                 [&] { mark_features(task.mesh, task.options.feature_angle_deg); }};
+  SafeSplits splits = split_safely(task.mesh, options, task.progress);
+  task.result.splits += splits.done;
+  task.result.refused = splits.refused;
+  return std::move(splits.guard);
 }
 
 void iterate(const Task& task, bool is_first, bool is_finish) {
   mark_features(task.mesh, task.options.feature_angle_deg);
-  const Index first_new = task.mesh.vertex_slots();
-  std::optional<double> longest_edge;
-  if (!task.options.only_smooth) longest_edge = refine(task);
-  Iteration iteration(task, first_new, longest_edge);
+  task.result.refused = 0;
+  const std::unique_ptr<EmbeddingGuard> guard =
+      task.options.only_smooth ? make_guard(task) : refine(task);
+  Iteration iteration(task, *guard);
   iteration.run(is_first);
   if (is_finish) iteration.finish();
-  task.result.kept_out += iteration.kept_out();
+  task.result.kept_out += guard->kept_out();
   remove_small(task);
 }
 
