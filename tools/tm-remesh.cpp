@@ -2,6 +2,7 @@
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "remesh_options.h"
+#include "remesh_report.h"
 #include "tm/geometry/source_points.h"
 #include "tm/io/comments.h"
 #include "tm/mesh/measure.h"
@@ -68,8 +69,8 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
   run.report("refused", result.refused);
   run.report("kept_out", result.kept_out);
   choices.keep_out.note_near(result.near_keep_out, run);
-  run.report("components_removed", result.components_removed);
-  run.report("degenerate_faces", result.degenerate_faces);
+  tool::report_dropped(result.components_removed, options.min_edge, run);
+  tool::report_slivers(result, run);
   return result.columns;
 }
 

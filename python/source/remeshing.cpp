@@ -61,8 +61,13 @@ py::dict report_of(const RemeshResult& result) {
   report["flips"] = result.flips;
   report["refused"] = result.refused;
   report["kept_out"] = result.kept_out;
-  report["components_removed"] = result.components_removed;
+  report["components_dropped"] = result.components_removed.count;
+  report["components_dropped_faces"] = result.components_removed.faces;
+  report["components_dropped_area"] = result.components_removed.area;
+  report["components_dropped_volume"] = result.components_removed.volume;
   report["degenerate_faces"] = result.degenerate_faces;
+  report["slivers_kept"] = result.slivers_kept;
+  report["faces_without_area"] = result.faces_without_area;
   return report;
 }
 

@@ -12,7 +12,7 @@ value() {
   assert_status 0
   [ "$(value splits "$BATS_TEST_TMPDIR/r.json")" -gt 5 ]
   [ "$(value degenerate_faces "$BATS_TEST_TMPDIR/r.json")" -eq 0 ]
-  for key in collapses flips refused components_removed; do
+  for key in collapses flips refused components_dropped; do
     [ -n "$(value $key "$BATS_TEST_TMPDIR/r.json")" ] || fail "no $key in the report"
   done
 }
@@ -324,4 +324,33 @@ far_pairs() {
   tm-shape genus 3 --faces 20000 | tm-transform --translate 1e6,0,0 -o far.ply
   timeout 60 tm-remesh -q --float --max-memory 2G far.ply -o out.ply
   [ "$(tm-info --get faces out.ply)" -lt 100000 ]
+}
+
+@test "guaranteed: boxes that share planes are remeshed without a self-intersection" {
+  cd "$BATS_TEST_TMPDIR" || return
+  tm-shape box 1 1 1 --faces 12 -o a.ply
+  tm-shape box 1 0.5 1 --faces 12 -o b.ply
+  for angle in 17 34 51 68 85; do
+    pipe "tm-cat a.ply b.ply | tm-transform --rotate 1,2,3,$angle | tm-clean |
+      tm-remesh --reference-edge 0.1 --report r.json | tm-checkmanifold --closed --intersections"
+    assert_status 0
+    [[ $output == *"degenerate_faces: 0"* ]]
+    [ "$(value faces_without_area r.json)" -eq 0 ]
+  done
+}
+
+@test "components that are dropped are said, with their faces, area and volume" {
+  cd "$BATS_TEST_TMPDIR" || return
+  tm-shape sphere --radius 0.05 --faces 200 | tm-transform --translate 3,0,0 -o speck.ply
+  pipe "tm-shape sphere --faces 1000 | tm-cat - speck.ply |
+    tm-remesh --min-edge 0.2 --max-edge 0.4 --report r.json 2>&1 >/dev/null"
+  assert_status 0
+  [[ $output == *"1 component of "*" dropped: smaller than the shortest edge 0.2; a smaller --min-edge keeps more"* ]]
+  [ "$(value components_dropped r.json)" -eq 1 ]
+  [ "$(value components_dropped_faces r.json)" -eq "$(tm-info --get faces speck.ply)" ]
+  # What the message advises is true.
+  pipe "tm-shape sphere --faces 1000 | tm-cat - speck.ply |
+    tm-remesh --min-edge 0.02 --max-edge 0.4 | tm-info --get components"
+  assert_status 0
+  [ "$output" -eq 2 ]
 }

@@ -317,8 +317,7 @@ void Aligner::tidy(bool moves) {
   const double longest = options_.limits.longest;
   const SafeSplitOptions splitting{
       longest, false,
-      [&] { return std::make_unique<EmbeddingGuard>(mesh_, longest_allowed * longest); },
-      [&] { mark_aligned_edges(); }};
+      [&] { return std::make_unique<EmbeddingGuard>(mesh_, longest_allowed * longest); }};
   const std::unique_ptr<EmbeddingGuard> owned = split_safely(mesh_, splitting, progress_).guard;
   EmbeddingGuard& guard = *owned;
   const VertexRoles roles(mesh_, false);

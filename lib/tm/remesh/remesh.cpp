@@ -13,6 +13,7 @@
 #include "tm/remesh/operations/even_out.h"
 #include "tm/remesh/operations/flip.h"
 #include "tm/remesh/operations/safe_split.h"
+#include "tm/remesh/operations/slivers.h"
 #include "tm/remesh/operations/smooth.h"
 #include "tm/remesh/sizing.h"
 #include "tm/remesh/small_components.h"
@@ -214,8 +215,13 @@ class Iteration {
 
 void remove_small(const Task& task) {
   if (task.options.only_smooth) return;
-  task.result.components_removed +=
+  const RemovedComponents removed =
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
+  RemovedComponents& all = task.result.components_removed;
+  all.count += removed.count;
+  all.faces += removed.faces;
+  all.area += removed.area;
+  all.volume += removed.volume;
 }
 
 /// Lengths over all edges, in units of the local size.
@@ -270,15 +276,13 @@ std::unique_ptr<EmbeddingGuard> make_guard(const Task& task,
 /// Collapses what is far too short and splits what is too long. Returns the guard of the mesh that
 /// came of it.
 std::unique_ptr<EmbeddingGuard> refine(const Task& task) {
-  task.result.refused = 0;
   const ScaledLengths lengths = coarsen(task);
   if (lengths.longest <= task.limits.longest) {
     if (task.mesh.has_sizes()) return make_guard(task);
     return make_guard(task, lengths.longest);
   }
   const SafeSplitOptions options{task.limits.longest, task.options.keep_border,
-                                 [&] { return make_guard(task); },
-                                 [&] { mark_features(task.mesh, task.options.feature_angle_deg); }};
+                                 [&] { return make_guard(task); }};
   SafeSplits splits = split_safely(task.mesh, options, task.progress);
   task.result.splits += splits.done;
   task.result.refused = splits.refused;
@@ -295,6 +299,18 @@ void iterate(const Task& task, bool is_first, bool is_finish) {
   if (is_finish) iteration.finish();
   task.result.kept_out += guard->kept_out();
   remove_small(task);
+}
+
+void count_what_is_left(const Task& task) {
+  Slivers left = count_slivers(task.mesh);
+  if (left.without_area > 0 && !task.options.only_smooth) {
+    remove_slivers(task.mesh, VertexRoles(task.mesh, task.options.keep_border));
+    left = count_slivers(task.mesh);
+  }
+  task.result.degenerate_faces = left.degenerate;
+  task.result.slivers_kept = left.kept;
+  task.result.first_sliver = left.place;
+  task.result.faces_without_area = left.without_area;
 }
 
 }  // namespace
@@ -324,15 +340,17 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
       editable, options, limits, surface ? &*surface : nullptr, keep_out ? &*keep_out : nullptr,
       progress, result};
   remove_small(task);
+  if (!options.only_smooth && count_slivers(editable).kept > 0)
+    remove_slivers(editable, VertexRoles(editable, options.keep_border));
   if (options.iterations > 1) editable.set_components(closed_components(editable));
   for (int i = 0; i < options.iterations; ++i)
     iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
-  result.degenerate_faces = count_degenerate_faces(editable);
+  count_what_is_left(task);
   Mesh remeshed = editable.to_mesh();
   if (remeshed.faces.empty()) {
-    const std::string all = result.components_removed == 1
-                                ? "the only component is"
-                                : "all " + counted(result.components_removed, "component") + " are";
+    const std::size_t count = result.components_removed.count;
+    const std::string all =
+        count == 1 ? "the only component is" : "all " + counted(count, "component") + " are";
     throw GoalError(all + " smaller than the shortest edge " + shortest_text(options.min_edge) +
                     ", so nothing would be left; use a smaller --min-edge");
   }

@@ -84,7 +84,7 @@ class CleanAndRemesh {
       remeshed = run_both();
     }
     result_.seconds_remesh = watch_.lap();
-    result_.topology = {cleaned_.topology.components - remeshed.components_removed,
+    result_.topology = {cleaned_.topology.components - remeshed.components_removed.count,
                         cleaned_.topology.genus};
     result_.faces = document_.mesh.faces.size();
   }

@@ -40,9 +40,8 @@ std::vector<Index> ExactSplitter::split(Index halfedge, bool keep_border) {
     for (int k = 0; k < 3; ++k) beside[k] = neighbor_of(middle[k], steps[k], is_single);
     positions.push_back(beside);
   }
-  const auto found = std::find_if(positions.begin(), positions.end(), [&](const Vec3& position) {
-    return position != source && position != target && try_position(position);
-  });
+  const auto found = std::find_if(positions.begin(), positions.end(),
+                                  [&](const Vec3& position) { return try_position(position); });
   if (found == positions.end()) return {};
   std::vector<Index> vertices;
   for (const Index copy : copies_) vertices.push_back(split_at(copy, *found));
@@ -76,7 +75,16 @@ void ExactSplitter::gather_replaced() {
   }
 }
 
+/// Whether another sheet has a vertex there, which the new one would touch.
+bool ExactSplitter::is_taken(const Vec3& position) const {
+  return !guard_.for_each_near({position, position, position}, [&](Index face) {
+    const Triangle triangle = mesh_.triangle(face);
+    return std::find(triangle.begin(), triangle.end(), position) == triangle.end();
+  });
+}
+
 bool ExactSplitter::try_position(const Vec3& position) {
+  if (is_taken(position)) return false;
   made_.clear();
   for (const Index copy : copies_) {
     for (const Index h : {copy, mesh_.opposite(copy)}) {

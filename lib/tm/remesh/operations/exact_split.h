@@ -22,6 +22,7 @@ class ExactSplitter {
  private:
   void find_copies(Index halfedge);
   void gather_replaced();
+  bool is_taken(const Vec3& position) const;
   bool try_position(const Vec3& position);
   Index split_at(Index halfedge, const Vec3& position);
 

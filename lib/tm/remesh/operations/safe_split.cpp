@@ -6,7 +6,6 @@
 #include "tm/clean/intersect/contacts.h"
 #include "tm/geometry/numbers/predicates.h"
 #include "tm/remesh/guards/exact_guard.h"
-#include "tm/remesh/operations/slivers.h"
 #include "tm/remesh/operations/split.h"
 
 namespace transformesh {
@@ -78,8 +77,6 @@ SafeSplits split_safely(EditableMesh& mesh, const SafeSplitOptions& options,
   if (!is_worse(before, mesh, counts.parents, in_contact)) return result;
 
   mesh = before;
-  remove_slivers(mesh, VertexRoles(mesh, options.keep_border));
-  options.mark_features();
   counts = split_long_edges_exactly(mesh, options.max_edge, options.keep_border, progress);
   return {options.make_guard(), counts.done, counts.refused};
 }

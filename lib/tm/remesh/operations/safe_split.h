@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "tm/remesh/guards/embedding_guard.h"
-#include "tm/remesh/halfedges/vertex_role.h"
 #include "tm/support/progress.h"
 
 namespace transformesh {
@@ -14,7 +13,6 @@ struct SafeSplitOptions {
   double max_edge = 0;
   bool keep_border = false;
   std::function<std::unique_ptr<EmbeddingGuard>()> make_guard;  ///< for the mesh as it is then
-  std::function<void()> mark_features;  ///< called again after slivers were removed
 };
 
 struct SafeSplits {

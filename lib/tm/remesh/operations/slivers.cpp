@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/mesh/digits.h"
 #include "tm/remesh/guards/exact_guard.h"
 #include "tm/remesh/halfedges/where.h"
+#include "tm/remesh/operations/degenerate.h"
 
 namespace transformesh {
 namespace {
@@ -15,35 +17,34 @@ namespace {
 constexpr int most_rounds = 16;
 static_assert(2 * most_rounds * sliver_spacings < ExactGuard::slack_spacings);
 
-/// The measures of a face that decide how it is removed.
-struct Shape {
-  Index shortest;  ///< halfedge
-  Index longest;   ///< halfedge
-  double shortest_length;
-  double height;  ///< above the longest edge
+double longest_edge(const Triangle& t) {
+  return std::sqrt(std::max(
+      {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()}));
+}
 
-  Shape(const EditableMesh& mesh, Index face) : shortest(3 * face), longest(3 * face) {
+/// The largest height of a sliver with these corners.
+double thickness_of_slivers(const Triangle& t, Scalar type) {
+  const Vec3 largest = t[0].cwiseAbs().cwiseMax(t[1].cwiseAbs()).cwiseMax(t[2].cwiseAbs());
+  return sliver_spacings * spacing_around(largest, type);
+}
+
+bool is_thin(const Triangle& t, Scalar type) {
+  const double doubled_area = normal_of(t[0], t[1], t[2]).norm();
+  return doubled_area <= thickness_of_slivers(t, type) * longest_edge(t);
+}
+
+/// The shortest and the longest edge of a face, as halfedges.
+struct Sides {
+  Index shortest;
+  Index longest;
+
+  Sides(const EditableMesh& mesh, Index face) : shortest(3 * face), longest(3 * face) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       if (mesh.squared_length(h) < mesh.squared_length(shortest)) shortest = h;
       if (mesh.squared_length(h) > mesh.squared_length(longest)) longest = h;
     }
-    shortest_length = std::sqrt(mesh.squared_length(shortest));
-    const double length = std::sqrt(mesh.squared_length(longest));
-    height = length > 0 ? mesh.face_normal(face).norm() / length : 0;
   }
 };
-
-double height_of(const Triangle& t) {
-  const double longest = std::sqrt(std::max(
-      {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()}));
-  return longest > 0 ? normal_of(t[0], t[1], t[2]).norm() / longest : 0;
-}
-
-double thickness_of_slivers(const EditableMesh& mesh, Index face) {
-  const auto [a, b, c] = mesh.triangle(face);
-  const Vec3 largest = a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs());
-  return sliver_spacings * spacing_around(largest, mesh.coordinate());
-}
 
 class SliverRemoval {
  public:
@@ -63,10 +64,11 @@ class SliverRemoval {
  private:
   bool remove(Index face) {
     if (!mesh_.has_face(face) || !is_sliver(mesh_, face)) return false;
-    const Shape shape(mesh_, face);
-    const bool is_needle = shape.shortest_length <= thickness_of_slivers(mesh_, face);
-    if (is_needle && (collapse(shape.shortest) || collapse_back(shape.shortest))) return true;
-    return flip(shape.longest, shape.height);
+    const Sides sides(mesh_, face);
+    const double thickness = thickness_of_slivers(mesh_.triangle(face), mesh_.coordinate());
+    const bool is_needle = mesh_.squared_length(sides.shortest) <= thickness * thickness;
+    if (is_needle && (collapse(sides.shortest) || collapse_back(sides.shortest))) return true;
+    return flip(sides.longest);
   }
 
   bool collapse_back(Index halfedge) {
@@ -95,7 +97,7 @@ class SliverRemoval {
 
   /// Flips the longest edge of a sliver. Both new faces take the place of the face across that
   /// edge.
-  bool flip(Index halfedge, double height) {
+  bool flip(Index halfedge) {
     if (mesh_.is_border(halfedge) || !mesh_.can_flip(halfedge)) return false;
     const Index sliver = halfedge / 3;
     const Index across = mesh_.opposite(halfedge) / 3;
@@ -105,12 +107,20 @@ class SliverRemoval {
     replaced_ = {sliver, across};
     made_.push_back({left, mesh_.position(mesh_.source(halfedge)), right});
     made_.push_back({right, mesh_.position(mesh_.target(halfedge)), left});
-    if (!(std::min(height_of(made_[0]), height_of(made_[1])) > height)) return false;
-    if (!guard_.allows(made_, replaced_)) return false;
+    const bool is_shorter = (right - left).squaredNorm() < mesh_.squared_length(halfedge);
+    if (!is_progress(across, is_shorter) || !guard_.allows(made_, replaced_)) return false;
     mesh_.flip(halfedge);
     mesh_.copy_face_row(across, sliver);
     guard_.divide(across, replaced_);
     return true;
+  }
+
+  /// Whether a flip leaves fewer slivers, or as many and a shorter edge. So flips come to an end.
+  bool is_progress(Index across, bool is_shorter) const {
+    const auto is_made_thin = [&](const Triangle& t) { return is_thin(t, mesh_.coordinate()); };
+    const auto after = std::count_if(made_.begin(), made_.end(), is_made_thin);
+    const int before = is_sliver(mesh_, across) ? 2 : 1;
+    return after < before || (after == before && is_shorter);
   }
 
   void start() {
@@ -131,7 +141,19 @@ class SliverRemoval {
 }  // namespace
 
 bool is_sliver(const EditableMesh& mesh, Index face) {
-  return Shape(mesh, face).height <= thickness_of_slivers(mesh, face);
+  return is_thin(mesh.triangle(face), mesh.coordinate());
+}
+
+Slivers count_slivers(const EditableMesh& mesh) {
+  Slivers result;
+  for (const Index face : degenerate_faces(mesh)) {
+    ++result.degenerate;
+    if (!is_sliver(mesh, face)) continue;
+    const auto [a, b, c] = mesh.triangle(face);
+    if (result.kept++ == 0) result.place = a;
+    if (collinear(a, b, c)) ++result.without_area;
+  }
+  return result;
 }
 
 std::size_t remove_slivers(EditableMesh& mesh, const VertexRoles& roles) {
