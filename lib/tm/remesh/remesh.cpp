@@ -303,7 +303,7 @@ void iterate(const Task& task, bool is_first, bool is_finish) {
 
 void count_what_is_left(const Task& task) {
   Slivers left = count_slivers(task.mesh);
-  if (left.without_area > 0 && !task.options.only_smooth) {
+  if (left.kept > 0 && !task.options.only_smooth) {
     remove_slivers(task.mesh, VertexRoles(task.mesh, task.options.keep_border));
     left = count_slivers(task.mesh);
   }
