@@ -64,11 +64,19 @@ Step step_of(const Options& options, const Record& record, Scalar coordinate) {
 }
 
 void report(const EvolveResult& result, tool::Run& run) {
+void note_clamped(const EvolveResult& result, double alpha, tool::Run& run) {
+  if (result.clamped_iterations == 0) return;
+  run.note(clamps_in_words(result, alpha) +
+           "; use a smaller --time-step and more --iterations, or a larger --alpha");
+}
+
   run.report("stop", result.is_done ? "converged" : "iteration_limit");
   run.report("iterations", result.iterations);
   run.report("components", result.last.topology.components);
   run.report("genus", result.last.topology.genus);
   run.report("max_displacement", result.last.displaced.max_displacement);
+  run.report("clamped_iterations", result.clamped_iterations);
+  run.report("clamped_share", result.clamped_share);
   run.report("rms_displacement", result.last.displaced.rms_displacement);
 }
 
@@ -94,6 +102,7 @@ void evolve_mesh(Options& options, tool::Run& run) {
   });
   report(result, run);
   tool::conclude(run, options.loop, record,
+  note_clamped(result, options.displace.alpha, run);
                  {result.is_done, result.is_done, summary(result, document.mesh)});
 }
 

@@ -14,7 +14,9 @@
 #include "tm/step/displace.h"
 #include "tm/step/velocity.h"
 #include "tm/support/error.h"
+#include "tm/support/counted.h"
 
+#include "tm/support/number.h"
 namespace transformesh::python {
 namespace {
 
@@ -188,6 +190,9 @@ MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>
   report["moved"] = result.moved;
   report["clamped"] = result.clamped;
   report["held_back"] = result.held_back;
+  if (result.clamped > 0)
+    warn({counted(result.clamped, "vertex") + " clamped to " + shortest_text(alpha) +
+          " of the mean edge at the vertex; use a smaller time_step, or a larger alpha"});
   report["max_displacement"] = result.max_displacement;
   report["rms_displacement"] = result.rms_displacement;
   report["mean_edge"] = result.mean_edge;
