@@ -70,6 +70,7 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
   choices.keep_out.note_near(result.near_keep_out, run);
   run.report("components_removed", result.components_removed);
   run.report("degenerate_faces", result.degenerate_faces);
+  run.report("feature_angle", result.feature_angle_deg);
   return result.columns;
 }
 

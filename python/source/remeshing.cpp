@@ -18,6 +18,20 @@ struct RemeshChoices {
   std::string flip, only;
 };
 
+/// Degrees, or "auto".
+using FeatureAngle = std::variant<double, std::string>;
+
+/// As in RemeshOptions.
+double angle_of(const FeatureAngle& angle) {
+  if (const auto* word = std::get_if<std::string>(&angle)) {
+    choice("feature_angle", *word, {"auto"});
+    return 0;
+  }
+  const double degrees = std::get<double>(angle);
+  if (!(degrees > 0)) throw UsageError("feature_angle: 'auto', or degrees above 0");
+  return degrees;
+}
+
 /// As tm-remesh does: relative lengths are of the reference edge, or of the local size.
 RemeshOptions remesh_options(const RemeshChoices& choices, Document& document) {
   RemeshOptions options;
@@ -64,6 +78,7 @@ py::dict report_of(const RemeshResult& result) {
   report["components_removed"] = result.components_removed;
   report["degenerate_faces"] = result.degenerate_faces;
   return report;
+  report["feature_angle"] = result.feature_angle_deg;
 }
 
 py::dict report_of(const AlignResult& result) {
@@ -91,7 +106,7 @@ AlignOptions align_options(const RemeshOptions& remesh, const RemeshChoices& cho
     throw UsageError("align aligns and " + std::string(refused) +
                      " remeshes: use one after the other");
   AlignOptions options;
-  if (remesh.feature_angle_deg < 180) options.feature_angle_deg = remesh.feature_angle_deg;
+  if (remesh.feature_angle_deg > 0) options.feature_angle_deg = remesh.feature_angle_deg;
   options.limits = {remesh.min_edge, remesh.max_edge};
   options.coordinate = remesh.coordinate;
   return options;
@@ -101,8 +116,8 @@ MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength
                         const std::optional<PythonLength>& max_edge,
                         const std::optional<PythonLength>& adaptive, const std::string& size_field,
                         int iterations, const SmoothingChoice& smooth, const std::string& flip,
-                        const std::string& only, double feature_angle, bool keep_border,
-                        bool project, const std::optional<MeshPointer>& align,
+                        const std::string& only, const FeatureAngle& feature_angle,
+                        bool keep_border, bool project, const std::optional<MeshPointer>& align,
                         const std::optional<MeshPointer>& keep_out,
                         const std::optional<PythonLength>& gap, bool source,
                         const py::object& progress) {
@@ -110,7 +125,7 @@ MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength
   const RemeshChoices choices{min_edge, max_edge, adaptive, size_field, smooth, flip, only};
   RemeshOptions options = remesh_options(choices, document);
   options.iterations = iterations;
-  options.feature_angle_deg = feature_angle;
+  options.feature_angle_deg = angle_of(feature_angle);
   options.keep_border = keep_border;
   options.project = project;
   Lengths lengths(document);
@@ -158,7 +173,7 @@ void bind_remeshing(py::module_& module) {
   module.def("remesh", &remesh_mesh, arg("mesh"), py::kw_only(), arg("min_edge") = none,
              arg("max_edge") = none, arg("adaptive") = none, arg("size_field") = "",
              arg("iterations") = 1, arg("smooth") = "tangential", arg("flip") = "valence",
-             arg("only") = "all", arg("feature_angle") = 180.0, arg("keep_border") = false,
+             arg("only") = "all", arg("feature_angle") = "auto", arg("keep_border") = false,
              arg("project") = false, arg("align") = none, arg("keep_out") = none, arg("gap") = none,
              arg("source") = false, arg("progress") = none,
              "Keeps edges between two lengths ('0.7x' to '1.5x' of the reference edge) and "

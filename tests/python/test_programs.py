@@ -60,6 +60,44 @@ def test_remesh(options, words):
     assert same(tm.remesh(tm.parse(ball), **options), "tm-remesh", *words, stdin=ball)
 
 
+@pytest.mark.parametrize(
+    "angle, words, kept",
+    [
+        ("auto", [], 40),
+        (180, ["--feature-angle", 180], 180),
+        (20, ["--feature-angle", 20], 20),
+    ],
+)
+def test_feature_angle(angle, words, kept):
+    box = shape("box", 1, 1, 3, "--faces", 1000)
+    result = tm.remesh(tm.parse(box), feature_angle=angle)
+    assert same(result, "tm-remesh", *words, stdin=box)
+    assert result.report["feature_angle"] == kept
+    with pytest.raises(tm.UsageError, match="feature_angle"):
+        tm.remesh(tm.parse(box), feature_angle="sharp")
+
+
+def test_joins_places(tmp_path):
+    ball = tm.shape("sphere", faces=500)
+    corners = np.arange(3 * len(ball.faces))
+    soup = tm.Mesh(ball.positions[ball.faces.ravel()], corners.reshape(-1, 3))
+    path = tmp_path / "soup.ply"
+    tm.write(soup, path)
+    for function, words in [
+        (tm.remesh, ["tm-remesh"]),
+        (lambda mesh: tm.decimate(mesh, 200), ["tm-remesh", "--faces", 200]),
+        (tm.fill, ["tm-fill"]),
+        (tm.handles, ["tm-handles"]),
+        (lambda mesh: tm.offset(mesh, 0.2), ["tm-offset", "--distance", 0.2]),
+    ]:
+        with pytest.warns(UserWarning, match="vertices joined with others in the same place"):
+            result = function(tm.read(path))
+        assert same(result, *words, stdin=path.read_bytes())
+        assert result.report["joined_vertices"] == len(corners) - len(ball.positions)
+    with pytest.raises(tm.InputError, match="tm-stitch"):
+        tm.displace(soup, normal_speed=0.1)
+
+
 def test_decimate():
     ball = shape("torus", "--faces", 3000)
     assert same(tm.decimate(tm.parse(ball), 500), "tm-remesh", "--faces", 500, stdin=ball)
@@ -92,7 +130,7 @@ def test_keep_out(kernel, function, options, words, refused, tmp_path):
 def test_align(tmp_path):
     box = shape("box", "--faces", 1500)
     (tmp_path / "box.ply").write_bytes(box)
-    blunt = tm.remesh(tm.parse(box), iterations=5, smooth=0.5).to_bytes()
+    blunt = tm.remesh(tm.parse(box), iterations=5, smooth=0.5, feature_angle=180).to_bytes()
     sharp = tm.remesh(tm.parse(blunt), align=tm.parse(box), source=True)
     assert same(sharp, "tm-remesh", "--align", tmp_path / "box.ply", "--source", stdin=blunt)
     assert sharp.report["corners"] == 8

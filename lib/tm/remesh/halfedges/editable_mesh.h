@@ -125,6 +125,7 @@ class EditableMesh {
   /// Positions are rounded to this type as they are made, so that what is checked is what a file
   /// of that type holds.
   void set_coordinate(Scalar coordinate) { single_ = coordinate == Scalar::float32; }
+  Scalar coordinate() const { return single_ ? Scalar::float32 : Scalar::float64; }
   bool is_single() const { return single_; }
   Vec3 rounded(const Vec3& position) const {
     if (!single_) return position;
