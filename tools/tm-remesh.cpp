@@ -96,6 +96,7 @@ int main(int argc, char** argv) {
   tool::RemeshChoices choices;
   tool::Program program{"tm-remesh", "[OPTION]... [INPUT]",
                         "Keeps edges between two lengths and triangles round"};
+  program.soups = tool::Soups::joined;
   tool::declare_remeshing(program, choices);
   program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { change(run.document(), choices, run); });

@@ -68,8 +68,9 @@ auto with_source(bool source, Mesh& mesh, Change change) {
 
 // --- remesh --------------------------------------------------------------------------------------
 
-py::dict report_of(const RemeshResult& result) {
+py::dict report_of(const RemeshResult& result, std::size_t joined) {
   py::dict report;
+  report["joined_vertices"] = joined;
   report["splits"] = result.splits;
   report["collapses"] = result.collapses;
   report["flips"] = result.flips;
@@ -77,12 +78,13 @@ py::dict report_of(const RemeshResult& result) {
   report["kept_out"] = result.kept_out;
   report["components_removed"] = result.components_removed;
   report["degenerate_faces"] = result.degenerate_faces;
-  return report;
   report["feature_angle"] = result.feature_angle_deg;
+  return report;
 }
 
-py::dict report_of(const AlignResult& result) {
+py::dict report_of(const AlignResult& result, std::size_t joined) {
   py::dict report;
+  report["joined_vertices"] = joined;
   report["sharp_edges"] = result.sharp_edges;
   report["corners"] = result.corners;
   report["aligned"] = result.aligned;
@@ -122,6 +124,7 @@ MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength
                         const std::optional<PythonLength>& gap, bool source,
                         const py::object& progress) {
   Document document = mesh.document;
+  const std::size_t joined = join_places(document.mesh);
   const RemeshChoices choices{min_edge, max_edge, adaptive, size_field, smooth, flip, only};
   RemeshOptions options = remesh_options(choices, document);
   options.iterations = iterations;
@@ -132,17 +135,18 @@ MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength
   options.keep_out = keep_out_of(keep_out, gap, lengths);
   if (align) {
     const AlignOptions aligning = align_options(options, choices);
+    Mesh target = (*align)->document.mesh;
+    join_places(target);
     const AlignResult result = without_lock(progress, [&](const Progress& to) {
-      return with_source(source, document.mesh, [&] {
-        return align_features(document.mesh, (*align)->document.mesh, aligning, to);
-      });
+      return with_source(source, document.mesh,
+                         [&] { return align_features(document.mesh, target, aligning, to); });
     });
-    return mesh_of(std::move(document), report_of(result));
+    return mesh_of(std::move(document), report_of(result, joined));
   }
   const RemeshResult result = without_lock(progress, [&](const Progress& to) {
     return with_source(source, document.mesh, [&] { return remesh(document.mesh, options, to); });
   });
-  return mesh_of(std::move(document), report_of(result));
+  return mesh_of(std::move(document), report_of(result, joined));
 }
 
 // --- decimate ------------------------------------------------------------------------------------
@@ -152,6 +156,7 @@ MeshPointer decimate_mesh(const PythonMesh& mesh, std::size_t faces, double feat
                           const std::optional<PythonLength>& gap, bool source,
                           const py::object& progress) {
   Document document = mesh.document;
+  const std::size_t joined = join_places(document.mesh);
   Lengths lengths(document);
   const DecimateOptions options{faces, feature_angle, keep_border, document.style.coordinate,
                                 keep_out_of(keep_out, gap, lengths)};
@@ -159,6 +164,7 @@ MeshPointer decimate_mesh(const PythonMesh& mesh, std::size_t faces, double feat
     return with_source(source, document.mesh, [&] { return decimate(document.mesh, options, to); });
   });
   py::dict report;
+  report["joined_vertices"] = joined;
   report["collapses"] = result.collapses;
   report["faces"] = result.faces;
   report["kept_out"] = result.kept_out;

@@ -399,6 +399,25 @@ def test_morph_warns_of_what_makes_a_result_doubtful():
         tm.morph(ball, tm.stitch(ball, flip=True))
 
 
+def test_clamped_velocities():
+    ball = tm.shape("sphere", faces=1000)
+
+    def squeeze(mesh):  # without divergence: the volume stays
+        return mesh.positions * (1, 1, -2)
+
+    with pytest.warns(UserWarning, match="in 3 of 3 iterations.*smaller time_step and more iter.*larger alpha"):
+        clamped = tm.evolve(ball, squeeze, iterations=3, time_step=0.03)
+    assert clamped.report["clamped_iterations"] == 3
+    assert 0 < clamped.report["clamped_share"] <= 1
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        free = tm.evolve(ball, squeeze, iterations=3, time_step=0.03, alpha=3, smooth="none")
+    assert free.report["clamped_iterations"] == 0
+    assert abs(tm.info(free)["volume"] / tm.info(ball)["volume"] - 1) < 0.02
+    with pytest.warns(UserWarning, match="clamped to 0.2 of the mean edge"):
+        tm.displace(ball, normal_speed=1)
+
+
 def test_evolve(tmp_path):
     ball = shape("dumbbell", "--faces", 1500)
 
@@ -437,25 +456,6 @@ def test_intersect(crossing, tmp_path):
     expected = np.loadtxt(tmp_path / "pairs", dtype=int)
     assert np.array_equal(tm.intersect(tm.parse(crossing)), expected)
     assert tm.intersect(tm.shape("sphere", faces=100)).shape == (0, 2)
-
-def test_clamped_velocities():
-    ball = tm.shape("sphere", faces=1000)
-
-    def squeeze(mesh):  # without divergence: the volume stays
-        return mesh.positions * (1, 1, -2)
-
-    with pytest.warns(UserWarning, match="in 3 of 3 iterations.*smaller time_step and more iter.*larger alpha"):
-        clamped = tm.evolve(ball, squeeze, iterations=3, time_step=0.03)
-    assert clamped.report["clamped_iterations"] == 3
-    assert 0 < clamped.report["clamped_share"] <= 1
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        free = tm.evolve(ball, squeeze, iterations=3, time_step=0.03, alpha=3, smooth="none")
-    assert free.report["clamped_iterations"] == 0
-    assert abs(tm.info(free)["volume"] / tm.info(ball)["volume"] - 1) < 0.02
-    with pytest.warns(UserWarning, match="clamped to 0.2 of the mean edge"):
-        tm.displace(ball, normal_speed=1)
-
 
 
 def test_threads_make_no_difference(crossing):
