@@ -93,6 +93,17 @@ joins() { # FILE PROGRAM OPTION...
   done
 }
 
+@test "a target that is a soup attracts as the mesh that it is" {
+  tm-shape box 1 1 3 --faces 12 --no-provenance -o "$work/box.ply"
+  tm-convert -q -o "$work/box.stl" "$work/box.ply"
+  tm-shape sphere --around "$work/box.ply" --faces 1000 -o "$work/ball.ply"
+  for target in box.ply box.stl; do
+    tm-morph -q --no-provenance "$work/ball.ply" --target "$work/$target" --reference-edge 0.3 -o "$work/to-$target.ply"
+  done
+  cmp "$work/to-box.ply.ply" "$work/to-box.stl.ply"
+  tm-compare --reference "$work/box.ply" --within 1e-9 "$work/to-box.stl.ply"
+}
+
 @test "faces that look this way and that are refused with what mends them" {
   # A strip of which one face looks the other way.
   printf 'OFF\n9 3 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n1 1 0\n3 0 1 2\n3 3 4 5\n3 6 8 7\n' >"$work/strip.off"

@@ -32,14 +32,37 @@ Index longest_halfedge(const EditableMesh& mesh, Index face) {
   return longest;
 }
 
+double spacing_at_face(const EditableMesh& mesh, Index face) {
+  double spacing = 0;
+  for (Index h = 3 * face; h < 3 * face + 3; ++h)
+    spacing = std::max(spacing, spacing_around(mesh.position(mesh.source(h)), mesh.coordinate()));
+  return spacing;
+}
+
 /// Zero for a face without a steady one.
 Vec3 own_normal(const EditableMesh& mesh, Index face) {
   const Vec3 normal = mesh.face_normal(face);
   const double area = normal.stableNorm();
-  const Index longest = longest_halfedge(mesh, face);
-  const double height = area / std::sqrt(mesh.squared_length(longest));
-  const double spacing = spacing_around(mesh.position(mesh.source(longest)), mesh.coordinate());
-  return height > steady_spacings * spacing ? Vec3(normal / area) : Vec3(Vec3::Zero());
+  const double height = area / std::sqrt(mesh.squared_length(longest_halfedge(mesh, face)));
+  const bool is_steady = height > steady_spacings * spacing_at_face(mesh, face);
+  return is_steady ? Vec3(normal / area) : Vec3(Vec3::Zero());
+}
+
+/// Gives thin faces the normals of those across their longest edges, or across any edge, and takes
+/// them out of the list. Thin faces lie beside each other, too: each round goes one face farther.
+void take_over(const EditableMesh& mesh, bool across_any, std::vector<Index>& thin,
+               std::vector<Vec3>& normals) {
+  const auto has_taken = [&](Index face) {
+    const Index longest = longest_halfedge(mesh, face);
+    for (Index h = 3 * face; h < 3 * face + 3 && normals[face].isZero(0); ++h)
+      if ((h == longest || across_any) && !mesh.is_border(h))
+        normals[face] = normals[mesh.opposite(h) / 3];
+    return !normals[face].isZero(0);
+  };
+  for (std::size_t before = thin.size() + 1; thin.size() < before;) {
+    before = thin.size();
+    std::erase_if(thin, has_taken);
+  }
 }
 
 /// True wherever an edge turns by 60 degrees, be it only by noise. Most meshes are smooth: of them
@@ -120,15 +143,9 @@ std::vector<Vec3> steady_normals(const EditableMesh& mesh) {
     normals[face] = own_normal(mesh, face);
     if (normals[face].isZero(0)) thin.push_back(face);
   }
-  // Thin faces lie beside each other, too: each round takes over what the one before has found.
-  for (std::size_t before = thin.size() + 1; thin.size() < before;) {
-    before = thin.size();
-    std::erase_if(thin, [&](Index face) {
-      const Index across = mesh.opposite(longest_halfedge(mesh, face));
-      if (across != no_index) normals[face] = normals[across / 3];
-      return !normals[face].isZero(0);
-    });
-  }
+  take_over(mesh, false, thin, normals);
+  // Two of them may share their longest edge.
+  take_over(mesh, true, thin, normals);
   return normals;
 }
 

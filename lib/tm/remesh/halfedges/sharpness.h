@@ -9,8 +9,8 @@
 namespace transformesh {
 
 /// The unit normal of every face slot. The normal of a face whose height is below 64 spacings of
-/// the coordinates is noise: it takes that of the face across its longest edge. Zero where there is
-/// none, and in dead slots. O(n).
+/// the coordinates is noise: it takes that of the face across its longest edge, or where that leads
+/// nowhere, across any edge. Zero where there is none, and in dead slots. O(n).
 std::vector<Vec3> steady_normals(const EditableMesh& mesh);
 
 /// Whether there are sharp edges for certain, and not by noise or coarseness. Edges that turn by
