@@ -30,7 +30,7 @@ programs() {
 
 # first_command_targets: the CMake targets that scripts/quickstart builds.
 first_command_targets() {
-  sed -n 's/^.*cmake --build build --target \([^-]*\).*$/\1/p' "$tm_root/scripts/quickstart" | tr ' ' '\n' | sort -u
+  sed -n 's/^.*cmake --build build --target \([^-]*\).*$/\1/p' "$tm_root/scripts/quickstart" | grep -oE '[^ ]+' | sort -u
 }
 
 # Links into the folder what the build folder holds after these targets alone: all that is installed
@@ -39,7 +39,7 @@ link_what_is_built() { # FOLDER TARGET...
   local folder=$1
   shift
   ninja -C "$tm_build" -t targets all | sed -n 's/: [^ ]*$//p' | sort -u >every
-  ninja -C "$tm_build" -t inputs "$@" | sort -u >built
+  ninja -C "$tm_build" -t commands "$@" | grep -oE '[^ ]+' | sed "s|^$tm_build/||" | sort -u >built
   (cd "$tm_build" && find . -name cmake_install.cmake -o -name '*Targets*.cmake' -path '*/Export/*') |
     sed 's|^\./||' >scripts
   (cd "$tm_build" && xargs grep -ho "\"$tm_build/[^\"]*\"" <"$OLDPWD/scripts") | tr -d '"' |
