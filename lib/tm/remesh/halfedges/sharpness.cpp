@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double steady_spacings = 64;  ///< height of a face whose normal is good to a degree
+constexpr double steady_spacings = 16;  ///< height of a face whose normal is good to 4 degrees
 constexpr double sharp_deg = 60;
 constexpr double line_deg = 40;
 constexpr double smooth_share = 0.35;  ///< of the angle of a sharp edge
@@ -48,20 +48,38 @@ Vec3 own_normal(const EditableMesh& mesh, Index face) {
   return is_steady ? Vec3(normal / area) : Vec3(Vec3::Zero());
 }
 
-/// Gives thin faces the normals of those across their longest edges, or across any edge, and takes
-/// them out of the list. Thin faces lie beside each other, too: each round goes one face farther.
-void take_over(const EditableMesh& mesh, bool across_any, std::vector<Index>& thin,
-               std::vector<Vec3>& normals) {
-  const auto has_taken = [&](Index face) {
-    const Index longest = longest_halfedge(mesh, face);
-    for (Index h = 3 * face; h < 3 * face + 3 && normals[face].isZero(0); ++h)
-      if ((h == longest || across_any) && !mesh.is_border(h))
-        normals[face] = normals[mesh.opposite(h) / 3];
-    return !normals[face].isZero(0);
-  };
-  for (std::size_t before = thin.size() + 1; thin.size() < before;) {
-    before = thin.size();
-    std::erase_if(thin, has_taken);
+/// Gives thin faces the normals at the ends of the ways across longest edges. A way that comes back
+/// to itself, as where two of them share their longest edge, leads nowhere.
+void take_over_across_longest(const EditableMesh& mesh, const std::vector<Index>& thin,
+                              std::vector<Vec3>& normals) {
+  std::vector<char> is_visited(normals.size(), 0);
+  std::vector<Index> way;
+  for (const Index first : thin) {
+    way.clear();
+    Index face = first;
+    while (face != no_index && normals[face].isZero(0) && is_visited[face] == 0) {
+      is_visited[face] = 1;
+      way.push_back(face);
+      const Index across = mesh.opposite(longest_halfedge(mesh, face));
+      face = across == no_index ? no_index : across / 3;
+    }
+    if (face == no_index) continue;
+    for (const Index passed : way) normals[passed] = normals[face];
+  }
+}
+
+/// Gives each face without a normal that of the nearest face with one, in steps across edges.
+void take_over_across_any(const EditableMesh& mesh, std::vector<Vec3>& normals) {
+  std::vector<Index> reached;
+  for (Index face = 0; face < mesh.face_slots(); ++face)
+    if (!normals[face].isZero(0)) reached.push_back(face);
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h) {
+      const Index across = mesh.opposite(h);
+      if (across == no_index || !normals[across / 3].isZero(0)) continue;
+      normals[across / 3] = normals[reached[i]];
+      reached.push_back(across / 3);
+    }
   }
 }
 
@@ -143,9 +161,9 @@ std::vector<Vec3> steady_normals(const EditableMesh& mesh) {
     normals[face] = own_normal(mesh, face);
     if (normals[face].isZero(0)) thin.push_back(face);
   }
-  take_over(mesh, false, thin, normals);
-  // Two of them may share their longest edge.
-  take_over(mesh, true, thin, normals);
+  if (thin.empty()) return normals;
+  take_over_across_longest(mesh, thin, normals);
+  take_over_across_any(mesh, normals);
   return normals;
 }
 

@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-/// The unit normal of every face slot. The normal of a face whose height is below 64 spacings of
+/// The unit normal of every face slot. The normal of a face whose height is below 16 spacings of
 /// the coordinates is noise: it takes that of the face across its longest edge, or where that leads
 /// nowhere, across any edge. Zero where there is none, and in dead slots. O(n).
 std::vector<Vec3> steady_normals(const EditableMesh& mesh);

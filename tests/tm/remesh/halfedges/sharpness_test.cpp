@@ -122,7 +122,9 @@ TEST_CASE("faces too thin to have a normal take that of the face beyond their lo
 }
 
 TEST_CASE("remeshing decides by the input, and says how") {
-  RemeshOptions options{.min_edge = 0.1, .max_edge = 0.2};
+  RemeshOptions options;
+  options.min_edge = 0.1;
+  options.max_edge = 0.2;
   options.feature_angle_deg = 0;
   Mesh box = test::cube();
   CHECK(remesh(box, options).feature_angle_deg == 40);
