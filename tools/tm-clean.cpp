@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-clean", "[OPTION]... [INPUT]",
                         "Removes self-intersections: the boundary of winding number >= 1"};
   program.cleans = true;
-  program.joins_soups = true;
+  program.soups = tool::Soups::own;
   tool::declare_cleaning(program, choices);
   return program.run(argc, argv,
                      [&](tool::Run& run) { clean_document(run.document(), choices, run); });

@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-fill", "[OPTION]... [INPUT]",
                         "Closes holes by smooth patches, never into a crossing"};
+  program.soups = tool::Soups::joined;
   program.integer("max-edges", &choices.max_edges, 3, 1000000000,
                   "leave holes with more edges open (default: none)");
   program.length("max-diameter", &choices.max_diameter,

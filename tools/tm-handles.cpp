@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-handles", "[OPTION]... [INPUT]",
                         "Removes thin handles and closes narrow tunnels, for tm-clean"};
+  program.soups = tool::Soups::joined;
   program.length("max-length", &choices.max_length,
                  "remove handles that a loop of this length goes around (default 5x)");
   return program.run(argc, argv,

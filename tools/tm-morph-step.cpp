@@ -2,6 +2,7 @@
 #include "frame/displacement_report.h"
 #include "frame/run.h"
 #include "tm/io/streams/streams.h"
+#include "tm/mesh/touching_borders.h"
 #include "tm/step/local_thickness.h"
 #include "tm/step/morph_check.h"
 #include "tm/step/morph_step.h"
@@ -41,6 +42,7 @@ Target target_of(const Options& options, tool::Run& run) {
 }
 
 void step(Document& document, Options options, tool::Run& run) {
+  refuse_touching_borders(document.mesh);
   if (options.step.gap_edges > 0) options.step.largest_size = run.reference_edge();
   const Target target = target_of(options, run);
   for (const std::string& line : check_source(document.mesh, target, input_name(run.input())))

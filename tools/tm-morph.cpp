@@ -92,6 +92,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-morph", "[OPTION]... SOURCE --target FILE -o OUT",
                         "Evolves a mesh until it lies on a target", tool::Reads::files,
                         tool::Writes::evolved_mesh};
+  program.soups = tool::Soups::own;
   tool::declare_morph(program, choices);
   program.writes_mesh_if = [&choices] { return !choices.print_pipeline; };
   return program.run(argc, argv, [&](tool::Run& run) { evolve(choices, run); });

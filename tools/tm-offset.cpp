@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-offset", "[OPTION]... --distance LENGTH [INPUT]",
                         "Moves a surface outwards or inwards by a distance"};
+  program.soups = tool::Soups::joined;
   program
       .length("distance", &choices.distance, "how far: outwards, or inwards where negative", true)
       .is_needed = true;

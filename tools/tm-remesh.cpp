@@ -71,6 +71,7 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
   choices.keep_out.note_near(result.near_keep_out, run);
   tool::report_dropped(result.components_removed, options.min_edge, run);
   tool::report_slivers(result, run);
+  run.report("feature_angle", result.feature_angle_deg);
   return result.columns;
 }
 
@@ -96,6 +97,7 @@ int main(int argc, char** argv) {
   tool::RemeshChoices choices;
   tool::Program program{"tm-remesh", "[OPTION]... [INPUT]",
                         "Keeps edges between two lengths and triangles round"};
+  program.soups = tool::Soups::joined;
   tool::declare_remeshing(program, choices);
   program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { change(run.document(), choices, run); });

@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   Length tolerance;
   tool::Program program{"tm-stitch", "[OPTION]... [INPUT]",
                         "Joins a soup of triangles into a manifold mesh"};
-  program.joins_soups = true;
+  program.soups = tool::Soups::own;
   program.length("tolerance", &tolerance,
                  "join vertices within this distance; 0 joins equal positions only");
   program.flag("orient", &options.orient,

@@ -23,6 +23,7 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
                       const std::optional<PythonLength>& max_diameter, bool refine, bool fair,
                       bool allow_crossings, const py::object& progress) {
   Document document = mesh.document;
+  const std::size_t joined = join_places(document.mesh);
   FillOptions options;
   if (max_edges && *max_edges < 3) throw UsageError("max_edges: a hole has at least 3");
   options.max_edges = max_edges.value_or(options.max_edges);
@@ -34,6 +35,7 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
   const FillResult result = without_lock(
       progress, [&](const Progress& to) { return fill_holes(document.mesh, options, to); });
   py::dict report;
+  report["joined_vertices"] = joined;
   report["holes"] = result.holes;
   report["filled"] = result.filled();
   report["faired"] = result.faired;
@@ -52,12 +54,14 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
 MeshPointer remove_handles_of(const PythonMesh& mesh, const PythonLength& max_length,
                               const py::object& progress) {
   Document document = mesh.document;
+  const std::size_t joined = join_places(document.mesh);
   HandleOptions options;
   options.max_length = Lengths(document)(max_length);
   options.coordinate = document.style.coordinate;
   const HandleResult result = without_lock(
       progress, [&](const Progress& to) { return remove_handles(document.mesh, options, to); });
   py::dict report;
+  report["joined_vertices"] = joined;
   report["max_length"] = options.max_length;
   report["removed"] = result.removed;
   report["refused"] = result.refused;

@@ -81,7 +81,7 @@ def remesh(
     smooth: Smoothing = "tangential",
     flip: Literal["valence", "angle", "none"] = "valence",
     only: Literal["all", "smooth"] = "all",
-    feature_angle: float = 180.0,
+    feature_angle: Union[float, Literal["auto"]] = "auto",
     keep_border: bool = False,
     project: bool = False,
     align: Optional[Mesh] = None,

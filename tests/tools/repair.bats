@@ -90,6 +90,32 @@ refused() {
   is_solid two.ply 6
 }
 
+# cracked FILE WIDTH: its triangles, every corner moved by up to WIDTH/2 in each direction.
+cracked() {
+  tm-convert -q --no-provenance --double --format stl "$1" | tm-convert -q --no-provenance --double --format off |
+    awk -v width="$2" 'BEGIN { srand(1) }
+      NR > 2 && NF == 3 { print $1 + width * (rand() - 0.5), $2 + width * (rand() - 0.5), $3 + width * (rand() - 0.5); next }
+      { print }'
+}
+
+@test "row --tolerance: cracks are joined by a tolerance, which the page warns of" {
+  grep -qF '| has no face across, along cracks: borders nearly meet | **tm-stitch \--tolerance** *LENGTH*; see CRACKS |' \
+    "$tm_root/man/tm-repair.7.md"
+  tm-shape box 1 1 3 --faces 500 -o box.ply
+  cracked box.ply 2e-6 >cracked.off
+  tm-stitch -q cracked.off -o equal.ply
+  run tm-checkmanifold --closed equal.ply
+  assert_status 1
+  [[ $output == *"has no face across"* ]]
+  tm-stitch -q --tolerance 1e-5 cracked.off -o joined.ply
+  tm-checkmanifold --closed joined.ply
+  tm-clean -q joined.ply -o solid.ply
+  is_solid solid.ply 3
+  # What a tolerance above the edges does.
+  tm-stitch -q --tolerance 0.5 cracked.off -o lost.ply --report r.json
+  jq -e '.result.dropped_faces > 0' r.json
+}
+
 @test "an open figure of parts that end within each other: pig" {
   repaired "no face across" cgal/pig.stl
 }

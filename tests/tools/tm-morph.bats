@@ -190,7 +190,7 @@ frames_are_piped() {
   for iteration in {1..12}; do
     tm-morph-step --no-provenance --target "$target" "$@" mesh.ply |
       tm-clean --no-provenance --outermost |
-      tm-remesh --no-provenance --smooth 0.1 -o mesh.ply
+      tm-remesh --no-provenance --smooth 0.1 --feature-angle 180 -o mesh.ply
     cmp mesh.ply "frames/frame-$(printf %05d "$iteration").ply" || fail "iteration $iteration"
   done
   rm -r frames

@@ -38,6 +38,15 @@ enum class Reads {
   files     ///< any number, likewise
 };
 
+/// What becomes of faces that meet but share no vertices, as in a soup of triangles
+/// (touching_borders.h).
+enum class Soups {
+  kept,    ///< the mesh is read as it is; only of STL it is said that tm-stitch joins them
+  own,     ///< the same, and nobody is told to use tm-stitch: the program joins them itself
+  joined,  ///< equal places are joined when a mesh is read, which is said
+  told     ///< the mesh is read as it is, and of any file it is said that tm-stitch joins them
+};
+
 /// What goes to -o, which is stdout by default.
 enum class Writes {
   mesh,
@@ -97,8 +106,8 @@ struct Program {
   std::function<bool()> writes_mesh_if = {};  ///< where this holds, a mesh is written, no report
   bool words_are_folders = false;
   std::function<bool()> reads_nothing_if = {};  ///< where this holds, there is no input
-  bool cleans = false;                    ///< what is written crosses nothing, rounded as it is
-  bool joins_soups = false;               ///< so that nobody is told to do it with tm-stitch
+  bool cleans = false;  ///< what is written crosses nothing, rounded as it is
+  Soups soups = Soups::kept;
   const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
   CommonValues common = CommonValues();   // {} would make GCC 12 warn
   std::deque<Option> options = {};

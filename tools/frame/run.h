@@ -105,6 +105,8 @@ class Run {
 
  private:
   Bytes read_once(const std::string& path);
+  /// Joins or tells, as the program says; `is_told` if reading has said that it is a soup.
+  void treat_soup(Mesh& mesh, const std::string& name, bool is_told);
   void refer_to(const Document& document);
   /// Throws UsageError for an output whose name promises a format that is not written.
   void check_ending() const;
@@ -139,6 +141,7 @@ class Run {
   std::set<std::string> staged_places_, told_;
   std::optional<std::pair<std::string, std::string>> kept_;
   std::function<void()> when_written_;
+  std::size_t joined_vertices_ = 0;
   bool stdin_is_read_ = false;
   bool settings_are_shown_ = false;
   bool is_stamped_ = false;

@@ -110,6 +110,7 @@ void MorphingLoop::advance(Document& document, std::size_t /*iteration*/,
 void MorphingLoop::measure(CsvRow& row) const {
   last_.measure_mesh(row);
   row.share("moved_fraction", last_.moved_share());
+  row.share("clamped_fraction", last_.clamped_share());
   row.share("max_clamp_share", step_.displaced.max_clamp_share);
   row.number("rms_distance_to_target", step_.to_target.rms);
   row.number("max_distance_to_target", step_.to_target.maximum);

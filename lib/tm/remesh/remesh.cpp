@@ -8,6 +8,7 @@
 
 #include "tm/remesh/guards/edge_rules.h"
 #include "tm/remesh/halfedges/halfedges.h"
+#include "tm/remesh/halfedges/sharpness.h"
 #include "tm/remesh/operations/collapse.h"
 #include "tm/remesh/operations/degenerate.h"
 #include "tm/remesh/operations/even_out.h"
@@ -36,6 +37,7 @@ constexpr double adaptive_longest = 0.95;
 /// From so many iterations on, a mesh is made anew and evened out at the end. With fewer it is part
 /// of an evolution, whose next step sees to its shape.
 constexpr int iterations_anew = 3;
+constexpr double usual_feature_angle_deg = 40;
 
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
@@ -64,9 +66,9 @@ void check_options(const RemeshOptions& options) {
   if (options.only_smooth && options.smoothing == Smoothing::none)
     throw UsageError("nothing but smoothing, and no smoothing: nothing would be done");
   if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
-  if (!(options.feature_angle_deg > 0 && options.feature_angle_deg <= 180)) {
+  if (!(options.feature_angle_deg >= 0 && options.feature_angle_deg <= 180)) {
     throw UsageError("the feature angle " + shortest_text(options.feature_angle_deg) +
-                     " is not above 0 and at most 180 degrees");
+                     " is not at least 0 and at most 180 degrees");
   }
   if (!(first >= 0 && first <= 1)) {
     throw UsageError("the smoothing factor " + shortest_text(first) + " is not between 0 and 1");
@@ -94,6 +96,12 @@ void check_size(const Mesh& mesh) {
                      " across, too large to compute its areas: scale it to less than " +
                      shortest_text(largest_extent));
   }
+}
+
+RemeshOptions with_feature_angle(RemeshOptions options, const EditableMesh& mesh) {
+  if (options.feature_angle_deg == 0)
+    options.feature_angle_deg = has_sharp_edges(mesh) ? usual_feature_angle_deg : 180;
+  return options;
 }
 
 EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions& options) {
@@ -315,22 +323,24 @@ void count_what_is_left(const Task& task) {
 
 }  // namespace
 
-RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress,
+RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& progress,
                     std::vector<Index> opposites) {
   if (mesh.faces.empty() || mesh.positions.empty())
     throw InputError("the mesh has no faces, so there is nothing to remesh");
   check_size(mesh);
-  check_options(options);
+  check_options(given);
   progress("connect");
   if (opposites.empty()) opposites = manifold_opposites(mesh);
   EditableMesh editable(mesh, std::move(opposites));
-  editable.set_coordinate(options.coordinate);
+  editable.set_coordinate(given.coordinate);
+  const RemeshOptions options = with_feature_angle(given, editable);
   const EdgeLimits limits = set_sizes(editable, mesh, options);
   check_number_of_faces(editable, limits.longest);
   std::optional<ClosestPointQuery> surface;
   if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
 
   RemeshResult result;
+  result.feature_angle_deg = options.feature_angle_deg;
   std::optional<KeepOut> keep_out;
   if (options.keep_out.surface != nullptr) {
     keep_out.emplace(options.keep_out);

@@ -40,10 +40,12 @@ struct RemeshOptions {
   FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< the Laplacians slide vertices as well
   double smooth_first = 0;                      ///< b of v - b dv, or b1; in [0, 1]
-  double smooth_second = 0;        ///< b2 of v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
-  double feature_angle_deg = 180;  ///< edges sharper than this stay; in (0, 180], 180: none are
-  bool keep_border = false;        ///< leave border vertices and edges alone
-  bool project = false;            ///< relaxed vertices end on the input; so with adaptive_error
+  double smooth_second = 0;  ///< b2 of v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
+  /// Edges sharper than this stay; in [0, 180], 180: none are, 0: 40 if has_sharp_edges()
+  /// (sharpness.h), else 180.
+  double feature_angle_deg = 180;
+  bool keep_border = false;  ///< leave border vertices and edges alone
+  bool project = false;      ///< relaxed vertices end on the input; so with adaptive_error
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
   KeepOutOptions keep_out = {};         ///< no step comes nearer to it than its gap (keep_out.h)
 };
@@ -68,6 +70,7 @@ struct RemeshResult {
   std::size_t slivers_kept = 0;        ///< of these: thinner than 4 spacings of their coordinates
   Vec3 first_sliver = Vec3::Zero();    ///< a corner of the first one
   std::size_t faces_without_area = 0;  ///< of these: input faces that nothing could remove
+  double feature_angle_deg = 180;      ///< above which edges were kept
   StaleColumns columns;                ///< normals, and lists of texture coordinates
 };
 

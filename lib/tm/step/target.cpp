@@ -4,9 +4,11 @@
 #include <cmath>
 #include <string>
 
+#include "tm/clean/stitch/stitch.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
+#include "tm/mesh/touching_borders.h"
 #include "tm/step/estimate_normals.h"
 #include "tm/support/error.h"
 
@@ -54,6 +56,9 @@ Target make_target(Mesh mesh) {
   if (used_positions(target.mesh).size() < target.mesh.positions.size()) {
     target.mesh = select_faces(target.mesh, std::vector<bool>(target.mesh.faces.size(), true));
   }
+  // The side of a point beside an edge or a vertex is that of all faces there, which are known by
+  // their vertices. What looks this way and that stays apart, and is for check_target() to refuse.
+  if (count_touching_borders(target.mesh) > 0) stitch(target.mesh);
   refuse_inside_out(target.mesh);
   return target;
 }

@@ -22,8 +22,9 @@ struct Target {
 
 /// Makes a target of a mesh as read. Of points, the vertex columns nx ny nz are taken where
 /// present, else normals are estimated (estimate_normals.h). Vertices of a mesh that no face uses
-/// are dropped. Throws InputError where there is nothing, where a closed mesh is inside out (all of
-/// it would be outside), and for normals that are not finite.
+/// are dropped, and equal places are joined if border edges lie upon each other, as in a soup.
+/// Throws InputError where there is nothing, where a closed mesh is inside out (all of it would be
+/// outside), and for normals that are not finite.
 Target make_target(Mesh mesh);
 
 /// The vertex columns nx ny nz, of unit length or zero; nothing where one is missing. Throws

@@ -157,6 +157,10 @@ double IterationResult::moved_share() const {
   return static_cast<double>(displaced.moved) / static_cast<double>(vertices);
 }
 
+double IterationResult::clamped_share() const {
+  return static_cast<double>(displaced.clamped) / static_cast<double>(vertices);
+}
+
 void IterationResult::measure_mesh(CsvRow& row) const {
   row.count("faces", faces).count("pairs", pairs);
   row.count("components", topology.components).count("genus", topology.genus);
