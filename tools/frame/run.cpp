@@ -139,14 +139,18 @@ Bytes Run::read_once(const std::string& path) {
 
 Document Run::read(const std::string& path) {
   phases_.begin("read");
-  ReadResult result = read_mesh(read_once(path).view(), input_name(path));
-  for (const std::string& line : result.notes) {
-    const std::size_t advice = line.find("; tm-stitch joins them");
-    note(program_.joins_soups ? line.substr(0, advice) : line);
-  }
+  ReadResult result = read_mesh(read_once(path).view(), input_name(path), reading());
+  note_read(result.notes, program_.joins_soups);
   detail(input_name(path) + ": " + described(result.document));
   phases_.begin("");
   return std::move(result.document);
+}
+
+void Run::note_read(const std::vector<std::string>& notes, bool joins_soups) {
+  for (const std::string& line : notes) {
+    const std::size_t advice = line.find("; tm-stitch joins them");
+    note(joins_soups ? line.substr(0, advice) : line);
+  }
 }
 
 // --- Output --------------------------------------------------------------------------------------
