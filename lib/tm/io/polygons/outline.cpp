@@ -50,6 +50,12 @@ std::vector<std::uint32_t> Outline::corners() const {
   return corners;
 }
 
+bool Outline::has_twins() const {
+  for (std::size_t i = 0; i < place_.size(); ++i)
+    if (vertices_[i] != vertices_[place_[i]]) return true;
+  return false;
+}
+
 void Outline::remove_coincident() {
   std::uint32_t corner = first_;
   for (std::size_t unchanged = 0; size_ > 2 && unchanged < size_;) {

@@ -19,6 +19,8 @@ class Outline {
   /// The corners in order.
   std::vector<std::uint32_t> corners() const;
   std::size_t size() const { return size_; }
+  /// Whether corners of different vertices have the same point.
+  bool has_twins() const;
 
   /// Cuts off corners until no two consecutive ones and no two neighbors of a corner have the same
   /// point.

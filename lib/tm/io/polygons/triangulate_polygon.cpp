@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "tm/io/polygons/outline.h"
 
@@ -128,6 +129,41 @@ void sort_triangles(std::vector<CornerTriangle>& triangles) {
   std::sort(triangles.begin(), triangles.end());
 }
 
+using Edge = std::pair<Index, Index>;
+
+/// The edges between different vertices, without pairs that run forth and back.
+std::vector<Edge> boundary_of(std::vector<Edge> edges) {
+  const auto without_direction = [](const Edge& edge) {
+    return Edge(std::minmax(edge.first, edge.second));
+  };
+  std::erase_if(edges, [](const Edge& edge) { return edge.first == edge.second; });
+  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+    return std::pair(without_direction(a), a) < std::pair(without_direction(b), b);
+  });
+  std::vector<Edge> boundary;
+  for (const Edge& edge : edges) {
+    if (!boundary.empty() && boundary.back() == Edge(edge.second, edge.first))
+      boundary.pop_back();
+    else
+      boundary.push_back(edge);
+  }
+  return boundary;
+}
+
+/// Whether the triangles have the boundary of the outline. Where edges lie upon each other, corners
+/// of different vertices at one point may be mistaken for each other.
+bool bounds(const PlanarTriangles& result, std::span<const std::uint32_t> outline,
+            std::span<const Index> vertices) {
+  std::vector<Edge> inside, around;
+  for (const auto* triangles : {&result.triangles, &result.flat})
+    for (const CornerTriangle& triangle : *triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        inside.emplace_back(vertices[triangle[i]], vertices[triangle[(i + 1) % 3]]);
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    around.emplace_back(vertices[outline[i]], vertices[outline[(i + 1) % outline.size()]]);
+  return boundary_of(std::move(inside)) == boundary_of(std::move(around));
+}
+
 /// Cuts off the corners at edges that cross others, in each round a longer part of the outline
 /// there, until the rest crosses nothing.
 PolygonTriangles triangulate_along(const Projection& projected, std::span<const Vec3> positions,
@@ -141,7 +177,9 @@ PolygonTriangles triangulate_along(const Projection& projected, std::span<const 
   for (std::size_t length = 1; !rest.is_complete; length *= growth) {
     outline.remove_coincident();
     if (outline.size() < 3) break;
-    rest = triangulate_outline(points, outline.corners());
+    const std::vector<std::uint32_t> corners = outline.corners();
+    rest = triangulate_outline(points, corners);
+    if (rest.is_complete && outline.has_twins() && !bounds(rest, corners, vertices)) rest = {};
     for (const std::uint32_t corner : rest.crossing) outline.cut_edge(corner, length);
     if (!rest.is_complete && rest.crossing.empty()) outline.cut_fan();
   }

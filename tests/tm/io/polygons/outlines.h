@@ -172,11 +172,12 @@ inline bool separates(const PlaneTriangle& first, const PlaneTriangle& second) {
   return false;
 }
 
-/// How many triangles do not turn counter-clockwise, and how many pairs overlap.
-inline std::size_t count_faults(const std::vector<PlaneTriangle>& triangles) {
+/// How many triangles turn clockwise, or less than `least` (1: have no area), and how many pairs
+/// overlap.
+inline std::size_t count_faults(const std::vector<PlaneTriangle>& triangles, int least = 1) {
   std::size_t faults = 0;
   for (const PlaneTriangle& triangle : triangles)
-    if (turn(triangle[0], triangle[1], triangle[2]) <= 0) ++faults;
+    if (turn(triangle[0], triangle[1], triangle[2]) < least) ++faults;
   for (std::size_t i = 0; i < triangles.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (!separates(triangles[i], triangles[j]) && !separates(triangles[j], triangles[i]))

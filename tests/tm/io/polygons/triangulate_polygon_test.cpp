@@ -38,18 +38,28 @@ double area_of(const Triangles& triangles, const std::vector<Vec3>& positions) {
   return area;
 }
 
+/// In the projections along the axes that the normal is near to: of nearly equal ones, rounding
+/// decides which is the nearest.
+std::size_t fewest_faults(const Triangles& triangles, const std::vector<Vec3>& positions,
+                          const Vec3& normal, int least) {
+  std::size_t fewest = triangles.size();
+  for (const int axis : {0, 1, 2}) {
+    if (std::abs(normal[axis]) < 0.5 * normal.cwiseAbs().maxCoeff()) continue;
+    const int sign = normal[axis] > 0 ? 1 : -1;
+    fewest = std::min(fewest, count_faults(in_projection(triangles, positions, axis, sign), least));
+  }
+  return fewest;
+}
+
 /// Checks a polygon that has a triangulation without folds.
-void check_unfolded(const TestPolygon& polygon) {
+void check_unfolded(const TestPolygon& polygon, int least = 1) {
   const std::vector<Vec3> positions = polygon.positions();
   const PolygonTriangles result = cut(polygon);
   CHECK(result.folds + result.upright == 0);
   CHECK(result.triangles.size() == positions.size() - 2);
   CHECK(boundary_of(result.triangles, polygon.corners) == boundary_of(polygon.corners));
   const Vec3 normal = normal_of(positions);
-  int axis = 0;
-  normal.cwiseAbs().maxCoeff(&axis);
-  const int sign = normal[axis] > 0 ? 1 : -1;
-  CHECK(count_faults(in_projection(result.triangles, positions, axis, sign)) == 0);
+  CHECK(fewest_faults(result.triangles, positions, normal, least) == 0);
   CHECK(area_of(result.triangles, positions) == doctest::Approx(normal.norm() / 2).epsilon(1e-10));
 }
 
@@ -67,7 +77,8 @@ void check_everywhere(TestPolygon polygon, test::Random& random) {
     for (Vec3& point : turned.points) point = rotation * point;
     const auto first = static_cast<std::ptrdiff_t>(random.below(turned.corners.size()));
     std::rotate(turned.corners.begin(), turned.corners.begin() + first, turned.corners.end());
-    check_unfolded(turned);
+    // Three corners of one line may be anywhere beside it now, and as seen along an axis on it.
+    check_unfolded(turned, 0);
   }
 }
 
@@ -151,7 +162,11 @@ TEST_CASE("an edge that runs through another corner is kept, by a triangle witho
 
 TEST_CASE("repeated corners and spikes go") {
   const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, 0}};
-  CHECK(cut({points, {0, 0, 1, 1, 2, 2}}).triangles == Triangles{{1, 3, 5}});
+  const Triangles only = cut({points, {0, 0, 1, 1, 2, 2}}).triangles;
+  REQUIRE(only.size() == 1);
+  CHECK(only[0][0] / 2 == 0);
+  CHECK(only[0][1] / 2 == 1);
+  CHECK(only[0][2] / 2 == 2);
   CHECK(cut({points, {0, 1, 2, 3, 2}}).triangles.size() == 1);
   CHECK(cut({points, {0, 1, 0, 1}}).triangles.empty());
   CHECK(cut({points, {3, 3, 3, 3, 3}}).triangles.empty());
