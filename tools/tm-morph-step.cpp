@@ -26,7 +26,9 @@ const char* name_of(MorphDistance distance) {
 
 Target target_of(const Options& options, tool::Run& run) {
   run.progress()("read target");
-  Target target = read_target(run.read_bytes(options.target), input_name(options.target));
+  Target target =
+      read_target(run.read_bytes(options.target), input_name(options.target), run.reading());
+  run.note_read(target.notes, true);
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }

@@ -19,7 +19,8 @@ void check_start(const Mesh& source, const Target& target, tool::Run& run) {
 }
 
 Target read(const std::string& name, tool::Run& run) {
-  Target target = read_target(run.read_bytes(name), input_name(name));
+  Target target = read_target(run.read_bytes(name), input_name(name), run.reading());
+  run.note_read(target.notes, true);
   if (target.has_estimated_normals)
     run.note("the target's points have no normals: estimated from their neighbors");
   for (const std::string& line : check_target(target, input_name(name), run.progress()))

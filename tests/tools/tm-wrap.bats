@@ -51,6 +51,33 @@ setup() {
   [ "$(tm-info --get genus wrap.ply)" -eq 0 ]
 }
 
+@test "points that are not finite and points without a normal are left out with a count" {
+  awk '{ ring = sqrt($1 * $1 + $2 * $2); x = $1 - 0.85 * $1 / ring; y = $2 - 0.85 * $2 / ring
+    print $1, $2, $3, x, y, $3 }' points.xyz >oriented.xyz
+  { cat oriented.xyz; echo 'nan 0 0 0 0 1'; } >bad.xyz
+  sed '7s/[^ ]*$/nan/' oriented.xyz >bad_normal.xyz
+  for method in alpha poisson; do
+    tm-wrap oriented.xyz --method $method --alpha 0.2 -o whole.ply
+    run --separate-stderr tm-wrap bad.xyz --method $method --alpha 0.2 -o wrap.ply
+    assert_status 0
+    [[ $stderr == *'1 vertex with a coordinate that is not finite dropped' ]]
+    cmp whole.ply wrap.ply
+    run --separate-stderr tm-wrap bad_normal.xyz --method $method --alpha 0.2 -o wrap.ply --report r.json
+    assert_status 0
+    [[ $stderr == *'1 normal that is not finite becomes 0'* ]]
+    if [ $method = alpha ]; then
+      cmp whole.ply wrap.ply
+    else
+      [[ $stderr == *'1 point without a normal left out'* ]]
+      [ "$(jq .result.points_without_normal r.json)" -eq 1 ]
+    fi
+    for file in bad bad_normal; do
+      run tm-wrap --strict $file.xyz --method $method
+      assert_status 3
+    done
+  done
+}
+
 @test "bad input is exit 3" {
   run --separate-stderr tm-wrap points.xyz --method poisson
   assert_status 3

@@ -160,18 +160,22 @@ void Run::treat_soup(Mesh& mesh, const std::string& name, bool is_told) {
 
 Document Run::read(const std::string& path) {
   phases_.begin("read");
-  ReadResult result = read_mesh(read_once(path).view(), input_name(path));
+  ReadResult result = read_mesh(read_once(path).view(), input_name(path), reading());
   const bool is_mended = program_.soups == Soups::own || program_.soups == Soups::joined;
-  bool is_told = false;
-  for (const std::string& line : result.notes) {
-    const std::size_t advice = line.find("; tm-stitch joins them");
-    is_told |= advice != std::string::npos;
-    note(is_mended ? line.substr(0, advice) : line);
-  }
-  treat_soup(result.document.mesh, input_name(path), is_told);
+  treat_soup(result.document.mesh, input_name(path), note_read(result.notes, is_mended));
   detail(input_name(path) + ": " + described(result.document));
   phases_.begin("");
   return std::move(result.document);
+}
+
+bool Run::note_read(const std::vector<std::string>& notes, bool joins_soups) {
+  bool is_told = false;
+  for (const std::string& line : notes) {
+    const std::size_t advice = line.find("; tm-stitch joins them");
+    is_told |= advice != std::string::npos;
+    note(joins_soups ? line.substr(0, advice) : line);
+  }
+  return is_told;
 }
 
 // --- Output --------------------------------------------------------------------------------------

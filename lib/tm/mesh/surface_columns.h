@@ -44,10 +44,18 @@ inline constexpr std::array<const char*, 3> source_point_names{"source_face", "s
 /// For vertices that are no longer those of the rows: erases source points. Whether there were any.
 bool drop_source_points(Columns& vertex_columns);
 
-/// After polygons were cut into fans of triangles, which stand one after the other with the same
-/// source and have the whole lists of their polygon: leaves each the values of its three corners.
-/// Lists that do not have as many values for each corner stay.
-void split_corner_lists(Columns& face_columns, std::span<const std::uint32_t> source);
+/// A triangle that a polygon was cut into: the polygon's row and number of corners, and which of
+/// them the triangle has.
+struct PolygonTriangle {
+  std::uint32_t row = 0;
+  std::uint32_t size = 3;
+  std::array<std::uint32_t, 3> corners{0, 1, 2};
+};
+
+/// After polygons were cut into triangles, whose rows have the whole lists of their polygon: leaves
+/// each triangle the values of its three corners. Lists that do not have as many values for each
+/// corner of the polygon stay.
+void split_corner_lists(Columns& face_columns, std::span<const PolygonTriangle> triangles);
 
 /// All of it, after faces were made or moved.
 inline StaleColumns refresh_columns(Mesh& mesh) {

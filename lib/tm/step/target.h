@@ -1,6 +1,7 @@
 /// What a morph moves towards: a mesh, or points with normals.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tm/geometry/search/closest_point.h"
@@ -16,6 +17,7 @@ struct Target {
   bool has_estimated_normals = false;
   std::vector<double> thickness;  ///< local_thickness() where measured, else empty
   FaceOrder face_order = FaceOrder::any;
+  std::vector<std::string> notes;  ///< what was changed when the target was read, one line each
   bool is_prepared = false;  ///< read from what write_target() wrote, of what was checked before
   bool is_mesh() const { return !mesh.faces.empty(); }
 };
