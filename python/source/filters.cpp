@@ -10,6 +10,7 @@
 #include "tm/geometry/source_points.h"
 #include "tm/io/concatenate.h"
 #include "tm/mesh/components.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/shapes/shapes.h"
 #include "tm/step/displace.h"
 #include "tm/step/velocity.h"
@@ -80,7 +81,10 @@ struct Cleaned {
 };
 
 Cleaned clean_document(Mesh& mesh, const CleanChoices& choices, const Progress& progress) {
-  if (choices.source_face) number_faces(mesh, "source_face");
+  if (choices.source_face) {
+    drop_source_points(mesh);
+    number_faces(mesh, "source_face");
+  }
   Mesh source;
   if (choices.source) {
     source = {mesh.positions, mesh.faces, {}, {}};
