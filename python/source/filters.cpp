@@ -207,13 +207,14 @@ MeshPointer offset_mesh(const PythonMesh& mesh, const PythonLength& distance,
   const OffsetResult result =
       without_lock(progress, [&](const Progress& to) { return offset(document, options, to); });
   py::dict report;
-  report["converged"] = result.is_done;
+  report["converged"] = result.is_done();
   report["iterations"] = result.iterations;
   report["components"] = result.topology.components;
   report["genus"] = result.topology.genus;
   report["deviation_rms"] = result.deviation.rms;
   report["deviation_max"] = result.deviation.most;
   report["missed_max"] = result.deviation.missed;
+  report["edge"] = result.edge;
   return mesh_of(std::move(document), report);
 }
 
