@@ -190,12 +190,13 @@ mended() {
   [ "$(tm-info --get volume "$BATS_TEST_TMPDIR/out.ply")" = "$(tm-info --get volume "$BATS_TEST_TMPDIR/ball.ply")" ]
 }
 
-@test "--orient does not turn a copy against its original: two cubes are one after cleaning" {
-  tm-shape box 2 2 2 --faces 12 -o cube.ply
-  # The last face of the copy looks the other way.
-  tm-cat cube.ply cube.ply | tm-convert --format off | awk '{ line[NR] = $0 }
-    END { for (i = 1; i < NR; ++i) print line[i]; split(line[NR], v); print 3, v[2], v[4], v[3] }' >two.off
+@test "--orient does not turn a copy against its original: two rings are one after cleaning" {
+  tm-shape torus --faces 400 -o ring.ply
+  # Every third face of both looks the other way.
+  tm-cat ring.ply ring.ply | tm-convert --no-provenance --format off |
+    awk '$1 == 3 && NF == 4 && ++k % 3 == 0 { print 3, $2, $4, $3; next } { print }' >two.off
   tm-stitch -q --orient two.off | tm-clean -q -o one.ply
-  [ "$(tm-info --get volume one.ply)" = 8 ]
   [ "$(tm-info --get components one.ply)" = 1 ]
+  awk -v one="$(tm-info --get volume one.ply)" -v ring="$(tm-info --get volume ring.ply)" \
+    'BEGIN { exit !(one > 0.999999 * ring && one < 1.000001 * ring) }'
 }

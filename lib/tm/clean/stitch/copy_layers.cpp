@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <ranges>
+#include <utility>
 
 #include "tm/clean/exterior/angular_order.h"
 
@@ -26,6 +26,7 @@ class Layers {
   void add_neighbors(std::vector<Index>& across);
 
  private:
+  std::vector<Index> faces_at_multiple_edges() const;
   void collect_bundles();
   void collect_joints();
   void grow(Index first);
@@ -36,7 +37,7 @@ class Layers {
 
   const Mesh& mesh_;
   const Edges& edges_;
-  std::vector<Index> bundle_of_;             ///< per face
+  std::vector<Index> bundle_of_;  ///< per face; no_index if its edges have two faces at most
   std::vector<std::vector<Index>> bundles_;  ///< faces by their layers, once they are ordered
   std::vector<Joint> joints_;
   std::vector<std::vector<Index>> joints_at_;  ///< per bundle
@@ -46,20 +47,30 @@ class Layers {
   std::vector<char> has_one_side_;             ///< per part
 };
 
+// Copies of a face are at the same edges.
+std::vector<Index> Layers::faces_at_multiple_edges() const {
+  std::vector<Index> faces;
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    if (edges_.halfedges(e).size() > 2)
+      for (const Index h : edges_.halfedges(e)) faces.push_back(h / 3);
+  std::ranges::sort(faces);
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
 void Layers::collect_bundles() {
-  const auto sorted_corners = [&](Index f) {
+  std::vector<std::pair<Face, Index>> faces;  // corners ascending, and the number
+  for (const Index f : faces_at_multiple_edges()) {
     Face corners = mesh_.faces[f];
     std::ranges::sort(corners);
-    return corners;
-  };
-  std::vector<Index> faces(mesh_.faces.size());
-  std::iota(faces.begin(), faces.end(), Index{0});
-  std::ranges::stable_sort(faces, {}, sorted_corners);
-  bundle_of_.resize(faces.size());
+    faces.emplace_back(corners, f);
+  }
+  std::ranges::sort(faces);
+  bundle_of_.assign(mesh_.faces.size(), no_index);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (i == 0 || sorted_corners(faces[i]) != sorted_corners(faces[i - 1])) bundles_.emplace_back();
-    bundles_.back().push_back(faces[i]);
-    bundle_of_[faces[i]] = static_cast<Index>(bundles_.size() - 1);
+    if (i == 0 || faces[i].first != faces[i - 1].first) bundles_.emplace_back();
+    bundles_.back().push_back(faces[i].second);
+    bundle_of_[faces[i].second] = static_cast<Index>(bundles_.size() - 1);
   }
 }
 

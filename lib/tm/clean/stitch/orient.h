@@ -7,7 +7,8 @@
 /// possible: solids that share edges or faces get their insides back. Where that leaves a choice,
 /// the larger volume decides. Sheets that are linked by such edges are a group. If a group did not
 /// agree before, it then looks outwards where none of its edges has one face only, and the way most
-/// of its faces did otherwise. A group that agreed is left alone, inside out or not, unless a copy of it did not.
+/// of its faces did otherwise. A group that agreed is left alone, inside out or not, unless a copy
+/// of it did not.
 ///
 /// Faces that name a vertex twice have no say, and are left alone.
 /// Volumes are in doubles. Cost: O(n log n). Deterministic.
