@@ -78,8 +78,9 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
   program.flag("keep-border", &remesh.keep_border, "leave borders as they are");
   program.flag("project", &remesh.project,
                "tangential smoothing puts vertices back onto the input");
-  program.flag("source", &choices.source_points,
-               "write where on the input each vertex comes from: source_face, source_u, source_v");
+  program.flag(
+      "source", &choices.source_points,
+      "write where on the input each vertex and face comes from: source_face, source_u, source_v");
   choices.keep_out.declare(program);
 }
 

@@ -1,4 +1,5 @@
 /// tm-fill: closes the holes of a mesh.
+#include "frame/column_notes.h"
 #include "frame/run.h"
 #include "tm/fill/fill.h"
 #include "tm/mesh/location_text.h"
@@ -51,6 +52,7 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
   options.allow_crossings = choices.allow_crossings;
   options.coordinate = document.style.coordinate;
   const FillResult result = fill_holes(document.mesh, options, run.progress());
+  tool::note_dropped_sources(result.dropped_source_points, tool::closest_places, run);
   report(result, document.mesh, options.allow_crossings, run);
 }
 

@@ -87,7 +87,7 @@ void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   if (choices.source_points) {
     write_source_points(document.mesh, closest_source_points(source, document.mesh));
   } else {
-    tool::note_dropped_sources(columns.dropped_source_points, run);
+    tool::note_dropped_sources(columns.dropped_source_points, tool::source_of_step, run);
   }
 }
 

@@ -198,21 +198,21 @@ MeshPointer sample_mesh(const PythonMesh& mesh, std::size_t count,
 
 // --- carry ---------------------------------------------------------------------------------------
 
-/// Where the vertices of a mesh are on the one before; meshes are numbered in messages.
-std::vector<SourcePoint> places_on(const Mesh& before, const Mesh& mesh, std::size_t number,
-                                   bool closest) {
+/// Places of the vertices and faces of a mesh on the one before; meshes are numbered in messages.
+SourcePoints places_on(const Mesh& before, const Mesh& mesh, std::size_t number, bool closest) {
   if (has_source_points(mesh))
     return read_source_points(mesh, before.faces.size(), "mesh " + std::to_string(number));
   if (closest) return closest_source_points(before, mesh);
-  throw InputError("mesh " + std::to_string(number + 1) +
-                   " does not say where its vertices come from: make it with source=True, or take "
-                   "the closest places with closest=True");
+  throw InputError(
+      "mesh " + std::to_string(number + 1) +
+      " does not say where its vertices and faces come from: make it with source=True, or take "
+      "the closest places with closest=True");
 }
 
 CarryResult carry_along(const std::vector<const Mesh*>& chain, Mesh& last,
                         const std::vector<std::string>& columns, bool closest) {
   const Mesh& first = *chain[0];
-  std::vector<SourcePoint> on_first = places_on(first, *chain[1], 1, closest);
+  SourcePoints on_first = places_on(first, *chain[1], 1, closest);
   for (std::size_t i = 2; i < chain.size(); ++i)
     on_first = compose_source_points(first, on_first, *chain[i - 1],
                                      places_on(*chain[i - 1], *chain[i], i, closest));

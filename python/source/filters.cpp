@@ -10,6 +10,7 @@
 #include "tm/geometry/source_points.h"
 #include "tm/io/concatenate.h"
 #include "tm/mesh/components.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/mesh/touching_borders.h"
 #include "tm/shapes/shapes.h"
 #include "tm/step/displace.h"
@@ -83,7 +84,10 @@ struct Cleaned {
 };
 
 Cleaned clean_document(Mesh& mesh, const CleanChoices& choices, const Progress& progress) {
-  if (choices.source_face) number_faces(mesh, "source_face");
+  if (choices.source_face) {
+    drop_source_points(mesh);
+    number_faces(mesh, "source_face");
+  }
   Mesh source;
   if (choices.source) {
     source = {mesh.positions, mesh.faces, {}, {}};
@@ -212,13 +216,14 @@ MeshPointer offset_mesh(const PythonMesh& mesh, const PythonLength& distance,
       without_lock(progress, [&](const Progress& to) { return offset(document, options, to); });
   py::dict report;
   report["joined_vertices"] = joined;
-  report["converged"] = result.is_done;
+  report["converged"] = result.is_done();
   report["iterations"] = result.iterations;
   report["components"] = result.topology.components;
   report["genus"] = result.topology.genus;
   report["deviation_rms"] = result.deviation.rms;
   report["deviation_max"] = result.deviation.most;
   report["missed_max"] = result.deviation.missed;
+  report["edge"] = result.edge;
   return mesh_of(std::move(document), report);
 }
 

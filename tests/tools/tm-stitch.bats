@@ -189,3 +189,14 @@ mended() {
   assert_status 0
   [ "$(tm-info --get volume "$BATS_TEST_TMPDIR/out.ply")" = "$(tm-info --get volume "$BATS_TEST_TMPDIR/ball.ply")" ]
 }
+
+@test "--orient does not turn a copy against its original: two rings are one after cleaning" {
+  tm-shape torus --faces 400 -o ring.ply
+  # Every third face of both looks the other way.
+  tm-cat ring.ply ring.ply | tm-convert --no-provenance --format off |
+    awk '$1 == 3 && NF == 4 && ++k % 3 == 0 { print 3, $2, $4, $3; next } { print }' >two.off
+  tm-stitch -q --orient two.off | tm-clean -q -o one.ply
+  [ "$(tm-info --get components one.ply)" = 1 ]
+  awk -v one="$(tm-info --get volume one.ply)" -v ring="$(tm-info --get volume ring.ply)" \
+    'BEGIN { exit !(one > 0.999999 * ring && one < 1.000001 * ring) }'
+}

@@ -42,7 +42,7 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
     result.mesh = std::move(rounded.mesh);
     if (result.cut_faces > 0) {
       result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
-      result.dropped_source_points = drop_source_points(result.mesh.vertex_columns);
+      result.dropped_source_points = drop_source_points(result.mesh);
     }
   }
   // A mesh of a single patch has nothing inside.

@@ -13,6 +13,7 @@
 #include "tm/mesh/digits.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/mesh/triangle.h"
 #include "tm/support/error.h"
 
@@ -212,6 +213,7 @@ FillResult Filler::finish() {
   for (const RowBlend& row : rows) mesh_.vertex_columns.append(row);
   mesh_.face_columns.concatenate(Columns(), mesh_.faces.size() - result_.new_faces,
                                  result_.new_faces);
+  if (result_.new_faces > 0) result_.dropped_source_points = drop_source_points(mesh_);
   return std::move(result_);
 }
 

@@ -106,13 +106,21 @@ std::vector<std::string> drop_corner_lists(Columns& face_columns) {
   return names;
 }
 
-bool drop_source_points(Columns& vertex_columns) {
-  for (const char* name : source_point_names) {
-    const Column* column = vertex_columns.find(name);
-    if (column == nullptr || column->list_count_type) return false;
+bool has_source_columns(const Columns& columns) {
+  return std::ranges::all_of(source_point_names, [&](const char* name) {
+    const Column* column = columns.find(name);
+    return column != nullptr && !column->list_count_type;
+  });
+}
+
+bool drop_source_points(Mesh& mesh) {
+  bool had_any = false;
+  for (Columns* columns : {&mesh.vertex_columns, &mesh.face_columns}) {
+    if (!has_source_columns(*columns)) continue;
+    for (const char* name : source_point_names) columns->erase(name);
+    had_any = true;
   }
-  for (const char* name : source_point_names) vertex_columns.erase(name);
-  return true;
+  return had_any;
 }
 
 void split_corner_lists(Columns& face_columns, std::span<const PolygonTriangle> triangles) {
