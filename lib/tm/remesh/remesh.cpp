@@ -17,6 +17,7 @@
 #include "tm/remesh/small_components.h"
 #include "tm/support/counted.h"
 #include "tm/support/length.h"
+#include "tm/support/nothing_left.h"
 
 namespace transformesh {
 namespace {
@@ -328,8 +329,9 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
     const std::string all = result.components_removed == 1
                                 ? "the only component is"
                                 : "all " + counted(result.components_removed, "component") + " are";
-    throw GoalError(all + " smaller than the shortest edge " + shortest_text(options.min_edge) +
-                    ", so nothing would be left; use a smaller --min-edge");
+    throw NothingLeftError(all + " smaller than the shortest edge " +
+                           shortest_text(options.min_edge) +
+                           ", so nothing would be left; use a smaller --min-edge");
   }
   mesh = std::move(remeshed);
   result.columns = refresh_columns(mesh);
