@@ -25,7 +25,7 @@ std::string described(const std::vector<OpenHole>& holes, const Mesh& mesh, cons
          significant(first.length, 3) + " long, at " + vertex_text(mesh, first.vertex);
 }
 
-void report(const FillResult& result, const Mesh& mesh, bool allows_crossings, tool::Run& run) {
+void report(const FillResult& result, const Mesh& mesh, tool::Run& run) {
   run.report("holes", result.holes);
   run.report("filled", result.filled());
   run.report("faired", result.faired);
@@ -33,13 +33,18 @@ void report(const FillResult& result, const Mesh& mesh, bool allows_crossings, t
   run.report("plain", result.plain);
   run.report("crossed", result.crossed);
   run.report("left_crossing", result.crossing.size());
+  run.report("left_flat", result.flat.size());
   run.report("left_too_large", result.too_large.size());
   run.report("new_vertices", result.new_vertices);
   run.report("new_faces", result.new_faces);
   if (!result.crossing.empty())
-    run.note(
-        described(result.crossing, mesh, "as every patch would cross or be flat") +
-        (allows_crossings ? "" : "; close what would cross with --allow-crossings, for tm-clean"));
+    run.note(described(result.crossing, mesh, "as every patch would cross") +
+             "; close what would cross with --allow-crossings, for tm-clean");
+  if (!result.flat.empty())
+    run.note(described(result.flat, mesh,
+                       "as every patch would have a face without area, or an edge that has two "
+                       "faces already") +
+             "; tm-clean closes slits");
   if (!result.too_large.empty()) run.note(described(result.too_large, mesh, "beyond the limits"));
 }
 
@@ -53,7 +58,7 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
   options.coordinate = document.style.coordinate;
   const FillResult result = fill_holes(document.mesh, options, run.progress());
   tool::note_dropped_sources(result.dropped_source_points, tool::closest_places, run);
-  report(result, document.mesh, options.allow_crossings, run);
+  report(result, document.mesh, run);
 }
 
 }  // namespace

@@ -37,8 +37,7 @@ Target target_of(const Options& options, tool::Run& run) {
     for (const std::string& line : check_target(target, input_name(options.target), run.progress()))
       run.note(line);
   if (options.step.gap_edges > 0 && target.thickness.empty())
-    target.thickness =
-        local_thickness(target, options.step.gap_edges * run.reference_edge(), run.progress());
+    target = with_thickness(target, options.step.gap_edges, run.reference_edge(), run.progress());
   if (!options.written_target.empty()) run.write(options.written_target, write_target(target));
   return target;
 }

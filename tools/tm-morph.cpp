@@ -28,13 +28,11 @@ Target read(const std::string& name, tool::Run& run) {
   return target;
 }
 
-// As the run that is continued had it, with its gaps measured.
-Target target_of(const tool::MorphChoices& choices, const MorphingOptions& options, Record& record,
-                 tool::Run& run) {
+// As the run that is continued had it.
+Target target_of(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   if (const auto kept = record.find(state_target)) return read_target(*kept, state_target);
   Target target = read(choices.target, run);
   check_start(run.document().mesh, target, run);
-  prepare_target(target, options, run.progress());
   record.add(state_target, write_target(target));
   return target;
 }
@@ -42,17 +40,20 @@ Target target_of(const tool::MorphChoices& choices, const MorphingOptions& optio
 void morph_to_target(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   Document& document = tool::begin_document(record, run);
   const MorphingOptions options = tool::morphing_of(choices, run);
-  const Target target = target_of(choices, options, record, run);
+  const Target target = target_of(choices, record, run);
   tool::begin_run(choices.loop, record, &document, run, {{run_file::target, write_target(target)}});
   MorphingResult result;
   tool::evolve_or_keep(run, record, "iteration", [&] {
-    result =
-        morph(document, target, options, tool::loop_of(choices.loop, run), record, run.progress());
+    result = tool::with_remedy(options, [&] {
+      return morph(document, target, options, tool::loop_of(choices.loop, run), record,
+                   run.progress());
+    });
   });
-  tool::report_morph(result, run);
-  tool::conclude(run, choices.loop, record,
-                 {result.stop != MorphingStop::iteration_limit,
-                  result.stop == MorphingStop::converged, tool::summary(result, document.mesh)});
+  tool::report_morph(result, options, run);
+  tool::conclude(
+      run, choices.loop, record,
+      {result.stop != MorphingStop::iteration_limit, result.stop == MorphingStop::converged,
+       tool::summary(result, options, document.mesh)});
 }
 
 void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Run& run) {

@@ -43,6 +43,7 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
   report["plain"] = result.plain;
   report["crossed"] = result.crossed;
   report["left_crossing"] = result.crossing.size();
+  report["left_flat"] = result.flat.size();
   report["left_too_large"] = result.too_large.size();
   report["new_vertices"] = result.new_vertices;
   report["new_faces"] = result.new_faces;

@@ -97,6 +97,23 @@ std::optional<MorphDistance> distance_of(const std::string& name) {
   throw UsageError("distance: '" + name + "' is none of auto, surface, points, vertex");
 }
 
+/// What mends a fault, by the names of arguments.
+const char* remedy_text(RemedyKind kind) {
+  switch (kind) {
+    case RemedyKind::clean_target:
+      return "the target is open, no manifold, or crosses itself: clean() it, or fill() its holes";
+    case RemedyKind::edges_at_narrow_places:
+      return "shorten edges at narrow places with gap_edges=1.5, or begin with shorter edges";
+    case RemedyKind::larger_source:
+      return "begin with a source that overlaps all of the target";
+    case RemedyKind::shorter_edges:
+      return "begin with shorter edges";
+    case RemedyKind::none:
+      break;
+  }
+  return "";
+}
+
 py::dict report_of(const MorphingResult& result) {
   py::dict report;
   report["converged"] = result.stop == MorphingStop::converged;
@@ -108,7 +125,9 @@ py::dict report_of(const MorphingResult& result) {
   report["max_distance_to_target"] = result.distances.to_target.maximum;
   report["rms_distance_from_target"] = result.distances.from_target.rms;
   report["max_distance_from_target"] = result.distances.from_target.maximum;
+  report["target_left_out"] = result.left_out;
   report["fault"] = result.agreement.fault;
+  report["remedy"] = remedy_text(result.remedy.kind);
   report["aligned"] = result.aligned;
   report["mean_edge"] = result.distances.displaced.mean_edge;
   return report;
@@ -136,7 +155,6 @@ MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::
     notes = check_target(reading, "the target", to);
     for (std::string& note : check_source(document.mesh, reading, "the source"))
       notes.push_back(std::move(note));
-    prepare_target(reading, options, to);
     return reading;
   });
   warn(notes);

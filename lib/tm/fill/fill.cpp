@@ -61,6 +61,7 @@ class Filler {
  private:
   bool fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const;
   bool crosses(const HolePatch& patch, const MeshPart& part) const;
+  /// Adds the first patch that fits. One that may cross is only looked for unless it is allowed.
   bool try_kinds(const Loop& loop, const MeshPart& part, Index border, Search search,
                  bool may_cross = false);
   void add(const HolePatch& patch, const MeshPart& part, const Loop& loop);
@@ -179,8 +180,9 @@ void Filler::fill(const Loop& loop) {
   // Searching all triangles takes the cube of the edges in time.
   if (try_kinds(loop, part, border, Search::delaunay)) return;
   if (loop.size() <= most_edges_of_all && try_kinds(loop, part, border, Search::all)) return;
-  if (options_.allow_crossings && try_kinds(loop, part, border, Search::delaunay, true)) return;
-  result_.crossing.push_back(open_hole(loop));
+  const bool crosses = try_kinds(loop, part, border, Search::delaunay, true);
+  if (crosses && options_.allow_crossings) return;
+  (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
 }
 
 bool Filler::try_kinds(const Loop& loop, const MeshPart& part, Index border, Search search,
@@ -195,6 +197,7 @@ bool Filler::try_kinds(const Loop& loop, const MeshPart& part, Index border, Sea
     if (!patch) continue;
     for (Vec3& point : patch->points) point = rounded_to(point, options_.coordinate);
     if (!fits(*patch, part, may_cross)) continue;
+    if (may_cross && !options_.allow_crossings) return true;
     // One without new vertices is neither refined nor faired.
     if (may_cross)
       ++result_.crossed;

@@ -20,6 +20,7 @@
 #include "tm/remesh/small_components.h"
 #include "tm/support/counted.h"
 #include "tm/support/length.h"
+#include "tm/support/nothing_left.h"
 
 namespace transformesh {
 namespace {
@@ -361,8 +362,9 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& prog
     const std::size_t count = result.components_removed.count;
     const std::string all =
         count == 1 ? "the only component is" : "all " + counted(count, "component") + " are";
-    throw GoalError(all + " smaller than the shortest edge " + shortest_text(options.min_edge) +
-                    ", so nothing would be left; use a smaller --min-edge");
+    throw NothingLeftError(all + " smaller than the shortest edge " +
+                           shortest_text(options.min_edge) +
+                           ", so nothing would be left; use a smaller --min-edge");
   }
   mesh = std::move(remeshed);
   result.columns = refresh_columns(mesh);

@@ -63,6 +63,16 @@ Target make_target(Mesh mesh) {
   return target;
 }
 
+void order_spatially(Target& target) {
+  if (!target.is_mesh() || target.face_order == FaceOrder::spatial) return;
+  std::vector<Face> faces;
+  faces.reserve(target.mesh.faces.size());
+  for (const Index face : spatial_face_order(target.mesh)) faces.push_back(target.mesh.faces[face]);
+  target.mesh.faces = std::move(faces);
+  target.mesh.face_columns = {};
+  target.face_order = FaceOrder::spatial;
+}
+
 std::vector<Vec3> stored_normals(const Mesh& mesh) {
   std::array<const Column*, 3> columns{};
   for (std::size_t axis = 0; axis < 3; ++axis) {

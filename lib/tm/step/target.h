@@ -29,6 +29,10 @@ struct Target {
 /// outside), and for normals that are not finite.
 Target make_target(Mesh mesh);
 
+/// Sorts faces spatially unless they are, and drops their columns. Of faces at the same distance
+/// the first one wins, so that their order decides on last digits.
+void order_spatially(Target& target);
+
 /// The vertex columns nx ny nz, of unit length or zero; nothing where one is missing. Throws
 /// InputError for normals that are not finite.
 std::vector<Vec3> stored_normals(const Mesh& mesh);

@@ -18,18 +18,6 @@ bool has_comment(const Document& document, const char* comment) {
   return std::find(comments.begin(), comments.end(), comment) != comments.end();
 }
 
-// Of faces at the same distance the first one wins, so the order of a target decides on last
-// digits: it must not depend on whether the target was written in between.
-void order_spatially(Target& target) {
-  if (!target.is_mesh() || target.face_order == FaceOrder::spatial) return;
-  std::vector<Face> faces;
-  faces.reserve(target.mesh.faces.size());
-  for (const Index face : spatial_face_order(target.mesh)) faces.push_back(target.mesh.faces[face]);
-  target.mesh.faces = std::move(faces);
-  target.mesh.face_columns = {};
-  target.face_order = FaceOrder::spatial;
-}
-
 // What is neither names all that there is, and why its lines are no points.
 ReadResult read_as_mesh(const Source& source) {
   try {

@@ -9,6 +9,7 @@
 
 #include "tm/clean/exterior/angular_order.h"
 #include "tm/clean/stitch/copy_layers.h"
+#include "tm/clean/stitch/orientation_check.h"
 #include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/location_text.h"
@@ -123,7 +124,8 @@ void Orienter::refuse(Index halfedge, Index across) const {
                    std::to_string(std::max(halfedge, across) / 3) + " cannot agree at the " +
                    edge_text(mesh_, halfedge) +
                    ", however faces are turned: the surface has one side only, like a Moebius "
-                   "strip; cut it open or remove that part");
+                   "strip; tm-stitch without --orient cuts it open, and tm-fill --allow-crossings "
+                   "closes borders");
 }
 
 // Finds by how much sheets that end at the same edges agree there.
@@ -301,6 +303,15 @@ std::size_t orient_faces(Mesh& mesh) {
     reverse_corner_lists(mesh, static_cast<Index>(f));
   }
   return static_cast<std::size_t>(std::count(is_reversed.begin(), is_reversed.end(), 1));
+}
+
+bool can_be_oriented(Mesh mesh) {
+  try {
+    orient_faces(mesh);
+  } catch (const InputError&) {
+    return false;
+  }
+  return describe_misorientation(mesh).empty();
 }
 
 }  // namespace transformesh

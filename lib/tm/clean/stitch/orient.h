@@ -25,4 +25,7 @@ namespace transformesh {
 /// side only; then the mesh is as it was.
 std::size_t orient_faces(Mesh& mesh);
 
+/// Whether orient_faces() leaves no edge at which faces are misoriented (orientation_check.h).
+bool can_be_oriented(Mesh mesh);
+
 }  // namespace transformesh
