@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "tm/fill/hole_triangulation.h"
+#include "tm/geometry/numbers/predicates.h"
 
 namespace transformesh {
 namespace {
@@ -20,8 +21,9 @@ using FaceNumber = Surface::Face_index;
 
 /// So few that a search among all triangles takes a thousandth of a second.
 constexpr std::size_t few_edges = 64;
-/// So many that a search among all triangles takes a second.
-constexpr std::size_t many_edges = 2000;
+/// More edges make a search among all triangles slow, and flat ones do so earlier: their
+/// triangulations are equally good but for rounding, so that none can be left out.
+constexpr std::size_t many_edges = 512, many_flat_edges = 256;
 
 Surface surface_of(const Mesh& mesh) {
   Surface surface;
@@ -87,6 +89,15 @@ std::vector<FaceNumber> add_triangles(Surface& surface, const std::vector<Halfed
   return faces;
 }
 
+/// Whether all points lie in one plane.
+bool is_flat(const std::vector<Vec3>& points) {
+  std::size_t i = 2;
+  while (i < points.size() && collinear(points[0], points[1], points[i])) ++i;
+  return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+    return i == points.size() || orient3d(points[0], points[1], points[i], p) == 0;
+  });
+}
+
 /// Tells whether a triangulation is that of Search::all.
 std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search search,
                                     bool& is_of_all) {
@@ -100,9 +111,11 @@ std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search sea
   }
   const std::optional<HoleBorder> hole = describe(surface, border);
   if (!hole) return faces;
-  is_of_all = border.size() <= many_edges;
-  return add_triangles(surface, border,
-                       is_of_all ? least_triangulation(*hole) : greedy_triangulation(*hole));
+  is_of_all = border.size() <= (is_flat(hole->points) ? many_flat_edges : many_edges);
+  std::vector<HoleTriangle> triangles =
+      is_of_all ? least_triangulation(*hole) : sparse_triangulation(*hole);
+  if (!is_of_all && triangles.empty()) triangles = greedy_triangulation(*hole);
+  return add_triangles(surface, border, triangles);
 }
 
 /// Adds what follows the vertices and faces of the mesh, if all points are finite.
