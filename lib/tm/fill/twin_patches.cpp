@@ -92,12 +92,12 @@ std::optional<HolePatch> patch_of_slit(const Mesh& mesh, const std::vector<Index
   const Index border = halfedge_in_part(faces, sides.left.corners.front().front());
   for (const Search search : {Search::delaunay, Search::all}) {
     if (search == Search::all && loop.size() > most_edges_of_all) break;
-    for (const PatchKind kind : {PatchKind::refined, PatchKind::plain}) {
-      std::optional<HolePatch> patch = patch_hole(part.mesh, border, kind, search);
-      if (!patch) continue;
-      rename(*patch, part, mesh.positions.size());
-      if (!has_chord(*patch, sides)) return patch;
+    HolePatches found = patch_hole(part.mesh, border, PatchKind::refined, search);
+    for (HolePatch& patch : found.patches) {
+      rename(patch, part, mesh.positions.size());
+      if (!has_chord(patch, sides)) return std::move(patch);
     }
+    if (found.are_of_all) break;
   }
   return std::nullopt;
 }

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <queue>
 #include <string>
 
 #include "tm/clean/exterior/angular_order.h"
 #include "tm/clean/stitch/copy_layers.h"
 #include "tm/clean/stitch/orientation_check.h"
+#include "tm/clean/stitch/sheet_links.h"
 #include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/location_text.h"
@@ -26,21 +26,6 @@ struct Sheet {
   bool has_border = false;    ///< it has an edge of one face
   bool copies_agreed = true;  ///< all sheets of the set of copies that this one stands for did
   double volume = 0;          ///< six times that of the cone over it from the group's centroid
-  /// For each sheet that ends at the same edges: the pairs of their faces that run opposite ways
-  /// there, less the pairs that run alike. It is negative where one of the two is to be reversed.
-  std::map<Index, int> agreement;
-};
-
-/// A step to a sheet of a group: the link with the sheet before it, and whether it is to be
-/// reversed, its faces having been made to agree with its first.
-struct Step {
-  int strength;
-  Index sheet;
-  char is_reversed;
-  bool operator<(const Step& other) const {
-    if (strength != other.strength) return strength < other.strength;
-    return sheet != other.sheet ? sheet > other.sheet : is_reversed > other.is_reversed;
-  }
 };
 
 class Orienter {
@@ -53,12 +38,9 @@ class Orienter {
   [[noreturn]] void refuse(Index halfedge, Index across) const;
   bool runs_forward(Index halfedge) const;
   void link_sheets();
-  void link_sheets_at_edge(const std::map<Index, int>& sums, bool agreed);
-  std::vector<Index> align_group(Index first);
   void orient_group(const std::vector<Index>& group);
   void measure_volumes(const std::vector<Index>& group);
   double volume(Index sheet) const;
-  int agreement(Index sheet) const;
   void improve(std::vector<Index> group, bool has_border);
   void try_outwards(const std::vector<Index>& group);
   void face_outwards(const std::vector<Index>& group);
@@ -72,7 +54,7 @@ class Orienter {
   std::vector<char> is_reversed_;  ///< per face: it must be, to agree with its sheet's first
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;
-  std::vector<char> is_aligned_;
+  SheetLinks links_{0};
   DisjointSets copies_{0};  ///< sheets that lie upon each other: if one needs it, all are turned
 };
 
@@ -86,7 +68,7 @@ Orienter::Orienter(const Mesh& mesh)
     if (sheet_of_[first] == no_index) collect_sheet(first);
   }
   sheet_is_reversed_.assign(sheets_.size(), 0);
-  is_aligned_.assign(sheets_.size(), 0);
+  links_ = SheetLinks(sheets_.size());
   copies_ = DisjointSets(sheets_.size());
   link_sheets();
   for (Index sheet = 0; sheet < sheets_.size(); ++sheet)
@@ -142,39 +124,12 @@ void Orienter::link_sheets() {
       sums[sheet_of_[h / 3]] += runs_forward(h) ? 1 : -1;
       sum_before += runs_forward(h) != (is_reversed_[h / 3] != 0) ? 1 : -1;
     }
-    link_sheets_at_edge(sums, std::abs(sum_before) <= 1);
+    links_.add_edge(sums);
+    if (std::abs(sum_before) <= 1) continue;
+    for (const auto& [sheet, sum] : sums)
+      if (sum != 0) sheets_[sheet].agreed = false;
   }
-}
-
-void Orienter::link_sheets_at_edge(const std::map<Index, int>& sums, bool agreed) {
-  for (const auto& [sheet, sum] : sums) {
-    if (sum == 0) continue;
-    if (!agreed) sheets_[sheet].agreed = false;
-    for (const auto& [other, other_sum] : sums) {
-      if (sheet != other && other_sum != 0) sheets_[sheet].agreement[other] -= sum * other_sum;
-    }
-  }
-}
-
-// The group of a sheet: all that are linked with it. Along the strongest links first, each sheet is
-// reversed so that it agrees with the one before it.
-std::vector<Index> Orienter::align_group(Index first) {
-  std::vector<Index> group;
-  std::priority_queue<Step> steps;
-  steps.push({0, first, 0});
-  while (!steps.empty()) {
-    const Step step = steps.top();
-    steps.pop();
-    if (is_aligned_[step.sheet]) continue;
-    is_aligned_[step.sheet] = 1;
-    sheet_is_reversed_[step.sheet] = step.is_reversed;
-    group.push_back(step.sheet);
-    for (const auto& [next, agreement] : sheets_[step.sheet].agreement) {
-      const char is_reversed = agreement < 0 ? !step.is_reversed : step.is_reversed;
-      steps.push({std::abs(agreement), next, is_reversed});
-    }
-  }
-  return group;
+  links_.find_kinds();
 }
 
 void Orienter::measure_volumes(const std::vector<Index>& group) {
@@ -201,26 +156,21 @@ double Orienter::volume(Index sheet) const {
   return sheet_is_reversed_[sheet] ? -sheets_[sheet].volume : sheets_[sheet].volume;
 }
 
-int Orienter::agreement(Index sheet) const {
-  int sum = 0;
-  for (const auto& [other, agreement] : sheets_[sheet].agreement) {
-    sum += sheet_is_reversed_[sheet] == sheet_is_reversed_[other] ? agreement : -agreement;
-  }
-  return sum;
-}
-
 // Reverses sheets, small ones first, while that makes more of them agree, or as many with a larger
 // volume. As both only grow, this ends.
 void Orienter::improve(std::vector<Index> group, bool has_border) {
   std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
     return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);
   });
+  links_.sum_up(group, sheet_is_reversed_);
   for (bool changed = true; changed;) {
     changed = false;
     for (const Index sheet : group) {
-      const int agree = agreement(sheet);
+      const bool was_reversed = sheet_is_reversed_[sheet] != 0;
+      const std::int64_t agree = links_.agreement(sheet, was_reversed);
       if (agree > 0 || (agree == 0 && (has_border || volume(sheet) >= 0))) continue;
-      sheet_is_reversed_[sheet] = !sheet_is_reversed_[sheet];
+      links_.reverse(sheet, was_reversed);
+      sheet_is_reversed_[sheet] = !was_reversed;
       changed = true;
     }
   }
@@ -229,10 +179,11 @@ void Orienter::improve(std::vector<Index> group, bool has_border) {
 // Starts again with every sheet looking outwards on its own, and keeps the result if it is better.
 void Orienter::try_outwards(const std::vector<Index>& group) {
   const auto score = [&] {
-    long agree = 0;
+    links_.sum_up(group, sheet_is_reversed_);
+    std::int64_t agree = 0;
     double sum = 0;
     for (const Index sheet : group) {
-      agree += agreement(sheet);
+      agree += links_.agreement(sheet, sheet_is_reversed_[sheet] != 0);
       sum += volume(sheet);
     }
     return std::pair(agree, std::abs(sum));
@@ -284,7 +235,8 @@ void Orienter::orient_group(const std::vector<Index>& group) {
 
 std::vector<char> Orienter::find_reversed() {
   for (Index first = 0; first < sheets_.size(); ++first) {
-    if (!is_aligned_[first]) orient_group(align_group(first));
+    const std::vector<Index> group = links_.align(first, sheet_is_reversed_);
+    if (!group.empty()) orient_group(group);
   }
   std::vector<char> is_reversed(mesh_.faces.size());
   for (std::size_t f = 0; f < is_reversed.size(); ++f) {
