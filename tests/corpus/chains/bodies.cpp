@@ -30,10 +30,15 @@ struct Part {
 
 double on_lattice(double x) { return std::round(x / unit) * unit; }
 
+/// Some parts are thin plates and rods.
+double side_length(Random& random) {
+  return unit * (random.chance(0.03) ? 0.125 : random.integer(2, 10));
+}
+
 /// An interval that shares an end with `other`, touches it from outside (if allowed), or lies
 /// anywhere over a part of it.
 Interval place_beside(const Interval& other, bool may_touch, Random& random) {
-  const double length = unit * random.integer(2, 10);
+  const double length = side_length(random);
   switch (random.integer(0, may_touch ? 5 : 3)) {
     case 0:
       return other;
@@ -90,7 +95,7 @@ Part make_part(const std::array<Interval, 3>& box, Random& random) {
 
 Part first_part(Random& random) {
   std::array<Interval, 3> box;
-  for (Interval& side : box) side = {0, unit * random.integer(3, 12)};
+  for (Interval& side : box) side = {0, 1.5 * side_length(random)};
   return make_part(box, random);
 }
 
@@ -246,8 +251,8 @@ void place_body(Body& body, Random& random) {
     map(*mesh, matrix, scale, shift);
     round_to(*mesh, type);
   }
-  body.volume *= scale * scale * scale;
-  body.volume_of_solids *= scale * scale * scale;
+  for (double* volume : {&body.volume, &body.volume_of_solids, &body.volume_in_two})
+    *volume *= scale * scale * scale;
 }
 
 struct Parts {
@@ -284,8 +289,9 @@ Body assemble(const Parts& parts, Random& random) {
     for (std::size_t j = 0; j < i; ++j)
       body.has_coplanar_contact = body.has_coplanar_contact || touch_in_plane(meshes[i], meshes[j]);
   body.is_single_solid = solids.size() == 1;
-  body.volume_of_solids = volume_of_union(solids, reach);
-  body.volume = volume_of_union(all, reach) - volume_of_union(cutters, reach);
+  body.volume_of_solids = volume_at_level(1, solids, reach);
+  body.volume_in_two = volume_at_level(2, solids, reach);
+  body.volume = volume_at_level(1, all, reach) - volume_at_level(1, cutters, reach);
   return body;
 }
 

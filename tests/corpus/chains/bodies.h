@@ -12,7 +12,8 @@ struct Body {
   TriangleMesh cutter;  ///< parts to be taken away, their faces reversed; may be empty
   /// Volumes in closed form, in the coordinates before rounding.
   double volume_of_solids = 0;
-  double volume = 0;  ///< without cutter
+  double volume = 0;         ///< without cutter
+  double volume_in_two = 0;  ///< of what lies in two solids or more
   bool is_single_solid = false;
   bool is_rotated = false;
   bool has_coplanar_contact = false;  ///< faces of two parts met in a common plane before rotation

@@ -1,55 +1,15 @@
 #include "corpus/chains/chain.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
-#include <stdexcept>
 
 #include "corpus/chains/steps.h"
 #include "corpus/chains/verdict.h"
+#include "corpus/chains/work_folder.h"
 
 namespace chains {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// The folder in which a chain's programs run: a temporary one unless the chain is to be kept.
-class WorkFolder {
- public:
-  explicit WorkFolder(const std::string& kept) : path_(kept), is_kept_(!kept.empty()) {
-    if (is_kept_) {
-      fs::create_directories(path_);
-      return;
-    }
-    std::string name = (fs::temp_directory_path() / "chains-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-    path_ = name;
-  }
-  ~WorkFolder() {
-    if (!is_kept_) fs::remove_all(path_);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-
-  bool is_kept() const { return is_kept_; }
-  std::string operator/(const std::string& name) const { return path_ / name; }
-  void write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path_ / name, std::ios::binary) << bytes;
-  }
-  std::string read(const std::string& name) const {
-    std::ifstream file(path_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
- private:
-  fs::path path_;
-  bool is_kept_;
-};
 
 class Chain {
  public:
@@ -62,8 +22,16 @@ class Chain {
     begin();
     record_.programs = random_.pick(std::array{2, 2, 3, 3, 3, 4, 4, 5, 6});
     for (int i = 0; i < record_.programs; ++i) {
-      const Situation now = {
-          body_, mesh_, facts_, previous_, is_soup_, is_cut_, record_.programs - i};
+      const Situation now = {.body = body_,
+                             .mesh = mesh_,
+                             .facts = facts_,
+                             .before_last = before_last_,
+                             .bytes = bytes_,
+                             .previous = previous_,
+                             .is_soup = is_soup_,
+                             .is_raw = i == 0,
+                             .is_cut = is_cut_,
+                             .steps_left = record_.programs - i};
       if (!take(next_step(now, random_))) break;
     }
     if (folder_.is_kept()) folder_.write("chain.sh", record_.commands + '\n');
@@ -98,7 +66,7 @@ class Chain {
     record_.pairs.push_back(previous_ + '|' + step.label());
     record_.commands += " | " + step.command();
     const ProgramResult result = run(step);
-    if (!is_done(result)) return false;
+    if (!is_done(step, result)) return false;
     TriangleMesh output;
     try {
       output = read_mesh(result.output);
@@ -124,35 +92,47 @@ class Chain {
     return result;
   }
 
-  bool is_done(const ProgramResult& result) {
+  bool is_done(const Step& step, const ProgramResult& result) {
     if (result.exit_code == 0) return true;
     std::string message = result.messages.substr(0, result.messages.find_last_not_of('\n') + 1);
-    message = message.substr(message.rfind('\n') + 1);
+    std::replace(message.begin(), message.end(), '\n', '/');
     const bool is_refusal = result.exit_code == 3 || result.exit_code == 4;
-    note(result.is_hung ? "hang"
-         : is_refusal   ? "refused"
-                        : "crash",
+    note(result.is_hung                    ? "hang"
+         : is_refusal                      ? "refused"
+         : step.program == "checkmanifold" ? "disagrees"
+                                           : "crash",
          "exit code " + std::to_string(result.exit_code) + ": " + message);
     return false;
   }
 
   bool accept(const Step& step, const TriangleMesh& output, const std::string& bytes) {
-    if (output.type == Type::float32) coarsest_ = Type::float32;
+    if (output.type == Type::float32 || step.label() == "convert --float")
+      coarsest_ = Type::float32;
     const MeshFacts after = judge(output);
-    const std::vector<Finding> findings =
-        find_faults({step, mesh_, facts_, output, after, folder_.read("report.json"),
-                     expected_volume(step), coarsest_, body_.is_flat && is_polyhedral_});
+    const std::string report = folder_.read("report.json");
+    const std::vector<Finding> findings = find_faults({.step = step,
+                                                       .input = mesh_,
+                                                       .before = facts_,
+                                                       .output = output,
+                                                       .after = after,
+                                                       .report = report,
+                                                       .volume = expected_volume(step),
+                                                       .coarsest = coarsest_,
+                                                       .was_cleaned = was_cleaned_,
+                                                       .is_flat = body_.is_flat && is_polyhedral_});
     for (const Finding& finding : findings) note(finding.kind, finding.text);
     follow(step, after);
+    before_last_ = std::move(bytes_);
     mesh_ = output;
     facts_ = after;
     bytes_ = bytes;
     previous_ = step.label();
-    return findings.empty() && after.is_valid() && after.faces > 0;
+    return findings.empty() && (after.faces > 0 || step.program == "sample");
   }
 
   /// Volume of the program's output, if it is known.
   std::optional<double> expected_volume(const Step& step) const {
+    if (step.label() == "clean --level") return body_.volume_in_two;
     if (step.program == "clean")
       return step.arguments.empty() || step.arguments.front() == "--source" ? true_volume_
                                                                             : std::nullopt;
@@ -166,18 +146,22 @@ class Chain {
   /// Keeps track of the volume of what the mesh encloses.
   void follow(const Step& step, const MeshFacts& after) {
     const std::string& name = step.program;
+    was_cleaned_ = name == "clean" || (was_cleaned_ && name != "cat");
     is_soup_ = name == "convert" && step.command().ends_with("stl");
     if (step.files.count("cutter.ply") > 0) {
       true_volume_ = body_.volume;
       is_cut_ = true;
       return;
     }
+    // The cutter fits solids that are in their place only.
     if (name != "clean" && name != "stitch" && name != "intersect") is_cut_ = true;
+    if (step.label() == "clean --separate") is_cut_ = true;
     if (name == "transform" && true_volume_) *true_volume_ *= step.volume_factor;
     const bool keeps_body = name == "clean" || name == "stitch" || name == "intersect" ||
-                            name == "transform" || name == "convert" || name == "checkmanifold";
+                            name == "transform" || name == "convert" || name == "checkmanifold" ||
+                            name == "carry";
     is_polyhedral_ = is_polyhedral_ && keeps_body && step.volume_factor == 1;
-    if (after.is_sound() && after.is_closed())
+    if (after.is_sound() && after.is_closed() && was_cleaned_)
       true_volume_ = after.volume;
     else if (!keeps_body)
       true_volume_.reset();
@@ -190,10 +174,11 @@ class Chain {
   ChainRecord record_;
 
   TriangleMesh mesh_;
-  std::string bytes_;  ///< of mesh_, as the last program wrote it
+  std::string bytes_;        ///< of mesh_, as the last program wrote it
+  std::string before_last_;  ///< what the last program read
   MeshFacts facts_;
   std::string previous_ = "cat";
-  bool is_soup_ = false, is_cut_ = false;
+  bool is_soup_ = false, is_cut_ = false, was_cleaned_ = false;
   bool is_polyhedral_ = true;          ///< the programs so far leave flat sides flat
   std::optional<double> true_volume_;  ///< of what winds at least once, if it is known
   Type coarsest_ = Type::float64;

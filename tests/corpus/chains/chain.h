@@ -23,6 +23,7 @@ struct Fault {
 
 struct ChainRecord {
   std::uint64_t seed = 0;
+  std::string mode;      ///< option of the runner that repeats this chain
   std::string commands;  ///< as a shell takes them
   std::vector<std::string> pairs;
   std::vector<Fault> faults;

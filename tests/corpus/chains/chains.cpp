@@ -3,12 +3,15 @@
 //   chains --seeds A..B [--bin FOLDER] [--jobs N] [--seconds S]
 //   chains --write SEED FOLDER [--bin FOLDER]
 //     keeps the body, what every program wrote, and the commands in chain.sh
+//   chains --pipelines [--seeds A..B] [--write SEED FOLDER] ...
+//     runs the pipelines of the README on 50 bodies instead; --list prints their commands
 // Exit code 1 where a chain has a fault, or more than 2 % of the chains are refused; 2: usage.
 #include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -16,6 +19,7 @@
 #include <thread>
 
 #include "corpus/chains/chain.h"
+#include "corpus/chains/readme.h"
 
 using namespace chains;
 
@@ -24,6 +28,7 @@ namespace {
 struct Options {
   std::uint64_t first = 1, last = 200;
   unsigned jobs = 1;
+  bool is_readme = false, is_list = false;
   ChainOptions chain;
 };
 
@@ -54,8 +59,8 @@ void Tally::add(const ChainRecord& record) {
     ++pairs_[fault.pair + ' ' + fault.kind];
     (fault.kind == "refused" ? is_refused : is_failed) = true;
     std::cout << (fault.kind == "refused" ? "REFUSED " : "FAILED ") << record.seed << ' '
-              << fault.kind << " in " << fault.pair << ": " << fault.text << " [chains --write "
-              << record.seed << " FOLDER] " << record.commands << '\n';
+              << fault.kind << " in " << fault.pair << ": " << fault.text << " [chains "
+              << record.mode << "--write " << record.seed << " FOLDER] " << record.commands << '\n';
   }
   failed_ += is_failed ? 1 : 0;
   refused_ += is_refused && !is_failed ? 1 : 0;
@@ -91,7 +96,8 @@ bool run_all(const Options& options) {
   std::uint64_t to_print = options.first;
   const auto work = [&] {
     for (std::uint64_t seed = next++; seed <= options.last; seed = next++) {
-      ChainRecord record = run_chain(seed, options.chain);
+      ChainRecord record =
+          options.is_readme ? run_readme(seed, options.chain) : run_chain(seed, options.chain);
       const std::lock_guard lock(mutex);
       done[seed] = std::move(record);
       for (; done.count(to_print) > 0; ++to_print) {
@@ -136,6 +142,12 @@ Options read_options(const std::vector<std::string>& words) {
       options.jobs = static_cast<unsigned>(number_of(value()));
     } else if (words[i] == "--seconds") {
       options.chain.limits.cpu_seconds = static_cast<double>(number_of(value()));
+    } else if (words[i] == "--pipelines") {
+      options.is_readme = true;
+      options.last = 50;
+      options.chain.limits.cpu_seconds = 300;
+    } else if (words[i] == "--list") {
+      options.is_list = true;
     } else if (words[i] == "--write") {
       set_seeds(value(), options);
       options.chain.folder = value();
@@ -151,9 +163,16 @@ Options read_options(const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
   try {
     Options options = read_options({argv + 1, argv + argc});
+    if (options.is_list) {
+      for (const std::string& command : readme_commands()) std::cout << command << '\n';
+      return 0;
+    }
     if (options.chain.bin.empty())
       options.chain.bin =
           std::filesystem::canonical("/proc/self/exe").parent_path().parent_path() / "bin";
+    // Loops start other programs of the suite by name.
+    const char* path = std::getenv("PATH");
+    setenv("PATH", (options.chain.bin + ':' + (path != nullptr ? path : "")).c_str(), 1);
     std::signal(SIGPIPE, SIG_IGN);
     return run_all(options) ? 0 : 1;
   } catch (const std::exception& error) {

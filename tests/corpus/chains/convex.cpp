@@ -60,15 +60,19 @@ double area_of(const std::vector<Point>& polygon, const Point& normal) {
   return std::abs(area);
 }
 
-/// Sum over the non-empty sets of bodies from `next` on that are intersected with `common`.
-double alternating_sum(const std::vector<ConvexBody>& bodies, std::size_t next,
-                       const ConvexBody& common, double reach) {
+/// Sums volumes over all sets of bodies from `next` on that join the `count` bodies whose
+/// intersection is `common`, each with the coefficient of inclusion and exclusion for the level.
+double alternating_sum(int level, const std::vector<ConvexBody>& bodies, std::size_t next,
+                       const ConvexBody& common, int count, double reach) {
   double sum = 0;
   for (std::size_t i = next; i < bodies.size(); ++i) {
     ConvexBody smaller = common;
     smaller.insert(smaller.end(), bodies[i].begin(), bodies[i].end());
     const double volume = volume_of(smaller, reach);
-    if (volume > 1e-12) sum += volume - alternating_sum(bodies, i + 1, smaller, reach);
+    if (volume <= 1e-12) continue;
+    const int size = count + 1, sign = (size - level) % 2 == 0 ? 1 : -1;
+    sum += sign * (level == 1 ? 1 : size - 1) * volume +
+           alternating_sum(level, bodies, i + 1, smaller, size, reach);
   }
   return sum;
 }
@@ -77,6 +81,8 @@ double alternating_sum(const std::vector<ConvexBody>& bodies, std::size_t next,
 
 double volume_of(const ConvexBody& body, double reach) {
   double volume = 0;
+  Point apex{};  // a corner: a body without thickness then has no volume, however it is rounded
+  bool has_apex = false;
   for (std::size_t i = 0; i < body.size(); ++i) {
     const auto is_earlier = [&](const HalfSpace& other) { return is_same(other, body[i]); };
     const auto self = body.begin() + static_cast<std::ptrdiff_t>(i);
@@ -84,13 +90,16 @@ double volume_of(const ConvexBody& body, double reach) {
     std::vector<Point> facet = square_in(body[i], 4 * reach);
     for (const HalfSpace& other : body)
       if (!is_same(other, body[i])) facet = clip(facet, other);
-    volume += body[i].offset * area_of(facet, body[i].normal) / 3;
+    if (facet.empty()) continue;
+    if (!has_apex) apex = facet.front();
+    has_apex = true;
+    volume += (body[i].offset - dot(body[i].normal, apex)) * area_of(facet, body[i].normal) / 3;
   }
   return volume;
 }
 
-double volume_of_union(const std::vector<ConvexBody>& bodies, double reach) {
-  return alternating_sum(bodies, 0, {}, reach);
+double volume_at_level(int level, const std::vector<ConvexBody>& bodies, double reach) {
+  return alternating_sum(level, bodies, 0, {}, 0, reach);
 }
 
 }  // namespace chains

@@ -119,7 +119,8 @@ ProgramResult run_program(const std::string& path, const std::vector<std::string
   result.cpu_seconds = cpu_seconds_of(usage);
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   result.exit_code = signal != 0 ? 128 + signal : WEXITSTATUS(status);
-  result.is_hung = !is_done || signal == SIGXCPU ||
+  // A program may end by itself with the code that a shell gives to the signal.
+  result.is_hung = !is_done || result.exit_code == 128 + SIGXCPU ||
                    (signal == SIGKILL && result.cpu_seconds >= limits.cpu_seconds);
   if (result.exit_code == 127) throw std::runtime_error("cannot run " + path);
   return result;

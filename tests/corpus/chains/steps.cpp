@@ -36,7 +36,14 @@ std::string comma_separated(const std::vector<double>& numbers) {
 
 double rounded(double x) { return std::round(x * 1000) / 1000; }
 
-Step clean(const Situation&, Random& random) {
+/// The intersection of the solids, where they overlap by a good part and nothing is to be cut.
+bool can_intersect(const Situation& now) {
+  return now.is_raw && now.body.cutter.faces.empty() &&
+         now.body.volume_in_two > 0.05 * now.body.volume;
+}
+
+Step clean(const Situation& now, Random& random) {
+  if (can_intersect(now) && random.chance(0.3)) return step("clean", {"--level", "2"});
   switch (random.integer(0, 15)) {
     case 0:
       return step("clean", {"--outermost"});
@@ -51,16 +58,18 @@ Step clean(const Situation&, Random& random) {
 
 Step plain_clean(const Situation&, Random&) { return step("clean"); }
 
-Step fine_remesh(const Situation&, Random&) {
-  Step result = step("remesh", {"--reference-edge", "2%", "--feature-angle", "40"});
+Step fine_remesh(const Situation&, Random& random) {
+  Step result = step("remesh", {"--reference-edge", "2%"});
+  if (random.chance(0.5))
+    result.arguments.insert(result.arguments.end(), {"--feature-angle", "40"});
   result.keeps_measures = true;
   return result;
 }
 
 Step remesh(const Situation& now, Random& random) {
-  if (random.chance(0.06)) return fine_remesh(now, random);
+  if (random.chance(0.12)) return fine_remesh(now, random);
   Words words;
-  if (random.chance(0.75)) words = {"--reference-edge", percent(4, 12, random)};
+  if (random.chance(0.75)) words = {"--reference-edge", percent(2.5, 10, random)};
   const std::vector<Words> options = {{},
                                       {},
                                       {},
@@ -72,6 +81,7 @@ Step remesh(const Situation& now, Random& random) {
                                       {"--smooth", "none"},
                                       {"--project"},
                                       {"--adaptive", "1%", "--min-edge", "2%"},
+                                      {"--source"},
                                       {"--min-edge", "0.35x", "--max-edge", "0.75x"}};
   const Words& more = random.pick(options);
   words.insert(words.end(), more.begin(), more.end());
@@ -81,7 +91,8 @@ Step remesh(const Situation& now, Random& random) {
 Step decimate(const Situation& now, Random& random) {
   const auto faces = static_cast<double>(now.facts.faces);
   const double least = 12 * static_cast<double>(now.facts.components);
-  const double wanted = std::max(least, std::round(faces * random.uniform(0.3, 0.9)));
+  const double share = faces > 200 ? random.uniform(0.3, 0.9) : random.uniform(0.8, 0.95);
+  const double wanted = std::max(least, std::round(faces * share));
   Words words = {"--faces", text_of(wanted)};
   if (random.chance(0.3)) words.insert(words.end(), {"--feature-angle", "40"});
   return step("remesh", words);
@@ -96,11 +107,12 @@ Step handles(const Situation&, Random& random) {
   return step("handles", {"--max-length", random.pick(Words{"5x", "30%", "100%"})});
 }
 
-Step displace(const Situation&, Random& random) {
+Step displace(const Situation& now, Random& random) {
   const Words speeds = {"0.1x", "-0.1x", "1%", "-1%"};
   Words words = {"--normal-speed=" + random.pick(speeds)};
   if (random.chance(0.3)) words.insert(words.end(), {"--alpha", "2"});
-  if (random.chance(0.2)) words = {"--curvature-speed", "0.001"};
+  if (random.chance(0.2))
+    words = {"--curvature-speed", text_of(1e-4 * diagonal(now.mesh) * diagonal(now.mesh))};
   return step("displace", words);
 }
 
@@ -153,10 +165,9 @@ Step largest(const Situation&, Random&) {
 /// Removes the faces in a box around one or a few faces.
 Step open(const Situation& now, Random& random) {
   const TriangleMesh& mesh = now.mesh;
-  Point low = mesh.points[random.pick(mesh.faces)[0]], high = low;
   const Triangle& face = random.pick(mesh.faces);
   const double margin = random.chance(0.5) ? 1e-3 : 0.05 * diagonal(mesh);
-  low = high = mesh.points[face[0]];
+  Point low = mesh.points[face[0]], high = low;
   for (const std::uint32_t v : face)
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], mesh.points[v][k]);
@@ -174,11 +185,10 @@ Step cat_cutter(const Situation& now, Random&) {
   return result;
 }
 
-/// A second body, drawn anew, as large as the mesh and moved to overlap it.
-TriangleMesh other_solid(const Situation& now, Random& random) {
-  Body body = random_body(random);
+/// The solids of a second body, moved to overlap the mesh and `share` times as large.
+TriangleMesh other_solids(Body body, const Situation& now, double share, Random& random) {
   TriangleMesh& other = body.solids;
-  const double scale = diagonal(now.mesh) / diagonal(other);
+  const double scale = share * diagonal(now.mesh) / diagonal(other);
   const Point from = other.points.front(), to = random.pick(now.mesh.points);
   for (Point& p : other.points)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -188,15 +198,47 @@ TriangleMesh other_solid(const Situation& now, Random& random) {
   return other;
 }
 
+/// A body of a single solid: a target that does not cross itself.
+Body random_solid(Random& random) {
+  for (;;) {
+    const Body body = random_body(random);
+    if (body.is_single_solid) return body;
+  }
+}
+
 Step cat(const Situation& now, Random& random) {
   Step result = step("cat", {"-", "other.ply"});
-  result.files["other.ply"] = write_ply(other_solid(now, random));
+  result.files["other.ply"] = write_ply(other_solids(random_body(random), now, 1, random));
   return result;
 }
 
 Step morph_step(const Situation& now, Random& random) {
   Step result = step("morph-step", {"--target", "target.ply"});
-  result.files["target.ply"] = write_ply(other_solid(now, random));
+  result.files["target.ply"] = write_ply(other_solids(random_solid(random), now, 0.7, random));
+  return result;
+}
+
+Step carry(const Situation& now, Random&) {
+  Step result = step("carry", {"--from", "before.ply"});
+  result.files["before.ply"] = now.before_last;
+  return result;
+}
+
+Step sample(const Situation&, Random& random) {
+  return step("sample", {"--distance", percent(2, 4, random)});
+}
+
+Step wrap(const Situation&, Random&) { return step("wrap"); }
+
+Step evolve(const Situation& now, Random&) {
+  const double speed = 1e-4 * diagonal(now.mesh) * diagonal(now.mesh);
+  return step("evolve",
+              {"--step", "tm-displace --curvature-speed " + text_of(speed), "--iterations", "2"});
+}
+
+Step morph(const Situation& now, Random& random) {
+  Step result = step("morph", {"--target", "target.ply", "--iterations", "2"});
+  result.files["target.ply"] = write_ply(other_solids(random_solid(random), now, 0.7, random));
   return result;
 }
 
@@ -212,9 +254,10 @@ Step choose(const std::vector<Choice>& choices, const Situation& now, Random& ra
 const std::vector<Choice> after_crossing = {
     {8, clean}, {2, transform}, {1.5, convert}, {0.5, stitch}, {0.5, intersect}};
 const std::vector<Choice> after_sound = {
-    {7, remesh}, {1.5, decimate}, {0.7, offset},  {1, handles}, {2, displace},
-    {1, cat},    {1, morph_step}, {1, transform}, {1, convert}, {1, clean},
-    {0.7, open}, {0.4, largest},  {0.7, stitch},  {0.3, check}, {0.3, intersect}};
+    {7, remesh},   {1.5, decimate}, {0.7, offset},  {1, handles}, {2, displace},
+    {1, cat},      {1, morph_step}, {1, transform}, {1, convert}, {1, clean},
+    {0.7, open},   {0.4, largest},  {0.7, stitch},  {0.3, check}, {0.3, intersect},
+    {0.3, evolve}, {0.3, morph}};
 const std::vector<Choice> after_open = {{5, fill}, {1.5, remesh}, {1.5, clean}, {0.5, stitch}};
 
 }  // namespace
@@ -223,19 +266,26 @@ std::string Step::label() const {
   const auto has = [&](const std::string& word) {
     return std::find(arguments.begin(), arguments.end(), word) != arguments.end();
   };
-  for (const std::string option : {"--faces", "--float", "--outermost", "--invert"})
+  for (const std::string option :
+       {"--faces", "--float", "--outermost", "--separate", "--source", "--level", "--invert"})
     if (has(option)) return program + ' ' + option;
+  if (has("stl")) return program + " stl";
   return program;
 }
 
 std::string Step::command() const {
   std::string text = "tm-" + program;
-  for (const std::string& word : arguments) text += ' ' + word;
+  for (const std::string& word : arguments)
+    text += word.find(' ') == std::string::npos ? ' ' + word : " '" + word + '\'';
   return text;
 }
 
 Step next_step(const Situation& now, Random& random) {
   const bool is_last = now.steps_left == 1;
+  if (now.previous == "sample") return wrap(now, random);
+  if (now.previous.ends_with(" --source") && now.bytes.find(" source_u\n") != std::string::npos &&
+      random.chance(0.6))
+    return carry(now, random);
   if (now.is_soup)
     return random.chance(is_last ? 0 : 0.5) ? stitch(now, random) : clean(now, random);
   if (!now.facts.is_sound())
@@ -244,6 +294,7 @@ Step next_step(const Situation& now, Random& random) {
   if (!now.is_cut && !is_last && now.previous.starts_with("clean")) return cat_cutter(now, random);
   // A chain begins with what its body needs.
   if (now.previous == "cat") return choose(after_crossing, now, random);
+  if (!is_last && random.chance(0.02)) return sample(now, random);
   return choose(after_sound, now, random);
 }
 

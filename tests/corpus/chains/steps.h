@@ -32,10 +32,13 @@ struct Situation {
   const Body& body;
   const TriangleMesh& mesh;
   const MeshFacts& facts;
-  std::string previous;  ///< label of the last program
-  bool is_soup = false;  ///< the mesh was written as STL
-  bool is_cut = false;   ///< the cutter is in the mesh already
-  int steps_left = 1;    ///< with the one to be chosen
+  const std::string& before_last;  ///< file that the last program read
+  const std::string& bytes;        ///< file that the last program wrote
+  std::string previous;            ///< label of the last program
+  bool is_soup = false;            ///< the mesh was written as STL
+  bool is_raw = true;              ///< no program has changed the body yet
+  bool is_cut = false;             ///< the cutter is in the mesh already
+  int steps_left = 1;              ///< with the one to be chosen
 };
 
 Step next_step(const Situation& now, Random& random);

@@ -22,7 +22,9 @@ class Numbers {
       : at_(bytes.data() + begin), end_(bytes.data() + bytes.size()), encoding_(encoding) {}
 
   double next(const std::string& type) {
-    if (encoding_ == Encoding::text) return next_text();
+    if (encoding_ == Encoding::text)
+      return type.starts_with("float") && type != "float64" ? static_cast<float>(next_text())
+                                                            : next_text();
     if (type == "double" || type == "float64") return take<double>();
     if (type == "float" || type == "float32") return take<float>();
     if (type == "int" || type == "int32") return take<std::int32_t>();

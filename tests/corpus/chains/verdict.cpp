@@ -72,7 +72,7 @@ class Judge {
 
   /// No intersection, no face without area, a manifold.
   void check_surface() {
-    const bool always = is_one_of(program(), {"clean", "offset"});
+    const bool always = is_one_of(program(), {"clean", "offset", "evolve", "morph"});
     const bool as_input = is_one_of(program(), {"remesh", "fill", "select"});
     if ((always || (as_input && is_.before.intersections == 0)) && is_.after.intersections > 0)
       note("intersects", is_.after.intersections, " intersecting pairs");
@@ -80,7 +80,8 @@ class Judge {
         is_.after.no_area > 0)
       note("no-area", is_.after.no_area, " faces without area");
     const bool makes = is_one_of(program(), {"clean", "offset", "stitch"});
-    if ((makes || is_.before.is_manifold()) && !is_.after.is_manifold() && program() != "cat")
+    if ((makes || is_.before.is_manifold()) && !is_.after.is_manifold() &&
+        !is_one_of(program(), {"cat", "select"}))
       note("not-manifold", is_.after.bad_edges, " edges and ", is_.after.bad_vertices, " vertices");
   }
 
@@ -101,7 +102,8 @@ class Judge {
     const std::size_t dropped =
         std::max(reported(report_, "components_removed"), reported(report_, "components_dropped"));
     if (is_one_of(program(), {"remesh", "displace", "morph-step", "transform"}) ||
-        (program() == "clean" && was_clean()))
+        (program() == "clean" && is_.was_cleaned && is_.before.is_closed() &&
+         !has(is_.step, "--outermost")))
       expected -= std::min(expected, dropped);
     else
       return;
@@ -110,17 +112,11 @@ class Judge {
            ", reported as dropped: ", dropped);
   }
 
-  /// True if tm-clean has nothing to merge: no solid lies within another.
-  bool was_clean() const {
-    return is_.volume && is_.before.is_closed() &&
-           std::abs(is_.before.volume - *is_.volume) <= volume_tolerance();
-  }
-
   /// By how much rounding may change the volume: a thousand spacings everywhere.
   double volume_tolerance() const {
     const double spacing = (is_.coarsest == Type::float32 ? 0x1p-23 : 0x1p-52) *
                            std::max(largest_coordinate(is_.input), largest_coordinate(is_.output));
-    return 1000 * spacing * (is_.before.area + is_.after.area) + 1e-9 * is_.after.volume;
+    return 1000 * spacing * (is_.before.area + is_.after.area) + 1e-9 * std::abs(is_.after.volume);
   }
 
   void check_volume() {
@@ -146,7 +142,8 @@ class Judge {
   }
 
   void check_counts() {
-    if (is_one_of(program(), {"transform", "convert", "displace", "morph-step", "intersect"}) &&
+    if (is_one_of(program(),
+                  {"transform", "convert", "displace", "morph-step", "intersect", "carry"}) &&
         is_.after.faces != is_.before.faces)
       note("faces", is_.after.faces, " faces of ", is_.before.faces);
     if (program() == "intersect" && reported(report_, "pairs") != is_.before.intersections)

@@ -24,6 +24,7 @@ struct Passage {
   const std::string& report;      ///< JSON
   std::optional<double> volume;   ///< of the output where it is known
   Type coarsest = Type::float64;  ///< scalar type that coordinates have been rounded to so far
+  bool was_cleaned = false;       ///< the input is the union of what it came from
   bool is_flat = false;  ///< all edges of the body turn by 45 degrees or more, or not at all
 };
 
