@@ -94,14 +94,12 @@ class Chain {
 
   bool is_done(const Step& step, const ProgramResult& result) {
     if (result.exit_code == 0) return true;
-    std::string message = result.messages.substr(0, result.messages.find_last_not_of('\n') + 1);
-    std::replace(message.begin(), message.end(), '\n', '/');
     const bool is_refusal = result.exit_code == 3 || result.exit_code == 4;
     note(result.is_hung                    ? "hang"
          : is_refusal                      ? "refused"
          : step.program == "checkmanifold" ? "disagrees"
                                            : "crash",
-         "exit code " + std::to_string(result.exit_code) + ": " + message);
+         "exit code " + std::to_string(result.exit_code) + ": " + in_one_line(result.messages));
     return false;
   }
 

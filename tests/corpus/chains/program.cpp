@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -124,6 +125,12 @@ ProgramResult run_program(const std::string& path, const std::vector<std::string
                    (signal == SIGKILL && result.cpu_seconds >= limits.cpu_seconds);
   if (result.exit_code == 127) throw std::runtime_error("cannot run " + path);
   return result;
+}
+
+std::string in_one_line(std::string messages) {
+  messages.erase(messages.find_last_not_of('\n') + 1);
+  std::replace(messages.begin(), messages.end(), '\n', '/');
+  return messages;
 }
 
 }  // namespace chains

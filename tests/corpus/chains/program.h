@@ -24,4 +24,7 @@ struct ProgramResult {
 ProgramResult run_program(const std::string& path, const std::vector<std::string>& arguments,
                           const std::string& input, const ProgramLimits& limits);
 
+/// Messages without the last line end, the others replaced by slashes.
+std::string in_one_line(std::string messages);
+
 }  // namespace chains

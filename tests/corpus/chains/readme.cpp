@@ -58,13 +58,16 @@ const std::vector<Pipeline> pipelines = {
      "tm-stitch scan.stl | tm-clean --outermost | tm-remesh > repaired.ply", "repaired.ply"},
 };
 
-/// The largest part of a body, moved to a corner of the other one.
+/// A convex body whose middle lies on a corner of the other one, so that they overlap.
 TriangleMesh second_operand(const TriangleMesh& first, Random& random) {
   Body body = random_body(random);
   while (!body.is_single_solid) body = random_body(random);
   TriangleMesh& mesh = body.solids;
   const double scale = 0.6 * diagonal(first) / diagonal(mesh);
-  const Point from = mesh.points.front(), to = random.pick(first.points);
+  Point from{};
+  for (const Point& p : mesh.points)
+    for (std::size_t k = 0; k < 3; ++k) from[k] += p[k] / static_cast<double>(mesh.points.size());
+  const Point to = random.pick(first.points);
   for (Point& p : mesh.points)
     for (std::size_t k = 0; k < 3; ++k) p[k] = to[k] + scale * (p[k] - from[k]);
   mesh.type = Type::float64;
@@ -122,7 +125,7 @@ class ReadmeRun {
       note(result.is_hung ? "hang"
            : is_refusal   ? "refused"
                           : "crash",
-           "exit code " + std::to_string(result.exit_code) + ": " + result.messages);
+           "exit code " + std::to_string(result.exit_code) + ": " + in_one_line(result.messages));
       return false;
     }
     return judge_output(pipeline.output);

@@ -38,6 +38,7 @@ class Judge {
 
   std::vector<Finding> findings() {
     check_indices();
+    if (report_.is_discarded()) note("report", "is no JSON");
     if (!is_.after.is_valid()) return findings_;
     check_surface();
     check_borders();
