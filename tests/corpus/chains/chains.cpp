@@ -5,6 +5,9 @@
 //     keeps the body, what every program wrote, and the commands in chain.sh
 //   chains --pipelines [--seeds A..B] [--write SEED FOLDER] ...
 //     runs the pipelines of the README on 50 bodies instead; --list prints their commands
+//   chains --judge FILE...
+//     prints what each mesh is; exit code 1 where one is not closed, manifold, free of
+//     intersections and of faces without area
 // Exit code 1 where a chain has a fault, or more than 2 % of the chains are refused; 2: usage.
 #include <algorithm>
 #include <atomic>
@@ -13,12 +16,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <thread>
 
 #include "corpus/chains/chain.h"
+#include "corpus/chains/mesh_facts.h"
 #include "corpus/chains/readme.h"
 
 using namespace chains;
@@ -112,6 +118,19 @@ bool run_all(const Options& options) {
   return tally.print(2);
 }
 
+bool print_facts(const std::string& name) {
+  std::ifstream file(name, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+  const MeshFacts facts = judge(read_mesh(bytes));
+  std::printf(
+      "%s: faces %zu bad_indices %zu open_edges %zu bad_edges %zu bad_vertices %zu "
+      "no_area %zu intersections %zu components %zu area %.17g volume %.17g\n",
+      name.c_str(), facts.faces, facts.bad_indices + facts.bad_coordinates, facts.open_edges,
+      facts.bad_edges, facts.bad_vertices, facts.no_area, facts.intersections, facts.components,
+      facts.area, facts.volume);
+  return facts.is_sound() && facts.is_closed();
+}
+
 std::uint64_t number_of(const std::string& text) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -162,7 +181,10 @@ Options read_options(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   try {
-    Options options = read_options({argv + 1, argv + argc});
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (!words.empty() && words.front() == "--judge")
+      return std::count_if(words.begin() + 1, words.end(), print_facts) == argc - 2 ? 0 : 1;
+    Options options = read_options(words);
     if (options.is_list) {
       for (const std::string& command : readme_commands()) std::cout << command << '\n';
       return 0;
