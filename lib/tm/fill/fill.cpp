@@ -14,6 +14,7 @@
 #include "tm/mesh/digits.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/mesh/triangle.h"
 #include "tm/support/error.h"
 
@@ -65,6 +66,7 @@ class Filler {
  private:
   bool fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const;
   bool crosses(const HolePatch& patch, const MeshPart& part) const;
+  /// Adds the first patch that fits. One that may cross is only looked for unless it is allowed.
   bool try_patches(const Loop& loop, const MeshPart& part, const HolePatches& found,
                    bool may_cross = false);
   HolePatches patches_of(const MeshPart& part, Index border, PatchKind finest, Search search) const;
@@ -184,8 +186,9 @@ void Filler::fill(const Loop& loop) {
   if (!found.are_of_all && loop.size() <= most_edges_of_all &&
       try_patches(loop, part, patches_of(part, border, finest, Search::all)))
     return;
-  if (options_.allow_crossings && try_patches(loop, part, found, true)) return;
-  result_.crossing.push_back(open_hole(loop));
+  const bool crosses = try_patches(loop, part, found, true);
+  if (crosses && options_.allow_crossings) return;
+  (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
 }
 
 /// With positions as they will be written.
@@ -201,6 +204,7 @@ bool Filler::try_patches(const Loop& loop, const MeshPart& part, const HolePatch
                          bool may_cross) {
   for (const HolePatch& patch : found.patches) {
     if (!fits(patch, part, may_cross)) continue;
+    if (may_cross && !options_.allow_crossings) return true;
     ++(may_cross                          ? result_.crossed
        : patch.kind == PatchKind::faired  ? result_.faired
        : patch.kind == PatchKind::refined ? result_.refined
@@ -218,6 +222,7 @@ FillResult Filler::finish() {
   for (const RowBlend& row : rows) mesh_.vertex_columns.append(row);
   mesh_.face_columns.concatenate(Columns(), mesh_.faces.size() - result_.new_faces,
                                  result_.new_faces);
+  if (result_.new_faces > 0) result_.dropped_source_points = drop_source_points(mesh_);
   return std::move(result_);
 }
 

@@ -7,7 +7,10 @@
 #include <string>
 
 #include "tm/clean/exterior/angular_order.h"
+#include "tm/clean/stitch/copy_layers.h"
+#include "tm/clean/stitch/orientation_check.h"
 #include "tm/clean/stitch/sheet_links.h"
+#include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/location_text.h"
 #include "tm/mesh/surface_columns.h"
@@ -16,12 +19,13 @@
 namespace transformesh {
 namespace {
 
-/// Faces connected across edges of two faces.
+/// Faces connected across edges of two faces, or of copies of two (copy_layers.h).
 struct Sheet {
   std::vector<Index> faces;
-  bool agreed = true;       ///< within itself, and with others at their common edges
-  bool has_border = false;  ///< it has an edge of one face
-  double volume = 0;        ///< six times that of the cone over it from the group's centroid
+  bool agreed = true;         ///< within itself, and with others at their common edges
+  bool has_border = false;    ///< it has an edge of one face
+  bool copies_agreed = true;  ///< all sheets of the set of copies that this one stands for did
+  double volume = 0;          ///< six times that of the cone over it from the group's centroid
 };
 
 class Orienter {
@@ -45,18 +49,19 @@ class Orienter {
 
   const Mesh& mesh_;
   const Edges edges_;
-  std::vector<Index> across_;      ///< per halfedge of an edge of two: the other one
+  std::vector<Index> across_;      ///< per halfedge: the one that continues its sheet
   std::vector<Index> sheet_of_;    ///< per face
   std::vector<char> is_reversed_;  ///< per face: it must be, to agree with its sheet's first
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;
   SheetLinks links_{0};
+  DisjointSets copies_{0};  ///< sheets that lie upon each other: if one needs it, all are turned
 };
 
 Orienter::Orienter(const Mesh& mesh)
     : mesh_(mesh),
       edges_(without_collapsed(mesh.faces), mesh.positions.size()),
-      across_(neighbors_across(edges_, mesh.faces.size())),
+      across_(neighbors_in_layers(mesh, edges_)),
       sheet_of_(mesh.faces.size(), no_index),
       is_reversed_(mesh.faces.size(), 0) {
   for (Index first = 0; first < mesh.faces.size(); ++first) {
@@ -64,7 +69,10 @@ Orienter::Orienter(const Mesh& mesh)
   }
   sheet_is_reversed_.assign(sheets_.size(), 0);
   links_ = SheetLinks(sheets_.size());
+  copies_ = DisjointSets(sheets_.size());
   link_sheets();
+  for (Index sheet = 0; sheet < sheets_.size(); ++sheet)
+    if (!sheets_[sheet].agreed) sheets_[copies_.find(sheet)].copies_agreed = false;
 }
 
 // Whether the halfedge runs forward once its face agrees with the first of its sheet.
@@ -98,7 +106,8 @@ void Orienter::refuse(Index halfedge, Index across) const {
                    std::to_string(std::max(halfedge, across) / 3) + " cannot agree at the " +
                    edge_text(mesh_, halfedge) +
                    ", however faces are turned: the surface has one side only, like a Moebius "
-                   "strip; cut it open or remove that part");
+                   "strip; tm-stitch without --orient cuts it open, and tm-fill --allow-crossings "
+                   "closes borders");
 }
 
 // Finds by how much sheets that end at the same edges agree there.
@@ -107,6 +116,8 @@ void Orienter::link_sheets() {
     const auto halfedges = edges_.halfedges(e);
     if (halfedges.size() == 1) sheets_[sheet_of_[halfedges[0] / 3]].has_border = true;
     if (halfedges.size() <= 2) continue;
+    if (across_[halfedges[0]] != no_index)
+      for (const Index h : halfedges) copies_.join(sheet_of_[h / 3], sheet_of_[halfedges[0] / 3]);
     std::map<Index, int> sums;
     int sum_before = 0;
     for (const Index h : halfedges) {
@@ -206,7 +217,7 @@ void Orienter::face_as_most(const std::vector<Index>& group) {
 
 void Orienter::orient_group(const std::vector<Index>& group) {
   const auto has_border = [&](Index sheet) { return sheets_[sheet].has_border; };
-  const auto agreed = [&](Index sheet) { return sheets_[sheet].agreed; };
+  const auto agreed = [&](Index sheet) { return sheets_[copies_.find(sheet)].copies_agreed; };
   if (std::all_of(group.begin(), group.end(), agreed)) {
     for (const Index sheet : group) sheet_is_reversed_[sheet] = 0;
     return;
@@ -244,6 +255,15 @@ std::size_t orient_faces(Mesh& mesh) {
     reverse_corner_lists(mesh, static_cast<Index>(f));
   }
   return static_cast<std::size_t>(std::count(is_reversed.begin(), is_reversed.end(), 1));
+}
+
+bool can_be_oriented(Mesh mesh) {
+  try {
+    orient_faces(mesh);
+  } catch (const InputError&) {
+    return false;
+  }
+  return describe_misorientation(mesh).empty();
 }
 
 }  // namespace transformesh

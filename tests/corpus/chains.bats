@@ -1,0 +1,117 @@
+# Chains of programs on random CAD-like bodies, each output judged by an oracle that links nothing
+# of the library. `chains --seeds 1..5000 --jobs 2` runs many, `chains --pipelines` the README's.
+
+load ../helpers/common
+
+chains=$tm_build/bin-test/chains
+
+setup() {
+  cd "$BATS_TEST_TMPDIR" || exit
+}
+
+# number 'pattern': the number before a word of the last run's summary.
+number() {
+  sed -nE "s/.*[ ^]?([0-9.]+) %? ?$1.*/\1/p" <<<"$output" | tail -n 1
+}
+
+@test "chains: 200 chains write no intersection, open edge, face without area or wrong volume" {
+  run "$chains" --seeds 1..200 --bin "$tm_build/bin"
+  grep -v '^pair' <<<"$output"
+  assert_status 0
+  awk -v share="$(number 'rotated with coplanar contact')" 'BEGIN { exit !(share >= 30) }'
+  awk -v share="$(number 'of three programs or more')" 'BEGIN { exit !(share >= 50) }'
+}
+
+@test "chains: the same seed gives the same chain" {
+  "$chains" --write 5 one --bin "$tm_build/bin" || true
+  "$chains" --write 5 two --bin "$tm_build/bin" || true
+  rm one/report.json two/report.json
+  diff -r one two
+}
+
+@test "chains: every pipeline of the runner is in the README" {
+  "$chains" --pipelines --list >commands
+  [ "$(wc -l <commands)" -ge 12 ]
+  while IFS= read -r command; do
+    grep -qF -- "${command% -o *}" "$tm_root/README.md" || fail "not in the README: $command"
+  done <commands
+}
+
+@test "chains: the README's pipelines on 8 bodies have no finding" {
+  run "$chains" --pipelines --seeds 1..8 --jobs 2 --bin "$tm_build/bin"
+  grep -v '^pair' <<<"$output"
+  assert_status 0
+}
+
+# spoil PROGRAM SCRIPT: a folder of programs of which one is wrong: SCRIPT is run with $real, the
+# right one, and the arguments.
+spoil() {
+  rm -rf spoiled && mkdir spoiled
+  ln -s "$tm_build"/bin/tm-* spoiled/
+  rm "spoiled/$1"
+  printf '#!/usr/bin/env bash\nPATH=%s:$PATH\nreal=%s\n%s\n' "$tm_build/bin" "$tm_build/bin/$1" "$2" \
+    >"spoiled/$1"
+  chmod +x "spoiled/$1"
+}
+
+# spoil_off PROGRAM SCRIPT: awk changes what the right program writes, as OFF whose numbers of
+# vertices and faces are v and f.
+spoil_off() {
+  spoil "$1" "\"\$real\" \"\$@\" | tm-convert --format off --no-provenance | grep -v '^#' |
+    awk 'NR == 2 { v = \$1; f = \$2 } $2'"
+}
+
+# expect_kind KIND: some chain fails in that way, with the words that repeat it.
+expect_kind() {
+  run "$chains" --seeds 1..30 --bin spoiled
+  assert_status 1
+  grep -qE "^FAILED [0-9]+ $1 in .*\[chains --write [0-9]+ FOLDER\]" <<<"$output" ||
+    fail "no $1 in: $(grep -v '^pair' <<<"$output")"
+}
+
+# shellcheck disable=SC2016
+@test "chains: every kind of fault is found" {
+  spoil_off tm-clean 'NR == 2 { print v, f - 1, 0; next } NR < v + f + 2'
+  expect_kind open
+  spoil tm-clean '"$real" "$@" >"$$.ply" && tm-cat "$$.ply" "$$.ply"; rm "$$.ply"'
+  expect_kind intersects
+  spoil tm-clean '"$real" "$@" | tm-transform --scale 1.001'
+  expect_kind volume
+  spoil tm-remesh 'tm-shape box 1 1 1 --faces 12 --center 9,9,9 >"$$.ply"
+    "$real" "$@" | tm-cat - "$$.ply"; rm "$$.ply"'
+  expect_kind components
+  # A tetrahedron whose corners are two places.
+  spoil_off tm-clean 'NR == 2 { print v + 4, f + 4, 0; next } NR == 3 { p = $0 } NR == 4 { q = $0 }
+    { print } NR == v + 2 { print p "\n" q "\n" p "\n" q }
+    END { a = v; b = v + 1; c = v + 2; d = v + 3
+      print 3, a, b, c "\n" 3, a, c, d "\n" 3, a, d, b "\n" 3, b, d, c }'
+  expect_kind no-area
+  # A face whose first corner belongs to a face elsewhere.
+  spoil_off tm-clean 'NR == v + 3 { $2 = ($2 + int(v / 2)) % v } { print }'
+  expect_kind not-manifold
+  spoil_off tm-clean 'NR == v + 3 { $2 = v } { print }'
+  expect_kind index
+  spoil tm-clean 'echo "no mesh"'
+  expect_kind unreadable
+  spoil tm-clean 'kill -SEGV $$'
+  expect_kind crash
+  spoil tm-intersect '"$real" "$@"; for last; do :; done
+    sed -i "s/\"pairs\": [0-9][0-9]*/\"pairs\": 1234567/" "$last"'
+  expect_kind count
+  spoil tm-clean '"$real" "$@"; for last; do :; done; echo "{" >"$last"'
+  expect_kind report
+}
+
+@test "chains: refusals are counted, and too many fail" {
+  spoil tm-clean 'echo "tm-clean: not today" >&2; exit 4'
+  run "$chains" --seeds 1..20 --bin spoiled
+  assert_status 1
+  [[ $output == *"REFUSED 1 refused in "*": exit code 4: tm-clean: not today"* ]]
+}
+
+@test "chains: a program that does not end is a fault" {
+  spoil tm-clean 'while :; do :; done'
+  run "$chains" --seeds 1 --seconds 1 --bin spoiled
+  assert_status 1
+  [[ $output == *"FAILED 1 hang in "* ]]
+}

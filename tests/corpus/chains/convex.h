@@ -1,0 +1,26 @@
+/// Volume of unions and differences of convex prisms in closed form: inclusion and exclusion over
+/// intersections of half-spaces.
+#pragma once
+
+#include <vector>
+
+#include "corpus/chains/triangle_mesh.h"
+
+namespace chains {
+
+/// All x with dot(normal, x) <= offset; the normal has unit length.
+struct HalfSpace {
+  Point normal;
+  double offset;
+};
+
+using ConvexBody = std::vector<HalfSpace>;
+
+/// Volume of a bounded intersection of half-spaces that lies within `reach` of the origin.
+double volume_of(const ConvexBody& body, double reach);
+
+/// Volume of what lies in at least one of at most about eight bodies (level 1), or in at least two
+/// of them (level 2).
+double volume_at_level(int level, const std::vector<ConvexBody>& bodies, double reach);
+
+}  // namespace chains

@@ -1,0 +1,38 @@
+/// What a mesh is, decided without the library: exact predicates of CGAL on the coordinates as
+/// written, and counts of edges.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "corpus/chains/triangle_mesh.h"
+
+namespace chains {
+
+struct MeshFacts {
+  std::size_t faces = 0;
+  std::size_t bad_indices = 0;      ///< faces with an index out of range or a repeated one
+  std::size_t bad_coordinates = 0;  ///< points that are not finite
+  std::size_t open_edges = 0;       ///< edges with one face, by index
+  /// Directed edges, by place, that no edge in the other direction answers. 0 for a closed soup.
+  std::size_t unpaired_places = 0;
+  std::size_t bad_edges = 0;     ///< edges run along twice in one direction
+  std::size_t bad_vertices = 0;  ///< vertices whose faces are not one fan
+  std::size_t no_area = 0;       ///< faces whose corners lie on one line, exactly
+  /// Pairs of faces that meet beyond corners and edges at equal coordinates, as tm-checkmanifold(1)
+  /// defines it: a pair with three equal corners counts. Faces without area take no part.
+  std::size_t intersections = 0;
+  std::size_t components = 0;  ///< faces that share a vertex, by index, are connected
+  double area = 0;
+  double volume = 0;
+
+  bool is_valid() const { return bad_indices + bad_coordinates == 0; }
+  bool is_closed() const { return open_edges == 0; }
+  bool is_manifold() const { return bad_edges + bad_vertices == 0; }
+  /// Nothing that later programs may pass on as "it was in the input".
+  bool is_sound() const { return is_valid() && is_manifold() && no_area + intersections == 0; }
+};
+
+MeshFacts judge(const TriangleMesh& mesh);
+
+}  // namespace chains
