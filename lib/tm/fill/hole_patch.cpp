@@ -89,6 +89,26 @@ std::vector<FaceNumber> add_triangles(Surface& surface, const std::vector<Halfed
   return faces;
 }
 
+/// Whether the Delaunay tetrahedra of the points have all edges from a point to the next.
+bool are_delaunay_edges(const std::vector<Vec3>& points) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Base = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
+  using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+  using Tetrahedra =
+      CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Base, Cell>>;
+  std::vector<std::pair<Point, Index>> numbered;
+  for (const Vec3& p : points)
+    numbered.emplace_back(Point(p.x(), p.y(), p.z()), static_cast<Index>(numbered.size()));
+  const Tetrahedra tetrahedra(numbered.begin(), numbered.end());
+  std::vector<char> has_edge(points.size(), 0);
+  for (const auto& [cell, i, k] : tetrahedra.finite_edges()) {
+    const auto [a, b] = std::minmax(cell->vertex(i)->info(), cell->vertex(k)->info());
+    if (a + 1 == b) has_edge[a] = 1;
+    if (a == 0 && b + 1 == points.size()) has_edge[b] = 1;
+  }
+  return std::find(has_edge.begin(), has_edge.end(), 0) == has_edge.end();
+}
+
 /// Whether all points lie in one plane.
 bool is_flat(const std::vector<Vec3>& points) {
   std::size_t i = 2;
@@ -103,14 +123,16 @@ std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search sea
                                     bool& is_of_all) {
   std::vector<FaceNumber> faces;
   const std::vector<Halfedge> border = border_of(surface, first);
-  if (search == Search::delaunay && border.size() > few_edges) {
+  const std::optional<HoleBorder> hole = describe(surface, border);
+  if (!hole) return faces;
+  // CGAL takes quadratic time where it has to add edges of the border to the tetrahedra.
+  if (search == Search::delaunay && border.size() > few_edges &&
+      (border.size() <= many_edges || are_delaunay_edges(hole->points))) {
     processing::triangulate_hole(
         surface, first, std::back_inserter(faces),
         CGAL::parameters::use_delaunay_triangulation(true).do_not_use_cubic_algorithm(true));
     if (!faces.empty()) return faces;
   }
-  const std::optional<HoleBorder> hole = describe(surface, border);
-  if (!hole) return faces;
   is_of_all = border.size() <= (is_flat(hole->points) ? many_flat_edges : many_edges);
   std::vector<HoleTriangle> triangles =
       is_of_all ? least_triangulation(*hole) : sparse_triangulation(*hole);

@@ -12,8 +12,9 @@ namespace {
 /// 1,000 teeth has no triangulation of them.
 constexpr std::size_t nearest_tried = 24;
 
-bool is_chord(const HoleBorder& border, Index i, Index k) {
-  return std::binary_search(border.chords.begin(), border.chords.end(), std::pair(i, k));
+bool is_chord(const HoleBorder& border, std::size_t i, std::size_t k) {
+  return std::binary_search(border.chords.begin(), border.chords.end(),
+                            std::pair<Index, Index>(i, k));
 }
 
 /// The best parts between points i and k for all pairs, near ones first.
@@ -22,48 +23,52 @@ class LeastTriangulation {
   explicit LeastTriangulation(const HoleBorder& border)
       : border_(border),
         weigher_(border),
-        size_(static_cast<Index>(border.points.size())),
-        parts_(std::size_t{size_} * size_),
-        columns_(parts_.size()) {
-    for (Index i = 0; i + 1 < size_; ++i) set(i, i + 1, {{0, 0}, no_index});
+        size_(border.points.size()),
+        parts_(size_ * size_),
+        angles_(size_ * size_, HoleWeight().angle),
+        angles_before_(angles_) {
+    for (std::size_t i = 0; i + 1 < size_; ++i) set(i, i + 1, {{0, 0}, no_index});
   }
 
   std::vector<HoleTriangle> run() {
-    for (Index length = 2; length < size_; ++length)
-      for (Index i = 0; i + length < size_; ++i)
+    for (std::size_t length = 2; length < size_; ++length)
+      for (std::size_t i = 0; i + length < size_; ++i)
         if (!is_chord(border_, i, i + length)) set(i, i + length, best_between(i, i + length));
     if (size_ < 3 || !part(0, size_ - 1).weight.is_there()) return {};
     return triangles_below(size_, [&](Index i, Index k) { return part(i, k).apex; });
   }
 
  private:
-  const HolePart& part(Index i, Index k) const { return parts_[std::size_t{i} * size_ + k]; }
-  void set(Index i, Index k, const HolePart& part) {
-    parts_[std::size_t{i} * size_ + k] = part;
-    columns_[std::size_t{k} * size_ + i] = part;
+  const HolePart& part(std::size_t i, std::size_t k) const { return parts_[i * size_ + k]; }
+  void set(std::size_t i, std::size_t k, const HolePart& part) {
+    parts_[i * size_ + k] = part;
+    angles_[i * size_ + k] = angles_before_[k * size_ + i] = part.weight.angle;
   }
-  HolePart best_between(Index i, Index k) const;
+  HolePart best_between(std::size_t i, std::size_t k) const;
 
   const HoleBorder& border_;
   HoleWeigher weigher_;
-  Index size_;
-  std::vector<HolePart> parts_;
-  std::vector<HolePart> columns_;  ///< The same by their second points, as they are looked through.
+  std::size_t size_;
+  std::vector<HolePart> parts_;  ///< By first and then by second point.
+  /// The angles of the parts once more, which are looked through: in the same order, and by second
+  /// and then by first point.
+  std::vector<double> angles_, angles_before_;
 };
 
-HolePart LeastTriangulation::best_between(Index i, Index k) const {
-  const HolePart* left = parts_.data() + std::size_t{i} * size_;
-  const HolePart* right = columns_.data() + std::size_t{k} * size_;
+HolePart LeastTriangulation::best_between(std::size_t i, std::size_t k) const {
+  const double* left = angles_.data() + i * size_;
+  const double* right = angles_before_.data() + k * size_;
   HolePart best;
-  const auto attempt = [&](Index m) {
-    if (m == best.apex || !left[m].weight.is_there() || !right[m].weight.is_there()) return;
-    if (std::max(left[m].weight.angle, right[m].weight.angle) <= best.weight.angle)
-      weigher_.improve(i, m, k, left[m], right[m], best);
+  const auto attempt = [&](std::size_t m) {
+    const HolePart &first = part(i, m), &second = part(m, k);
+    if (m != best.apex && first.weight.is_there() && second.weight.is_there())
+      weigher_.improve(i, m, k, first, second, best);
   };
   // The apexes of shorter pairs are often good, and good ones spare most of the others.
-  for (const Index m : {left[k - 1].apex, right[i + 1].apex})
+  for (const Index m : {part(i, k - 1).apex, part(i + 1, k).apex})
     if (m != no_index) attempt(m);
-  for (Index m = i + 1; m < k; ++m) attempt(m);
+  for (std::size_t m = i + 1; m < k; ++m)
+    if (std::max(left[m], right[m]) <= best.weight.angle) attempt(m);
   return best;
 }
 

@@ -39,8 +39,8 @@ class HoleWeigher {
 
   /// Puts the triangle i, m, k on top of two parts where that makes a better part than `best`, or
   /// as good a one with a lower apex. What decides most often is computed first.
-  void improve(Index i, Index m, Index k, const HolePart& left, const HolePart& right,
-               HolePart& best) const {
+  void improve(std::size_t i, std::size_t m, std::size_t k, const HolePart& left,
+               const HolePart& right, HolePart& best) const {
     HoleWeight weight{std::max(left.weight.angle, right.weight.angle),
                       left.weight.area + right.weight.area};
     weight.area += std::sqrt(CGAL::squared_area(points_[i], points_[m], points_[k]));
@@ -54,14 +54,14 @@ class HoleWeigher {
     if (i == 0 && k + 1 == points_.size())
       weight.angle = std::max(weight.angle, angle(k, i, m, across_[k]));
     if (is_worse() || CGAL::collinear(points_[i], points_[m], points_[k])) return;
-    best = {weight, m};
+    best = {weight, static_cast<Index>(m)};
   }
 
  private:
-  const Point& beyond(Index from, const HolePart& part) const {
+  const Point& beyond(std::size_t from, const HolePart& part) const {
     return part.apex == no_index ? across_[from] : points_[part.apex];
   }
-  double angle(Index i, Index k, Index corner, const Point& beyond) const {
+  double angle(std::size_t i, std::size_t k, std::size_t corner, const Point& beyond) const {
     return 180 - std::abs(CGAL::approximate_dihedral_angle(points_[i], points_[k], points_[corner],
                                                            beyond));
   }
