@@ -65,8 +65,8 @@ wait_for_rows() { # COUNT
 
 @test "the csv has a line per iteration, and its numbers are plausible" {
   csv=$BATS_FILE_TMPDIR/whole.csv
-  awk -F, 'NR == 1 { if ($1 != "iteration" || NF != 17) exit 1; next }
-    $1 != NR - 1 || NF != 17 || $2 < 20 || $6 > 1 || $7 > 1.0001 { exit 1 }
+  awk -F, 'NR == 1 { if ($1 != "iteration" || NF != 18) exit 1; next }
+    $1 != NR - 1 || NF != 18 || $2 < 20 || $6 > 1 || $7 > 1.0001 || $18 > 1 { exit 1 }
     { pairs += $3; genus = $5; far = $8 }
     END { exit !(NR > 20 && pairs > 0 && genus == 1 && far < 0.1) }' "$csv" || fail "$(cat "$csv")"
 }

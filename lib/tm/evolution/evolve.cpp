@@ -34,10 +34,10 @@ class EvolveLoop : public Loop {
   void measure(CsvRow& row) const override {
     last_.measure_mesh(row);
     row.share("moved_fraction", last_.moved_share());
-    row.share("clamped_fraction", last_.clamped_share());
     row.number("max_displacement", last_.displaced.max_displacement);
     row.number("rms_displacement", last_.displaced.rms_displacement);
     last_.measure_times(row);
+    row.share("clamped_fraction", last_.clamped_share());
   }
   std::string message() const override {
     return ": " + in_words(last_.faces, last_.topology) + ", moved " +

@@ -21,13 +21,17 @@ MorphRemedy narrowest(const Target& target, const std::vector<double>& widths, d
   return {RemedyKind::edges_at_narrow_places, edge, *least, target.mesh.positions[v]};
 }
 
-MorphRemedy narrow_at(const TargetQuery& target, const Mismatch& found) {
+// Of a fault of topology the narrowest place is named, as the cause may be far from the place that
+// is farthest apart.
+MorphRemedy narrow_place(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
+  if (found.is_of_topology) {
+    const Target all = with_thickness(target.target(), edges_across, edge);
+    return narrowest(all, all.thickness, edge);
+  }
   const double width = local_thickness_near(target, found.place, edges_across * edge);
-  if (std::isfinite(width)) return {RemedyKind::edges_at_narrow_places, edge, width, found.place};
-  if (!found.is_of_topology) return {};
-  const Target all = with_thickness(target.target(), edges_across, edge);
-  return narrowest(all, all.thickness, edge);
+  if (!std::isfinite(width)) return {};
+  return {RemedyKind::edges_at_narrow_places, edge, width, found.place};
 }
 
 }  // namespace
@@ -35,7 +39,7 @@ MorphRemedy narrow_at(const TargetQuery& target, const Mismatch& found) {
 MorphRemedy remedy_for(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
   if (!found.has_clean_target) return {RemedyKind::clean_target, edge};
-  const MorphRemedy narrow = narrow_at(target, found);
+  const MorphRemedy narrow = narrow_place(target, found);
   if (narrow.kind != RemedyKind::none) return narrow;
   if (found.distance > few_edges * edge) return {RemedyKind::larger_source, edge};
   return {RemedyKind::shorter_edges, edge};

@@ -143,14 +143,13 @@ void MorphingLoop::advance(Document& document, std::size_t /*iteration*/,
 void MorphingLoop::measure(CsvRow& row) const {
   last_.measure_mesh(row);
   row.share("moved_fraction", last_.moved_share());
-  row.share("clamped_fraction", last_.clamped_share());
   row.share("max_clamp_share", step_.displaced.max_clamp_share);
   row.number("rms_distance_to_target", step_.to_target.rms);
   row.number("max_distance_to_target", step_.to_target.maximum);
   row.number("rms_distance_from_target", step_.from_target.rms);
   row.number("max_distance_from_target", step_.from_target.maximum);
   last_.measure_times(row);
-  row.count("scale", scale_);
+  row.count("scale", scale_).share("clamped_fraction", last_.clamped_share());
 }
 
 std::string MorphingLoop::message() const {

@@ -237,6 +237,16 @@ void round_to(TriangleMesh& mesh, Type type) {
       for (double& x : p) x = static_cast<float>(x);
 }
 
+/// Turns there and back leave what lies in a common plane apart by the last digits.
+void shake(TriangleMesh& mesh, Random& random) {
+  const Matrix there = random_rotation(random);
+  Matrix back = there;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) back[i][j] = there[j][i];
+  map(mesh, there, 1, {});
+  map(mesh, back, 1, {});
+}
+
 /// Turns, scales and moves the body as a whole, and rounds it to its scalar type.
 void place_body(Body& body, Random& random) {
   Matrix matrix = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -244,10 +254,13 @@ void place_body(Body& body, Random& random) {
   if (body.is_rotated) matrix = random_rotation(random);
   const double scale = random.chance(0.75) ? 1 : std::pow(10, random.uniform(-3, 3));
   Point shift{};
+  const double distance = random.chance(0.9) ? 3 : 100;
   if (random.chance(0.4))
-    for (double& x : shift) x = scale * random.uniform(-3, 3);
+    for (double& x : shift) x = scale * random.uniform(-distance, distance);
+  const bool is_shaken = random.chance(0.1);
   const Type type = random.chance(0.35) ? Type::float32 : Type::float64;
   for (TriangleMesh* mesh : {&body.solids, &body.cutter}) {
+    if (is_shaken) shake(*mesh, random);
     map(*mesh, matrix, scale, shift);
     round_to(*mesh, type);
   }
@@ -262,9 +275,11 @@ struct Parts {
 Parts draw_parts(Random& random) {
   Parts parts;
   parts.solids.push_back(first_part(random));
-  const int solids = random.pick(std::array{1, 2, 2, 2, 3, 3, 4});
-  while (static_cast<int>(parts.solids.size()) < solids)
-    parts.solids.push_back(next_solid(random.pick(parts.solids), random));
+  const int solids = random.pick(std::array{1, 2, 2, 2, 3, 3, 4, 5});
+  while (static_cast<int>(parts.solids.size()) < solids) {
+    const Part& other = random.pick(parts.solids);
+    parts.solids.push_back(random.chance(0.03) ? other : next_solid(other, random));
+  }
   const int cutters = solids == 1 ? random.integer(1, 2) : random.pick(std::array{0, 0, 1, 2});
   for (int i = 0; i < cutters; ++i)
     parts.cutters.push_back(next_cutter(random.pick(parts.solids), random));

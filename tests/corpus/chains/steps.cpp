@@ -67,7 +67,7 @@ Step fine_remesh(const Situation&, Random& random) {
 }
 
 Step remesh(const Situation& now, Random& random) {
-  if (random.chance(0.12)) return fine_remesh(now, random);
+  if (random.chance(0.18)) return fine_remesh(now, random);
   Words words;
   if (random.chance(0.75)) words = {"--reference-edge", percent(2.5, 10, random)};
   const std::vector<Words> options = {{},
@@ -79,6 +79,9 @@ Step remesh(const Situation& now, Random& random) {
                                       {"--smooth", "0.1"},
                                       {"--flip", "angle"},
                                       {"--smooth", "none"},
+                                      {"--smooth2", "0.1,-0.2"},
+                                      {"--only", "smooth", "--smooth", "0.3", "--iterations", "3"},
+                                      {"--flip", "none", "--iterations", "5"},
                                       {"--project"},
                                       {"--adaptive", "1%", "--min-edge", "2%"},
                                       {"--source"},
@@ -237,6 +240,7 @@ Step evolve(const Situation& now, Random&) {
 }
 
 Step morph(const Situation& now, Random& random) {
+  if (now.facts.faces < 300) return remesh(now, random);  // a coarse mesh vanishes on its way
   Step result = step("morph", {"--target", "target.ply", "--iterations", "2"});
   result.files["target.ply"] = write_ply(other_solids(random_solid(random), now, 0.7, random));
   return result;
@@ -254,7 +258,7 @@ Step choose(const std::vector<Choice>& choices, const Situation& now, Random& ra
 const std::vector<Choice> after_crossing = {
     {8, clean}, {2, transform}, {1.5, convert}, {0.5, stitch}, {0.5, intersect}};
 const std::vector<Choice> after_sound = {
-    {7, remesh},   {1.5, decimate}, {0.7, offset},  {1, handles}, {2, displace},
+    {9, remesh},   {1.5, decimate}, {0.7, offset},  {1, handles}, {2, displace},
     {1, cat},      {1, morph_step}, {1, transform}, {1, convert}, {1, clean},
     {0.7, open},   {0.4, largest},  {0.7, stitch},  {0.3, check}, {0.3, intersect},
     {0.3, evolve}, {0.3, morph}};

@@ -8,12 +8,6 @@
 namespace transformesh {
 namespace {
 
-bool overlap(const FloatBox& a, const FloatBox& b) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (a.minimum[i] > b.maximum[i] || b.minimum[i] > a.maximum[i]) return false;
-  return true;
-}
-
 bool has_no_area(const Triangle& triangle) {
   return collinear(triangle[0], triangle[1], triangle[2]);
 }

@@ -17,6 +17,7 @@ constexpr double line_deg = 40;
 constexpr double smooth_share = 0.35;  ///< of the angle of a sharp edge
 constexpr double meant_share = 0.9;    ///< of the length of sharp edges
 constexpr double meant_of_lines = 0.25;
+constexpr double least_length = 0.5;  ///< of all that are meant, per root of the area
 
 double cosine_of(double degrees) { return elementary::cos(degrees * std::numbers::pi / 180); }
 
@@ -116,10 +117,17 @@ class SharpEdges {
     SharpLengths lengths;
     for_each_edge([&](Index h, double cosine) { add(h, cosine, lengths); });
     return lengths.meant > meant_share * lengths.sharp &&
-           lengths.meant > meant_of_lines * lengths.lines;
+           lengths.meant > meant_of_lines * lengths.lines &&
+           lengths.meant > least_length * std::sqrt(area());
   }
 
  private:
+  double area() const {
+    double twice = 0;
+    for (Index face = 0; face < mesh_.face_slots(); ++face)
+      if (mesh_.has_face(face)) twice += mesh_.face_normal(face).norm();
+    return twice / 2;
+  }
   template <class Visit>
   void for_each_edge(const Visit& visit) const {
     for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {

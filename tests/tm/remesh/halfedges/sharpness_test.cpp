@@ -109,6 +109,12 @@ TEST_CASE("smooth shapes have none, be they coarse, noisy or folded") {
     CHECK_FALSE(is_sharp(noisy(test::icosphere(4), noise)));
 }
 
+TEST_CASE("a spike on a ball is no sharp edge") {
+  Mesh ball = test::icosphere(4);
+  ball.positions[0] *= 1.2;
+  CHECK_FALSE(is_sharp(ball));
+}
+
 TEST_CASE("faces too thin to have a normal take that of the face beyond their longest edge") {
   for (const double height : {1e-15, 3e-16}) {
     const Mesh mesh = turned(with_slivers(test::cube(), height));
