@@ -35,7 +35,7 @@ void check_triangulation(const HoleBorder& border, const std::vector<HoleTriangl
   std::map<std::pair<Index, Index>, int> edges;
   for (const auto& [i, m, k] : triangles) {
     CHECK((i < m && m < k));
-    for (const auto edge : {std::pair(i, m), std::pair(m, k), std::pair(i, k)}) ++edges[edge];
+    for (const auto& edge : {std::pair(i, m), std::pair(m, k), std::pair(i, k)}) ++edges[edge];
   }
   CHECK(edges.size() == 2 * size - 3);
   for (const auto& [edge, count] : edges) {
