@@ -134,9 +134,8 @@ std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search sea
     if (!faces.empty()) return faces;
   }
   is_of_all = border.size() <= (is_flat(hole->points) ? many_flat_edges : many_edges);
-  std::vector<HoleTriangle> triangles =
+  const std::vector<HoleTriangle> triangles =
       is_of_all ? least_triangulation(*hole) : sparse_triangulation(*hole);
-  if (!is_of_all && triangles.empty()) triangles = greedy_triangulation(*hole);
   return add_triangles(surface, border, triangles);
 }
 

@@ -8,8 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Edges to so many of the nearest points are tried. With half as many, one in ten combs of 100 to
-/// 1,000 teeth has no triangulation of them.
+/// Edges to so many of the nearest points are tried.
 constexpr std::size_t nearest_tried = 24;
 
 bool is_chord(const HoleBorder& border, std::size_t i, std::size_t k) {
@@ -72,7 +71,8 @@ HolePart LeastTriangulation::best_between(std::size_t i, std::size_t k) const {
   return best;
 }
 
-/// The best parts between points that are near each other, short ones first.
+/// The best parts between points that are near each other, or joined by the greedy triangulation;
+/// short ones first.
 class SparseTriangulation {
  public:
   explicit SparseTriangulation(const HoleBorder& border)
@@ -86,6 +86,8 @@ class SparseTriangulation {
       edges_.push_back({i, (i + 1) % size_});
       for (const Index k : tree.nearest(border.points[i], nearest_tried)) edges_.push_back({i, k});
     }
+    for (const auto& [i, m, k] : greedy_triangulation(border))
+      edges_.insert(edges_.end(), {{i, m}, {m, k}, {i, k}});
     for (auto& [i, k] : edges_) std::tie(i, k) = std::minmax({i, k});
     std::erase_if(edges_, [&](const Edge& e) {
       return e.first == e.second || is_chord(border, e.first, e.second);
