@@ -56,7 +56,7 @@ options_are_read() {
     done
     LC_ALL=$name tm-evolve --step 'tm-displace --normal-speed 0.01' --iterations 2 --csv "$name.csv" \
       --min-edge 0.5x -o "$name.evolved.ply" "$mesh"
-    sed -i -E 's/(,[0-9.]+){4}$//' "$name.csv"
+    sed -i -E 's/(,[0-9.]+){5}$//' "$name.csv"
     cmp C.UTF-8.csv "$name.csv"
     cmp C.UTF-8.evolved.ply "$name.evolved.ply"
   done

