@@ -28,9 +28,9 @@ inline void report_slivers(const RemeshResult& result, Run& run) {
   run.report("faces_without_area", result.faces_without_area);
   if (result.slivers_kept == 0) return;
   run.report("first_sliver", std::vector<double>{at.x(), at.y(), at.z()});
-  run.note(counted(result.slivers_kept, "face") +
-           " thinner than 4 spacings of the coordinates kept, the first at " + point_text(at) +
-           ": removing them would make the surface intersect itself or change its topology");
+  run.note(
+      counted(result.slivers_kept, "sliver") + " kept, the first at " + point_text(at) +
+      ": removing such thin faces would make the surface intersect itself or change its topology");
 }
 
 }  // namespace transformesh::tool

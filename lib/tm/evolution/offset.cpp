@@ -167,12 +167,27 @@ double offset_edge(const Mesh& mesh, double distance) {
 
 namespace {
 
+double edge_of(const Mesh& mesh, const OffsetOptions& options) {
+  return options.edge > 0 ? options.edge : offset_edge(mesh, options.distance);
+}
+
+/// The normals of slivers are mostly rounding error, and vertices would follow them. Of remeshing
+/// only that step is done (remesh.h).
+void remove_slivers(Document& document, const OffsetOptions& options, const Progress& progress) {
+  const double edge = edge_of(document.mesh, options);
+  RemeshOptions removal;
+  removal.min_edge = 0.7 * edge;
+  removal.max_edge = 1.5 * edge;
+  removal.iterations = 0;
+  removal.coordinate = document.style.coordinate;
+  remesh(document.mesh, removal, progress);
+}
+
 OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
                          const Progress& progress) {
   const Mesh source = document.mesh;
   IterationOptions iteration;
-  iteration.reference_edge =
-      options.edge > 0 ? options.edge : offset_edge(source, options.distance);
+  iteration.reference_edge = edge_of(source, options);
   iteration.remesh = RemeshOptions();
   iteration.outermost = false;
 
@@ -207,6 +222,7 @@ OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
 OffsetResult offset(Document& document, const OffsetOptions& options, const Progress& progress) {
   check(document.mesh, options.distance);
   clean_in_place(document, progress, false);
+  remove_slivers(document, options, progress);
   try {
     return offset_mesh(document, options, progress);
   } catch (const GoalError&) {

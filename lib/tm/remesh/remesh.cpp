@@ -123,13 +123,20 @@ EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions&
   return limits;
 }
 
-double largest_size(const EditableMesh& mesh) {
-  if (!mesh.has_sizes()) return 1;
-  double largest = 0;
+struct SizeRange {
+  double smallest = 1;
+  double largest = 1;
+};
+
+SizeRange sizes_of(const EditableMesh& mesh) {
+  if (!mesh.has_sizes()) return {};
+  SizeRange range{HUGE_VAL, 0};
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
-    if (mesh.has_vertex(v)) largest = std::max(largest, mesh.size(v));
+    if (!mesh.has_vertex(v)) continue;
+    range.smallest = std::min(range.smallest, mesh.size(v));
+    range.largest = std::max(range.largest, mesh.size(v));
   }
-  return largest;
+  return range;
 }
 
 void check_number_of_faces(const EditableMesh& mesh, double max_edge) {
@@ -266,7 +273,7 @@ ScaledLengths coarsen(const Task& task) {
     const double shortest = stage_growth * lengths.typical;
     if (!goes_on || !(stage_growth * shortest < task.limits.shortest)) return lengths;
     const EdgeLimits limits{shortest, shortest / task.limits.shortest * task.limits.longest};
-    EmbeddingGuard guard(task.mesh, limits.longest * largest_size(task.mesh), task.keep_out);
+    EmbeddingGuard guard(task.mesh, limits.longest * sizes_of(task.mesh).largest, task.keep_out);
     const VertexRoles roles(task.mesh, task.options.keep_border);
     const CollapseCounts counts =
         collapse_short_edges(task.mesh, guard, roles, limits, task.progress);
@@ -278,8 +285,9 @@ ScaledLengths coarsen(const Task& task) {
 
 std::unique_ptr<EmbeddingGuard> make_guard(const Task& task,
                                            std::optional<double> longest_edge = std::nullopt) {
-  return std::make_unique<EmbeddingGuard>(
-      task.mesh, task.limits.stretched() * largest_size(task.mesh), task.keep_out, longest_edge);
+  return std::make_unique<EmbeddingGuard>(task.mesh,
+                                          task.limits.stretched() * sizes_of(task.mesh).largest,
+                                          task.keep_out, longest_edge);
 }
 
 /// Collapses what is far too short and splits what is too long. Returns the guard of the mesh that
@@ -310,11 +318,13 @@ void iterate(const Task& task, bool is_first, bool is_finish) {
   remove_small(task);
 }
 
-void count_what_is_left(const Task& task) {
-  Slivers left = count_slivers(task.mesh);
+/// Removes slivers, if there are any, and counts what is left.
+void treat_slivers(const Task& task) {
+  const SliverTest is_sliver(task.mesh, task.limits.shortest * sizes_of(task.mesh).smallest);
+  Slivers left = count_slivers(task.mesh, is_sliver);
   if (left.kept > 0 && !task.options.only_smooth) {
-    remove_slivers(task.mesh, VertexRoles(task.mesh, task.options.keep_border));
-    left = count_slivers(task.mesh);
+    remove_slivers(task.mesh, VertexRoles(task.mesh, task.options.keep_border), is_sliver);
+    left = count_slivers(task.mesh, is_sliver);
   }
   task.result.degenerate_faces = left.degenerate;
   task.result.slivers_kept = left.kept;
@@ -351,12 +361,11 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& prog
       editable, options, limits, surface ? &*surface : nullptr, keep_out ? &*keep_out : nullptr,
       progress, result};
   remove_small(task);
-  if (!options.only_smooth && count_slivers(editable).kept > 0)
-    remove_slivers(editable, VertexRoles(editable, options.keep_border));
+  treat_slivers(task);
   if (options.iterations > 1) editable.set_components(closed_components(editable));
   for (int i = 0; i < options.iterations; ++i)
     iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
-  count_what_is_left(task);
+  treat_slivers(task);
   Mesh remeshed = editable.to_mesh();
   if (remeshed.faces.empty()) {
     const std::size_t count = result.components_removed.count;

@@ -6,8 +6,8 @@
 /// - the result is one too; genus and number of components change only by small components removed;
 /// - no step adds a self-intersection or a face without area: splits, collapses, flips and moves
 ///   that would are refused (embedding_guard.h, safe_split.h). Intersections of the input stay;
-/// - slivers, faces thinner than 4 spacings of their coordinates, are removed first where that adds
-///   no intersection (slivers.h); the surface moves by their height;
+/// - slivers, faces thinner than 4 spacings of their coordinates or than e1 / 100,000, are removed
+///   first where that adds no intersection (slivers.h); the surface moves by their height;
 /// - surviving vertices and faces keep their order, new ones follow; attributes are interpolated
 ///   for new and for sliding vertices, inherited by faces;
 ///   normals are computed anew, texture coordinates of corners dropped (surface_columns.h).
@@ -67,7 +67,7 @@ struct RemeshResult {
   std::size_t near_keep_out = 0;  ///< faces of the input nearer than its gap
   RemovedComponents components_removed;
   std::size_t degenerate_faces = 0;    ///< left: lower than a thousandth of their longest edges
-  std::size_t slivers_kept = 0;        ///< of these: thinner than 4 spacings of their coordinates
+  std::size_t slivers_kept = 0;        ///< of these: slivers (slivers.h)
   Vec3 first_sliver = Vec3::Zero();    ///< a corner of the first one
   std::size_t faces_without_area = 0;  ///< of these: input faces that nothing could remove
   double feature_angle_deg = 180;      ///< above which edges were kept

@@ -19,20 +19,17 @@ std::vector<Vec3> positions_of(const EditableMesh& mesh) {
   return result;
 }
 
-double largest_coordinate(std::span<const Vec3> positions) {
-  double largest = 0;
-  for (const Vec3& position : positions)
-    largest = std::max(largest, position.cwiseAbs().maxCoeff());
-  return largest;
+bool holds(const FloatBox& outer, const FloatBox& inner) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (outer.minimum[i] > inner.minimum[i] || outer.maximum[i] < inner.maximum[i]) return false;
+  return true;
 }
 
 }  // namespace
 
-ExactGuard::ExactGuard(const EditableMesh& mesh)
-    : mesh_(mesh), leaf_of_(mesh.face_slots(), no_index) {
-  const std::vector<Vec3> positions = positions_of(mesh);
-  slack_ = slack_spacings * spacing_at(largest_coordinate(positions), mesh.coordinate());
-  frame_ = BoxFrame(positions);
+ExactGuard::ExactGuard(const EditableMesh& mesh, double slack)
+    : mesh_(mesh), slack_(slack), leaf_of_(mesh.face_slots(), no_index) {
+  frame_ = BoxFrame(positions_of(mesh));
   std::vector<FloatBox> boxes;
   for (Index face = 0; face < mesh.face_slots(); ++face) {
     if (!mesh.has_face(face)) continue;
@@ -58,7 +55,20 @@ void ExactGuard::divide(Index face, std::span<const Index> parts) {
   for (const Index part : parts) {
     if (leaf_of_[part] != no_index) nodes_[leaf_of_[part]].face = no_index;
     leaf_of_[part] = static_cast<Index>(nodes_.size());
-    nodes_.push_back({box_of(mesh_.triangle(part)), part});
+    nodes_.push_back({box_of(mesh_.triangle(part)), part, node});
+    widen(node, nodes_.back().box);
+  }
+}
+
+/// Lets the boxes of a node and of those above it hold another one, as rounding moves parts.
+void ExactGuard::widen(Index node, const FloatBox& box) {
+  while (!holds(nodes_[node].box, box)) {
+    nodes_[node].box = united(nodes_[node].box, box);
+    if (nodes_[node].parent == no_index) {
+      widened_.push_back(node);
+      return;
+    }
+    node = nodes_[node].parent;
   }
 }
 
@@ -83,7 +93,8 @@ bool ExactGuard::for_each_near(const Triangle& triangle,
     goes_on = visit_below(root, box, visit);
     return goes_on;
   });
-  return goes_on;
+  return goes_on && std::all_of(widened_.begin(), widened_.end(),
+                                [&](Index root) { return visit_below(root, box, visit); });
 }
 
 /// Whether the triangle meets only faces that one of `replaced` met.

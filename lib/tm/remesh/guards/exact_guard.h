@@ -19,13 +19,9 @@ namespace transformesh {
 
 class ExactGuard {
  public:
-  /// Boxes are widened by this many spacings of the largest coordinate: the distance by which
-  /// changes of the mesh may move a face out of the box of the face that it replaces.
-  static constexpr double slack_spacings = 256;
-
-  /// Keeps a reference to the mesh. Changes of it have to be passed to divide() or remain within
-  /// the slack.
-  explicit ExactGuard(const EditableMesh& mesh);
+  /// Keeps a reference to the mesh. Faces that get another place have to be passed to divide(),
+  /// unless they remain within `slack` of their former box, in input units.
+  explicit ExactGuard(const EditableMesh& mesh, double slack = 0);
 
   /// Returns whether the triangles `made` may replace the faces `replaced`. No new triangle may be
   /// without area unless one of `replaced` is.
@@ -35,18 +31,20 @@ class ExactGuard {
   /// false. Returns false if visit did.
   bool for_each_near(const Triangle& triangle, const std::function<bool(Index)>& visit) const;
 
-  /// Registers that the faces `parts` lie within the place of `face`. One of them may be `face`
+  /// Registers that the faces `parts` lie in or near the place of `face`. One of them may be `face`
   /// itself; another one may have had a place before, which it loses.
   void divide(Index face, std::span<const Index> parts);
 
  private:
   struct Node {
     FloatBox box;
-    Index face = no_index;         ///< of a leaf
+    Index face = no_index;  ///< of a leaf
+    Index parent = no_index;
     Index first_child = no_index;  ///< children follow each other
     Index children = 0;
   };
   FloatBox box_of(const Triangle& triangle) const;
+  void widen(Index node, const FloatBox& box);
   bool visit_below(Index root, const FloatBox& box, const std::function<bool(Index)>& visit) const;
   bool keeps_apart(const Triangle& triangle, std::span<const Index> replaced) const;
 
@@ -56,6 +54,7 @@ class ExactGuard {
   std::vector<Node> nodes_;
   std::vector<Index> leaf_of_;  ///< per face
   Bvh bvh_;                     ///< of the nodes that faces had at first
+  std::vector<Index> widened_;  ///< of these, nodes that have outgrown their boxes in it
 };
 
 }  // namespace transformesh

@@ -8,8 +8,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_height = 1e-3;  ///< of the longest edge
-constexpr double short_edge = 0.1;     ///< of the longest edge; what has one is a needle
+constexpr double short_edge = 0.1;  ///< of the longest edge; what has one is a needle
 constexpr int most_rounds = 4;
 
 /// The shortest and the longest edge of a face.

@@ -6,6 +6,9 @@
 
 namespace transformesh {
 
+/// The height of degenerate triangles is at most this share of their longest edge.
+inline constexpr double least_height = 1e-3;
+
 /// A triangle counts as degenerate when its height is below a thousandth of its longest edge: one
 /// with a short edge (needle) loses that edge, one without (cap) has its longest edge flipped.
 /// Returns how many are left, where both were refused.

@@ -12,25 +12,17 @@
 namespace transformesh {
 namespace {
 
+/// Of the height of a sliver to the shortest edge; the table in the header shows what it does.
+constexpr double thin_share = 1e-5;
+constexpr double thin_spacings = 4;
 /// Each round moves the surface by at most two heights, so all remain within the slack of the
 /// guard.
 constexpr int most_rounds = 16;
-static_assert(2 * most_rounds * sliver_spacings < ExactGuard::slack_spacings);
+constexpr double slack_heights = 4 * most_rounds;
 
 double longest_edge(const Triangle& t) {
   return std::sqrt(std::max(
       {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()}));
-}
-
-/// The largest height of a sliver with these corners.
-double thickness_of_slivers(const Triangle& t, Scalar type) {
-  const Vec3 largest = t[0].cwiseAbs().cwiseMax(t[1].cwiseAbs()).cwiseMax(t[2].cwiseAbs());
-  return sliver_spacings * spacing_around(largest, type);
-}
-
-bool is_thin(const Triangle& t, Scalar type) {
-  const double doubled_area = normal_of(t[0], t[1], t[2]).norm();
-  return doubled_area <= thickness_of_slivers(t, type) * longest_edge(t);
 }
 
 /// The shortest and the longest edge of a face, as halfedges.
@@ -48,24 +40,27 @@ struct Sides {
 
 class SliverRemoval {
  public:
-  SliverRemoval(EditableMesh& mesh, const VertexRoles& roles)
-      : mesh_(mesh), roles_(roles), guard_(mesh), merged_in_(mesh.vertex_slots(), 0) {}
+  SliverRemoval(EditableMesh& mesh, const VertexRoles& roles, const SliverTest& is_sliver)
+      : mesh_(mesh),
+        roles_(roles),
+        is_sliver_(is_sliver),
+        guard_(mesh, slack_heights * is_sliver.largest_thickness()),
+        merged_in_(mesh.vertex_slots(), 0) {}
 
   /// Returns how many steps were done.
   std::size_t run_round() {
     ++round_;
-    const std::vector<Index> slivers = indices_where(mesh_.face_slots(), [&](Index face) {
-      return mesh_.has_face(face) && is_sliver(mesh_, face);
-    });
+    const std::vector<Index> slivers = indices_where(
+        mesh_.face_slots(), [&](Index face) { return mesh_.has_face(face) && is_sliver_(face); });
     return static_cast<std::size_t>(
         std::count_if(slivers.begin(), slivers.end(), [&](Index face) { return remove(face); }));
   }
 
  private:
   bool remove(Index face) {
-    if (!mesh_.has_face(face) || !is_sliver(mesh_, face)) return false;
+    if (!mesh_.has_face(face) || !is_sliver_(face)) return false;
     const Sides sides(mesh_, face);
-    const double thickness = thickness_of_slivers(mesh_.triangle(face), mesh_.coordinate());
+    const double thickness = is_sliver_.thickness(mesh_.triangle(face));
     const bool is_needle = mesh_.squared_length(sides.shortest) <= thickness * thickness;
     if (is_needle && (collapse(sides.shortest) || collapse_back(sides.shortest))) return true;
     return flip(sides.longest);
@@ -117,9 +112,9 @@ class SliverRemoval {
 
   /// Whether a flip leaves fewer slivers, or as many and a shorter edge. So flips come to an end.
   bool is_progress(Index across, bool is_shorter) const {
-    const auto is_made_thin = [&](const Triangle& t) { return is_thin(t, mesh_.coordinate()); };
+    const auto is_made_thin = [&](const Triangle& t) { return is_sliver_.is_sliver(t); };
     const auto after = std::count_if(made_.begin(), made_.end(), is_made_thin);
-    const int before = is_sliver(mesh_, across) ? 2 : 1;
+    const int before = is_sliver_(across) ? 2 : 1;
     return after < before || (after == before && is_shorter);
   }
 
@@ -130,6 +125,7 @@ class SliverRemoval {
 
   EditableMesh& mesh_;
   const VertexRoles& roles_;
+  const SliverTest& is_sliver_;
   ExactGuard guard_;
   int round_ = 0;
   std::vector<int>
@@ -140,15 +136,32 @@ class SliverRemoval {
 
 }  // namespace
 
-bool is_sliver(const EditableMesh& mesh, Index face) {
-  return is_thin(mesh.triangle(face), mesh.coordinate());
+SliverTest::SliverTest(const EditableMesh& mesh, double shortest)
+    : mesh_(mesh), least_(thin_share * shortest) {}
+
+double SliverTest::thickness(const Triangle& t) const {
+  const Vec3 largest = t[0].cwiseAbs().cwiseMax(t[1].cwiseAbs()).cwiseMax(t[2].cwiseAbs());
+  return std::max(least_, thin_spacings * spacing_around(largest, mesh_.coordinate()));
 }
 
-Slivers count_slivers(const EditableMesh& mesh) {
+bool SliverTest::is_sliver(const Triangle& t) const {
+  const double longest = longest_edge(t);
+  const double height = std::min(thickness(t), least_height * longest);
+  return normal_of(t[0], t[1], t[2]).norm() <= height * longest;
+}
+
+double SliverTest::largest_thickness() const {
+  double largest = 0;
+  for (Index v = 0; v < mesh_.vertex_slots(); ++v)
+    if (mesh_.has_vertex(v)) largest = std::max(largest, mesh_.position(v).cwiseAbs().maxCoeff());
+  return thickness({Vec3::Constant(largest), Vec3::Zero(), Vec3::Zero()});
+}
+
+Slivers count_slivers(const EditableMesh& mesh, const SliverTest& is_sliver) {
   Slivers result;
   for (const Index face : degenerate_faces(mesh)) {
     ++result.degenerate;
-    if (!is_sliver(mesh, face)) continue;
+    if (!is_sliver(face)) continue;
     const auto [a, b, c] = mesh.triangle(face);
     if (result.kept++ == 0) result.place = a;
     if (collinear(a, b, c)) ++result.without_area;
@@ -156,15 +169,10 @@ Slivers count_slivers(const EditableMesh& mesh) {
   return result;
 }
 
-std::size_t remove_slivers(EditableMesh& mesh, const VertexRoles& roles) {
-  SliverRemoval removal(mesh, roles);
-  std::size_t steps = 0;
-  for (int round = 0; round < most_rounds; ++round) {
-    const std::size_t done = removal.run_round();
-    if (done == 0) break;
-    steps += done;
+void remove_slivers(EditableMesh& mesh, const VertexRoles& roles, const SliverTest& is_sliver) {
+  SliverRemoval removal(mesh, roles, is_sliver);
+  for (int round = 0; round < most_rounds && removal.run_round() > 0; ++round) {
   }
-  return steps;
 }
 
 }  // namespace transformesh

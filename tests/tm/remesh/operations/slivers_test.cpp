@@ -23,15 +23,24 @@ Mesh square_with_cap(double height) {
   return mesh;
 }
 
-std::size_t count_kept(const EditableMesh& mesh) { return count_slivers(mesh).kept; }
+/// Edges are so short that only spacings count.
+constexpr double any_edge = 1e-12;
+
+Slivers slivers_of(const EditableMesh& mesh, double shortest = any_edge) {
+  return count_slivers(mesh, SliverTest(mesh, shortest));
+}
+
+void remove(EditableMesh& mesh, double shortest = any_edge) {
+  remove_slivers(mesh, VertexRoles(mesh, false), SliverTest(mesh, shortest));
+}
 
 }  // namespace
 
 TEST_CASE("a cap is flipped away, and both faces get the properties of the face across") {
   EditableMesh mesh(square_with_cap(1e-16));
-  REQUIRE(count_kept(mesh) == 1);
-  CHECK(remove_slivers(mesh, VertexRoles(mesh, false)) == 1);
-  CHECK(count_kept(mesh) == 0);
+  REQUIRE(slivers_of(mesh).kept == 1);
+  remove(mesh);
+  CHECK(slivers_of(mesh).kept == 0);
   const Mesh result = mesh.to_mesh();
   CHECK(is_oriented_manifold(result));
   CHECK(count_self_intersections(result) == 0);
@@ -40,10 +49,13 @@ TEST_CASE("a cap is flipped away, and both faces get the properties of the face 
   CHECK(std::count(values.begin(), values.end(), 7) == 0);
 }
 
-TEST_CASE("a thin face of more than four spacings stays as it is") {
-  EditableMesh mesh(square_with_cap(1e-12));
-  CHECK(count_kept(mesh) == 0);
-  CHECK(remove_slivers(mesh, VertexRoles(mesh, false)) == 0);
+TEST_CASE("a thin face is a sliver if it is far thinner than edges are long") {
+  EditableMesh mesh(square_with_cap(1e-7));
+  CHECK(slivers_of(mesh, 1e-3).kept == 0);
+  remove(mesh, 1e-3);
+  CHECK(slivers_of(mesh, 1e-1).kept == 1);
+  remove(mesh, 1e-1);
+  CHECK(slivers_of(mesh, 1e-1).kept == 0);
 }
 
 TEST_CASE("a needle loses its short edge") {
@@ -53,9 +65,9 @@ TEST_CASE("a needle loses its short edge") {
   const Index halfedge = mesh.outgoing(20);
   const Vec3 at = mesh.position(20);
   mesh.split(halfedge, {std::nextafter(at.x(), 2), at.y(), at.z()});
-  REQUIRE(count_kept(mesh) == 2);
-  CHECK(remove_slivers(mesh, VertexRoles(mesh, false)) > 0);
-  CHECK(count_kept(mesh) == 0);
+  REQUIRE(slivers_of(mesh).kept == 2);
+  remove(mesh);
+  CHECK(slivers_of(mesh).kept == 0);
   const Mesh result = mesh.to_mesh();
   CHECK(is_closed(result));
   CHECK(is_oriented_manifold(result));
@@ -65,9 +77,9 @@ TEST_CASE("a needle loses its short edge") {
 
 TEST_CASE("faces whose corners lie exactly on one line are removed") {
   EditableMesh mesh(square_with_cap(0));
-  REQUIRE(count_slivers(mesh).without_area == 1);
-  remove_slivers(mesh, VertexRoles(mesh, false));
-  CHECK(count_slivers(mesh).without_area == 0);
+  REQUIRE(slivers_of(mesh).without_area == 1);
+  remove(mesh);
+  CHECK(slivers_of(mesh).without_area == 0);
 }
 
 }  // namespace transformesh::test
