@@ -66,6 +66,7 @@ MeshPointer remove_handles_of(const PythonMesh& mesh, const PythonLength& max_le
   report["max_length"] = options.max_length;
   report["removed"] = result.removed;
   report["refused"] = result.refused;
+  report["blocked"] = result.blocked;
   report["new_vertices"] = result.new_vertices;
   report["new_faces"] = result.new_faces;
   report["genus"] = connected_components(document.mesh).genus();

@@ -218,7 +218,9 @@ void bind_mesh(py::module_& module) {
       .def("__repr__", &description)
       .def(py::pickle(
           [](const PythonMesh& self) { return py::bytes(write_mesh(self.document).bytes); },
-          [](const py::bytes& bytes) { return parse(std::string_view(bytes), "the pickle"); }));
+          [](const py::bytes& bytes) {
+            return parse(std::string_view(bytes), "the pickle", false);
+          }));
   bind_files(module);
 }
 

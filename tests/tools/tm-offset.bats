@@ -22,6 +22,16 @@ load ../helpers/common
   tm-checkmanifold --closed "$BATS_TEST_TMPDIR/out.ply"
 }
 
+@test "bodies that overlap are united before they are offset" {
+  cd "$BATS_TEST_TMPDIR" || return
+  tm-shape box 2 1 1 --faces 400 -o a.ply
+  tm-shape box 1 2 0.9 --faces 400 -o b.ply
+  tm-cat a.ply b.ply | tm-offset --distance 0.1 --edge 0.05 --report r.json >overlapping.ply
+  jq -e '.result.stop == "converged" and .result.missed_max < 0.0375' r.json
+  tm-cat a.ply b.ply | tm-clean | tm-offset --distance 0.1 --edge 0.05 -o united.ply
+  tm-compare --reference united.ply --within 1e-9 overlapping.ply
+}
+
 @test "what vanishes is exit 4, what is open exit 3, and a missing distance exit 2" {
   tm-shape box 1 1 1 --faces 500 -o "$BATS_TEST_TMPDIR/box.ply"
   run --separate-stderr tm-offset --distance -0.6 "$BATS_TEST_TMPDIR/box.ply" -o "$BATS_TEST_TMPDIR/none.ply"

@@ -231,6 +231,7 @@ mended() {
 }
 
 @test "--orient does not turn a copy against its original: two rings are one after cleaning" {
+  cd "$BATS_TEST_TMPDIR"
   tm-shape torus --faces 400 -o ring.ply
   # Every third face of both looks the other way.
   tm-cat ring.ply ring.ply | tm-convert --no-provenance --format off |

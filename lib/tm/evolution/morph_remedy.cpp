@@ -13,6 +13,10 @@ constexpr double few_edges = 3;
 /// A gap is resolved by edges shorter than half of it.
 constexpr double edges_across = 2;
 
+Target measured(const Target& target, double edge) {
+  return with_thickness(target, edges_across, edge);
+}
+
 /// The narrowest vertex of the target.
 MorphRemedy narrowest(const Target& target, const std::vector<double>& widths, double edge) {
   const auto least = std::min_element(widths.begin(), widths.end());
@@ -26,7 +30,7 @@ MorphRemedy narrowest(const Target& target, const std::vector<double>& widths, d
 MorphRemedy narrow_place(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
   if (found.is_of_topology) {
-    const Target all = with_thickness(target.target(), edges_across, edge);
+    const Target all = measured(target.target(), edge);
     return narrowest(all, all.thickness, edge);
   }
   const double width = local_thickness_near(target, found.place, edges_across * edge);
@@ -39,14 +43,14 @@ MorphRemedy narrow_place(const TargetQuery& target, const Mismatch& found) {
 MorphRemedy remedy_for(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
   if (!found.has_clean_target) return {RemedyKind::clean_target, edge};
-  const MorphRemedy narrow = narrow_place(target, found);
+  MorphRemedy narrow = narrow_place(target, found);
   if (narrow.kind != RemedyKind::none) return narrow;
   if (found.distance > few_edges * edge) return {RemedyKind::larger_source, edge};
   return {RemedyKind::shorter_edges, edge};
 }
 
 MorphRemedy remedy_for_vanished(const Target& target, double longest_edge) {
-  const Target all = with_thickness(target, edges_across, longest_edge);
+  const Target all = measured(target, longest_edge);
   const auto narrow = std::count_if(all.thickness.begin(), all.thickness.end(),
                                     [](double width) { return std::isfinite(width); });
   if (2 * static_cast<std::size_t>(narrow) < all.thickness.size())

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "tm/step/target_query.h"
 #include "tm/support/nothing_left.h"
@@ -52,7 +53,7 @@ std::string reason_of(const MorphRemedy& remedy);
 /// The surface of a morph has vanished.
 struct VanishedError : NothingLeftError {
   VanishedError(const std::string& what, MorphRemedy what_mends)
-      : NothingLeftError(what), remedy(what_mends) {}
+      : NothingLeftError(what), remedy(std::move(what_mends)) {}
   MorphRemedy remedy;
 };
 

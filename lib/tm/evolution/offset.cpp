@@ -206,6 +206,7 @@ OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
 
 OffsetResult offset(Document& document, const OffsetOptions& options, const Progress& progress) {
   check(document.mesh, options.distance);
+  clean_in_place(document, progress, false);
   try {
     return offset_mesh(document, options, progress);
   } catch (const GoalError&) {

@@ -1,7 +1,8 @@
 /// The surface at a distance from another one: outwards the union of balls around all its points,
-/// inwards what is that far inside. The surface moves along the gradient of its distance from the
-/// source in the iterations of an evolution (iteration.h): short steps, exact cleaning, remeshing.
-/// So parts merge, split and vanish as they do, and outer corners become round.
+/// inwards what is that far inside. A source that intersects itself is cleaned first (clean.h). The
+/// surface moves along the gradient of its distance from the source in the iterations of an
+/// evolution (iteration.h): short steps, exact cleaning, remeshing. So parts merge, split and
+/// vanish as they do, and outer corners become round.
 ///
 /// Guarantees: the result is an oriented manifold without self-intersections, as far as remesh()
 /// promises; how far it is from the true offset is measured, not bounded: corners that outwards

@@ -27,8 +27,8 @@ using HoleTriangle = std::array<Index, 3>;
 /// Cost: O(n^3) comparisons, and O(n^2) angles as a rule: 1,000 points take a tenth of a second.
 std::vector<HoleTriangle> least_triangulation(const HoleBorder& border);
 
-/// The same among the edges to the nearest points and those of greedy_triangulation(), so that it is
-/// at least as good as that. Cost: O(n log n).
+/// The same among the edges to the nearest points and those of greedy_triangulation(), so that it
+/// is at least as good as that. Cost: O(n log n).
 std::vector<HoleTriangle> sparse_triangulation(const HoleBorder& border);
 
 /// Cuts off one corner after the other, first where the new edge is shortest. Empty if no corner is

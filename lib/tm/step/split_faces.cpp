@@ -15,7 +15,7 @@ std::vector<Index> add_midpoints(Mesh& mesh, double longest) {
     const Vec3 to = mesh.positions[halfedge_target(mesh, halfedges[0])];
     if (!((to - from).norm() > longest)) continue;
     for (const Index h : halfedges) midpoints[h] = static_cast<Index>(mesh.positions.size());
-    mesh.positions.push_back(from + (to - from) / 2);
+    mesh.positions.emplace_back(from + (to - from) / 2);
   }
   return midpoints;
 }

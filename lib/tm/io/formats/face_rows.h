@@ -36,12 +36,15 @@ class FaceRows {
     std::uint32_t row;
     std::size_t first;  ///< of its corners in `corners_`
   };
-  struct Cut;
+  struct Cuts;
 
   std::span<const Index> corners_of(std::size_t polygon) const;
-  std::vector<Cut> cut_polygons(const Mesh& mesh) const;
-  void put_together(Mesh& mesh, const std::vector<Cut>& cuts) const;
-  void add_notes(const std::vector<Cut>& cuts, const std::string& format,
+  Cuts cut_polygons(const Mesh& mesh) const;
+  /// Calls add(row, number of corners, corners of the triangle) for each triangle in order.
+  template <class Add>
+  void for_each_triangle(const Cuts& cuts, const Add& add) const;
+  void put_together(Mesh& mesh, const Cuts& cuts) const;
+  void add_notes(const Cuts& cuts, std::size_t faces, const std::string& format,
                  std::vector<std::string>& notes, std::uint32_t first_number) const;
 
   std::vector<Face> triangles_;    ///< rows with three corners, in order

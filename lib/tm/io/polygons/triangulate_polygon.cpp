@@ -197,14 +197,18 @@ PolygonTriangles triangulate_along(const Projection& projected, std::span<const 
 
 }  // namespace
 
+bool is_unfolded_fan(std::span<const Vec3> positions) {
+  if (positions.size() < 3) return false;
+  return FanCheck(positions, along_axis(axis_nearest_to(normal_of(positions)))).is_fan();
+}
+
 PolygonTriangles triangulate_polygon(std::span<const Vec3> positions,
                                      std::span<const Index> vertices) {
   if (positions.size() < 3) return {};
+  if (is_unfolded_fan(positions)) return fan_of(positions.size());
   const Vec3 normal = normal_of(positions);
   const Eigen::Index axis = axis_nearest_to(normal);
-  const Projection projected = along_axis(axis);
-  if (FanCheck(positions, projected).is_fan()) return fan_of(positions.size());
-  PolygonTriangles best = triangulate_along(projected, positions, vertices);
+  PolygonTriangles best = triangulate_along(along_axis(axis), positions, vertices);
   if (best.folds + best.upright == 0) return best;
   for (const Projection& projection : other_projections(normal, axis)) {
     PolygonTriangles other = triangulate_along(projection, positions, vertices);

@@ -27,6 +27,9 @@ struct PolygonTriangles {
   std::size_t upright = 0;
 };
 
+/// Whether the fan from the first corner is kept, so that its triangles are (0, i - 1, i).
+bool is_unfolded_fan(std::span<const Vec3> positions);
+
 /// `positions` are those of the corners, `vertices` their indices; all coordinates are finite. A
 /// corner whose neighbors are the same vertex is a spike, bounds nothing and is left out.
 PolygonTriangles triangulate_polygon(std::span<const Vec3> positions,
