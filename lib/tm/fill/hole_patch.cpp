@@ -25,6 +25,9 @@ constexpr std::size_t few_edges = 64;
 /// triangulations are equally good but for rounding, so that none can be left out.
 constexpr std::size_t many_edges = 512, many_flat_edges = 256;
 
+/// More triangles that CGAL adds to those of tetrahedra take longer than a few tenths of a second.
+constexpr std::size_t most_added_triangles = 200'000;
+
 Surface surface_of(const Mesh& mesh) {
   Surface surface;
   for (const Vec3& p : mesh.positions) surface.add_vertex(Point(p.x(), p.y(), p.z()));
@@ -89,8 +92,8 @@ std::vector<FaceNumber> add_triangles(Surface& surface, const std::vector<Halfed
   return faces;
 }
 
-/// Whether the Delaunay tetrahedra of the points have all edges from a point to the next.
-bool are_delaunay_edges(const std::vector<Vec3>& points) {
+/// How many edges from a point to the next the Delaunay tetrahedra of the points lack.
+std::size_t count_missing_edges(const std::vector<Vec3>& points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Base = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
   using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
@@ -106,7 +109,13 @@ bool are_delaunay_edges(const std::vector<Vec3>& points) {
     if (a + 1 == b) has_edge[a] = 1;
     if (a == 0 && b + 1 == points.size()) has_edge[b] = 1;
   }
-  return std::find(has_edge.begin(), has_edge.end(), 0) == has_edge.end();
+  return static_cast<std::size_t>(std::count(has_edge.begin(), has_edge.end(), 0));
+}
+
+/// CGAL adds all triangles at each missing edge.
+bool may_search_tetrahedra(const HoleBorder& hole) {
+  const std::size_t size = hole.points.size();
+  return size <= many_edges || size * count_missing_edges(hole.points) <= most_added_triangles;
 }
 
 /// Whether all points lie in one plane.
@@ -125,9 +134,7 @@ std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search sea
   const std::vector<Halfedge> border = border_of(surface, first);
   const std::optional<HoleBorder> hole = describe(surface, border);
   if (!hole) return faces;
-  // CGAL takes quadratic time where it has to add edges of the border to the tetrahedra.
-  if (search == Search::delaunay && border.size() > few_edges &&
-      (border.size() <= many_edges || are_delaunay_edges(hole->points))) {
+  if (search == Search::delaunay && border.size() > few_edges && may_search_tetrahedra(*hole)) {
     processing::triangulate_hole(
         surface, first, std::back_inserter(faces),
         CGAL::parameters::use_delaunay_triangulation(true).do_not_use_cubic_algorithm(true));
