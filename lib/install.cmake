@@ -36,6 +36,7 @@ endwhile()
 target_sources(tm PUBLIC FILE_SET HEADERS BASE_DIRS ${CMAKE_CURRENT_SOURCE_DIR}
                FILES ${installed_headers})
 
+add_dependencies(installed tm)
 install(TARGETS tm EXPORT tmTargets COMPONENT development
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
         FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)

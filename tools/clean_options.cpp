@@ -35,8 +35,9 @@ void declare_cleaning(Program& program, CleanChoices& choices) {
   program.flag("refuse", &choices.clean.refuse, "exit 4 rather than change anything");
   program.flag("source-face", &choices.source_faces,
                "write the input face of each face as the face property source_face");
-  program.flag("source", &choices.source_points,
-               "write where on the input each vertex comes from: source_face, source_u, source_v");
+  program.flag(
+      "source", &choices.source_points,
+      "write where on the input each vertex and face comes from: source_face, source_u, source_v");
 }
 
 CleanOptions clean_options(const CleanChoices& choices, const Document& document) {

@@ -12,7 +12,7 @@ namespace transformesh::tool {
 inline void report_cleaning(const CleanResult& result, const SeparateResult& separated,
                             const Mesh& mesh, Run& run) {
   note_dropped_lists(result.dropped_columns, run);
-  note_dropped_sources(result.dropped_source_points, run);
+  note_dropped_sources(result.dropped_source_points, source_of_step, run);
   run.report("changed", result.changed || separated.separated_vertices > 0);
   run.report("pairs", result.pairs);
   run.report("cut_faces", result.cut_faces);

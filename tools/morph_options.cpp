@@ -55,7 +55,7 @@ std::string remesh_words(const MorphChoices& choices) {
   const IterationOptions& iteration = choices.options.iteration;
   return "tm-remesh --no-provenance --smooth " + shell_word(choices.smooth) + " --min-edge " +
          iteration.min_edge.text() + " --max-edge " + iteration.max_edge.text() +
-         (choices.options.step.gap_edges > 0 ? " --size-field size" : "");
+         (choices.options.step.gap_edges > 0 ? " --size-field size" : "") + " --feature-angle 180";
 }
 
 }  // namespace

@@ -147,9 +147,11 @@ std::string PageServer::answer(const std::string& request, const Site& site) con
   return found ? message("200 OK", *found, method == "GET") : refusal("404 Not Found");
 }
 
-void PageServer::accept_one(std::list<Connection>& connections) const {
+/// False if there is no file descriptor for it, so that it keeps waiting.
+bool PageServer::accept_one(std::list<Connection>& connections) const {
   const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
   if (socket >= 0) connections.emplace_back().socket = socket;
+  return socket >= 0 || errno == EAGAIN || errno == EINTR || errno == ECONNABORTED;
 }
 
 /// False where the connection has come to its end.
@@ -163,8 +165,12 @@ bool PageServer::advance(Connection& connection, const Site& site) const {
 
 void PageServer::serve(const Site& site) {
   std::list<Connection> connections;
+  bool can_accept = true;
   while (true) {
-    std::vector<pollfd> waiting{{listener_, POLLIN, 0}};
+    // poll() skips negative descriptors. A connection that cannot be accepted yet would end every
+    // poll() at once: it waits in the kernel until another one has ended, or for a second.
+    const bool listens = can_accept && connections.size() < most_connections;
+    std::vector<pollfd> waiting{{listens ? listener_ : -1, POLLIN, 0}};
     for (const Connection& connection : connections)
       waiting.push_back(
           {connection.socket, static_cast<short>(connection.is_answering() ? POLLOUT : POLLIN), 0});
@@ -178,7 +184,7 @@ void PageServer::serve(const Site& site) {
       if (!stays) close(connection.socket);
       return !stays;
     });
-    if (waiting[0].revents != 0 && connections.size() < most_connections) accept_one(connections);
+    can_accept = waiting[0].revents == 0 || accept_one(connections);
   }
 }
 

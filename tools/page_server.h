@@ -35,7 +35,7 @@ class PageServer {
 
  private:
   struct Connection;
-  void accept_one(std::list<Connection>& connections) const;
+  bool accept_one(std::list<Connection>& connections) const;
   bool advance(Connection& connection, const Site& site) const;
   static bool receive(Connection& connection);
   static bool send_some(Connection& connection);

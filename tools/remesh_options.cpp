@@ -5,6 +5,7 @@
 
 #include "frame/smoothing_option.h"
 #include "tm/support/error.h"
+#include "tm/support/number.h"
 
 namespace transformesh::tool {
 namespace {
@@ -17,6 +18,16 @@ double edge_length(std::optional<Length>& length, double default_value, const ch
   if (length->unit == Length::Unit::reference_edge) return length->value;
   throw UsageError("with --size-field, " + std::string(option) +
                    " is a factor of the local size: write it as 0.7x, not as " + length->text());
+}
+
+/// `otherwise` for auto.
+double feature_angle(const std::string& text, double otherwise) {
+  if (text == "auto") return otherwise;
+  const auto angle = number_in<double>(text);
+  if (!angle || !(*angle >= 1 && *angle <= 180))
+    throw UsageError("--feature-angle: '" + text +
+                     "' is not auto, nor a number of degrees from 1 to 180");
+  return *angle;
 }
 
 // Where one option takes the place of all but some others.
@@ -61,13 +72,15 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
                "Laplace-Beltrami operator, 0 to 1");
   program.numbers("smooth2", &choices.smooth_twice, "B1,B2",
                   "the operator used twice: v - B1 dv + B2 d2v");
-  program.number("feature-angle", &remesh.feature_angle_deg, 1, 180,
-                 "keep edges sharper than this, in degrees; 180 keeps none");
+  program.text("feature-angle", &choices.feature_angle, "auto|NUMBER",
+               "keep edges sharper than this, in degrees; 180 keeps none; auto: 40 where the mesh "
+               "has sharp edges and is smooth beside them, else 180");
   program.flag("keep-border", &remesh.keep_border, "leave borders as they are");
   program.flag("project", &remesh.project,
                "tangential smoothing puts vertices back onto the input");
-  program.flag("source", &choices.source_points,
-               "write where on the input each vertex comes from: source_face, source_u, source_v");
+  program.flag(
+      "source", &choices.source_points,
+      "write where on the input each vertex and face comes from: source_face, source_u, source_v");
   choices.keep_out.declare(program);
 }
 
@@ -83,6 +96,7 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   result.only_smooth = choices.only == "smooth";
   if (choices.flip != "valence")
     result.flip = choices.flip == "angle" ? FlipRule::angle : FlipRule::none;
+  result.feature_angle_deg = feature_angle(choices.feature_angle, 0);
   result.coordinate = document.style.coordinate;
   result.keep_out = choices.keep_out.options(run);
   read_smoothing(choices.smooth, result);
@@ -97,7 +111,7 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
 DecimateOptions decimate_options(RemeshChoices& choices, const Document& document, Run& run) {
   refuse_others(run.program(), "faces", "decimates",
                 {"feature-angle", "keep-border", "source", "keep-out", "gap"});
-  return {static_cast<std::size_t>(*choices.faces), choices.remesh.feature_angle_deg,
+  return {static_cast<std::size_t>(*choices.faces), feature_angle(choices.feature_angle, 180),
           choices.remesh.keep_border, document.style.coordinate, choices.keep_out.options(run)};
 }
 
@@ -105,8 +119,7 @@ AlignOptions align_options(RemeshChoices& choices, const Document& document, Run
   refuse_others(run.program(), "align", "aligns",
                 {"feature-angle", "min-edge", "max-edge", "source"});
   AlignOptions result;
-  if (choices.remesh.feature_angle_deg < 180)
-    result.feature_angle_deg = choices.remesh.feature_angle_deg;
+  result.feature_angle_deg = feature_angle(choices.feature_angle, result.feature_angle_deg);
   result.limits.shortest = edge_length(choices.min_edge, 0.7, "--min-edge", false, run);
   result.limits.longest = edge_length(choices.max_edge, 1.5, "--max-edge", false, run);
   result.coordinate = document.style.coordinate;

@@ -21,6 +21,7 @@ struct RemeshChoices {
   std::string only = "all";
   std::string flip = "valence";
   std::string smooth = "tangential";
+  std::string feature_angle = "auto";
   std::vector<double> smooth_twice;
   bool source_points = false;  ///< to be written
   KeepOutOption keep_out;

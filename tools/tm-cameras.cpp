@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-cameras", "[OPTION]... [WHERE]",
                         "Converts the camera files of calibrated photographs, or lists them",
                         tool::Reads::file, tool::Writes::text};
+  program.reads_cameras = true;
   program.choice("format", &options.format,
                  {"middlebury", "colmap", "colmap-binary", "opencv", "matrices"},
                  "format of the output; the input's is told by its content");

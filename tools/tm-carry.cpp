@@ -22,23 +22,22 @@ std::vector<std::string> names_in(const std::string& list) {
   return names;
 }
 
-// Where the vertices of a mesh are on the one before.
-std::vector<SourcePoint> places_on(const Mesh& before, const std::string& before_name,
-                                   const Mesh& mesh, const std::string& name,
-                                   const Options& options) {
+// Places of the vertices and faces of a mesh on the one before.
+SourcePoints places_on(const Mesh& before, const std::string& before_name, const Mesh& mesh,
+                       const std::string& name, const Options& options) {
   if (options.closest && !has_source_points(mesh)) return closest_source_points(before, mesh);
   if (!has_source_points(mesh))
-    throw InputError(name +
-                     " does not say where its vertices come from: write it with tm-clean --source "
-                     "or tm-remesh --source, or take the closest places with --closest");
+    throw InputError(
+        name +
+        " does not say where its vertices and faces come from: write it with tm-clean --source "
+        "or tm-remesh --source, or take the closest places with --closest");
   return read_source_points(mesh, before.faces.size(), before_name);
 }
 
 void carry(const Options& options, tool::Run& run) {
   const Mesh first = run.read(options.from).mesh;
   std::vector<Document>& chain = run.documents();
-  std::vector<SourcePoint> on_first =
-      places_on(first, options.from, chain[0].mesh, run.inputs()[0], options);
+  SourcePoints on_first = places_on(first, options.from, chain[0].mesh, run.inputs()[0], options);
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const Mesh& before = chain[i - 1].mesh;
     on_first = compose_source_points(
@@ -65,7 +64,7 @@ int main(int argc, char** argv) {
   program.text("columns", &options.columns, "NAMES",
                "carry these, separated by commas (default: all but normals)");
   program.flag("closest", &options.closest,
-               "vertices that do not say where they come from take the closest places");
+               "what does not say where it comes from takes the closest places");
   program.epilog =
       "Texture coordinates through two steps:\n"
       "  tm-clean --source a.ply > b.ply\n"

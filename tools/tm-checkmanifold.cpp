@@ -30,6 +30,7 @@ void report_counts(const Mesh& mesh, const ManifoldReport& found, tool::Run& run
   run.report("misoriented_edges", found.misoriented_edges.size());
   run.report("collapsed_faces", found.collapsed_faces.size());
   run.report("border_edges", found.border_halfedges.size());
+  run.report("touching_borders", found.touching_borders);
   run.report("boundary_loops", found.boundary_loops);
   run.report("degenerate_faces", degenerate_faces(mesh).size());
   run.report("isolated_vertices", found.isolated_vertices.size());

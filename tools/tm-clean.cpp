@@ -3,6 +3,7 @@
 #include "frame/run.h"
 #include "tm/clean/stitch/separate.h"
 #include "tm/geometry/source_points.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/support/counted.h"
 #include "tm/support/error.h"
 
@@ -17,7 +18,7 @@ void number_faces(Mesh& mesh, const char* name) {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
 }
 
-// And no longer the numbers of faces by which they are found.
+// Removes the temporary column of face numbers, too.
 void write_source_points(Mesh& mesh, const Mesh& source) {
   const Column& numbers = *mesh.face_columns.find(face_number);
   transformesh::write_source_points(mesh, source_points_of_pieces(source, mesh, numbers.values));
@@ -46,6 +47,7 @@ CleanResult clean_in_box(const Mesh& mesh, const CleanBoxOptions& options, tool:
 
 void clean_document(Document& document, const tool::CleanChoices& choices, tool::Run& run) {
   const CleanOptions options = tool::clean_options(choices, document);
+  const bool replaced_sources = choices.source_faces && drop_source_points(document.mesh);
   if (choices.source_faces) number_faces(document.mesh, "source_face");
   Mesh source;
   if (choices.source_points) {
@@ -62,6 +64,7 @@ void clean_document(Document& document, const tool::CleanChoices& choices, tool:
   if (options.refuse && separated.separated_vertices > 0) {
     throw GoalError("vertices lie in one place, and --refuse forbids to move them apart");
   }
+  result.dropped_source_points |= replaced_sources;
   if (choices.source_points) {
     write_source_points(document.mesh, source);
     result.dropped_source_points = false;
@@ -77,7 +80,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-clean", "[OPTION]... [INPUT]",
                         "Removes self-intersections: the boundary of winding number >= 1"};
   program.cleans = true;
-  program.joins_soups = true;
+  program.soups = tool::Soups::own;
   tool::declare_cleaning(program, choices);
   return program.run(argc, argv,
                      [&](tool::Run& run) { clean_document(run.document(), choices, run); });

@@ -4,6 +4,7 @@
 #include "frame/displacement_report.h"
 #include "frame/keep_out_option.h"
 #include "frame/run.h"
+#include "tm/mesh/touching_borders.h"
 #include "tm/step/displace.h"
 #include "tm/step/velocity.h"
 #include "tm/support/error.h"
@@ -31,6 +32,7 @@ std::vector<Vec3> velocities_of(const Mesh& mesh, const Options& options, tool::
         "the mesh lacks a velocity, the vertex properties vx vy vz; give --normal-speed or "
         "--curvature-speed instead");
   }
+  if (has_speed) refuse_touching_borders(mesh);
   std::vector<Vec3> velocities(mesh.positions.size(), Vec3::Zero());
   if (!has_speed || has_column_velocities(mesh)) add(velocities, column_velocities(mesh));
   if (options.normal_speed)

@@ -28,6 +28,7 @@ void declare(tool::Program& program, Options& options) {
             "filter that moves vertices: a mesh in and a mesh out, or the vertex properties vx "
             "vy vz out; TM_ITERATION holds the number of the iteration")
       .is_needed = true;
+  program.soups = tool::Soups::own;
   tool::declare_iterations(program, options.loop);
   program.text("until", &options.until, "moved:LENGTH|stalled",
                "stop when no vertex moves as far, or nothing gets better any more");
@@ -63,11 +64,19 @@ Step step_of(const Options& options, const Record& record, Scalar coordinate) {
   return step_through(filter, coordinate, options.displace);
 }
 
+void note_clamped(const EvolveResult& result, double alpha, tool::Run& run) {
+  if (result.clamped_iterations == 0) return;
+  run.note(clamps_in_words(result, alpha) +
+           "; use a smaller --time-step and more --iterations, or a larger --alpha");
+}
+
 void report(const EvolveResult& result, tool::Run& run) {
   run.report("stop", result.is_done ? "converged" : "iteration_limit");
   run.report("iterations", result.iterations);
   run.report("components", result.last.topology.components);
   run.report("genus", result.last.topology.genus);
+  run.report("clamped_iterations", result.clamped_iterations);
+  run.report("clamped_share", result.clamped_share);
   run.report("max_displacement", result.last.displaced.max_displacement);
   run.report("rms_displacement", result.last.displaced.rms_displacement);
 }
@@ -93,6 +102,7 @@ void evolve_mesh(Options& options, tool::Run& run) {
         evolve(document, step, evolution, tool::loop_of(options.loop, run), record, run.progress());
   });
   report(result, run);
+  note_clamped(result, options.displace.alpha, run);
   tool::conclude(run, options.loop, record,
                  {result.is_done, result.is_done, summary(result, document.mesh)});
 }

@@ -1,4 +1,5 @@
 /// tm-fill: closes the holes of a mesh.
+#include "frame/column_notes.h"
 #include "frame/run.h"
 #include "tm/fill/fill.h"
 #include "tm/mesh/location_text.h"
@@ -24,7 +25,7 @@ std::string described(const std::vector<OpenHole>& holes, const Mesh& mesh, cons
          significant(first.length, 3) + " long, at " + vertex_text(mesh, first.vertex);
 }
 
-void report(const FillResult& result, const Mesh& mesh, bool allows_crossings, tool::Run& run) {
+void report(const FillResult& result, const Mesh& mesh, tool::Run& run) {
   run.report("holes", result.holes);
   run.report("filled", result.filled());
   run.report("faired", result.faired);
@@ -32,13 +33,18 @@ void report(const FillResult& result, const Mesh& mesh, bool allows_crossings, t
   run.report("plain", result.plain);
   run.report("crossed", result.crossed);
   run.report("left_crossing", result.crossing.size());
+  run.report("left_flat", result.flat.size());
   run.report("left_too_large", result.too_large.size());
   run.report("new_vertices", result.new_vertices);
   run.report("new_faces", result.new_faces);
   if (!result.crossing.empty())
-    run.note(
-        described(result.crossing, mesh, "as every patch would cross or be flat") +
-        (allows_crossings ? "" : "; close what would cross with --allow-crossings, for tm-clean"));
+    run.note(described(result.crossing, mesh, "as every patch would cross") +
+             "; close what would cross with --allow-crossings, for tm-clean");
+  if (!result.flat.empty())
+    run.note(described(result.flat, mesh,
+                       "as every patch would have a face without area, or an edge that has two "
+                       "faces already") +
+             "; tm-clean closes slits");
   if (!result.too_large.empty()) run.note(described(result.too_large, mesh, "beyond the limits"));
 }
 
@@ -51,7 +57,8 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
   options.allow_crossings = choices.allow_crossings;
   options.coordinate = document.style.coordinate;
   const FillResult result = fill_holes(document.mesh, options, run.progress());
-  report(result, document.mesh, options.allow_crossings, run);
+  tool::note_dropped_sources(result.dropped_source_points, tool::closest_places, run);
+  report(result, document.mesh, run);
 }
 
 }  // namespace
@@ -60,6 +67,7 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-fill", "[OPTION]... [INPUT]",
                         "Closes holes by smooth patches, never into a crossing"};
+  program.soups = tool::Soups::joined;
   program.integer("max-edges", &choices.max_edges, 3, 1000000000,
                   "leave holes with more edges open (default: none)");
   program.length("max-diameter", &choices.max_diameter,

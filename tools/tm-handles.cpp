@@ -1,4 +1,5 @@
 /// tm-handles: removes thin handles and narrow tunnels.
+#include "frame/column_notes.h"
 #include "frame/run.h"
 #include "tm/fill/handles.h"
 #include "tm/mesh/components.h"
@@ -21,15 +22,20 @@ void handle_document(Document& document, const Choices& choices, tool::Run& run)
   options.coordinate = document.style.coordinate;
   const HandleResult result = remove_handles(document.mesh, options, run.progress());
 
+  tool::note_dropped_sources(result.dropped_source_points, tool::closest_places, run);
   run.report("max_length", options.max_length);
   run.report("removed", result.removed);
   run.report("refused", result.refused);
+  run.report("blocked", result.blocked);
   run.report("new_vertices", result.new_vertices);
   run.report("new_faces", result.new_faces);
   run.report("genus", connected_components(document.mesh).genus());
   if (result.refused > 0)
     run.note("no patches fit along " + counted(result.refused, "loop") +
              ", where handles stay: tm-remesh, and then tm-handles again, may remove them");
+  if (result.blocked > 0)
+    run.note("handles stay along " + counted(result.blocked, "loop") +
+             ", as slitting there would open a cavity or join parts that are apart");
 }
 
 }  // namespace
@@ -38,6 +44,7 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-handles", "[OPTION]... [INPUT]",
                         "Removes thin handles and closes narrow tunnels, for tm-clean"};
+  program.soups = tool::Soups::joined;
   program.length("max-length", &choices.max_length,
                  "remove handles that a loop of this length goes around (default 5x)");
   return program.run(argc, argv,

@@ -1,7 +1,9 @@
+#include "frame/column_notes.h"
 #include "frame/run.h"
 #include "tm/clean/arrange/refine.h"
 #include "tm/clean/intersect/any_intersection.h"
 #include "tm/clean/intersect/intersect.h"
+#include "tm/geometry/source_points.h"
 #include "tm/io/mesh_io.h"
 #include "tm/support/error.h"
 
@@ -66,7 +68,10 @@ void intersect(Document& document, const Options& options, tool::Run& run) {
     run.write(options.segments, segment_file(intersection_segments(document.mesh, pairs)));
   }
   if (!options.check) count_per_face(document.mesh, pairs);
-  if (options.refine) document.mesh = refine(document.mesh, run.progress());
+  if (options.refine) {
+    tool::note_dropped_sources(has_source_points(document.mesh), tool::closest_places, run);
+    document.mesh = refine(document.mesh, run.progress());
+  }
   run.answer(pairs.empty() || !options.check);
 }
 

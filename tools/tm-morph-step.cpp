@@ -2,6 +2,7 @@
 #include "frame/displacement_report.h"
 #include "frame/run.h"
 #include "tm/io/streams/streams.h"
+#include "tm/mesh/touching_borders.h"
 #include "tm/step/local_thickness.h"
 #include "tm/step/morph_check.h"
 #include "tm/step/morph_step.h"
@@ -25,7 +26,9 @@ const char* name_of(MorphDistance distance) {
 
 Target target_of(const Options& options, tool::Run& run) {
   run.progress()("read target");
-  Target target = read_target(run.read_bytes(options.target), input_name(options.target));
+  Target target =
+      read_target(run.read_bytes(options.target), input_name(options.target), run.reading());
+  run.note_read(target.notes, true);
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }
@@ -34,13 +37,13 @@ Target target_of(const Options& options, tool::Run& run) {
     for (const std::string& line : check_target(target, input_name(options.target), run.progress()))
       run.note(line);
   if (options.step.gap_edges > 0 && target.thickness.empty())
-    target.thickness =
-        local_thickness(target, options.step.gap_edges * run.reference_edge(), run.progress());
+    target = with_thickness(target, options.step.gap_edges, run.reference_edge(), run.progress());
   if (!options.written_target.empty()) run.write(options.written_target, write_target(target));
   return target;
 }
 
 void step(Document& document, Options options, tool::Run& run) {
+  refuse_touching_borders(document.mesh);
   if (options.step.gap_edges > 0) options.step.largest_size = run.reference_edge();
   const Target target = target_of(options, run);
   for (const std::string& line : check_source(document.mesh, target, input_name(run.input())))

@@ -19,7 +19,8 @@ void check_start(const Mesh& source, const Target& target, tool::Run& run) {
 }
 
 Target read(const std::string& name, tool::Run& run) {
-  Target target = read_target(run.read_bytes(name), input_name(name));
+  Target target = read_target(run.read_bytes(name), input_name(name), run.reading());
+  run.note_read(target.notes, true);
   if (target.has_estimated_normals)
     run.note("the target's points have no normals: estimated from their neighbors");
   for (const std::string& line : check_target(target, input_name(name), run.progress()))
@@ -27,13 +28,11 @@ Target read(const std::string& name, tool::Run& run) {
   return target;
 }
 
-// As the run that is continued had it, with its gaps measured.
-Target target_of(const tool::MorphChoices& choices, const MorphingOptions& options, Record& record,
-                 tool::Run& run) {
+// As the run that is continued had it.
+Target target_of(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   if (const auto kept = record.find(state_target)) return read_target(*kept, state_target);
   Target target = read(choices.target, run);
   check_start(run.document().mesh, target, run);
-  prepare_target(target, options, run.progress());
   record.add(state_target, write_target(target));
   return target;
 }
@@ -41,17 +40,20 @@ Target target_of(const tool::MorphChoices& choices, const MorphingOptions& optio
 void morph_to_target(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   Document& document = tool::begin_document(record, run);
   const MorphingOptions options = tool::morphing_of(choices, run);
-  const Target target = target_of(choices, options, record, run);
+  const Target target = target_of(choices, record, run);
   tool::begin_run(choices.loop, record, &document, run, {{run_file::target, write_target(target)}});
   MorphingResult result;
   tool::evolve_or_keep(run, record, "iteration", [&] {
-    result =
-        morph(document, target, options, tool::loop_of(choices.loop, run), record, run.progress());
+    result = tool::with_remedy(options, [&] {
+      return morph(document, target, options, tool::loop_of(choices.loop, run), record,
+                   run.progress());
+    });
   });
-  tool::report_morph(result, run);
-  tool::conclude(run, choices.loop, record,
-                 {result.stop != MorphingStop::iteration_limit,
-                  result.stop == MorphingStop::converged, tool::summary(result, document.mesh)});
+  tool::report_morph(result, options, run);
+  tool::conclude(
+      run, choices.loop, record,
+      {result.stop != MorphingStop::iteration_limit, result.stop == MorphingStop::converged,
+       tool::summary(result, options, document.mesh)});
 }
 
 void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
@@ -92,6 +94,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-morph", "[OPTION]... SOURCE --target FILE -o OUT",
                         "Evolves a mesh until it lies on a target", tool::Reads::files,
                         tool::Writes::evolved_mesh};
+  program.soups = tool::Soups::own;
   tool::declare_morph(program, choices);
   program.writes_mesh_if = [&choices] { return !choices.print_pipeline; };
   return program.run(argc, argv, [&](tool::Run& run) { evolve(choices, run); });

@@ -1,6 +1,7 @@
 /// tm-offset: the surface at a distance from another one.
 #include "frame/run.h"
 #include "tm/evolution/offset.h"
+#include "tm/mesh/location_text.h"
 #include "tm/support/error.h"
 #include "tm/support/number.h"
 
@@ -14,13 +15,23 @@ struct Choices {
 };
 
 void report(const OffsetResult& result, tool::Run& run) {
-  run.report("stop", result.is_done ? "converged" : "iteration_limit");
+  run.report("stop", !result.has_arrived ? "iteration_limit"
+                     : result.has_missed ? "missed"
+                                         : "converged");
   run.report("iterations", result.iterations);
   run.report("components", result.topology.components);
   run.report("genus", result.topology.genus);
   run.report("deviation_rms", result.deviation.rms);
   run.report("deviation_max", result.deviation.most);
   run.report("missed_max", result.deviation.missed);
+  run.report("edge", result.edge);
+}
+
+void note_missed(const OffsetResult& result, tool::Run& run) {
+  run.note("the surface did not converge: it is " + significant(result.deviation.missed, 3) +
+           " from the offset at " + point_text(result.deviation.missed_at) +
+           ", as parts thinner than an edge are lost; shorter edges come nearer: --edge " +
+           significant(result.edge / 2, 3));
 }
 
 void offset_document(Document& document, Choices& choices, tool::Run& run) {
@@ -29,7 +40,8 @@ void offset_document(Document& document, Choices& choices, tool::Run& run) {
   if (choices.edge) choices.offset.edge = run.length(*choices.edge);
   const OffsetResult result = offset(document, choices.offset, run.progress());
   report(result, run);
-  if (!result.is_done)
+  if (result.has_missed) note_missed(result, run);
+  if (!result.has_arrived)
     run.note("the limit of iterations came first: the surface is " +
              significant(result.deviation.rms, 3) + " from the offset on average; --iterations");
 }
@@ -40,6 +52,7 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-offset", "[OPTION]... --distance LENGTH [INPUT]",
                         "Moves a surface outwards or inwards by a distance"};
+  program.soups = tool::Soups::joined;
   program
       .length("distance", &choices.distance, "how far: outwards, or inwards where negative", true)
       .is_needed = true;

@@ -1,6 +1,7 @@
 /// tm-photo-step: steps of a surface towards calibrated photographs (paper 5.3).
 #include "frame/displacement_report.h"
 #include "photo_options.h"
+#include "tm/mesh/touching_borders.h"
 
 namespace {
 
@@ -26,6 +27,7 @@ void report(const PhotoScene& scene, const PhotoStepsResult& result, tool::Run& 
 }
 
 void step(Document& document, const tool::PhotoOptions& options, tool::Run& run) {
+  refuse_touching_borders(document.mesh);
   run.progress()("read views");
   const PhotoScene scene = tool::read_scene(options, run);
   const PhotoStepsOptions steps = tool::steps_of(options);

@@ -77,6 +77,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-reconstruct", "[OPTION]... --cameras WHERE --images WHERE -o OUT",
                         "Reconstructs a closed surface from calibrated photographs",
                         tool::Reads::nothing, tool::Writes::evolved_mesh};
+  program.soups = tool::Soups::own;
   tool::declare_reconstruction(program, choices);
   return program.run(argc, argv, [&](tool::Run& run) {
     tool::give_large_blocks_back();

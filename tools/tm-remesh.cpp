@@ -2,6 +2,7 @@
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "remesh_options.h"
+#include "remesh_report.h"
 #include "tm/geometry/source_points.h"
 #include "tm/io/comments.h"
 #include "tm/mesh/measure.h"
@@ -68,8 +69,9 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
   run.report("refused", result.refused);
   run.report("kept_out", result.kept_out);
   choices.keep_out.note_near(result.near_keep_out, run);
-  run.report("components_removed", result.components_removed);
-  run.report("degenerate_faces", result.degenerate_faces);
+  tool::report_dropped(result.components_removed, options.min_edge, run);
+  tool::report_slivers(result, run);
+  run.report("feature_angle", result.feature_angle_deg);
   return result.columns;
 }
 
@@ -85,7 +87,7 @@ void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   if (choices.source_points) {
     write_source_points(document.mesh, closest_source_points(source, document.mesh));
   } else {
-    tool::note_dropped_sources(columns.dropped_source_points, run);
+    tool::note_dropped_sources(columns.dropped_source_points, tool::source_of_step, run);
   }
 }
 
@@ -95,6 +97,7 @@ int main(int argc, char** argv) {
   tool::RemeshChoices choices;
   tool::Program program{"tm-remesh", "[OPTION]... [INPUT]",
                         "Keeps edges between two lengths and triangles round"};
+  program.soups = tool::Soups::joined;
   tool::declare_remeshing(program, choices);
   program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { change(run.document(), choices, run); });

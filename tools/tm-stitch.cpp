@@ -12,9 +12,9 @@ void stitch_document(Document& document, StitchOptions options, const Length& to
   const StitchResult result = stitch(document.mesh, options);
   if (result.misoriented_edges > 0) {
     run.note(result.misorientation +
-             (options.orient || options.one_side
-                  ? ", however sheets are turned: they stay apart; remove faces there"
-                  : ": they stay apart; --orient turns faces to agree"));
+             (result.can_be_oriented ? ": they stay apart; --orient turns faces to agree"
+                                     : ", however faces are turned: they stay apart, with borders "
+                                       "there, which tm-fill --allow-crossings closes"));
   }
   tool::note_new_normals(result.new_normals, run);
   run.report("joined_vertices", result.joined_vertices);
@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   Length tolerance;
   tool::Program program{"tm-stitch", "[OPTION]... [INPUT]",
                         "Joins a soup of triangles into a manifold mesh"};
-  program.joins_soups = true;
+  program.soups = tool::Soups::own;
   program.length("tolerance", &tolerance,
                  "join vertices within this distance; 0 joins equal positions only");
   program.flag("orient", &options.orient,

@@ -1,11 +1,15 @@
 /// tm-wrap: a rough closed mesh around points.
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "frame/run.h"
 #include "tm/io/streams/streams.h"
+#include "tm/mesh/location_text.h"
 #include "tm/step/target_file.h"
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
+#include "tm/views/wrap/outliers.h"
 #include "tm/views/wrap/unit_scale.h"
 #include "tm/views/wrap/wrap.h"
 
@@ -17,7 +21,31 @@ struct Options {
   std::string method = "auto";
   std::optional<Length> alpha;
   Length offset = parse_length("0.33%");
+  bool keep_outliers = false;
 };
+
+struct Points {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;  ///< none, or of all
+};
+
+/// Leaves out the outliers among points; vertices of a mesh are where it says.
+Points without_outliers(const Mesh& cloud, const std::vector<Vec3>& normals, const Options& options,
+                        tool::Run& run) {
+  std::vector<Index> outliers;
+  if (cloud.faces.empty() && !options.keep_outliers) outliers = find_outliers(cloud.positions);
+  run.report("outliers", outliers.size());
+  if (outliers.empty()) return {cloud.positions, normals};
+  run.note(counted(outliers.size(), "outlier") + " left out, the first at " +
+           point_text(cloud.positions[outliers[0]]) + "; --keep-outliers wraps all points");
+  Points points;
+  for (Index i = 0; i < cloud.positions.size(); ++i) {
+    if (std::ranges::binary_search(outliers, i)) continue;
+    points.positions.push_back(cloud.positions[i]);
+    if (!normals.empty()) points.normals.push_back(normals[i]);
+  }
+  return points;
+}
 
 Mesh wrap_positions(const std::vector<Vec3>& positions, const Options& options, tool::Run& run) {
   AlphaWrapOptions wrap;
@@ -25,25 +53,37 @@ Mesh wrap_positions(const std::vector<Vec3>& positions, const Options& options, 
   wrap.offset = run.length(options.offset);
   AlphaWrap result = alpha_wrap(positions, wrap);
   run.report("alpha", result.alpha);
+  run.report("least_distance", result.least_distance);
   return std::move(result.mesh);
+}
+
+void note_without_normal(const std::vector<Vec3>& normals, tool::Run& run) {
+  const auto count = std::count(normals.begin(), normals.end(), Vec3(Vec3::Zero()));
+  if (count > 0)
+    run.note(counted(static_cast<std::size_t>(count), "point") + " without a normal left out");
+  run.report("points_without_normal", static_cast<std::size_t>(count));
 }
 
 void wrap(const Options& options, tool::Run& run) {
   run.progress()("read");
   const std::string name = input_name(run.input());
-  const Mesh cloud = read_mesh_or_points(run.read_bytes(run.input()), name);
-  const std::vector<Vec3> normals =
-      cloud.faces.empty() ? stored_normals(cloud) : std::vector<Vec3>();
+  const auto [document, notes] =
+      read_mesh_or_points(run.read_bytes(run.input()), name, run.reading());
+  const Mesh& cloud = document.mesh;
+  run.note_read(notes, true);
+  run.report("points", cloud.positions.size());
+  const auto [positions, normals] = without_outliers(
+      cloud, cloud.faces.empty() ? stored_normals(cloud) : std::vector<Vec3>(), options, run);
   if (options.method == "poisson" && normals.empty())
     throw InputError(name + ": the points have no normals, which --method poisson needs");
-  run.set_basis(diagonal_of(cloud.positions));
+  run.set_basis(diagonal_of(positions));
   const bool is_poisson = options.method != "alpha" && !normals.empty();
-  run.report("points", cloud.positions.size());
+  if (is_poisson) note_without_normal(normals, run);
   run.report("method", is_poisson ? "poisson" : "alpha");
 
   run.progress()("wrap");
-  run.document().mesh = is_poisson ? poisson_wrap(cloud.positions, normals)
-                                   : wrap_positions(cloud.positions, options, run);
+  run.document().mesh =
+      is_poisson ? poisson_wrap(positions, normals) : wrap_positions(positions, options, run);
 }
 
 }  // namespace
@@ -58,7 +98,9 @@ int main(int argc, char** argv) {
       "alpha", &options.alpha,
       "of alpha: radius of the smallest ball that is kept out (default: as small as does "
       "not get in between the points)");
-  program.length("offset", &options.offset, "of alpha: how far from the points");
+  program.length("offset", &options.offset, "of alpha: how far from the points vertices are");
+  program.flag("keep-outliers", &options.keep_outliers,
+               "wrap points that are far from all others, too");
   program.epilog = "POINTS are PLY, OFF or lines of x y z [nx ny nz]; of a mesh, its vertices.";
   return program.run(argc, argv, [&](tool::Run& run) { wrap(options, run); });
 }

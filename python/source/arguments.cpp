@@ -1,5 +1,7 @@
 #include "arguments.h"
 
+#include "tm/clean/stitch/join_soup.h"
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
 
 namespace transformesh::python {
@@ -60,6 +62,16 @@ KeepOutOptions keep_out_of(const std::optional<MeshPointer>& surface,
 void warn(const std::vector<std::string>& notes) {
   for (const std::string& note : notes)
     if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+std::size_t join_places(Mesh& mesh) {
+  const StitchResult result = join_soup(mesh);
+  if (result.joined_vertices > 0)
+    warn({counted(result.joined_vertices, "vertex") +
+          " joined with others in the same place, as stitch() does"});
+  if (result.dropped_faces > 0)
+    warn({counted(result.dropped_faces, "face") + " with two corners in one place dropped"});
+  return result.joined_vertices;
 }
 
 }  // namespace transformesh::python

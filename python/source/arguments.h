@@ -36,4 +36,8 @@ KeepOutOptions keep_out_of(const std::optional<MeshPointer>& surface,
 /// What a program would say on stderr, as warnings.
 void warn(const std::vector<std::string>& notes);
 
+/// Joins equal places where only indices keep faces apart (join_soup.h), with a warning. Returns
+/// how many vertices were joined with others.
+std::size_t join_places(Mesh& mesh);
+
 }  // namespace transformesh::python

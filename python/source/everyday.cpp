@@ -23,6 +23,7 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
                       const std::optional<PythonLength>& max_diameter, bool refine, bool fair,
                       bool allow_crossings, const py::object& progress) {
   Document document = mesh.document;
+  const std::size_t joined = join_places(document.mesh);
   FillOptions options;
   if (max_edges && *max_edges < 3) throw UsageError("max_edges: a hole has at least 3");
   options.max_edges = max_edges.value_or(options.max_edges);
@@ -34,6 +35,7 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
   const FillResult result = without_lock(
       progress, [&](const Progress& to) { return fill_holes(document.mesh, options, to); });
   py::dict report;
+  report["joined_vertices"] = joined;
   report["holes"] = result.holes;
   report["filled"] = result.filled();
   report["faired"] = result.faired;
@@ -41,6 +43,7 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
   report["plain"] = result.plain;
   report["crossed"] = result.crossed;
   report["left_crossing"] = result.crossing.size();
+  report["left_flat"] = result.flat.size();
   report["left_too_large"] = result.too_large.size();
   report["new_vertices"] = result.new_vertices;
   report["new_faces"] = result.new_faces;
@@ -52,15 +55,18 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
 MeshPointer remove_handles_of(const PythonMesh& mesh, const PythonLength& max_length,
                               const py::object& progress) {
   Document document = mesh.document;
+  const std::size_t joined = join_places(document.mesh);
   HandleOptions options;
   options.max_length = Lengths(document)(max_length);
   options.coordinate = document.style.coordinate;
   const HandleResult result = without_lock(
       progress, [&](const Progress& to) { return remove_handles(document.mesh, options, to); });
   py::dict report;
+  report["joined_vertices"] = joined;
   report["max_length"] = options.max_length;
   report["removed"] = result.removed;
   report["refused"] = result.refused;
+  report["blocked"] = result.blocked;
   report["new_vertices"] = result.new_vertices;
   report["new_faces"] = result.new_faces;
   report["genus"] = connected_components(document.mesh).genus();
@@ -194,21 +200,21 @@ MeshPointer sample_mesh(const PythonMesh& mesh, std::size_t count,
 
 // --- carry ---------------------------------------------------------------------------------------
 
-/// Where the vertices of a mesh are on the one before; meshes are numbered in messages.
-std::vector<SourcePoint> places_on(const Mesh& before, const Mesh& mesh, std::size_t number,
-                                   bool closest) {
+/// Places of the vertices and faces of a mesh on the one before; meshes are numbered in messages.
+SourcePoints places_on(const Mesh& before, const Mesh& mesh, std::size_t number, bool closest) {
   if (has_source_points(mesh))
     return read_source_points(mesh, before.faces.size(), "mesh " + std::to_string(number));
   if (closest) return closest_source_points(before, mesh);
-  throw InputError("mesh " + std::to_string(number + 1) +
-                   " does not say where its vertices come from: make it with source=True, or take "
-                   "the closest places with closest=True");
+  throw InputError(
+      "mesh " + std::to_string(number + 1) +
+      " does not say where its vertices and faces come from: make it with source=True, or take "
+      "the closest places with closest=True");
 }
 
 CarryResult carry_along(const std::vector<const Mesh*>& chain, Mesh& last,
                         const std::vector<std::string>& columns, bool closest) {
   const Mesh& first = *chain[0];
-  std::vector<SourcePoint> on_first = places_on(first, *chain[1], 1, closest);
+  SourcePoints on_first = places_on(first, *chain[1], 1, closest);
   for (std::size_t i = 2; i < chain.size(); ++i)
     on_first = compose_source_points(first, on_first, *chain[i - 1],
                                      places_on(*chain[i - 1], *chain[i], i, closest));

@@ -72,11 +72,16 @@ MeshPointer evolve_mesh(const PythonMesh& mesh, const py::function& velocity,
     Record record;
     return evolve(document, step, options, loop, record, to);
   });
+  if (result.clamped_iterations > 0)
+    warn({clamps_in_words(result, alpha) +
+          "; use a smaller time_step and more iterations, or a larger alpha"});
   py::dict report;
   report["converged"] = result.is_done;
   report["iterations"] = result.iterations;
   report["components"] = result.last.topology.components;
   report["genus"] = result.last.topology.genus;
+  report["clamped_iterations"] = result.clamped_iterations;
+  report["clamped_share"] = result.clamped_share;
   report["max_displacement"] = result.last.displaced.max_displacement;
   report["rms_displacement"] = result.last.displaced.rms_displacement;
   return mesh_of(std::move(document), report);
@@ -92,6 +97,23 @@ std::optional<MorphDistance> distance_of(const std::string& name) {
   throw UsageError("distance: '" + name + "' is none of auto, surface, points, vertex");
 }
 
+/// What mends a fault, by the names of arguments.
+const char* remedy_text(RemedyKind kind) {
+  switch (kind) {
+    case RemedyKind::clean_target:
+      return "the target is open, no manifold, or crosses itself: clean() it, or fill() its holes";
+    case RemedyKind::edges_at_narrow_places:
+      return "shorten edges at narrow places with gap_edges=1.5, or begin with shorter edges";
+    case RemedyKind::larger_source:
+      return "begin with a source that overlaps all of the target";
+    case RemedyKind::shorter_edges:
+      return "begin with shorter edges";
+    case RemedyKind::none:
+      break;
+  }
+  return "";
+}
+
 py::dict report_of(const MorphingResult& result) {
   py::dict report;
   report["converged"] = result.stop == MorphingStop::converged;
@@ -103,7 +125,9 @@ py::dict report_of(const MorphingResult& result) {
   report["max_distance_to_target"] = result.distances.to_target.maximum;
   report["rms_distance_from_target"] = result.distances.from_target.rms;
   report["max_distance_from_target"] = result.distances.from_target.maximum;
+  report["target_left_out"] = result.left_out;
   report["fault"] = result.agreement.fault;
+  report["remedy"] = remedy_text(result.remedy.kind);
   report["aligned"] = result.aligned;
   report["mean_edge"] = result.distances.displaced.mean_edge;
   return report;
@@ -131,7 +155,6 @@ MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::
     notes = check_target(reading, "the target", to);
     for (std::string& note : check_source(document.mesh, reading, "the source"))
       notes.push_back(std::move(note));
-    prepare_target(reading, options, to);
     return reading;
   });
   warn(notes);
@@ -156,7 +179,11 @@ void bind_evolutions(py::module_& module) {
              arg("until") = none, arg("on_iteration") = none, arg("progress") = none,
              "An evolution: vertices move along `velocity(mesh)`, an array (n, 3), "
              "self-intersections are removed, the surface is remeshed, again and again. `until` is "
-             "a length, by which no vertex moves any more, or 'stalled'. See tm-evolve(1).");
+             "a length, by which no vertex moves any more, or 'stalled'. A vertex moves by "
+             "`time_step` times its velocity, but by no more than `alpha` times the mean edge at "
+             "it: a warning, and `clamped_iterations` and `clamped_share` of the report, say where "
+             "that is less. `smooth` 0.1 shrinks what is curved; 'none' and 'tangential' keep the "
+             "volume. See tm-evolve(1).");
   module.def("morph", &morph_mesh, arg("source"), arg("target"), py::kw_only(),
              arg("iterations") = LoopOptions().iterations, arg("alpha") = DisplaceOptions().alpha,
              arg("time_step") = MorphStepOptions().displace.time_step, arg("distance") = "auto",

@@ -10,10 +10,14 @@
 #include "tm/geometry/source_points.h"
 #include "tm/io/concatenate.h"
 #include "tm/mesh/components.h"
+#include "tm/mesh/surface_columns.h"
+#include "tm/mesh/touching_borders.h"
 #include "tm/shapes/shapes.h"
 #include "tm/step/displace.h"
 #include "tm/step/velocity.h"
+#include "tm/support/counted.h"
 #include "tm/support/error.h"
+#include "tm/support/number.h"
 
 namespace transformesh::python {
 namespace {
@@ -80,7 +84,10 @@ struct Cleaned {
 };
 
 Cleaned clean_document(Mesh& mesh, const CleanChoices& choices, const Progress& progress) {
-  if (choices.source_face) number_faces(mesh, "source_face");
+  if (choices.source_face) {
+    drop_source_points(mesh);
+    number_faces(mesh, "source_face");
+  }
   Mesh source;
   if (choices.source) {
     source = {mesh.positions, mesh.faces, {}, {}};
@@ -177,6 +184,7 @@ MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>
   } else if (!has_speed || has_column_velocities(moving)) {
     sum = column_velocities(moving);
   }
+  if (normal_speed || curvature_speed != 0) refuse_touching_borders(moving);
   if (normal_speed) add(sum, normal_velocities(moving, lengths(*normal_speed)));
   if (curvature_speed != 0) add(sum, curvature_velocities(moving, curvature_speed));
   if (!mask.empty()) apply_mask(moving, mask, sum);
@@ -184,6 +192,9 @@ MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>
                                 document.style.coordinate};
   const DisplaceResult result = without_lock(
       py::none(), [&](const Progress&) { return displace(document.mesh, sum, options); });
+  if (result.clamped > 0)
+    warn({counted(result.clamped, "vertex") + " clamped to " + shortest_text(alpha) +
+          " of the mean edge at the vertex; use a smaller time_step, or a larger alpha"});
   py::dict report;
   report["moved"] = result.moved;
   report["clamped"] = result.clamped;
@@ -198,18 +209,21 @@ MeshPointer offset_mesh(const PythonMesh& mesh, const PythonLength& distance,
                         const std::optional<PythonLength>& edge, std::size_t iterations,
                         const py::object& progress) {
   Document document = mesh.document;
+  const std::size_t joined = join_places(document.mesh);
   Lengths lengths(document);
   const OffsetOptions options{lengths(distance), lengths(edge, 0), iterations};
   const OffsetResult result =
       without_lock(progress, [&](const Progress& to) { return offset(document, options, to); });
   py::dict report;
-  report["converged"] = result.is_done;
+  report["joined_vertices"] = joined;
+  report["converged"] = result.is_done();
   report["iterations"] = result.iterations;
   report["components"] = result.topology.components;
   report["genus"] = result.topology.genus;
   report["deviation_rms"] = result.deviation.rms;
   report["deviation_max"] = result.deviation.most;
   report["missed_max"] = result.deviation.missed;
+  report["edge"] = result.edge;
   return mesh_of(std::move(document), report);
 }
 

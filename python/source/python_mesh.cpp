@@ -91,9 +91,9 @@ std::string description(const PythonMesh& self) {
 
 // --- Reading and writing -------------------------------------------------------------------------
 
-MeshPointer parse(std::string_view bytes, const std::string& name) {
+MeshPointer parse(std::string_view bytes, const std::string& name, bool strict) {
   ReadResult result =
-      without_lock(py::none(), [&](const Progress&) { return read_mesh(bytes, name); });
+      without_lock(py::none(), [&](const Progress&) { return read_mesh(bytes, name, {strict}); });
   warn(result.notes);
   return mesh_of(std::move(result.document));
 }
@@ -102,10 +102,10 @@ std::string path_text(const py::object& path) {
   return py::str(py::module_::import("os").attr("fspath")(path));
 }
 
-MeshPointer read(const py::object& path) {
+MeshPointer read(const py::object& path, bool strict) {
   const std::string name = path_text(path);
   const Bytes bytes = read_all(name);
-  return parse(bytes.view(), name);
+  return parse(bytes.view(), name, strict);
 }
 
 std::string bytes_of(const PythonMesh& self, const std::string& format, const std::string& name,
@@ -128,12 +128,18 @@ void write(const PythonMesh& self, const py::object& path, const std::string& fo
 }
 
 void bind_files(py::module_& module) {
-  module.def("read", &read, py::arg("path"),
-             "Reads PLY, OFF, OBJ or STL, told apart by the first bytes. What is changed on the "
-             "way in, as polygons cut into triangles, is a warning.");
   module.def(
-      "parse", [](const py::bytes& bytes) { return parse(std::string_view(bytes), "the bytes"); },
-      py::arg("bytes"), "The mesh that a file of these bytes holds.");
+      "read", &read, py::arg("path"), py::kw_only(), py::arg("strict") = false,
+      "Reads PLY, OFF, OBJ or STL, told apart by the first bytes. What is changed on the "
+      "way in, as polygons cut into triangles, is a warning. Values that are not finite and "
+      "lines that the format does not have are left out with a warning; strict refuses them.");
+  module.def(
+      "parse",
+      [](const py::bytes& bytes, bool strict) {
+        return parse(std::string_view(bytes), "the bytes", strict);
+      },
+      py::arg("bytes"), py::kw_only(), py::arg("strict") = false,
+      "The mesh that a file of these bytes holds.");
   module.def(
       "write", &write, py::arg("mesh"), py::arg("path"), py::kw_only(), py::arg("format") = "",
       py::arg("scalar") = "",
@@ -212,7 +218,9 @@ void bind_mesh(py::module_& module) {
       .def("__repr__", &description)
       .def(py::pickle(
           [](const PythonMesh& self) { return py::bytes(write_mesh(self.document).bytes); },
-          [](const py::bytes& bytes) { return parse(std::string_view(bytes), "the pickle"); }));
+          [](const py::bytes& bytes) {
+            return parse(std::string_view(bytes), "the pickle", false);
+          }));
   bind_files(module);
 }
 

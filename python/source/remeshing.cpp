@@ -18,6 +18,20 @@ struct RemeshChoices {
   std::string flip, only;
 };
 
+/// Degrees, or "auto".
+using FeatureAngle = std::variant<double, std::string>;
+
+/// As in RemeshOptions.
+double angle_of(const FeatureAngle& angle) {
+  if (const auto* word = std::get_if<std::string>(&angle)) {
+    choice("feature_angle", *word, {"auto"});
+    return 0;
+  }
+  const double degrees = std::get<double>(angle);
+  if (!(degrees > 0)) throw UsageError("feature_angle: 'auto', or degrees above 0");
+  return degrees;
+}
+
 /// As tm-remesh does: relative lengths are of the reference edge, or of the local size.
 RemeshOptions remesh_options(const RemeshChoices& choices, Document& document) {
   RemeshOptions options;
@@ -54,20 +68,28 @@ auto with_source(bool source, Mesh& mesh, Change change) {
 
 // --- remesh --------------------------------------------------------------------------------------
 
-py::dict report_of(const RemeshResult& result) {
+py::dict report_of(const RemeshResult& result, std::size_t joined) {
   py::dict report;
+  report["joined_vertices"] = joined;
   report["splits"] = result.splits;
   report["collapses"] = result.collapses;
   report["flips"] = result.flips;
   report["refused"] = result.refused;
   report["kept_out"] = result.kept_out;
-  report["components_removed"] = result.components_removed;
+  report["components_dropped"] = result.components_removed.count;
+  report["components_dropped_faces"] = result.components_removed.faces;
+  report["components_dropped_area"] = result.components_removed.area;
+  report["components_dropped_volume"] = result.components_removed.volume;
   report["degenerate_faces"] = result.degenerate_faces;
+  report["slivers_kept"] = result.slivers_kept;
+  report["faces_without_area"] = result.faces_without_area;
+  report["feature_angle"] = result.feature_angle_deg;
   return report;
 }
 
-py::dict report_of(const AlignResult& result) {
+py::dict report_of(const AlignResult& result, std::size_t joined) {
   py::dict report;
+  report["joined_vertices"] = joined;
   report["sharp_edges"] = result.sharp_edges;
   report["corners"] = result.corners;
   report["aligned"] = result.aligned;
@@ -91,7 +113,7 @@ AlignOptions align_options(const RemeshOptions& remesh, const RemeshChoices& cho
     throw UsageError("align aligns and " + std::string(refused) +
                      " remeshes: use one after the other");
   AlignOptions options;
-  if (remesh.feature_angle_deg < 180) options.feature_angle_deg = remesh.feature_angle_deg;
+  if (remesh.feature_angle_deg > 0) options.feature_angle_deg = remesh.feature_angle_deg;
   options.limits = {remesh.min_edge, remesh.max_edge};
   options.coordinate = remesh.coordinate;
   return options;
@@ -101,33 +123,35 @@ MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength
                         const std::optional<PythonLength>& max_edge,
                         const std::optional<PythonLength>& adaptive, const std::string& size_field,
                         int iterations, const SmoothingChoice& smooth, const std::string& flip,
-                        const std::string& only, double feature_angle, bool keep_border,
-                        bool project, const std::optional<MeshPointer>& align,
+                        const std::string& only, const FeatureAngle& feature_angle,
+                        bool keep_border, bool project, const std::optional<MeshPointer>& align,
                         const std::optional<MeshPointer>& keep_out,
                         const std::optional<PythonLength>& gap, bool source,
                         const py::object& progress) {
   Document document = mesh.document;
+  const std::size_t joined = join_places(document.mesh);
   const RemeshChoices choices{min_edge, max_edge, adaptive, size_field, smooth, flip, only};
   RemeshOptions options = remesh_options(choices, document);
   options.iterations = iterations;
-  options.feature_angle_deg = feature_angle;
+  options.feature_angle_deg = angle_of(feature_angle);
   options.keep_border = keep_border;
   options.project = project;
   Lengths lengths(document);
   options.keep_out = keep_out_of(keep_out, gap, lengths);
   if (align) {
     const AlignOptions aligning = align_options(options, choices);
+    Mesh target = (*align)->document.mesh;
+    join_places(target);
     const AlignResult result = without_lock(progress, [&](const Progress& to) {
-      return with_source(source, document.mesh, [&] {
-        return align_features(document.mesh, (*align)->document.mesh, aligning, to);
-      });
+      return with_source(source, document.mesh,
+                         [&] { return align_features(document.mesh, target, aligning, to); });
     });
-    return mesh_of(std::move(document), report_of(result));
+    return mesh_of(std::move(document), report_of(result, joined));
   }
   const RemeshResult result = without_lock(progress, [&](const Progress& to) {
     return with_source(source, document.mesh, [&] { return remesh(document.mesh, options, to); });
   });
-  return mesh_of(std::move(document), report_of(result));
+  return mesh_of(std::move(document), report_of(result, joined));
 }
 
 // --- decimate ------------------------------------------------------------------------------------
@@ -137,6 +161,7 @@ MeshPointer decimate_mesh(const PythonMesh& mesh, std::size_t faces, double feat
                           const std::optional<PythonLength>& gap, bool source,
                           const py::object& progress) {
   Document document = mesh.document;
+  const std::size_t joined = join_places(document.mesh);
   Lengths lengths(document);
   const DecimateOptions options{faces, feature_angle, keep_border, document.style.coordinate,
                                 keep_out_of(keep_out, gap, lengths)};
@@ -144,6 +169,7 @@ MeshPointer decimate_mesh(const PythonMesh& mesh, std::size_t faces, double feat
     return with_source(source, document.mesh, [&] { return decimate(document.mesh, options, to); });
   });
   py::dict report;
+  report["joined_vertices"] = joined;
   report["collapses"] = result.collapses;
   report["faces"] = result.faces;
   report["kept_out"] = result.kept_out;
@@ -158,7 +184,7 @@ void bind_remeshing(py::module_& module) {
   module.def("remesh", &remesh_mesh, arg("mesh"), py::kw_only(), arg("min_edge") = none,
              arg("max_edge") = none, arg("adaptive") = none, arg("size_field") = "",
              arg("iterations") = 1, arg("smooth") = "tangential", arg("flip") = "valence",
-             arg("only") = "all", arg("feature_angle") = 180.0, arg("keep_border") = false,
+             arg("only") = "all", arg("feature_angle") = "auto", arg("keep_border") = false,
              arg("project") = false, arg("align") = none, arg("keep_out") = none, arg("gap") = none,
              arg("source") = false, arg("progress") = none,
              "Keeps edges between two lengths ('0.7x' to '1.5x' of the reference edge) and "

@@ -93,6 +93,34 @@ void add_mesh_files(const Mesh& mesh, Seeds& seeds) {
   }
 }
 
+/// What the writers of the library do not write: polygons that are concave, have bridges, cross
+/// themselves or go around twice, values that are not finite, statements and elements of others.
+void add_odd_mesh_files(Seeds& seeds) {
+  const std::string square = "0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 1 0\n3 1 0\n3 3 0\n1 3 0\n";
+  for (const char* corners : {"4 0 1 4 2", "10 0 1 2 3 0 4 7 6 5 4", "4 0 2 1 3", "5 0 2 4 6 0",
+                              "8 0 1 2 3 0 1 2 3", "6 0 4 6 2 6 4"})
+    seeds.add("off", "OFF\n8 1 0\n" + square + corners + "\n");
+  seeds.add("off", "NOFF\n3 1 0\n0 0 nan 0 0 1\n1 0 0 inf 0 1\n0 1 0 1.#QNAN 0 1\n3 0 1 2\n");
+  seeds.add("obj",
+            "4 4\n$ x\nv 0 0 0 .5 nan 1\nv 1 0 0\nv 1 1 1e999\nv 0 1 0\nv .5 .2 0\n"
+            "vw 1\nf 1 2 5 3 4\nf 1 2 4 5\n");
+  const std::string ply =
+      "ply\nformat ascii 1.0\nCreated by x\nelement vertex 4\nproperty FLOAT x\n"
+      "property float y\nproperty float z\nproperty float nx\n"
+      "property float ny\nproperty float nz\n";
+  const std::string vertices = "0 0 0 0 0 1\n1 0 0 nan 0 1\n0 1 0 0 0 1\n0 inf 1 0 0 1\n";
+  seeds.add("ply", ply + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
+                       vertices + "9 0 1 2 3 -1 3 2 1 0\n");
+  seeds.add("ply", ply +
+                       "element face 1\nproperty list uchar int vertex_indices\n"
+                       "property list uchar float texcoord\nend_header\n" +
+                       vertices + "4 0 2 1 3 8 0 0 1 0 1 1 0 1\n");
+  seeds.add("stl",
+            "\nsolid x\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 2 0 0\n"
+            "vertex .5 .5 0\nvertex 0 2 0\nendloop\nendfacet\n");
+  seeds.add("stl", std::string(84, '\0') + std::string(100, '\x3f'));
+}
+
 void add_meshes(Seeds& seeds) {
   constexpr std::size_t most_files = 40;
   const std::vector<Mesh> meshes = tiny_meshes();
@@ -165,6 +193,7 @@ int main(int argc, char** argv) {
   }
   Seeds seeds(argv[1]);
   add_meshes(seeds);
+  add_odd_mesh_files(seeds);
   add_images(seeds);
   add_cameras(seeds);
   add_words(seeds);

@@ -28,6 +28,44 @@ programs() {
   done
 }
 
+# first_command_targets: the CMake targets that scripts/quickstart builds.
+first_command_targets() {
+  sed -n 's/^.*cmake --build build --target \([^-]*\).*$/\1/p' "$tm_root/scripts/quickstart" | grep -oE '[^ ]+' | sort -u
+}
+
+# Links into the folder what the build folder holds after these targets alone: all that is installed
+# from there, except what other targets make.
+link_what_is_built() { # FOLDER TARGET...
+  local folder=$1
+  shift
+  ninja -C "$tm_build" -t targets all | sed -n 's/: [^ ]*$//p' | sort -u >every
+  ninja -C "$tm_build" -t commands "$@" | grep -oE '[^ ]+' | sed "s|^$tm_build/||" | sort -u >built
+  (cd "$tm_build" && find . -name cmake_install.cmake -o -name '*Targets*.cmake' -path '*/Export/*') |
+    sed 's|^\./||' >scripts
+  (cd "$tm_build" && xargs grep -ho "\"$tm_build/[^\"]*\"" <"$OLDPWD/scripts") | tr -d '"' |
+    sed "s|^$tm_build/||" | sort -u | comm -23 - <(comm -23 every built) >installed
+  while IFS= read -r file; do
+    mkdir -p "$folder/$(dirname "$file")"
+    ln -s "$tm_build/$file" "$folder/$file"
+  done < <(sort -u installed scripts | while IFS= read -r file; do
+    [ ! -f "$tm_build/$file" ] || printf '%s\n' "$file"
+  done)
+  while IFS= read -r script; do
+    rm "$folder/$script"
+    sed "s|$tm_build/|$folder/|g" "$tm_build/$script" >"$folder/$script"
+  done <scripts
+}
+
+@test "the README's first command builds the program tm and all that is installed" {
+  grep -qx 'CMAKE_GENERATOR:INTERNAL=Ninja' "$tm_build/CMakeCache.txt" || skip "the build is not Ninja's"
+  mapfile -t targets < <(first_command_targets)
+  [ ${#targets[@]} -gt 0 ]
+  link_what_is_built "$PWD/build" "${targets[@]}"
+  DESTDIR=$PWD/root cmake --install build --prefix /usr/local >log 2>&1 || fail "$(tail -n 5 log)"
+  diff <(cd root/usr/local && find . -type l -o -type f | sort) <(cd "$prefix" && find . -type l -o -type f | sort)
+  root/usr/local/bin/tm | grep -q tm-clean
+}
+
 @test "a pipeline runs from there" {
   pipe "'$prefix/bin/tm-shape' sphere --faces 500 | '$prefix/bin/tm-clean' | '$prefix/bin/tm-info' --get components"
   assert_status 0

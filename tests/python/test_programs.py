@@ -5,6 +5,7 @@ import os
 import subprocess
 import threading
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -59,6 +60,44 @@ def test_remesh(options, words):
     assert same(tm.remesh(tm.parse(ball), **options), "tm-remesh", *words, stdin=ball)
 
 
+@pytest.mark.parametrize(
+    "angle, words, kept",
+    [
+        ("auto", [], 40),
+        (180, ["--feature-angle", 180], 180),
+        (20, ["--feature-angle", 20], 20),
+    ],
+)
+def test_feature_angle(angle, words, kept):
+    box = shape("box", 1, 1, 3, "--faces", 1000)
+    result = tm.remesh(tm.parse(box), feature_angle=angle)
+    assert same(result, "tm-remesh", *words, stdin=box)
+    assert result.report["feature_angle"] == kept
+    with pytest.raises(tm.UsageError, match="feature_angle"):
+        tm.remesh(tm.parse(box), feature_angle="sharp")
+
+
+def test_joins_places(tmp_path):
+    ball = tm.shape("sphere", faces=500)
+    corners = np.arange(3 * len(ball.faces))
+    soup = tm.Mesh(ball.positions[ball.faces.ravel()], corners.reshape(-1, 3))
+    path = tmp_path / "soup.ply"
+    tm.write(soup, path)
+    for function, words in [
+        (tm.remesh, ["tm-remesh"]),
+        (lambda mesh: tm.decimate(mesh, 200), ["tm-remesh", "--faces", 200]),
+        (tm.fill, ["tm-fill"]),
+        (tm.handles, ["tm-handles"]),
+        (lambda mesh: tm.offset(mesh, 0.2), ["tm-offset", "--distance", 0.2]),
+    ]:
+        with pytest.warns(UserWarning, match="vertices joined with others in the same place"):
+            result = function(tm.read(path))
+        assert same(result, *words, stdin=path.read_bytes())
+        assert result.report["joined_vertices"] == len(corners) - len(ball.positions)
+    with pytest.raises(tm.InputError, match="tm-stitch"):
+        tm.displace(soup, normal_speed=0.1)
+
+
 def test_decimate():
     ball = shape("torus", "--faces", 3000)
     assert same(tm.decimate(tm.parse(ball), 500), "tm-remesh", "--faces", 500, stdin=ball)
@@ -91,7 +130,7 @@ def test_keep_out(kernel, function, options, words, refused, tmp_path):
 def test_align(tmp_path):
     box = shape("box", "--faces", 1500)
     (tmp_path / "box.ply").write_bytes(box)
-    blunt = tm.remesh(tm.parse(box), iterations=5, smooth=0.5).to_bytes()
+    blunt = tm.remesh(tm.parse(box), iterations=5, smooth=0.5, feature_angle=180).to_bytes()
     sharp = tm.remesh(tm.parse(blunt), align=tm.parse(box), source=True)
     assert same(sharp, "tm-remesh", "--align", tmp_path / "box.ply", "--source", stdin=blunt)
     assert sharp.report["corners"] == 8
@@ -358,6 +397,25 @@ def test_morph_warns_of_what_makes_a_result_doubtful():
         tm.morph(ball, far, iterations=1)
     with pytest.raises(tm.InputError, match="inside out"):
         tm.morph(ball, tm.stitch(ball, flip=True))
+
+
+def test_clamped_velocities():
+    ball = tm.shape("sphere", faces=1000)
+
+    def squeeze(mesh):  # without divergence: the volume stays
+        return mesh.positions * (1, 1, -2)
+
+    with pytest.warns(UserWarning, match="in 3 of 3 iterations.*smaller time_step and more iter.*larger alpha"):
+        clamped = tm.evolve(ball, squeeze, iterations=3, time_step=0.03)
+    assert clamped.report["clamped_iterations"] == 3
+    assert 0 < clamped.report["clamped_share"] <= 1
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        free = tm.evolve(ball, squeeze, iterations=3, time_step=0.03, alpha=3, smooth="none")
+    assert free.report["clamped_iterations"] == 0
+    assert abs(tm.info(free)["volume"] / tm.info(ball)["volume"] - 1) < 0.02
+    with pytest.warns(UserWarning, match="clamped to 0.2 of the mean edge"):
+        tm.displace(ball, normal_speed=1)
 
 
 def test_evolve(tmp_path):

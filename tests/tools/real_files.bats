@@ -57,9 +57,11 @@ by_every_program() {
   [[ $stderr == *"1 face with fewer than three corners dropped"* ]]
 }
 
-@test "a file with a number that is none is refused with the line" {
+@test "a file with a number that is none is refused with the line by --strict" {
   needs_shared meshes/trimesh/nancolor.obj
   run --separate-stderr tm-info "$shared_file"
+  assert_status 0
+  run --separate-stderr tm-info --strict "$shared_file"
   assert_status 3
   one_line "$stderr"
   [[ $stderr == *"vertex 7"*"'nan'"*"nancolor.obj line 7"* ]]

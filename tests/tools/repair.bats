@@ -44,7 +44,7 @@ refused() {
 }
 
 @test "row --one-side: faces with their reverses, on vertices of their own or the same, and as a soup" {
-  row "the faces enclose nothing, as in double-sided models" "tm-stitch --one-side"
+  row "faces lie upon their reverses, as in double-sided models" "tm-stitch --one-side"
   tm-shape box 1 1 3 --faces 1000 -o box.ply
   tm-stitch --flip box.ply | tm-cat box.ply - -o apart.ply
   tm-convert -o soup.stl apart.ply
@@ -64,7 +64,7 @@ refused() {
   tm-shape box 1 1 3 --faces 500 -o box.ply
   tm-transform --rotate 0,1,0,90 box.ply | tm-cat box.ply - -o cross.ply
   tm-stitch --flip cross.ply | tm-cat cross.ply - -o sides.ply
-  refused "as in double-sided models" sides.ply
+  refused "in double-sided models" sides.ply
   tm-stitch --one-side sides.ply | tm-clean -o solid.ply
   is_solid solid.ply 5
 }
@@ -74,11 +74,39 @@ refused() {
   tm-shape box 1 1 3 --faces 1000 | tm-transform --scale-axes 1,1,2 -o box.ply
   tm-stitch --flip box.ply -o inverted.ply
   tm-convert -o inverted.stl inverted.ply
-  refused "every winding number is <= 0: the mesh is inside out" inverted.ply
+  refused "a mesh that is inside out is reversed by tm-stitch --flip" inverted.ply
   tm-stitch --flip inverted.ply | tm-clean -o solid.ply
   is_solid solid.ply 6
   tm-stitch -q --flip inverted.stl | tm-clean -o solid.ply
   is_solid solid.ply 6
+}
+
+@test "a difference without a remainder is named, not only what would give B less A" {
+  tm-shape box 1 1 1 --faces 300 -o small.ply
+  tm-shape box 3 3 3 --faces 300 | tm-stitch --flip -o large.ply
+  tm-cat small.ply large.ply -o none.ply
+  refused "a difference without a remainder is empty" none.ply
+  tm-stitch --flip small.ply | tm-cat small.ply - -o itself.ply
+  refused "a difference without a remainder, which is empty" itself.ply
+  # The same body, with other triangles.
+  tm-shape box 1 1 1 --faces 12 | tm-stitch --flip | tm-cat small.ply - -o other.ply
+  refused "as in a difference without a remainder" other.ply
+}
+
+@test "a sheet that is filled flat: one side stays open, and a wrap goes around it" {
+  row "faces lie upon their reverses, as in sheets" "tm-stitch --one-side"
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
+  printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >two.off
+  for file in one.off two.off; do
+    tm-fill -q --allow-crossings "$file" -o filled.off
+    refused "tm-sample and tm-wrap --method alpha go around a sheet" filled.off
+    tm-sample -q --count 5000 filled.off | tm-wrap -q --method alpha -o body.ply
+    tm-checkmanifold --closed --intersections body.ply
+  done
+  tm-fill -q --allow-crossings one.off -o filled.off
+  refused "tm-stitch --one-side keeps one side, open" filled.off
+  tm-stitch -q --one-side filled.off | tm-clean -o sheet.off
+  [ "$(tm-info --get boundary_loops sheet.off)" -eq 1 ]
 }
 
 @test "bodies inside out beside others: lost as cavities, turned by --one-side" {
@@ -88,6 +116,32 @@ refused() {
   is_solid one.ply 3
   tm-stitch --one-side both.ply | tm-clean -o two.ply
   is_solid two.ply 6
+}
+
+# cracked FILE WIDTH: its triangles, every corner moved by up to WIDTH/2 in each direction.
+cracked() {
+  tm-convert -q --no-provenance --double --format stl "$1" | tm-convert -q --no-provenance --double --format off |
+    awk -v width="$2" 'BEGIN { srand(1) }
+      NR > 2 && NF == 3 { print $1 + width * (rand() - 0.5), $2 + width * (rand() - 0.5), $3 + width * (rand() - 0.5); next }
+      { print }'
+}
+
+@test "row --tolerance: cracks are joined by a tolerance, which the page warns of" {
+  grep -qF '| has no face across, along cracks: borders nearly meet | **tm-stitch \--tolerance** *LENGTH*; see CRACKS |' \
+    "$tm_root/man/tm-repair.7.md"
+  tm-shape box 1 1 3 --faces 500 -o box.ply
+  cracked box.ply 2e-6 >cracked.off
+  tm-stitch -q cracked.off -o equal.ply
+  run tm-checkmanifold --closed equal.ply
+  assert_status 1
+  [[ $output == *"has no face across"* ]]
+  tm-stitch -q --tolerance 1e-5 cracked.off -o joined.ply
+  tm-checkmanifold --closed joined.ply
+  tm-clean -q joined.ply -o solid.ply
+  is_solid solid.ply 3
+  # What a tolerance above the edges does.
+  tm-stitch -q --tolerance 0.5 cracked.off -o lost.ply --report r.json
+  jq -e '.result.dropped_faces > 0' r.json
 }
 
 @test "an open figure of parts that end within each other: pig" {

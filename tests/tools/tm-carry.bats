@@ -66,8 +66,8 @@ off_by() {
     /^element vertex/ { n = $3 }
     /^end_header/ { body = 1; next }
     body && n-- > 0 { x[k + 0] = $1; y[k++ + 0] = $2; next }
-    body && NF == 11 { for (i = 0; i < 3; ++i) {
-      dx = x[$(2 + i)] - $(6 + 2 * i); dy = y[$(2 + i)] - $(7 + 2 * i)
+    body && NF == 14 { for (i = 0; i < 3; ++i) {
+      dx = x[$(2 + i)] - $(9 + 2 * i); dy = y[$(2 + i)] - $(10 + 2 * i)
       if (dx * dx + dy * dy > 0.001) bad = 1 }
       ++faces }
     END { exit bad || faces < 1000 }'
@@ -101,4 +101,42 @@ off_by() {
   run --separate-stderr tm-remesh -o remeshed.ply clean.ply
   [[ $stderr == *"source_face"*"dropped"* ]]
   run -1 grep -a source_face remeshed.ply
+}
+
+# faces FILE: the properties of each face, a line each
+faces() {
+  tm-convert --format ply-ascii "$1" | awk '/^element vertex/ { n = $3 }
+    body && n-- <= 0 { print }
+    /^end_header/ { body = 1 }'
+}
+
+@test "tm-carry: faces have the properties of the face that they are cut from, though bodies touch" {
+  # Two boxes with a common plane, turned; side is a number for each face.
+  tm-shape box 1 1 1 --faces 12 -o one.ply
+  tm-shape box 1 0.5 1 --faces 12 --center 0.3,0,0 -o two.ply
+  tm-cat one.ply two.ply | tm-transform --rotate 1,2,3,17 --format ply-ascii | awk '
+    /^element vertex/ { n = $3 }
+    /^end_header/ { print "property int side"; body = 1; print; next }
+    body && n-- > 0 { print; next }
+    body { print $0, ++k; next }
+    { print }' >boxes.ply
+  tm-clean --source boxes.ply >clean.ply
+  tm-carry --from boxes.ply clean.ply >carried.ply
+  # Cleaning carries numbers from face to piece itself.
+  cmp <(faces clean.ply | cut -d " " -f 1-5) <(faces carried.ply | cut -d " " -f 1-5)
+  [ "$(faces carried.ply | cut -d " " -f 5 | sort -u | wc -l)" -gt 12 ]
+}
+
+@test "tm-carry: faces that come from nowhere are said, and are not given a face" {
+  tm-shape sphere --faces 500 -o ball.ply
+  tm-remesh -q --source ball.ply | tm-select --box -2,-2,-2,2,2,0.8 -o open.ply
+  run --separate-stderr tm-fill -o filled.ply open.ply
+  [[ $stderr == *"source_face, source_u and source_v dropped"*"tm-carry --closest"* ]]
+  run --separate-stderr tm-carry --from ball.ply filled.ply
+  assert_status 3
+  tm-carry --from ball.ply --closest filled.ply >carried.ply
+  # Numbers of faces alone are no places.
+  tm-clean -q --source ball.ply | tm-clean -q --source-face >numbered.ply
+  run --separate-stderr tm-carry --from ball.ply numbered.ply
+  assert_status 3
 }

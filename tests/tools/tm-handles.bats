@@ -44,3 +44,16 @@ setup() {
   run --separate-stderr tm-handles --max-length 0 open.off
   assert_status 2
 }
+
+@test "a sealed cavity stays sealed, and what is left is said" {
+  # A hollow ring; the two loops around its tubes lie at different angles.
+  tm-shape torus --tube 0.3 --faces 4000 -o ring.ply
+  tm-shape torus --tube 0.15 --faces 2000 | tm-transform --rotate 0,0,1,50 | tm-stitch --flip -o cavity.ply
+  tm-cat ring.ply cavity.ply -o hollow.ply
+  [ "$(tm-clean -q hollow.ply | tm-info --get components -)" = 2 ]
+  run --separate-stderr tm-handles --max-length 100% --report r.json -o untied.ply hollow.ply
+  assert_status 0
+  [[ $stderr == *"would open a cavity"* ]]
+  jq -e '.result | .blocked > 0 and .removed == 1' r.json
+  [ "$(tm-clean -q untied.ply | tm-info --get components -)" = 2 ]
+}

@@ -65,8 +65,8 @@ wait_for_rows() { # COUNT
 
 @test "the csv has a line per iteration, and its numbers are plausible" {
   csv=$BATS_FILE_TMPDIR/whole.csv
-  awk -F, 'NR == 1 { if ($1 != "iteration" || NF != 17) exit 1; next }
-    $1 != NR - 1 || NF != 17 || $2 < 20 || $6 > 1 || $7 > 1.0001 { exit 1 }
+  awk -F, 'NR == 1 { if ($1 != "iteration" || NF != 18) exit 1; next }
+    $1 != NR - 1 || NF != 18 || $2 < 20 || $6 > 1 || $7 > 1.0001 || $18 > 1 { exit 1 }
     { pairs += $3; genus = $5; far = $8 }
     END { exit !(NR > 20 && pairs > 0 && genus == 1 && far < 0.1) }' "$csv" || fail "$(cat "$csv")"
 }
@@ -190,7 +190,7 @@ frames_are_piped() {
   for iteration in {1..12}; do
     tm-morph-step --no-provenance --target "$target" "$@" mesh.ply |
       tm-clean --no-provenance --outermost |
-      tm-remesh --no-provenance --smooth 0.1 -o mesh.ply
+      tm-remesh --no-provenance --smooth 0.1 --feature-angle 180 -o mesh.ply
     cmp mesh.ply "frames/frame-$(printf %05d "$iteration").ply" || fail "iteration $iteration"
   done
   rm -r frames
@@ -255,11 +255,103 @@ frames_are_piped() {
   tm-shape sphere --radius 0.5 --faces 500 -o near.ply
   tm-shape sphere --radius 0.5 --center 3,0,0 --faces 500 | tm-cat near.ply - -o two.ply
   tm-shape sphere --radius 0.7 --faces 500 -o start.ply
-  tm-morph start.ply --target two.ply -o out.ply --report r.json --iterations 200 -q
+  tm-morph start.ply --target two.ply -o out.ply --report r.json --iterations 200 2>messages
   [ "$(value stop r.json)" = stalled ]
   [ "$(value converged r.json)" = false ]
   below 1 "$(value max_distance_from_target r.json)"
   [ "$(tm-info --get components out.ply)" -eq 1 ]
+  grep -q "begin with a source that overlaps all of the target, as tm-shape sphere --around makes it" messages
+  # That advice finds both.
+  tm-shape sphere --around two.ply --faces 1500 -o start.ply
+  tm-morph start.ply --target two.ply -o out.ply --require-convergence -q
+  [ "$(tm-info --get components out.ply)" -eq 2 ]
+}
+
+@test "an open target is named with what closes it" {
+  tm-shape sphere --radius 0.5 --faces 500 -o ball.ply
+  tm-select --box -1,-1,-1,1,1,0.3 ball.ply -o open.ply -q
+  [ "$(tm-info --get boundary_loops open.ply)" -eq 1 ]
+  tm-shape sphere --around ball.ply --faces 1000 -o start.ply
+  tm-morph start.ply --target open.ply -o out.ply --report r.json -q
+  [ "$(value converged r.json)" = false ]
+  [[ $(jq -r .result.fault r.json) == *"close its holes with tm-fill" ]]
+  tm-fill -q open.ply -o closed.ply
+  tm-morph start.ply --target closed.ply -o out.ply --require-convergence -q
+}
+
+@test "a plate thinner than edges: the surface vanishes, and what is said reaches it" {
+  tm-shape box 1 1 0.02 --faces 500 -o plate.ply
+  for faces in 1500 6000; do
+    tm-shape sphere --around plate.ply --faces "$faces" -o start.ply
+    run --separate-stderr tm-morph start.ply --target plate.ply -o out.ply --report r.json --restart
+    [[ $stderr == *"the target is 0.02 wide at (-0.5, -0.5, "*", and edges are up to 0.0"*" long: shorten edges at narrow places with --gap-edges 1.5"* ]]
+    if [ "$status" -eq 4 ]; then
+      [[ $stderr == *": the surface shrinks to nothing: the target"* ]]
+    else
+      [ "$(value converged r.json)" = false ]
+    fi
+  done
+  tm-shape sphere --around plate.ply --faces 1500 -o start.ply
+  tm-morph start.ply --target plate.ply -o out.ply --restart --gap-edges 1.5 --require-convergence -q
+  tm-intersect --check out.ply
+  awk -v volume="$(tm-info --get volume out.ply)" 'BEGIN { exit !(volume > 0.0199 && volume < 0.0201) }'
+}
+
+@test "a cavity of the target is no goal, which is said, and keeps no morph from converging" {
+  tm-shape sphere --radius 0.5 --faces 1000 -o ball.ply
+  tm-shape sphere --radius 0.3 --faces 400 | tm-stitch -q --flip | tm-cat -q ball.ply - -o hollow.ply
+  tm-shape sphere --around hollow.ply --faces 1000 -o start.ply
+  run --separate-stderr tm-morph start.ply --target hollow.ply -o out.ply --report r.json --csv log.csv
+  assert_status 0
+  [[ $stderr == *"1 component of the target bounds a cavity or floats in one, and is no goal"* ]]
+  [ "$(value converged r.json)" = true ]
+  [ "$(value target_left_out r.json)" -eq 1 ]
+  below "$(value max_distance_from_target r.json)" 0.1
+  below "$(tail -n 1 log.csv | cut -d, -f11)" 0.1
+  # What it moves towards is the same: the filters make its meshes.
+  tm-morph start.ply --target hollow.ply -o piped.ply --iterations 3 --print-pipeline >loop
+  bash loop
+  tm-morph start.ply --target hollow.ply -o own.ply --iterations 3 --no-provenance -q
+  cmp piped.ply own.ply
+}
+
+# A plate of 20 x 20 x 2 with a square window of that width, as OFF: all vertices are at sharp edges.
+plate_with_window() { # WIDTH
+  awk -v half="$1" 'BEGIN {
+    half /= 2; print "OFF\n16 32 0"
+    for (r = 0; r < 2; r++) for (z = 0; z < 3; z += 2) for (i = 0; i < 4; i++) {
+      size = r ? half : 10
+      print (i == 0 || i == 3 ? -size : size), (i < 2 ? -size : size), z
+    }
+    for (i = 0; i < 4; i++) {
+      j = (i + 1) % 4
+      quad(i, j, j + 4, i + 4); quad(j + 8, i + 8, i + 12, j + 12)
+      quad(i + 4, j + 4, j + 12, i + 12); quad(j, i, i + 8, j + 8)
+    }
+  }
+  function quad(a, b, c, d) { print 3, a, b, c; print 3, a, c, d }'
+}
+
+@test "--gap-edges sees a window whose sides are sharp edges" {
+  plate_with_window 0.5 >plate.off
+  tm-checkmanifold --closed plate.off
+  tm-shape sphere --around plate.off --faces 4000 -o start.ply
+  # Within the window sizes are a third, far from it the reference edge.
+  tm-morph-step plate.off --target plate.off --gap-edges 1.5 --reference-edge 1.28 --alpha 0 -q \
+    --format ply-ascii | awk '
+      NF == 4 && $1 + 0 == $1 && $1 != 3 {
+        window = $1 * $1 < 0.07
+        if (window ? $4 > 0.34 : $4 != 1.28) exit bad = 1
+        found += window
+      }
+      END { exit(bad || found != 8) }'
+  tm-morph start.ply --target plate.off --gap-edges 1.5 -o out.ply --report r.json -q
+  [ "$(value converged r.json)" = true ]
+  [ "$(tm-info --get genus out.ply)" -eq 1 ]
+  tm-intersect --check out.ply
+  # Edges are short at the window only.
+  below "$(tm-info --get faces out.ply)" 3000
+  below "$(tm-info --get edge_min out.ply)" 0.4
 }
 
 @test "a bridge whose vertices all lie on the target is no convergence" {
@@ -277,7 +369,10 @@ frames_are_piped() {
   # How the body hangs together depends on where the bridge froze; what is said must be so.
   genus=$(tm-info --get genus out.ply)
   [ "$(value genus r.json)" = "$genus" ]
-  grep -q "components 1 and genus $genus, but those of the target are 2 and 0.*shorter than half" messages
+  grep -q "components 1 and genus $genus, but those of the target are 2 and 0.*the target is 0.* wide at .*--gap-edges 1.5" messages
+  # That advice resolves the gap.
+  tm-morph start.ply --target two.ply -o out.ply --gap-edges 1.5 --report r.json -q
+  [ "$(value converged r.json)" = true ]
   # Edges of a third resolve the gap.
   tm-morph start.ply --target two.ply -o out.ply --min-edge 0.2x --max-edge 0.5x --report r.json -q
   [ "$(value converged r.json)" = true ]
@@ -311,6 +406,8 @@ frames_are_piped() {
   [ "$(value converged r.json)" = false ]
   [[ $(value fault r.json) == parts ]]
   below 0.3 "$(value hausdorff_from_target r.json)"
+  [[ $(jq -r .result.fault r.json) == *"the target is 0.15"*" wide at "*--gap-edges\ 1.5 ]]
+  tm-morph start.ply --target notched.ply -o out.ply --gap-edges 1.5 --require-convergence -q
 }
 
 @test "coarse to fine: --scales gets to the same in less time" {

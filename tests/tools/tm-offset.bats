@@ -45,3 +45,21 @@ load ../helpers/common
   assert_status 0
   [[ $stderr == *"limit of iterations"* ]]
 }
+
+@test "a thin plate that loses its rim did not converge, which is said; the edge that is named keeps it" {
+  tm-shape box 4 6 8 --faces 12 -o "$BATS_TEST_TMPDIR/box.ply"
+  run --separate-stderr tm-offset --distance -1.9 --edge 0.4 --report "$BATS_TEST_TMPDIR/r.json" \
+    -o "$BATS_TEST_TMPDIR/plate.ply" "$BATS_TEST_TMPDIR/box.ply"
+  assert_status 0
+  [[ $stderr == *"did not converge"*"--edge "* ]]
+  jq -e '.result | .stop == "missed" and .missed_max > 0.75 * .edge' "$BATS_TEST_TMPDIR/r.json"
+  while [[ $stderr == *"--edge "* ]]; do
+    before=$(jq .result.missed_max "$BATS_TEST_TMPDIR/r.json")
+    run --separate-stderr tm-offset --distance -1.9 --edge "${stderr##*--edge }" \
+      --report "$BATS_TEST_TMPDIR/r.json" -o "$BATS_TEST_TMPDIR/plate.ply" "$BATS_TEST_TMPDIR/box.ply"
+    assert_status 0
+    jq -e --argjson before "$before" '.result.missed_max < $before' "$BATS_TEST_TMPDIR/r.json"
+  done
+  # .2 by 2.2 by 4.2
+  tm-info --get volume "$BATS_TEST_TMPDIR/plate.ply" | awk '{ exit !($1 > 1.7 && $1 < 1.87) }'
+}

@@ -29,7 +29,8 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
   cp hull.ply a.ply
   for scale in 4 2.83 2 1.41 1; do
     low=$(awk "BEGIN { print 2 * $pixel * $scale }")
-    tm-remesh --iterations 2 --min-edge "$low" --max-edge "$(awk "BEGIN { print 2 * $low }")" a.ply |
+    tm-remesh --iterations 2 --min-edge "$low" --max-edge "$(awk "BEGIN { print 2 * $low }")" \
+      --feature-angle 180 a.ply |
       tm-photo-step --cameras par.txt --images photos --silhouettes masks --scale "$scale" \
         --iterations 6 --alternate --report "$scale.json" | tm-clean -o b.ply
     mv b.ply a.ply

@@ -12,7 +12,7 @@ value() {
   assert_status 0
   [ "$(value splits "$BATS_TEST_TMPDIR/r.json")" -gt 5 ]
   [ "$(value degenerate_faces "$BATS_TEST_TMPDIR/r.json")" -eq 0 ]
-  for key in collapses flips refused components_removed; do
+  for key in collapses flips refused components_dropped; do
     [ -n "$(value $key "$BATS_TEST_TMPDIR/r.json")" ] || fail "no $key in the report"
   done
 }
@@ -151,14 +151,82 @@ sized() {
   [[ $output == *"the error must be above 0"* ]]
 }
 
-@test "sharp edges stay sharp with --feature-angle" {
+# kept_above FILE: the feature angle in its report.
+kept_above() {
+  jq .result.feature_angle "$1"
+}
+
+@test "sharp edges stay sharp by themselves, but not with --feature-angle 180" {
   cd "$BATS_TEST_TMPDIR"
   tm-shape box 1 1 1 --faces 600 -o box.ply
-  options=(--iterations 5 --min-edge 0.35x --max-edge 0.75x box.ply)
+  options=(--iterations 5 --min-edge 0.35x --max-edge 0.75x --no-provenance box.ply)
   tm-remesh --feature-angle 40 "${options[@]}" -o sharp.ply
-  tm-remesh "${options[@]}" -o blunt.ply
+  tm-remesh "${options[@]}" -o own.ply --report own.json
+  tm-remesh --feature-angle auto "${options[@]}" -o auto.ply
+  tm-remesh --feature-angle 180 "${options[@]}" -o blunt.ply --report blunt.json
+  cmp sharp.ply own.ply && cmp sharp.ply auto.ply
+  [ "$(kept_above own.json)" = 40 ] && [ "$(kept_above blunt.json)" = 180 ]
   awk -v sharp="$(tm-info --get volume sharp.ply)" -v blunt="$(tm-info --get volume blunt.ply)" \
     'BEGIN { exit !((sharp - 1) ^ 2 < 1e-24 && blunt < 0.9999) }'
+}
+
+@test "a box keeps its faces in planes, however fine it is, turned, and with sharp edges of a cut" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 1 1 3 --edge 0.11 -o coarse.ply
+  tm-shape box 1 1 3 --faces 60000 -o fine.ply
+  tm-transform --rotate 1,2,3,17 coarse.ply -o turned.ply
+  # Coordinates of the cut are rounded.
+  tm-shape box 1 1 1 --center 0.3,0.4,1.5 --faces 300 | tm-transform --rotate 0,0,1,30 | tm-stitch --flip |
+    tm-cat coarse.ply - | tm-transform --rotate 1,2,3,17 | tm-clean -q -o cut.ply
+  for mesh in coarse fine turned cut; do
+    tm-remesh -q --iterations 3 "$mesh.ply" -o out.ply --report r.json
+    [ "$(kept_above r.json)" = 40 ] || fail "$mesh"
+    tm-compare --reference "$mesh.ply" --within 1e-9 out.ply || fail "$mesh"
+  done
+}
+
+@test "smooth shapes have the bytes of --feature-angle 180: coarse, noisy and folded ones too" {
+  cd "$BATS_TEST_TMPDIR"
+  while read -r shape; do
+    # shellcheck disable=SC2086
+    tm-shape $shape -o in.ply
+    tm-remesh --no-provenance in.ply -o own.ply --report r.json
+    tm-remesh --no-provenance --feature-angle 180 in.ply -o blunt.ply
+    cmp own.ply blunt.ply || fail "$shape"
+    [ "$(kept_above r.json)" = 180 ] || fail "$shape"
+  done <<'SHAPES'
+sphere --faces 80
+sphere --faces 3000 --noise 10%
+sphere --faces 3000 --noise 30%
+genus 3 --faces 500
+torus --faces 200
+dumbbell --faces 200
+figure 0.2 --faces 1000
+folded --faces 3000
+dented --faces 3000 --noise 20%
+SHAPES
+}
+
+@test "--feature-angle takes auto or degrees; decimation keeps no edge by it unless asked to" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 1 1 1 --faces 600 -o box.ply
+  for angle in 0 -1 181 sharp nan; do
+    run tm-remesh "--feature-angle=$angle" box.ply -o out.ply
+    assert_status 2
+    [[ $output == *"not auto, nor a number of degrees from 1 to 180"* ]]
+  done
+  tm-remesh --no-provenance --faces 100 box.ply -o auto.ply
+  tm-remesh --no-provenance --faces 100 --feature-angle 180 box.ply -o none.ply
+  cmp auto.ply none.ply
+}
+
+@test "edges that keep within an error stay long beside edges that stay sharp" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 1 1 1 --faces 3000 -o box.ply
+  tm-remesh --adaptive 0.1x --iterations 5 box.ply -o sharp.ply
+  tm-remesh --adaptive 0.1x --iterations 5 --feature-angle 180 box.ply -o blunt.ply
+  tm-compare --reference box.ply --within 1e-9 sharp.ply
+  [ "$(tm-info --get faces sharp.ply)" -lt "$(tm-info --get faces blunt.ply)" ]
 }
 
 @test "--project puts the vertices back onto the input" {
@@ -324,4 +392,33 @@ far_pairs() {
   tm-shape genus 3 --faces 20000 | tm-transform --translate 1e6,0,0 -o far.ply
   timeout 60 tm-remesh -q --float --max-memory 2G far.ply -o out.ply
   [ "$(tm-info --get faces out.ply)" -lt 100000 ]
+}
+
+@test "guaranteed: boxes that share planes are remeshed without a self-intersection" {
+  cd "$BATS_TEST_TMPDIR" || return
+  tm-shape box 1 1 1 --faces 12 -o a.ply
+  tm-shape box 1 0.5 1 --faces 12 -o b.ply
+  for angle in 17 34 51 68 85; do
+    pipe "tm-cat a.ply b.ply | tm-transform --rotate 1,2,3,$angle | tm-clean |
+      tm-remesh --reference-edge 0.1 --report r.json | tm-checkmanifold --closed --intersections"
+    assert_status 0
+    [[ $output == *"degenerate_faces: 0"* ]]
+    [ "$(value faces_without_area r.json)" -eq 0 ]
+  done
+}
+
+@test "components that are dropped are said, with their faces, area and volume" {
+  cd "$BATS_TEST_TMPDIR" || return
+  tm-shape sphere --radius 0.05 --faces 200 | tm-transform --translate 3,0,0 -o speck.ply
+  pipe "tm-shape sphere --faces 1000 | tm-cat - speck.ply |
+    tm-remesh --min-edge 0.2 --max-edge 0.4 --report r.json 2>&1 >/dev/null"
+  assert_status 0
+  [[ $output == *"1 component of "*" dropped: smaller than the shortest edge 0.2; a smaller --min-edge keeps more"* ]]
+  [ "$(value components_dropped r.json)" -eq 1 ]
+  [ "$(value components_dropped_faces r.json)" -eq "$(tm-info --get faces speck.ply)" ]
+  # What the message advises is true.
+  pipe "tm-shape sphere --faces 1000 | tm-cat - speck.ply |
+    tm-remesh --min-edge 0.02 --max-edge 0.4 | tm-info --get components"
+  assert_status 0
+  [ "$output" -eq 2 ]
 }

@@ -110,9 +110,49 @@ is_solid() {
     assert_status 3
     one_line "$stderr"
     [[ $stderr =~ faces\ [0-4]\ and\ [0-4]\ cannot\ agree\ at\ the\ edge\ from\ vertex ]]
-    [[ $stderr == *"one side only, like a Moebius strip; cut it open or remove that part" ]]
+    [[ $stderr == *"one side only, like a Moebius strip; tm-stitch without --orient cuts it open, and tm-fill --allow-crossings closes borders" ]]
     [ ! -e out.off ]
   done
+  # That advice is followed; and tm-stitch does not send back to --orient.
+  run --separate-stderr tm-stitch strip.off -o open.off
+  assert_status 0
+  [[ $stderr == *"however faces are turned: they stay apart"* && $stderr != *"--orient"* ]]
+  tm-clean open.off -o clean.off
+  tm-fill -q --allow-crossings open.off -o closed.off
+  [ "$(tm-info --get boundary_loops closed.off)" -eq 0 ]
+  # Five faces leave no room between the strip and its patch, twenty-four do.
+  awk 'BEGIN {
+    print "OFF\n24 24 0"
+    for (i = 0; i < 12; i++) for (side = -0.3; side < 0.4; side += 0.6) {
+      turn = 3.14159265 * i / 6; r = 1 + side * cos(turn / 2)
+      print r * cos(turn), r * sin(turn), side * sin(turn / 2)
+    }
+    for (i = 0; i < 12; i++) {
+      c = i < 11 ? 2 * i + 2 : 1; d = i < 11 ? 2 * i + 3 : 0
+      print 3, 2 * i, c, 2 * i + 1; print 3, 2 * i + 1, c, d
+    }
+  }' >strip.off
+  run tm-clean strip.off
+  assert_status 3
+  tm-stitch -q strip.off | tm-fill -q --allow-crossings | tm-clean -o solid.off
+  tm-checkmanifold --closed --intersections solid.off
+}
+
+@test "copies of faces beside others: what tm-clean says mends them does" {
+  cd "$BATS_TEST_TMPDIR"
+  # A wall of two faces that is there twice, between two single faces that it shares edges with.
+  printf 'OFF\n6 6 0\n0 0 1\n1 0 1\n0 1 1\n0 1 0\n1 0 0\n0 0 0\n' >copies.off
+  printf '3 %s\n' "0 1 2" "3 1 4" "4 1 0" "4 0 5" "4 1 0" "4 0 5" >>copies.off
+  run --separate-stderr tm-clean copies.off -o out.off
+  assert_status 3
+  one_line "$stderr"
+  case $stderr in
+    *"mend it with tm-stitch --orient") tm-stitch -q --orient copies.off -o mended.off ;;
+    *"cannot change that: tm-stitch keeps them apart") tm-stitch -q copies.off -o mended.off ;;
+    *) fail "$stderr" ;;
+  esac
+  tm-clean mended.off -o out.off
+  tm-checkmanifold out.off
 }
 
 # mended FILE [closed]: tm-stitch --orient makes of it what tm-checkmanifold and tm-clean take.
@@ -184,8 +224,20 @@ mended() {
   tm-cat "$BATS_TEST_TMPDIR/reverse.ply" "$BATS_TEST_TMPDIR/ball.ply" >"$BATS_TEST_TMPDIR/both.ply"
   run --separate-stderr tm-clean "$BATS_TEST_TMPDIR/both.ply"
   assert_status 4
-  [[ $stderr == *"as in double-sided models"*"tm-stitch --one-side"* ]]
+  [[ $stderr == *"in double-sided models, of which tm-stitch --one-side keeps one side" ]]
   pipe "tm-stitch --one-side $BATS_TEST_TMPDIR/both.ply | tm-clean >$BATS_TEST_TMPDIR/out.ply"
   assert_status 0
   [ "$(tm-info --get volume "$BATS_TEST_TMPDIR/out.ply")" = "$(tm-info --get volume "$BATS_TEST_TMPDIR/ball.ply")" ]
+}
+
+@test "--orient does not turn a copy against its original: two rings are one after cleaning" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape torus --faces 400 -o ring.ply
+  # Every third face of both looks the other way.
+  tm-cat ring.ply ring.ply | tm-convert --no-provenance --format off |
+    awk '$1 == 3 && NF == 4 && ++k % 3 == 0 { print 3, $2, $4, $3; next } { print }' >two.off
+  tm-stitch -q --orient two.off | tm-clean -q -o one.ply
+  [ "$(tm-info --get components one.ply)" = 1 ]
+  awk -v one="$(tm-info --get volume one.ply)" -v ring="$(tm-info --get volume ring.ply)" \
+    'BEGIN { exit !(one > 0.999999 * ring && one < 1.000001 * ring) }'
 }

@@ -51,6 +51,33 @@ setup() {
   [ "$(tm-info --get genus wrap.ply)" -eq 0 ]
 }
 
+@test "points that are not finite and points without a normal are left out with a count" {
+  awk '{ ring = sqrt($1 * $1 + $2 * $2); x = $1 - 0.85 * $1 / ring; y = $2 - 0.85 * $2 / ring
+    print $1, $2, $3, x, y, $3 }' points.xyz >oriented.xyz
+  { cat oriented.xyz; echo 'nan 0 0 0 0 1'; } >bad.xyz
+  sed '7s/[^ ]*$/nan/' oriented.xyz >bad_normal.xyz
+  for method in alpha poisson; do
+    tm-wrap oriented.xyz --method $method --alpha 0.2 -o whole.ply
+    run --separate-stderr tm-wrap bad.xyz --method $method --alpha 0.2 -o wrap.ply
+    assert_status 0
+    [[ $stderr == *'1 vertex with a coordinate that is not finite dropped' ]]
+    cmp whole.ply wrap.ply
+    run --separate-stderr tm-wrap bad_normal.xyz --method $method --alpha 0.2 -o wrap.ply --report r.json
+    assert_status 0
+    [[ $stderr == *'1 normal that is not finite becomes 0'* ]]
+    if [ $method = alpha ]; then
+      cmp whole.ply wrap.ply
+    else
+      [[ $stderr == *'1 point without a normal left out'* ]]
+      [ "$(jq .result.points_without_normal r.json)" -eq 1 ]
+    fi
+    for file in bad bad_normal; do
+      run tm-wrap --strict $file.xyz --method $method
+      assert_status 3
+    done
+  done
+}
+
 @test "bad input is exit 3" {
   run --separate-stderr tm-wrap points.xyz --method poisson
   assert_status 3
@@ -137,4 +164,36 @@ setup() {
     tm-wrap one.xyz >expected
     tm-wrap heap.xyz | cmp - expected
   done
+}
+
+@test "outliers are left out and said: the wrap is that of the points without them" {
+  tm-shape sphere --faces 3000 --format off | awk '/^[-0-9]/ && NF == 3 && counts++ > 0' >clean.xyz
+  printf '40 5 3\n10 50 2\n-30 2 6\n' | cat clean.xyz - >spoiled.xyz
+  run --separate-stderr tm-wrap clean.xyz -o clean.ply --report clean.json
+  assert_status 0
+  [ -z "$stderr" ]
+  jq -e '.result | .outliers == 0 and .least_distance > 0' clean.json
+  run --separate-stderr tm-wrap spoiled.xyz -o spoiled.ply --report spoiled.json
+  assert_status 0
+  one_line "$stderr"
+  [[ $stderr == *"3 outliers left out"*"(40, 5, 3)"*"--keep-outliers"* ]]
+  jq -e --argjson all "$(wc -l <spoiled.xyz)" ".result | .outliers == 3 and .points == \$all" spoiled.json
+  cmp clean.ply spoiled.ply
+  # With normals, too.
+  awk '{ print $0, $1, $2, $3 }' clean.xyz >oriented.xyz
+  awk '{ print $0, $1, $2, $3 }' spoiled.xyz | tm-wrap -q | cmp - <(tm-wrap oriented.xyz)
+  # What the message names keeps them.
+  run --separate-stderr tm-wrap --keep-outliers --alpha 1 --offset 0.1 spoiled.xyz -o all.ply
+  [ -z "$stderr" ]
+  tm-info --get bbox_max all.ply | awk '{ exit !($1 > 39 && $2 > 49) }'
+}
+
+@test "the vertices of a mesh are no outliers: a plate with a small ball" {
+  tm-shape box 40 40 1 --faces 12 -o plate.ply
+  tm-shape sphere --faces 1000 | tm-transform --translate 0,0,2 | tm-cat plate.ply - -o both.ply
+  run --separate-stderr tm-wrap --alpha 20 both.ply -o wrap.ply --report r.json
+  assert_status 0
+  [ -z "$stderr" ]
+  jq -e '.result.outliers == 0' r.json
+  tm-info --get bbox_max wrap.ply | awk '{ exit !($1 > 20 && $2 > 20) }'
 }

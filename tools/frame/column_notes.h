@@ -18,11 +18,17 @@ inline void note_dropped_lists(const std::vector<std::string>& names, Run& run) 
              "' dropped: the corners whose texture coordinates it holds are no longer the same");
 }
 
-inline void note_dropped_sources(bool are_dropped, Run& run) {
+inline constexpr const char* source_of_step = "; --source writes those of this step";
+inline constexpr const char* closest_places = "; tm-carry --closest finds the closest places";
+
+/// `remedy` ends the sentence.
+inline void note_dropped_sources(bool are_dropped, const std::string& remedy, Run& run) {
   if (are_dropped)
     run.note(
-        "vertex properties source_face, source_u and source_v dropped: the vertices are no longer "
-        "the same; --source writes those of this step");
+        "properties source_face, source_u and source_v dropped: vertices and faces are no longer "
+        "the "
+        "same" +
+        remedy);
 }
 
 }  // namespace transformesh::tool

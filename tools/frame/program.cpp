@@ -88,6 +88,9 @@ void declare_common(Program& program) {
     if (program.reads_mesh()) program.reference_edge();
   }
   if (program.may_print_report()) program.flag("json", &common.json, "print the report as JSON");
+  if (program.reads_points())
+    program.flag("strict", &common.strict,
+                 "refuse values that are not finite and unknown lines instead of dropping them");
   program.text("report", &common.report, "FILE", "also write a JSON report there");
   program.integer("threads", &common.threads, 0, 1024, "threads to use, 0: one per core");
   program

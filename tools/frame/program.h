@@ -38,6 +38,15 @@ enum class Reads {
   files     ///< any number, likewise
 };
 
+/// What becomes of faces that meet but share no vertices, as in a soup of triangles
+/// (touching_borders.h).
+enum class Soups {
+  kept,    ///< the mesh is read as it is; only of STL it is said that tm-stitch joins them
+  own,     ///< the same, and nobody is told to use tm-stitch: the program joins them itself
+  joined,  ///< equal places are joined when a mesh is read, which is said
+  told     ///< the mesh is read as it is, and of any file it is said that tm-stitch joins them
+};
+
 /// What goes to -o, which is stdout by default.
 enum class Writes {
   mesh,
@@ -77,7 +86,7 @@ struct CommonValues {
   int threads = 0;
   std::string max_memory, completion;
   double max_time = 0;
-  bool as_float = false, as_double = false, no_provenance = false, json = false;
+  bool as_float = false, as_double = false, no_provenance = false, json = false, strict = false;
   bool progress = false, no_progress = false, quiet = false, verbose = false;
   bool help = false, version = false;
 };
@@ -97,8 +106,9 @@ struct Program {
   std::function<bool()> writes_mesh_if = {};  ///< where this holds, a mesh is written, no report
   bool words_are_folders = false;
   std::function<bool()> reads_nothing_if = {};  ///< where this holds, there is no input
-  bool cleans = false;                    ///< what is written crosses nothing, rounded as it is
-  bool joins_soups = false;               ///< so that nobody is told to do it with tm-stitch
+  bool reads_cameras = false;                   ///< the file read is no mesh and no points
+  bool cleans = false;  ///< what is written crosses nothing, rounded as it is
+  Soups soups = Soups::kept;
   const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
   CommonValues common = CommonValues();   // {} would make GCC 12 warn
   std::deque<Option> options = {};
@@ -148,6 +158,7 @@ struct Program {
     return reads != Reads::nothing && reads != Reads::words &&
            !(reads_nothing_if && reads_nothing_if());
   }
+  bool reads_points() const { return reads_input() && !reads_cameras; }
   bool may_write_mesh() const { return writes == Writes::mesh || is_evolution() || writes_mesh_if; }
   bool may_print_report() const { return writes == Writes::report || writes == Writes::answer; }
   bool writes_mesh() const { return writes_mesh_if ? writes_mesh_if() : may_write_mesh(); }

@@ -8,11 +8,13 @@
 #include <span>
 
 #include "tm/clean/intersect/intersect.h"
+#include "tm/clean/stitch/join_soup.h"
 #include "tm/io/comments.h"
 #include "tm/io/mesh_io.h"
 #include "tm/io/streams/output_target.h"
 #include "tm/mesh/digits.h"
 #include "tm/mesh/measure.h"
+#include "tm/mesh/touching_borders.h"
 #include "tm/support/counted.h"
 
 namespace transformesh::tool {
@@ -98,6 +100,7 @@ void Run::start() {
   check_writable(output());
   if (!values.report.empty()) check_writable(values.report);
   if (program_.reads_mesh()) read_input();
+  if (program_.soups == Soups::joined) report("joined_vertices", joined_vertices_);
 }
 
 Document& Run::read_input() {
@@ -137,16 +140,42 @@ Bytes Run::read_once(const std::string& path) {
   return read_all(path);
 }
 
+void Run::treat_soup(Mesh& mesh, const std::string& name, bool is_told) {
+  if (program_.soups == Soups::joined) {
+    const StitchResult result = join_soup(mesh);
+    joined_vertices_ += result.joined_vertices;
+    if (result.joined_vertices > 0)
+      note(name + ": " + counted(result.joined_vertices, "vertex") +
+           " joined with others in the same place, as tm-stitch does");
+    if (result.dropped_faces > 0)
+      note(name + ": " + counted(result.dropped_faces, "face") +
+           " with two corners in one place dropped");
+  } else if (program_.soups == Soups::told && !is_told) {
+    const std::size_t count = count_touching_borders(mesh);
+    if (count > 0)
+      note(name + ": " + counted(count, "border edge") +
+           " lie upon each other: the faces share no vertices there; tm-stitch joins them");
+  }
+}
+
 Document Run::read(const std::string& path) {
   phases_.begin("read");
-  ReadResult result = read_mesh(read_once(path).view(), input_name(path));
-  for (const std::string& line : result.notes) {
-    const std::size_t advice = line.find("; tm-stitch joins them");
-    note(program_.joins_soups ? line.substr(0, advice) : line);
-  }
+  ReadResult result = read_mesh(read_once(path).view(), input_name(path), reading());
+  const bool is_mended = program_.soups == Soups::own || program_.soups == Soups::joined;
+  treat_soup(result.document.mesh, input_name(path), note_read(result.notes, is_mended));
   detail(input_name(path) + ": " + described(result.document));
   phases_.begin("");
   return std::move(result.document);
+}
+
+bool Run::note_read(const std::vector<std::string>& notes, bool joins_soups) {
+  bool is_told = false;
+  for (const std::string& line : notes) {
+    const std::size_t advice = line.find("; tm-stitch joins them");
+    is_told |= advice != std::string::npos;
+    note(joins_soups ? line.substr(0, advice) : line);
+  }
+  return is_told;
 }
 
 // --- Output --------------------------------------------------------------------------------------

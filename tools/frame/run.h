@@ -40,6 +40,11 @@ class Run {
   /// Reads a further mesh or file named by an option.
   Document read(const std::string& path);
   std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
+  /// As --strict says; and notes each line about what was read, without advice to join triangles
+  /// where the program does so.
+  ReadOptions reading() const { return {program_.common.strict}; }
+  /// Returns whether one of the notes says that the mesh is a soup.
+  bool note_read(const std::vector<std::string>& notes, bool joins_soups);
 
   /// Input units. 1% is of the diagonal of the mesh read (or of `set_basis`), 0.7x of the reference
   /// edge: the tm:reference-edge comment, else the mean edge, which is then written as that
@@ -105,6 +110,8 @@ class Run {
 
  private:
   Bytes read_once(const std::string& path);
+  /// Joins or tells, as the program says; `is_told` if reading has said that it is a soup.
+  void treat_soup(Mesh& mesh, const std::string& name, bool is_told);
   void refer_to(const Document& document);
   /// Throws UsageError for an output whose name promises a format that is not written.
   void check_ending() const;
@@ -139,6 +146,7 @@ class Run {
   std::set<std::string> staged_places_, told_;
   std::optional<std::pair<std::string, std::string>> kept_;
   std::function<void()> when_written_;
+  std::size_t joined_vertices_ = 0;
   bool stdin_is_read_ = false;
   bool settings_are_shown_ = false;
   bool is_stamped_ = false;

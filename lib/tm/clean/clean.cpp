@@ -8,13 +8,27 @@
 #include "tm/clean/rounding/snap_rounding.h"
 #include "tm/clean/stitch/one_side.h"
 #include "tm/mesh/surface_columns.h"
-#include "tm/support/error.h"
+#include "tm/support/nothing_left.h"
 
 namespace transformesh {
 namespace {
 
-/// Of the faces: with so many reverses a model is called double-sided.
+/// A mesh that encloses nothing does so because of reverses if at least this fraction of its faces
+/// has one.
 constexpr double double_sided_share = 0.5;
+
+/// A difference without a remainder and a double-sided solid are the same mesh, so that both are
+/// named. One side of a sheet is open.
+std::string describe_reverses(const Mesh& mesh, std::size_t reverses) {
+  const bool is_sheet = one_side_is_open(mesh);
+  return "the faces enclose nothing: " + std::to_string(reverses) + " of " +
+         std::to_string(mesh.faces.size()) + " lie upon their reverses, as in " +
+         (is_sheet ? "sheets whose borders are filled flat, and in double-sided sheets, of which "
+                     "tm-stitch --one-side keeps one side, open; tm-sample and tm-wrap --method "
+                     "alpha go around a sheet"
+                   : "a difference without a remainder, which is empty, and in double-sided "
+                     "models, of which tm-stitch --one-side keeps one side");
+}
 
 CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
@@ -42,7 +56,7 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
     result.mesh = std::move(rounded.mesh);
     if (result.cut_faces > 0) {
       result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
-      result.dropped_source_points = drop_source_points(result.mesh.vertex_columns);
+      result.dropped_source_points = drop_source_points(result.mesh);
     }
   }
   // A mesh of a single patch has nothing inside.
@@ -77,10 +91,7 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
     const auto faces = static_cast<double>(mesh.faces.size());
     const std::size_t both = options.refuse ? 0 : count_double_sided(mesh);
     if (static_cast<double>(both) < std::max(1.0, double_sided_share * faces)) throw;
-    throw GoalError("the faces enclose nothing: " + std::to_string(both) + " of " +
-                    std::to_string(mesh.faces.size()) +
-                    " lie upon their reverses, as in double-sided models; "
-                    "tm-stitch --one-side keeps one of each");
+    throw NothingLeftError(describe_reverses(mesh, both));
   }
 }
 

@@ -216,7 +216,7 @@ void check_input(const Mesh& mesh, const CleanBoxOptions& options) {
 void drop_stale_columns(CleanResult& counts) {
   if (counts.cut_faces == 0) return;
   counts.dropped_columns = drop_corner_lists(counts.mesh.face_columns);
-  counts.dropped_source_points = drop_source_points(counts.mesh.vertex_columns);
+  counts.dropped_source_points = drop_source_points(counts.mesh);
 }
 
 CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,

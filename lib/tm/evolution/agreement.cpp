@@ -1,6 +1,9 @@
 #include "tm/evolution/agreement.h"
 
+#include <algorithm>
+
 #include "tm/geometry/compare.h"
+#include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/error.h"
@@ -11,71 +14,54 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t samples = 40000;
-constexpr double few_edges = 3;
 
 bool is_closed_manifold(const Mesh& mesh) {
   const ManifoldReport found = check_manifold(mesh);
   return found.is_manifold() && found.is_oriented() && found.is_closed();
 }
 
-std::string at(const Vec3& point) {
-  std::string text = " at (" + significant(point.x(), 4) + ", " + significant(point.y(), 4);
-  return text.append(", ").append(significant(point.z(), 4)).append(")");
-}
-
 std::string topology_fault(const Topology& topology, const Topology& expected, const Vec3& place) {
   return "components " + std::to_string(topology.components) + " and genus " +
          std::to_string(topology.genus) + ", but those of the target are " +
          std::to_string(expected.components) + " and " + std::to_string(expected.genus) +
-         ": edges have to be shorter than half the gaps of the target, and the source has to "
-         "overlap all of it; they are farthest apart" +
-         at(place);
+         "; they are farthest apart" + at_place(place);
 }
 
-// What gets closer, by how far it is in edges: shorter edges help over a few of them.
-std::string remedy(double distance, double longest, bool has_clean_target) {
-  if (!has_clean_target)
-    return ": the target is open, no manifold, or crosses itself there or elsewhere, so that no "
-           "surface without crossings lies on all of it; clean it, or close its holes";
-  if (distance > few_edges * longest)
-    return ": take more --iterations if they ended there, else a source that overlaps all of the "
-           "target";
-  return ": take shorter edges";
-}
-
-std::string distance_fault(const Farthest& of_mesh, const Farthest& of_target, double longest,
-                           bool has_clean_target) {
+std::string distance_fault(const Farthest& of_mesh, const Farthest& of_target, double longest) {
   if (of_mesh.distance > longest / 2) {
     return "up to " + significant(of_mesh.distance, 3) +
-           " away from the target, more than half the longest edge," + at(of_mesh.point) +
-           remedy(of_mesh.distance, longest, has_clean_target);
+           " away from the target, more than half the longest edge," + at_place(of_mesh.point);
   }
   if (of_target.distance > longest) {
     return "parts of the target are missed by up to " + significant(of_target.distance, 3) +
-           ", more than the longest edge," + at(of_target.point) +
-           remedy(of_target.distance, longest, has_clean_target);
+           ", more than the longest edge," + at_place(of_target.point);
   }
   return {};
 }
 
 }  // namespace
 
-std::optional<Topology> topology_of_target(const Target& target, const Progress& progress) {
-  if (!target.is_mesh() || !is_closed_manifold(target.mesh)) return std::nullopt;
+MorphGoal goal_of(const Target& target, const Progress& progress) {
+  if (!target.is_mesh() || !is_closed_manifold(target.mesh)) return {};
   Document document;
   document.mesh.positions = target.mesh.positions;
   document.mesh.faces = target.mesh.faces;
   try {
     const CleanedTopology cleaned = clean_in_place(document, progress);
-    if (cleaned.pairs == 0) return cleaned.topology;
+    if (cleaned.pairs > 0) return {};
+    MorphGoal goal{cleaned.topology, 0, {}};
+    const std::size_t all = connected_components(target.mesh).components.size();
+    goal.left_out = all - std::min(all, cleaned.topology.components);
+    if (goal.left_out > 0) goal.without_those = make_target(std::move(document.mesh));
+    return goal;
   } catch (const InputError&) {
   } catch (const GoalError&) {
   }
-  return std::nullopt;
+  return {};
 }
 
 Agreement agreement(const Mesh& mesh, const Topology& topology, const TargetQuery& query,
-                    const std::optional<Topology>& expected, const Progress& progress) {
+                    const MorphGoal& goal, const Progress& progress) {
   const Target& target = query.target();
   if (!target.is_mesh()) return {};
   progress("farthest point");
@@ -84,16 +70,16 @@ Agreement agreement(const Mesh& mesh, const Topology& topology, const TargetQuer
   Farthest of_mesh, of_target;
   parallel_invoke(
       [&] { of_mesh = farthest_from(surface, mesh, options); },
-      [&] { of_target = farthest_from(ClosestPointQuery(mesh), target.mesh, options); });
-  Agreement result{{}, of_mesh.distance, of_target.distance};
-  if (expected && *expected != topology) {
-    const bool is_outside = of_mesh.distance > of_target.distance;
-    result.fault =
-        topology_fault(topology, *expected, is_outside ? of_mesh.point : of_target.point);
-  } else {
-    result.fault =
-        distance_fault(of_mesh, of_target, edge_lengths(mesh).maximum, expected.has_value());
-  }
+      [&] { of_target = farthest_from(ClosestPointQuery(mesh), goal.of(target).mesh, options); });
+  const double longest = edge_lengths(mesh).maximum;
+  const bool differs = goal.topology && *goal.topology != topology;
+  const bool is_of_mesh =
+      differs ? of_mesh.distance > of_target.distance : of_mesh.distance > longest / 2;
+  const Farthest& worst = is_of_mesh ? of_mesh : of_target;
+  Agreement result{{}, {}, of_mesh.distance, of_target.distance};
+  result.mismatch = {worst.point, worst.distance, longest, differs, goal.topology.has_value()};
+  result.fault = differs ? topology_fault(topology, *goal.topology, worst.point)
+                         : distance_fault(of_mesh, of_target, longest);
   return result;
 }
 

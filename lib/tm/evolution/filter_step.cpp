@@ -59,7 +59,7 @@ Step step_through(MeshFilter filter, Scalar coordinate, const DisplaceOptions& o
   return [filter = std::move(filter), coordinate, options](Mesh& mesh, const Progress& progress) {
     progress("step");
     const std::string bytes = filter(bytes_of(mesh, coordinate));
-    Mesh after = read_mesh(bytes, "the step's output").document.mesh;
+    Mesh after = read_mesh(bytes, "the step's output", {.strict = true}).document.mesh;
     check_same_elements(mesh, after);
     DisplaceResult result = movement(mesh, after);
     if (result.moved == 0 && has_column_velocities(after))

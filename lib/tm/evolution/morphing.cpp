@@ -9,16 +9,28 @@
 #include "tm/mesh/measure.h"
 #include "tm/remesh/align_features.h"
 #include "tm/step/local_thickness.h"
-#include "tm/support/error.h"
+#include "tm/support/nothing_left.h"
 
 namespace transformesh {
 namespace {
 
+std::optional<Target> measured(const Target& target, const MorphingOptions& options,
+                               const Progress& progress) {
+  if (options.step.gap_edges == 0 || !target.thickness.empty()) return std::nullopt;
+  return with_thickness(target, options.step.gap_edges, options.iteration.reference_edge, progress);
+}
+
 class MorphingLoop : public Loop {
  public:
   MorphingLoop(const Target& target, const MorphingOptions& options, const Progress& progress)
-      : target_(target), query_(target), options_(options), rule_(options.scales) {
-    result_.expected = topology_of_target(target, progress);
+      : target_(target),
+        measured_(measured(target, options, progress)),
+        query_(measured_ ? *measured_ : target),
+        options_(options),
+        rule_(options.scales),
+        goal_(goal_of(target, progress)) {
+    result_.expected = goal_.topology;
+    result_.left_out = goal_.left_out;
   }
 
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
@@ -33,6 +45,8 @@ class MorphingLoop : public Loop {
   std::string message() const override;
 
   const MorphingResult& result() const { return result_; }
+  /// Of a surface that vanished.
+  const std::optional<MorphRemedy>& remedy() const { return remedy_; }
 
  private:
   bool takes_iteration(Document& document, bool remeshes_first, const Progress& progress);
@@ -41,14 +55,23 @@ class MorphingLoop : public Loop {
   void conclude(Document& document, const Progress& progress);
   Agreement agreement_of(const Document& document, const Topology& topology,
                          const Progress& progress) const {
-    return agreement(document.mesh, topology, query_, result_.expected, progress);
+    return agreement(document.mesh, topology, query_, goal_, progress);
   }
+  MorphStepOptions step_options() const {
+    MorphStepOptions options = options_.step;
+    if (goal_.without_those) options.goal = &*goal_.without_those;
+    return options;
+  }
+  [[noreturn]] void vanish(const Mesh& mesh);
 
   const Target& target_;
+  const std::optional<Target> measured_;  ///< with its thickness, if that is needed and missing
   const TargetQuery query_;
   const MorphingOptions& options_;
   MorphRule rule_;
+  const MorphGoal goal_;
   MorphingResult result_;
+  std::optional<MorphRemedy> remedy_;
 
   // The last iteration.
   int scale_ = 0;
@@ -66,17 +89,27 @@ bool MorphingLoop::takes_iteration(Document& document, bool remeshes_first,
   iteration.edge_factor = std::ldexp(1.0, scale_);
   iteration.expects_changes = last_.was_cleaned;
   const auto step = [&](Mesh& mesh, const Progress& step_progress) {
-    step_ = morph_step(mesh, query_, options_.step, step_progress);
+    step_ = morph_step(mesh, query_, step_options(), step_progress);
     return step_.displaced;
   };
+  const bool is_last = options_.scales == 1 || (scale_ == 0 && remeshes_first);
   try {
     if (remeshes_first) remesh_in_place(document, iteration, progress);
     last_ = iterate(document, step, iteration, progress);
     return true;
+  } catch (const NothingLeftError&) {
+    if (is_last) vanish(document.mesh);
+    return false;
   } catch (const GoalError&) {
-    if (options_.scales == 1 || (scale_ == 0 && remeshes_first)) throw;
+    if (is_last) throw;
     return false;
   }
+}
+
+void MorphingLoop::vanish(const Mesh& mesh) {
+  remedy_ = remedy_for_vanished(target_, edge_lengths(mesh).maximum);
+  const std::string reason = reason_of(*remedy_);
+  throw NothingLeftError("the surface shrinks to nothing" + (reason.empty() ? "" : ": " + reason));
 }
 
 // A coarse scale may have no edges for what is left, or steps so long that they turn it inside out.
@@ -116,7 +149,7 @@ void MorphingLoop::measure(CsvRow& row) const {
   row.number("rms_distance_from_target", step_.from_target.rms);
   row.number("max_distance_from_target", step_.from_target.maximum);
   last_.measure_times(row);
-  row.count("scale", scale_);
+  row.count("scale", scale_).share("clamped_fraction", last_.clamped_share());
 }
 
 std::string MorphingLoop::message() const {
@@ -157,17 +190,27 @@ void MorphingLoop::finish(Document& document, const Progress& progress) {
 
 // Cleaning the last mesh may undo what was found before, unless there was nothing to clean.
 void MorphingLoop::conclude(Document& document, const Progress& progress) {
-  const CleanedTopology cleaned = clean_in_place(document, progress);
+  CleanedTopology cleaned;
+  try {
+    cleaned = clean_in_place(document, progress);
+  } catch (const NothingLeftError&) {
+    vanish(document.mesh);
+  }
   result_.topology = cleaned.topology;
   MorphStepOptions at_rest;
   at_rest.distance = options_.step.distance;
+  at_rest.goal = step_options().goal;
   at_rest.displace.alpha = 0;
   Mesh mesh = document.mesh;
   result_.distances = morph_step(mesh, query_, at_rest, progress);
   const bool is_converged = result_.stop == MorphingStop::converged;
   const bool is_known = is_converged && !cleaned.changed && agreement_.has_value();
   result_.agreement = is_known ? *agreement_ : agreement_of(document, result_.topology, progress);
-  if (is_converged && !result_.agreement.fault.empty()) result_.stop = MorphingStop::stalled;
+  if (result_.agreement.fault.empty()) return;
+  if (is_converged) result_.stop = MorphingStop::stalled;
+  result_.remedy = remedy_for(query_, result_.agreement.mismatch);
+  const std::string reason = reason_of(result_.remedy);
+  if (!reason.empty()) result_.agreement.fault += "; " + reason;
 }
 
 MorphingOptions completed(MorphingOptions options, const Document& document) {
@@ -184,17 +227,16 @@ const char* name_of(MorphingStop stop) {
   return stop == MorphingStop::stalled ? "stalled" : "iteration_limit";
 }
 
-void prepare_target(Target& target, const MorphingOptions& options, const Progress& progress) {
-  if (options.step.gap_edges == 0 || !target.thickness.empty()) return;
-  target.thickness =
-      local_thickness(target, options.step.gap_edges * options.iteration.reference_edge, progress);
-}
-
 MorphingResult morph(Document& document, const Target& target, const MorphingOptions& options,
                      const LoopOptions& loop_options, Record& record, const Progress& progress) {
   const MorphingOptions complete = completed(options, document);
   MorphingLoop loop(target, complete, progress);
-  run_loop(loop, document, loop_options, record, progress);
+  try {
+    run_loop(loop, document, loop_options, record, progress);
+  } catch (const GoalError& error) {
+    if (loop.remedy()) throw VanishedError(error.what(), *loop.remedy());
+    throw;
+  }
   MorphingResult result = loop.result();
   result.iterations = record.iteration();
   return result;

@@ -9,8 +9,9 @@
 /// result is cleaned once more. Columns are carried. Deterministic; the
 /// record of a run that was ended in any way continues to the same bytes.
 ///
-/// Throws what the stages throw, a failure of an iteration with its number; the document is then
-/// that of the last good one.
+/// Throws what the stages throw, a failure of an iteration with its number, and VanishedError
+/// (morph_remedy.h) if nothing is left of the surface; the document is then that of the last good
+/// one.
 #pragma once
 
 #include <functional>
@@ -28,7 +29,7 @@ namespace transformesh {
 enum class Features { automatic, on, off };
 
 struct MorphingOptions {
-  /// With `gap_edges` the target's gaps have to be measured (prepare_target), and edges are factors
+  /// With `gap_edges` the target's gaps are measured unless they are known, and edges are factors
   /// of the size that the step writes.
   MorphStepOptions step;
   /// `edge_factor` is what the scale makes of it; `reference_edge` 0 is the source's mean edge.
@@ -45,14 +46,12 @@ struct MorphingResult {
   std::size_t iterations = 0;  ///< earlier runs included
   Topology topology;
   std::optional<Topology> expected;  ///< that of the target, where it is known
+  std::size_t left_out = 0;          ///< components of the target that are no goal (agreement.h)
   MorphStepResult distances;         ///< of the result; nothing moved
   Agreement agreement;
+  MorphRemedy remedy;       ///< of the agreement's fault
   std::size_t aligned = 0;  ///< vertices on the target's sharp edges, where they were aligned
 };
-
-/// Measures the gaps of the target where the options need them and nobody has.
-void prepare_target(Target& target, const MorphingOptions& options,
-                    const Progress& progress = Progress());
 
 MorphingResult morph(Document& document, const Target& target, const MorphingOptions& options,
                      const LoopOptions& loop, Record& record,

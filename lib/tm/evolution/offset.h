@@ -5,7 +5,8 @@
 ///
 /// Guarantees: the result is an oriented manifold without self-intersections, as far as remesh()
 /// promises; how far it is from the true offset is measured, not bounded: corners that outwards
-/// come to lie inside, and inwards outside, are rounded by the length of edges. Cavities stay.
+/// come to lie inside, and inwards outside, are rounded by the length of edges, and what is thinner
+/// than an edge may be lost, which is told. Cavities stay.
 /// Columns are carried as by clean() and remesh(). Deterministic for any number of threads.
 #pragma once
 
@@ -23,16 +24,22 @@ struct OffsetOptions {
 
 /// How far the result is from the true offset, over points all over both. Input units.
 struct OffsetDeviation {
-  double rms = 0;     ///< of how much farther or nearer than `distance` points of the result are
-  double most = 0;    ///< the largest of these
+  double rms = 0;     ///< of how much farther or nearer than `distance` the surface is, by its area
+  double most = 0;    ///< the largest of these, vertices included
   double missed = 0;  ///< largest distance from the result of points that are on the true offset
+  Vec3 missed_at = Vec3::Zero();  ///< that point
 };
 
 struct OffsetResult {
   std::size_t iterations = 0;
-  bool is_done = false;  ///< vertices are within a hundredth of an edge, or came no closer
+  bool has_arrived = false;  ///< vertices are within a hundredth of an edge, or came no closer
+  /// True if points of the true offset are farther from the result than edges explain: a thin part
+  /// is lost, or its rim.
+  bool has_missed = false;
+  double edge = 0;  ///< length that was used
   Topology topology;
   OffsetDeviation deviation;
+  bool is_done() const { return has_arrived && !has_missed; }
 };
 
 /// The mean edge, but no longer than half the distance and a 60th of the diagonal, and no shorter

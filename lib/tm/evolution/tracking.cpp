@@ -43,7 +43,8 @@ class TrackingLoop : public Loop {
     Record none;
     return morph(document, target, options, {.iterations = iterations_}, none, progress);
   }
-  void follow_again(Document again, Document& document, Target target, const Progress& progress);
+  void follow_again(Document again, Document& document, const Target& target,
+                    const Progress& progress);
 
   const std::vector<std::string>& names_;
   const std::function<Target(std::size_t)>& target_of_;
@@ -60,11 +61,10 @@ class TrackingLoop : public Loop {
 };
 
 // The first surface is kept unless the second one converges.
-void TrackingLoop::follow_again(Document again, Document& document, Target target,
+void TrackingLoop::follow_again(Document again, Document& document, const Target& target,
                                 const Progress& progress) {
   MorphingOptions options = options_;
   options.step.gap_edges = gap_edges_again;
-  prepare_target(target, options, progress);
   const MorphingResult result = follow(again, target, options, progress);
   if (result.stop != MorphingStop::converged) return;
   again.mesh.vertex_columns.erase("size");
@@ -76,14 +76,13 @@ void TrackingLoop::follow_again(Document again, Document& document, Target targe
 void TrackingLoop::advance(Document& document, std::size_t iteration, const Progress& progress) {
   const Stopwatch watch;
   name_ = names_[iteration - 1];
-  Target target = target_of_(iteration - 1);
-  prepare_target(target, options_, progress);
+  const Target target = target_of_(iteration - 1);
   Document before = document;
   was_tried_again_ = false;
   morphed_ = follow(document, target, options_, progress);
   const bool has_sizes = options_.step.gap_edges > 0;
   if (morphed_.stop != MorphingStop::converged && target.is_mesh() && !has_sizes)
-    follow_again(std::move(before), document, std::move(target), progress);
+    follow_again(std::move(before), document, target, progress);
   faces_ = document.mesh.faces.size();
   result_.frames = iteration;
   result_.converged += morphed_.stop == MorphingStop::converged ? 1 : 0;
@@ -91,22 +90,22 @@ void TrackingLoop::advance(Document& document, std::size_t iteration, const Prog
 }
 
 void TrackingLoop::measure(CsvRow& row) const {
-  const auto& [stop, iterations, topology, expected, distances, agreement, aligned] = morphed_;
+  const MorphingResult& r = morphed_;
   const auto distance = [](const std::optional<double>& value) {
     return value ? significant(*value, 6) : std::string();
   };
-  row.text("name", quoted(name_)).text("stop", name_of(stop)).count("iterations", iterations);
+  row.text("name", quoted(name_)).text("stop", name_of(r.stop)).count("iterations", r.iterations);
   row.count("faces", faces_);
-  row.count("components", topology.components).count("genus", topology.genus);
-  row.text("target_components", expected ? std::to_string(expected->components) : "");
-  row.text("target_genus", expected ? std::to_string(expected->genus) : "");
-  row.number("rms_distance_to_target", distances.to_target.rms);
-  row.number("rms_distance_from_target", distances.from_target.rms);
-  row.text("hausdorff_to_target", distance(agreement.to_target));
-  row.text("hausdorff_from_target", distance(agreement.from_target));
-  row.number("mean_edge", distances.displaced.mean_edge);
+  row.count("components", r.topology.components).count("genus", r.topology.genus);
+  row.text("target_components", r.expected ? std::to_string(r.expected->components) : "");
+  row.text("target_genus", r.expected ? std::to_string(r.expected->genus) : "");
+  row.number("rms_distance_to_target", r.distances.to_target.rms);
+  row.number("rms_distance_from_target", r.distances.from_target.rms);
+  row.text("hausdorff_to_target", distance(r.agreement.to_target));
+  row.text("hausdorff_from_target", distance(r.agreement.from_target));
+  row.number("mean_edge", r.distances.displaced.mean_edge);
   row.text("again", was_tried_again_ ? "yes" : "no").seconds("seconds", seconds_);
-  row.text("fault", quoted(agreement.fault));
+  row.text("fault", quoted(r.agreement.fault));
 }
 
 std::string TrackingLoop::message() const {

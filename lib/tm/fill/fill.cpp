@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tm/clean/intersect/intersect.h"
+#include "tm/fill/face_search.h"
 #include "tm/fill/hole_patch.h"
 #include "tm/fill/mesh_part.h"
 #include "tm/geometry/numbers/predicates.h"
@@ -13,6 +14,7 @@
 #include "tm/mesh/digits.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/mesh/triangle.h"
 #include "tm/support/error.h"
 
@@ -50,7 +52,11 @@ std::vector<Loop> loops_of(const Mesh& mesh, const std::vector<Index>& border) {
 class Filler {
  public:
   Filler(Mesh& mesh, const FillOptions& options)
-      : mesh_(mesh), options_(options), around_(mesh), blends_(mesh.positions.size()) {}
+      : mesh_(mesh),
+        options_(options),
+        around_(mesh),
+        search_(mesh),
+        blends_(mesh.positions.size()) {}
 
   void fill(const Loop& loop);
   /// Gives rows to columns for what is new.
@@ -60,8 +66,10 @@ class Filler {
  private:
   bool fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const;
   bool crosses(const HolePatch& patch, const MeshPart& part) const;
-  bool try_kinds(const Loop& loop, const MeshPart& part, Index border, Search search,
-                 bool may_cross = false);
+  /// Adds the first patch that fits. One that may cross is only looked for unless it is allowed.
+  bool try_patches(const Loop& loop, const MeshPart& part, const HolePatches& found,
+                   bool may_cross = false);
+  HolePatches patches_of(const MeshPart& part, Index border, PatchKind finest, Search search) const;
   void add(const HolePatch& patch, const MeshPart& part, const Loop& loop);
   OpenHole open_hole(const Loop& loop) const;
   bool is_too_large(const Loop& loop) const;
@@ -70,6 +78,7 @@ class Filler {
   Mesh& mesh_;
   const FillOptions& options_;
   VertexFaces around_;  ///< of the input: borders have no vertex in common
+  FaceSearch search_;
   std::vector<RowBlend> blends_;
   FillResult result_;
 };
@@ -100,25 +109,18 @@ std::vector<Index> Filler::vertices_of(const Loop& loop) const {
 
 /// Whether the patch crosses itself or any face of the mesh that is near.
 bool Filler::crosses(const HolePatch& patch, const MeshPart& part) const {
-  // The faces that meet the box of the patch.
   const Mesh& local = part.mesh;
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   const auto position = [&](Index v) -> const Vec3& {
     return v < local.positions.size() ? local.positions[v]
                                       : patch.points[v - local.positions.size()];
   };
-  for (const Face& face : patch.faces)
-    for (const Index v : face) {
-      low = low.cwiseMin(position(v));
-      high = high.cwiseMax(position(v));
-    }
   std::vector<Index> near;
-  for (Index f = 0; f < mesh_.faces.size(); ++f) {
-    const Triangle t = triangle_of(mesh_.positions, mesh_.faces[f]);
-    const bool is_apart = (t[0].cwiseMax(t[1]).cwiseMax(t[2]).array() < low.array()).any() ||
-                          (t[0].cwiseMin(t[1]).cwiseMin(t[2]).array() > high.array()).any();
-    if (!is_apart) near.push_back(f);
+  for (const auto& [i, j, k] : patch.faces) {
+    const Vec3 &a = position(i), &b = position(j), &c = position(k);
+    search_.append_near(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), near);
   }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
 
   // Behind them those of the patch. Equal positions are one point.
   Mesh both = part_of(mesh_, near).mesh;
@@ -158,6 +160,7 @@ void Filler::add(const HolePatch& patch, const MeshPart& part, const Loop& loop)
     for (Index& v : face) v = v < known ? part.vertices[v] : first_new + v - known;
     mesh_.faces.push_back(face);
   }
+  search_.update();
   result_.new_vertices += patch.points.size();
   result_.new_faces += patch.faces.size();
 }
@@ -175,31 +178,38 @@ void Filler::fill(const Loop& loop) {
   const MeshPart part = part_of(mesh_, faces);
   const Index border = halfedge_in_part(faces, loop.front());
 
-  // Searching all triangles takes the cube of the edges in time.
-  if (try_kinds(loop, part, border, Search::delaunay)) return;
-  if (loop.size() <= most_edges_of_all && try_kinds(loop, part, border, Search::all)) return;
-  if (options_.allow_crossings && try_kinds(loop, part, border, Search::delaunay, true)) return;
-  result_.crossing.push_back(open_hole(loop));
+  const PatchKind finest = !options_.refine ? PatchKind::plain
+                           : options_.fair  ? PatchKind::faired
+                                            : PatchKind::refined;
+  const HolePatches found = patches_of(part, border, finest, Search::delaunay);
+  if (try_patches(loop, part, found)) return;
+  if (!found.are_of_all && loop.size() <= most_edges_of_all &&
+      try_patches(loop, part, patches_of(part, border, finest, Search::all)))
+    return;
+  const bool crosses = try_patches(loop, part, found, true);
+  if (crosses && options_.allow_crossings) return;
+  (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
 }
 
-bool Filler::try_kinds(const Loop& loop, const MeshPart& part, Index border, Search search,
-                       bool may_cross) {
-  const std::array<std::pair<PatchKind, std::size_t*>, 3> kinds{
-      {{PatchKind::faired, &result_.faired},
-       {PatchKind::refined, &result_.refined},
-       {PatchKind::plain, &result_.plain}}};
-  const std::size_t first_kind = !options_.refine ? 2 : options_.fair ? 0 : 1;
-  for (std::size_t i = first_kind; i < kinds.size(); ++i) {
-    std::optional<HolePatch> patch = patch_hole(part.mesh, border, kinds.at(i).first, search);
-    if (!patch) continue;
-    for (Vec3& point : patch->points) point = rounded_to(point, options_.coordinate);
-    if (!fits(*patch, part, may_cross)) continue;
-    // One without new vertices is neither refined nor faired.
-    if (may_cross)
-      ++result_.crossed;
-    else
-      ++*(patch->points.empty() ? kinds[2] : kinds.at(i)).second;
-    add(*patch, part, loop);
+/// With positions as they will be written.
+HolePatches Filler::patches_of(const MeshPart& part, Index border, PatchKind finest,
+                               Search search) const {
+  HolePatches found = patch_hole(part.mesh, border, finest, search);
+  for (HolePatch& patch : found.patches)
+    for (Vec3& point : patch.points) point = rounded_to(point, options_.coordinate);
+  return found;
+}
+
+bool Filler::try_patches(const Loop& loop, const MeshPart& part, const HolePatches& found,
+                         bool may_cross) {
+  for (const HolePatch& patch : found.patches) {
+    if (!fits(patch, part, may_cross)) continue;
+    if (may_cross && !options_.allow_crossings) return true;
+    ++(may_cross                          ? result_.crossed
+       : patch.kind == PatchKind::faired  ? result_.faired
+       : patch.kind == PatchKind::refined ? result_.refined
+                                          : result_.plain);
+    add(patch, part, loop);
     return true;
   }
   return false;
@@ -212,6 +222,7 @@ FillResult Filler::finish() {
   for (const RowBlend& row : rows) mesh_.vertex_columns.append(row);
   mesh_.face_columns.concatenate(Columns(), mesh_.faces.size() - result_.new_faces,
                                  result_.new_faces);
+  if (result_.new_faces > 0) result_.dropped_source_points = drop_source_points(mesh_);
   return std::move(result_);
 }
 

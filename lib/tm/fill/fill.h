@@ -46,8 +46,11 @@ struct FillResult {
   std::size_t plain = 0;    ///< closed by one without new vertices
   std::size_t crossed = 0;  ///< closed by one that crosses, by `allow_crossings`
   std::size_t new_vertices = 0, new_faces = 0;
-  std::vector<OpenHole> too_large;  ///< beyond the limits
-  std::vector<OpenHole> crossing;   ///< every patch would cross
+  bool dropped_source_points = false;  ///< as patches come from no face (source_points.h)
+  std::vector<OpenHole> too_large;     ///< beyond the limits
+  std::vector<OpenHole> crossing;      ///< every patch would cross; none with `allow_crossings`
+  /// Every patch would have a face without area, or an edge that has two faces already.
+  std::vector<OpenHole> flat;
   std::size_t filled() const { return faired + refined + plain + crossed; }
 };
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "tm/fill/short_loops.h"
-#include "tm/fill/slit.h"
-#include "tm/fill/twin_patches.h"
+#include "tm/fill/slit_room.h"
 #include "tm/mesh/adjacency.h"
 #include "tm/mesh/manifold.h"
+#include "tm/mesh/surface_columns.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -27,6 +27,7 @@ class Round {
       : mesh_(mesh),
         options_(options),
         stars_(mesh, checked_opposites(mesh)),
+        room_(mesh, stars_),
         is_near_(mesh.positions.size(), 0) {}
 
   /// Counts what this round removes and refuses.
@@ -35,11 +36,13 @@ class Round {
  private:
   bool has_room(const ShortLoop& loop) const;
   void take_room(const ShortLoop& loop);
-  bool remove(const ShortLoop& loop);
+  enum class Outcome { removed, no_patch, in_the_way };
+  Outcome remove(const ShortLoop& loop);
 
   Mesh& mesh_;
   const HandleOptions& options_;
   HalfedgeStars stars_;
+  SlitRoom room_;
   std::vector<char> is_near_;  ///< per vertex: of a loop that was slit, or next to one
 };
 
@@ -56,16 +59,19 @@ void Round::take_room(const ShortLoop& loop) {
   }
 }
 
-// Whether both sides can be closed. If not the mesh stays as it is.
-bool Round::remove(const ShortLoop& loop) {
+// Unless the handle is removed the mesh stays as it is.
+Round::Outcome Round::remove(const ShortLoop& loop) {
   const SlitSides sides = sides_of(mesh_, loop.vertices, stars_);
   const auto patch = patch_of_slit(mesh_, loop.vertices, sides, stars_);
-  if (!patch) return false;
+  if (!patch) return Outcome::no_patch;
+  const ClosedSlit slit = drawn_apart(mesh_, loop.vertices, sides, *patch, options_.coordinate);
+  if (!room_.is_free(loop.vertices, sides, slit)) return Outcome::in_the_way;
+  room_.take(loop.vertices, sides, slit);
   take_room(loop);
   const std::size_t faces = mesh_.faces.size();
-  close_slit(mesh_, loop.vertices, sides, *patch, options_.coordinate);
+  close_slit(mesh_, loop.vertices, sides, *patch, slit);
   mesh_.face_columns.concatenate(Columns(), faces, mesh_.faces.size() - faces);
-  return true;
+  return Outcome::removed;
 }
 
 HandleResult Round::run(const Progress& progress) {
@@ -74,9 +80,10 @@ HandleResult Round::run(const Progress& progress) {
   for (const ShortLoop& loop : short_loops(mesh_, stars_, options_.max_length, progress)) {
     progress("remove handles");
     if (!has_room(loop) || !removed.is_new(loop.word)) continue;
-    if (!remove(loop)) {
+    const Outcome outcome = remove(loop);
+    if (outcome != Outcome::removed) {
       for (const Index v : loop.vertices) is_near_[v] = 1;
-      ++result.refused;
+      ++(outcome == Outcome::no_patch ? result.refused : result.blocked);
       continue;
     }
     removed.add(loop.word);
@@ -95,10 +102,12 @@ HandleResult remove_handles(Mesh& mesh, const HandleOptions& options, const Prog
     const HandleResult last = Round(mesh, options).run(progress);
     all.removed += last.removed;
     all.refused = last.refused;
+    all.blocked = last.blocked;
     goes_on = last.removed > 0;
   }
   all.new_vertices = mesh.positions.size() - vertices;
   all.new_faces = mesh.faces.size() - faces;
+  if (all.removed > 0) all.dropped_source_points = drop_source_points(mesh);
   return all;
 }
 

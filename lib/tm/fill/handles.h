@@ -8,7 +8,9 @@
 /// Guarantees: the result is a closed oriented manifold with as many components; every handle
 /// removed lowers the genus by one. Vertices and faces that were there stay, with order and
 /// columns, but for the vertices of the loop, which move; new ones follow, with columns as in
-/// fill.h. The surface may cross itself where it was slit: clean() resolves that. Deterministic for
+/// fill.h. The surface may cross itself where it was slit: clean() resolves that. No patch meets
+/// another component, or the same one farther than two rings from the loop, and none of them lies
+/// between the patches: cavities stay sealed, and clean() keeps the components. Deterministic for
 /// any number of threads.
 ///
 /// Throws InputError for a mesh that is no closed oriented manifold, UsageError for a length that
@@ -30,7 +32,9 @@ struct HandleOptions {
 struct HandleResult {
   std::size_t removed = 0;
   std::size_t refused = 0;  ///< loops along which no two patches fit
+  std::size_t blocked = 0;  ///< loops whose patches would reach into another part of the surface
   std::size_t new_vertices = 0, new_faces = 0;
+  bool dropped_source_points = false;  ///< as patches come from no face (source_points.h)
 };
 
 HandleResult remove_handles(Mesh& mesh, const HandleOptions& options,

@@ -49,31 +49,38 @@ void rename(HolePatch& patch, const MeshPart& part, std::size_t vertices) {
       v = v < known ? part.vertices[v] : static_cast<Index>(vertices) + v - known;
 }
 
-/// The vertices of a side's patch: those of the loop, and those within.
-struct PatchVertices {
-  std::vector<Index> loop;
-  std::vector<Index> within;
-};
-
-PatchVertices add_vertices(Mesh& mesh, std::vector<Index> loop, const HolePatch& patch) {
-  PatchVertices all{std::move(loop), {}};
-  for (const Vec3& point : patch.points) {
-    all.within.push_back(static_cast<Index>(mesh.positions.size()));
-    mesh.vertex_columns.append(blend_of_nearest(mesh, all.loop, point));
-    mesh.positions.push_back(point);
+DrawnSide drawn(const Mesh& mesh, const std::vector<Index>& loop, const SlitSide& side,
+                const HolePatch& patch, Scalar coordinate) {
+  DrawnSide drawn;
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    mean += (side.drawn_back[i] - mesh.positions[loop[i]]) / static_cast<double>(loop.size());
+    drawn.loop.push_back(rounded_to(side.drawn_back[i], coordinate));
   }
-  return all;
+  for (const Vec3& point : patch.points)
+    drawn.within.push_back(rounded_to(point + mean, coordinate));
+  return drawn;
 }
 
-void draw(Mesh& mesh, const PatchVertices& vertices, const SlitSide& side, Scalar coordinate) {
-  Vec3 mean = Vec3::Zero();
-  for (std::size_t i = 0; i < vertices.loop.size(); ++i) {
-    Vec3& position = mesh.positions[vertices.loop[i]];
-    mean += (side.drawn_back[i] - position) / static_cast<double>(vertices.loop.size());
-    position = rounded_to(side.drawn_back[i], coordinate);
+std::vector<Triangle> triangles_of(const std::vector<Face>& faces, const DrawnSide& side) {
+  std::vector<Vec3> positions = side.loop;
+  positions.insert(positions.end(), side.within.begin(), side.within.end());
+  std::vector<Triangle> triangles;
+  for (const Face& face : faces) triangles.push_back(triangle_of(positions, face));
+  return triangles;
+}
+
+/// Moves the vertices of a loop and adds those within. Returns all of them.
+std::vector<Index> add_vertices(Mesh& mesh, std::vector<Index> loop, const HolePatch& patch,
+                                const DrawnSide& side) {
+  std::vector<Index> all = loop;
+  for (std::size_t i = 0; i < patch.points.size(); ++i) {
+    all.push_back(static_cast<Index>(mesh.positions.size()));
+    mesh.vertex_columns.append(blend_of_nearest(mesh, loop, patch.points[i]));
+    mesh.positions.push_back(side.within[i]);
   }
-  for (const Index v : vertices.within)
-    mesh.positions[v] = rounded_to(mesh.positions[v] + mean, coordinate);
+  for (std::size_t i = 0; i < loop.size(); ++i) mesh.positions[loop[i]] = side.loop[i];
+  return all;
 }
 
 }  // namespace
@@ -85,36 +92,50 @@ std::optional<HolePatch> patch_of_slit(const Mesh& mesh, const std::vector<Index
   const Index border = halfedge_in_part(faces, sides.left.corners.front().front());
   for (const Search search : {Search::delaunay, Search::all}) {
     if (search == Search::all && loop.size() > most_edges_of_all) break;
-    for (const PatchKind kind : {PatchKind::refined, PatchKind::plain}) {
-      std::optional<HolePatch> patch = patch_hole(part.mesh, border, kind, search);
-      if (!patch) continue;
-      rename(*patch, part, mesh.positions.size());
-      if (!has_chord(*patch, sides)) return patch;
+    HolePatches found = patch_hole(part.mesh, border, PatchKind::refined, search);
+    for (HolePatch& patch : found.patches) {
+      rename(patch, part, mesh.positions.size());
+      if (!has_chord(patch, sides)) return std::move(patch);
     }
+    if (found.are_of_all) break;
   }
   return std::nullopt;
 }
 
+std::vector<Triangle> ClosedSlit::left_patch() const { return triangles_of(faces, left); }
+
+std::vector<Triangle> ClosedSlit::right_patch() const {
+  std::vector<Triangle> triangles = triangles_of(faces, right);
+  for (Triangle& triangle : triangles) std::swap(triangle[1], triangle[2]);
+  return triangles;
+}
+
+ClosedSlit drawn_apart(const Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides,
+                       const HolePatch& patch, Scalar coordinate) {
+  ClosedSlit slit{{},
+                  drawn(mesh, loop, sides.left, patch, coordinate),
+                  drawn(mesh, loop, sides.right, patch, coordinate)};
+  const auto vertices = static_cast<Index>(mesh.positions.size());
+  for (Face face : patch.faces) {
+    for (Index& v : face)
+      v = static_cast<Index>(v < vertices ? std::ranges::find(loop, v) - loop.begin()
+                                          : loop.size() + v - vertices);
+    slit.faces.push_back(face);
+  }
+  return slit;
+}
+
 void close_slit(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides,
-                const HolePatch& patch, Scalar coordinate) {
+                const HolePatch& patch, const ClosedSlit& slit) {
   const auto first_new = static_cast<Index>(mesh.positions.size());
   slit_along(mesh, loop, sides);
   std::vector<Index> copies;
   for (Index v = first_new; v < mesh.positions.size(); ++v) copies.push_back(v);
-  const PatchVertices left = add_vertices(mesh, loop, patch);
-  const PatchVertices right = add_vertices(mesh, std::move(copies), patch);
-
+  const std::vector<Index> left = add_vertices(mesh, loop, patch, slit.left);
+  const std::vector<Index> right = add_vertices(mesh, std::move(copies), patch, slit.right);
+  for (const auto& [a, b, c] : slit.faces) mesh.faces.push_back({left[a], left[b], left[c]});
   // Seen from the other side a face turns the other way.
-  const auto of_side = [&](const PatchVertices& side, Index v) {
-    if (v >= first_new) return side.within[v - first_new];
-    return side.loop[std::find(loop.begin(), loop.end(), v) - loop.begin()];
-  };
-  for (const auto& [a, b, c] : patch.faces)
-    mesh.faces.push_back({of_side(left, a), of_side(left, b), of_side(left, c)});
-  for (const auto& [a, b, c] : patch.faces)
-    mesh.faces.push_back({of_side(right, a), of_side(right, c), of_side(right, b)});
-  draw(mesh, left, sides.left, coordinate);
-  draw(mesh, right, sides.right, coordinate);
+  for (const auto& [a, b, c] : slit.faces) mesh.faces.push_back({right[a], right[c], right[b]});
 }
 
 }  // namespace transformesh

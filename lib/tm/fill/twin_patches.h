@@ -8,6 +8,7 @@
 
 #include "tm/fill/hole_patch.h"
 #include "tm/fill/slit.h"
+#include "tm/mesh/triangle.h"
 
 namespace transformesh {
 
@@ -17,9 +18,26 @@ namespace transformesh {
 std::optional<HolePatch> patch_of_slit(const Mesh& mesh, const std::vector<Index>& loop,
                                        const SlitSides& sides, const HalfedgeStars& stars);
 
+/// Where the vertices of a side are once it is drawn back.
+struct DrawnSide {
+  std::vector<Vec3> loop;
+  std::vector<Vec3> within;  ///< those of the patch that are not on the loop
+};
+
+struct ClosedSlit {
+  std::vector<Face> faces;  ///< of the left patch: corners by their place in the loop, then within
+  DrawnSide left, right;
+  std::vector<Triangle> left_patch() const;
+  std::vector<Triangle> right_patch() const;  ///< looks the other way
+};
+
+/// The patches as close_slit() makes them. The mesh is not slit yet.
+ClosedSlit drawn_apart(const Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides,
+                       const HolePatch& patch, Scalar coordinate);
+
 /// Slits the mesh and closes it. New vertices have columns as fill.h says; those of faces are the
 /// caller's.
 void close_slit(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides,
-                const HolePatch& patch, Scalar coordinate);
+                const HolePatch& patch, const ClosedSlit& slit);
 
 }  // namespace transformesh

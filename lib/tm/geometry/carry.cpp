@@ -16,41 +16,86 @@ namespace {
 
 constexpr std::size_t places_per_task = 1024;
 
-/// Means of places on a surface, which are places on it again.
-class Means {
+/// Finds the places on the first mesh of places on a mesh between.
+class Composition {
  public:
-  explicit Means(const Mesh& mesh) : mesh_(mesh), closest_(mesh) {}
+  Composition(const Mesh& first, const SourcePoints& middle_on_first, const Mesh& middle)
+      : first_(first), on_first_(middle_on_first), middle_(middle), closest_(first) {}
 
-  SourcePoint operator()(const std::array<SourcePoint, 3>& places,
-                         const std::array<double, 3>& weights) const {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (weights[i] == 1) return places[i];
-    if (are_on_one_face(places, weights)) return mean_on_face(places, weights);
-    Vec3 point = Vec3::Zero();
+  /// Exact at a corner, and where the corners that count come from one face.
+  SourcePoint of_vertex(const SourcePoint& place) const {
+    const std::array<SourcePoint, 3> corners = corners_of(place.face);
+    const auto weights = place.weights();
+    const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+    const SourcePoint& main = corners[static_cast<std::size_t>(heaviest)];
+    if (weights[static_cast<std::size_t>(heaviest)] == 1) return main;
+    // Between sheets that meet at an angle a vertex looks the mean way.
     Vec3 normal = Vec3::Zero();
-    for (std::size_t i = 0; i < 3; ++i) {
-      point += weights[i] * position_of(mesh_, places[i]);
-      normal += weights[i] * face_normal(mesh_, places[i].face).stableNormalized();
-    }
-    return source_point_on(mesh_, closest_.facing(point, normal).face, point);
+    for (std::size_t i = 0; i < 3; ++i)
+      normal += weights[i] * face_normal(first_, corners[i].face).stableNormalized();
+    return are_on(main.face, corners, weights) ? mean_on_face(main.face, corners, weights)
+                                               : mean_on_surface(place, corners, normal);
+  }
+
+  /// Exact where the face between and its corners come from one face.
+  SourcePoint of_face(const SourcePoint& place) const {
+    const std::array<SourcePoint, 3> corners = corners_of(place.face);
+    const Index own = on_first_.of_faces[place.face].face;
+    return are_on(own, corners, {1, 1, 1})
+               ? mean_on_face(own, corners, place.weights())
+               : mean_on_surface(place, corners, face_normal(first_, own));
   }
 
  private:
-  static bool are_on_one_face(const std::array<SourcePoint, 3>& places,
-                              const std::array<double, 3>& weights) {
-    const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-    const Index face = places[static_cast<std::size_t>(heaviest)].face;
+  /// A point lies on a face up to this share of the size of the face between: above the rounding
+  /// of floats, by which pieces of a face lie beside it; at half and twice the value, places change
+  /// by no more than that.
+  static constexpr double same_distance = 1e-4;
+
+  /// The mean of the corners' places, on the face of the first mesh that the face between comes
+  /// from if it lies there, else on the nearest that looks that way.
+  SourcePoint mean_on_surface(const SourcePoint& place, const std::array<SourcePoint, 3>& corners,
+                              const Vec3& normal) const {
+    const Index own = on_first_.of_faces[place.face].face;
+    const Vec3 point = mean_position(corners, place.weights());
+    const SourcePoint on_own = source_point_on(first_, own, point);
+    const double from_own = (position_of(first_, on_own) - point).norm();
+    if (from_own <= same_distance * reach(corners, point)) return on_own;
+    return source_point_on(first_, closest_.facing(point, normal).face, point);
+  }
+
+  std::array<SourcePoint, 3> corners_of(Index face) const {
+    const auto& [a, b, c] = middle_.faces[face];
+    return {on_first_.of_vertices[a], on_first_.of_vertices[b], on_first_.of_vertices[c]};
+  }
+
+  Vec3 mean_position(const std::array<SourcePoint, 3>& places,
+                     const std::array<double, 3>& weights) const {
+    Vec3 point = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) point += weights[i] * position_of(first_, places[i]);
+    return point;
+  }
+
+  double reach(const std::array<SourcePoint, 3>& places, const Vec3& center) const {
+    double most = 0;
+    for (const SourcePoint& place : places)
+      most = std::max(most, (position_of(first_, place) - center).norm());
+    return most;
+  }
+
+  /// True if all places that have a weight are on the face.
+  static bool are_on(Index face, const std::array<SourcePoint, 3>& places,
+                     const std::array<double, 3>& weights) {
     for (std::size_t i = 0; i < 3; ++i)
       if (weights[i] != 0 && places[i].face != face) return false;
     return true;
   }
 
-  static SourcePoint mean_on_face(const std::array<SourcePoint, 3>& places,
+  static SourcePoint mean_on_face(Index face, const std::array<SourcePoint, 3>& places,
                                   const std::array<double, 3>& weights) {
-    SourcePoint mean;
+    SourcePoint mean{face, 0, 0};
     for (std::size_t i = 0; i < 3; ++i) {
       if (weights[i] == 0) continue;
-      mean.face = places[i].face;
       mean.u += weights[i] * places[i].u;
       mean.v += weights[i] * places[i].v;
     }
@@ -59,7 +104,9 @@ class Means {
     return mean;
   }
 
-  const Mesh& mesh_;
+  const Mesh& first_;
+  const SourcePoints& on_first_;
+  const Mesh& middle_;
   ClosestPointQuery closest_;
 };
 
@@ -212,21 +259,9 @@ std::array<SourcePoint, 3> at_corners(const Face& face, std::span<const SourcePo
   return {places[face[0]], places[face[1]], places[face[2]]};
 }
 
-/// Of the faces of the mesh.
-std::vector<SourcePoint> middles(const Mesh& first, std::span<const SourcePoint> on_first,
-                                 const Mesh& mesh) {
-  const Means mean(first);
-  std::vector<SourcePoint> places(mesh.faces.size());
-  parallel_for(places.size(), places_per_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f)
-      places[f] = mean(at_corners(mesh.faces[f], on_first), {1.0 / 3, 1.0 / 3, 1.0 / 3});
-  });
-  return places;
-}
-
-Columns of_faces(const Mesh& first, const Columns& columns, std::span<const SourcePoint> on_first,
+Columns of_faces(const Mesh& first, const Columns& columns, const SourcePoints& on_first,
                  const Mesh& mesh) {
-  const std::vector<SourcePoint> places = middles(first, on_first, mesh);
+  const std::vector<SourcePoint>& places = on_first.of_faces;
   std::vector<Index> rows;
   rows.reserve(places.size());
   for (const SourcePoint& place : places) rows.push_back(place.face);
@@ -237,7 +272,7 @@ Columns of_faces(const Mesh& first, const Columns& columns, std::span<const Sour
     Texture texture(first, column);
     Column list{column.name, column.type, {}, column.list_count_type, {0}};
     for (std::size_t f = 0; f < places.size(); ++f)
-      texture.append_face(at_corners(mesh.faces[f], on_first), places[f], list);
+      texture.append_face(at_corners(mesh.faces[f], on_first.of_vertices), places[f], list);
     carried.columns[i] = std::move(list);
   }
   return carried;
@@ -245,28 +280,29 @@ Columns of_faces(const Mesh& first, const Columns& columns, std::span<const Sour
 
 }  // namespace
 
-std::vector<SourcePoint> compose_source_points(const Mesh& first,
-                                               std::span<const SourcePoint> middle_on_first,
-                                               const Mesh& middle,
-                                               std::span<const SourcePoint> on_middle) {
-  const Means mean(first);
-  std::vector<SourcePoint> places(on_middle.size());
-  parallel_for(places.size(), places_per_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v)
-      places[v] = mean(at_corners(middle.faces[on_middle[v].face], middle_on_first),
-                       on_middle[v].weights());
-  });
-  return places;
+SourcePoints compose_source_points(const Mesh& first, const SourcePoints& middle_on_first,
+                                   const Mesh& middle, const SourcePoints& on_middle) {
+  const Composition composition(first, middle_on_first, middle);
+  const auto composed = [](const std::vector<SourcePoint>& places, const auto& place_of) {
+    std::vector<SourcePoint> result(places.size());
+    parallel_for(places.size(), places_per_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) result[i] = place_of(places[i]);
+    });
+    return result;
+  };
+  return {composed(on_middle.of_vertices,
+                   [&](const SourcePoint& place) { return composition.of_vertex(place); }),
+          composed(on_middle.of_faces,
+                   [&](const SourcePoint& place) { return composition.of_face(place); })};
 }
 
-CarryResult carry_columns(const Mesh& first, std::span<const SourcePoint> on_first, Mesh& mesh,
+CarryResult carry_columns(const Mesh& first, const SourcePoints& on_first, Mesh& mesh,
                           const std::vector<std::string>& names) {
   check_names(first, names);
   const Columns vertex_columns = wanted_columns(first.vertex_columns, names);
   const Columns face_columns = wanted_columns(first.face_columns, names);
-  put(of_vertices(first, vertex_columns, on_first), mesh.vertex_columns);
-  if (!face_columns.columns.empty())
-    put(of_faces(first, face_columns, on_first, mesh), mesh.face_columns);
+  put(of_vertices(first, vertex_columns, on_first.of_vertices), mesh.vertex_columns);
+  put(of_faces(first, face_columns, on_first, mesh), mesh.face_columns);
   return {vertex_columns.columns.size(), face_columns.columns.size()};
 }
 

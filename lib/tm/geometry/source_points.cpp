@@ -14,10 +14,15 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t vertices_per_task = 1024;
+constexpr std::size_t places_per_task = 1024;
 constexpr const char* face_name = source_point_names[0];
 constexpr const char* u_name = source_point_names[1];
 constexpr const char* v_name = source_point_names[2];
+
+Vec3 face_middle(const Mesh& mesh, Index face) {
+  const auto& [a, b, c] = mesh.faces[face];
+  return mesh.positions[a] / 3 + mesh.positions[b] / 3 + mesh.positions[c] / 3;
+}
 
 double share(double part, double whole) {
   return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0;
@@ -62,9 +67,41 @@ bool is_face_number(double value, std::size_t faces) {
 
 bool is_share(double value) { return value >= 0 && value <= 1; }
 
-const Column* numbers(const Mesh& mesh, const char* name) {
-  const Column* column = mesh.vertex_columns.find(name);
-  return column != nullptr && !column->list_count_type ? column : nullptr;
+std::vector<SourcePoint> read(const Columns& columns, std::size_t source_faces, const char* element,
+                              const std::string& source_name) {
+  const std::vector<double>& faces = columns.find(face_name)->values;
+  const std::vector<double>& u = columns.find(u_name)->values;
+  const std::vector<double>& v = columns.find(v_name)->values;
+  std::vector<SourcePoint> places(faces.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!is_face_number(faces[i], source_faces) || !is_share(u[i]) || !is_share(v[i]))
+      throw InputError(element + (" " + std::to_string(i)) + " does not come from " + source_name +
+                       ", which has " + std::to_string(source_faces) +
+                       " faces, as its source_face, source_u and source_v say: name the mesh that "
+                       "was the input where they were written");
+    places[i] = {static_cast<Index>(faces[i]), u[i], v[i]};
+  }
+  return places;
+}
+
+void write(Columns& columns, std::span<const SourcePoint> places) {
+  const auto put = [&](const char* name, Scalar type, const auto& value) {
+    Column& column = columns.get(name, type, places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) column.values[i] = value(places[i]);
+  };
+  put(face_name, Scalar::int32, [](const SourcePoint& place) { return 1.0 * place.face; });
+  put(u_name, Scalar::float64, [](const SourcePoint& place) { return place.u; });
+  put(v_name, Scalar::float64, [](const SourcePoint& place) { return place.v; });
+}
+
+/// Fills the places from those that `place_of` gives for each number, on all allowed threads.
+template <typename PlaceOf>
+std::vector<SourcePoint> places_of_all(std::size_t count, const PlaceOf& place_of) {
+  std::vector<SourcePoint> places(count);
+  parallel_for(count, places_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) places[i] = place_of(static_cast<Index>(i));
+  });
+  return places;
 }
 
 }  // namespace
@@ -90,67 +127,56 @@ Vec3 position_of(const Mesh& source, const SourcePoint& place) {
   return of_a * source.positions[a] + of_b * source.positions[b] + of_c * source.positions[c];
 }
 
-std::vector<SourcePoint> source_points_of_pieces(const Mesh& source, const Mesh& mesh,
-                                                 std::span<const double> face_sources) {
+SourcePoints source_points_of_pieces(const Mesh& source, const Mesh& mesh,
+                                     std::span<const double> face_sources) {
   const VertexFaces faces_at(mesh);
-  std::vector<SourcePoint> places(mesh.positions.size());
+  SourcePoints places;
+  places.of_vertices.resize(mesh.positions.size());
   std::optional<ClosestPointQuery> closest;  // for vertices that no face uses
-  for (Index v = 0; v < places.size(); ++v) {
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
     const Vec3& point = mesh.positions[v];
     if (!faces_at[v].empty()) {
-      places[v] = nearest_of(source, point, faces_at[v], face_sources);
+      places.of_vertices[v] = nearest_of(source, point, faces_at[v], face_sources);
       continue;
     }
     if (!closest) closest.emplace(source);
-    places[v] = source_point_on(source, (*closest)(point).face, point);
+    places.of_vertices[v] = source_point_on(source, (*closest)(point).face, point);
   }
-  return places;
-}
-
-std::vector<SourcePoint> closest_source_points(const Mesh& source, const Mesh& mesh) {
-  const ClosestPointQuery closest(source);
-  const std::vector<Vec3> normals = vertex_normals(mesh);
-  std::vector<SourcePoint> places(mesh.positions.size());
-  parallel_for(places.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      const Index face = closest.facing(mesh.positions[v], normals[v]).face;
-      places[v] = source_point_on(source, face, mesh.positions[v]);
-    }
+  places.of_faces = places_of_all(mesh.faces.size(), [&](Index f) {
+    return source_point_on(source, static_cast<Index>(face_sources[f]), face_middle(mesh, f));
   });
   return places;
 }
 
-bool has_source_points(const Mesh& mesh) {
-  return numbers(mesh, face_name) && numbers(mesh, u_name) && numbers(mesh, v_name);
-}
-
-std::vector<SourcePoint> read_source_points(const Mesh& mesh, std::size_t source_faces,
-                                            const std::string& source_name) {
-  if (!has_source_points(mesh))
-    throw InputError("the mesh lacks the vertex properties source_face, source_u and source_v");
-  const std::vector<double>& faces = numbers(mesh, face_name)->values;
-  const std::vector<double>& u = numbers(mesh, u_name)->values;
-  const std::vector<double>& v = numbers(mesh, v_name)->values;
-  std::vector<SourcePoint> places(mesh.positions.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!is_face_number(faces[i], source_faces) || !is_share(u[i]) || !is_share(v[i]))
-      throw InputError("vertex " + std::to_string(i) + " does not come from " + source_name +
-                       ", which has " + std::to_string(source_faces) +
-                       " faces, as its source_face, source_u and source_v say: name the mesh that "
-                       "was the input where they were written");
-    places[i] = {static_cast<Index>(faces[i]), u[i], v[i]};
-  }
-  return places;
-}
-
-void write_source_points(Mesh& mesh, std::span<const SourcePoint> places) {
-  const auto write = [&](const char* name, Scalar type, const auto& value) {
-    Column& column = mesh.vertex_columns.get(name, type, places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) column.values[i] = value(places[i]);
+SourcePoints closest_source_points(const Mesh& source, const Mesh& mesh) {
+  const ClosestPointQuery closest(source);
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  const auto place = [&](const Vec3& point, const Vec3& normal) {
+    return source_point_on(source, closest.facing(point, normal).face, point);
   };
-  write(face_name, Scalar::int32, [](const SourcePoint& place) { return 1.0 * place.face; });
-  write(u_name, Scalar::float64, [](const SourcePoint& place) { return place.u; });
-  write(v_name, Scalar::float64, [](const SourcePoint& place) { return place.v; });
+  return {places_of_all(mesh.positions.size(),
+                        [&](Index v) { return place(mesh.positions[v], normals[v]); }),
+          places_of_all(mesh.faces.size(), [&](Index f) {
+            return place(face_middle(mesh, f), face_normal(mesh, f));
+          })};
+}
+
+bool has_source_points(const Mesh& mesh) {
+  return has_source_columns(mesh.vertex_columns) && has_source_columns(mesh.face_columns);
+}
+
+SourcePoints read_source_points(const Mesh& mesh, std::size_t source_faces,
+                                const std::string& source_name) {
+  if (!has_source_points(mesh))
+    throw InputError(
+        "the mesh lacks the vertex and face properties source_face, source_u and source_v");
+  return {read(mesh.vertex_columns, source_faces, "vertex", source_name),
+          read(mesh.face_columns, source_faces, "face", source_name)};
+}
+
+void write_source_points(Mesh& mesh, const SourcePoints& places) {
+  write(mesh.vertex_columns, places.of_vertices);
+  write(mesh.face_columns, places.of_faces);
 }
 
 }  // namespace transformesh

@@ -91,8 +91,8 @@ std::string extension_of(std::string_view name) {
 
 }  // namespace
 
-ReadResult read_mesh(std::string_view bytes, const std::string& name) {
-  const Source source{without_byte_order_mark(bytes), name};
+ReadResult read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  const Source source{without_byte_order_mark(bytes), name, options.strict};
   switch (sniff(source)) {
     case FileKind::ply:
       return read_ply(source);

@@ -1,12 +1,15 @@
 /// Bytes to mesh and back. The format is told from the first bytes (PLY, OFF and its variants, STL
 /// by `solid` or by its size, OBJ by its keywords); `name` only helps where bytes cannot decide,
-/// and is what messages call the input. Polygons are cut into fans. A header is a claim, not a
-/// promise: memory grows with the bytes that are there, never with a count that a header states.
+/// and is what messages call the input. Polygons are triangulated without folds. A header is a
+/// claim, not a promise: memory grows with the bytes that are there, never with a count that a
+/// header states.
 ///
-/// Reading checks every index and every number: an index out of range, a count that the data does
-/// not hold, NaN or infinity in a coordinate are InputErrors with line or byte offset.
-/// Cost: linear. Deterministic, locale-free. Writing what was read gives the same mesh bit for bit;
-/// ASCII numbers are the shortest that read back the same.
+/// Reading checks every index and every number: an index out of range and a count that the data
+/// does not hold are InputErrors with line or byte offset. Vertices with a coordinate that is not
+/// finite are dropped with the faces that use them; normals and colors that are not finite become
+/// 0. Notes count both, and what else is skipped; strict reading refuses it. Cost: linear.
+/// Deterministic, locale-free. Writing what was read gives the same mesh bit for bit; ASCII numbers
+/// are the shortest that read back the same.
 #pragma once
 
 #include <optional>
@@ -19,7 +22,7 @@
 namespace transformesh {
 
 /// Throws InputError. An input without a single byte says so. A mesh may be empty of faces.
-ReadResult read_mesh(std::string_view bytes, const std::string& name);
+ReadResult read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& = {});
 
 /// Writes in document.style. Coordinates are rounded to style.coordinate where the format has a
 /// choice; STL and GLB hold float. Throws GoalError for coordinates that are not finite, or become

@@ -5,6 +5,7 @@
 #include "tm/mesh/edges.h"
 #include "tm/mesh/fans.h"
 #include "tm/mesh/location_text.h"
+#include "tm/mesh/touching_borders.h"
 
 namespace transformesh {
 namespace {
@@ -55,6 +56,13 @@ std::string and_more(std::size_t count, const std::string& what) {
   return count < 2 ? "" : " (the first of " + std::to_string(count) + " such " + what + ")";
 }
 
+/// What is no hole is to be joined before tm-fill closes it by a flat patch.
+std::string border_advice(const ManifoldReport& report) {
+  if (report.touching_borders == 0) return "; tm-fill closes holes";
+  return ", and " + std::to_string(report.touching_borders) +
+         " border edges lie upon each other, as in a soup of triangles; tm-stitch joins them";
+}
+
 }  // namespace
 
 ManifoldReport check_manifold(const Mesh& mesh) {
@@ -65,6 +73,7 @@ ManifoldReport check_manifold(const Mesh& mesh) {
   check_vertices(mesh, fans, report);
   check_faces(mesh, report);
   report.boundary_loops = boundary_loops(edges, fans).size();
+  report.touching_borders = count_touching_borders(mesh, report.border_halfedges);
   return report;
 }
 
@@ -83,7 +92,7 @@ std::string describe_problem(const Mesh& mesh, const ManifoldReport& report, boo
            " run along it the same way" + and_more(report.misoriented_edges.size(), "edges");
   if (closed && !report.border_halfedges.empty())
     return "the " + face_edge_text(mesh, report.border_halfedges[0]) + " has no face across" +
-           and_more(report.border_halfedges.size(), "edges") + "; tm-fill closes holes";
+           and_more(report.border_halfedges.size(), "edges") + border_advice(report);
   return "";
 }
 

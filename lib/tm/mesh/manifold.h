@@ -18,6 +18,7 @@ struct ManifoldReport {
   std::vector<Index> border_halfedges;      ///< halfedges without a face across
   std::vector<Index> isolated_vertices;     ///< used by no face
   std::size_t boundary_loops = 0;
+  std::size_t touching_borders = 0;  ///< border edges that lie upon others (touching_borders.h)
 
   bool is_manifold() const {
     return nonmanifold_edges.empty() && nonmanifold_vertices.empty() && collapsed_faces.empty();

@@ -25,10 +25,10 @@ void set_row(const NormalColumns& columns, std::size_t row, const Vec3& normal) 
     columns[axis]->values[row] = normal[static_cast<Eigen::Index>(axis)];
 }
 
-// The values of a polygon's list for three of its corners.
+// Appends the values that the list of a row has for three corners, `width` for each.
 void append_corners(Column& to, const Column& from, std::size_t row,
-                    const std::array<std::size_t, 3>& corners, std::size_t width) {
-  for (const std::size_t corner : corners)
+                    const std::array<std::uint32_t, 3>& corners, std::size_t width) {
+  for (const std::uint32_t corner : corners)
     for (std::size_t i = 0; i < width; ++i)
       to.values.push_back(from.values[from.list_offsets[row] + corner * width + i]);
 }
@@ -39,23 +39,17 @@ void append_list(Column& to, const Column& from, std::size_t row) {
                    begin + static_cast<std::ptrdiff_t>(from.list_offsets[row + 1]));
 }
 
-Column split_lists(const Column& column, std::span<const std::uint32_t> source) {
+Column split_lists(const Column& column, std::span<const PolygonTriangle> triangles) {
   Column split{column.name, column.type, {}, column.list_count_type, {0}};
-  for (std::size_t first = 0; first < source.size();) {
-    std::size_t last = first;
-    while (last < source.size() && source[last] == source[first]) ++last;
-    const std::size_t corners = last - first + 2;
-    const std::size_t length = column.list_offsets[first + 1] - column.list_offsets[first];
-    for (std::size_t f = first; f < last; ++f) {
-      const std::size_t i = f - first;
-      if (length % corners == 0) {
-        append_corners(split, column, f, {0, i + 1, i + 2}, length / corners);
-      } else {
-        append_list(split, column, f);
-      }
-      split.list_offsets.push_back(split.values.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    const auto& [row, size, corners] = triangles[f];
+    const std::size_t length = column.list_offsets[f + 1] - column.list_offsets[f];
+    if (length % size == 0) {
+      append_corners(split, column, f, corners, length / size);
+    } else {
+      append_list(split, column, f);
     }
-    first = last;
+    split.list_offsets.push_back(split.values.size());
   }
   return split;
 }
@@ -112,18 +106,26 @@ std::vector<std::string> drop_corner_lists(Columns& face_columns) {
   return names;
 }
 
-bool drop_source_points(Columns& vertex_columns) {
-  for (const char* name : source_point_names) {
-    const Column* column = vertex_columns.find(name);
-    if (column == nullptr || column->list_count_type) return false;
-  }
-  for (const char* name : source_point_names) vertex_columns.erase(name);
-  return true;
+bool has_source_columns(const Columns& columns) {
+  return std::ranges::all_of(source_point_names, [&](const char* name) {
+    const Column* column = columns.find(name);
+    return column != nullptr && !column->list_count_type;
+  });
 }
 
-void split_corner_lists(Columns& face_columns, std::span<const std::uint32_t> source) {
+bool drop_source_points(Mesh& mesh) {
+  bool had_any = false;
+  for (Columns* columns : {&mesh.vertex_columns, &mesh.face_columns}) {
+    if (!has_source_columns(*columns)) continue;
+    for (const char* name : source_point_names) columns->erase(name);
+    had_any = true;
+  }
+  return had_any;
+}
+
+void split_corner_lists(Columns& face_columns, std::span<const PolygonTriangle> triangles) {
   for (Column& column : face_columns.columns)
-    if (is_corner_list(column)) column = split_lists(column, source);
+    if (is_corner_list(column)) column = split_lists(column, triangles);
 }
 
 }  // namespace transformesh

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -13,7 +14,9 @@
 #include "tm/mesh/measure.h"
 #include "tm/remesh/halfedges/star.h"
 #include "tm/remesh/operations/collapse.h"
+#include "tm/remesh/operations/exact_split.h"
 #include "tm/remesh/operations/flip.h"
+#include "tm/remesh/operations/safe_split.h"
 #include "tm/remesh/operations/smooth.h"
 #include "tm/remesh/operations/split.h"
 #include "tm/remesh/operations/vertex_mover.h"
@@ -230,14 +233,16 @@ bool Aligner::crosses_line(Index vertex) const {
 // Where neither end could be moved onto the line.
 void Aligner::split_what_crosses() {
   find_sides();
+  ExactGuard guard(mesh_);
+  ExactSplitter splitter(mesh_, guard);
   const Index edges = mesh_.halfedge_slots();
   for (Index h = 0; h < edges; ++h) {
     if (!mesh_.is_edge(h) || mesh_.is_border(h)) continue;
     const Index from = mesh_.source(h);
     const Index to = mesh_.target(h);
     if (from >= sides_.size() || to >= sides_.size() || !crosses_line(from, to)) continue;
-    mesh_.split(h, mesh_.rounded(0.5 * mesh_.position(from) + 0.5 * mesh_.position(to)));
-    is_held_.push_back(0);
+    splitter.split(h, false);
+    is_held_.resize(mesh_.vertex_slots(), 0);
   }
 }
 
@@ -309,11 +314,13 @@ void Aligner::mark_aligned_edges() {
 // slide along themselves and back onto the target's, and the rest relaxes onto it.
 void Aligner::tidy(bool moves) {
   mark_aligned_edges();
-  const Index first_new = mesh_.vertex_slots();
-  split_long_edges(mesh_, options_.limits.longest, false, progress_);
+  const double longest = options_.limits.longest;
+  const SafeSplitOptions splitting{
+      longest, false,
+      [&] { return std::make_unique<EmbeddingGuard>(mesh_, longest_allowed * longest); }};
+  const std::unique_ptr<EmbeddingGuard> owned = split_safely(mesh_, splitting, progress_).guard;
+  EmbeddingGuard& guard = *owned;
   const VertexRoles roles(mesh_, false);
-  EmbeddingGuard guard(mesh_, longest_allowed * options_.limits.longest);
-  settle_midpoints(mesh_, guard, first_new);
   collapse_short_edges(mesh_, guard, roles, options_.limits, progress_);
   flip_edges(mesh_, guard, FlipRule::angle, options_.limits, progress_);
   if (moves) {

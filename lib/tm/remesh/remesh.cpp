@@ -2,21 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "tm/remesh/guards/edge_rules.h"
 #include "tm/remesh/halfedges/halfedges.h"
+#include "tm/remesh/halfedges/sharpness.h"
 #include "tm/remesh/operations/collapse.h"
 #include "tm/remesh/operations/degenerate.h"
 #include "tm/remesh/operations/even_out.h"
 #include "tm/remesh/operations/flip.h"
+#include "tm/remesh/operations/safe_split.h"
+#include "tm/remesh/operations/slivers.h"
 #include "tm/remesh/operations/smooth.h"
-#include "tm/remesh/operations/split.h"
 #include "tm/remesh/sizing.h"
 #include "tm/remesh/small_components.h"
 #include "tm/support/counted.h"
 #include "tm/support/length.h"
+#include "tm/support/nothing_left.h"
 
 namespace transformesh {
 namespace {
@@ -34,6 +38,7 @@ constexpr double adaptive_longest = 0.95;
 /// From so many iterations on, a mesh is made anew and evened out at the end. With fewer it is part
 /// of an evolution, whose next step sees to its shape.
 constexpr int iterations_anew = 3;
+constexpr double usual_feature_angle_deg = 40;
 
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
@@ -62,9 +67,9 @@ void check_options(const RemeshOptions& options) {
   if (options.only_smooth && options.smoothing == Smoothing::none)
     throw UsageError("nothing but smoothing, and no smoothing: nothing would be done");
   if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
-  if (!(options.feature_angle_deg > 0 && options.feature_angle_deg <= 180)) {
+  if (!(options.feature_angle_deg >= 0 && options.feature_angle_deg <= 180)) {
     throw UsageError("the feature angle " + shortest_text(options.feature_angle_deg) +
-                     " is not above 0 and at most 180 degrees");
+                     " is not at least 0 and at most 180 degrees");
   }
   if (!(first >= 0 && first <= 1)) {
     throw UsageError("the smoothing factor " + shortest_text(first) + " is not between 0 and 1");
@@ -92,6 +97,12 @@ void check_size(const Mesh& mesh) {
                      " across, too large to compute its areas: scale it to less than " +
                      shortest_text(largest_extent));
   }
+}
+
+RemeshOptions with_feature_angle(RemeshOptions options, const EditableMesh& mesh) {
+  if (options.feature_angle_deg == 0)
+    options.feature_angle_deg = has_sharp_edges(mesh) ? usual_feature_angle_deg : 180;
+  return options;
 }
 
 EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions& options) {
@@ -147,18 +158,13 @@ struct Task {
   RemeshResult& result;
 };
 
-/// The steps of one iteration after the splits, whose new vertices are those from `first_new` on.
+/// The steps of one iteration after the splits.
 class Iteration {
  public:
-  Iteration(const Task& task, Index first_new, std::optional<double> longest_edge)
-      : task_(task),
-        mesh_(task.mesh),
-        first_new_(first_new),
-        roles_(mesh_, task.options.keep_border),
-        guard_(mesh_, task.limits.stretched() * largest_size(mesh_), task.keep_out, longest_edge) {}
+  Iteration(const Task& task, EmbeddingGuard& guard)
+      : task_(task), mesh_(task.mesh), roles_(mesh_, task.options.keep_border), guard_(guard) {}
 
   void run(bool is_first) {
-    task_.result.refused = settle_midpoints(mesh_, guard_, first_new_);
     if (task_.options.only_smooth) {
       smooth(true);
       return relax();
@@ -176,8 +182,6 @@ class Iteration {
     if (task_.options.smoothing == Smoothing::tangential && task_.surface == nullptr)
       even_out(mesh_, guard_, roles_, task_.progress);
   }
-
-  std::size_t kept_out() const { return guard_.kept_out(); }
 
  private:
   void collapse() {
@@ -214,15 +218,19 @@ class Iteration {
 
   const Task& task_;
   EditableMesh& mesh_;
-  Index first_new_;
   VertexRoles roles_;
-  EmbeddingGuard guard_;
+  EmbeddingGuard& guard_;
 };
 
 void remove_small(const Task& task) {
   if (task.options.only_smooth) return;
-  task.result.components_removed +=
+  const RemovedComponents removed =
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
+  RemovedComponents& all = task.result.components_removed;
+  all.count += removed.count;
+  all.faces += removed.faces;
+  all.area += removed.area;
+  all.volume += removed.volume;
 }
 
 /// Lengths over all edges, in units of the local size.
@@ -268,48 +276,72 @@ ScaledLengths coarsen(const Task& task) {
   }
 }
 
-/// Returns the length of the longest edge that is left, where that is known.
-std::optional<double> refine(const Task& task) {
+std::unique_ptr<EmbeddingGuard> make_guard(const Task& task,
+                                           std::optional<double> longest_edge = std::nullopt) {
+  return std::make_unique<EmbeddingGuard>(
+      task.mesh, task.limits.stretched() * largest_size(task.mesh), task.keep_out, longest_edge);
+}
+
+/// Collapses what is far too short and splits what is too long. Returns the guard of the mesh that
+/// came of it.
+std::unique_ptr<EmbeddingGuard> refine(const Task& task) {
   const ScaledLengths lengths = coarsen(task);
   if (lengths.longest <= task.limits.longest) {
-    if (task.mesh.has_sizes()) return std::nullopt;
-    return lengths.longest;
+    if (task.mesh.has_sizes()) return make_guard(task);
+    return make_guard(task, lengths.longest);
   }
-  task.result.splits +=
-      split_long_edges(task.mesh, task.limits.longest, task.options.keep_border, task.progress);
-  return std::nullopt;
+  const SafeSplitOptions options{task.limits.longest, task.options.keep_border,
+                                 [&] { return make_guard(task); }};
+  SafeSplits splits = split_safely(task.mesh, options, task.progress);
+  task.result.splits += splits.done;
+  task.result.refused = splits.refused;
+  return std::move(splits.guard);
 }
 
 void iterate(const Task& task, bool is_first, bool is_finish) {
   mark_features(task.mesh, task.options.feature_angle_deg);
-  const Index first_new = task.mesh.vertex_slots();
-  std::optional<double> longest_edge;
-  if (!task.options.only_smooth) longest_edge = refine(task);
-  Iteration iteration(task, first_new, longest_edge);
+  task.result.refused = 0;
+  const std::unique_ptr<EmbeddingGuard> guard =
+      task.options.only_smooth ? make_guard(task) : refine(task);
+  Iteration iteration(task, *guard);
   iteration.run(is_first);
   if (is_finish) iteration.finish();
-  task.result.kept_out += iteration.kept_out();
+  task.result.kept_out += guard->kept_out();
   remove_small(task);
+}
+
+void count_what_is_left(const Task& task) {
+  Slivers left = count_slivers(task.mesh);
+  if (left.kept > 0 && !task.options.only_smooth) {
+    remove_slivers(task.mesh, VertexRoles(task.mesh, task.options.keep_border));
+    left = count_slivers(task.mesh);
+  }
+  task.result.degenerate_faces = left.degenerate;
+  task.result.slivers_kept = left.kept;
+  task.result.first_sliver = left.place;
+  task.result.faces_without_area = left.without_area;
 }
 
 }  // namespace
 
-RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress,
+RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& progress,
                     std::vector<Index> opposites) {
   if (mesh.faces.empty() || mesh.positions.empty())
     throw InputError("the mesh has no faces, so there is nothing to remesh");
   check_size(mesh);
-  check_options(options);
+  check_options(given);
   progress("connect");
   if (opposites.empty()) opposites = manifold_opposites(mesh);
   EditableMesh editable(mesh, std::move(opposites));
-  editable.set_coordinate(options.coordinate);
+  editable.set_coordinate(given.coordinate);
+  const RemeshOptions options = with_feature_angle(given, editable);
   const EdgeLimits limits = set_sizes(editable, mesh, options);
   check_number_of_faces(editable, limits.longest);
   std::optional<ClosestPointQuery> surface;
   if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
 
   RemeshResult result;
+  result.feature_angle_deg = options.feature_angle_deg;
   std::optional<KeepOut> keep_out;
   if (options.keep_out.surface != nullptr) {
     keep_out.emplace(options.keep_out);
@@ -319,17 +351,20 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& pr
       editable, options, limits, surface ? &*surface : nullptr, keep_out ? &*keep_out : nullptr,
       progress, result};
   remove_small(task);
+  if (!options.only_smooth && count_slivers(editable).kept > 0)
+    remove_slivers(editable, VertexRoles(editable, options.keep_border));
   if (options.iterations > 1) editable.set_components(closed_components(editable));
   for (int i = 0; i < options.iterations; ++i)
     iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
-  result.degenerate_faces = count_degenerate_faces(editable);
+  count_what_is_left(task);
   Mesh remeshed = editable.to_mesh();
   if (remeshed.faces.empty()) {
-    const std::string all = result.components_removed == 1
-                                ? "the only component is"
-                                : "all " + counted(result.components_removed, "component") + " are";
-    throw GoalError(all + " smaller than the shortest edge " + shortest_text(options.min_edge) +
-                    ", so nothing would be left; use a smaller --min-edge");
+    const std::size_t count = result.components_removed.count;
+    const std::string all =
+        count == 1 ? "the only component is" : "all " + counted(count, "component") + " are";
+    throw NothingLeftError(all + " smaller than the shortest edge " +
+                           shortest_text(options.min_edge) +
+                           ", so nothing would be left; use a smaller --min-edge");
   }
   mesh = std::move(remeshed);
   result.columns = refresh_columns(mesh);

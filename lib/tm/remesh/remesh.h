@@ -4,10 +4,10 @@
 ///
 /// Guarantees, for an oriented manifold with or without borders:
 /// - the result is one too; genus and number of components change only by small components removed;
-/// - no step makes a self-intersection: collapses, flips and moves that might meet another part of
-///   the surface are refused (embedding_guard.h). Crossings of the input stay where they are.
-///   Midpoints, which rounding moves off their edges, are moved out of contact; only sheets less
-///   than a rounding apart may stay crossed, which counts as refused;
+/// - no step adds a self-intersection or a face without area: splits, collapses, flips and moves
+///   that would are refused (embedding_guard.h, safe_split.h). Intersections of the input stay;
+/// - slivers, faces thinner than 4 spacings of their coordinates, are removed first where that adds
+///   no intersection (slivers.h); the surface moves by their height;
 /// - surviving vertices and faces keep their order, new ones follow; attributes are interpolated
 ///   for new and for sliding vertices, inherited by faces;
 ///   normals are computed anew, texture coordinates of corners dropped (surface_columns.h).
@@ -40,12 +40,22 @@ struct RemeshOptions {
   FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< the Laplacians slide vertices as well
   double smooth_first = 0;                      ///< b of v - b dv, or b1; in [0, 1]
-  double smooth_second = 0;        ///< b2 of v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
-  double feature_angle_deg = 180;  ///< edges sharper than this stay; in (0, 180], 180: none are
-  bool keep_border = false;        ///< leave border vertices and edges alone
-  bool project = false;            ///< relaxed vertices end on the input; so with adaptive_error
+  double smooth_second = 0;  ///< b2 of v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
+  /// Edges sharper than this stay; in [0, 180], 180: none are, 0: 40 if has_sharp_edges()
+  /// (sharpness.h), else 180.
+  double feature_angle_deg = 180;
+  bool keep_border = false;  ///< leave border vertices and edges alone
+  bool project = false;      ///< relaxed vertices end on the input; so with adaptive_error
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
   KeepOutOptions keep_out = {};         ///< no step comes nearer to it than its gap (keep_out.h)
+};
+
+/// Components that were removed because they are too small (small_components.h).
+struct RemovedComponents {
+  std::size_t count = 0;
+  std::size_t faces = 0;
+  double area = 0;
+  double volume = 0;  ///< sum of the absolute volumes
 };
 
 struct RemeshResult {
@@ -54,9 +64,13 @@ struct RemeshResult {
   std::size_t flips = 0;
   std::size_t refused = 0;   ///< of the last iteration: steps wanted that would break a guarantee
   std::size_t kept_out = 0;  ///< steps refused because of `keep_out`
-  std::size_t near_keep_out = 0;       ///< faces of the input nearer than its gap
-  std::size_t components_removed = 0;  ///< all edges < e1 and |volume| < pi/6 e1^3
-  std::size_t degenerate_faces = 0;    ///< left
+  std::size_t near_keep_out = 0;  ///< faces of the input nearer than its gap
+  RemovedComponents components_removed;
+  std::size_t degenerate_faces = 0;    ///< left: lower than a thousandth of their longest edges
+  std::size_t slivers_kept = 0;        ///< of these: thinner than 4 spacings of their coordinates
+  Vec3 first_sliver = Vec3::Zero();    ///< a corner of the first one
+  std::size_t faces_without_area = 0;  ///< of these: input faces that nothing could remove
+  double feature_angle_deg = 180;      ///< above which edges were kept
   StaleColumns columns;                ///< normals, and lists of texture coordinates
 };
 

@@ -1,6 +1,8 @@
 #include "tm/remesh/small_components.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -68,6 +70,41 @@ class ComponentWalk {
   double sizes_ = 0;  ///< sum over the corners of the faces
 };
 
+/// The second longest side of the box around the faces along their principal axes.
+double width_of(const EditableMesh& mesh, const std::vector<Index>& faces) {
+  const Vec3 origin = mesh.position(mesh.source(3 * faces[0]));
+  Vec3 sum = Vec3::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  const auto for_each_corner = [&](const auto& visit) {
+    for (const Index face : faces)
+      for (const Vec3& corner : mesh.triangle(face)) visit(Vec3(corner - origin));
+  };
+  for_each_corner([&](const Vec3& p) {
+    sum += p;
+    squares += p * p.transpose();
+  });
+  const double count = 3.0 * static_cast<double>(faces.size());
+  const Eigen::Matrix3d covariance = squares / count - sum * sum.transpose() / (count * count);
+  const Eigen::Matrix3d axes =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
+  Vec3 low = Vec3::Constant(HUGE_VAL);
+  Vec3 high = -low;
+  for_each_corner([&](const Vec3& p) {
+    const Vec3 along = axes.transpose() * p;
+    low = low.cwiseMin(along);
+    high = high.cwiseMax(along);
+  });
+  Vec3 sides = high - low;
+  std::sort(sides.data(), sides.data() + 3);
+  return sides[1];
+}
+
+double area_of(const EditableMesh& mesh, const std::vector<Index>& faces) {
+  double area = 0;
+  for (const Index face : faces) area += 0.5 * mesh.face_normal(face).norm();
+  return area;
+}
+
 void remove_faces(EditableMesh& mesh, const std::vector<Index>& faces) {
   for (const Index face : faces) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) mesh.remove_vertex(mesh.source(h));
@@ -77,8 +114,8 @@ void remove_faces(EditableMesh& mesh, const std::vector<Index>& faces) {
 
 }  // namespace
 
-std::size_t remove_small_components(EditableMesh& mesh, double edge, bool keep_border) {
-  std::size_t removed = 0;
+RemovedComponents remove_small_components(EditableMesh& mesh, double edge, bool keep_border) {
+  RemovedComponents removed;
   ComponentWalk component(mesh, edge);
   const std::vector<Index> seeds = indices_where(mesh.face_slots(), [&](Index face) {
     return mesh.has_face(face) && component.has_short_edges(face);
@@ -86,11 +123,15 @@ std::size_t remove_small_components(EditableMesh& mesh, double edge, bool keep_b
   for (const Index face : seeds) {
     if (!mesh.has_face(face) || !component.walk(face)) continue;
     if (keep_border && component.has_border()) continue;
-    const double diameter = edge * component.mean_size();
-    if (std::abs(component.volume()) >= std::numbers::pi / 6 * elementary::pow(diameter, 3))
-      continue;
+    const double length = edge * component.mean_size();
+    const double volume = std::abs(component.volume());
+    if (volume >= std::numbers::pi / 6 * elementary::pow(length, 3)) continue;
+    if (width_of(mesh, component.faces()) >= length) continue;
+    ++removed.count;
+    removed.faces += component.faces().size();
+    removed.area += area_of(mesh, component.faces());
+    removed.volume += volume;
     remove_faces(mesh, component.faces());
-    ++removed;
   }
   return removed;
 }

@@ -51,7 +51,8 @@ MorphStepResult morph_step(Mesh& mesh, const TargetQuery& query, const MorphStep
       },
       [&] {
         const double near = far_from_target_in_edges * edges.mean;
-        result.from_target = distance_from_target(target, mesh, near, Progress(), order);
+        const Target& goal = options.goal != nullptr ? *options.goal : target;
+        result.from_target = distance_from_target(goal, mesh, near, Progress(), order);
       });
   result.to_target = morph.to_target;
 

@@ -21,6 +21,8 @@ struct MorphStepOptions {
   /// length that puts so many edges across narrow places.
   double gap_edges = 0;
   double largest_size = 0;  ///< input units; sizes are between a twentieth of it and all of it
+  /// Whose vertices the mesh has to reach, for `from_target`; null: all of the target's.
+  const Target* goal = nullptr;
 };
 
 /// Distances are those before the movement.

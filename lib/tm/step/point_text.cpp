@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tm/io/formats/finite_values.h"
 #include "tm/io/formats/text_rows.h"
 
 namespace transformesh {
@@ -38,7 +39,7 @@ std::size_t row_length(const TextRows& rows) {
 std::array<double, 6> read_row(TextRows& rows, std::size_t length, std::size_t point) {
   std::array<double, 6> values{};
   for (std::size_t i = 0; i < length; ++i) {
-    values[i] = rows.finite_number<double>(
+    values[i] = rows.number_or_nan<double>(
         [&] { return std::string(value_names[i]) + " of point " + std::to_string(point); });
   }
   rows.end_row([&] { return "point " + std::to_string(point); });
@@ -51,14 +52,16 @@ bool are_colors(const std::array<std::vector<double>, 3>& columns) {
   bool are_bytes = true, are_shares = true, are_unit = true;
   for (std::size_t i = 0; i < columns[0].size(); ++i) {
     double square = 0;
+    const bool is_finite = std::isfinite(columns[0][i] + columns[1][i] + columns[2][i]);
     for (const std::vector<double>& column : columns) {
       const double value = column[i];
+      if (std::isnan(value)) continue;
       square += value * value;
       largest = std::max(largest, value);
       are_bytes = are_bytes && value >= 0 && value <= 255 && value == std::floor(value);
       are_shares = are_shares && value >= 0 && value <= 1;
     }
-    are_unit = are_unit && std::abs(square - 1) < 0.05;
+    are_unit = are_unit && (!is_finite || std::abs(square - 1) < 0.05);
   }
   return !are_unit && ((are_bytes && largest > 2) || (are_shares && columns[0].size() > 3));
 }
@@ -97,8 +100,9 @@ void check_point_text(const Source& source) {
             std::to_string(length) + ": take the first three, by awk '{ print $1, $2, $3 }'");
 }
 
-Mesh read_point_text(const Source& source) {
-  Mesh mesh;
+ReadResult read_point_text(const Source& source) {
+  ReadResult result;
+  Mesh& mesh = result.document.mesh;
   std::array<std::vector<double>, 3> normals;
   TextRows rows(source, 0, rules);
   std::size_t length = 0;
@@ -108,12 +112,14 @@ Mesh read_point_text(const Source& source) {
     mesh.positions.emplace_back(values[0], values[1], values[2]);
     for (std::size_t i = 0; i < 3 && length == 6; ++i) normals[i].push_back(values[3 + i]);
   }
-  if (are_colors(normals)) return mesh;
-  for (std::size_t i = 0; i < 3 && length == 6; ++i) {
+  const bool has_normals = length == 6 && !are_colors(normals);
+  for (std::size_t i = 0; i < 3 && has_normals; ++i) {
     Column& column = mesh.vertex_columns.get(value_names[3 + i], Scalar::float64, 0);
     column.values = std::move(normals[i]);
   }
-  return mesh;
+  zero_values_not_finite(mesh.vertex_columns, source, "point", "points", result.notes);
+  drop_points_not_finite(mesh, 0, "points", result.notes);
+  return result;
 }
 
 }  // namespace transformesh

@@ -4,8 +4,8 @@
 /// follows a # are skipped.
 #pragma once
 
+#include "tm/io/document/document.h"
 #include "tm/io/streams/source.h"
-#include "tm/mesh/mesh.h"
 
 namespace transformesh {
 
@@ -17,8 +17,9 @@ bool is_point_text(const Source& source);
 /// is wrong with them.
 void check_point_text(const Source& source);
 
-/// A mesh without faces, with vertex columns nx ny nz where lines have six numbers. Throws
+/// A mesh without faces, with vertex columns nx ny nz where lines have six numbers. Points that are
+/// not finite are dropped and normals that are not become 0, with a note, as in read_mesh(). Throws
 /// InputError with the line for anything else, and for lines of different lengths.
-Mesh read_point_text(const Source& source);
+ReadResult read_point_text(const Source& source);
 
 }  // namespace transformesh

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <string>
 
+#include "tm/clean/stitch/stitch.h"
 #include "tm/mesh/components.h"
 #include "tm/mesh/manifold.h"
 #include "tm/mesh/measure.h"
+#include "tm/mesh/touching_borders.h"
 #include "tm/step/estimate_normals.h"
 #include "tm/support/error.h"
 
@@ -54,8 +56,21 @@ Target make_target(Mesh mesh) {
   if (used_positions(target.mesh).size() < target.mesh.positions.size()) {
     target.mesh = select_faces(target.mesh, std::vector<bool>(target.mesh.faces.size(), true));
   }
+  // The side of a point beside an edge or a vertex is that of all faces there, which are known by
+  // their vertices. What looks this way and that stays apart, and is for check_target() to refuse.
+  if (count_touching_borders(target.mesh) > 0) stitch(target.mesh);
   refuse_inside_out(target.mesh);
   return target;
+}
+
+void order_spatially(Target& target) {
+  if (!target.is_mesh() || target.face_order == FaceOrder::spatial) return;
+  std::vector<Face> faces;
+  faces.reserve(target.mesh.faces.size());
+  for (const Index face : spatial_face_order(target.mesh)) faces.push_back(target.mesh.faces[face]);
+  target.mesh.faces = std::move(faces);
+  target.mesh.face_columns = {};
+  target.face_order = FaceOrder::spatial;
 }
 
 std::vector<Vec3> stored_normals(const Mesh& mesh) {

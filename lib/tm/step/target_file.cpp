@@ -18,22 +18,10 @@ bool has_comment(const Document& document, const char* comment) {
   return std::find(comments.begin(), comments.end(), comment) != comments.end();
 }
 
-// Of faces at the same distance the first one wins, so the order of a target decides on last
-// digits: it must not depend on whether the target was written in between.
-void order_spatially(Target& target) {
-  if (!target.is_mesh() || target.face_order == FaceOrder::spatial) return;
-  std::vector<Face> faces;
-  faces.reserve(target.mesh.faces.size());
-  for (const Index face : spatial_face_order(target.mesh)) faces.push_back(target.mesh.faces[face]);
-  target.mesh.faces = std::move(faces);
-  target.mesh.face_columns = {};
-  target.face_order = FaceOrder::spatial;
-}
-
 // What is neither names all that there is, and why its lines are no points.
 ReadResult read_as_mesh(const Source& source) {
   try {
-    return read_mesh(source.bytes, source.name);
+    return read_mesh(source.bytes, source.name, {source.is_strict});
   } catch (const InputError& error) {
     const std::string message = error.what();
     const bool is_unknown = message.starts_with("unknown mesh format");
@@ -47,11 +35,10 @@ ReadResult read_as_mesh(const Source& source) {
 
 }  // namespace
 
-Target read_target(std::string_view bytes, const std::string& name) {
-  const Source source{bytes, name};
-  if (is_point_text(source)) return make_target(read_point_text(source));
-  Document document = read_as_mesh(source).document;
+Target read_target(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  auto [document, notes] = read_mesh_or_points(bytes, name, options);
   Target target = make_target(std::move(document.mesh));
+  target.notes = std::move(notes);
   target.is_prepared = has_comment(document, spatial_order);
   if (target.is_prepared) target.face_order = FaceOrder::spatial;
   order_spatially(target);
@@ -60,9 +47,10 @@ Target read_target(std::string_view bytes, const std::string& name) {
   return target;
 }
 
-Mesh read_mesh_or_points(std::string_view bytes, const std::string& name) {
-  const Source source{bytes, name};
-  return is_point_text(source) ? read_point_text(source) : read_as_mesh(source).document.mesh;
+ReadResult read_mesh_or_points(std::string_view bytes, const std::string& name,
+                               const ReadOptions& options) {
+  const Source source{bytes, name, options.strict};
+  return is_point_text(source) ? read_point_text(source) : read_as_mesh(source);
 }
 
 std::string write_target(const Target& target) {

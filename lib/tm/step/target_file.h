@@ -5,16 +5,18 @@
 #include <string>
 #include <string_view>
 
+#include "tm/io/document/document.h"
 #include "tm/step/target.h"
 
 namespace transformesh {
 
 /// The faces of a mesh come in spatial order, without their columns. Throws InputError as
 /// read_mesh, read_point_text and make_target do.
-Target read_target(std::string_view bytes, const std::string& name);
+Target read_target(std::string_view bytes, const std::string& name, const ReadOptions& = {});
 
 /// The mesh or the points of such a file, for what is no target.
-Mesh read_mesh_or_points(std::string_view bytes, const std::string& name);
+ReadResult read_mesh_or_points(std::string_view bytes, const std::string& name,
+                               const ReadOptions& = {});
 
 /// Binary PLY that reads back as the same target, and sooner: points with their normals,
 /// thickness as the vertex column `gap`, faces in spatial order; comments tell which.

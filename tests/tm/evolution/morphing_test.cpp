@@ -88,12 +88,67 @@ TEST_CASE(
 TEST_CASE("a target without faces has no topology to be reached") {
   Mesh points;
   points.positions = test::icosphere(4).positions;
-  CHECK_FALSE(topology_of_target(make_target(points)));
-  CHECK(topology_of_target(make_target(test::torus(1, 0.4, 40, 20))) == Topology{1, 1});
+  CHECK_FALSE(goal_of(make_target(points)).topology);
+  CHECK(goal_of(make_target(test::torus(1, 0.4, 40, 20))).topology == Topology{1, 1});
   // Neither has one that is open.
   Mesh open = test::icosphere(3);
   open.faces.pop_back();
-  CHECK_FALSE(topology_of_target(make_target(open)));
+  CHECK_FALSE(goal_of(make_target(open)).topology);
+}
+
+TEST_CASE("a cavity of the target, and what floats in it, are no goal") {
+  const Mesh hollow =
+      test::joined(test::icosphere(4), test::reversed(test::scaled(test::icosphere(3), 0.6)));
+  const Mesh floating = test::joined(hollow, test::scaled(test::icosphere(2), 0.2));
+  for (const Mesh& mesh : {hollow, floating}) {
+    const Target target = make_target(mesh);
+    CHECK(goal_of(target).left_out == (mesh.faces.size() == hollow.faces.size() ? 1 : 2));
+    CHECK(goal_of(target).of(target).mesh.faces.size() == test::icosphere(4).faces.size());
+    Document document = ball(1.2);
+    const MorphingResult result = morphed(document, target);
+    CHECK(result.stop == MorphingStop::converged);
+    CHECK(result.distances.from_target.maximum < 0.1);
+    CHECK(*result.agreement.from_target < 0.1);
+  }
+  const Target solid = make_target(test::icosphere(3));
+  CHECK(goal_of(solid).left_out == 0);
+  CHECK_FALSE(goal_of(solid).without_those);
+}
+
+TEST_CASE("a fault names what mends it, having measured the target") {
+  const auto kind = [](const Mesh& target, double radius) {
+    Document document = ball(radius);
+    const MorphingResult result = morphed(document, make_target(target), {}, 100);
+    CHECK(result.stop != MorphingStop::converged);
+    return result.remedy.kind;
+  };
+  const Mesh balls = test::joined(test::icosphere(3), test::moved(test::icosphere(3), {2.1, 0, 0}));
+  CHECK(kind(test::moved(balls, {-1.05, 0, 0}), 2.2) == RemedyKind::edges_at_narrow_places);
+  const Mesh far = test::joined(test::icosphere(3), test::moved(test::icosphere(3), {10, 0, 0}));
+  CHECK(kind(far, 1.1) == RemedyKind::larger_source);
+  Mesh open = test::icosphere(3);
+  open.faces.resize(open.faces.size() * 3 / 4);
+  CHECK(kind(open, 1.1) == RemedyKind::clean_target);
+}
+
+TEST_CASE("a surface that vanishes on a thin plate says so; shorter edges there reach it") {
+  const Target plate = make_target(test::cuboid({-1, -1, -0.02}, {1, 1, 0.02}));
+  Document document = ball(1.5);
+  MorphRemedy remedy;
+  try {
+    morphed(document, plate);
+    FAIL("the plate is thinner than edges");
+  } catch (const VanishedError& error) {
+    remedy = error.remedy;
+    CHECK(std::string(error.what()).find("shrinks to nothing: the target is 0.04") !=
+          std::string::npos);
+  }
+  CHECK(remedy.kind == RemedyKind::edges_at_narrow_places);
+  MorphingOptions options;
+  options.step.gap_edges = 1.5;
+  document = ball(1.5);
+  CHECK(morphed(document, plate, options).stop == MorphingStop::converged);
+  CHECK(volume(document.mesh) == doctest::Approx(0.16).epsilon(0.02));
 }
 
 TEST_CASE("a ball around a cube becomes the cube, unless its edges are to stay cut off") {

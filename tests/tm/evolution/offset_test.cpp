@@ -28,11 +28,13 @@ Moved moved_by(const Mesh& mesh, double distance, double edge = 0) {
   Document document;
   document.mesh = mesh;
   const OffsetResult result = offset(document, {.distance = distance, .edge = edge});
-  CHECK(result.is_done);
+  CHECK(result.is_done());
   const ManifoldReport found = check_manifold(document.mesh);
   CHECK((found.is_manifold() && found.is_oriented() && found.is_closed()));
   CHECK(find_intersections(document.mesh).empty());
-  CHECK(connected_components(document.mesh).components.size() == result.topology.components);
+  const Components parts = connected_components(document.mesh);
+  CHECK(parts.components.size() == result.topology.components);
+  CHECK(parts.genus() == result.topology.genus);
   return {document.mesh, result};
 }
 
@@ -86,6 +88,52 @@ TEST_CASE("the bar of a dumbbell vanishes, and its balls are left") {
   const auto [mesh, result] = moved_by(document.mesh, -0.2, 0.05);
   CHECK(result.topology.components == 2);
   CHECK(volume(mesh) == doctest::Approx(2 * 0.6 * 0.6 * 0.6).epsilon(0.06));
+}
+
+TEST_CASE("a plate that loses its rim is told of, with the place; finer edges keep it") {
+  // .2 is left of a thickness of 4, in a body 6 by 8.
+  const Mesh box = test::cuboid(Vec3::Zero(), {4, 6, 8});
+  const double left = 0.2 * 2.2 * 4.2;
+  Document coarse;
+  coarse.mesh = box;
+  const OffsetResult lost = offset(coarse, {.distance = -1.9, .edge = 0.5});
+  CHECK(lost.has_arrived);
+  CHECK(lost.has_missed);
+  CHECK(!lost.is_done());
+  CHECK(volume(coarse.mesh) < 0.9 * left);
+  // The place is on the small box, and nothing of the result is nearer than that.
+  const Vec3 to_middle = lost.deviation.missed_at - Vec3(2, 3, 4);
+  CHECK((to_middle.cwiseAbs() - Vec3(0.1, 1.1, 2.1)).maxCoeff() ==
+        doctest::Approx(0).epsilon(1e-5));
+  double nearest = 1e9;
+  for (const Vec3& p : coarse.mesh.positions)
+    nearest = std::min(nearest, (p - lost.deviation.missed_at).norm());
+  CHECK(nearest >= lost.deviation.missed - 1e-9);
+  CHECK(nearest < lost.deviation.missed + 0.5);
+
+  Document fine;
+  fine.mesh = box;
+  const OffsetResult kept = offset(fine, {.distance = -1.9, .edge = 0.1});
+  CHECK(kept.is_done());
+  CHECK(volume(fine.mesh) == doctest::Approx(left).epsilon(0.03));
+}
+
+TEST_CASE("the root mean square is that of the surface, whatever the vertices are") {
+  // An icosahedron's faces sag, while its vertices are on the sphere.
+  for (const double edge : {0.1, 0.3}) {
+    const auto [mesh, result] = moved_by(test::icosphere(4), 0.5, edge);
+    double sum = 0, area = 0;
+    for (Index f = 0; f < mesh.faces.size(); ++f) {
+      // Three points at the middles of edges integrate squares of second degree.
+      const auto& [a, b, c] = mesh.faces[f];
+      for (const auto& [i, j] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        const double off = ((mesh.positions[i] + mesh.positions[j]) / 2).norm() - 1.5;
+        sum += off * off * face_area(mesh, f) / 3;
+      }
+      area += face_area(mesh, f);
+    }
+    CHECK(result.deviation.rms == doctest::Approx(std::sqrt(sum / area)).epsilon(0.15));
+  }
 }
 
 TEST_CASE("what vanishes, what is open and a distance of nothing are refused") {

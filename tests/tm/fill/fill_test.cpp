@@ -87,6 +87,22 @@ TEST_CASE("a patch that would cross stays out") {
   CHECK(mesh.positions == before.positions);
 }
 
+TEST_CASE("a slit, which has only flat patches, is no hole that a crossing closes") {
+  // The cube with a vertex in the middle of an edge, of which only one of the faces there knows.
+  for (const bool allows : {false, true}) {
+    Mesh mesh = test::cube();
+    mesh.positions.emplace_back(0.5, 0, 0);
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+      if (mesh.faces[f] == Face{0, 1, 4}) mesh.faces[f] = {0, 8, 4};
+    mesh.faces.push_back({8, 1, 4});
+    const FillResult result = fill_holes(mesh, {.allow_crossings = allows});
+    CHECK(result.holes == 1);
+    CHECK(result.flat.size() == 1);
+    CHECK(result.crossing.empty());
+    CHECK(result.filled() == 0);
+  }
+}
+
 TEST_CASE("columns of new vertices are interpolated, those of new faces 0") {
   Mesh mesh = opened(test::icosphere(3), 0.7);
   for (double& x : mesh.vertex_columns.get("height", Scalar::float64, mesh.positions.size()).values)

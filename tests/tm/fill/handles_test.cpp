@@ -89,6 +89,52 @@ TEST_CASE("cleaned afterwards, handles do not come back") {
   CHECK(connected_components(clean(mesh).mesh).genus() == 0);
 }
 
+/// A ring around the z axis with a cavity of the same kind inside, turned by that angle.
+Mesh ring_with_cavity(double tube, double angle) {
+  Mesh cavity = test::reversed(test::torus(2, tube, 60, 16));
+  const Eigen::AngleAxisd turn(angle, Vec3::UnitZ());
+  for (Vec3& position : cavity.positions) position = turn * position;
+  return test::joined(test::torus(2, 0.5, 64, 24), cavity);
+}
+
+TEST_CASE("a cavity stays sealed, and the components that cleaning finds are those of before") {
+  for (const double tube : {0.1, 0.2, 0.3, 0.4})
+    for (const double angle : {0.0, 0.4, 1.1}) {
+      const Mesh hollow = ring_with_cavity(tube, angle);
+      REQUIRE(connected_components(clean(hollow).mesh).components.size() == 2);
+      Mesh untied = hollow;
+      const HandleResult result = remove_handles(untied, {.max_length = 100});
+      check_closed(untied);
+      const Mesh cleaned = clean(untied).mesh;
+      const Components parts = connected_components(cleaned);
+      CHECK(parts.components.size() == 2);
+      CHECK(parts.genus() == 2 - static_cast<long>(result.removed));
+      CHECK(volume(cleaned) == doctest::Approx(volume(hollow)).epsilon(0.03));
+      CHECK((result.removed == 2 || result.blocked > 0));
+    }
+}
+
+TEST_CASE("a tunnel that something goes through stays, and what floats in it is not swallowed") {
+  // The hole of the ring is .1 wide.
+  const Mesh thick = test::torus(1, 0.9, 40, 80);
+  const Mesh bar = test::cuboid(Vec3(-0.02, -0.02, -3), Vec3(0.02, 0.02, 3));
+  const Mesh barred = test::joined(thick, bar);
+  Mesh untied = barred;
+  const HandleResult result = remove_handles(untied, {.max_length = 0.7});
+  CHECK(result.removed == 0);
+  CHECK(result.blocked > 0);
+  CHECK(untied.positions == barred.positions);
+
+  // A bead in the middle of each of the narrowest loops.
+  Mesh beaded = thick;
+  for (const int loop : {-2, -1, 0, 1, 2}) {
+    const double z = 0.9 * std::sin(loop * 2 * std::numbers::pi / 80);
+    beaded = test::joined(beaded, test::moved(test::scaled(test::icosphere(1), 0.004), {0, 0, z}));
+  }
+  remove_handles(beaded, {.max_length = 0.8});
+  CHECK(connected_components(clean(beaded).mesh).components.size() == 6);
+}
+
 TEST_CASE("columns go on, and thin limbs that are no handles stay") {
   Mesh mesh = test::torus(2, 0.5, 30, 12);
   mesh.vertex_columns.get("heat", Scalar::float32, mesh.positions.size())

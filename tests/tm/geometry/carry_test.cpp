@@ -2,11 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
+#include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "tm/clean/clean.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/mesh/measure.h"
 #include "tm/remesh/remesh.h"
 #include "tm/support/error.h"
@@ -47,7 +50,7 @@ Mesh remeshed(Mesh mesh, double length) {
   return mesh;
 }
 
-std::vector<SourcePoint> places_of(const Mesh& mesh, const Mesh& source) {
+SourcePoints places_of(const Mesh& mesh, const Mesh& source) {
   return read_source_points(mesh, source.faces.size(), "the source");
 }
 
@@ -102,15 +105,15 @@ TEST_CASE("a linear function through clean, a motion and remesh is that of a pla
   CHECK(result.face_columns == 0);
   const std::vector<double>& height = last.vertex_columns.find("height")->values;
   double squares = 0;
-  for (std::size_t v = 0; v < places.size(); ++v) {
+  for (std::size_t v = 0; v < last.positions.size(); ++v) {
     // Exactly that of the place, which is where the vertex was before the motion, but for edges
     // across the crease where the balls meet.
-    const Vec3 place = position_of(first, places[v]);
+    const Vec3 place = position_of(first, places.of_vertices[v]);
     CHECK(std::abs(height[v] - slope.dot(place)) < 1e-12);
     CHECK((3 * place - last.positions[v]).norm() < 0.3 * 0.35);
     squares += (3 * place - last.positions[v]).squaredNorm();
   }
-  CHECK(std::sqrt(squares / static_cast<double>(places.size())) < 0.03 * 0.35);
+  CHECK(std::sqrt(squares / static_cast<double>(last.positions.size())) < 0.03 * 0.35);
 }
 
 TEST_CASE("a chain of meshes that are not changed is exact") {
@@ -174,4 +177,88 @@ TEST_CASE("faces take the numbers of the face at their middle; names choose") {
   for (Index f = 0; f < last.faces.size(); ++f)
     CHECK(values[f] == std::round(face_normal(last, f).normalized().dot(Vec3(1, 2, 3))));
   CHECK_THROWS_AS(carry_columns(first, places, last, {"weight"}), InputError);
+}
+
+namespace {
+
+/// Three boxes with corners on a grid, so that they share planes, rotated together. Every face has
+/// its number as `id`, and texture coordinates that are its number and the corner's position.
+Mesh numbered_boxes(test::Random& random) {
+  Mesh mesh;
+  for (int box = 0; box < 3; ++box) {
+    const Vec3 low = random.point(0, 3).array().floor();
+    const Vec3 size = random.point(1, 3).array().floor();
+    const Mesh added = test::cuboid(low, low + size);
+    mesh = box == 0 ? added : test::joined(mesh, added);
+  }
+  const Eigen::AngleAxisd turn(random.uniform(0, 3), Vec3(1, 2, 3).normalized());
+  for (Vec3& position : mesh.positions) position = turn * position;
+  Column& id = mesh.face_columns.get("id", Scalar::int32, mesh.faces.size());
+  Column texture{"texcoord", Scalar::float64, {}, Scalar::uint8, {0}};
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    id.values[f] = static_cast<double>(f);
+    for (const Index corner : mesh.faces[f]) {
+      const Vec3& at = mesh.positions[corner];
+      texture.values.insert(texture.values.end(), {id.values[f], at.x(), at.y(), at.z()});
+    }
+    texture.list_offsets.push_back(texture.values.size());
+  }
+  mesh.face_columns.columns.push_back(texture);
+  return mesh;
+}
+
+/// Each face cut in three at its middle.
+Mesh in_thirds(const Mesh& mesh) {
+  Mesh thirds{mesh.positions, {}, {}, {}};
+  for (const auto& [a, b, c] : mesh.faces) {
+    const auto middle = static_cast<Index>(thirds.positions.size());
+    thirds.positions.emplace_back((mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3);
+    thirds.faces.insert(thirds.faces.end(), {{a, b, middle}, {b, c, middle}, {c, a, middle}});
+  }
+  return thirds;
+}
+
+/// Checks that faces lie on the faces of the first mesh that they name, and look the same way.
+void check_faces_lie_on_theirs(const Mesh& first, const Mesh& mesh) {
+  const std::vector<double>& id = mesh.face_columns.find("id")->values;
+  const std::vector<double>& texture = mesh.face_columns.find("texcoord")->values;
+  REQUIRE(texture.size() == 12 * mesh.faces.size());
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = first.faces[static_cast<Index>(id[f])];
+    const Vec3 normal = face_normal(mesh, f);
+    if (normal.norm() < 1e-9) continue;  // a sliver of rounding looks anywhere
+    CHECK(normal.normalized().dot(face_normal(first, static_cast<Index>(id[f])).normalized()) >
+          1 - 1e-6);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& corner = mesh.positions[mesh.faces[f][i]];
+      const TrianglePoint nearest = closest_point_of_triangle(
+          corner, first.positions[a], first.positions[b], first.positions[c]);
+      CHECK((nearest.point - corner).norm() < 1e-9);
+      const double* values = texture.data() + 12 * f + 4 * i;
+      CHECK(values[0] == Approx(id[f]));
+      CHECK((Vec3(values[1], values[2], values[3]) - corner).norm() < 1e-9);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("faces of boxes that share planes come from the face that they lie on, by brute force") {
+  test::Random random(39);
+  for (int trial = 0; trial < 40; ++trial) {
+    const Mesh first = numbered_boxes(random);
+    Mesh between = cleaned(first);
+    const std::vector<double> own = between.face_columns.find("id")->values;
+    const SourcePoints on_first = places_of(between, first);
+    carry_columns(first, on_first, between);
+    // Cleaning carries numbers of faces itself, from face to piece.
+    CHECK(between.face_columns.find("id")->values == own);
+    check_faces_lie_on_theirs(first, between);
+
+    Mesh last = in_thirds(between);
+    const SourcePoints on_last =
+        compose_source_points(first, on_first, between, closest_source_points(between, last));
+    carry_columns(first, on_last, last);
+    check_faces_lie_on_theirs(first, last);
+  }
 }

@@ -49,13 +49,19 @@ inline std::string rewritten(const std::string& bytes) {
 }
 
 /// The message with which reading fails, or "read".
-inline std::string read_error(const std::string& bytes, const std::string& name = "input") {
+inline std::string read_error(const std::string& bytes, const std::string& name = "input",
+                              const ReadOptions& options = {}) {
   try {
-    read_mesh(bytes, name);
+    read_mesh(bytes, name, options);
   } catch (const InputError& error) {
     return error.what();
   }
   return "read";
+}
+
+/// The same for strict reading.
+inline std::string strict_error(const std::string& bytes, const std::string& name = "input") {
+  return read_error(bytes, name, {.strict = true});
 }
 
 inline bool has_note(const std::vector<std::string>& notes, const std::string& note) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "tm/clean/intersect/intersect.h"
@@ -253,7 +254,7 @@ TEST_CASE("small components go at once, and nothing left is an error") {
   const Mesh speck = moved(scaled(icosphere(1), 0.01), {3, 0, 0});
   Mesh mesh = joined(icosphere(3), speck);
   const RemeshResult result = remesh(mesh, around(icosphere(3)));
-  CHECK(result.components_removed == 1);
+  CHECK(result.components_removed.count == 1);
   CHECK(connected_components(mesh).components.size() == 1);
 
   RemeshOptions coarse;
@@ -272,7 +273,39 @@ TEST_CASE("a small film of large volume stays") {
   options.max_edge = 0.8;
   options.iterations = 0;
   REQUIRE(edge_lengths(mesh).maximum < 0.35);
-  CHECK(remesh(mesh, options).components_removed == 0);
+  CHECK(remesh(mesh, options).components_removed.count == 0);
+}
+
+TEST_CASE("a thin plate that is wider than the shortest edge stays") {
+  // edges of 0.14 and a volume of .002, below pi/6 e1^3 = .0042 for e1 = 0.2
+  Mesh plate = icosphere(3);
+  for (Vec3& p : plate.positions) p = {0.5 * p.x(), 0.5 * p.y(), 0.001 * p.z()};
+  RemeshOptions options;
+  options.min_edge = 0.2;
+  options.max_edge = 0.4;
+  REQUIRE(edge_lengths(plate).maximum < options.min_edge);
+  REQUIRE(signed_volume(plate) < std::numbers::pi / 6 * std::pow(options.min_edge, 3));
+  Mesh mesh = joined(icosphere(3), moved(plate, {3, 0, 0}));
+  CHECK(remesh(mesh, options).components_removed.count == 0);
+  CHECK(connected_components(mesh).components.size() == 2);
+}
+
+TEST_CASE("what is removed is reported with its faces, area and volume") {
+  const Mesh thread = [] {
+    Mesh mesh = icosphere(2);
+    for (Vec3& p : mesh.positions) p = {0.3 * p.x(), 0.01 * p.y(), 0.01 * p.z()};
+    return mesh;
+  }();
+  RemeshOptions options;
+  options.min_edge = 0.2;
+  options.max_edge = 0.4;
+  options.iterations = 0;
+  Mesh mesh = joined(icosphere(3), moved(thread, {3, 0, 0}));
+  const RemovedComponents removed = remesh(mesh, options).components_removed;
+  CHECK(removed.count == 1);
+  CHECK(removed.faces == thread.faces.size());
+  CHECK(removed.area == doctest::Approx(surface_area(thread)));
+  CHECK(removed.volume == doctest::Approx(signed_volume(thread)));
 }
 
 TEST_CASE("triangles without area go") {

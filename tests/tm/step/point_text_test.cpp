@@ -8,7 +8,7 @@ using namespace transformesh;
 
 namespace {
 
-Mesh read(const std::string& text) { return read_point_text({text, "scan.P3D"}); }
+Mesh read(const std::string& text) { return read_point_text({text, "scan.P3D"}).document.mesh; }
 
 bool is_points(const std::string& text, const std::string& name = "scan.txt") {
   return is_point_text({text, name});
@@ -37,7 +37,19 @@ TEST_CASE("anything else is refused with its line") {
   CHECK_THROWS_WITH_AS(read("1 2 3\n\n4 5 6 7 8 9\n"), doctest::Contains("line 3"), InputError);
   CHECK_THROWS_WITH_AS(read("1 2 3 4\n"), doctest::Contains("has 4"), InputError);
   CHECK_THROWS_WITH_AS(read("1 2 3 4 5 x\n"), doctest::Contains("nz of point 0"), InputError);
-  CHECK_THROWS_WITH_AS(read("1 nan 3\n"), doctest::Contains("y of point 0"), InputError);
+}
+
+TEST_CASE("points and normals that are not finite are dropped with a count") {
+  const std::string text = "1 nan 3 0 0 1\n4 5 6 0 0 1\n7 8 9 0 inf 1\n1 2 3 1 0 0\n";
+  const ReadResult result = read_point_text({text, "scan.xyz"});
+  const Mesh& mesh = result.document.mesh;
+  CHECK(mesh.positions == std::vector<Vec3>{{4, 5, 6}, {7, 8, 9}, {1, 2, 3}});
+  CHECK(mesh.vertex_columns.find("nz")->values == std::vector<double>{1, 0, 0});
+  CHECK(result.notes ==
+        std::vector<std::string>{"points: 1 normal that is not finite becomes 0",
+                                 "points: 1 vertex with a coordinate that is not finite dropped"});
+  CHECK_THROWS_WITH_AS(read_point_text({text, "scan.xyz", true}), doctest::Contains("y of point 0"),
+                       InputError);
 }
 
 TEST_CASE("points are told from meshes by their first line") {

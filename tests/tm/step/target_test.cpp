@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "tm/support/error.h"
 
@@ -33,6 +34,18 @@ TEST_CASE("vertices that no face uses do not attract") {
   Mesh mesh = test::cube();
   mesh.positions.emplace_back(100, 100, 100);
   CHECK(make_target(mesh).mesh.positions.size() == 8);
+}
+
+TEST_CASE("a soup attracts as the mesh that it is, beside edges and corners as well") {
+  const Target soup = make_target(test::soup_of(test::cube()));
+  CHECK(soup.mesh.positions.size() == 8);
+  const Mesh cube = test::cube();
+  const ClosestPointQuery to_soup(soup.mesh), to_cube(cube);
+  test::Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 point = random.point(-1, 2);
+    CHECK(to_soup(point).signed_distance == doctest::Approx(to_cube(point).signed_distance));
+  }
 }
 
 TEST_CASE("nothing, and a closed mesh inside out, are refused; an open one has no inside") {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "tm/clean/arrange/arrange.h"
+#include "tm/mesh/surface_columns.h"
 
 namespace transformesh {
 namespace {
@@ -58,6 +59,7 @@ class Refiner {
 
   void set_face_columns() {
     result_.face_columns = mesh_.face_columns.select(face_rows_);
+    drop_source_points(result_);
     result_.face_columns.erase("source_face");
     Column& column = result_.face_columns.get("source_face", Scalar::int32, result_.faces.size());
     for (std::size_t f = 0; f < face_rows_.size(); ++f) column.values[f] = face_rows_[f];

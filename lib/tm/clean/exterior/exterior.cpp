@@ -8,6 +8,7 @@
 #include "tm/clean/exterior/winding_ray.h"
 #include "tm/mesh/components.h"
 #include "tm/support/error.h"
+#include "tm/support/nothing_left.h"
 
 namespace transformesh {
 namespace {
@@ -167,10 +168,18 @@ std::string nothing_kept(const Arrangement& arrangement, int level, bool is_open
   }
   const auto counts = [](const Piece& piece) { return piece.multiplicity != 0; };
   if (std::none_of(arrangement.pieces.begin(), arrangement.pieces.end(), counts)) {
-    return "the faces enclose nothing: they have no area, or lie upon each other and cancel out; "
-           "a shape that is small or far from the origin needs --double, or to be moved there";
+    const std::string why =
+        arrangement.pieces.empty()
+            ? "they have no area"
+            : "they lie upon each other and cancel out, as in a difference without a remainder, or "
+              "a sheet whose border is filled flat; tm-sample and tm-wrap --method alpha go around "
+              "a sheet";
+    return "the faces enclose nothing: " + why +
+           "; a shape that is small or far from the origin needs --double, or to be moved there";
   }
-  return "every winding number is <= 0: the mesh is inside out; reverse it with tm-stitch --flip";
+  return "no point has a winding number >= 1: a difference without a remainder is empty; a mesh "
+         "that "
+         "is inside out is reversed by tm-stitch --flip";
 }
 
 // Whether each component of a mesh lies within others: whether w > 0 in front of its first face.
@@ -208,7 +217,7 @@ Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod
                         ? Growth(arrangement, level, closure).grow(progress)
                         : test_all(arrangement, level, progress);
   if (std::find(result.kept.begin(), result.kept.end(), 1) == result.kept.end()) {
-    throw GoalError(nothing_kept(arrangement, level, !closure.empty()));
+    throw NothingLeftError(nothing_kept(arrangement, level, !closure.empty()));
   }
   return result;
 }

@@ -21,7 +21,16 @@ Side make_side(const WeldedMesh& welded, Index face) {
   return side;
 }
 
-int match_shared_corners(const Face& f, const Face& g, Side& a, Side& b) {
+Side make_side(const Triangle& triangle) {
+  Side side;
+  for (std::size_t i = 0; i < 3; ++i) side.p[i] = &triangle[i];
+  side.shared.fill(-1);
+  return side;
+}
+
+// Corners are shared where their point indices, or their coordinates, are equal.
+template <class Corners>
+int match_shared_corners(const Corners& f, const Corners& g, Side& a, Side& b) {
   int count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -180,13 +189,8 @@ bool boxes_overlap(const Side& a, const Side& b) {
   return true;
 }
 
-}  // namespace
-
-Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
+Contacts contacts_of(Side& a, Side& b, int shared) {
   Contacts result;
-  Side a = make_side(welded, first);
-  Side b = make_side(welded, second);
-  const int shared = match_shared_corners(welded.faces[first], welded.faces[second], a, b);
   if (shared == 0 && !boxes_overlap(a, b)) return result;
 
   // Most pairs of neighbors and most pairs whose boxes overlap are decided here.
@@ -217,6 +221,24 @@ Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
       add(result, static_cast<FaceSimplex>(i), static_cast<FaceSimplex>(a.shared[i]));
   }
   return result;
+}
+
+}  // namespace
+
+Contacts find_contacts(const WeldedMesh& welded, Index first, Index second) {
+  Side a = make_side(welded, first);
+  Side b = make_side(welded, second);
+  const int shared = match_shared_corners(welded.faces[first], welded.faces[second], a, b);
+  return contacts_of(a, b, shared);
+}
+
+bool triangles_meet(const Triangle& first, const Triangle& second) {
+  if (collinear(first[0], first[1], first[2]) || collinear(second[0], second[1], second[2]))
+    return false;
+  Side a = make_side(first);
+  Side b = make_side(second);
+  const int shared = match_shared_corners(first, second, a, b);
+  return contacts_of(a, b, shared).meet;
 }
 
 PointDefinition contact_definition(const WeldedMesh& welded, Index first, Index second,

@@ -44,6 +44,10 @@ struct Meeting {
 /// Exact. Faces that share a corner share the point index.
 Contacts find_contacts(const WeldedMesh& welded, Index first, Index second);
 
+/// Returns whether two triangles meet anywhere but in corners and edges that they share. Corners
+/// with equal coordinates are shared. Exact; false if one of the triangles has no area.
+bool triangles_meet(const Triangle& first, const Triangle& second);
+
 /// What defines the point of a contact: a given point, an edge and a face, or two edges. It is the
 /// same from whichever faces it is seen.
 PointDefinition contact_definition(const WeldedMesh& welded, Index first, Index second,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tm/clean/intersect/contacts.h"
+#include "tm/clean/intersect/crowded_stars.h"
 #include "tm/clean/intersect/embedded_stars.h"
 #include "tm/clean/intersect/faces_to_search.h"
 #include "tm/clean/intersect/zones.h"
@@ -22,15 +23,6 @@ std::vector<Index> welded_faces(const WeldedMesh& welded, std::size_t mesh_faces
   return result;
 }
 
-FloatBox united(const FloatBox& a, const FloatBox& b, const FloatBox& c) {
-  FloatBox box;
-  for (std::size_t i = 0; i < 3; ++i) {
-    box.minimum[i] = std::min(std::min(a.minimum[i], b.minimum[i]), c.minimum[i]);
-    box.maximum[i] = std::max(std::max(a.maximum[i], b.maximum[i]), c.maximum[i]);
-  }
-  return box;
-}
-
 // Rounding keeps the order of numbers: so each point is rounded once, not with all its faces.
 std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> faces) {
   std::vector<FloatBox> around(welded.points.size());
@@ -42,7 +34,7 @@ std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> 
   parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const auto& [a, b, c] = welded.faces[faces[i]];
-      boxes[i] = united(around[a], around[b], around[c]);
+      boxes[i] = united(united(around[a], around[b]), around[c]);
     }
   });
   return boxes;
@@ -108,24 +100,73 @@ void list_others(const WeldedMesh& welded, std::span<const Index> faces,
 
 }  // namespace
 
+namespace {
+
+// Adds the meetings among the pairs, which share no embedded star.
+void add_meetings(const WeldedMesh& welded, std::span<const FacePair> pairs,
+                  std::vector<Meeting>& meetings) {
+  for (const auto& [f, g] : pairs) {
+    const Contacts contacts = find_contacts(welded, f, g);
+    if (contacts.meet) meetings.push_back({f, g, contacts});
+  }
+}
+
+// The meetings of faces of crowded stars.
+std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded, const CrowdedStars& stars,
+                                                const std::vector<Index>& others,
+                                                const std::vector<char>& is_embedded,
+                                                const std::vector<Index>& zones) {
+  std::vector<FacePair> pairs = stars.find_pairs(others);
+  std::erase_if(pairs, [&](const FacePair& pair) {
+    const auto [f, g] = pair;
+    return (zones[f] != no_index && zones[f] == zones[g]) ||
+           share_embedded_star(welded.faces[f], welded.faces[g], is_embedded);
+  });
+  std::vector<std::vector<Meeting>> lists(pairs.size() / faces_per_task + 1);
+  parallel_for(pairs.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    add_meetings(welded, std::span(pairs).subspan(first, last - first),
+                 lists[first / faces_per_task]);
+  });
+  return lists;
+}
+
+}  // namespace
+
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
-  const Zones zones = find_zones(welded);
-  const std::vector<Index> faces = find_faces_to_search(welded, zones.of_face);
+  Zones zones = find_zones(welded);
+  std::vector<Index> faces = find_faces_to_search(welded, zones.of_face);
+  const Links links = find_links(welded.points, welded.faces);
+  const std::vector<char> is_crowded = CrowdedStars::crowded_points(welded, links);
+  for (std::size_t p = 0; p < is_crowded.size(); ++p) zones.is_seam[p] |= is_crowded[p];
   std::vector<char> is_embedded;
+  CrowdedStars stars;
   Bvh bvh;
+  const auto fill_bvh = [&] { bvh = Bvh(boxes_of(welded, faces), links, faces); };
   parallel_invoke(
-      [&] { is_embedded = find_embedded_stars(welded, zones.is_seam); },
-      [&] { bvh = Bvh(boxes_of(welded, faces), find_links(welded.points, welded.faces), faces); });
+      [&] {
+        is_embedded = find_embedded_stars(welded, zones.is_seam);
+        stars = CrowdedStars(welded, is_embedded, is_crowded);
+      },
+      [&] {
+        if (is_crowded.empty()) fill_bvh();
+      });
+  if (!is_crowded.empty()) {
+    std::erase_if(faces, [&](Index f) { return stars.has(f); });
+    fill_bvh();
+  }
   bvh.set_groups(zones_of(faces, zones.of_face));
   std::vector<std::vector<Meeting>> lists;
-  bvh.visit_pairs([&](std::size_t count) { lists.resize(count); },
+  if (!stars.empty()) lists = star_meetings(welded, stars, faces, is_embedded, zones.of_face);
+  const std::size_t known = lists.size();
+  bvh.visit_pairs([&](std::size_t count) { lists.resize(known + count); },
                   [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
                     thread_local std::vector<Bvh::Pair> others;
                     list_others(welded, faces, is_embedded, pairs, others);
                     for (const auto& [i, k] : others) {
                       const Contacts contacts = find_contacts(welded, faces[i], faces[k]);
-                      if (contacts.meet) lists[list].push_back({faces[i], faces[k], contacts});
+                      if (contacts.meet)
+                        lists[known + list].push_back({faces[i], faces[k], contacts});
                     }
                   });
   std::vector<Meeting> meetings = joined(lists);

@@ -7,6 +7,7 @@
 
 #include "tm/clean/stitch/orient.h"
 #include "tm/clean/stitch/orientation_check.h"
+#include "tm/clean/stitch/stitch.h"
 #include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/manifold.h"
@@ -56,17 +57,6 @@ Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
   return result;
 }
 
-// Whether tm-stitch --orient mends a mesh that is not oriented.
-bool can_be_oriented(const WeldedMesh& welded, const Mesh& mesh) {
-  Mesh oriented = with_joined_vertices(welded, mesh);
-  try {
-    orient_faces(oriented);
-  } catch (const InputError&) {
-    return false;
-  }
-  return describe_misorientation(oriented).empty();
-}
-
 // Whether some connected borders lie upon others all the way, and run alike: they bound a patch
 // that is inside out.
 bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
@@ -95,10 +85,19 @@ bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
 // mesh there is another cause.
 bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& borders) {
   return is_stitched(mesh, borders) &&
-         !(has_reversed_patch(welded, mesh) && can_be_oriented(welded, mesh));
+         !(has_reversed_patch(welded, mesh) && can_be_oriented(with_joined_vertices(welded, mesh)));
 }
 
-// Throws InputError, which names tm-stitch --orient only where it mends the mesh.
+// Whether the mesh that tm-stitch makes of this one, in which such sheets are apart, is accepted.
+bool can_be_stitched(const Mesh& mesh) {
+  Mesh stitched{mesh.positions, mesh.faces, {}, {}};
+  stitch(stitched);
+  const WeldedMesh welded = weld(stitched);
+  const Borders borders = find_borders(welded, stitched);
+  return borders.is_oriented || ends_at_sheets(welded, stitched, borders);
+}
+
+// Throws InputError, which names what mends the mesh, having tried it.
 [[noreturn]] void refuse_orientation(const WeldedMesh& welded, const Mesh& mesh) {
   Mesh oriented = with_joined_vertices(welded, mesh);
   const std::string problem = describe_misorientation(oriented);
@@ -107,9 +106,8 @@ bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& b
   if (rest.empty()) {
     throw InputError(problem + ": the mesh is not oriented; mend it with tm-stitch --orient");
   }
-  throw InputError(rest +
-                   ", and turning sheets (tm-stitch --orient) cannot change that: remove "
-                   "faces there");
+  throw InputError(rest + ", and turning sheets (tm-stitch --orient) cannot change that: " +
+                   (can_be_stitched(mesh) ? "tm-stitch keeps them apart" : "remove faces there"));
 }
 
 }  // namespace

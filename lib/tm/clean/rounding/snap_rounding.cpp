@@ -350,6 +350,9 @@ SnapRoundingResult SnapRounder::snap_round(const CleanPass& pass) {
   if (has_changed(pass.assembly, assembly))
     count_faces(whole_faces(mesh_, pass.assembly), assembly);
   drop_unused_vertices(assembly);
+  // A sliver that was flipped is part of the face beside it now.
+  if (result_.repairs > 0)
+    assembly.mesh.face_columns = mesh_.face_columns.select(assembly.source_face);
   const auto& is_new = assembly.vertex_is_new;
   result_.new_vertices = static_cast<std::size_t>(std::count(is_new.begin(), is_new.end(), 1));
   result_.copied_vertices = assembly.copies;

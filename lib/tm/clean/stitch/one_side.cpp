@@ -6,6 +6,7 @@
 
 #include "tm/clean/stitch/weld.h"
 #include "tm/mesh/components.h"
+#include "tm/mesh/edges.h"
 #include "tm/mesh/surface_columns.h"
 
 namespace transformesh {
@@ -47,17 +48,32 @@ void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
   }
 }
 
-}  // namespace
-
-std::size_t count_double_sided(const Mesh& mesh) {
+// The faces with one vertex for all that have one position.
+std::vector<Face> welded_faces(const Mesh& mesh) {
   const std::vector<Index> joined = weld_positions(mesh.positions, 0);
   std::vector<Face> faces = mesh.faces;
   for (Face& face : faces)
     for (Index& v : face) v = joined[v];
+  return faces;
+}
+
+}  // namespace
+
+std::size_t count_double_sided(const Mesh& mesh) {
+  const std::vector<Face> faces = welded_faces(mesh);
   std::size_t count = 0;
   visit_double_sided(
       faces, [&](auto first, auto last) { count += static_cast<std::size_t>(last - first); });
   return count;
+}
+
+bool one_side_is_open(const Mesh& mesh) {
+  Mesh one{mesh.positions, welded_faces(mesh), {}, {}};
+  drop_reverses(one);
+  const Edges edges(without_collapsed(one.faces), one.positions.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges.halfedges(e).size() == 1) return true;
+  return false;
 }
 
 std::size_t drop_reverses(Mesh& mesh) {

@@ -12,6 +12,9 @@ namespace transformesh {
 /// How many faces have a reverse.
 std::size_t count_double_sided(const Mesh& mesh);
 
+/// Whether the faces that drop_reverses() leaves, equal positions being one vertex, have a border.
+bool one_side_is_open(const Mesh& mesh);
+
 /// Drops all but the first of faces that lie upon each other, where some of these are reversed.
 /// Vertices are the same when their indices are. Columns follow; vertices stay. Returns how many
 /// went.

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <queue>
 #include <string>
 
 #include "tm/clean/exterior/angular_order.h"
+#include "tm/clean/stitch/copy_layers.h"
+#include "tm/clean/stitch/orientation_check.h"
+#include "tm/clean/stitch/sheet_links.h"
+#include "tm/mesh/disjoint_sets.h"
 #include "tm/mesh/edges.h"
 #include "tm/mesh/location_text.h"
 #include "tm/mesh/surface_columns.h"
@@ -16,27 +19,13 @@
 namespace transformesh {
 namespace {
 
-/// Faces connected across edges of two faces.
+/// Faces connected across edges of two faces, or of copies of two (copy_layers.h).
 struct Sheet {
   std::vector<Index> faces;
-  bool agreed = true;       ///< within itself, and with others at their common edges
-  bool has_border = false;  ///< it has an edge of one face
-  double volume = 0;        ///< six times that of the cone over it from the group's centroid
-  /// For each sheet that ends at the same edges: the pairs of their faces that run opposite ways
-  /// there, less the pairs that run alike. It is negative where one of the two is to be reversed.
-  std::map<Index, int> agreement;
-};
-
-/// A step to a sheet of a group: the link with the sheet before it, and whether it is to be
-/// reversed, its faces having been made to agree with its first.
-struct Step {
-  int strength;
-  Index sheet;
-  char is_reversed;
-  bool operator<(const Step& other) const {
-    if (strength != other.strength) return strength < other.strength;
-    return sheet != other.sheet ? sheet > other.sheet : is_reversed > other.is_reversed;
-  }
+  bool agreed = true;         ///< within itself, and with others at their common edges
+  bool has_border = false;    ///< it has an edge of one face
+  bool copies_agreed = true;  ///< all sheets of the set of copies that this one stands for did
+  double volume = 0;          ///< six times that of the cone over it from the group's centroid
 };
 
 class Orienter {
@@ -49,12 +38,9 @@ class Orienter {
   [[noreturn]] void refuse(Index halfedge, Index across) const;
   bool runs_forward(Index halfedge) const;
   void link_sheets();
-  void link_sheets_at_edge(const std::map<Index, int>& sums, bool agreed);
-  std::vector<Index> align_group(Index first);
   void orient_group(const std::vector<Index>& group);
   void measure_volumes(const std::vector<Index>& group);
   double volume(Index sheet) const;
-  int agreement(Index sheet) const;
   void improve(std::vector<Index> group, bool has_border);
   void try_outwards(const std::vector<Index>& group);
   void face_outwards(const std::vector<Index>& group);
@@ -63,26 +49,30 @@ class Orienter {
 
   const Mesh& mesh_;
   const Edges edges_;
-  std::vector<Index> across_;      ///< per halfedge of an edge of two: the other one
+  std::vector<Index> across_;      ///< per halfedge: the one that continues its sheet
   std::vector<Index> sheet_of_;    ///< per face
   std::vector<char> is_reversed_;  ///< per face: it must be, to agree with its sheet's first
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;
-  std::vector<char> is_aligned_;
+  SheetLinks links_{0};
+  DisjointSets copies_{0};  ///< sheets that lie upon each other: if one needs it, all are turned
 };
 
 Orienter::Orienter(const Mesh& mesh)
     : mesh_(mesh),
       edges_(without_collapsed(mesh.faces), mesh.positions.size()),
-      across_(neighbors_across(edges_, mesh.faces.size())),
+      across_(neighbors_in_layers(mesh, edges_)),
       sheet_of_(mesh.faces.size(), no_index),
       is_reversed_(mesh.faces.size(), 0) {
   for (Index first = 0; first < mesh.faces.size(); ++first) {
     if (sheet_of_[first] == no_index) collect_sheet(first);
   }
   sheet_is_reversed_.assign(sheets_.size(), 0);
-  is_aligned_.assign(sheets_.size(), 0);
+  links_ = SheetLinks(sheets_.size());
+  copies_ = DisjointSets(sheets_.size());
   link_sheets();
+  for (Index sheet = 0; sheet < sheets_.size(); ++sheet)
+    if (!sheets_[sheet].agreed) sheets_[copies_.find(sheet)].copies_agreed = false;
 }
 
 // Whether the halfedge runs forward once its face agrees with the first of its sheet.
@@ -116,7 +106,8 @@ void Orienter::refuse(Index halfedge, Index across) const {
                    std::to_string(std::max(halfedge, across) / 3) + " cannot agree at the " +
                    edge_text(mesh_, halfedge) +
                    ", however faces are turned: the surface has one side only, like a Moebius "
-                   "strip; cut it open or remove that part");
+                   "strip; tm-stitch without --orient cuts it open, and tm-fill --allow-crossings "
+                   "closes borders");
 }
 
 // Finds by how much sheets that end at the same edges agree there.
@@ -125,45 +116,20 @@ void Orienter::link_sheets() {
     const auto halfedges = edges_.halfedges(e);
     if (halfedges.size() == 1) sheets_[sheet_of_[halfedges[0] / 3]].has_border = true;
     if (halfedges.size() <= 2) continue;
+    if (across_[halfedges[0]] != no_index)
+      for (const Index h : halfedges) copies_.join(sheet_of_[h / 3], sheet_of_[halfedges[0] / 3]);
     std::map<Index, int> sums;
     int sum_before = 0;
     for (const Index h : halfedges) {
       sums[sheet_of_[h / 3]] += runs_forward(h) ? 1 : -1;
       sum_before += runs_forward(h) != (is_reversed_[h / 3] != 0) ? 1 : -1;
     }
-    link_sheets_at_edge(sums, std::abs(sum_before) <= 1);
+    links_.add_edge(sums);
+    if (std::abs(sum_before) <= 1) continue;
+    for (const auto& [sheet, sum] : sums)
+      if (sum != 0) sheets_[sheet].agreed = false;
   }
-}
-
-void Orienter::link_sheets_at_edge(const std::map<Index, int>& sums, bool agreed) {
-  for (const auto& [sheet, sum] : sums) {
-    if (sum == 0) continue;
-    if (!agreed) sheets_[sheet].agreed = false;
-    for (const auto& [other, other_sum] : sums) {
-      if (sheet != other && other_sum != 0) sheets_[sheet].agreement[other] -= sum * other_sum;
-    }
-  }
-}
-
-// The group of a sheet: all that are linked with it. Along the strongest links first, each sheet is
-// reversed so that it agrees with the one before it.
-std::vector<Index> Orienter::align_group(Index first) {
-  std::vector<Index> group;
-  std::priority_queue<Step> steps;
-  steps.push({0, first, 0});
-  while (!steps.empty()) {
-    const Step step = steps.top();
-    steps.pop();
-    if (is_aligned_[step.sheet]) continue;
-    is_aligned_[step.sheet] = 1;
-    sheet_is_reversed_[step.sheet] = step.is_reversed;
-    group.push_back(step.sheet);
-    for (const auto& [next, agreement] : sheets_[step.sheet].agreement) {
-      const char is_reversed = agreement < 0 ? !step.is_reversed : step.is_reversed;
-      steps.push({std::abs(agreement), next, is_reversed});
-    }
-  }
-  return group;
+  links_.find_kinds();
 }
 
 void Orienter::measure_volumes(const std::vector<Index>& group) {
@@ -190,26 +156,21 @@ double Orienter::volume(Index sheet) const {
   return sheet_is_reversed_[sheet] ? -sheets_[sheet].volume : sheets_[sheet].volume;
 }
 
-int Orienter::agreement(Index sheet) const {
-  int sum = 0;
-  for (const auto& [other, agreement] : sheets_[sheet].agreement) {
-    sum += sheet_is_reversed_[sheet] == sheet_is_reversed_[other] ? agreement : -agreement;
-  }
-  return sum;
-}
-
 // Reverses sheets, small ones first, while that makes more of them agree, or as many with a larger
 // volume. As both only grow, this ends.
 void Orienter::improve(std::vector<Index> group, bool has_border) {
   std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
     return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);
   });
+  links_.sum_up(group, sheet_is_reversed_);
   for (bool changed = true; changed;) {
     changed = false;
     for (const Index sheet : group) {
-      const int agree = agreement(sheet);
+      const bool was_reversed = sheet_is_reversed_[sheet] != 0;
+      const std::int64_t agree = links_.agreement(sheet, was_reversed);
       if (agree > 0 || (agree == 0 && (has_border || volume(sheet) >= 0))) continue;
-      sheet_is_reversed_[sheet] = !sheet_is_reversed_[sheet];
+      links_.reverse(sheet, was_reversed);
+      sheet_is_reversed_[sheet] = !was_reversed;
       changed = true;
     }
   }
@@ -218,10 +179,11 @@ void Orienter::improve(std::vector<Index> group, bool has_border) {
 // Starts again with every sheet looking outwards on its own, and keeps the result if it is better.
 void Orienter::try_outwards(const std::vector<Index>& group) {
   const auto score = [&] {
-    long agree = 0;
+    links_.sum_up(group, sheet_is_reversed_);
+    std::int64_t agree = 0;
     double sum = 0;
     for (const Index sheet : group) {
-      agree += agreement(sheet);
+      agree += links_.agreement(sheet, sheet_is_reversed_[sheet] != 0);
       sum += volume(sheet);
     }
     return std::pair(agree, std::abs(sum));
@@ -255,7 +217,7 @@ void Orienter::face_as_most(const std::vector<Index>& group) {
 
 void Orienter::orient_group(const std::vector<Index>& group) {
   const auto has_border = [&](Index sheet) { return sheets_[sheet].has_border; };
-  const auto agreed = [&](Index sheet) { return sheets_[sheet].agreed; };
+  const auto agreed = [&](Index sheet) { return sheets_[copies_.find(sheet)].copies_agreed; };
   if (std::all_of(group.begin(), group.end(), agreed)) {
     for (const Index sheet : group) sheet_is_reversed_[sheet] = 0;
     return;
@@ -273,7 +235,8 @@ void Orienter::orient_group(const std::vector<Index>& group) {
 
 std::vector<char> Orienter::find_reversed() {
   for (Index first = 0; first < sheets_.size(); ++first) {
-    if (!is_aligned_[first]) orient_group(align_group(first));
+    const std::vector<Index> group = links_.align(first, sheet_is_reversed_);
+    if (!group.empty()) orient_group(group);
   }
   std::vector<char> is_reversed(mesh_.faces.size());
   for (std::size_t f = 0; f < is_reversed.size(); ++f) {
@@ -292,6 +255,15 @@ std::size_t orient_faces(Mesh& mesh) {
     reverse_corner_lists(mesh, static_cast<Index>(f));
   }
   return static_cast<std::size_t>(std::count(is_reversed.begin(), is_reversed.end(), 1));
+}
+
+bool can_be_oriented(Mesh mesh) {
+  try {
+    orient_faces(mesh);
+  } catch (const InputError&) {
+    return false;
+  }
+  return describe_misorientation(mesh).empty();
 }
 
 }  // namespace transformesh

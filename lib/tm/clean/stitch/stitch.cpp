@@ -132,7 +132,9 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
       [&](std::span<const Index> halfedges) { return sort_around_edge(mesh, halfedges); });
   count_open_edges(edges, opposite, result);
   if (result.misoriented_edges > 0) {
-    result.misorientation = describe_misorientation({mesh.positions, all_faces, {}, {}});
+    const Mesh all{mesh.positions, all_faces, {}, {}};
+    result.misorientation = describe_misorientation(all);
+    result.can_be_oriented = can_be_oriented(all);
   }
   result.copied_vertices = separate_fans(mesh, find_fans(mesh.faces, opposite));
   result.split_edges = split_edges(mesh, opposite);

@@ -39,6 +39,7 @@ struct StitchResult {
   std::size_t border_edges = 0;       ///< edges at which one face is left over
   bool new_normals = false;           ///< of a surface that `orient` or `one_side` turned
   std::string misorientation;         ///< the first misoriented edge in words: faces and place
+  bool can_be_oriented = false;       ///< `orient` would leave no misoriented edge, where there are
 };
 
 StitchResult stitch(Mesh& mesh, const StitchOptions& options = {});

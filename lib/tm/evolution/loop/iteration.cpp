@@ -84,7 +84,7 @@ class CleanAndRemesh {
       remeshed = run_both();
     }
     result_.seconds_remesh = watch_.lap();
-    result_.topology = {cleaned_.topology.components - remeshed.components_removed,
+    result_.topology = {cleaned_.topology.components - remeshed.components_removed.count,
                         cleaned_.topology.genus};
     result_.faces = document_.mesh.faces.size();
   }
@@ -155,6 +155,10 @@ std::string in_short(std::size_t faces, const Topology& topology) {
 
 double IterationResult::moved_share() const {
   return static_cast<double>(displaced.moved) / static_cast<double>(vertices);
+}
+
+double IterationResult::clamped_share() const {
+  return static_cast<double>(displaced.clamped) / static_cast<double>(vertices);
 }
 
 void IterationResult::measure_mesh(CsvRow& row) const {

@@ -70,6 +70,7 @@ struct IterationResult {
   double seconds = 0;  ///< of all three
 
   double moved_share() const;
+  double clamped_share() const;
   /// The columns of the CSV file that iterations have in common: of the mesh afterwards, and of
   /// the edges before with the times.
   void measure_mesh(CsvRow& row) const;

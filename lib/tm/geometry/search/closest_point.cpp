@@ -92,12 +92,14 @@ struct ClosestPointQuery::Hit {
   }
 };
 
-/// Leaves out faces that are not accepted, and cells whose squared distance is more than `shrink`
-/// times the best so far.
-template <class Accept>
+/// Leaves out faces that are not accepted, those beyond the bound, and cells whose squared distance
+/// is more than `shrink` times the best so far.
+template <class Condition>
 ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink,
-                                                 const Accept& accept, Index hint) const {
+                                                 const Condition& accept, Index hint,
+                                                 double squared_bound) const {
   Hit best;
+  best.squared = squared_bound;
   const auto offer = [&](Index face) {
     const Vec3& a = mesh_->positions[mesh_->faces[face][0]];
     const Vec3& b = mesh_->positions[mesh_->faces[face][1]];
@@ -148,6 +150,13 @@ ClosestPoint ClosestPointQuery::facing(const Vec3& query, const Vec3& normal) co
     return normal.dot((b - a).cross(c - a)) > 0;
   });
   return best.face == no_index ? (*this)(query) : described(query, best);
+}
+
+std::optional<Vec3> ClosestPointQuery::closest_within(const Vec3& query, double distance,
+                                                      const Accept& accept) const {
+  const Hit best = search(query, 1, accept, no_index, distance * distance);
+  if (best.face == no_index) return std::nullopt;
+  return best.place.point;
 }
 
 ClosestPoint ClosestPointQuery::described(const Vec3& query, const Hit& best) const {

@@ -7,6 +7,9 @@
 /// weighted pseudonormal", TVCG 11(3), 2005.
 #pragma once
 
+#include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "tm/geometry/search/median_tree.h"
@@ -51,6 +54,11 @@ class ClosestPointQuery {
   /// The same among the faces whose normals are less than a right angle from that one; among all
   /// where there is none, or the normal is zero.
   ClosestPoint facing(const Vec3& query, const Vec3& normal) const;
+  /// The closest point of the faces abc that pass `accept` and come at least as near as
+  /// `distance`; nothing if there is none.
+  using Accept = std::function<bool(const Vec3& a, const Vec3& b, const Vec3& c)>;
+  std::optional<Vec3> closest_within(const Vec3& query, double distance,
+                                     const Accept& accept) const;
   /// A face that comes at least as near as that, the first that is met; no_index if there is none.
   Index face_within(const Vec3& query, double distance, Index hint = no_index) const;
   /// A point of the mesh that is farther than the closest by no more than that share of the
@@ -59,8 +67,9 @@ class ClosestPointQuery {
 
  private:
   struct Hit;
-  template <class Accept>
-  Hit search(const Vec3& query, double shrink, const Accept& accept, Index hint = no_index) const;
+  template <class Condition>
+  Hit search(const Vec3& query, double shrink, const Condition& accept, Index hint = no_index,
+             double squared_bound = std::numeric_limits<double>::infinity()) const;
   ClosestPoint described(const Vec3& query, const Hit& best) const;
   Vec3 pseudonormal(Index face, TrianglePart part) const;
   /// no_index on a border, where more than two faces meet and where both run the same way.

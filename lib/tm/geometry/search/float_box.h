@@ -17,6 +17,22 @@ struct FloatBox {
   std::array<float, 3> maximum;
 };
 
+inline bool overlap(const FloatBox& a, const FloatBox& b) {
+  bool result = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    result = result && a.minimum[axis] <= b.maximum[axis] && b.minimum[axis] <= a.maximum[axis];
+  return result;
+}
+
+inline FloatBox united(const FloatBox& a, const FloatBox& b) {
+  FloatBox box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.minimum[axis] = std::min(a.minimum[axis], b.minimum[axis]);
+    box.maximum[axis] = std::max(a.maximum[axis], b.maximum[axis]);
+  }
+  return box;
+}
+
 /// The largest float that is not above the value, and the smallest that is not below it.
 float float_below(double value);
 float float_above(double value);

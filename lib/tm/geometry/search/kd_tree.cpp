@@ -31,6 +31,23 @@ class NearestOne {
   Candidate best_;
 };
 
+class NearestAccepted {
+ public:
+  NearestAccepted(double bound, const std::function<bool(Index)>& accept)
+      : accept_(accept), best_{bound, no_index} {}
+  double bound() const { return best_.distance; }
+  void offer(const Candidate& candidate) {
+    const bool is_nearer =
+        best_.index == no_index ? candidate.distance < best_.distance : candidate < best_;
+    if (is_nearer && accept_(candidate.index)) best_ = candidate;
+  }
+  Index index() const { return best_.index; }
+
+ private:
+  const std::function<bool(Index)>& accept_;
+  Candidate best_;
+};
+
 class NearestMany {
  public:
   explicit NearestMany(std::size_t count) : count_(count) { heap_.reserve(count); }
@@ -95,6 +112,13 @@ void KdTree::search(const Vec3& query, Found& found) const {
 
 Index KdTree::nearest(const Vec3& query) const {
   NearestOne found;
+  search(query, found);
+  return found.index();
+}
+
+Index KdTree::nearest_within(const Vec3& query, double distance,
+                             const std::function<bool(Index)>& accept) const {
+  NearestAccepted found(distance * distance, accept);
   search(query, found);
   return found.index();
 }

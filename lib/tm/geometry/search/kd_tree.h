@@ -4,6 +4,7 @@
 /// point.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ class KdTree {
   KdTree(std::span<const Vec3> points, std::span<const Index> order);
   /// no_index where there are no points.
   Index nearest(const Vec3& query) const;
+  /// The nearest of the points that pass `accept` and are closer than `distance`, or no_index.
+  Index nearest_within(const Vec3& query, double distance,
+                       const std::function<bool(Index)>& accept) const;
   /// The `count` nearest (or all, if fewer), closest first.
   std::vector<Index> nearest(const Vec3& query, std::size_t count) const;
 

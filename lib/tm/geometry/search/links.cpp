@@ -113,22 +113,6 @@ class LinkFinder {
   const Crowds& crowds_;
 };
 
-bool overlap(const FloatBox& a, const FloatBox& b) {
-  bool result = true;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    result = result && a.minimum[axis] <= b.maximum[axis] && b.minimum[axis] <= a.maximum[axis];
-  return result;
-}
-
-FloatBox united(const FloatBox& a, const FloatBox& b) {
-  FloatBox box;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.minimum[axis] = std::min(a.minimum[axis], b.minimum[axis]);
-    box.maximum[axis] = std::max(a.maximum[axis], b.maximum[axis]);
-  }
-  return box;
-}
-
 // Calls visit(box of a, box of b) for each link of both.
 template <class Visit>
 void for_each_common(const LinkBoxes& a, const LinkBoxes& b, const Visit& visit) {

@@ -44,6 +44,13 @@ struct Document {
 };
 
 /// Of read_mesh().
+struct ReadOptions {
+  /// Throws InputError for what is else dropped or skipped with a note: values that are not finite,
+  /// lines that the format does not have, a missing end.
+  bool strict = false;
+};
+
+/// Of read_mesh().
 struct ReadResult {
   Document document;
   std::vector<std::string> notes;  ///< what was changed on the way in, one line each

@@ -7,9 +7,13 @@
 
 namespace transformesh {
 
-void ColorRows::set(std::size_t row, const Color& color) {
+void ColorRows::set(std::size_t row, const Color& color, std::size_t channels) {
   colors_.resize(row, no_color);
   colors_.push_back(color);
+  const auto begin = colors_.back().begin(), end = begin + static_cast<std::ptrdiff_t>(channels);
+  if (std::none_of(begin, end, [](double value) { return std::isnan(value); })) return;
+  std::fill(begin, end, 0.0);
+  ++bad_rows_;
 }
 
 void ColorRows::see_word(std::string_view word) {

@@ -16,8 +16,9 @@ class ColorRows {
   static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   static constexpr Color no_color{missing, missing, missing, missing};
 
-  /// Rows in growing order; those left out have no color.
-  void set(std::size_t row, const Color& color);
+  /// Rows in growing order; those left out have no color. A color is bad and becomes zeros if one
+  /// of its first `channels` values is NaN.
+  void set(std::size_t row, const Color& color, std::size_t channels);
   /// Shows a number as it is written: a point or an exponent makes all colors floating point.
   void see_word(std::string_view word);
 
@@ -26,6 +27,7 @@ class ColorRows {
   /// without alpha are opaque.
   void add_columns(std::size_t rows, Columns& columns);
   std::size_t missing_rows() const;
+  std::size_t bad_rows() const { return bad_rows_; }
 
  private:
   bool is_any(std::size_t channel) const;
@@ -35,6 +37,7 @@ class ColorRows {
 
   std::vector<Color> colors_;
   bool is_integer_ = true;
+  std::size_t bad_rows_ = 0;
 };
 
 }  // namespace transformesh

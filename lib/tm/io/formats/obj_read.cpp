@@ -3,10 +3,11 @@
 #include <map>
 
 #include "tm/io/formats/color_rows.h"
+#include "tm/io/formats/face_rows.h"
+#include "tm/io/formats/finite_values.h"
 #include "tm/io/formats/obj.h"
 #include "tm/io/formats/obj_labels.h"
 #include "tm/io/formats/obj_texture.h"
-#include "tm/io/formats/polygons.h"
 #include "tm/io/formats/text_rows.h"
 #include "tm/support/counted.h"
 
@@ -30,13 +31,15 @@ class ObjReader {
 
   ReadResult read() {
     while (rows_.next_row()) read_row(rows_.word());
+    if (unknown_lines_ > 0 && mesh().positions.empty())
+      source_.fail_at_line(first_unknown_.data(), unknown_statement());
     if (largest_index_ >= mesh().positions.size() && largest_index_place_) {
       source_.fail_at_line(largest_index_place_, out_of_range(largest_index_ + 1));
     }
     add_colors();
     add_comments();
     add_face_columns();
-    polygons_.move_into(mesh(), "obj", result_.notes);
+    polygons_.move_into(mesh(), "obj", result_.notes, 1);
     add_notes();
     result_.document.style.format = Format::obj;
     return std::move(result_);
@@ -57,8 +60,17 @@ class ObjReader {
     } else if (is_other_keyword(keyword)) {
       ++ignored_[keyword];
     } else if (!is_label(keyword)) {
-      rows_.fail("an OBJ file has no lines that start with " + quoted(keyword));
+      skip_unknown(keyword);
     }
+  }
+
+  void skip_unknown(std::string_view keyword) {
+    if (unknown_lines_++ == 0) first_unknown_ = keyword;
+    if (source_.is_strict) rows_.fail(unknown_statement());
+  }
+
+  std::string unknown_statement() const {
+    return "an OBJ file has no lines that start with " + quoted(first_unknown_);
   }
 
   void read_vertex() {
@@ -73,12 +85,12 @@ class ObjReader {
     if (row + 1 >= no_index) rows_.fail("more vertices than 32 bits can count");
     Vec3& position = mesh().positions.emplace_back();
     for (const Eigen::Index axis : {0, 1, 2})
-      position[axis] = rows_.finite_number<double>(coordinate);
-    if (words == 4 && rows_.finite_number<double>(coordinate) != 1) ++weights_;
+      position[axis] = rows_.number_or_nan<double>(coordinate);
+    if (words == 4 && rows_.number_or_nan<double>(coordinate) != 1) ++weights_;
     if (words != 6) return;
     ColorRows::Color color = ColorRows::no_color;
-    for (std::size_t i = 0; i < 3; ++i) color[i] = rows_.finite_number<double>(color_name);
-    colors_.set(row, color);
+    for (std::size_t i = 0; i < 3; ++i) color[i] = rows_.number_or_nan<double>(color_name);
+    colors_.set(row, color, 3);
   }
 
   void read_texture_point() {
@@ -162,6 +174,7 @@ class ObjReader {
       result_.notes.push_back("obj: " + counted(colors_.missing_rows(), "point") +
                               " without a color made black");
     }
+    note_zeroed(colors_.bad_rows(), "color", "obj", result_.notes);
     const auto is_byte = [](double value) {
       return value >= 0 && value <= 1 && std::round(value * 255) / 255 == value;
     };
@@ -202,6 +215,11 @@ class ObjReader {
       notes.push_back("obj: " + counted(count, "line") + " '" + std::string(keyword) +
                       "' left out");
     }
+    if (unknown_lines_ > 0) {
+      notes.push_back("obj: " + counted(unknown_lines_, "unknown statement") +
+                      " skipped; the first is " + quoted(first_unknown_) + " in line " +
+                      std::to_string(source_.line_of(first_unknown_.data())));
+    }
     if (weights_ > 0)
       notes.push_back("obj: weights of " + counted(weights_, "vertex") + " left out");
     if (rows_.trailing_comments > 0) {
@@ -212,7 +230,7 @@ class ObjReader {
 
   const Source& source_;
   TextRows rows_;
-  PolygonFans polygons_;
+  FaceRows polygons_;
   ColorRows colors_;
   ObjTexture texture_;
   std::array<ObjLabelReader, obj_label_kinds.size()> labels_;
@@ -225,12 +243,25 @@ class ObjReader {
   const char* largest_index_place_ = nullptr;
   std::uint32_t largest_index_face_ = 0;
   std::map<std::string_view, std::size_t> ignored_;
+  std::size_t unknown_lines_ = 0;
+  std::string_view first_unknown_;
   std::size_t weights_ = 0;
   ReadResult result_;
 };
 
 }  // namespace
 
-ReadResult read_obj(const Source& source) { return ObjReader(source).read(); }
+ReadResult read_obj(const Source& source) {
+  // Programs that write strings of C leave their last byte.
+  const std::size_t size = source.bytes.find_last_not_of('\0') + 1;
+  if (size < source.bytes.size() && source.is_strict)
+    source.fail_at_byte(source.begin() + size, "the text ends in a byte of value 0");
+  const Source text{source.bytes.substr(0, size), source.name, source.is_strict};
+  ReadResult result = ObjReader(text).read();
+  if (size < source.bytes.size())
+    result.notes.push_back("obj: " + counted(source.bytes.size() - size, "byte") +
+                           " of value 0 at the end skipped");
+  return result;
+}
 
 }  // namespace transformesh

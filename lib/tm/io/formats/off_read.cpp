@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 
 #include "tm/io/formats/color_rows.h"
+#include "tm/io/formats/face_rows.h"
+#include "tm/io/formats/finite_values.h"
 #include "tm/io/formats/off.h"
-#include "tm/io/formats/polygons.h"
 #include "tm/io/formats/text_rows.h"
 #include "tm/support/counted.h"
 
@@ -117,7 +119,10 @@ class OffReader {
       if (row_ == 0) decide_layout(rows_.words_left());
       read_vertex(mesh);
     }
+    zero_values_not_finite(mesh.vertex_columns, source_, "vertex", "off", result_.notes);
     vertex_colors_.add_columns(count, mesh.vertex_columns);
+    note_zeroed(vertex_colors_.bad_rows(), "color", "off", result_.notes);
+    note_zeroed(bad_texture_, "texture coordinate", "off", result_.notes);
     for (Column& column : texture_.columns) {
       mesh.vertex_columns.columns.push_back(std::move(column));
     }
@@ -155,7 +160,9 @@ class OffReader {
     }
     if (channels_ > 0) read_color(channels_, vertex_colors_);
     for (Column& column : texture_.columns) {
-      column.values[row_] = read_value("the texture coordinate of vertex");
+      const double value = read_value("the texture coordinate of vertex");
+      if (std::isnan(value)) ++bad_texture_;
+      column.values[row_] = std::isnan(value) ? 0 : value;
     }
     rows_.end_row([&] { return row_name("vertex"); });
   }
@@ -180,6 +187,7 @@ class OffReader {
     }
     Mesh& mesh = result_.document.mesh;
     face_colors_.add_columns(polygons_.rows(), mesh.face_columns);
+    note_zeroed(face_colors_.bad_rows(), "color", "off", result_.notes);
     polygons_.move_into(mesh, "off", result_.notes);
   }
 
@@ -196,11 +204,11 @@ class OffReader {
       color[i] = read_value(&colors == &face_colors_ ? "the color of face" : "the color of vertex");
       colors.see_word(rows_.last_word());
     }
-    colors.set(row_, color);
+    colors.set(row_, color, channels);
   }
 
   double read_value(const char* what) {
-    return rows_.finite_number<double>([&] { return row_name(what); });
+    return rows_.number_or_nan<double>([&] { return row_name(what); });
   }
 
   std::string row_name(const char* what) const {
@@ -233,9 +241,10 @@ class OffReader {
   std::size_t channels_ = 0;  ///< numbers that are the color of a vertex
   ColorRows vertex_colors_;
   Columns texture_;
-  PolygonFans polygons_;
+  FaceRows polygons_;
   ColorRows face_colors_;
   std::size_t strange_faces_ = 0;
+  std::size_t bad_texture_ = 0;
   ReadResult result_;
 };
 

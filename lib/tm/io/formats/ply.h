@@ -23,7 +23,8 @@ struct PlyElement {
 struct PlyHeader {
   Style style;  ///< format, comments, names of elements
   std::vector<PlyElement> elements;
-  std::size_t size = 0;  ///< where the data starts
+  std::size_t size = 0;               ///< where the data starts
+  std::size_t unmarked_comments = 0;  ///< of the style's comments, those without their keyword
 };
 
 /// Reads the header alone. Throws InputError naming the line.

@@ -31,6 +31,14 @@ class TextCursor {
     return value;
   }
 
+  double coordinate(const PlyProperty& property) {
+    const auto what = [&] { return table_.value_name(row_, property); };
+    if (property.type == Scalar::float64) return rows_.number_or_nan<double>(what);
+    if (property.type == Scalar::float32)
+      return static_cast<double>(rows_.number_or_nan<float>(what));
+    return scalar(property);
+  }
+
   std::uint64_t count(const PlyProperty& property) {
     const auto what = [&] { return "the length of " + table_.value_name(row_, property); };
     const auto value = rows_.number<double>(what);

@@ -19,6 +19,13 @@ class BinaryCursor {
 
   double scalar(const PlyProperty& property) { return load(property.type, property); }
 
+  double coordinate(const PlyProperty& property) {
+    const double value = scalar(property);
+    if (source_.is_strict && !std::isfinite(value))
+      fail(table_.value_name(row_, property) + " is not a finite number");
+    return value;
+  }
+
   std::uint64_t count(const PlyProperty& property) {
     const double value = load(*property.count_type, property);
     const std::size_t size = byte_size(property.type);
@@ -75,7 +82,7 @@ class FixedRows {
   /// index out of range, and returns how many these were.
   template <class T>
   std::size_t decode_triangles(std::size_t offset, std::uint64_t vertex_count,
-                               PolygonFans& polygons) const {
+                               FaceRows& polygons) const {
     const auto limit = static_cast<Index>(
         std::min<std::uint64_t>(vertex_count, std::uint64_t{std::numeric_limits<T>::max()} + 1));
     const char* from = first_ + offset;
@@ -181,7 +188,7 @@ const char* read_binary_rows(const Source& source, const char* place, bool swapp
   if (!has_list(table)) {
     const std::size_t stride = table.row_size(0);
     decode_columns(FixedRows(place, stride, row_count, swapped), row_count, table);
-    check_positions(source, place, table);
+    if (source.is_strict) check_positions(source, place, table);
     return place + row_count * stride;
   }
   const std::size_t triangles = read_triangles(source, place, swapped, table);

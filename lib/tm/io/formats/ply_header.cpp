@@ -76,8 +76,17 @@ class HeaderReader {
     } else if (keyword == "property") {
       read_property();
     } else if (!keyword.empty()) {
-      fail("unknown word in the PLY header: " + quoted(keyword));
+      read_unknown(keyword);
     }
+  }
+
+  /// Before the first element such a line can only be a comment without its keyword; behind, it may
+  /// describe data.
+  void read_unknown(std::string_view keyword) {
+    if (source_.is_strict || !header_.elements.empty())
+      fail("unknown word in the PLY header: " + quoted(keyword));
+    header_.style.comments.emplace_back(line_);
+    ++header_.unmarked_comments;
   }
 
   void read_format() {
@@ -132,12 +141,15 @@ class HeaderReader {
   }
 
   Scalar read_type(std::string_view name) {
-    const auto type = scalar_of_name(name);
-    if (!type) {
+    std::string lower(name);
+    for (char& c : lower)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const auto type = scalar_of_name(lower);
+    if (!type || (source_.is_strict && lower != name)) {
       fail("unknown type " + quoted(name) +
            "; PLY has char uchar short ushort int uint float double");
     }
-    if (scalar_name(*type, true) == name) header_.style.sized_type_names = true;
+    if (scalar_name(*type, true) == lower) header_.style.sized_type_names = true;
     return *type;
   }
 

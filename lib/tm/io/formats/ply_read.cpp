@@ -2,6 +2,7 @@
 
 #include "tm/io/document/scalar.h"
 #include "tm/io/document/scalar_bytes.h"
+#include "tm/io/formats/finite_values.h"
 #include "tm/io/formats/ply_table.h"
 #include "tm/support/counted.h"
 
@@ -15,6 +16,9 @@ class PlyReader {
 
   ReadResult read() {
     place_ = source_.begin() + header_.size;
+    if (header_.unmarked_comments > 0)
+      result_.notes.push_back("ply: " + counted(header_.unmarked_comments, "line") +
+                              " of the header without a keyword taken as a comment");
     result_.document.style = header_.style;
     vertex_count_ = find_vertices().rows;
     for (const PlyElement& element : header_.elements) {
@@ -26,6 +30,7 @@ class PlyReader {
         read_other(element);
       }
     }
+    finish_faces();
     note_rest();
     return std::move(result_);
   }
@@ -64,6 +69,7 @@ class PlyReader {
     add_columns(table);
     read_rows(table);
     result_.document.mesh.positions = std::move(table.positions);
+    zero_values_not_finite(table.columns, source_, "vertex", "ply", result_.notes);
     result_.document.mesh.vertex_columns = std::move(table.columns);
   }
 
@@ -101,19 +107,69 @@ class PlyReader {
     }
     add_columns(table);
     read_rows(table);
+    zero_values_not_finite(table.columns, source_, "face", "ply", result_.notes);
     result_.document.mesh.face_columns = std::move(table.columns);
-    table.polygons.move_into(result_.document.mesh, "ply", result_.notes);
+    faces_ = std::move(table.polygons);
+  }
+
+  /// Faces may come before vertices.
+  void finish_faces() {
+    const bool are_strips = faces_.rows() == 0 && strips_.triangles > 0;
+    if (are_strips) {
+      faces_ = std::move(strips_.faces);
+      result_.document.mesh.face_columns = {};
+    }
+    faces_.move_into(result_.document.mesh, "ply", result_.notes);
+    if (strips_.rows == 0) return;
+    result_.notes.push_back("ply: " + counted(strips_.rows, "row") + " of triangle strips " +
+                            (are_strips ? "cut into " + counted(strips_.triangles, "triangle")
+                                        : "left out, as there are faces"));
   }
 
   void read_other(const PlyElement& element) {
-    if (element.name == "tristrips" && element.rows > 0) {
-      source_.fail("triangle strips (element 'tristrips') are not read: write the mesh with faces");
-    }
     PlyTable table = make_table(element);
     add_columns(table);
     read_rows(table);
+    if (element.name == "tristrips" && element.rows > 0) return add_strips(table);
     result_.document.other_elements.push_back(
         {element.name, static_cast<std::size_t>(element.rows), std::move(table.columns)});
+  }
+
+  void add_strips(const PlyTable& table) {
+    std::vector<std::string>& order = result_.document.style.element_order;
+    std::erase(order, "face");
+    std::replace(order.begin(), order.end(), std::string("tristrips"), std::string("face"));
+    const Column* list = table.columns.find("vertex_indices");
+    if (list == nullptr) list = table.columns.find("vertex_index");
+    if (list == nullptr || !list->list_count_type || is_floating(list->type))
+      source_.fail("the triangle strips need a property list vertex_indices of integers");
+    if (table.columns.columns.size() > 1)
+      result_.notes.emplace_back("ply: further properties of triangle strips dropped");
+    strips_.rows = static_cast<std::size_t>(table.element.rows);
+    for (std::size_t row = 0; row < strips_.rows; ++row)
+      add_strip(table, row,
+                std::span(list->values)
+                    .subspan(list->list_offsets[row],
+                             list->list_offsets[row + 1] - list->list_offsets[row]));
+  }
+
+  /// -1 ends a strip. Every second triangle is turned; one that names a vertex twice only moves the
+  /// strip on.
+  void add_strip(const PlyTable& table, std::size_t row, std::span<const double> vertices) {
+    std::size_t length = 0;
+    std::array<Index, 3> last{};
+    for (const double value : vertices) {
+      if (value == -1) {
+        length = 0;
+        continue;
+      }
+      if (!(value >= 0 && value < static_cast<double>(table.vertex_count)))
+        source_.fail(table.bad_index(row, value));
+      last = {last[1], last[2], static_cast<Index>(value)};
+      if (++length < 3 || is_collapsed(last)) continue;
+      strips_.faces.add(length % 2 == 1 ? last : Face{last[1], last[0], last[2]});
+      ++strips_.triangles;
+    }
   }
 
   PlyTable make_table(const PlyElement& element) const {
@@ -196,6 +252,11 @@ class PlyReader {
   TextRows rows_;                ///< the data as text
   const char* place_ = nullptr;  ///< in the data as bytes
   std::uint64_t vertex_count_ = 0;
+  FaceRows faces_;
+  struct {
+    FaceRows faces;
+    std::size_t rows = 0, triangles = 0;
+  } strips_;
   ReadResult result_;
 };
 

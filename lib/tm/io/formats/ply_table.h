@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tm/io/formats/face_rows.h"
 #include "tm/io/formats/ply.h"
-#include "tm/io/formats/polygons.h"
 #include "tm/io/formats/text_rows.h"
 
 namespace transformesh {
@@ -22,7 +22,7 @@ struct PlyTable {
   std::vector<Target> targets;     ///< one per property
   std::uint64_t vertex_count = 0;  ///< what a face may refer to
   std::vector<Vec3> positions;     ///< of the vertices
-  PolygonFans polygons;            ///< of the faces
+  FaceRows polygons;               ///< of the faces
   Columns columns;
   std::size_t long_rows = 0;  ///< lines of text with more values than there are properties
   const char* first_long_row = nullptr;
@@ -42,19 +42,15 @@ const char* read_binary_rows(const Source& source, const char* place, bool swapp
                              PlyTable& table);
 void read_text_rows(TextRows& rows, PlyTable& table);
 
-/// Reads one row through a cursor, which has `double scalar(property)`, `std::uint64_t
-/// count(property)` and `fail(message)`.
+/// Reads one row through a cursor, which has `double scalar(property)`, `double
+/// coordinate(property)`, `std::uint64_t count(property)` and `fail(message)`.
 template <class Cursor>
 void read_ply_row(Cursor& cursor, PlyTable& table, std::size_t row, std::vector<Index>& corners) {
   for (std::size_t i = 0; i < table.targets.size(); ++i) {
     const PlyProperty& property = table.element.properties[i];
     const PlyTable::Target target = table.targets[i];
     if (target.kind == PlyTable::Target::coordinate) {
-      const double value = cursor.scalar(property);
-      if (!std::isfinite(value)) {
-        cursor.fail(table.value_name(row, property) + " is not a finite number");
-      }
-      table.positions[row][static_cast<Eigen::Index>(target.index)] = value;
+      table.positions[row][static_cast<Eigen::Index>(target.index)] = cursor.coordinate(property);
     } else if (target.kind == PlyTable::Target::face_list) {
       corners.clear();
       for (std::uint64_t left = cursor.count(property); left > 0; --left) {

@@ -7,6 +7,7 @@
 
 #include "tm/io/document/scalar_bytes.h"
 #include "tm/io/formats/off.h"
+#include "tm/io/formats/text_rows.h"
 #include "tm/support/error.h"
 
 namespace transformesh {
@@ -53,7 +54,8 @@ bool is_ply_start(std::string_view bytes) {
 bool is_ascii_stl(std::string_view bytes) {
   const std::string start = lower_case(bytes.substr(0, 2000));
   if (first_word(start) != "solid" || start.find('\0') != std::string::npos) return false;
-  const std::size_t line_end = std::min(start.find_first_of("\r\n"), start.size());
+  const std::size_t word = start.find("solid");
+  const std::size_t line_end = std::min(start.find_first_of("\r\n", word), start.size());
   const std::string_view next = first_word(std::string_view(start).substr(line_end));
   return next == "facet" || next == "endsolid" || next.empty();
 }
@@ -66,6 +68,36 @@ bool is_obj_start(std::string_view bytes, std::string_view word) {
   return has_values && std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
+/// Whether a line near the start is `v` and three numbers, behind lines that OBJ does not have.
+bool has_obj_vertex(std::string_view bytes) {
+  constexpr std::size_t searched = 4096;
+  const Source start{bytes.substr(0, searched), ""};
+  TextRows rows(start, 0, {'#', true});
+  while (rows.next_row()) {
+    if (rows.word() != "v" || rows.words_left() < 3) continue;
+    const std::string_view word = rows.word();
+    const char* first = word.data();
+    double value = 0;
+    if (parse_number(first, word.data() + word.size(), value) == Parsed::ok) return true;
+  }
+  return false;
+}
+
+/// Whether every second of the first bytes is 0 and the others are ASCII, or there is a byte order
+/// mark of UTF-16.
+bool is_utf16(std::string_view bytes) {
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return true;
+  constexpr std::size_t looked_at = 16;
+  if (bytes.size() < looked_at) return false;
+  std::array<std::size_t, 2> zeros{}, letters{};
+  for (std::size_t i = 0; i < looked_at; ++i) {
+    if (bytes[i] == '\0') ++zeros[i % 2];
+    if (bytes[i] >= '\t' && bytes[i] <= '~') ++letters[i % 2];
+  }
+  constexpr std::size_t half = looked_at / 2;
+  return (zeros[0] == half && letters[1] == half) || (zeros[1] == half && letters[0] == half);
+}
+
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   const std::string_view word = first_word(bytes);
   if (is_ply_start(bytes)) return FileKind::ply;
@@ -73,7 +105,7 @@ std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
   if (is_off_keyword(word)) return FileKind::off;
   if (is_ascii_stl(bytes)) return FileKind::stl_ascii;
-  if (is_obj_start(bytes, word)) return FileKind::obj;
+  if (is_obj_start(bytes, word) || has_obj_vertex(bytes)) return FileKind::obj;
   return {};
 }
 
@@ -91,7 +123,10 @@ bool is_binary_stl_by_size(std::string_view bytes) {
   if (bytes.size() < stl_header_size) return false;
   const bool swapped = !host_is_little;
   const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, swapped);
-  return bytes.size() == stl_header_size + stl_facet_size * facets;
+  const std::size_t rest = bytes.size() - stl_header_size;
+  // Programs that write while they compute may leave 0, which no text has there.
+  const bool is_left_open = facets == 0 && rest % stl_facet_size == 0;
+  return rest == stl_facet_size * facets || is_left_open;
 }
 
 FileKind sniff(const Source& source) {
@@ -102,6 +137,8 @@ FileKind sniff(const Source& source) {
     source.fail("the input is compressed: unpack it with gzip -dc");
   if (bytes.starts_with("glTF") || bytes.substr(0, 200).find("<VTKFile") != std::string_view::npos)
     source.fail("GLB and VTP are written, not read: PLY, OFF, OBJ and STL are read");
+  if (is_utf16(bytes))
+    source.fail("the input is text in UTF-16: convert it with iconv -f UTF-16 -t UTF-8");
   if (const auto kind = kind_of_name(source)) return *kind;
   source.fail("unknown mesh format, starting with " + quoted(bytes.substr(0, 16)) +
               ": PLY, OFF, OBJ and STL are read");

@@ -3,7 +3,7 @@
 
 #include "tm/io/document/scalar.h"
 #include "tm/io/document/scalar_bytes.h"
-#include "tm/io/formats/polygons.h"
+#include "tm/io/formats/face_rows.h"
 #include "tm/io/formats/stl.h"
 #include "tm/io/formats/text_rows.h"
 #include "tm/support/counted.h"
@@ -22,9 +22,15 @@ void note_soup(std::size_t faces, std::vector<std::string>& notes) {
                   " read as a soup of separate triangles; tm-stitch joins them");
 }
 
+void note_bad_facets(std::size_t count, std::vector<std::string>& notes) {
+  if (count == 0) return;
+  notes.push_back("stl: " + counted(count, "facet") +
+                  " with a coordinate that is not finite dropped");
+}
+
 class TextReader {
  public:
-  explicit TextReader(const Source& source) : rows_(source, 0, {}) {}
+  explicit TextReader(const Source& source) : source_(source), rows_(source, 0, {}) {}
 
   ReadResult read() {
     while (next_word(false)) {
@@ -35,7 +41,10 @@ class TextReader {
     style.format = Format::stl_ascii;
     style.coordinate = Scalar::float32;
     polygons_.move_into(result_.document.mesh, "stl", result_.notes);
+    note_bad_facets(bad_facets_, result_.notes);
     note_soup(result_.document.mesh.faces.size(), result_.notes);
+    if (has_no_end_)
+      result_.notes.emplace_back("stl: 'endsolid' is missing at the end: the file may be cut off");
     if (solids_ > 1) {
       result_.notes.push_back("stl: " + counted(solids_, "solid") + " read as one mesh");
     }
@@ -75,11 +84,15 @@ class TextReader {
     const std::string_view name = rows_.skip_row();
     ++solids_;
     if (solids_ == 1 && !name.empty()) result_.document.style.comments.emplace_back(name);
-    for (next_word(true); word_ != "endsolid"; next_word(true)) {
+    while (next_word(source_.is_strict)) {
+      if (word_ == "endsolid") {
+        rows_.skip_row();
+        return;
+      }
       expect("facet");
       read_facet();
     }
-    rows_.skip_row();
+    has_no_end_ = true;
   }
 
   /// The normal follows from the corners, and programs write anything there.
@@ -94,7 +107,18 @@ class TextReader {
       read_vertex();
     }
     need("endfacet");
+    if (!is_finite(corners_)) {
+      result_.document.mesh.positions.resize(corners_[0]);
+      ++bad_facets_;
+      return;
+    }
     polygons_.add(corners_);
+  }
+
+  bool is_finite(const std::vector<Index>& corners) {
+    return std::all_of(corners.begin(), corners.end(), [&](Index corner) {
+      return result_.document.mesh.positions[corner].allFinite();
+    });
   }
 
   void read_vertex() {
@@ -104,15 +128,18 @@ class TextReader {
     Vec3& position = positions.emplace_back();
     for (const Eigen::Index axis : {0, 1, 2}) {
       position[axis] = static_cast<double>(
-          rows_.finite_number<float>([&] { return "a coordinate of " + place_name(); }));
+          rows_.number_or_nan<float>([&] { return "a coordinate of " + place_name(); }));
     }
   }
 
+  const Source& source_;
   TextRows rows_;
   std::string word_;
-  PolygonFans polygons_;
+  FaceRows polygons_;
   std::vector<Index> corners_;
   std::size_t solids_ = 0;
+  std::size_t bad_facets_ = 0;
+  bool has_no_end_ = false;
   ReadResult result_;
 };
 
@@ -128,7 +155,8 @@ std::string header_text(const Source& source) {
   return is_text ? text : std::string();
 }
 
-std::size_t checked_facet_count(const Source& source) {
+/// Programs that write while they compute may leave 0 in the header.
+std::size_t checked_facet_count(const Source& source, std::vector<std::string>& notes) {
   if (source.bytes.size() < facets_start) {
     source.fail("not an STL file: neither the word 'solid' nor a binary header of 84 bytes");
   }
@@ -139,35 +167,66 @@ std::size_t checked_facet_count(const Source& source) {
                         "the header announces " + counted(count, "facet") + ", but only " +
                             std::to_string(present) + " follow: the file is cut off or not STL");
   }
-  if (count > most_facets) source.fail("more vertices than 32 bits can count");
-  return count;
+  if (count == 0 && present > 0) {
+    const std::string claim = "the header announces 0 facets, but " + std::to_string(present) +
+                              (present == 1 ? " follows" : " follow");
+    if (source.is_strict) source.fail_at_byte(source.begin() + header_size, claim);
+    notes.push_back("stl: " + claim + " and " + (present == 1 ? "is" : "are") + " read");
+  }
+  const std::size_t read = count == 0 ? present : count;
+  if (read > most_facets) source.fail("more vertices than 32 bits can count");
+  return read;
 }
 
-void read_facet(const Source& source, std::size_t row, Mesh& mesh) {
+const char* facet_at(const Source& source, std::size_t row) {
+  return source.begin() + facets_start + row * facet_size;
+}
+
+/// Appends the corners of a facet. Whether they are finite; strict reading demands it.
+bool read_facet(const Source& source, std::size_t row, std::vector<Vec3>& positions) {
   constexpr std::size_t normal_size = 12;
-  const char* place = source.begin() + facets_start + row * facet_size + normal_size;
+  const char* place = facet_at(source, row) + normal_size;
+  bool is_finite = true;
   for (std::size_t corner = 0; corner < 3; ++corner) {
-    Vec3& position = mesh.positions[3 * row + corner];
+    Vec3& position = positions.emplace_back();
     for (const Eigen::Index axis : {0, 1, 2}) {
       position[axis] = static_cast<double>(load_scalar<float>(place, swapped));
-      if (!std::isfinite(position[axis])) {
+      is_finite = is_finite && std::isfinite(position[axis]);
+      if (source.is_strict && !is_finite)
         source.fail_at_byte(
             place, "a coordinate of facet " + std::to_string(row) + " is not a finite number");
-      }
       place += sizeof(float);
     }
-    mesh.faces[row][corner] = static_cast<Index>(3 * row + corner);
   }
+  return is_finite;
 }
 
-void read_attributes(const Source& source, Mesh& mesh) {
-  std::vector<double> values(mesh.faces.size());
-  const char* place = source.begin() + facets_start + facet_size - sizeof(std::uint16_t);
+/// Returns the rows that are finite.
+std::vector<std::uint32_t> read_facets(const Source& source, std::size_t count, Mesh& mesh) {
+  std::vector<std::uint32_t> rows;
+  rows.reserve(count);
+  mesh.positions.reserve(3 * count);
+  mesh.faces.reserve(count);
+  for (std::size_t row = 0; row < count; ++row) {
+    const auto first = static_cast<Index>(mesh.positions.size());
+    if (!read_facet(source, row, mesh.positions)) {
+      mesh.positions.resize(first);
+      continue;
+    }
+    mesh.faces.push_back({first, first + 1, first + 2});
+    rows.push_back(static_cast<std::uint32_t>(row));
+  }
+  return rows;
+}
+
+void read_attributes(const Source& source, const std::vector<std::uint32_t>& rows, Mesh& mesh) {
+  std::vector<double> values;
+  values.reserve(rows.size());
   bool is_used = false;
-  for (double& value : values) {
-    value = load_scalar<std::uint16_t>(place, swapped);
-    is_used = is_used || value != 0;
-    place += facet_size;
+  for (const std::uint32_t row : rows) {
+    const char* place = facet_at(source, row) + facet_size - sizeof(std::uint16_t);
+    values.push_back(load_scalar<std::uint16_t>(place, swapped));
+    is_used = is_used || values.back() != 0;
   }
   if (!is_used) return;
   mesh.face_columns.get("attribute", Scalar::uint16, 0).values = std::move(values);
@@ -178,19 +237,18 @@ void read_attributes(const Source& source, Mesh& mesh) {
 ReadResult read_stl_text(const Source& source) { return TextReader(source).read(); }
 
 ReadResult read_stl_binary(const Source& source) {
-  const std::size_t count = checked_facet_count(source);
   ReadResult result;
+  const std::size_t count = checked_facet_count(source, result.notes);
   Mesh& mesh = result.document.mesh;
-  mesh.positions.resize(3 * count);
-  mesh.faces.resize(count);
-  for (std::size_t row = 0; row < count; ++row) read_facet(source, row, mesh);
-  read_attributes(source, mesh);
+  const std::vector<std::uint32_t> rows = read_facets(source, count, mesh);
+  read_attributes(source, rows, mesh);
 
   result.document.style.format = Format::stl_binary;
   result.document.style.coordinate = Scalar::float32;
   const std::string text = header_text(source);
   if (!text.empty()) result.document.style.comments.push_back(text);
-  note_soup(count, result.notes);
+  note_bad_facets(count - rows.size(), result.notes);
+  note_soup(mesh.faces.size(), result.notes);
   const std::size_t rest = source.bytes.size() - facets_start - count * facet_size;
   if (rest > 0)
     result.notes.push_back("stl: " + counted(rest, "byte") + " after the last facet ignored");

@@ -69,6 +69,15 @@ const char* TextRows::find_line_end(const char* from) const {
   return found ? static_cast<const char*>(found) + 1 : source_->end();
 }
 
+/// The mark in `1.#QNAN` starts no comment.
+const char* TextRows::find_comment(const char* start) const {
+  const char* mark = std::find(start, line_end_, rules_.comment);
+  while (mark != line_end_ && mark != start && mark[-1] == '.' &&
+         special_ending(mark, line_end_) > 0)
+    mark = std::find(mark + 1, line_end_, rules_.comment);
+  return mark;
+}
+
 /// A row is a line up to its comment. A backslash joins lines, but not inside a comment.
 void TextRows::find_row() {
   line_end_ = next_;
@@ -76,7 +85,7 @@ void TextRows::find_row() {
     const char* start = line_end_;
     line_end_ = row_end_ = find_line_end(start);
     if (rules_.comment != '\0') {
-      const char* mark = std::find(start, line_end_, rules_.comment);
+      const char* mark = find_comment(start);
       if (mark != line_end_) return keep_comment(mark);
     }
     if (!rules_.backslash_joins || line_end_ == source_->end()) return;

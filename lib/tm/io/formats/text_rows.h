@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,10 @@ class TextRows {
   /// As number, and finite.
   template <class T, class What>
   T finite_number(const What& what);
+  /// As finite_number if the source is read strictly. Else NaN for a number that is not finite or
+  /// too large for T.
+  template <class T, class What>
+  T number_or_nan(const What& what);
   /// Throws InputError where the row goes on; row() names it there.
   template <class What>
   void end_row(const What& row) {
@@ -63,9 +68,12 @@ class TextRows {
   const char* word_end(const char* from) const;
   const char* find_line_end(const char* from) const;
   void find_row();
+  const char* find_comment(const char* start) const;
   void keep_comment(const char* mark);
   [[noreturn]] void fail_rest(const std::string& row);
   [[noreturn]] void fail_number(const std::string& what, const char* needed, Parsed problem);
+  template <class T>
+  Parsed parse_word(T& value);
 
   const Source* source_;
   Rules rules_;
@@ -86,18 +94,35 @@ inline bool TextRows::has_more() {
   return next_ != row_end_;
 }
 
+template <class T>
+Parsed TextRows::parse_word(T& value) {
+  place_ = next_;
+  const Parsed parsed = parse_number(next_, row_end_, value);
+  const bool is_whole_word = next_ == row_end_ || separates(*next_);
+  return is_whole_word ? parsed : Parsed::malformed;
+}
+
 template <class T, class What>
 T TextRows::number(const What& what) {
   constexpr const char* needed = std::is_floating_point_v<T> ? "a number"
                                  : std::is_signed_v<T>       ? "a whole number"
                                                              : "a whole number of 0 or more";
   if (!has_more()) fail(what() + " is missing");
-  place_ = next_;
   T value;
-  const Parsed parsed = parse_number(next_, row_end_, value);
-  const bool is_whole_word = next_ == row_end_ || separates(*next_);
-  if (parsed != Parsed::ok || !is_whole_word) fail_number(what(), needed, parsed);
+  const Parsed parsed = parse_word(value);
+  if (parsed != Parsed::ok) fail_number(what(), needed, parsed);
   return value;
+}
+
+template <class T, class What>
+T TextRows::number_or_nan(const What& what) {
+  if (source_->is_strict) return finite_number<T>(what);
+  if (!has_more()) fail(what() + " is missing");
+  T value;
+  const Parsed parsed = parse_word(value);
+  if (parsed == Parsed::malformed) fail_number(what(), "a number", parsed);
+  const bool is_finite = parsed == Parsed::ok && std::isfinite(value);
+  return is_finite ? value : std::numeric_limits<T>::quiet_NaN();
 }
 
 template <class T, class What>

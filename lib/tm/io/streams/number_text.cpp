@@ -23,4 +23,13 @@ bool is_below_one(std::string_view number) {
   return place + exponent <= 0;
 }
 
+std::size_t special_ending(const char* first, const char* last) {
+  const std::string_view text(first, static_cast<std::size_t>(last - first));
+  for (const std::string_view ending : {"#QNAN", "#SNAN", "#IND", "#INF"}) {
+    if (!text.starts_with(ending)) continue;
+    return std::min(text.find_first_not_of("0123456789", ending.size()), text.size());
+  }
+  return 0;
+}
+
 }  // namespace transformesh

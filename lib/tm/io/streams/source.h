@@ -10,6 +10,7 @@ namespace transformesh {
 struct Source {
   std::string_view bytes;
   std::string name;
+  bool is_strict = false;  ///< refuses what is else dropped or skipped with a count
 
   const char* begin() const { return bytes.data(); }
   const char* end() const { return bytes.data() + bytes.size(); }

@@ -125,7 +125,7 @@ class EditableMesh {
   /// Positions are rounded to this type as they are made, so that what is checked is what a file
   /// of that type holds.
   void set_coordinate(Scalar coordinate) { single_ = coordinate == Scalar::float32; }
-  bool is_single() const { return single_; }
+  Scalar coordinate() const { return single_ ? Scalar::float32 : Scalar::float64; }
   Vec3 rounded(const Vec3& position) const {
     if (!single_) return position;
     return {round_to_single(position.x()), round_to_single(position.y()),
@@ -145,6 +145,8 @@ class EditableMesh {
   bool can_flip(Index halfedge) const;
   /// Turns the edge within its two faces. Pre: can_flip.
   void flip(Index halfedge);
+  /// Gives a face the attributes of another one.
+  void copy_face_row(Index from, Index to) { face_rows_[to] = face_rows_[from]; }
   /// Removes a face without mending what it leaves: for whole components.
   void remove_face(Index face);
   void remove_vertex(Index vertex) { outgoing_[vertex] = no_index; }

@@ -17,6 +17,10 @@ using NormalCone = std::uint32_t;
 /// The cone of no face at all.
 inline constexpr NormalCone all_directions = 0x1fff1fff;
 
+/// The normal of a triangle (normal_of), or zero if the triangle is so thin that rounding error may
+/// turn that normal by more than a millionth of a radian. Zero has an empty cone.
+Vec3 reliable_normal(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// The directions that clearly see the front of a face with that normal; none where its length is
 /// not between 1e-30 and 1e30.
 NormalCone cone_of(const Vec3& normal);

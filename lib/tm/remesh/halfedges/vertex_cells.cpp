@@ -22,7 +22,10 @@ std::vector<NormalCone> cones_of_faces(const EditableMesh& mesh) {
       const std::size_t count = std::min(faces_at_once, last - f);
       for (std::size_t i = 0; i < count; ++i) {
         const auto face = static_cast<Index>(f + i);
-        normals[i] = mesh.has_face(face) ? mesh.face_normal(face) : Vec3(Vec3::Zero());
+        normals[i].setZero();
+        if (!mesh.has_face(face)) continue;
+        const Triangle triangle = mesh.triangle(face);
+        normals[i] = reliable_normal(triangle[0], triangle[1], triangle[2]);
       }
       find_cones(std::span(normals).first(count), std::span(cones).subspan(f, count));
     }

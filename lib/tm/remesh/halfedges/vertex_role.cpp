@@ -1,8 +1,8 @@
 #include "tm/remesh/halfedges/vertex_role.h"
 
-#include <Eigen/Geometry>
 #include <numbers>
 
+#include "tm/remesh/halfedges/sharpness.h"
 #include "tm/support/elementary/trigonometric.h"
 
 namespace transformesh {
@@ -17,12 +17,12 @@ void mark_features(EditableMesh& mesh, double feature_angle_deg) {
   mesh.clear_features();
   if (feature_angle_deg >= 180) return;
   const double cosine = elementary::cos(feature_angle_deg * std::numbers::pi / 180);
+  const std::vector<Vec3> normals = steady_normals(mesh);
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
     if (!mesh.is_edge(h) || mesh.is_border(h)) continue;
-    const Vec3 here = mesh.face_normal(h / 3);
-    const Vec3 there = mesh.face_normal(mesh.opposite(h) / 3);
-    const double scale = here.norm() * there.norm();
-    if (scale > 0 && here.dot(there) < cosine * scale) mesh.set_feature(h, true);
+    const Vec3& here = normals[h / 3];
+    const Vec3& there = normals[mesh.opposite(h) / 3];
+    if (!here.isZero(0) && !there.isZero(0) && here.dot(there) < cosine) mesh.set_feature(h, true);
   }
 }
 

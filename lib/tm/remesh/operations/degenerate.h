@@ -12,6 +12,7 @@ namespace transformesh {
 std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, double max_edge);
 
-std::size_t count_degenerate_faces(const EditableMesh& mesh);
+/// The faces that count as degenerate, ascending.
+std::vector<Index> degenerate_faces(const EditableMesh& mesh);
 
 }  // namespace transformesh

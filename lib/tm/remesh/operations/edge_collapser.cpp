@@ -151,7 +151,7 @@ void EdgeCollapser::fill_patch(const Vec3& position) {
         {patch_.longest_squared, (spoke.first - position).squaredNorm(),
          (spoke.second - position).squaredNorm(), (spoke.second - spoke.first).squaredNorm()});
     patch_.made.push_back({position, spoke.first, spoke.second});
-    patch_.normals.push_back(normal_of(position, spoke.first, spoke.second));
+    patch_.normals.push_back(reliable_normal(position, spoke.first, spoke.second));
   }
 }
 

@@ -181,7 +181,7 @@ bool Flipper::attempt(Index halfedge) {
   patch_.center = at.from;
   patch_.center_position = a;
   patch_.made.assign({Triangle{c, a, d}, Triangle{d, b, c}});
-  patch_.normals.assign({normal_of(c, a, d), normal_of(d, b, c)});
+  patch_.normals.assign({reliable_normal(c, a, d), reliable_normal(d, b, c)});
   patch_.longest_squared =
       std::max({(d - c).squaredNorm(), (c - a).squaredNorm(), (d - a).squaredNorm(),
                 (c - b).squaredNorm(), (d - b).squaredNorm()});

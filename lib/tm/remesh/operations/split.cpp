@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "tm/mesh/digits.h"
 #include "tm/remesh/halfedges/where.h"
 #include "tm/remesh/operations/edge_queue.h"
+#include "tm/remesh/operations/exact_split.h"
 #include "tm/remesh/operations/vertex_mover.h"
 
 namespace transformesh {
@@ -20,20 +22,16 @@ constexpr int most_rounds = 4;
 /// shorter than it all the same. Else splits would never end.
 constexpr double least_spacings = 8;
 
-/// From the largest coordinate to the next number of the mesh's type.
 double rounding_at(const EditableMesh& mesh, const Vec3& point) {
-  const double largest = point.cwiseAbs().maxCoeff();
-  const double next = mesh.is_single() ? std::nextafter(static_cast<float>(largest), HUGE_VALF)
-                                       : std::nextafter(largest, HUGE_VAL);
-  return next - largest;
+  return spacing_around(point, mesh.coordinate());
 }
 
 class Splitter {
  public:
-  Splitter(EditableMesh& mesh, double max_edge, bool keep_border)
-      : mesh_(mesh), limit_(max_edge * max_edge), keep_border_(keep_border) {}
+  Splitter(EditableMesh& mesh, double max_edge, bool keep_border, ExactSplitter* exact)
+      : mesh_(mesh), limit_(max_edge * max_edge), keep_border_(keep_border), exact_(exact) {}
 
-  std::size_t run(const Progress& progress) {
+  SplitCounts run(const Progress& progress) {
     push_all();
     const auto first = static_cast<double>(queue_.size());
     for (double tried = 0; !queue_.empty(); ++tried) {
@@ -41,13 +39,13 @@ class Splitter {
       const QueuedEdge edge = queue_.top();
       queue_.pop();
       if (!edge.is_current(mesh_)) continue;
-      if (keep_border_ && is_beside_held(edge)) {
+      if (!is_held_.empty() && is_beside_held(edge)) {
         hold(edge.halfedge, true);
       } else {
         split(edge.halfedge);
       }
     }
-    return splits_;
+    return counts_;
   }
 
  private:
@@ -58,7 +56,7 @@ class Splitter {
 
   void push(Index halfedge) {
     const bool is_kept = keep_border_ && mesh_.is_border(halfedge);
-    if (keep_border_) hold(halfedge, is_kept);
+    if (keep_border_ || !is_held_.empty()) hold(halfedge, is_kept);
     if (mesh_.scaled_squared_length(halfedge) <= limit_ || is_kept || is_short(halfedge)) return;
     queue_.emplace(mesh_, halfedge);
   }
@@ -82,7 +80,8 @@ class Splitter {
   bool is_beside_held(const QueuedEdge& edge) const {
     const auto holds = [&](Index other) {
       const double length = mesh_.scaled_squared_length(other);
-      return is_held_[other] && length > 2.25 * limit_ && length > edge.squared_length;
+      return other < is_held_.size() && is_held_[other] && length > 2.25 * limit_ &&
+             length > edge.squared_length;
     };
     const auto is_held_in_face = [&](Index side) {
       return holds(next_halfedge(side)) || holds(previous_halfedge(side));
@@ -92,14 +91,27 @@ class Splitter {
   }
 
   void split(Index halfedge) {
+    if (exact_ != nullptr) return split_exactly(halfedge);
     const Vec3& source = mesh_.position(mesh_.source(halfedge));
     const Vec3& target = mesh_.position(mesh_.target(halfedge));
     const Vec3 middle = mesh_.rounded(0.5 * source + 0.5 * target);
     if (middle == source || middle == target) return;
-    const Index vertex = mesh_.split(halfedge, middle);
-    ++splits_;
+    counts_.parents.push_back(halfedge / 3);
+    if (!mesh_.is_border(halfedge)) counts_.parents.push_back(mesh_.opposite(halfedge) / 3);
+    push_around(mesh_.split(halfedge, middle));
+  }
 
-    // Edges at the new vertex may be too long, and some of those around it have a new name.
+  void split_exactly(Index halfedge) {
+    const std::vector<Index> vertices = exact_->split(halfedge, keep_border_);
+    std::for_each(vertices.begin(), vertices.end(), [&](Index vertex) { push_around(vertex); });
+    if (!vertices.empty()) return;
+    hold(halfedge, true);
+    ++counts_.refused;
+  }
+
+  /// Edges at a new vertex may be too long, and some of those around it have a new name.
+  void push_around(Index vertex) {
+    ++counts_.done;
     mesh_.for_each_outgoing(vertex, [&](Index outgoing) {
       push(outgoing);
       push(next_halfedge(outgoing));
@@ -110,9 +122,10 @@ class Splitter {
   EditableMesh& mesh_;
   double limit_;
   bool keep_border_;
+  ExactSplitter* exact_;
   EdgeQueue<LongerFirst> queue_;
-  std::vector<bool> is_held_;  ///< per halfedge
-  std::size_t splits_ = 0;
+  std::vector<bool> is_held_;  ///< per halfedge; empty while none is
+  SplitCounts counts_;
 };
 
 bool settle(EditableMesh& mesh, VertexMover& mover, Index vertex, VertexStar& star) {
@@ -129,12 +142,19 @@ bool settle(EditableMesh& mesh, VertexMover& mover, Index vertex, VertexStar& st
 
 }  // namespace
 
-std::size_t split_long_edges(EditableMesh& mesh, double max_edge, bool keep_border,
+SplitCounts split_long_edges(EditableMesh& mesh, double max_edge, bool keep_border,
                              const Progress& progress) {
-  return Splitter(mesh, max_edge, keep_border).run(progress);
+  return Splitter(mesh, max_edge, keep_border, nullptr).run(progress);
 }
 
-std::size_t settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, Index first) {
+SplitCounts split_long_edges_exactly(EditableMesh& mesh, double max_edge, bool keep_border,
+                                     const Progress& progress) {
+  ExactGuard guard(mesh);
+  ExactSplitter exact(mesh, guard);
+  return Splitter(mesh, max_edge, keep_border, &exact).run(progress);
+}
+
+std::vector<Index> settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, Index first) {
   VertexMover mover(mesh, guard);
   VertexStar star;
   std::vector<Index> in_contact;
@@ -149,7 +169,7 @@ std::size_t settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, Index fi
     std::for_each(again.begin(), again.end(), try_to_settle);
     if (in_contact.size() == again.size()) break;
   }
-  return in_contact.size();
+  return in_contact;
 }
 
 }  // namespace transformesh

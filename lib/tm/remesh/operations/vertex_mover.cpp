@@ -8,6 +8,8 @@ namespace {
 constexpr double least_turn_cosine = 0.5;
 /// The normal of a triangle that is no rounder than this is mostly rounding error.
 constexpr double normal_roundness = 0.02;
+/// Triangles with a smaller squared roundness have no reliable normal (normal_cone.h).
+constexpr double thin = 1e-16;
 
 /// The square of roundness() in star.h.
 NumberPair squared_roundness(NumberPair normal_squared, NumberPair squares) {
@@ -89,6 +91,7 @@ bool VertexMover::place_triangles(const VertexStar& star, const Vec3& target) {
   if (any(turned)) return false;
   patch_.longest_squared = std::max(longest[0], longest[1]);
   const double least_now = std::min(least[0], least[1]);
+  has_thin_ = least_now < thin;
   return least_now >= enough_ * enough_ || least_now >= least_squared_roundness(star);
 }
 
@@ -118,7 +121,7 @@ bool VertexMover::is_allowed(Index vertex, const VertexStar& star, const Vec3& t
   patch_.clear();
   patch_.center_position = target;
   name_vertices(vertex, star);
-  patch_.cone = common_cone(normals_, star.size());
+  patch_.cone = has_thin_ ? 0 : common_cone(normals_, star.size());
   if (guard_.certifies(patch_)) return true;
   name_faces(vertex, star, target);
   return guard_.allows_uncertified(patch_);

@@ -34,6 +34,7 @@ class VertexMover {
 
   EditableMesh& mesh_;
   EmbeddingGuard& guard_;
+  bool has_thin_ = false;  ///< whether a triangle of the star would have no reliable normal
   double enough_;
   std::vector<WayPair> ways_;
   std::vector<NormalPair> normals_;  ///< of the triangles where they would be

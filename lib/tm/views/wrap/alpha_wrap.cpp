@@ -10,16 +10,19 @@
 #include <vector>
 
 #include "tm/geometry/ray_winding.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/mesh/measure.h"
 #include "tm/support/elementary/exponential.h"
 #include "tm/support/error.h"
 #include "tm/support/length.h"
+#include "tm/support/parallel.h"
 #include "tm/views/wrap/unit_scale.h"
 #include "tm/views/wrap/wrap.h"
 
 namespace transformesh {
 namespace {
 
+constexpr std::size_t points_per_task = 512;
 constexpr double offset_by_diagonal = 1.0 / 300;
 
 /// The range in which alpha is looked for, and the ratio of its steps, four of which halve it.
@@ -62,7 +65,7 @@ Mesh mesh_of(const Surface& surface) {
 AlphaWrap wrap(const Cloud& cloud, double alpha, double offset) {
   Surface surface;
   CGAL::alpha_wrap_3(cloud, alpha, offset, surface);
-  return {mesh_of(surface), alpha};
+  return {mesh_of(surface), alpha, 0};
 }
 
 Cloud cloud_of(const std::vector<Vec3>& points) {
@@ -98,6 +101,17 @@ void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal
   throw UsageError(
       "alpha is too small: a wrap of more than two million faces would take minutes; of " +
       rounded_up(least) + " or more it would not");
+}
+
+/// Of a point from the surface.
+double least_distance(const Mesh& mesh, const Cloud& cloud) {
+  const ClosestPointQuery closest(mesh);
+  std::vector<double> distances(cloud.size());
+  parallel_for(cloud.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      distances[i] = closest(Vec3(cloud[i].x(), cloud[i].y(), cloud[i].z())).distance;
+  });
+  return *std::ranges::min_element(distances);
 }
 
 /// The share of the wrap's area behind which it soon ends.
@@ -150,6 +164,7 @@ AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& optio
   AlphaWrap result = options.alpha > 0 ? wrap(cloud, scale.to_unit(options.alpha), unit_offset)
                                        : tightest_wrap(cloud, scale.to_unit(diagonal), unit_offset);
   check_wrap(result.mesh);
+  result.least_distance = scale.from_unit(least_distance(result.mesh, cloud));
   scale.from_unit(result.mesh);
   result.alpha = scale.from_unit(result.alpha);
   return result;

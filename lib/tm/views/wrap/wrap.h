@@ -4,8 +4,9 @@
 /// Points with normals: Poisson surface reconstruction (Kazhdan, Bolitho & Hoppe, SGP 2006; its
 /// function by CGAL, its zero by marching tetrahedra). The surface goes between the points, and
 /// closes gaps smoothly. Points alone: alpha wrapping (Portaneri, Rouxel-Labbe, Hemmer,
-/// Cohen-Steiner & Alliez, TOG 41(4), 2022; by CGAL). The surface contains all points at a
-/// distance, and goes where a ball of radius alpha can go.
+/// Cohen-Steiner & Alliez, TOG 41(4), 2022; by CGAL). The surface contains all points, its vertices
+/// lie at the offset from them, and it goes where a ball of radius alpha can go. Faces are chords
+/// between vertices, and so come nearer to the points than the offset, but never reach one.
 #pragma once
 
 #include <span>
@@ -16,12 +17,13 @@ namespace transformesh {
 
 struct AlphaWrapOptions {
   double alpha = 0;   ///< > 0: radius of the smallest ball that is kept out; 0: see alpha_wrap
-  double offset = 0;  ///< > 0: of the surface from the points; 0: a 300th of the box's diagonal
+  double offset = 0;  ///< > 0: of vertices from the points; 0: a 300th of the box's diagonal
 };
 
 struct AlphaWrap {
   Mesh mesh;
-  double alpha = 0;  ///< the one that was used
+  double alpha = 0;           ///< the one that was used
+  double least_distance = 0;  ///< of a point from the surface; > 0
 };
 
 /// Closed, oriented 2-manifold that contains all points; one component where the points are dense

@@ -72,6 +72,7 @@ TEST_CASE("two triangles on a lattice meet exactly where CGAL says") {
     const Contacts contacts = find_contacts(welded, 0, 1);
     const Answer answer = by_cgal(welded, 0, 1);
     REQUIRE(contacts.meet == answer.meet);
+    REQUIRE(triangles_meet(welded.triangle(0), welded.triangle(1)) == answer.meet);
     if (answer.coplanar_overlap) REQUIRE(contacts.coplanar);
     ++tested;
     met += answer.meet ? 1 : 0;

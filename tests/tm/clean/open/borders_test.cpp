@@ -144,8 +144,8 @@ TEST_CASE("refused: faces on one edge of which more than one is left over") {
 TEST_CASE("refused: what tm-stitch cannot mend gets another advice") {
   Mesh strip = test::moebius_strip(12);
   CHECK(refusal(strip).ends_with(
-      ", however faces are turned: the surface has one side only, like a Moebius strip; cut it "
-      "open or remove that part"));
+      ", however faces are turned: the surface has one side only, like a Moebius strip; "
+      "tm-stitch without --orient cuts it open, and tm-fill --allow-crossings closes borders"));
 
   // A solid with an edge on the strip: now four faces meet there, and three always run alike.
   const Vec3 a = strip.positions[0], b = strip.positions[1];
@@ -160,9 +160,12 @@ TEST_CASE("refused: what tm-stitch cannot mend gets another advice") {
   CHECK(message.find(" run the same way along the edge from vertex ") != std::string::npos);
   CHECK(
       message.ends_with(", and only 1 the other way, and turning sheets (tm-stitch --orient) "
-                        "cannot change that: remove faces there"));
+                        "cannot change that: tm-stitch keeps them apart"));
   StitchOptions options;
   options.orient = true;
+  Mesh apart = strip;
+  CHECK_FALSE(stitch(apart).can_be_oriented);
+  CHECK(refusal(apart).empty());
   const StitchResult result = stitch(strip, options);
   CHECK(result.misoriented_edges == 1);
   CHECK(message.starts_with(result.misorientation));

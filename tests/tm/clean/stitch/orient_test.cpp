@@ -33,6 +33,23 @@ std::size_t differences(const Mesh& first, const Mesh& second) {
   return count;
 }
 
+/// Equal positions are one vertex, the first.
+Mesh welded(Mesh mesh) {
+  for (Face& face : mesh.faces)
+    for (Index& v : face)
+      v = static_cast<Index>(std::ranges::find(mesh.positions, mesh.positions[v]) -
+                             mesh.positions.begin());
+  return mesh;
+}
+
+/// A row of cubes along the x axis, each with all its faces: neighbors share two of them.
+Mesh row_of_cubes(int count) {
+  Mesh row = test::cube();
+  for (int i = 1; i < count; ++i)
+    row = test::joined(row, test::moved(test::cube(), {static_cast<double>(i), 0, 0}));
+  return row;
+}
+
 }  // namespace
 
 TEST_CASE("closed parts look outwards again, whatever was reversed, and the count is right") {
@@ -96,6 +113,51 @@ TEST_CASE("solids that share an edge, or a wall that is given once, get their in
     orient_faces(mesh);
     CHECK(test::signed_volume(mesh) == doctest::Approx(2));
     CHECK(describe_misorientation(mesh).empty());
+  }
+}
+
+TEST_CASE("bodies that share faces, edges or corners, and copies of them, all look outwards") {
+  const Mesh ring = test::torus(2, 0.5, 12, 8);
+  const Mesh cube = test::cube();
+  const Mesh apart = test::joined(cube, test::moved(cube, {1, 1, 1}));
+  const std::vector<Mesh> families{
+      test::joined(cube, cube), test::joined(test::joined(cube, cube), cube),
+      test::joined(test::icosphere(2), test::icosphere(2)), test::joined(ring, ring),
+      test::joined(test::joined(ring, ring), ring), row_of_cubes(4),
+      test::joined(row_of_cubes(3), row_of_cubes(3)),
+      test::joined(cube, test::moved(cube, {1, 1, 0})), test::joined(apart, apart),
+      // One inside the other, with a corner in common, and both of that twice.
+      test::joined(cube, test::scaled(cube, 0.5)),
+      test::joined(test::joined(cube, test::scaled(cube, 0.5)),
+                   test::joined(cube, test::scaled(cube, 0.5)))};
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    const Mesh truth = welded(families[i]);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      CAPTURE(i);
+      CAPTURE(seed);
+      Mesh mesh = shuffled(truth, seed);
+      orient_faces(mesh);
+      CHECK(test::signed_volume(mesh) == doctest::Approx(test::signed_volume(truth)));
+      CHECK(describe_misorientation(mesh).empty());
+    }
+  }
+}
+
+TEST_CASE("a copy that agrees is not turned against its original because a face of it is wrong") {
+  for (const Mesh& body : {test::cube(), test::icosphere(1), test::torus(2, 0.5, 12, 8)}) {
+    const Mesh twice = welded(test::joined(body, body));
+    const std::size_t count = body.faces.size();
+    for (std::size_t wrong = 0; wrong < count; ++wrong)
+      for (const bool is_open : {false, true}) {
+        Mesh mesh = twice;
+        std::swap(mesh.faces[count + wrong][0], mesh.faces[count + wrong][1]);
+        // A hole beside it in the copy.
+        if (is_open) mesh.faces.erase(mesh.faces.begin() + count + (wrong + 1) % count);
+        orient_faces(mesh);
+        Mesh truth = twice;
+        if (is_open) truth.faces.erase(truth.faces.begin() + count + (wrong + 1) % count);
+        CHECK(test::signed_volume(mesh) == doctest::Approx(test::signed_volume(truth)));
+      }
   }
 }
 

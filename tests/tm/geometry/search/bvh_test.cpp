@@ -15,7 +15,7 @@ namespace {
 
 constexpr auto every_pair = [](Index, Index) { return true; };
 
-bool overlap(const FloatBox& a, const FloatBox& b) {
+bool touch(const FloatBox& a, const FloatBox& b) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (a.maximum[axis] < b.minimum[axis] || b.maximum[axis] < a.minimum[axis]) return false;
   return true;
@@ -25,7 +25,7 @@ std::vector<Bvh::Pair> pairs_by_search(const std::vector<FloatBox>& boxes) {
   std::vector<Bvh::Pair> pairs;
   for (Index i = 0; i < boxes.size(); ++i)
     for (Index j = i + 1; j < boxes.size(); ++j)
-      if (overlap(boxes[i], boxes[j])) pairs.emplace_back(i, j);
+      if (touch(boxes[i], boxes[j])) pairs.emplace_back(i, j);
   return pairs;
 }
 
@@ -34,7 +34,7 @@ std::vector<Bvh::Pair> pairs_by_search(const std::vector<FloatBox>& here,
   std::vector<Bvh::Pair> pairs;
   for (Index i = 0; i < here.size(); ++i)
     for (Index j = 0; j < there.size(); ++j)
-      if (overlap(here[i], there[j])) pairs.emplace_back(i, j);
+      if (touch(here[i], there[j])) pairs.emplace_back(i, j);
   return pairs;
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("visited overlaps agree with a search and stop on request") {
     std::sort(visited.begin(), visited.end());
     std::vector<Index> expected;
     for (Index i = 0; i < boxes.size(); ++i)
-      if (overlap(boxes[i], box)) expected.push_back(i);
+      if (touch(boxes[i], box)) expected.push_back(i);
     CHECK(visited == expected);
   }
   int calls = 0;

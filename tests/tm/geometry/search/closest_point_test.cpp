@@ -144,6 +144,34 @@ TEST_CASE("a hint changes nothing, and a face within a distance is found where t
   }
 }
 
+TEST_CASE("the closest point within a distance on faces that pass agrees with a search") {
+  const Mesh mesh = spiky_sphere();
+  const ClosestPointQuery closest(mesh);
+  test::Random random(9);
+  int found_some = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 query = random.point(-1.5, 1.5);
+    const Vec3 direction = random.point(-1, 1);
+    const double distance = random.uniform(0, 1);
+    const auto passes = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+      return direction.dot((b - a).cross(c - a)) > 0;
+    };
+    double least = distance;
+    for (const auto& [i0, i1, i2] : mesh.faces) {
+      const Vec3 &a = mesh.positions[i0], &b = mesh.positions[i1], &c = mesh.positions[i2];
+      if (passes(a, b, c))
+        least = std::min(least, (closest_point_of_triangle(query, a, b, c).point - query).norm());
+    }
+    const std::optional<Vec3> found = closest.closest_within(query, distance, passes);
+    REQUIRE(found.has_value() == (least < distance));
+    if (!found) continue;
+    CHECK((*found - query).norm() == Approx(least));
+    ++found_some;
+  }
+  CHECK(found_some > 50);
+  CHECK(found_some < 450);
+}
+
 TEST_CASE("closest points agree with a search, the sign with the winding number") {
   const Mesh mesh = spiky_sphere();
   const ClosestPointQuery closest(mesh);

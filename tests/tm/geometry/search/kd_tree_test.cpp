@@ -38,6 +38,14 @@ void check_queries(const std::vector<Vec3>& points, const std::vector<Vec3>& que
   }
 }
 
+void check_odd_within(const std::vector<Vec3>& points, const Vec3& query, double distance) {
+  const auto is_odd = [](Index i) { return i % 2 == 1; };
+  Index expected = no_index;
+  for (const Index i : nearest_by_search(points, query))
+    if (expected == no_index && is_odd(i) && (points[i] - query).norm() < distance) expected = i;
+  CHECK(KdTree(points).nearest_within(query, distance, is_odd) == expected);
+}
+
 /// Few places for many points: every query has ties.
 std::vector<Vec3> lattice_points(std::uint64_t seed, std::size_t count) {
   test::Random random(seed);
@@ -104,4 +112,14 @@ TEST_CASE("no points, no neighbors") {
   const KdTree three(std::vector<Vec3>(3, Vec3::Ones()));
   CHECK(three.nearest(Vec3::Zero(), 0).empty());
   CHECK(three.nearest(Vec3::Zero(), 5).size() == 3);
+}
+
+TEST_CASE("the nearest point within a distance that passes agrees with a search") {
+  test::Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Vec3> points(30);
+    for (Vec3& point : points) point = random.point(0, 1);
+    check_odd_within(points, random.point(-0.2, 1.2), random.uniform(0, 0.5));
+    check_odd_within(lattice_points(i + 1U, 40), random.point(0, 4), random.uniform(0, 3));
+  }
 }

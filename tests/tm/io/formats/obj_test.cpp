@@ -177,12 +177,38 @@ TEST_CASE("obj: errors name the place") {
         "a corner of face 1 is not an index: '3x' (input line 5)");
   CHECK(read_error("v 0 0\n") ==
         "vertex 1 has 2 numbers; 3 are needed, 4 with a weight or 6 with a color (input line 1)");
-  CHECK(read_error("v 0 0 nan\n") ==
-        "a coordinate of vertex 1 is not a finite number: 'nan' (input line 1)");
-  CHECK(read_error("v 0 0 0 nan 0 0\n") ==
-        "the color of vertex 1 is not a finite number: 'nan' (input line 1)");
   CHECK(read_error("v 0,5 0 0\n") ==
         "a coordinate of vertex 1 is not a number: '0,5' (input line 1)");
-  CHECK(read_error(points + "quux 1\n") ==
-        "an OBJ file has no lines that start with 'quux' (input line 5)");
+  // Without any vertex it is no OBJ.
+  CHECK(read_error("f 1 2 3\n\nquux 1\nquuz 1\n") ==
+        "an OBJ file has no lines that start with 'quux' (input line 3)");
+}
+
+TEST_CASE("obj: values that are not finite and unknown lines are left out with a count") {
+  const std::string bad_point = points + "v 0 nan 0\nv 0 0 1e999\nv -1.#IND00 0 0\n";
+  const ReadResult result =
+      read_mesh(bad_point + "f 1 2 3\nf 1 2 5\nf 2 4 7 3\nf 4 3 2\n", "input");
+  CHECK(result.document.mesh.positions.size() == 4);
+  CHECK(result.document.mesh.faces == std::vector<Face>{{0, 1, 2}, {3, 2, 1}});
+  CHECK(result.notes.back() ==
+        "obj: 3 vertices with a coordinate that is not finite dropped, and 2 faces that use them");
+  CHECK(strict_error(bad_point) ==
+        "a coordinate of vertex 5 is not a finite number: 'nan' (input line 5)");
+
+  const std::string bad_color = "v 0 0 0 0.5 0.5 0.5\nv 1 0 0 nan inf 1.#QNAN # one\n";
+  const ReadResult colored = read_mesh(bad_color, "input");
+  CHECK(column(colored.document.mesh.vertex_columns, "red").values == std::vector<double>{0.5, 0});
+  CHECK(has_note(colored.notes, "obj: 1 color that is not finite becomes 0"));
+  CHECK(strict_error(bad_color) ==
+        "the color of vertex 2 is not a finite number: 'nan' (input line 2)");
+
+  const std::string unknown = "4 4\n$ by hand\n" + points + "t crease 2\nvw 0 0 1\nf 1 2 3\n";
+  const ReadResult skipped = read_mesh(unknown + std::string(2, '\0'), "input");
+  CHECK(skipped.document.mesh.faces == std::vector<Face>{{0, 1, 2}});
+  CHECK(skipped.notes ==
+        std::vector<std::string>{"obj: 4 unknown statements skipped; the first is '4' in line 1",
+                                 "obj: 2 bytes of value 0 at the end skipped"});
+  CHECK(strict_error(unknown) == "an OBJ file has no lines that start with '4' (input line 1)");
+  CHECK(contains(strict_error(points + std::string(1, '\0')), "ends in a byte of value 0"));
+  CHECK(strict_error(points) == "read");
 }

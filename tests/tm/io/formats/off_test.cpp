@@ -159,6 +159,31 @@ TEST_CASE("off: float coordinates are written as the doubles that they are") {
   CHECK(read_document(write_mesh(document).bytes).mesh.positions == document.mesh.positions);
 }
 
+TEST_CASE("off: values that are not finite are dropped with a count") {
+  const std::string text =
+      "STNCOFF\n4 2 0\n0 0 0 0 0 1 1 2 3 0 0\n1 0 0 0 nan 1 1 2 3 0 0\n"
+      "0 1 0 0 0 1 1 inf 3 0 nan\n0 -inf 0 0 0 1 1 2 3 0 0\n3 0 1 2 1 nan 1\n3 0 1 3 1 2 3\n";
+  const ReadResult result = read_mesh(text, "input");
+  const Mesh& mesh = result.document.mesh;
+  CHECK(mesh.positions.size() == 3);
+  CHECK(mesh.faces == std::vector<Face>{{0, 1, 2}});
+  CHECK(column(mesh.vertex_columns, "nz").values == std::vector<double>{1, 0, 1});
+  CHECK(column(mesh.vertex_columns, "blue").values == std::vector<double>{3, 3, 0});
+  CHECK(column(mesh.vertex_columns, "t").values == std::vector<double>{0, 0, 0});
+  CHECK(column(mesh.face_columns, "red").values == std::vector<double>{0});
+  CHECK(result.notes ==
+        std::vector<std::string>{
+            "off: 1 normal that is not finite becomes 0",
+            "off: 1 color that is not finite becomes 0",
+            "off: 1 texture coordinate that is not finite becomes 0",
+            "off: 1 color that is not finite becomes 0",
+            "off: 1 vertex with a coordinate that is not finite dropped, and 1 face that uses it"});
+  CHECK(strict_error(text) ==
+        "the normal of vertex 1 is not a finite number: 'nan' (input line 4)");
+  CHECK(strict_error("OFF\n2 0 0\n0 0 0\n0 inf 0\n") ==
+        "a coordinate of vertex 1 is not a finite number: 'inf' (input line 4)");
+}
+
 TEST_CASE("off: errors name the place") {
   const std::string start = "OFF\n4 1 0\n" + points;
   CHECK(read_error(start + "3 0 1 4\n") ==
@@ -168,18 +193,14 @@ TEST_CASE("off: errors name the place") {
   CHECK(read_error(start + "3 0 1\n") == "a corner of face 0 is missing (input line 7)");
   CHECK(read_error(start + "-3 0 1 2\n") ==
         "the number of corners of face 0 is not a whole number of 0 or more: '-3' (input line 7)");
-  CHECK(read_error(start + "3 0 1 2 nan 0 0\n") ==
-        "the color of face 0 is not a finite number: 'nan' (input line 7)");
   CHECK(read_error(start) == "the data ends before face 0 of 1 (input line 7)");
-  CHECK(read_error("OFF\n2 0 0\n0 0 0\n0 inf 0\n") ==
-        "a coordinate of vertex 1 is not a finite number: 'inf' (input line 4)");
   CHECK(read_error("OFF\n2 0 0\n0 0 0\n0 0\n") ==
         "a coordinate of vertex 1 is missing (input line 4)");
   CHECK(read_error("OFF\n2 0 0\n0 0 0\n0 0 0 5\n") ==
         "vertex 1 has more values than it should, beginning with '5' (input line 4)");
   CHECK(read_error("OFF\n1 0 0\n0 0 0 5\n") ==
         "vertex 0 has 4 numbers, which does not fit the header (input line 3)");
-  CHECK(read_error("OFF\n1 0 0\n1e400 0 0\n") ==
+  CHECK(strict_error("OFF\n1 0 0\n1e400 0 0\n") ==
         "a coordinate of vertex 0 is out of range: '1e400' (input line 3)");
   CHECK(read_error("OFF\nx 0 0\n") ==
         "the count of vertices is not a whole number of 0 or more: 'x' (input line 2)");

@@ -62,8 +62,24 @@ TEST_CASE("ply: malformed headers are refused with their line") {
                  "the count of a list must have an integer type"));
   CHECK(contains(error_of("format ascii 1.0\nelement a 1\nelement a 1\nend_header\n"),
                  "the element 'a' comes twice"));
-  CHECK(contains(error_of("format ascii 1.0\nnonsense\nend_header\n"),
-                 "unknown word in the PLY header: 'nonsense'"));
+  // Behind an element it may describe data.
+  CHECK(contains(error_of("format ascii 1.0\nelement vertex 1\nproprety float x\nend_header\n"),
+                 "unknown word in the PLY header: 'proprety'"));
+}
+
+TEST_CASE("ply: types in upper case, and comments without their keyword") {
+  const std::string text =
+      "ply\nformat ascii 1.0\nCreated by a program, source file: \nelement vertex 1\n"
+      "property FLOAT x\nproperty Double y\nproperty float z\nelement face 0\n"
+      "property list UCHAR INT vertex_indices\nend_header\n1 2 3\n";
+  const ReadResult result = read_mesh(text, "input");
+  CHECK(result.document.mesh.positions == std::vector<Vec3>{{1, 2, 3}});
+  CHECK(result.document.style.comments ==
+        std::vector<std::string>{"Created by a program, source file: "});
+  CHECK(has_note(result.notes, "ply: 1 line of the header without a keyword taken as a comment"));
+  CHECK(contains(strict_error(text), "unknown word in the PLY header: 'Created'"));
+  CHECK(contains(strict_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty FLOAT x\n"),
+                 "unknown type 'FLOAT'"));
 }
 
 TEST_CASE("ply: headers of what is no mesh are refused") {
@@ -80,10 +96,9 @@ TEST_CASE("ply: headers of what is no mesh are refused") {
                                        "element face 1\nproperty list uchar float vertex_index\n") +
                    "0\n") == "face property 'vertex_index' must be a list of integers (input)");
   CHECK(contains(read_error(header("ascii", "element vertex 0\n" + vertex_header +
-                                                "element tristrips 1\nproperty list int int "
-                                                "vertex_indices\n") +
-                            "1 1\n"),
-                 "triangle strips (element 'tristrips') are not read"));
+                                                "element tristrips 1\nproperty int length\n") +
+                            "1\n"),
+                 "the triangle strips need a property list vertex_indices of integers"));
 }
 
 TEST_CASE("ply: counts beyond the bytes present are refused before memory is taken") {

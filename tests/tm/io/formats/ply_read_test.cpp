@@ -4,6 +4,35 @@
 using namespace transformesh;
 using namespace transformesh::testing;
 
+namespace {
+
+/// The mesh of the test of values that are not finite.
+std::string binary_with_bad_values(bool is_big) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  Bytes file(is_big);
+  file.text(header(is_big ? "binary_big_endian" : "binary_little_endian",
+                   "element face 3\n" + face_header + "property float nx\nproperty float ny\n" +
+                       "property float nz\nproperty int label\nelement vertex 5\n" + vertex_header +
+                       "property float nx\nproperty float ny\n" +
+                       "property float nz\nproperty float red\nproperty float green\n" +
+                       "property float blue\n"));
+  file.u8(3).u32(0).u32(1).u32(2).f32(0).f32(nan).f32(0).u32(5);
+  file.u8(3).u32(1).u32(2).u32(3).f32(0).f32(0).f32(1).u32(6);
+  file.u8(3).u32(2).u32(1).u32(4).f32(0).f32(0).f32(1).u32(7);
+  const auto vertex = [&](const std::vector<float>& values) {
+    for (const float value : values) file.f32(value);
+  };
+  vertex({0, 0, 0, 0, 0, 1, 0, 0, 0});
+  vertex({1, 0, 0, nan, 0, 1, 1, 1, 1});
+  vertex({0, 1, 0, 0, 0, 1, 1, infinity, 1});
+  vertex({nan, nan, nan, 0, 0, 1, 0, 0, 0});
+  vertex({0, 0, 1, 0, 0, 1, 0, 0, 0});
+  return file.str();
+}
+
+}  // namespace
+
 TEST_CASE("ply: ascii by hand") {
   const Document document = read_document(
       "ply\nformat ascii 1.0\ncomment made by hand\nobj_info num_cols 3\ncomment \n"
@@ -180,13 +209,50 @@ TEST_CASE("ply: what is not a number may be an attribute but not a coordinate") 
   CHECK(std::isnan(read_document(header("ascii", lines) + "0 0 0 nan\n")
                        .mesh.vertex_columns.columns[0]
                        .values[0]));
-  CHECK(read_error(header("ascii", lines) + "0 nan 0 1\n") ==
-        "property 'y' of vertex 0 is not a finite number (input line 9)");
+  CHECK(strict_error(header("ascii", lines) + "0 nan 0 1\n") ==
+        "property 'y' of vertex 0 is not a finite number: 'nan' (input line 9)");
+  CHECK(read_document(header("ascii", lines) + "0 nan 0 1\n").mesh.positions.empty());
   const float infinity = std::numeric_limits<float>::infinity();
   const std::string start = header("binary_little_endian", lines);
   const std::string bytes = Bytes().text(start).f32(0).f32(infinity).f32(0).f32(1).str();
-  CHECK(read_error(bytes) == "vertex 0 has a coordinate that is not a finite number (input byte " +
-                                 std::to_string(start.size()) + ")");
+  CHECK(strict_error(bytes) ==
+        "vertex 0 has a coordinate that is not a finite number (input byte " +
+            std::to_string(start.size()) + ")");
+  CHECK(read_document(bytes).mesh.vertex_columns.columns[0].values.empty());
+}
+
+TEST_CASE(
+    "ply: normals and colors that are not finite become 0, and vertices go with their faces") {
+  const std::string text =
+      header("ascii", "element face 3\n" + face_header + "property float nx\nproperty float ny\n" +
+                          "property float nz\nproperty int label\nelement vertex 5\n" +
+                          vertex_header + "property float nx\nproperty float ny\n" +
+                          "property float nz\nproperty float red\nproperty float green\n" +
+                          "property float blue\n") +
+      "3 0 1 2 0 nan 0 5\n3 1 2 3 0 0 1 6\n3 2 1 4 0 0 1 7\n"
+      "0 0 0 0 0 1 0 0 0\n1 0 0 nan 0 1 1 1 1\n0 1 0 0 0 1 1 inf 1\n"
+      "nan nan nan 0 0 1 0 0 0\n0 0 1 0 0 1 0 0 0\n";
+  for (const Format format : {Format::ply_ascii, Format::ply_little, Format::ply_big}) {
+    std::string bytes = text;
+    if (format != Format::ply_ascii) {  // by hand, as such values are not written
+      bytes = binary_with_bad_values(format == Format::ply_big);
+    }
+    const ReadResult result = read_mesh(bytes, "input");
+    const Mesh& mesh = result.document.mesh;
+    CHECK(mesh.positions.size() == 4);
+    CHECK(mesh.faces == std::vector<Face>{{0, 1, 2}, {2, 1, 3}});
+    CHECK(column(mesh.face_columns, "label").values == std::vector<double>{5, 7});
+    CHECK(column(mesh.face_columns, "nz").values == std::vector<double>{0, 1});
+    CHECK(column(mesh.vertex_columns, "nz").values == std::vector<double>{1, 0, 1, 1});
+    CHECK(column(mesh.vertex_columns, "blue").values == std::vector<double>{0, 1, 0, 0});
+    CHECK(result.notes ==
+          std::vector<std::string>{"ply: 1 normal that is not finite becomes 0",
+                                   "ply: 1 normal that is not finite becomes 0",
+                                   "ply: 1 color that is not finite becomes 0",
+                                   "ply: 1 vertex with a coordinate that is not finite "
+                                   "dropped, and 1 face that uses it"});
+    CHECK(contains(strict_error(bytes), "is not a finite number"));
+  }
 }
 
 TEST_CASE("ply: rows of text that are longer than the header says are told") {
@@ -224,7 +290,7 @@ TEST_CASE("ply: wrong values are refused with their place") {
   CHECK(read_error(ascii_triangle("3 0 1 two")) ==
         "property 'vertex_indices' of face 0 is not a number: 'two' (input line 13)");
   CHECK(read_error(ascii_triangle("")) == "the data ends before face 0 of 1 (input line 14)");
-  CHECK(contains(read_error(header("ascii", "element vertex 1\n" + vertex_header) + "0 1e39 0\n"),
+  CHECK(contains(strict_error(header("ascii", "element vertex 1\n" + vertex_header) + "0 1e39 0\n"),
                  "property 'y' of vertex 0 is out of range: '1e39'"));
 }
 
@@ -241,4 +307,30 @@ TEST_CASE("ply: every cut of a binary file is refused") {
     INFO("size " << size);
     CHECK(read_error(file.str().substr(0, size)) != "read");
   }
+}
+
+TEST_CASE("ply: triangle strips are read as faces") {
+  const std::string vertices = "1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 1\n0 0 -1\n";
+  const std::string start = "element vertex 6\n" + vertex_header +
+                            "element tristrips 1\nproperty list int int " + "vertex_indices\n";
+  const std::string strip = "20 0 1 4 2 -1 2 3 4 0 -1 1 0 5 3 -1 3 2 5 1 -1\n";
+  const ReadResult result = read_mesh(header("ascii", start) + vertices + strip, "input");
+  CHECK(
+      result.document.mesh.faces ==
+      std::vector<Face>{
+          {0, 1, 4}, {4, 1, 2}, {2, 3, 4}, {4, 3, 0}, {1, 0, 5}, {5, 0, 3}, {3, 2, 5}, {5, 2, 1}});
+  CHECK(result.notes ==
+        std::vector<std::string>{"ply: 1 row of triangle strips cut into 8 triangles"});
+  CHECK(read_document(write_mesh(result.document).bytes).mesh.faces.size() == 8);
+  // A vertex that is named twice moves the strip on.
+  CHECK(read_document(header("ascii", start) + vertices + "6 0 1 2 2 3 4\n").mesh.faces ==
+        std::vector<Face>{{0, 1, 2}, {3, 2, 4}});
+  CHECK(contains(read_error(header("ascii", start) + vertices + "3 0 1 6\n"), "vertex index 6"));
+  CHECK(contains(read_error(header("ascii", start) + vertices + "3 0 1 -2\n"), "vertex index -2"));
+  // Faces count where there are some.
+  const ReadResult both = read_mesh(
+      header("ascii", start + "element face 1\n" + face_header) + vertices + strip + "3 0 1 2\n",
+      "input");
+  CHECK(both.document.mesh.faces == std::vector<Face>{{0, 1, 2}});
+  CHECK(has_note(both.notes, "ply: 1 row of triangle strips left out, as there are faces"));
 }

@@ -106,3 +106,25 @@ TEST_CASE("what is no mesh is refused with what it is") {
   CHECK(refusal("<?xml version=\"1.0\"?>").find("<?xml version=") != std::string::npos);
   CHECK(refusal("v").find("unknown mesh format") != std::string::npos);  // a word without values
 }
+
+TEST_CASE("OBJ is told by its vertices where other lines come first") {
+  CHECK(kind("4 4\nv 0 0 0\n") == FileKind::obj);
+  CHECK(kind("# model\n$ by hand\nv 1.5 0 -2 0.5 0.5 0.5\n") == FileKind::obj);
+  CHECK_FALSE(refusal("4 4\nv x y z\n").empty());
+}
+
+TEST_CASE("text in UTF-16 and binary OFF are named") {
+  std::string little, big;
+  for (const char c : std::string("OFF\n4 4 0\n0 0 0\n1 0 0\n")) {
+    little += {c, '\0'};
+    big += {'\0', c};
+  }
+  for (const std::string& bytes : {little, big, "\xff\xfe" + little, "\xfe\xff" + big}) {
+    CHECK(refusal(bytes, "a.off").find("iconv -f UTF-16 -t UTF-8") != std::string::npos);
+  }
+  for (const std::string& bytes :
+       {std::string("OFF BINARY\n\0\0\0\4", 15), std::string("COFF BINARY \n\0", 14)}) {
+    CHECK_THROWS_WITH_AS(read_mesh(bytes, "a.off"), doctest::Contains("binary OFF is not read"),
+                         InputError);
+  }
+}

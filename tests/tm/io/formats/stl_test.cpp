@@ -116,22 +116,52 @@ TEST_CASE("stl: errors name the place") {
         "the header announces 2 facets, but only 1 follow: the file is cut off or not STL "
         "(a.stl byte 80)");
   CHECK(contains(read_error("short", "a.STL"), "not an STL file"));
-  Bytes infinite = binary_start("x", 1);
-  add_facet(infinite, std::numeric_limits<float>::infinity(), 0);
-  CHECK(read_error(infinite.str()) ==
-        "a coordinate of facet 0 is not a finite number (input byte 96)");
 
   const auto changed = [](const std::string& from, const std::string& to) {
     std::string text = text_file;
     return read_error(text.replace(text.find(from), from.size(), to));
   };
-  CHECK(changed("endsolid box\n", "") ==
-        "the data ends within facet 1, before 'endsolid' (input line 9)");
+  CHECK(changed("endfacet\nendsolid box\n", "") ==
+        "the data ends within facet 0, before 'endsolid' (input line 8)");
   CHECK(changed("vertex 0 0 0", "vertex 0 0") ==
         "a coordinate of facet 0 is missing (input line 4)");
-  CHECK(changed("vertex 0 0 0", "vertex 0 nan 0") ==
-        "a coordinate of facet 0 is not a finite number: 'nan' (input line 4)");
-  CHECK(changed("vertex 0 0 0", "vertex 0 1e39 0") ==
-        "a coordinate of facet 0 is out of range: '1e39' (input line 4)");
   CHECK(changed("outer", "inner") == "'outer' is needed in facet 0, not 'inner' (input line 3)");
+}
+
+TEST_CASE("stl: facets that are not finite are dropped with a count") {
+  Bytes file = binary_start("x", 2);
+  add_facet(file, std::numeric_limits<float>::infinity(), 0);
+  add_facet(file, 0, 7);
+  const ReadResult result = read_mesh(file.str(), "input");
+  CHECK(result.document.mesh.positions.size() == 3);
+  CHECK(result.document.mesh.faces == std::vector<Face>{{0, 1, 2}});
+  CHECK(column(result.document.mesh.face_columns, "attribute").values == std::vector<double>{7});
+  CHECK(has_note(result.notes, "stl: 1 facet with a coordinate that is not finite dropped"));
+  CHECK(strict_error(file.str()) ==
+        "a coordinate of facet 0 is not a finite number (input byte 96)");
+  for (const char* bad : {"nan", "1e39", "1.#QNAN"}) {
+    std::string text = text_file;
+    text.replace(text.find("vertex 0 0 0"), 10, std::string("vertex 0 ") + bad);
+    CHECK(read_document(text).mesh.faces.empty());
+    CHECK(read_document(text).mesh.positions.empty());
+    CHECK(contains(strict_error(text), "a coordinate of facet 0"));
+  }
+}
+
+TEST_CASE("stl: 0 in the header, no end and blank lines at the start") {
+  Bytes open = binary_start("left at zero", 0);
+  add_facet(open, 1, 0);
+  add_facet(open, 2, 0);
+  const ReadResult counted = read_mesh(open.str(), "-");
+  CHECK(counted.document.mesh.faces.size() == 2);
+  CHECK(has_note(counted.notes, "stl: the header announces 0 facets, but 2 follow and are read"));
+  CHECK(contains(strict_error(open.str()), "announces 0 facets, but 2 follow"));
+  CHECK(strict_error(binary_start("empty", 0).str()) == "read");
+
+  const std::string endless = text_file.substr(0, text_file.find("endsolid"));
+  const ReadResult cut = read_mesh(endless, "-");
+  CHECK(cut.document.mesh.faces.size() == 1);
+  CHECK(has_note(cut.notes, "stl: 'endsolid' is missing at the end: the file may be cut off"));
+  CHECK(contains(strict_error(endless), "before 'endsolid'"));
+  CHECK(read_document("\n \r\n\n" + text_file).mesh.faces.size() == 1);
 }

@@ -34,7 +34,7 @@ Mesh oblique_sheet(int n, double height, Random& random) {
 
 TEST_CASE("edges are halved until none is too long, on the surface as it was") {
   EditableMesh mesh(cube());
-  const std::size_t splits = split_long_edges(mesh, 0.3, false, {});
+  const std::size_t splits = split_long_edges(mesh, 0.3, false, {}).done;
   const Mesh fine = mesh.to_mesh();
   CHECK(is_oriented_manifold(fine));
   CHECK(fine.positions.size() == 8 + splits);

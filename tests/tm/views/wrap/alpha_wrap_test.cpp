@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "helpers/point_clouds.h"
+#include "tm/geometry/search/closest_point.h"
 #include "tm/geometry/winding.h"
 #include "tm/mesh/components.h"
 #include "tm/support/error.h"
@@ -19,6 +20,37 @@ TEST_CASE("an alpha wrap contains all points, at its offset") {
   for (const Vec3& position : mesh.positions) {
     CHECK(position.norm() > 0.95);
     CHECK(position.norm() < 1.03);
+  }
+}
+
+// Each point is wrapped on its own, by a tetrahedron or two.
+TEST_CASE("vertices lie at the offset, and faces between them come nearer, by as much as is said") {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 216; ++i) points.emplace_back(i % 6, i / 6 % 6, i / 36);
+  for (const double alpha : {0.4, 3.0}) {
+    const double offset = 0.1;
+    const AlphaWrap wrap = alpha_wrap(points, {.alpha = alpha, .offset = offset});
+    double least = 1e9;
+    const WindingQuery winding(wrap.mesh);
+    for (const Vec3& point : points) {
+      CHECK(winding(point).rounded() == 1);
+      for (const Face& face : wrap.mesh.faces)
+        least = std::min(least, (closest_point_of_triangle(point, wrap.mesh.positions[face[0]],
+                                                           wrap.mesh.positions[face[1]],
+                                                           wrap.mesh.positions[face[2]])
+                                     .point -
+                                 point)
+                                    .norm());
+    }
+    CHECK(wrap.least_distance == doctest::Approx(least).epsilon(1e-9));
+    CHECK(least > 0);
+    CHECK(least < 0.9 * offset);
+    for (const Vec3& position : wrap.mesh.positions) {
+      double distance = 1e9;
+      for (const Vec3& point : points) distance = std::min(distance, (point - position).norm());
+      CHECK(distance > 0.99 * offset);
+      CHECK(distance < 1.02 * offset);
+    }
   }
 }
 

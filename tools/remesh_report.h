@@ -1,0 +1,36 @@
+/// The entries of tm-remesh's report that have notes beside them.
+#pragma once
+
+#include "frame/run.h"
+#include "tm/mesh/location_text.h"
+#include "tm/remesh/remesh.h"
+#include "tm/support/counted.h"
+#include "tm/support/number.h"
+
+namespace transformesh::tool {
+
+inline void report_dropped(const RemovedComponents& dropped, double min_edge, Run& run) {
+  run.report("components_dropped", dropped.count);
+  run.report("components_dropped_faces", dropped.faces);
+  run.report("components_dropped_area", dropped.area);
+  run.report("components_dropped_volume", dropped.volume);
+  if (dropped.count == 0) return;
+  run.note(counted(dropped.count, "component") + " of " + counted(dropped.faces, "face") +
+           ", area " + significant(dropped.area, 3) + " and volume " +
+           significant(dropped.volume, 3) + " dropped: smaller than the shortest edge " +
+           significant(min_edge, 3) + "; a smaller --min-edge keeps more");
+}
+
+inline void report_slivers(const RemeshResult& result, Run& run) {
+  const Vec3& at = result.first_sliver;
+  run.report("degenerate_faces", result.degenerate_faces);
+  run.report("slivers_kept", result.slivers_kept);
+  run.report("faces_without_area", result.faces_without_area);
+  if (result.slivers_kept == 0) return;
+  run.report("first_sliver", std::vector<double>{at.x(), at.y(), at.z()});
+  run.note(counted(result.slivers_kept, "face") +
+           " thinner than 4 spacings of the coordinates kept, the first at " + point_text(at) +
+           ": removing them would make the surface intersect itself or change its topology");
+}
+
+}  // namespace transformesh::tool
