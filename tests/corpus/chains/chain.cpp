@@ -83,9 +83,9 @@ class Chain {
     for (const auto& [name, bytes] : step.files) folder_.write(name, bytes);
     std::vector<std::string> words = step.arguments;
     for (std::string& word : words)
-      if (step.files.count(word) > 0) word = folder_ / word;
+      if (step.files.contains(word)) word = folder_ / word;
     words.insert(words.end(), {"--threads", "1", "--report", folder_ / "report.json"});
-    const ProgramResult result =
+    ProgramResult result =
         run_program(options_.bin + "/tm-" + step.program, words, bytes_, options_.limits);
     record_.cpu_seconds += result.cpu_seconds;
     record_.most_seconds = std::max(record_.most_seconds, result.cpu_seconds);
@@ -146,7 +146,7 @@ class Chain {
     const std::string& name = step.program;
     was_cleaned_ = name == "clean" || (was_cleaned_ && name != "cat");
     is_soup_ = name == "convert" && step.command().ends_with("stl");
-    if (step.files.count("cutter.ply") > 0) {
+    if (step.files.contains("cutter.ply")) {
       true_volume_ = body_.volume;
       is_cut_ = true;
       return;

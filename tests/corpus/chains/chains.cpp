@@ -79,7 +79,7 @@ bool Tally::print(double percent_refused) const {
     std::string faults;
     for (const auto& [kind, number] : kinds_) {
       const auto found = pairs_.find(pair + ' ' + kind);
-      if (found != pairs_.end()) faults += ' ' + kind + ' ' + std::to_string(found->second);
+      if (found != pairs_.end()) (faults += ' ' + kind).append(' ' + std::to_string(found->second));
     }
     std::printf("pair %-36s %5d runs%s\n", pair.c_str(), count, faults.c_str());
   }
@@ -106,7 +106,7 @@ bool run_all(const Options& options) {
           options.is_readme ? run_readme(seed, options.chain) : run_chain(seed, options.chain);
       const std::lock_guard lock(mutex);
       done[seed] = std::move(record);
-      for (; done.count(to_print) > 0; ++to_print) {
+      for (; done.contains(to_print); ++to_print) {
         tally.add(done[to_print]);
         done.erase(to_print);
       }

@@ -22,7 +22,7 @@ bool is_same(const HalfSpace& a, const HalfSpace& b) {
 
 /// A square in the plane of the half-space that reaches far beyond the body.
 std::vector<Point> square_in(const HalfSpace& plane, double reach) {
-  const std::size_t k = static_cast<std::size_t>(
+  const auto k = static_cast<std::size_t>(
       std::min_element(plane.normal.begin(), plane.normal.end(),
                        [](double a, double b) { return std::abs(a) < std::abs(b); }) -
       plane.normal.begin());

@@ -125,7 +125,7 @@ void count_unpaired_places(const TriangleMesh& mesh, MeshFacts& facts) {
   for (const Triangle& face : mesh.faces)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t from = places[face[i]], to = places[face[(i + 1) % 3]];
-      edges.push_back({std::minmax(from, to), from < to ? 1 : from > to ? -1 : 0});
+      edges.emplace_back(std::minmax(from, to), from < to ? 1 : from > to ? -1 : 0);
     }
   std::sort(edges.begin(), edges.end());
   int sum = 0;

@@ -98,13 +98,16 @@ double cpu_seconds_of(const rusage& usage) {
 
 ProgramResult run_program(const std::string& path, const std::vector<std::string>& arguments,
                           const std::string& input, const ProgramLimits& limits) {
-  std::vector<char*> words = {const_cast<char*>(path.c_str())};
-  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
+  std::vector<std::string> words = {path};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
   Pipe in, out, messages;
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no process is left");
-  if (child == 0) become(path.c_str(), words.data(), in.read, out.write, messages.write, limits);
+  if (child == 0) become(path.c_str(), pointers.data(), in.read, out.write, messages.write, limits);
   Pipe::close_end(in.read);
   Pipe::close_end(out.write);
   Pipe::close_end(messages.write);

@@ -147,7 +147,7 @@ class ReadmeRun {
 
   /// Volumes of union, intersection and difference add up.
   void check_volumes() {
-    if (facts_.count("difference.ply") == 0) return;
+    if (!facts_.contains("difference.ply")) return;
     const double a = facts_["a.ply"].volume;
     const double b = judge(read_mesh(folder_.read("b.ply"))).volume;
     const double united = facts_["union.ply"].volume, common = facts_["intersection.ply"].volume;

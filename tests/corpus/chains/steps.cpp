@@ -26,7 +26,9 @@ std::string percent(double low, double high, Random& random) {
   return text_of(std::round(10 * random.uniform(low, high)) / 10) + "%";
 }
 
-Step step(const std::string& program, Words arguments = {}) { return {program, arguments, {}}; }
+Step step(const std::string& program, const Words& arguments = {}) {
+  return {program, arguments, {}};
+}
 
 std::string comma_separated(const std::vector<double>& numbers) {
   std::string text;
@@ -121,8 +123,8 @@ Step displace(const Situation& now, Random& random) {
 
 Step transform(const Situation&, Random& random) {
   const auto numbers = [&](int n, double low, double high) {
-    std::vector<double> list;
-    for (int i = 0; i < n; ++i) list.push_back(rounded(random.uniform(low, high)));
+    std::vector<double> list(static_cast<std::size_t>(n));
+    for (double& x : list) x = rounded(random.uniform(low, high));
     return list;
   };
   Step result = step("transform");
@@ -204,7 +206,7 @@ TriangleMesh other_solids(Body body, const Situation& now, double share, Random&
 /// A body of a single solid: a target that does not cross itself.
 Body random_solid(Random& random) {
   for (;;) {
-    const Body body = random_body(random);
+    Body body = random_body(random);
     if (body.is_single_solid) return body;
   }
 }

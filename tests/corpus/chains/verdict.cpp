@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::json;
 
 bool is_one_of(const std::string& name, const std::set<std::string>& names) {
-  return names.count(name) > 0;
+  return names.contains(name);
 }
 
 bool has(const Step& step, const std::string& word) {
