@@ -139,12 +139,17 @@ SizeRange sizes_of(const EditableMesh& mesh) {
   return range;
 }
 
-void check_number_of_faces(const EditableMesh& mesh, double max_edge) {
+/// Returns whether there are degenerate faces. Throws UsageError if edges of that length would make
+/// too many faces.
+bool survey_faces(const EditableMesh& mesh, double max_edge) {
   double faces = 0;
+  bool has_degenerate = false;
   for (Index face = 0; face < mesh.face_slots(); ++face) {
     const double sizes = mesh.size(mesh.source(3 * face)) + mesh.size(mesh.source(3 * face + 1)) +
                          mesh.size(mesh.source(3 * face + 2));
-    faces += mesh.face_normal(face).norm() * 9 / (sizes * sizes);
+    const FaceShape shape(mesh, face);
+    has_degenerate |= shape.is_degenerate();
+    faces += std::sqrt(shape.doubled_area_squared) * 9 / (sizes * sizes);
   }
   faces /= max_edge * max_edge * std::sqrt(3.0) / 2;
   if (faces > most_faces) {
@@ -152,6 +157,7 @@ void check_number_of_faces(const EditableMesh& mesh, double max_edge) {
     throw UsageError("a longest edge of " + shortest_text(max_edge) + " would take more than " +
                      shortest_text(std::floor(least / 1e6)) + " million faces");
   }
+  return has_degenerate;
 }
 
 /// What all iterations share.
@@ -346,7 +352,7 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& prog
   editable.set_coordinate(given.coordinate);
   const RemeshOptions options = with_feature_angle(given, editable);
   const EdgeLimits limits = set_sizes(editable, mesh, options);
-  check_number_of_faces(editable, limits.longest);
+  const bool has_degenerate = survey_faces(editable, limits.longest);
   std::optional<ClosestPointQuery> surface;
   if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
 
@@ -361,7 +367,7 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& prog
       editable, options, limits, surface ? &*surface : nullptr, keep_out ? &*keep_out : nullptr,
       progress, result};
   remove_small(task);
-  treat_slivers(task);
+  if (has_degenerate) treat_slivers(task);
   if (options.iterations > 1) editable.set_components(closed_components(editable));
   for (int i = 0; i < options.iterations; ++i)
     iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);

@@ -10,9 +10,6 @@ namespace {
 
 /// A direction sees a front when its cosine to the normal is above this.
 constexpr float least_cosine = 0.03F;
-/// Rounding errors of a cross product are below 1e-15 of the product of both lengths; this is the
-/// square of the least sine for which they are below a millionth of the result.
-constexpr double least_squared_sine = 1e-18;
 /// Of normals between these lengths single precision holds the coordinates well.
 constexpr double smallest = 1e-30;
 constexpr double largest = 1e30;
@@ -117,15 +114,6 @@ NormalCone common_bits(const Words& cone) {
 }
 
 }  // namespace
-
-Vec3 reliable_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const Vec3 normal = ab.cross(ac);
-  const bool is_thin =
-      normal.squaredNorm() < least_squared_sine * ab.squaredNorm() * ac.squaredNorm();
-  return is_thin ? Vec3(Vec3::Zero()) : normal;
-}
 
 NormalCone common_cone(std::span<const Vec3> normals) {
   Words cone{-1, -1, -1, -1};

@@ -19,7 +19,16 @@ inline constexpr NormalCone all_directions = 0x1fff1fff;
 
 /// The normal of a triangle (normal_of), or zero if the triangle is so thin that rounding error may
 /// turn that normal by more than a millionth of a radian. Zero has an empty cone.
-Vec3 reliable_normal(const Vec3& a, const Vec3& b, const Vec3& c);
+inline Vec3 reliable_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  // Rounding errors of a cross product are below 1e-15 of the product of both lengths; this is the
+  // square of the least sine for which they are below a millionth of the result.
+  constexpr double least_squared_sine = 1e-18;
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 normal = ab.cross(ac);
+  const double lengths = ab.squaredNorm() * ac.squaredNorm();
+  return normal.squaredNorm() < least_squared_sine * lengths ? Vec3(Vec3::Zero()) : normal;
+}
 
 /// The directions that clearly see the front of a face with that normal; none where its length is
 /// not between 1e-30 and 1e30.

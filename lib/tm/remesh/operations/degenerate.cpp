@@ -35,18 +35,8 @@ struct Sides {
   bool is_needle() const { return shortest_squared < short_edge * short_edge * longest_squared; }
 };
 
-inline bool is_degenerate(const EditableMesh& mesh, Index face) {
-  const Vec3& a = mesh.position(mesh.source(3 * face));
-  const Vec3 ab = mesh.position(mesh.source(3 * face + 1)) - a;
-  const Vec3 ac = mesh.position(mesh.source(3 * face + 2)) - a;
-  // Twice the area is the longest edge times the height. The third edge is at most twice as long as
-  // the longer of the two, which decides nearly all faces.
-  constexpr double bound = least_height * least_height;
-  const double doubled = ab.cross(ac).squaredNorm();
-  const double longer = std::max(ab.squaredNorm(), ac.squaredNorm());
-  if (doubled > 16 * bound * longer * longer) return false;
-  const double longest = std::max(longer, (ac - ab).squaredNorm());
-  return doubled <= bound * longest * longest;
+bool is_degenerate(const EditableMesh& mesh, Index face) {
+  return FaceShape(mesh, face).is_degenerate();
 }
 
 }  // namespace

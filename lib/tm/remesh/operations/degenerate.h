@@ -1,6 +1,8 @@
 /// Removes triangles that have nearly no area.
 #pragma once
 
+#include <algorithm>
+
 #include "tm/remesh/operations/collapse.h"
 #include "tm/remesh/operations/flip.h"
 
@@ -8,6 +10,27 @@ namespace transformesh {
 
 /// The height of degenerate triangles is at most this share of their longest edge.
 inline constexpr double least_height = 1e-3;
+
+/// What tells whether a face is degenerate.
+struct FaceShape {
+  double doubled_area_squared;
+  double longer_squared;  ///< the longer one of two edges
+  double third_squared;   ///< the other edge
+
+  FaceShape(const EditableMesh& mesh, Index face) {
+    const Vec3& a = mesh.position(mesh.source(3 * face));
+    const Vec3 ab = mesh.position(mesh.source(3 * face + 1)) - a;
+    const Vec3 ac = mesh.position(mesh.source(3 * face + 2)) - a;
+    doubled_area_squared = ab.cross(ac).squaredNorm();
+    longer_squared = std::max(ab.squaredNorm(), ac.squaredNorm());
+    third_squared = (ac - ab).squaredNorm();
+  }
+  /// Twice the area is the longest edge times the height.
+  bool is_degenerate() const {
+    const double longest = std::max(longer_squared, third_squared);
+    return doubled_area_squared <= least_height * least_height * longest * longest;
+  }
+};
 
 /// A triangle counts as degenerate when its height is below a thousandth of its longest edge: one
 /// with a short edge (needle) loses that edge, one without (cap) has its longest edge flipped.
