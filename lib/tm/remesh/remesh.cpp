@@ -16,6 +16,7 @@
 #include "tm/remesh/operations/safe_split.h"
 #include "tm/remesh/operations/slivers.h"
 #include "tm/remesh/operations/smooth.h"
+#include "tm/remesh/operations/thin_stars.h"
 #include "tm/remesh/sizing.h"
 #include "tm/remesh/small_components.h"
 #include "tm/support/counted.h"
@@ -274,6 +275,9 @@ struct ScaledLengths {
 /// guard made for the longest edges at once, each of its cells would hold many vertices. Returns
 /// the lengths that came of it.
 ScaledLengths coarsen(const Task& task) {
+  if (task.keep_out == nullptr)
+    task.result.collapses +=
+        thin_crowded_stars(task.mesh, task.options.keep_border, task.limits, task.progress);
   for (bool goes_on = true;;) {
     const ScaledLengths lengths(task.mesh);
     const double shortest = stage_growth * lengths.typical;

@@ -102,6 +102,13 @@ Index EditableMesh::valence(Index vertex) const {
   return count;
 }
 
+/// Whether an inner vertex has no more than three neighbors.
+bool EditableMesh::has_three_neighbors(Index vertex) const {
+  Index halfedge = outgoing_[vertex];
+  for (int i = 0; i < 3; ++i) halfedge = opposites_[previous_halfedge(halfedge)];
+  return halfedge == outgoing_[vertex];
+}
+
 bool EditableMesh::are_neighbors(Index first, Index second) const {
   bool found = false;
   for_each_neighbor(first, [&](Index neighbor, Index) { found |= neighbor == second; });
@@ -208,7 +215,7 @@ bool EditableMesh::can_collapse(Index halfedge) const {
     const Index n = opposites_[next_halfedge(h)];
     const Index p = opposites_[previous_halfedge(h)];
     if (n == no_index && p == no_index) return false;
-    if (!is_border_vertex(apex(h)) && valence(apex(h)) <= 3) return false;
+    if (!is_border_vertex(apex(h)) && has_three_neighbors(apex(h))) return false;
   }
 
   // The ends may have no common neighbors but the apexes.

@@ -157,6 +157,7 @@ class EditableMesh {
                         const std::array<double, 3>& weights);
 
  private:
+  bool has_three_neighbors(Index vertex) const;
   Index count_common_neighbors(Index from, Index to) const;
   void link(Index first, Index second);
   void find_outgoing();

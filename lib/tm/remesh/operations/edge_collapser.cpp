@@ -14,6 +14,11 @@ constexpr double round_enough = 0.3;
 constexpr double round_enough_for_shape = 0.05;
 /// The normal of a triangle that is no rounder than this is mostly rounding error.
 constexpr double normal_roundness = 0.02;
+/// Around vertices of high valence all triangles are narrow, and collapses make some a little
+/// narrower and squared lengths a little longer. Long edges are split afterwards.
+constexpr double normal_roundness_of_stars = 1e-6;
+constexpr double narrowing_of_stars = 0.5;
+constexpr double stretch_of_stars = 1.02;
 
 }  // namespace
 
@@ -74,8 +79,9 @@ void EdgeCollapser::gather_star(Index vertex) {
     const Vec3 normal = normal_of(corner, a, b);
     const double to_a = (a - corner).squaredNorm();
     const double to_b = (b - corner).squaredNorm();
-    const double longest = std::max(to_a, to_b);
-    const double needed = normal_roundness * (to_a + to_b + (b - a).squaredNorm());
+    const double longest = (guard_ != nullptr ? 1 : stretch_of_stars) * std::max(to_a, to_b);
+    const double least = guard_ != nullptr ? normal_roundness : normal_roundness_of_stars;
+    const double needed = least * (to_a + to_b + (b - a).squaredNorm());
     spokes_.push_back({a, b, normal, 12 * normal.squaredNorm() > needed * needed,
                        std::max(longest, longest_to(first)),
                        std::max(longest, longest_to(second))});
@@ -128,7 +134,8 @@ bool EdgeCollapser::is_sound(const Vec3& position) const {
     if (turns(before, after, least_turn_cosine)) return false;
     least = std::min(least, roundness(position, spoke.first, spoke.second));
   }
-  return least >= round_enough_ || least >= least_roundness_before();
+  const double share = guard_ != nullptr ? 1 : narrowing_of_stars;
+  return least >= round_enough_ || least >= share * least_roundness_before();
 }
 
 double EdgeCollapser::least_roundness_before() const {
@@ -159,10 +166,11 @@ bool EdgeCollapser::try_position(const Vec3& wanted, double source_share) {
   const Vec3 position = mesh_.rounded(wanted);
   if (!is_sound(position)) return false;
   fill_patch(position);
-  if (!guard_.allows(patch_)) return false;
+  if (guard_ != nullptr && !guard_->allows(patch_)) return false;
   mesh_.collapse(edge_, position, source_share);
-  guard_.forget(goes_);
-  guard_.commit(patch_);
+  if (guard_ == nullptr) return true;
+  guard_->forget(goes_);
+  guard_->commit(patch_);
   return true;
 }
 

@@ -12,7 +12,10 @@ class EdgeCollapser {
  public:
   EdgeCollapser(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                 double max_edge)
-      : mesh_(mesh), guard_(guard), roles_(roles), longest_(max_edge * max_edge) {}
+      : mesh_(mesh), guard_(&guard), roles_(roles), longest_(max_edge * max_edge) {}
+  /// Without a guard: the caller looks for intersections.
+  EdgeCollapser(EditableMesh& mesh, const VertexRoles& roles, double max_edge)
+      : mesh_(mesh), guard_(nullptr), roles_(roles), longest_(max_edge * max_edge) {}
 
   /// The vertex that the edge became; no_index where it stays.
   Index collapse(Index halfedge);
@@ -44,7 +47,7 @@ class EdgeCollapser {
   void fill_patch(const Vec3& position);
 
   EditableMesh& mesh_;
-  EmbeddingGuard& guard_;
+  EmbeddingGuard* guard_;
   const VertexRoles& roles_;
   double longest_;
   double round_enough_ = 0;
