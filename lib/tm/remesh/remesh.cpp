@@ -275,9 +275,6 @@ struct ScaledLengths {
 /// guard made for the longest edges at once, each of its cells would hold many vertices. Returns
 /// the lengths that came of it.
 ScaledLengths coarsen(const Task& task) {
-  if (task.keep_out == nullptr)
-    task.result.collapses +=
-        thin_crowded_stars(task.mesh, task.options.keep_border, task.limits, task.progress);
   for (bool goes_on = true;;) {
     const ScaledLengths lengths(task.mesh);
     const double shortest = stage_growth * lengths.typical;
@@ -372,6 +369,8 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& prog
       progress, result};
   remove_small(task);
   if (has_degenerate) treat_slivers(task);
+  if (options.iterations > 0 && !options.only_smooth && !keep_out)
+    result.collapses += thin_crowded_stars(editable, options.keep_border, limits, progress);
   if (options.iterations > 1) editable.set_components(closed_components(editable));
   for (int i = 0; i < options.iterations; ++i)
     iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);

@@ -12,13 +12,12 @@ namespace {
 /// A star of so many faces takes a hundredth of a second with the guard.
 constexpr Index usual_valence = 256;
 
-/// Edges around each vertex.
+/// Faces around each vertex.
 std::vector<Index> valences_of(const EditableMesh& mesh) {
   std::vector<Index> valences(mesh.vertex_slots(), 0);
-  for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-    if (!mesh.has_halfedge(h)) continue;
-    ++valences[mesh.source(h)];
-    if (mesh.is_border(h)) ++valences[mesh.target(h)];
+  for (Index face = 0; face < mesh.face_slots(); ++face) {
+    if (!mesh.has_face(face)) continue;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) ++valences[mesh.source(h)];
   }
   return valences;
 }
