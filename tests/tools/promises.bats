@@ -110,7 +110,7 @@ turned_boxes() { # DEGREES
   tm-cat a.ply b.ply | tm-transform --rotate "1,2,3,$1"
 }
 
-@test "tm-remesh: no step makes a self-intersection" {
+@test "tm-remesh: no step makes a self-intersection or a triangle without area" {
   local turn options
   for turn in 17 34 51 68 85; do
     for options in '' '--iterations 3' '--feature-angle 40' '--smooth 0.1'; do
@@ -130,6 +130,16 @@ turned_boxes() { # DEGREES
     judge out.ply
     diff <(tm-info in.ply | grep -E '^(genus|components)') \
       <(tm-info out.ply | grep -E '^(genus|components)')
+  done
+}
+
+@test "tm-remesh: always in the report: joined_vertices" {
+  tm-shape box 1 1 3 --faces 300 -o in.ply
+  local options
+  for options in '' '--faces 100' '--align in.ply' '--only smooth' '--iterations 0' '--adaptive 2%'; do
+    # shellcheck disable=SC2086
+    tm-remesh $options --report report.json in.ply -o out.ply
+    [ "$(jq .result.joined_vertices report.json)" = 0 ] || fail "with $options: $(cat report.json)"
   done
 }
 
@@ -220,9 +230,9 @@ time_is_unlimited() {
   needs_command script
   tm-shape torus --faces 60000 -o torus.ply
   tm-shape sphere --around torus.ply --faces 3000 -o ball.ply
-  script -qec 'tm-remesh --iterations 5 torus.ply -o out.ply' /dev/null </dev/null >seen
+  script -qec 'tm-remesh --iterations 60 torus.ply -o out.ply' /dev/null </dev/null >seen
   grep -q '%' seen
-  script -qec 'tm-remesh --no-progress --iterations 5 torus.ply -o out.ply' /dev/null </dev/null >seen
+  script -qec 'tm-remesh --no-progress --iterations 60 torus.ply -o out.ply' /dev/null </dev/null >seen
   [ ! -s seen ]
   script -qec 'tm-morph --no-progress --iterations 3 ball.ply --target torus.ply -o out.ply' /dev/null \
     </dev/null >seen

@@ -234,7 +234,7 @@ void round_to(TriangleMesh& mesh, Type type) {
   mesh.type = type;
   if (type == Type::float32)
     for (Point& p : mesh.points)
-      for (double& x : p) x = static_cast<float>(x);
+      for (double& x : p) x = rounded_to_float(x);
 }
 
 /// Turns there and back leave what lies in a common plane apart by the last digits.

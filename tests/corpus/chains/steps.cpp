@@ -198,7 +198,7 @@ TriangleMesh other_solids(Body body, const Situation& now, double share, Random&
   for (Point& p : other.points)
     for (std::size_t k = 0; k < 3; ++k) {
       p[k] = to[k] + scale * (p[k] - from[k]);
-      if (other.type == Type::float32) p[k] = static_cast<float>(p[k]);
+      if (other.type == Type::float32) p[k] = rounded_to_float(p[k]);
     }
   return other;
 }

@@ -14,6 +14,12 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 enum class Type { float32, float64 };
 
+/// Rounds to float and back. g++ 12 drops a pair of casts in loops over several coordinates.
+inline double rounded_to_float(double x) {
+  const volatile auto single = static_cast<float>(x);  // volatile: the casts must happen
+  return single;
+}
+
 struct TriangleMesh {
   std::vector<Point> points;
   std::vector<Triangle> faces;
