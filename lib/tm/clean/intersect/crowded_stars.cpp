@@ -120,11 +120,12 @@ CrowdedStars::Range CrowdedStars::sectors(const Star& star, const Face& face) co
     if (!has_ahead) to = *i;
   }
   if (from == no_index || to == no_index) return all;
-  // A corner on the border of two sectors touches both.
+  // A corner on the border of two sectors touches both, so the sector before the first counts, too,
+  // unless it is the last one.
   const std::size_t count = all.count;
-  const std::size_t first = (sector(star, from) + count - 1) % count;
-  const std::size_t last = sector(star, to);
-  return {first, (last + count - first) % count + 1};
+  const std::size_t first = sector(star, from);
+  const std::size_t steps = (sector(star, to) + count - first) % count;
+  return {(first + count - 1) % count, std::min(count, steps + 2)};
 }
 
 void CrowdedStars::add_pairs(Index number, Index face, std::vector<Bvh::Pair>& pairs) const {

@@ -19,8 +19,9 @@ double uniform(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// A double cone over a rim of random places, some of them in line with the apexes.
-Mesh double_cone(std::mt19937& random, Index rim, double noise, double lean) {
+/// A double cone over a rim of random places, some of them in line with the apexes. The rim is
+/// evenly distributed over a share of the circle, and one face on each side closes it.
+Mesh double_cone(std::mt19937& random, Index rim, double noise, double lean, double share = 1) {
   Mesh mesh;
   mesh.positions = {{0, 0, 1}, {lean, 0, -1}};
   for (Index i = 0; i < rim; ++i) {
@@ -73,6 +74,30 @@ TEST_CASE("around vertices of high valence the search finds what all pairs hold"
     if (trial % 4 == 0)
       mesh = test::joined(mesh, test::moved(double_cone(random, 50, 0.1, 0), {0.2, 0.1, 0.4}));
     add_random_faces(mesh, random, 60);
+    CHECK(find_intersections(mesh) == all_pairs(mesh));
+  }
+}
+
+TEST_CASE("a face may span all faces of a star, from the first to the last one") {
+  std::mt19937 random(11);
+  const auto at = [](double degrees, double radius, double height) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return Vec3(radius * std::cos(angle), radius * std::sin(angle), height);
+  };
+  for (int trial = 0; trial < 40; ++trial) {
+    CAPTURE(trial);
+    // The first face takes 15 degrees, the last one 172, and the others the rest.
+    constexpr Index rim = 40;
+    Mesh mesh = double_cone(random, rim, 0, 0);
+    for (Index i = 1; i < rim; ++i)
+      mesh.positions[2 + i] = at(15 + 173.0 * (i - 1) / (rim - 2), 1, 0);
+    for (int i = 0; i < 30; ++i) {
+      const double from = uniform(random, 9, 15);
+      const auto first = static_cast<Index>(mesh.positions.size());
+      for (const double angle : {from, uniform(random, 60, 120), uniform(random, 188, from + 180)})
+        mesh.positions.push_back(at(angle, uniform(random, 0.2, 1.5), uniform(random, -1, 1)));
+      mesh.faces.push_back({first, first + 1, first + 2});
+    }
     CHECK(find_intersections(mesh) == all_pairs(mesh));
   }
 }
