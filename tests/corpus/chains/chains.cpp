@@ -164,7 +164,7 @@ Options read_options(const std::vector<std::string>& words) {
     } else if (words[i] == "--pipelines") {
       options.is_readme = true;
       options.last = 50;
-      options.chain.limits.cpu_seconds = 300;
+      options.chain.limits.cpu_seconds = 60;
     } else if (words[i] == "--list") {
       options.is_list = true;
     } else if (words[i] == "--write") {

@@ -43,7 +43,7 @@ const std::vector<Pipeline> pipelines = {
      "tm-clean --outermost --reference-edge $edge -o now.ply source.ply", "now.ply"},
     {"",
      "tm-morph-step --target target.ply now.ply | tm-clean --outermost | "
-     "tm-remesh --smooth 0.1 -o now.ply",
+     "tm-remesh --smooth 0.1 --feature-angle 180 -o now.ply",
      "now.ply"},
     {"tm-convert --format ply-ascii target.ply | awk '/^element vertex/ { n = $3 } "
      "/^element face/ { print \"property double vx\\nproperty double vy\\nproperty double vz\" } "

@@ -23,7 +23,7 @@ class Numbers {
 
   double next(const std::string& type) {
     if (encoding_ == Encoding::text)
-      return type.starts_with("float") && type != "float64" ? static_cast<float>(next_text())
+      return type.starts_with("float") && type != "float64" ? rounded_to_float(next_text())
                                                             : next_text();
     if (type == "double" || type == "float64") return take<double>();
     if (type == "float" || type == "float32") return take<float>();
