@@ -30,6 +30,7 @@ std::vector<Index> ExactSplitter::split(Index halfedge, bool keep_border) {
   const Vec3 target = mesh_.position(mesh_.target(halfedge));
 
   std::vector<Vec3> positions;
+  positions.reserve(shares.size() + 27);
   for (const double share : shares)
     positions.push_back(mesh_.rounded(point_on(source, target, share)));
   const Vec3 middle = positions[0];

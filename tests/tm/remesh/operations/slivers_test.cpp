@@ -17,7 +17,9 @@ Mesh square_with_cap(double height) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5 + height, 0.5 - height, 0}};
   mesh.faces = {{0, 4, 2}, {0, 1, 4}, {1, 2, 4}, {0, 2, 3}};
-  Column material{"material", Scalar::int32};
+  Column material;
+  material.name = "material";
+  material.type = Scalar::int32;
   material.values = {7, 1, 1, 2};
   mesh.face_columns.columns.push_back(material);
   return mesh;
