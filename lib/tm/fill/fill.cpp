@@ -232,6 +232,7 @@ FillResult fill_holes(Mesh& mesh, const FillOptions& options, const Progress& pr
   const ManifoldReport found = check_manifold(mesh);
   check(mesh, found, options);
   const std::vector<Loop> loops = loops_of(mesh, found.border_halfedges);
+  if (loops.empty()) return {};
   Filler filler(mesh, options);
   for (const Loop& loop : loops) {
     progress("filling holes");
