@@ -38,7 +38,7 @@ inline std::string words_of(const MorphRemedy& remedy, const MorphingOptions& op
   return {};
 }
 
-/// What is at fault, and what mends it.
+/// Returns the fault of a morph with the option that mends it; empty if there is none.
 inline std::string fault_of(const MorphingResult& result, const MorphingOptions& options) {
   const std::string& fault = result.agreement.fault;
   if (fault.empty()) return fault;

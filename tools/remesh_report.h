@@ -9,16 +9,20 @@
 
 namespace transformesh::tool {
 
-inline void report_dropped(const RemovedComponents& dropped, double min_edge, Run& run) {
+/// The shortest edge is named, with advice, only if one length holds for the whole mesh.
+inline void report_dropped(const RemovedComponents& dropped, const RemeshOptions& options,
+                           Run& run) {
   run.report("components_dropped", dropped.count);
   run.report("components_dropped_faces", dropped.faces);
   run.report("components_dropped_area", dropped.area);
   run.report("components_dropped_volume", dropped.volume);
   if (dropped.count == 0) return;
+  const bool is_uniform = options.size_column.empty() && options.adaptive_error == 0;
   run.note(counted(dropped.count, "component") + " of " + counted(dropped.faces, "face") +
            ", area " + significant(dropped.area, 3) + " and volume " +
            significant(dropped.volume, 3) + " dropped: smaller than the shortest edge " +
-           significant(min_edge, 3) + "; a smaller --min-edge keeps more");
+           (is_uniform ? significant(options.min_edge, 3) + "; a smaller --min-edge keeps more"
+                       : "there"));
 }
 
 inline void report_slivers(const RemeshResult& result, Run& run) {

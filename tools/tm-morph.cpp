@@ -28,7 +28,7 @@ Target read(const std::string& name, tool::Run& run) {
   return target;
 }
 
-// As the run that is continued had it.
+// Returns the target of the interrupted run if one is continued.
 Target target_of(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   if (const auto kept = record.find(state_target)) return read_target(*kept, state_target);
   Target target = read(choices.target, run);

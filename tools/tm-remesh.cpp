@@ -69,7 +69,7 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
   run.report("refused", result.refused);
   run.report("kept_out", result.kept_out);
   choices.keep_out.note_near(result.near_keep_out, run);
-  tool::report_dropped(result.components_removed, options.min_edge, run);
+  tool::report_dropped(result.components_removed, options, run);
   tool::report_slivers(result, run);
   run.report("feature_angle", result.feature_angle_deg);
   return result.columns;

@@ -97,7 +97,7 @@ std::optional<MorphDistance> distance_of(const std::string& name) {
   throw UsageError("distance: '" + name + "' is none of auto, surface, points, vertex");
 }
 
-/// What mends a fault, by the names of arguments.
+/// Returns a sentence that names the arguments or functions that mend a fault.
 const char* remedy_text(RemedyKind kind) {
   switch (kind) {
     case RemedyKind::clean_target:

@@ -21,7 +21,7 @@ struct RemeshChoices {
 /// Degrees, or "auto".
 using FeatureAngle = std::variant<double, std::string>;
 
-/// As in RemeshOptions.
+/// Returns the angle for RemeshOptions: 0 for "auto".
 double angle_of(const FeatureAngle& angle) {
   if (const auto* word = std::get_if<std::string>(&angle)) {
     choice("feature_angle", *word, {"auto"});

@@ -93,8 +93,9 @@ void add_mesh_files(const Mesh& mesh, Seeds& seeds) {
   }
 }
 
-/// What the writers of the library do not write: polygons that are concave, have bridges, cross
-/// themselves or go around twice, values that are not finite, statements and elements of others.
+/// Adds files that the library's writers do not make: polygons that are concave, have bridges,
+/// cross themselves or go around twice, values that are not finite, unknown statements and
+/// elements.
 void add_odd_mesh_files(Seeds& seeds) {
   const std::string square = "0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 1 0\n3 1 0\n3 3 0\n1 3 0\n";
   for (const char* corners : {"4 0 1 4 2", "10 0 1 2 3 0 4 7 6 5 4", "4 0 2 1 3", "5 0 2 4 6 0",

@@ -38,7 +38,7 @@ enum class Reads {
   files     ///< any number, likewise
 };
 
-/// What becomes of faces that meet but share no vertices, as in a soup of triangles
+/// The treatment of faces that meet but share no vertices, as in a soup of triangles
 /// (touching_borders.h).
 enum class Soups {
   kept,    ///< the mesh is read as it is; only of STL it is said that tm-stitch joins them

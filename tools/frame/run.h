@@ -40,10 +40,10 @@ class Run {
   /// Reads a further mesh or file named by an option.
   Document read(const std::string& path);
   std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
-  /// As --strict says; and notes each line about what was read, without advice to join triangles
-  /// where the program does so.
+  /// Returns the options for reading that --strict sets.
   ReadOptions reading() const { return {program_.common.strict}; }
-  /// Returns whether one of the notes says that the mesh is a soup.
+  /// Notes each line about what was read. Advice to join triangles is left out if the program joins
+  /// them. Returns whether one of the lines says that the mesh is a soup.
   bool note_read(const std::vector<std::string>& notes, bool joins_soups);
 
   /// Input units. 1% is of the diagonal of the mesh read (or of `set_basis`), 0.7x of the reference

@@ -12,8 +12,8 @@
 
 namespace transformesh {
 
-/// What a morph has to reach: the target without its cavities, which a surface that evolves does
-/// not keep, and without what floats in them.
+/// The part of a target that a morph has to reach: the target without its cavities, which a surface
+/// that evolves does not keep, and without components that float in them.
 struct MorphGoal {
   /// Nothing for points, and for what is open, not manifold, or crosses itself.
   std::optional<Topology> topology;

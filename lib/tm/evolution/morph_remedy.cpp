@@ -25,8 +25,8 @@ MorphRemedy narrowest(const Target& target, const std::vector<double>& widths, d
   return {RemedyKind::edges_at_narrow_places, edge, *least, target.mesh.positions[v]};
 }
 
-// Of a fault of topology the narrowest place is named, as the cause may be far from the place that
-// is farthest apart.
+// Names the narrowest place if the topology differs: the cause may be far from the place where mesh
+// and target are farthest apart.
 MorphRemedy narrow_place(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
   if (found.is_of_topology) {

@@ -1,5 +1,5 @@
-/// What mends a morph whose surface does not agree with its target, or has vanished. Decided by
-/// measuring the target: it is said to be narrow only if it is.
+/// Chooses a remedy for a morph whose surface does not agree with its target or has vanished. The
+/// choice follows from measures of the target: it counts as narrow only if a gap or wall is.
 #pragma once
 
 #include <limits>
@@ -22,12 +22,12 @@ enum class RemedyKind {
 struct MorphRemedy {
   RemedyKind kind = RemedyKind::none;
   double edge = 0;  ///< the longest one, input units
-  /// Of `edges_at_narrow_places`: how wide the gap or thick the wall is, and where.
+  /// Width of the narrowest gap or wall, and its place; set for `edges_at_narrow_places` only.
   double width = std::numeric_limits<double>::infinity();
   Vec3 place = Vec3::Zero();
 };
 
-/// Where mesh and target disagree.
+/// The largest disagreement of mesh and target.
 struct Mismatch {
   Vec3 place = Vec3::Zero();     ///< the point of one that is farthest from the other
   double distance = 0;           ///< how far; input units

@@ -45,7 +45,7 @@ class MorphingLoop : public Loop {
   std::string message() const override;
 
   const MorphingResult& result() const { return result_; }
-  /// Of a surface that vanished.
+  /// The remedy for a surface that vanished; empty if it did not.
   const std::optional<MorphRemedy>& remedy() const { return remedy_; }
 
  private:

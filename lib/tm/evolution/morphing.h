@@ -29,8 +29,8 @@ namespace transformesh {
 enum class Features { automatic, on, off };
 
 struct MorphingOptions {
-  /// With `gap_edges` the target's gaps are measured unless they are known, and edges are factors
-  /// of the size that the step writes.
+  /// If `gap_edges` is set, the target's gaps are measured unless they are known, and edge lengths
+  /// are factors of the size that the step writes.
   MorphStepOptions step;
   /// `edge_factor` is what the scale makes of it; `reference_edge` 0 is the source's mean edge.
   IterationOptions iteration;

@@ -191,7 +191,7 @@ void Filler::fill(const Loop& loop) {
   (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
 }
 
-/// With positions as they will be written.
+/// Returns patches whose positions are rounded to the type in which they will be written.
 HolePatches Filler::patches_of(const MeshPart& part, Index border, PatchKind finest,
                                Search search) const {
   HolePatches found = patch_hole(part.mesh, border, finest, search);

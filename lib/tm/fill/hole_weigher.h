@@ -1,4 +1,5 @@
-/// What triangulations of a hole are compared by. Weights are those of CGAL to the last digit.
+/// Weights by which triangulations of a hole are compared, equal to those of CGAL to the last
+/// digit. Private to this folder, as it includes CGAL.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -58,7 +58,7 @@ Mesh slab_of(const ClosedSlit& slit) {
 
 }  // namespace
 
-// Those of the loop and next to it, ascending.
+// Returns the vertices of the loop and their neighbors, ascending.
 std::vector<Index> SlitRoom::near_vertices(const std::vector<Index>& loop) const {
   std::vector<Index> near = loop;
   for (const Index v : loop)

@@ -18,7 +18,7 @@ namespace transformesh {
 std::optional<HolePatch> patch_of_slit(const Mesh& mesh, const std::vector<Index>& loop,
                                        const SlitSides& sides, const HalfedgeStars& stars);
 
-/// Where the vertices of a side are once it is drawn back.
+/// Positions of the vertices of one side after it is drawn back from the other.
 struct DrawnSide {
   std::vector<Vec3> loop;
   std::vector<Vec3> within;  ///< those of the patch that are not on the loop

@@ -56,7 +56,7 @@ std::string and_more(std::size_t count, const std::string& what) {
   return count < 2 ? "" : " (the first of " + std::to_string(count) + " such " + what + ")";
 }
 
-/// What is no hole is to be joined before tm-fill closes it by a flat patch.
+/// Names joining first: tm-fill would close borders that lie upon each other by flat patches.
 std::string border_advice(const ManifoldReport& report) {
   if (report.touching_borders == 0) return "; tm-fill closes holes";
   return ", and " + std::to_string(report.touching_borders) +

@@ -25,7 +25,7 @@ constexpr double facing = -0.5;  ///< cosine of 120 degrees
 /// Cosine of 20 degrees: a face that turns by less from the normals at its vertex is not asked on
 /// its own. Smaller angles cost time on curved targets, and change nothing at sharp edges.
 constexpr double alike = 0.94;
-/// Of a distance from a point to the faces that contain it, as a share of the coordinates.
+/// Rounding error of the distance from a point to a face that contains it, relative to coordinates.
 constexpr double rounding = 1e-12;
 constexpr double wide = std::numeric_limits<double>::infinity();
 

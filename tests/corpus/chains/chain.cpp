@@ -144,7 +144,7 @@ class Chain {
   /// Keeps track of the volume of what the mesh encloses.
   void follow(const Step& step, const MeshFacts& after) {
     const std::string& name = step.program;
-    // What moves inwards may turn a small component inside out, without an intersection.
+    // A surface that moves inwards may turn a small component inside out without an intersection.
     const bool may_turn = name == "cat" || name == "displace" || name == "morph-step";
     was_cleaned_ = name == "clean" || (was_cleaned_ && !may_turn);
     is_soup_ = name == "convert" && step.command().ends_with("stl");

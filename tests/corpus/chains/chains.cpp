@@ -38,7 +38,7 @@ struct Options {
   ChainOptions chain;
 };
 
-/// What the summary counts.
+/// Counts chains, faults and refusals for the summary.
 class Tally {
  public:
   void add(const ChainRecord& record);

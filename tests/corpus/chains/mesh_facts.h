@@ -1,5 +1,5 @@
-/// What a mesh is, decided without the library: exact predicates of CGAL on the coordinates as
-/// written, and counts of edges.
+/// Facts about a mesh, decided without the library: by exact predicates of CGAL on the coordinates
+/// as written, and by counting edges.
 #pragma once
 
 #include <cstddef>

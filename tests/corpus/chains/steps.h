@@ -27,7 +27,7 @@ struct Step {
   std::string command() const;  ///< as a shell takes it
 };
 
-/// What a chain has come to.
+/// The state of a chain before its next step.
 struct Situation {
   const Body& body;
   const TriangleMesh& mesh;

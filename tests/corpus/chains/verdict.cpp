@@ -115,7 +115,7 @@ class Judge {
            ", reported as dropped: ", dropped);
   }
 
-  /// By how much rounding may change the volume: a thousand spacings everywhere.
+  /// Returns the change of volume that rounding may cause: a thousand spacings everywhere.
   double volume_tolerance() const {
     const double spacing = (is_.coarsest == Type::float32 ? 0x1p-23 : 0x1p-52) *
                            std::max(largest_coordinate(is_.input), largest_coordinate(is_.output));

@@ -1,4 +1,4 @@
-/// What the man pages promise of a program's output, held against the facts of input and output.
+/// Compares the promises of the man pages with the facts about a program's input and output.
 #pragma once
 
 #include <optional>

@@ -12,7 +12,8 @@ namespace chains {
 
 class WorkFolder {
  public:
-  /// With an empty name the folder is a new one, and goes with this object.
+  /// Uses the folder `kept`. If the name is empty, makes a new folder that is removed with this
+  /// object.
   explicit WorkFolder(const std::string& kept) : path_(kept), is_kept_(!kept.empty()) {
     if (!is_kept_) {
       std::string name = (std::filesystem::temp_directory_path() / "chains-XXXXXX").string();

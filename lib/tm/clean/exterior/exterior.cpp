@@ -178,8 +178,7 @@ std::string nothing_kept(const Arrangement& arrangement, int level, bool is_open
            "; a shape that is small or far from the origin needs --double, or to be moved there";
   }
   return "no point has a winding number >= 1: a difference without a remainder is empty; a mesh "
-         "that "
-         "is inside out is reversed by tm-stitch --flip";
+         "that is inside out is reversed by tm-stitch --flip";
 }
 
 // Whether each component of a mesh lies within others: whether w > 0 in front of its first face.

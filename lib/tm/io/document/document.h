@@ -43,10 +43,10 @@ struct Document {
   std::string texture = {};  ///< a PNG file that GLB holds; other formats have it beside them
 };
 
-/// Of read_mesh().
+/// Options of read_mesh().
 struct ReadOptions {
-  /// Throws InputError for what is else dropped or skipped with a note: values that are not finite,
-  /// lines that the format does not have, a missing end.
+  /// Throws InputError for content that is otherwise dropped or skipped with a note: values that
+  /// are not finite, unknown lines, a missing end.
   bool strict = false;
 };
 

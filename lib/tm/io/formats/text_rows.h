@@ -40,8 +40,8 @@ class TextRows {
   /// As number, and finite.
   template <class T, class What>
   T finite_number(const What& what);
-  /// As finite_number if the source is read strictly. Else NaN for a number that is not finite or
-  /// too large for T.
+  /// Returns finite_number() if the source is read strictly. Otherwise returns NaN for a number
+  /// that is not finite or too large for T.
   template <class T, class What>
   T number_or_nan(const What& what);
   /// Throws InputError where the row goes on; row() names it there.

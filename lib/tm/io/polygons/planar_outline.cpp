@@ -192,7 +192,8 @@ class OutlineTriangulation {
     }
   }
 
-  /// Of several corners at one point, each has the triangles that lie between its two edges.
+  /// Names the corners of each triangle. If several corners lie at one point, each one gets the
+  /// triangles between its two edges.
   void name_corners() {
     for (const FaceHandle face : triangulation_.finite_face_handles())
       for (int i = 0; i < 3; ++i)

@@ -21,7 +21,7 @@ struct PlanarTriangles {
   std::vector<CornerTriangle> triangles;
   /// Triangles without area, where an edge runs through another corner of the outline.
   std::vector<CornerTriangle> flat;
-  /// Of `triangles`: those of the rarer orientation, and second and further copies.
+  /// Number of `triangles` that have the rarer orientation or copy an earlier one.
   std::size_t folds = 0;
   /// Corners whose edge to the next corner crosses the edge of an earlier corner.
   std::vector<std::uint32_t> crossing;

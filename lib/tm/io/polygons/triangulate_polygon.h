@@ -7,8 +7,8 @@
 ///   without overlaps, by triangles of one orientation and of positive area, unless an edge of it
 ///   runs through another corner.
 /// - The fan from the first corner is kept if it has no fold there and no triangle without area.
-/// Of any other polygon the projection with the fewest folds and upright triangles is taken.
-/// Cost: O(n log n) for polygons that occur. Deterministic.
+/// - Any other polygon is triangulated in the projection with the fewest folds and upright
+/// triangles. Cost: O(n log n) for polygons that occur. Deterministic.
 #pragma once
 
 #include <span>

@@ -11,7 +11,7 @@ namespace transformesh {
 /// The height of degenerate triangles is at most this share of their longest edge.
 inline constexpr double least_height = 1e-3;
 
-/// What tells whether a face is degenerate.
+/// The measures of a face that decide whether it is degenerate.
 struct FaceShape {
   double doubled_area_squared;
   double longer_squared;  ///< the longer one of two edges

@@ -12,9 +12,10 @@
 namespace transformesh {
 namespace {
 
-/// Of the height of a sliver to the shortest edge; the table in the header shows what it does.
+/// Largest height of a sliver, as a share of the shortest edge; the table in the header shows its
+/// effect.
 constexpr double thin_share = 1e-5;
-constexpr double thin_spacings = 4;
+constexpr double thin_spacings = 4;  ///< largest height of a sliver, in spacings of coordinates
 /// Each round moves the surface by at most two heights, so all remain within the slack of the
 /// guard.
 constexpr int most_rounds = 16;

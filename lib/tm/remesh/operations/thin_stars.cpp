@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tm/clean/intersect/intersect.h"
+#include "tm/geometry/numbers/predicates.h"
 #include "tm/remesh/operations/edge_collapser.h"
 #include "tm/remesh/operations/edge_queue.h"
 
@@ -96,7 +97,10 @@ std::size_t thin_crowded_stars(EditableMesh& mesh, bool keep_border, const EdgeL
   EditableMesh thinned = mesh;
   const std::size_t done =
       StarThinner(thinned, keep_border, limits, std::move(valences)).run(progress);
-  if (done == 0 || !find_intersections(thinned.to_mesh(), progress).empty()) return 0;
+  const Mesh result = thinned.to_mesh();
+  const bool is_sound =
+      find_intersections(result, progress).empty() && degenerate_faces(result).empty();
+  if (done == 0 || !is_sound) return 0;
   mesh = std::move(thinned);
   return done;
 }

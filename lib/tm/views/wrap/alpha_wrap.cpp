@@ -103,7 +103,7 @@ void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal
       rounded_up(least) + " or more it would not");
 }
 
-/// Of a point from the surface.
+/// Returns the smallest distance of a point from the surface.
 double least_distance(const Mesh& mesh, const Cloud& cloud) {
   const ClosestPointQuery closest(mesh);
   std::vector<double> distances(cloud.size());

@@ -91,7 +91,7 @@ inline TestPolygon plate_with_holes(int holes, test::Random& random) {
   return polygon;
 }
 
-/// With further corners at the middle of some edges, which are exactly there before any rotation if
+/// Adds corners at the middle of some edges. They lie exactly on the edges before any rotation if
 /// coordinates have few digits.
 inline TestPolygon with_middles(const TestPolygon& polygon, test::Random& random) {
   TestPolygon result{polygon.points, {}};
@@ -161,7 +161,7 @@ inline std::vector<PlaneTriangle> in_projection(const std::vector<CornerTriangle
   return result;
 }
 
-/// Of triangles that turn counter-clockwise: whether an edge of the first separates them.
+/// Returns whether an edge of the first triangle separates the two. Both turn counter-clockwise.
 inline bool separates(const PlaneTriangle& first, const PlaneTriangle& second) {
   for (std::size_t i = 0; i < 3; ++i) {
     bool is_outside = true;
