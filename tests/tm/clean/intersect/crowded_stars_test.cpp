@@ -19,9 +19,8 @@ double uniform(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// A double cone over a rim of random places, some of them in line with the apexes. The rim is
-/// evenly distributed over a share of the circle, and one face on each side closes it.
-Mesh double_cone(std::mt19937& random, Index rim, double noise, double lean, double share = 1) {
+/// A double cone over a rim of random places, some of them in line with the apexes.
+Mesh double_cone(std::mt19937& random, Index rim, double noise, double lean) {
   Mesh mesh;
   mesh.positions = {{0, 0, 1}, {lean, 0, -1}};
   for (Index i = 0; i < rim; ++i) {
