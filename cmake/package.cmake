@@ -2,8 +2,8 @@
 # load the system's image libraries, as Debian wants it, whose faults are mended there.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME transformesh)
-set(CPACK_PACKAGE_VENDOR "The tm authors")
-set(CPACK_PACKAGE_CONTACT "The tm authors <tm@users.noreply.github.com>")
+set(CPACK_PACKAGE_VENDOR "The TransforMesh authors")
+set(CPACK_PACKAGE_CONTACT "The TransforMesh authors <transformesh@users.noreply.github.com>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "mesh evolution as Unix filters")
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_STRIP_FILES ON)
@@ -57,8 +57,8 @@ if(TARGET viewer)
   string(REPLACE "\n\n" "\n.\n" licence "${licence}")
   string(REPLACE "\n" "\n " licence "${licence}")
   set(three_copyright "
-Files: usr/share/tm/viewer.html
-Copyright: 2026 The tm authors
+Files: usr/share/transformesh/viewer.html
+Copyright: 2026 The TransforMesh authors
  2010-2026 three.js authors
 License: GPL-3 and Expat
 

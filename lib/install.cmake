@@ -1,4 +1,4 @@
-# The library as others use it: `find_package(tm)` and `tm::tm`, or `pkg-config tm`.
+# The library as others use it: `find_package(transformesh)` and `transformesh::transformesh`, or `pkg-config transformesh`.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -20,7 +20,6 @@ set(public_headers
   views/cameras/camera_file.h views/cameras/view_files.h views/color/color_vertices.h
   views/color/texture_surface.h views/hull/hull.h
   views/photo/photo_step.h views/photo/photograph.h views/wrap/wrap.h)
-list(TRANSFORM public_headers PREPEND tm/)
 set(installed_headers)
 while(public_headers)
   list(POP_FRONT public_headers header)
@@ -29,25 +28,25 @@ while(public_headers)
   endif()
   list(APPEND installed_headers ${header})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
-  file(STRINGS ${header} includes REGEX "^#include \"tm/")
+  file(STRINGS ${header} includes REGEX "^#include \"[a-z]")
   list(TRANSFORM includes REPLACE "^#include \"(.*)\"$" "\\1")
   list(APPEND public_headers ${includes})
 endwhile()
-target_sources(tm PUBLIC FILE_SET HEADERS BASE_DIRS ${CMAKE_CURRENT_SOURCE_DIR}
+target_sources(transformesh PUBLIC FILE_SET HEADERS BASE_DIRS ${CMAKE_CURRENT_SOURCE_DIR}
                FILES ${installed_headers})
 
-add_dependencies(installed tm)
-install(TARGETS tm EXPORT tmTargets COMPONENT development
+add_dependencies(installed transformesh)
+install(TARGETS transformesh EXPORT transformeshTargets COMPONENT development
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
-        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
-set(package ${CMAKE_INSTALL_LIBDIR}/cmake/tm)
-install(EXPORT tmTargets NAMESPACE tm:: DESTINATION ${package} COMPONENT development)
-configure_package_config_file(tmConfig.cmake.in tmConfig.cmake INSTALL_DESTINATION ${package})
-write_basic_package_version_file(tmConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tmConfig.cmake
-              ${CMAKE_CURRENT_BINARY_DIR}/tmConfigVersion.cmake
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/transformesh COMPONENT development)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/transformesh)
+install(EXPORT transformeshTargets NAMESPACE transformesh:: DESTINATION ${package} COMPONENT development)
+configure_package_config_file(transformeshConfig.cmake.in transformeshConfig.cmake INSTALL_DESTINATION ${package})
+write_basic_package_version_file(transformeshConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/transformeshConfig.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/transformeshConfigVersion.cmake
         DESTINATION ${package} COMPONENT development)
 file(RELATIVE_PATH from_pkgconfig_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-configure_file(tm.pc.in tm.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tm.pc
+configure_file(transformesh.pc.in transformesh.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/transformesh.pc
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "frame/report.h"
-#include "tm/support/number.h"
-#include "tm/views/cameras/pinhole_camera.h"
+#include "support/number.h"
+#include "views/cameras/pinhole_camera.h"
 
 namespace transformesh::tool {
 namespace {

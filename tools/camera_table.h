@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "tm/views/cameras/camera_file.h"
-#include "tm/views/cameras/view_pairs.h"
+#include "views/cameras/camera_file.h"
+#include "views/cameras/view_pairs.h"
 
 namespace transformesh::tool {
 

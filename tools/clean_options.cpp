@@ -1,6 +1,6 @@
 #include "clean_options.h"
 
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "clean/clean_box.h"
 #include "frame/run.h"
-#include "tm/clean/clean_box.h"
 
 namespace transformesh::tool {
 

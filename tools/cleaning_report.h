@@ -1,11 +1,11 @@
 /// The entries of tm-clean's report.
 #pragma once
 
+#include "clean/clean.h"
+#include "clean/stitch/separate.h"
 #include "frame/column_notes.h"
 #include "frame/run.h"
-#include "tm/clean/clean.h"
-#include "tm/clean/stitch/separate.h"
-#include "tm/mesh/components.h"
+#include "mesh/components.h"
 
 namespace transformesh::tool {
 

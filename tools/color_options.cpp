@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-#include "tm/io/mesh_io.h"
-#include "tm/picture/png.h"
-#include "tm/support/counted.h"
-#include "tm/support/error.h"
+#include "io/mesh_io.h"
+#include "picture/png.h"
+#include "support/counted.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "frame/run.h"
-#include "tm/views/cameras/view_files.h"
-#include "tm/views/color/texture_surface.h"
+#include "views/cameras/view_files.h"
+#include "views/color/texture_surface.h"
 
 namespace transformesh::tool {
 

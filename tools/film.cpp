@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "filter_process.h"
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 namespace {

@@ -13,7 +13,7 @@
 #include <memory>
 
 #include "frame/run.h"
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 namespace {

@@ -1,7 +1,7 @@
 #include "morph_options.h"
 
 #include "frame/smoothing_option.h"
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "evolution/morphing.h"
 #include "frame/loop_options.h"
 #include "frame/run.h"
-#include "tm/evolution/morphing.h"
 
 namespace transformesh::tool {
 

@@ -3,11 +3,11 @@
 
 #include <string>
 
+#include "evolution/tracking.h"
 #include "frame/run.h"
-#include "tm/evolution/tracking.h"
-#include "tm/mesh/components.h"
-#include "tm/mesh/measure.h"
-#include "tm/support/counted.h"
+#include "mesh/components.h"
+#include "mesh/measure.h"
+#include "support/counted.h"
 
 namespace transformesh::tool {
 

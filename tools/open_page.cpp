@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <thread>
 
-#include "tm/io/streams/output_target.h"
-#include "tm/io/streams/streams.h"
-#include "tm/support/error.h"
+#include "io/streams/output_target.h"
+#include "io/streams/streams.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 namespace {

@@ -14,7 +14,7 @@
 #include <list>
 #include <vector>
 
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 namespace {

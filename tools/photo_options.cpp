@@ -1,7 +1,7 @@
 #include "photo_options.h"
 
-#include "tm/support/error.h"
-#include "tm/support/length.h"
+#include "support/error.h"
+#include "support/length.h"
 
 namespace transformesh::tool {
 namespace {

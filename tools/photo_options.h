@@ -4,9 +4,9 @@
 #include <string>
 
 #include "frame/run.h"
-#include "tm/views/cameras/view_files.h"
-#include "tm/views/photo/photo_steps.h"
 #include "view_options.h"
+#include "views/cameras/view_files.h"
+#include "views/photo/photo_steps.h"
 
 namespace transformesh::tool {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
-#include "tm/picture/png.h"
-#include "tm/picture/shade.h"
-#include "tm/support/error.h"
-#include "tm/views/cameras/name_pairs.h"
-#include "tm/views/cameras/view_files.h"
-#include "tm/views/hull/silhouette.h"
-#include "tm/views/images/image_file.h"
+#include "picture/png.h"
+#include "picture/shade.h"
+#include "support/error.h"
+#include "views/cameras/name_pairs.h"
+#include "views/cameras/view_files.h"
+#include "views/hull/silhouette.h"
+#include "views/images/image_file.h"
 
 namespace transformesh::tool {
 namespace {

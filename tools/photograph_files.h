@@ -4,8 +4,8 @@
 #include <string>
 
 #include "frame/run.h"
-#include "tm/views/cameras/camera_ring.h"
-#include "tm/views/photo/photograph.h"
+#include "views/cameras/camera_ring.h"
+#include "views/photo/photograph.h"
 
 namespace transformesh::tool {
 

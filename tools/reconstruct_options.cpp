@@ -1,7 +1,7 @@
 #include "reconstruct_options.h"
 
-#include "tm/support/error.h"
-#include "tm/views/hull/keep_in_box.h"
+#include "support/error.h"
+#include "views/hull/keep_in_box.h"
 
 namespace transformesh::tool {
 namespace {

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "color_options.h"
+#include "evolution/reconstruction/time_steps.h"
+#include "evolution/sequence.h"
 #include "frame/loop_options.h"
 #include "frame/run.h"
-#include "tm/evolution/reconstruction/time_steps.h"
-#include "tm/evolution/sequence.h"
-#include "tm/views/cameras/view_files.h"
 #include "view_options.h"
+#include "views/cameras/view_files.h"
 
 namespace transformesh::tool {
 

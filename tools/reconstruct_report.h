@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "evolution/sequence.h"
 #include "frame/run.h"
-#include "tm/evolution/sequence.h"
-#include "tm/support/counted.h"
+#include "support/counted.h"
 
 namespace transformesh::tool {
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "frame/smoothing_option.h"
-#include "tm/support/error.h"
-#include "tm/support/number.h"
+#include "support/error.h"
+#include "support/number.h"
 
 namespace transformesh::tool {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "frame/keep_out_option.h"
 #include "frame/run.h"
-#include "tm/remesh/align_features.h"
-#include "tm/remesh/decimate.h"
-#include "tm/remesh/remesh.h"
+#include "remesh/align_features.h"
+#include "remesh/decimate.h"
+#include "remesh/remesh.h"
 
 namespace transformesh::tool {
 

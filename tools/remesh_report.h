@@ -2,10 +2,10 @@
 #pragma once
 
 #include "frame/run.h"
-#include "tm/mesh/location_text.h"
-#include "tm/remesh/remesh.h"
-#include "tm/support/counted.h"
-#include "tm/support/number.h"
+#include "mesh/location_text.h"
+#include "remesh/remesh.h"
+#include "support/counted.h"
+#include "support/number.h"
 
 namespace transformesh::tool {
 

@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "film.h"
-#include "tm/picture/spelling.h"
-#include "tm/support/error.h"
+#include "picture/spelling.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 

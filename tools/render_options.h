@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frame/run.h"
-#include "tm/picture/picture.h"
+#include "picture/picture.h"
 
 namespace transformesh::tool {
 

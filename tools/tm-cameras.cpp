@@ -4,9 +4,9 @@
 
 #include "camera_table.h"
 #include "frame/run.h"
-#include "tm/support/error.h"
-#include "tm/views/cameras/pinhole_camera.h"
-#include "tm/views/cameras/view_files.h"
+#include "support/error.h"
+#include "views/cameras/pinhole_camera.h"
+#include "views/cameras/view_files.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include <sstream>
 
 #include "frame/run.h"
-#include "tm/geometry/carry.h"
-#include "tm/support/error.h"
+#include "geometry/carry.h"
+#include "support/error.h"
 
 namespace {
 

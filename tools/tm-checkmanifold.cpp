@@ -1,12 +1,12 @@
 /// tm-checkmanifold: whether a mesh is an oriented manifold, and where it is not.
+#include "clean/certify/certify.h"
+#include "clean/intersect/intersect.h"
 #include "frame/run.h"
-#include "tm/clean/certify/certify.h"
-#include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/numbers/predicates.h"
-#include "tm/mesh/components.h"
-#include "tm/mesh/manifold.h"
-#include "tm/support/counted.h"
-#include "tm/support/error.h"
+#include "geometry/numbers/predicates.h"
+#include "mesh/components.h"
+#include "mesh/manifold.h"
+#include "support/counted.h"
+#include "support/error.h"
 
 namespace {
 

@@ -1,11 +1,11 @@
+#include "clean/stitch/separate.h"
 #include "clean_options.h"
 #include "cleaning_report.h"
 #include "frame/run.h"
-#include "tm/clean/stitch/separate.h"
-#include "tm/geometry/source_points.h"
-#include "tm/mesh/surface_columns.h"
-#include "tm/support/counted.h"
-#include "tm/support/error.h"
+#include "geometry/source_points.h"
+#include "mesh/surface_columns.h"
+#include "support/counted.h"
+#include "support/error.h"
 
 using namespace transformesh;
 

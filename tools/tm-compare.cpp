@@ -1,7 +1,7 @@
 /// tm-compare: how far a mesh is from a reference.
 #include "frame/run.h"
-#include "tm/geometry/compare.h"
-#include "tm/mesh/measure.h"
+#include "geometry/compare.h"
+#include "mesh/measure.h"
 
 namespace {
 

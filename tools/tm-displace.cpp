@@ -4,10 +4,10 @@
 #include "frame/displacement_report.h"
 #include "frame/keep_out_option.h"
 #include "frame/run.h"
-#include "tm/mesh/touching_borders.h"
-#include "tm/step/displace.h"
-#include "tm/step/velocity.h"
-#include "tm/support/error.h"
+#include "mesh/touching_borders.h"
+#include "step/displace.h"
+#include "step/velocity.h"
+#include "support/error.h"
 
 namespace {
 

@@ -1,13 +1,13 @@
 /// tm-evolve: the evolution of paper 5.1 around any filter that moves vertices.
 #include <cstdlib>
 
+#include "evolution/evolve.h"
+#include "evolution/filter_step.h"
 #include "filter_process.h"
 #include "frame/loop_options.h"
 #include "frame/smoothing_option.h"
-#include "tm/evolution/evolve.h"
-#include "tm/evolution/filter_step.h"
-#include "tm/support/counted.h"
-#include "tm/support/error.h"
+#include "support/counted.h"
+#include "support/error.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
 /// tm-fill: closes the holes of a mesh.
+#include "fill/fill.h"
 #include "frame/column_notes.h"
 #include "frame/run.h"
-#include "tm/fill/fill.h"
-#include "tm/mesh/location_text.h"
-#include "tm/support/counted.h"
-#include "tm/support/number.h"
+#include "mesh/location_text.h"
+#include "support/counted.h"
+#include "support/number.h"
 
 namespace {
 

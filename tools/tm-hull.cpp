@@ -1,7 +1,7 @@
 /// tm-hull: the visual hull of calibrated silhouettes.
 #include "frame/run.h"
-#include "tm/views/hull/hull.h"
 #include "view_options.h"
+#include "views/hull/hull.h"
 
 namespace {
 

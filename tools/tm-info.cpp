@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "frame/run.h"
-#include "tm/mesh/components.h"
-#include "tm/mesh/measure.h"
-#include "tm/step/velocity.h"
-#include "tm/support/error.h"
+#include "mesh/components.h"
+#include "mesh/measure.h"
+#include "step/velocity.h"
+#include "support/error.h"
 
 namespace {
 

@@ -1,11 +1,11 @@
+#include "clean/arrange/refine.h"
+#include "clean/intersect/any_intersection.h"
+#include "clean/intersect/intersect.h"
 #include "frame/column_notes.h"
 #include "frame/run.h"
-#include "tm/clean/arrange/refine.h"
-#include "tm/clean/intersect/any_intersection.h"
-#include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/source_points.h"
-#include "tm/io/mesh_io.h"
-#include "tm/support/error.h"
+#include "geometry/source_points.h"
+#include "io/mesh_io.h"
+#include "support/error.h"
 
 using namespace transformesh;
 

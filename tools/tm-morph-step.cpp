@@ -1,12 +1,12 @@
 /// tm-morph-step: one step of a surface towards a target (paper 5.2).
 #include "frame/displacement_report.h"
 #include "frame/run.h"
-#include "tm/io/streams/streams.h"
-#include "tm/mesh/touching_borders.h"
-#include "tm/step/local_thickness.h"
-#include "tm/step/morph_check.h"
-#include "tm/step/morph_step.h"
-#include "tm/step/target_file.h"
+#include "io/streams/streams.h"
+#include "mesh/touching_borders.h"
+#include "step/local_thickness.h"
+#include "step/morph_check.h"
+#include "step/morph_step.h"
+#include "step/target_file.h"
 
 namespace {
 

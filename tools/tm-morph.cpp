@@ -1,11 +1,11 @@
 /// tm-morph: evolves a mesh until it lies on a target, or follows a film of them (paper 5.2).
+#include "evolution/loop/run_folder.h"
+#include "evolution/tracking.h"
+#include "io/streams/streams.h"
 #include "morph_options.h"
 #include "morph_report.h"
-#include "tm/evolution/loop/run_folder.h"
-#include "tm/evolution/tracking.h"
-#include "tm/io/streams/streams.h"
-#include "tm/step/morph_check.h"
-#include "tm/step/target_file.h"
+#include "step/morph_check.h"
+#include "step/target_file.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 /// tm-offset: the surface at a distance from another one.
+#include "evolution/offset.h"
 #include "frame/run.h"
-#include "tm/evolution/offset.h"
-#include "tm/mesh/location_text.h"
-#include "tm/support/error.h"
-#include "tm/support/number.h"
+#include "mesh/location_text.h"
+#include "support/error.h"
+#include "support/number.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 /// tm-photo-step: steps of a surface towards calibrated photographs (paper 5.3).
 #include "frame/displacement_report.h"
+#include "mesh/touching_borders.h"
 #include "photo_options.h"
-#include "tm/mesh/touching_borders.h"
 
 namespace {
 

@@ -2,10 +2,10 @@
 #include <tuple>
 
 #include "frame/run.h"
+#include "mesh/measure.h"
 #include "photograph_files.h"
-#include "tm/mesh/measure.h"
-#include "tm/picture/spelling.h"
-#include "tm/support/error.h"
+#include "picture/spelling.h"
+#include "support/error.h"
 
 namespace {
 

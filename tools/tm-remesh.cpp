@@ -1,13 +1,13 @@
 /// tm-remesh: edges between two lengths, six at a vertex, round triangles (paper 5.1.2).
 #include "frame/column_notes.h"
 #include "frame/run.h"
+#include "geometry/source_points.h"
+#include "io/comments.h"
+#include "mesh/measure.h"
+#include "remesh/remesh.h"
 #include "remesh_options.h"
 #include "remesh_report.h"
-#include "tm/geometry/source_points.h"
-#include "tm/io/comments.h"
-#include "tm/mesh/measure.h"
-#include "tm/remesh/remesh.h"
-#include "tm/support/number.h"
+#include "support/number.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
 /// tm-render: a picture of meshes without a display.
 #include "film.h"
+#include "io/segments.h"
+#include "picture/line_drawing.h"
+#include "picture/openness.h"
+#include "picture/png.h"
 #include "render_options.h"
-#include "tm/io/segments.h"
-#include "tm/picture/line_drawing.h"
-#include "tm/picture/openness.h"
-#include "tm/picture/png.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 /// tm-sample: points on a surface.
 #include "frame/run.h"
-#include "tm/geometry/sample_surface.h"
-#include "tm/support/error.h"
+#include "geometry/sample_surface.h"
+#include "support/error.h"
 
 namespace {
 

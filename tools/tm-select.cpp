@@ -1,9 +1,9 @@
 /// tm-select: keeps components or faces of a mesh.
 #include "frame/run.h"
-#include "tm/geometry/selection.h"
-#include "tm/mesh/components.h"
-#include "tm/support/counted.h"
-#include "tm/support/error.h"
+#include "geometry/selection.h"
+#include "mesh/components.h"
+#include "support/counted.h"
+#include "support/error.h"
 
 namespace {
 

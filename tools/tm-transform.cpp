@@ -1,7 +1,7 @@
 /// tm-transform: moves, turns, scales and mirrors a mesh.
 #include "frame/run.h"
-#include "tm/io/comments.h"
-#include "tm/mesh/transform.h"
+#include "io/comments.h"
+#include "mesh/transform.h"
 #include "transform_options.h"
 
 namespace {

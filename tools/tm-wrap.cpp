@@ -4,14 +4,14 @@
 #include <utility>
 
 #include "frame/run.h"
-#include "tm/io/streams/streams.h"
-#include "tm/mesh/location_text.h"
-#include "tm/step/target_file.h"
-#include "tm/support/counted.h"
-#include "tm/support/error.h"
-#include "tm/views/wrap/outliers.h"
-#include "tm/views/wrap/unit_scale.h"
-#include "tm/views/wrap/wrap.h"
+#include "io/streams/streams.h"
+#include "mesh/location_text.h"
+#include "step/target_file.h"
+#include "support/counted.h"
+#include "support/error.h"
+#include "views/wrap/outliers.h"
+#include "views/wrap/unit_scale.h"
+#include "views/wrap/wrap.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include "frame/run.h"
 #include "program_list.h"
-#include "tm/support/error.h"
-#include "tm/support/suggestion.h"
+#include "support/error.h"
+#include "support/suggestion.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 #include "transform_options.h"
 
-#include "tm/io/matrix_file.h"
-#include "tm/support/error.h"
-#include "tm/support/number.h"
+#include "io/matrix_file.h"
+#include "support/error.h"
+#include "support/number.h"
 
 namespace transformesh::tool {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frame/run.h"
-#include "tm/mesh/transform.h"
+#include "mesh/transform.h"
 
 namespace transformesh::tool {
 

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "tm/picture/png.h"
-#include "tm/support/error.h"
-#include "tm/views/hull/agreed_level.h"
-#include "tm/views/hull/silhouette.h"
-#include "tm/views/images/image_file.h"
+#include "picture/png.h"
+#include "support/error.h"
+#include "views/hull/agreed_level.h"
+#include "views/hull/silhouette.h"
+#include "views/images/image_file.h"
 
 namespace transformesh::tool {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "frame/run.h"
-#include "tm/views/cameras/view_files.h"
-#include "tm/views/hull/silhouette.h"
-#include "tm/views/hull/view_check.h"
+#include "views/cameras/view_files.h"
+#include "views/hull/silhouette.h"
+#include "views/hull/view_check.h"
 
 namespace transformesh::tool {
 

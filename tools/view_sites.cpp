@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "tm/io/streams/streams.h"
+#include "io/streams/streams.h"
 
 namespace transformesh::tool {
 namespace {

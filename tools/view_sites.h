@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "io/document/document.h"
+#include "page/live_run.h"
+#include "page/page.h"
 #include "page_server.h"
-#include "tm/io/document/document.h"
-#include "tm/page/live_run.h"
-#include "tm/page/page.h"
 
 namespace transformesh::tool {
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 
@@ -13,7 +13,7 @@ std::string read_viewer() {
   std::error_code ignored;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
   const std::filesystem::path path =
-      program.parent_path().parent_path() / "share" / "tm" / "viewer.html";
+      program.parent_path().parent_path() / "share" / "transformesh" / "viewer.html";
   std::ifstream file(path, std::ios::binary);
   if (!file)
     throw GoalError("the viewer is not there, as '" + path.string() +

@@ -1,8 +1,8 @@
 #include "arguments.h"
 
-#include "tm/clean/stitch/join_soup.h"
-#include "tm/support/counted.h"
-#include "tm/support/error.h"
+#include "clean/stitch/join_soup.h"
+#include "support/counted.h"
+#include "support/error.h"
 
 namespace transformesh::python {
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "call.h"
+#include "geometry/keep_out_options.h"
+#include "mesh/measure.h"
 #include "python_mesh.h"
-#include "tm/geometry/keep_out_options.h"
-#include "tm/mesh/measure.h"
-#include "tm/remesh/remesh.h"
+#include "remesh/remesh.h"
 
 namespace transformesh::python {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <variant>
 
-#include "tm/io/document/document.h"
-#include "tm/support/length.h"
-#include "tm/support/parallel.h"
-#include "tm/support/progress.h"
+#include "io/document/document.h"
+#include "support/length.h"
+#include "support/parallel.h"
+#include "support/progress.h"
 
 namespace transformesh::python {
 

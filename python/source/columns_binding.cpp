@@ -2,7 +2,7 @@
 
 #include <pybind11/stl.h>
 
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::python {
 namespace {

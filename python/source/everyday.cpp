@@ -3,16 +3,16 @@
 
 #include "arguments.h"
 #include "call.h"
+#include "fill/fill.h"
+#include "fill/handles.h"
+#include "geometry/carry.h"
+#include "geometry/sample_surface.h"
+#include "geometry/selection.h"
+#include "io/comments.h"
+#include "mesh/components.h"
+#include "mesh/transform.h"
 #include "python_mesh.h"
-#include "tm/fill/fill.h"
-#include "tm/fill/handles.h"
-#include "tm/geometry/carry.h"
-#include "tm/geometry/sample_surface.h"
-#include "tm/geometry/selection.h"
-#include "tm/io/comments.h"
-#include "tm/mesh/components.h"
-#include "tm/mesh/transform.h"
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::python {
 namespace {

@@ -1,13 +1,13 @@
 /// The loops: evolutions with any velocity, morphs.
 #include "arguments.h"
 #include "call.h"
+#include "evolution/evolve.h"
+#include "evolution/morphing.h"
+#include "io/mesh_io.h"
 #include "python_mesh.h"
-#include "tm/evolution/evolve.h"
-#include "tm/evolution/morphing.h"
-#include "tm/io/mesh_io.h"
-#include "tm/step/morph_check.h"
-#include "tm/step/target_file.h"
-#include "tm/support/error.h"
+#include "step/morph_check.h"
+#include "step/target_file.h"
+#include "support/error.h"
 
 namespace transformesh::python {
 namespace {

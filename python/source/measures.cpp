@@ -1,11 +1,11 @@
 /// What looks at meshes and judges them.
 #include "call.h"
+#include "clean/certify/certify.h"
+#include "geometry/compare.h"
+#include "mesh/components.h"
+#include "mesh/manifold.h"
+#include "mesh/measure.h"
 #include "python_mesh.h"
-#include "tm/clean/certify/certify.h"
-#include "tm/geometry/compare.h"
-#include "tm/mesh/components.h"
-#include "tm/mesh/manifold.h"
-#include "tm/mesh/measure.h"
 
 namespace transformesh::python {
 namespace {

@@ -2,10 +2,10 @@
 #include <new>
 
 #include "call.h"
+#include "io/comments.h"
+#include "io/length_basis.h"
 #include "python_mesh.h"
-#include "tm/io/comments.h"
-#include "tm/io/length_basis.h"
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::python {
 

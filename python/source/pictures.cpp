@@ -7,12 +7,12 @@
 
 #include "arguments.h"
 #include "call.h"
+#include "page/run_page.h"
+#include "picture/openness.h"
+#include "picture/picture.h"
+#include "picture/spelling.h"
 #include "python_mesh.h"
-#include "tm/page/run_page.h"
-#include "tm/picture/openness.h"
-#include "tm/picture/picture.h"
-#include "tm/picture/spelling.h"
-#include "tm/support/error.h"
+#include "support/error.h"
 
 namespace transformesh::python {
 namespace {
@@ -114,8 +114,8 @@ py::array render(const py::args& meshes, std::pair<int, int> size, std::pair<dou
 
 // --- report --------------------------------------------------------------------------------------
 
-/// The page that shows runs, which is installed with the programs: share/tm beside a folder that
-/// the module is in, in the folder of the build too.
+/// The page that shows runs, which is installed with the programs: share/transformesh beside a
+/// folder that the module is in, in the folder of the build too.
 std::string viewer_page(const std::string& given) {
   std::filesystem::path path = given;
   if (given.empty()) {
@@ -123,16 +123,17 @@ std::string viewer_page(const std::string& given) {
     std::filesystem::path folder = py::cast<std::string>(module.attr("__file__"));
     while (!std::filesystem::exists(path) && folder.has_relative_path()) {
       folder = folder.parent_path();
-      path = folder / "share" / "tm" / "viewer.html";
+      path = folder / "share" / "transformesh" / "viewer.html";
     }
   }
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    throw GoalError(given.empty()
-                        ? "the viewer is not there, as share/tm/viewer.html in no folder above the "
-                          "module: it is installed with the programs where scripts/setup --browser "
-                          "was run before they were built; or name one with viewer="
-                        : "viewer: '" + given + "' cannot be read");
+    throw GoalError(
+        given.empty()
+            ? "the viewer is not there, as share/transformesh/viewer.html in no folder above the "
+              "module: it is installed with the programs where scripts/setup --browser "
+              "was run before they were built; or name one with viewer="
+            : "viewer: '" + given + "' cannot be read");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -7,10 +7,10 @@
 #include "arguments.h"
 #include "call.h"
 #include "columns_binding.h"
-#include "tm/io/mesh_io.h"
-#include "tm/io/streams/atomic_file.h"
-#include "tm/io/streams/streams.h"
-#include "tm/support/error.h"
+#include "io/mesh_io.h"
+#include "io/streams/atomic_file.h"
+#include "io/streams/streams.h"
+#include "support/error.h"
 
 namespace transformesh::python {
 namespace {

@@ -1,4 +1,4 @@
-/// What Python sees as a Mesh: a document (lib/tm/io/document/document.h) whose numbers NumPy
+/// What Python sees as a Mesh: a document (lib/io/document/document.h) whose numbers NumPy
 /// arrays show without a copy, and what the operation that made it has to say.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <list>
 #include <memory>
 
-#include "tm/io/document/document.h"
+#include "io/document/document.h"
 
 namespace transformesh::python {
 

@@ -1,12 +1,12 @@
 /// Remeshing, decimation and alignment, as tm-remesh does them.
 #include "arguments.h"
 #include "call.h"
+#include "geometry/source_points.h"
 #include "python_mesh.h"
-#include "tm/geometry/source_points.h"
-#include "tm/remesh/align_features.h"
-#include "tm/remesh/decimate.h"
-#include "tm/remesh/remesh.h"
-#include "tm/support/error.h"
+#include "remesh/align_features.h"
+#include "remesh/decimate.h"
+#include "remesh/remesh.h"
+#include "support/error.h"
 
 namespace transformesh::python {
 namespace {

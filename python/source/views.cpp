@@ -8,13 +8,13 @@
 
 #include "arguments.h"
 #include "call.h"
+#include "evolution/reconstruction.h"
 #include "python_mesh.h"
-#include "tm/evolution/reconstruction.h"
-#include "tm/support/error.h"
-#include "tm/views/cameras/view_files.h"
-#include "tm/views/hull/hull.h"
-#include "tm/views/hull/keep_in_box.h"
-#include "tm/views/hull/view_check.h"
+#include "support/error.h"
+#include "views/cameras/view_files.h"
+#include "views/hull/hull.h"
+#include "views/hull/keep_in_box.h"
+#include "views/hull/view_check.h"
 
 namespace transformesh::python {
 namespace {

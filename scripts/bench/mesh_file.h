@@ -5,8 +5,8 @@
 #include <iterator>
 #include <string>
 
-#include "tm/io/mesh_io.h"
-#include "tm/support/error.h"
+#include "io/mesh_io.h"
+#include "support/error.h"
 
 namespace transformesh {
 

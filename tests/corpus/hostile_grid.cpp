@@ -18,14 +18,14 @@
 #include <map>
 #include <sstream>
 
+#include "clean/clean.h"
+#include "clean/intersect/intersect.h"
 #include "corpus/hostile_oracle.h"
 #include "corpus/hostile_shapes.h"
-#include "tm/clean/clean.h"
-#include "tm/clean/intersect/intersect.h"
-#include "tm/io/mesh_io.h"
-#include "tm/mesh/manifold.h"
-#include "tm/support/error.h"
-#include "tm/support/parallel.h"
+#include "io/mesh_io.h"
+#include "mesh/manifold.h"
+#include "support/error.h"
+#include "support/parallel.h"
 
 using namespace transformesh;
 using namespace transformesh::corpus;

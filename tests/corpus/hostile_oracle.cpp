@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "corpus/build.h"
-#include "tm/mesh/digits.h"
+#include "mesh/digits.h"
 
 namespace transformesh::corpus {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "corpus/build.h"
-#include "tm/mesh/digits.h"
+#include "mesh/digits.h"
 
 namespace transformesh::corpus {
 namespace {

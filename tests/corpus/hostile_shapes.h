@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tm/mesh/mesh.h"
+#include "mesh/mesh.h"
 
 namespace transformesh::corpus {
 

@@ -2,8 +2,8 @@
 #include <Eigen/LU>
 
 #include "fuzz/fuzz.h"
-#include "tm/support/error.h"
-#include "tm/views/cameras/camera_file.h"
+#include "support/error.h"
+#include "views/cameras/camera_file.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

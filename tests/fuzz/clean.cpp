@@ -1,14 +1,14 @@
 // Cleaning: the result is a manifold without crossings, closed where the input is, its winding
 // numbers are those that it must have, and it is clean already. What may be refused is a mesh that
 // is not oriented, and one that encloses nothing.
-#include "tm/clean/clean.h"
+#include "clean/clean.h"
 
+#include "clean/certify/certify.h"
+#include "clean/intersect/intersect.h"
 #include "fuzz/tiny_mesh.h"
-#include "tm/clean/certify/certify.h"
-#include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/numbers/predicates.h"
-#include "tm/io/mesh_io.h"
-#include "tm/mesh/manifold.h"
+#include "geometry/numbers/predicates.h"
+#include "io/mesh_io.h"
+#include "mesh/manifold.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

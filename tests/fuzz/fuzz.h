@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "tm/io/streams/source.h"
+#include "io/streams/source.h"
 
 namespace transformesh::fuzz {
 

@@ -1,8 +1,8 @@
 // Image files of any format that is read. A header is a claim: scripts/fuzz limits the memory of a
 // run, and of one allocation.
 #include "fuzz/fuzz.h"
-#include "tm/support/error.h"
-#include "tm/views/images/image_file.h"
+#include "support/error.h"
+#include "views/images/image_file.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

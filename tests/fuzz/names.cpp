@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "fuzz/fuzz.h"
-#include "tm/support/error.h"
-#include "tm/views/cameras/file_list.h"
-#include "tm/views/cameras/name_pairs.h"
+#include "support/error.h"
+#include "views/cameras/file_list.h"
+#include "views/cameras/name_pairs.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

@@ -3,8 +3,8 @@
 #include "frame/limits.h"
 #include "frame/program.h"
 #include "fuzz/fuzz.h"
-#include "tm/support/error.h"
-#include "tm/support/length.h"
+#include "support/error.h"
+#include "support/length.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

@@ -1,15 +1,15 @@
 // Remeshing: an embedded manifold stays one, of the same genus. Sheets less than a rounding apart
 // may end up crossed, so that coordinates are plain.
-#include "tm/remesh/remesh.h"
+#include "remesh/remesh.h"
 
+#include "clean/intersect/intersect.h"
 #include "fuzz/tiny_mesh.h"
-#include "tm/clean/intersect/intersect.h"
-#include "tm/geometry/numbers/predicates.h"
-#include "tm/io/mesh_io.h"
-#include "tm/mesh/components.h"
-#include "tm/mesh/manifold.h"
-#include "tm/mesh/measure.h"
-#include "tm/support/error.h"
+#include "geometry/numbers/predicates.h"
+#include "io/mesh_io.h"
+#include "mesh/components.h"
+#include "mesh/manifold.h"
+#include "mesh/measure.h"
+#include "support/error.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

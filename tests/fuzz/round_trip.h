@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fuzz/fuzz.h"
-#include "tm/io/mesh_io.h"
-#include "tm/support/error.h"
+#include "io/mesh_io.h"
+#include "support/error.h"
 
 namespace transformesh::fuzz {
 

@@ -8,9 +8,9 @@
 #include "corpus/hostile_shapes.h"
 #include "fuzz/tiny_mesh.h"
 #include "helpers/encoded_images.h"
-#include "tm/io/mesh_io.h"
-#include "tm/shapes/shapes.h"
-#include "tm/views/cameras/camera_ring.h"
+#include "io/mesh_io.h"
+#include "shapes/shapes.h"
+#include "views/cameras/camera_ring.h"
 
 using namespace transformesh;
 

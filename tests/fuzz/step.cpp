@@ -1,10 +1,10 @@
 // One step of a morph between tiny meshes: vertices go no farther than the clamp allows, and all
 // else stays.
 #include "fuzz/tiny_mesh.h"
-#include "tm/mesh/measure.h"
-#include "tm/step/local_thickness.h"
-#include "tm/step/morph_step.h"
-#include "tm/support/error.h"
+#include "mesh/measure.h"
+#include "step/local_thickness.h"
+#include "step/morph_step.h"
+#include "support/error.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

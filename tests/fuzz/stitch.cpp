@@ -1,10 +1,10 @@
 // Stitching: whatever the triangles are, the result is an oriented manifold, with borders only
 // where faces are left over.
-#include "tm/clean/stitch/stitch.h"
+#include "clean/stitch/stitch.h"
 
 #include "fuzz/tiny_mesh.h"
-#include "tm/mesh/manifold.h"
-#include "tm/support/error.h"
+#include "mesh/manifold.h"
+#include "support/error.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "fuzz/fuzz.h"
-#include "tm/io/mesh_io.h"
+#include "io/mesh_io.h"
 
 namespace transformesh::fuzz {
 

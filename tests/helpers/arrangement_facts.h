@@ -7,11 +7,11 @@
 #include <memory>
 #include <optional>
 
+#include "clean/arrange/arrange.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "tm/clean/arrange/arrange.h"
-#include "tm/mesh/triangle.h"
+#include "mesh/triangle.h"
 
 namespace transformesh::test {
 

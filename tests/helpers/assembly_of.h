@@ -1,7 +1,7 @@
 /// A mesh as the repair of rounding sees it, for tests of its steps.
 #pragma once
 
-#include "tm/clean/stitch/assemble.h"
+#include "clean/stitch/assemble.h"
 
 namespace transformesh::test {
 

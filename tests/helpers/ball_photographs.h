@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "helpers/shapes.h"
-#include "tm/views/cameras/view.h"
+#include "views/cameras/view.h"
 
 namespace transformesh::test {
 

@@ -4,7 +4,7 @@ has_browser() {
   TM_CHROMIUM=$(command -v chromium || command -v chromium-browser) || return 1
   export TM_CHROMIUM
   command -v node >/dev/null && [ -e "$tm_root/tools/viewer/node_modules/puppeteer-core" ] &&
-    [ -e "$tm_root/tools/viewer/node_modules/axe-core" ] && [ -e "$tm_build/share/tm/viewer.html" ]
+    [ -e "$tm_root/tools/viewer/node_modules/axe-core" ] && [ -e "$tm_build/share/transformesh/viewer.html" ]
 }
 
 needs_browser() {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "tm/support/error.h"
-#include "tm/views/cameras/camera_file.h"
+#include "support/error.h"
+#include "views/cameras/camera_file.h"
 
 namespace transformesh::test {
 

@@ -4,7 +4,7 @@
 /// Reference: CGAL, Polygon Mesh Processing, corefine_and_compute_boolean_operations().
 #pragma once
 
-#include "tm/mesh/mesh.h"
+#include "mesh/mesh.h"
 
 namespace transformesh::test {
 

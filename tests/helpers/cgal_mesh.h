@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "tm/mesh/mesh.h"
+#include "mesh/mesh.h"
 
 namespace transformesh::test {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "tm/mesh/mesh.h"
+#include "mesh/mesh.h"
 
 namespace transformesh::test {
 

@@ -107,7 +107,7 @@ for_each() {
       echo "# $program: not for a $kind" >&3
       continue
     fi
-    if [[ $kind == @(reporter|viewer) && ! -e $tm_build/share/tm/viewer.html &&
+    if [[ $kind == @(reporter|viewer) && ! -e $tm_build/share/transformesh/viewer.html &&
       $2 != @(help_is_golden|version_is_printed|unknown_option_is_refused) ]]; then
       echo "# $program: the viewer is not built" >&3
       continue

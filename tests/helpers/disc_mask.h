@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tm/views/images/gray_image.h"
+#include "views/images/gray_image.h"
 
 namespace transformesh::test {
 

@@ -13,8 +13,8 @@
 #include <cstring>
 
 #include "helpers/random.h"
-#include "tm/support/error.h"
-#include "tm/views/images/image_file.h"
+#include "support/error.h"
+#include "views/images/image_file.h"
 
 namespace transformesh::test {
 namespace {

@@ -1,7 +1,7 @@
 /// Images of views as plain ones, to be read and changed pixel by pixel.
 #pragma once
 
-#include "tm/views/images/held_image.h"
+#include "views/images/held_image.h"
 
 namespace transformesh::test {
 

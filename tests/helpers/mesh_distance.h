@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "tm/geometry/keep_out.h"
-#include "tm/mesh/triangle.h"
+#include "geometry/keep_out.h"
+#include "mesh/triangle.h"
 
 namespace transformesh::test {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "tm/mesh/mesh.h"
+#include "mesh/mesh.h"
 
 namespace transformesh::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tm/evolution/reconstruction/level_rule.h"
+#include "evolution/reconstruction/level_rule.h"
 
 namespace transformesh::test {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "tm/views/cameras/camera_ring.h"
-#include "tm/views/cameras/view.h"
-#include "tm/views/photo/photograph.h"
+#include "views/cameras/camera_ring.h"
+#include "views/cameras/view.h"
+#include "views/photo/photograph.h"
 
 namespace transformesh::test {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "helpers/view_maker.h"
-#include "tm/views/photo/solid_texture.h"
+#include "views/photo/solid_texture.h"
 
 namespace transformesh::test {
 

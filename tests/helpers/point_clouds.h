@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "clean/intersect/intersect.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
-#include "tm/clean/intersect/intersect.h"
-#include "tm/mesh/measure.h"
+#include "mesh/measure.h"
 
 namespace transformesh::test {
 

@@ -7,7 +7,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <optional>
 
-#include "tm/mesh/mesh.h"
+#include "mesh/mesh.h"
 
 namespace transformesh::test {
 

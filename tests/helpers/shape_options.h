@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tm/shapes/shapes.h"
+#include "shapes/shapes.h"
 
 namespace transformesh::test {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "tm/mesh/mesh.h"
+#include "mesh/mesh.h"
 
 namespace transformesh::test {
 

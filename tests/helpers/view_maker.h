@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tm/views/cameras/view.h"
+#include "views/cameras/view.h"
 
 namespace view_maker {
 

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <vector>
 
+#include "geometry/winding.h"
 #include "helpers/random.h"
-#include "tm/geometry/winding.h"
-#include "tm/mesh/measure.h"
-#include "tm/support/parallel.h"
+#include "mesh/measure.h"
+#include "support/parallel.h"
 
 namespace transformesh::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tm/mesh/mesh.h"
+#include "mesh/mesh.h"
 
 namespace transformesh::test {
 

@@ -73,10 +73,10 @@ link_what_is_built() { # FOLDER TARGET...
 }
 
 @test "pages are made from there, where the viewer was built, and its licence is with it" {
-  [ -e "$tm_build/share/tm/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
+  [ -e "$tm_build/share/transformesh/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
   "$prefix/bin/tm-shape" sphere --faces 500 | "$prefix/bin/tm-view" >page.html
   grep -q '<title>standard input</title>' page.html
-  grep -q 'three.js authors' "$prefix/share/tm/viewer-three.LICENSE"
+  grep -q 'three.js authors' "$prefix/share/transformesh/viewer-three.LICENSE"
 }
 
 # The page that man finds with nothing but the folder of the programs in PATH.
@@ -169,9 +169,9 @@ two_balls() {
 @test "the same with pkg-config, and no header of CGAL is reached" {
   needs_command pkg-config
   two_balls
-  pc=$(find "$prefix" -name tm.pc)
+  pc=$(find "$prefix" -name transformesh.pc)
   export PKG_CONFIG_PATH=${pc%/*}
-  flags=$(pkg-config --cflags --libs tm)
+  flags=$(pkg-config --cflags --libs transformesh)
   # The words of pkg-config are quoted for a shell.
   eval "g++ -std=c++20 -H -o outside '$tm_root/tests/install/project/outside.cpp' $flags" 2>headers ||
     fail "$(tail -5 headers)"

@@ -9,8 +9,8 @@
 #include <iostream>
 #include <iterator>
 
-#include "tm/io/mesh_io.h"
-#include "tm/support/error.h"
+#include "io/mesh_io.h"
+#include "support/error.h"
 
 using namespace transformesh;
 

@@ -80,8 +80,8 @@ def runs(tmp_path_factory):
 def test_report(runs, tmp_path):
     # The program looks for the viewer beside its own folder.
     (tmp_path / "bin").mkdir()
-    (tmp_path / "share" / "tm").mkdir(parents=True)
-    viewer = tmp_path / "share" / "tm" / "viewer.html"
+    (tmp_path / "share" / "transformesh").mkdir(parents=True)
+    viewer = tmp_path / "share" / "transformesh" / "viewer.html"
     viewer.write_text("<title><!--tm:title--></title><body><!--tm:data--></body>")
     shutil.copy(os.path.join(BUILD, "bin", "tm-report"), tmp_path / "bin")
     program = tmp_path / "bin" / "tm-report"

@@ -105,7 +105,7 @@ clamps_nothing() {
 }
 
 @test "examples of pages" {
-  [ -e "$tm_build/share/tm/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
+  [ -e "$tm_build/share/transformesh/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
   run_examples tm-report.1 tm-view.1
 }
 

@@ -111,7 +111,7 @@ TABLE
   # The report in the folder of a loop is collected like that of a filter.
   grep -q '^"torus","one-3",0,"",[0-9.]*,[0-9]*,"",' kept/table.csv
   # Six runs turn side by side, and the seventh on the next page.
-  if [ -e "$tm_build/share/tm/viewer.html" ]; then
+  if [ -e "$tm_build/share/transformesh/viewer.html" ]; then
     [ "$(ls kept/3d)" = $'torus,2.html\ntorus.html' ]
     grep -q '"name":"one-6"' kept/3d/torus.html
     grep -q '"name":"one-7"' kept/3d/torus,2.html

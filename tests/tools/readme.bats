@@ -46,7 +46,7 @@ run_line() {
     echo "# $program is not installed: $1" >&3
     return
   fi
-  if [ "$program" = tm-report ] && [ ! -e "$tm_build/share/tm/viewer.html" ]; then
+  if [ "$program" = tm-report ] && [ ! -e "$tm_build/share/transformesh/viewer.html" ]; then
     echo "# the viewer is not built: $1" >&3
     return
   fi

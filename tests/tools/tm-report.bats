@@ -10,7 +10,7 @@ setup_file() {
 
 setup() {
   cd "$BATS_FILE_TMPDIR"
-  [ -e "$tm_build/share/tm/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
+  [ -e "$tm_build/share/transformesh/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
 }
 
 # data_of PAGE: the JSON in it.
@@ -82,7 +82,7 @@ block_of() {
     run --separate-stderr elsewhere/bin/$command -o none.html
     assert_status 4
     one_line "$stderr"
-    [[ $stderr == *'elsewhere/share/tm/viewer.html'*'scripts/setup --browser'* ]]
+    [[ $stderr == *'elsewhere/share/transformesh/viewer.html'*'scripts/setup --browser'* ]]
     [ ! -e none.html ]
   done
 }
@@ -93,7 +93,7 @@ block_of() {
   tm-report knot -o knot.html
   frame=$(data_of knot.html | jq '[.runs[0].meshes[].faces] | add / length | floor')
   [ "$frame" -gt 5000 ]
-  size=$(($(wc -c <knot.html) - $(wc -c <"$tm_build/share/tm/viewer.html")))
+  size=$(($(wc -c <knot.html) - $(wc -c <"$tm_build/share/transformesh/viewer.html")))
   # Ten frames, per face.
   awk -v size="$size" -v faces="$frame" 'BEGIN { exit !(size / (10 * faces) * 1e6 < 29e6) }'
 }

@@ -1,4 +1,4 @@
-# Shapes without input; what they are is tested in tests/tm/shapes.
+# Shapes without input; what they are is tested in tests/lib/shapes.
 
 load ../helpers/common
 

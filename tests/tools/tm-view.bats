@@ -2,7 +2,7 @@ load ../helpers/common
 
 setup() {
   cd "$BATS_TEST_TMPDIR"
-  [ -e "$tm_build/share/tm/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
+  [ -e "$tm_build/share/transformesh/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
   tm-shape torus --faces 1000 -o a.ply
   tm-shape box 1 2 3 --faces 500 -o b.ply
 }

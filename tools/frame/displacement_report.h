@@ -4,9 +4,9 @@
 
 #include "frame/column_notes.h"
 #include "frame/run.h"
-#include "tm/step/displace.h"
-#include "tm/support/counted.h"
-#include "tm/support/number.h"
+#include "step/displace.h"
+#include "support/counted.h"
+#include "support/number.h"
 
 namespace transformesh::tool {
 

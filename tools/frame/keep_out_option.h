@@ -5,9 +5,9 @@
 #include <string>
 
 #include "frame/run.h"
-#include "tm/geometry/keep_out_options.h"
-#include "tm/support/counted.h"
-#include "tm/support/error.h"
+#include "geometry/keep_out_options.h"
+#include "support/counted.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 

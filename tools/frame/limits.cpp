@@ -14,9 +14,9 @@
 
 #include "frame/program.h"
 #include "frame/terminal.h"
-#include "tm/support/elementary/exponential.h"
-#include "tm/support/error.h"
-#include "tm/support/number.h"
+#include "support/elementary/exponential.h"
+#include "support/error.h"
+#include "support/number.h"
 
 namespace transformesh::tool {
 namespace {

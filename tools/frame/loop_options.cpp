@@ -4,9 +4,9 @@
 #include <cctype>
 #include <exception>
 
-#include "tm/io/mesh_io.h"
-#include "tm/io/streams/output_target.h"
-#include "tm/support/error.h"
+#include "io/mesh_io.h"
+#include "io/streams/output_target.h"
+#include "support/error.h"
 
 namespace transformesh::tool {
 

@@ -1,4 +1,4 @@
-/// What the programs share that run a loop of evolution (lib/tm/evolution): their options, the
+/// What the programs share that run a loop of evolution (lib/evolution): their options, the
 /// record of the run beside its output, and what becomes of it at the end.
 #pragma once
 
@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "evolution/loop/loop.h"
+#include "evolution/loop/run_folder.h"
 #include "frame/run.h"
-#include "tm/evolution/loop/loop.h"
-#include "tm/evolution/loop/run_folder.h"
 
 namespace transformesh::tool {
 

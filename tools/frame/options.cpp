@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "frame/program.h"
-#include "tm/support/error.h"
-#include "tm/support/number.h"
-#include "tm/support/suggestion.h"
+#include "support/error.h"
+#include "support/number.h"
+#include "support/suggestion.h"
 
 namespace transformesh::tool {
 namespace {

@@ -10,9 +10,9 @@
 #include "frame/limits.h"
 #include "frame/memory.h"
 #include "frame/run.h"
-#include "tm/io/streams/streams.h"
-#include "tm/support/error.h"
-#include "tm/support/parallel.h"
+#include "io/streams/streams.h"
+#include "support/error.h"
+#include "support/parallel.h"
 
 namespace transformesh::tool {
 namespace {

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "tm/evolution/loop/stopwatch.h"
-#include "tm/support/length.h"
+#include "evolution/loop/stopwatch.h"
+#include "support/length.h"
 
 namespace transformesh::tool {
 

@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "tm/clean/intersect/intersect.h"
-#include "tm/clean/stitch/join_soup.h"
-#include "tm/io/comments.h"
-#include "tm/io/mesh_io.h"
-#include "tm/io/streams/output_target.h"
-#include "tm/mesh/digits.h"
-#include "tm/mesh/measure.h"
-#include "tm/mesh/touching_borders.h"
-#include "tm/support/counted.h"
+#include "clean/intersect/intersect.h"
+#include "clean/stitch/join_soup.h"
+#include "io/comments.h"
+#include "io/mesh_io.h"
+#include "io/streams/output_target.h"
+#include "mesh/digits.h"
+#include "mesh/measure.h"
+#include "mesh/touching_borders.h"
+#include "support/counted.h"
 
 namespace transformesh::tool {
 namespace {

@@ -11,11 +11,11 @@
 
 #include "frame/program.h"
 #include "frame/terminal.h"
-#include "tm/io/document/document.h"
-#include "tm/io/length_basis.h"
-#include "tm/io/streams/atomic_file.h"
-#include "tm/io/streams/streams.h"
-#include "tm/support/progress.h"
+#include "io/document/document.h"
+#include "io/length_basis.h"
+#include "io/streams/atomic_file.h"
+#include "io/streams/streams.h"
+#include "support/progress.h"
 
 namespace transformesh::tool {
 

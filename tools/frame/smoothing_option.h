@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "tm/remesh/remesh.h"
-#include "tm/support/error.h"
-#include "tm/support/number.h"
+#include "remesh/remesh.h"
+#include "support/error.h"
+#include "support/number.h"
 
 namespace transformesh::tool {
 

@@ -13,9 +13,9 @@
 #include <map>
 
 #include "frame/program.h"
-#include "tm/io/streams/atomic_file.h"
-#include "tm/io/streams/streams.h"
-#include "tm/support/number.h"
+#include "io/streams/atomic_file.h"
+#include "io/streams/streams.h"
+#include "support/number.h"
 
 namespace transformesh::tool {
 namespace {

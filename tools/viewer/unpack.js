@@ -1,4 +1,4 @@
-// From a packed block (lib/tm/page/pack.h) to arrays that can be drawn.
+// From a packed block (lib/page/pack.h) to arrays that can be drawn.
 
 export function bytesOfBase64(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);

@@ -1,9 +1,9 @@
 // A project of somebody else, on the installed library: a surface blown up until its parts merge.
-#include <tm/clean/clean.h>
-#include <tm/evolution/evolve.h>
-#include <tm/io/mesh_io.h>
-#include <tm/remesh/remesh.h>
-#include <tm/step/velocity.h>
+#include <clean/clean.h>
+#include <evolution/evolve.h>
+#include <io/mesh_io.h>
+#include <remesh/remesh.h>
+#include <step/velocity.h>
 
 using namespace transformesh;
 

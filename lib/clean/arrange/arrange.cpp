@@ -1,0 +1,128 @@
+#include "clean/arrange/arrange.h"
+
+#include <algorithm>
+
+#include "clean/arrange/unify_points.h"
+#include "mesh/location_text.h"
+#include "support/error.h"
+#include "support/length.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+// Coplanar faces are cut within a triangle twelve times their size, which must not overflow.
+constexpr double largest_coordinate = 1e306;
+constexpr std::size_t planes_per_task = 4;
+
+void add_whole_pieces(const WeldedMesh& welded, const Planes& planes,
+                      const std::vector<char>& is_left_out, Arrangement& result) {
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (!planes.is_whole(f) || (!is_left_out.empty() && is_left_out[f])) continue;
+    result.pieces.push_back({welded.faces[f], static_cast<Index>(result.sources.size()), 1, 1});
+    result.sources.push_back({f, false});
+  }
+  result.whole_pieces = result.pieces.size();
+}
+
+// The faces that have the three points of another one, as sources in its place.
+class Copies {
+ public:
+  explicit Copies(const WeldedMesh& welded)
+      : welded_(welded), next_(welded.faces.size(), no_index) {
+    std::vector<Index> last(welded.faces.size(), no_index);
+    for (Index f = 0; f < welded.faces.size(); ++f) {
+      const Index first = welded.first_copy[f];
+      if (first != f) next_[last[first]] = f;
+      last[first] = f;
+    }
+  }
+
+  /// Adds the copies of the sources from `begin` on, and keeps them in the order of the faces.
+  void add(std::vector<PieceSource>& sources, std::size_t begin) const {
+    const std::size_t end = sources.size();
+    for (std::size_t s = begin; s < end; ++s) {
+      const PieceSource source = sources[s];
+      for (Index copy = next_[source.face]; copy != no_index; copy = next_[copy]) {
+        sources.push_back({copy, source.reversed != is_reversed(source.face, copy)});
+      }
+    }
+    if (sources.size() == end) return;
+    std::sort(sources.begin() + static_cast<std::ptrdiff_t>(begin), sources.end(),
+              [](const PieceSource& a, const PieceSource& b) { return a.face < b.face; });
+  }
+
+ private:
+  bool is_reversed(Index face, Index copy) const {
+    const Face &f = welded_.faces[face], &c = welded_.faces[copy];
+    const auto at = static_cast<std::size_t>(std::find(c.begin(), c.end(), f[0]) - c.begin());
+    return c[(at + 1) % 3] != f[1];
+  }
+
+  const WeldedMesh& welded_;
+  std::vector<Index> next_;  ///< the next copy of each face
+};
+
+void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, const Copies& copies,
+                    Arrangement& result) {
+  for (std::size_t i = 0; i < cut.facets.size(); ++i) {
+    const Face& v = cut.facets[i];
+    const auto first = static_cast<Index>(result.sources.size());
+    result.sources.insert(result.sources.end(), cut.sources.begin() + cut.source_offsets[i],
+                          cut.sources.begin() + cut.source_offsets[i + 1]);
+    copies.add(result.sources, first);
+    const auto count = static_cast<std::uint32_t>(result.sources.size() - first);
+    Piece piece{{ids[v[0]], ids[v[1]], ids[v[2]]}, first, count, 0};
+    for (const PieceSource& source : result.sources_of(piece)) {
+      piece.multiplicity += source.reversed ? -1 : 1;
+    }
+    // A piece is oriented as most of its sources are.
+    if (piece.multiplicity < 0) {
+      piece.multiplicity = -piece.multiplicity;
+      std::swap(piece.corners[1], piece.corners[2]);
+      for (Index s = piece.first_source; s < result.sources.size(); ++s) {
+        result.sources[s].reversed = !result.sources[s].reversed;
+      }
+    }
+    result.pieces.push_back(piece);
+  }
+}
+
+}  // namespace
+
+void refuse_overflow(const WeldedMesh& welded) {
+  for (const Vec3& point : welded.points) {
+    if (point.cwiseAbs().maxCoeff() <= largest_coordinate) continue;
+    throw InputError("the coordinates of " + point_text(point) +
+                     " are too large to cut faces there: scale the mesh to below " +
+                     shortest_text(largest_coordinate));
+  }
+}
+
+Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Planes& planes,
+                      const std::vector<PlaneCut>& cuts, const std::vector<char>& is_left_out) {
+  Arrangement result;
+  result.welded = welded;
+  UnifiedPoints unified = unify_points(*welded, cuts);
+  result.cut_points = std::move(unified.cut_points);
+  add_whole_pieces(*welded, planes, is_left_out, result);
+  const Copies copies(*welded);
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    add_cut_pieces(cuts[i], unified.ids[i], copies, result);
+  return result;
+}
+
+Arrangement arrange(const std::shared_ptr<const WeldedMesh>& welded,
+                    const std::vector<Meeting>& meetings, const Progress& progress) {
+  progress("arrange");
+  if (!meetings.empty()) refuse_overflow(*welded);
+  const Planes planes(*welded, meetings);
+  std::vector<PlaneCut> cuts(planes.size());
+  parallel_for(cuts.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) cuts[i] = cut_plane(*welded, planes[i]);
+  });
+  progress("arrange", 0.7);
+  return join_cuts(welded, planes, cuts);
+}
+
+}  // namespace transformesh

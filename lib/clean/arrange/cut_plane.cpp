@@ -1,0 +1,302 @@
+#include "clean/arrange/cut_plane.h"
+
+#include <algorithm>
+
+#include "clean/arrange/definition_table.h"
+#include "clean/arrange/planar_triangulation.h"
+
+namespace transformesh {
+namespace {
+
+constexpr Index corner_after(Index i) { return i == 2 ? 0 : i + 1; }
+
+// What a constraint lies on: an edge in the plane, or the plane of a face that crosses it.
+struct Line {
+  bool is_edge;
+  Index a;                        ///< the start of the edge, or the face that crosses
+  Index b;                        ///< the end of the edge
+  WindingStep step{no_index, 0};  ///< of a face that crosses
+};
+
+struct Segment {
+  Index from;
+  Index to;
+  Index line;
+};
+
+class PlaneCutter : public PlaneFacets {
+ public:
+  PlaneCutter(const WeldedMesh& welded, const Plane& plane, const WindingSteps* steps);
+  void cut();
+  PlaneCut collect(const std::vector<char>& chosen);
+  std::vector<char> all_covered() const;
+
+  std::size_t size() const override { return triangulation_.facets().size(); }
+  bool is_covered(Index facet) const override { return !covers_[facet].empty(); }
+  int multiplicity(Index facet) const override;
+  Index neighbor(Index facet, Index i) const override {
+    return triangulation_.facets()[facet].next[i];
+  }
+  int step(Index facet, Index i) const override;
+  std::array<ExactPoint, 3> corners(Index facet) const override;
+  Index facet_at_corner(Index i) const override { return corner_facets_[i]; }
+
+ private:
+  using Cover = boost::container::small_vector<PieceSource, 1>;
+
+  std::array<Vec3, 2> box() const;
+  ExactPoint crossing(Index first_line, Index second_line) const;
+  void insert_faces();
+  bool insert_only_face();
+  void insert_meeting(const Meeting& meeting);
+  Index edge_line(Index face, FaceSimplex simplex) const;
+  void flood(std::size_t k);
+  int step_of_faces(Index facet, Index i) const;
+
+  const WeldedMesh& welded_;
+  const Plane& plane_;
+  const WindingSteps* steps_;  ///< where they matter
+  ExactGeometry geometry_;
+  PlaneProjection projection_;
+  std::vector<Line> lines_;  ///< of the three edges of each face, then of each meeting
+  std::vector<Segment> segments_;
+  std::vector<std::array<Index, 3>> corners_;  ///< of each face
+  std::vector<char> is_reversed_;              ///< per face: as against the first one
+  PlanarTriangulation triangulation_;
+  DefinitionTable known_points_;
+  std::vector<Index> border_stamp_;  ///< per edge: k + 1 of the last face k that it bounds, or 0
+  std::vector<Cover> covers_;        ///< of each facet
+  std::array<Index, 3> corner_facets_{};
+};
+
+PlaneCutter::PlaneCutter(const WeldedMesh& welded, const Plane& plane, const WindingSteps* steps)
+    : welded_(welded),
+      plane_(plane),
+      steps_(steps),
+      geometry_(welded.points, welded.faces),
+      projection_(projection_of(welded.triangle(plane.faces[0]))),
+      triangulation_(geometry_, welded.triangle(plane.faces[0]), box()[0], box()[1],
+                     [this](Index a, Index b) { return crossing(a, b); }) {
+  for (const Index face : plane.faces) {
+    const Triangle t = welded.triangle(face);
+    is_reversed_.push_back(orient2d(t[0], t[1], t[2], projection_) < 0 ? 1 : 0);
+  }
+}
+
+std::array<Vec3, 2> PlaneCutter::box() const {
+  Vec3 low = welded_.points[welded_.faces[plane_.faces[0]][0]];
+  Vec3 high = low;
+  for (const Index face : plane_.faces) {
+    for (const Vec3& p : welded_.triangle(face)) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  }
+  return {low, high};
+}
+
+ExactPoint PlaneCutter::crossing(Index first_line, Index second_line) const {
+  const Line& p = lines_[first_line];
+  const Line& q = lines_[second_line];
+  if (p.is_edge && q.is_edge)
+    return geometry_.point(PointDefinition::line_line(p.a, p.b, q.a, q.b));
+  if (p.is_edge) return geometry_.point(PointDefinition::line_plane(p.a, p.b, q.a));
+  if (q.is_edge) return geometry_.point(PointDefinition::line_plane(q.a, q.b, p.a));
+  return geometry_.three_planes(plane_.faces[0], p.a, q.a);
+}
+
+void PlaneCutter::insert_faces() {
+  for (const Index face : plane_.faces) {
+    const Face& v = welded_.faces[face];
+    for (Index i = 0; i < 3; ++i) lines_.push_back({true, v[i], v[corner_after(i)]});
+  }
+  if (plane_.faces.size() == 1 && insert_only_face()) return;
+  for (Index k = 0; k < plane_.faces.size(); ++k) {
+    const Face& v = welded_.faces[plane_.faces[k]];
+    std::array<Index, 3> local{};
+    for (Index i = 0; i < 3; ++i) {
+      const PointDefinition definition = PointDefinition::given(v[i]);
+      local[i] =
+          triangulation_.insert(geometry_.point(definition), {3 * k + i, 3 * k + (i + 2) % 3});
+      known_points_.insert(definition, local[i]);
+    }
+    corners_.push_back(local);
+    for (Index i = 0; i < 3; ++i)
+      segments_.push_back({local[i], local[corner_after(i)], 3 * k + i});
+  }
+}
+
+bool PlaneCutter::insert_only_face() {
+  const Face& v = welded_.faces[plane_.faces[0]];
+  if (!triangulation_.begin_with_triangle(
+          {geometry_.given(v[0]), geometry_.given(v[1]), geometry_.given(v[2])}))
+    return false;
+  corners_.push_back({3, 4, 5});
+  for (Index i = 0; i < 3; ++i) known_points_.insert(PointDefinition::given(v[i]), corners_[0][i]);
+  return true;
+}
+
+// The line of a simplex of a face in this plane, where that is an edge; else no_index.
+Index PlaneCutter::edge_line(Index face, FaceSimplex simplex) const {
+  if (simplex < 3 || simplex == interior) return no_index;
+  const auto& faces = plane_.faces;
+  const auto k = std::lower_bound(faces.begin(), faces.end(), face) - faces.begin();
+  return static_cast<Index>(3 * k + simplex - 3);
+}
+
+void PlaneCutter::insert_meeting(const Meeting& meeting) {
+  const auto at = std::lower_bound(plane_.faces.begin(), plane_.faces.end(), meeting.first);
+  const bool first_is_here = at != plane_.faces.end() && *at == meeting.first;
+  const Index here = first_is_here ? meeting.first : meeting.second;
+  const Index other = first_is_here ? meeting.second : meeting.first;
+  const auto line = static_cast<Index>(lines_.size());
+  lines_.push_back({false, other, 0});
+
+  std::array<Index, 2> ends{};
+  for (int i = 0; i < meeting.contacts.count; ++i) {
+    const Contact contact = meeting.contacts.contacts[static_cast<std::size_t>(i)];
+    const PointDefinition definition =
+        contact_definition(welded_, meeting.first, meeting.second, contact);
+    const Index edge = edge_line(here, first_is_here ? contact.first : contact.second);
+    const std::array<Index, 2> on{edge == no_index ? line : std::min(edge, line),
+                                  std::max(edge, line)};
+    const std::span<const Index> lines(on.data(), edge == no_index ? 1 : 2);
+    Index local = known_points_.find(definition);
+    if (local == no_index) {
+      local = triangulation_.insert(geometry_.point(definition), lines);
+      known_points_.insert(definition, local);
+    } else {
+      triangulation_.add_lines(local, lines);
+    }
+    ends[i == 0 ? 0 : 1] = local;
+  }
+  if (meeting.contacts.count < 2) return;
+  segments_.push_back({ends[0], ends[1], line});
+  if (steps_ == nullptr) return;
+  const auto k = std::lower_bound(plane_.faces.begin(), plane_.faces.end(), here);
+  lines_[line].step =
+      steps_->over_segment(meeting, first_is_here, is_reversed_[k - plane_.faces.begin()] != 0,
+                           triangulation_.point(ends[0]), triangulation_.point(ends[1]));
+}
+
+// Names the k-th face as a source of all facets that its border encloses.
+void PlaneCutter::flood(std::size_t k) {
+  const std::array<Index, 3>& corner = corners_[k];
+  const auto& facets = triangulation_.facets();
+  const bool reversed = is_reversed_[k] != 0;
+  const auto stamp = static_cast<Index>(k + 1);
+  std::vector<Index> stack;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Index from = corner[i], to = corner[(i + 1) % 3];
+    // The chain runs so that the face lies on its left.
+    const auto line = static_cast<Index>(3 * k + i);
+    for (const Index edge : reversed ? triangulation_.chain(to, from, {line, false})
+                                     : triangulation_.chain(from, to, {line, true})) {
+      border_stamp_[edge] = stamp;
+      stack.push_back(edge / 3);
+      if (k == 0 && triangulation_.source(edge) == from) corner_facets_[i] = edge / 3;
+    }
+  }
+  while (!stack.empty()) {
+    const Index facet = stack.back();
+    stack.pop_back();
+    Cover& cover = covers_[facet];
+    if (!cover.empty() && cover.back().face == plane_.faces[k]) continue;
+    cover.push_back({plane_.faces[k], reversed});
+    for (Index i = 0; i < 3; ++i) {
+      if (border_stamp_[3 * facet + i] != stamp) stack.push_back(facets[facet].next[i]);
+    }
+  }
+}
+
+void PlaneCutter::cut() {
+  insert_faces();
+  for (const Meeting* meeting : plane_.meetings) insert_meeting(*meeting);
+  for (const Segment& segment : segments_)
+    triangulation_.constrain(segment.from, segment.to, segment.line);
+  covers_.resize(triangulation_.facets().size());
+  border_stamp_.assign(3 * covers_.size(), 0);
+  for (std::size_t k = 0; k < plane_.faces.size(); ++k) flood(k);
+}
+
+int PlaneCutter::multiplicity(Index facet) const {
+  int sum = 0;
+  for (const PieceSource& source : covers_[facet]) {
+    const int copies = steps_ == nullptr ? 1 : steps_->multiplicity(source.face);
+    sum += source.reversed ? -copies : copies;
+  }
+  return sum;
+}
+
+int PlaneCutter::step(Index facet, Index i) const {
+  const Index first = triangulation_.facets()[facet].line[i];
+  if (first == no_index) return 0;
+  if (plane_.faces.size() > 1) return step_of_faces(facet, i);
+  int sum = 0;
+  triangulation_.for_each_line(facet, i, [&](const auto& on) {
+    const int step = lines_[on.line].step.step;
+    sum += on.is_along ? step : -step;
+  });
+  return sum;
+}
+
+// Where there are several faces, another one may meet two of them in the same segment.
+int PlaneCutter::step_of_faces(Index facet, Index i) const {
+  std::vector<WindingStep> steps;
+  triangulation_.for_each_line(facet, i, [&](const auto& on) {
+    const std::size_t before = steps.size();
+    if (lines_[on.line].is_edge) {
+      steps_->over_edge(plane_.faces[on.line / 3], on.line % 3, plane_.faces[0], steps);
+    } else {
+      steps.push_back(lines_[on.line].step);
+    }
+    for (std::size_t s = before; s < steps.size() && !on.is_along; ++s)
+      steps[s].step = -steps[s].step;
+  });
+  std::sort(steps.begin(), steps.end(),
+            [](const auto& a, const auto& b) { return a.face < b.face; });
+  int sum = 0;
+  for (std::size_t s = 0; s < steps.size(); ++s)
+    if (s == 0 || steps[s].face != steps[s - 1].face) sum += steps[s].step;
+  return sum;
+}
+
+std::array<ExactPoint, 3> PlaneCutter::corners(Index facet) const {
+  const auto& [a, b, c] = triangulation_.facets()[facet].v;
+  return {triangulation_.point(a), triangulation_.point(b), triangulation_.point(c)};
+}
+
+std::vector<char> PlaneCutter::all_covered() const {
+  std::vector<char> chosen;
+  for (const Cover& cover : covers_) chosen.push_back(cover.empty() ? 0 : 1);
+  return chosen;
+}
+
+// Chosen facets are made well shaped first, which keeps their sources.
+PlaneCut PlaneCutter::collect(const std::vector<char>& chosen) {
+  triangulation_.improve(chosen);
+  auto [points, facets, numbers] = triangulation_.collect(chosen);
+  PlaneCut result{std::move(points), std::move(facets), {0}, {}};
+  for (const Index facet : numbers) {
+    result.sources.insert(result.sources.end(), covers_[facet].begin(), covers_[facet].end());
+    result.source_offsets.push_back(static_cast<Index>(result.sources.size()));
+  }
+  return result;
+}
+
+}  // namespace
+
+PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane) {
+  PlaneCutter cutter(welded, plane, nullptr);
+  cutter.cut();
+  return cutter.collect(cutter.all_covered());
+}
+
+PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane, const WindingSteps& steps,
+                   const ChooseFacets& choose) {
+  PlaneCutter cutter(welded, plane, &steps);
+  cutter.cut();
+  return cutter.collect(choose(cutter));
+}
+
+}  // namespace transformesh

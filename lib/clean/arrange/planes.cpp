@@ -1,0 +1,70 @@
+#include "clean/arrange/planes.h"
+
+#include <numeric>
+
+#include "mesh/disjoint_sets.h"
+
+namespace transformesh {
+namespace {
+
+/// Files items by bucket: `for_each` calls its argument with every bucket and item, the same each
+/// time.
+template <class Item, class ForEach>
+void file(std::size_t buckets, const ForEach& for_each, std::vector<Index>& offsets,
+          std::vector<Item>& items) {
+  offsets.assign(buckets + 1, 0);
+  for_each([&](Index bucket, const Item&) { ++offsets[bucket + 1]; });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  items.resize(offsets.back());
+  std::vector<Index> next(offsets.begin(), offsets.end() - 1);
+  for_each([&](Index bucket, const Item& item) { items[next[bucket]++] = item; });
+}
+
+}  // namespace
+
+Planes::Planes(const WeldedMesh& welded, const std::vector<Meeting>& meetings)
+    : all_meetings_(meetings), plane_of_(welded.faces.size(), no_index) {
+  number_planes(welded);
+  file_faces(welded);
+  file_meetings();
+}
+
+// The first face of a plane is the root of its set, so planes come in the order of their faces.
+void Planes::number_planes(const WeldedMesh& welded) {
+  DisjointSets sets(welded.faces.size());
+  std::vector<char> is_cut(welded.faces.size(), 0);
+  for (const Meeting& meeting : all_meetings_) {
+    is_cut[meeting.first] = is_cut[meeting.second] = 1;
+    if (meeting.contacts.coplanar) sets.join(meeting.first, meeting.second);
+  }
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    const Index first = welded.first_copy[f];
+    if (first != f) is_cut[first] = is_cut[f] = 1;
+  }
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (!is_cut[f]) continue;
+    const Index first = welded.first_copy[f] == f ? sets.find(f) : welded.first_copy[f];
+    plane_of_[f] = first == f ? static_cast<Index>(count_++) : plane_of_[first];
+  }
+}
+
+void Planes::file_faces(const WeldedMesh& welded) {
+  const auto for_each = [&](const auto& visit) {
+    for (Index f = 0; f < plane_of_.size(); ++f)
+      if (!is_whole(f) && welded.first_copy[f] == f) visit(plane_of_[f], f);
+  };
+  file(count_, for_each, face_offsets_, faces_);
+}
+
+void Planes::file_meetings() {
+  const auto for_each = [&](const auto& visit) {
+    for (const Meeting& meeting : all_meetings_) {
+      if (meeting.contacts.coplanar) continue;
+      visit(plane_of_[meeting.first], &meeting);
+      visit(plane_of_[meeting.second], &meeting);
+    }
+  };
+  file(count_, for_each, meeting_offsets_, meetings_);
+}
+
+}  // namespace transformesh

@@ -1,0 +1,253 @@
+#include "clean/certify/certify.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "clean/certify/certify_faces.h"
+#include "clean/certify/certify_samples.h"
+#include "geometry/numbers/predicates.h"
+#include "geometry/search/closest_point.h"
+#include "geometry/winding.h"
+#include "mesh/location_text.h"
+#include "mesh/measure.h"
+#include "support/error.h"
+#include "support/length.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t samples_per_patch = 4;
+constexpr std::size_t other_samples = 2000;
+/// How many solid angles may be summed up: these take a fifth of a second of one core.
+constexpr std::size_t most_solid_angles = 20'000'000;
+
+/// A side of a face to be sampled: the front (1) or the back (-1).
+struct FaceSide {
+  bool is_of_input = false;
+  Index face = no_index;
+  int side = 1;
+};
+
+/// The meshes, scaled so that no product of coordinates over- or underflows.
+struct Meshes {
+  Mesh input, output;
+  double unit = 1;  ///< what a coordinate of 1 stands for, a power of two
+};
+
+struct Judgement {
+  FaceSide face_side;
+  std::optional<WindingSample> sample;
+  bool is_wrong = false;
+};
+
+void add_sides(bool is_of_input, const std::vector<Index>& faces, std::vector<FaceSide>& sides) {
+  for (const Index face : faces)
+    for (const int side : {1, -1}) sides.push_back({is_of_input, face, side});
+}
+
+/// Some faces of every patch. The first of each count most, so that no patch is left out while
+/// there are two faces of another.
+std::vector<Index> faces_of_patches(const UncutPatches& patches, std::size_t count) {
+  std::vector<Index> firsts;
+  std::vector<Index> others;
+  for (const std::vector<Index>& patch : patches.faces) {
+    const std::vector<Index> chosen = spread(patch, samples_per_patch);
+    firsts.push_back(chosen.front());
+    others.insert(others.end(), chosen.begin() + 1, chosen.end());
+  }
+  std::vector<Index> result = spread(firsts, count);
+  const std::vector<Index> rest = spread(others, count - result.size());
+  result.insert(result.end(), rest.begin(), rest.end());
+  return result;
+}
+
+std::vector<FaceSide> choose_sides(const Mesh& input, const FaceMatch& match,
+                                   const CertifyOptions& options, const Progress& progress) {
+  const UncutPatches patches = find_uncut_patches(input, progress);
+  const std::size_t count = options.most_faces;
+  std::vector<FaceSide> sides;
+  add_sides(false, spread(marked_faces(match.output_is_new, 1), count), sides);
+  add_sides(true, faces_of_patches(patches, count), sides);
+  add_sides(true, spread(marked_faces(patches.is_cut, 1), count), sides);
+  add_sides(false, spread(marked_faces(match.output_is_new, 0), other_samples), sides);
+  add_sides(true, spread(marked_faces(match.input_vanished, 1), other_samples), sides);
+
+  // There is nothing to sample beside a face without area.
+  std::vector<char> has_no_area(input.faces.size(), 0);
+  for (const Index face : degenerate_faces(input)) has_no_area[face] = 1;
+  std::erase_if(sides,
+                [&](const FaceSide& s) { return s.is_of_input && has_no_area[s.face] != 0; });
+  return sides;
+}
+
+std::string describe(const Judgement& judgement, int level, double unit) {
+  const WindingSample& sample = *judgement.sample;
+  const bool is_inside = sample.input_winding >= level;
+  return std::string(judgement.face_side.side > 0 ? "in front of" : "behind") + " face " +
+         std::to_string(judgement.face_side.face) +
+         (judgement.face_side.is_of_input ? " of the input" : "") + ", at " +
+         point_text(unit * sample.point) + ", the winding number is " +
+         std::to_string(sample.output_winding) + " and should be " + (is_inside ? "1" : "0") +
+         ": that of the input is " + std::to_string(sample.input_winding);
+}
+
+std::string percent(double share) { return shortest_text(std::round(1000 * share) / 10) + " %"; }
+
+/// Makes a problem of too many undecided samples, if there is no other: what they do not tell is
+/// not certified.
+void finish(Certificate& certificate) {
+  if (!certificate.problem.empty() || certificate.undecided_share() <= most_undecided) return;
+  certificate.problem = std::to_string(certificate.undecided) + " of " +
+                        std::to_string(certificate.samples + certificate.undecided) + " samples (" +
+                        percent(certificate.undecided_share()) + ") are undecided, more than " +
+                        percent(most_undecided) +
+                        ": the faces are too small or too close for their coordinates";
+}
+
+std::vector<Judgement> judge(const Meshes& meshes, const FaceMatch& match,
+                             const CertifyOptions& options, const Progress& progress,
+                             Certificate& certificate) {
+  const Mesh& input = meshes.input;
+  const Mesh& output = meshes.output;
+  const std::vector<FaceSide> sides = choose_sides(input, match, options, progress);
+  progress("sample");
+  const SampleFinder finder(input, output, match, options.coordinate);
+  certificate.margin = meshes.unit * finder.zone().largest_margin();
+  std::vector<Judgement> judgements(sides.size());
+  parallel_for(sides.size(), 16, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const FaceSide& face_side = sides[i];
+      const Mesh& mesh = face_side.is_of_input ? input : output;
+      const auto sample = finder.find(mesh, face_side.face, face_side.side);
+      const auto is_wrong = [&] {
+        return sample->output_winding != (sample->input_winding >= options.level ? 1 : 0);
+      };
+      judgements[i] = {face_side, sample, sample && is_wrong()};
+    }
+  });
+  return judgements;
+}
+
+/// A second opinion: where solid angles decide, they must have counted the same.
+void compare_with_solid_angles(const Mesh& mesh, int WindingSample::*number,
+                               std::vector<Judgement>& judgements) {
+  const std::size_t faces = std::max<std::size_t>(1, mesh.faces.size());
+  const std::size_t affordable = std::max<std::size_t>(1, most_solid_angles / faces);
+  std::vector<std::size_t> chosen;
+  std::vector<Vec3> points;
+  const std::size_t stride = judgements.size() / affordable + 1;
+  for (std::size_t i = 0; i < judgements.size(); i += stride) {
+    if (!judgements[i].sample) continue;
+    chosen.push_back(i);
+    points.push_back(judgements[i].sample->point);
+  }
+  const std::vector<Winding> windings = WindingQuery(mesh)(points);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    Judgement& judgement = judgements[chosen[i]];
+    if (!windings[i].is_decided() || windings[i].rounded() == (*judgement.sample).*number) continue;
+    (*judgement.sample).*number = windings[i].rounded();
+    judgement.is_wrong = true;
+  }
+}
+
+void certify_winding(const Meshes& meshes, const FaceMatch& match, const CertifyOptions& options,
+                     const Progress& progress, Certificate& certificate) {
+  std::vector<Judgement> judgements = judge(meshes, match, options, progress, certificate);
+  compare_with_solid_angles(meshes.input, &WindingSample::input_winding, judgements);
+  compare_with_solid_angles(meshes.output, &WindingSample::output_winding, judgements);
+  for (const Judgement& judgement : judgements) {
+    ++(judgement.sample ? certificate.samples : certificate.undecided);
+    if (!judgement.is_wrong) continue;
+    if (certificate.wrong++ == 0)
+      certificate.problem = describe(judgement, options.level, meshes.unit);
+  }
+}
+
+/// Whether the piece has the orientation of the face, or is so thin that moving its corners by the
+/// margins can turn it: to first order, each corner changes the dot product of the normals by its
+/// move along the opposite edge's cross product with the face's normal.
+bool has_orientation(const Triangle& piece, const Triangle& face, const Vec3& margins) {
+  if (normals_dot(piece, face) > 0) return true;
+  const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]);
+  const double product = normal.dot((piece[1] - piece[0]).cross(piece[2] - piece[0]));
+  double change = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 opposite = piece[(i + 2) % 3] - piece[(i + 1) % 3];
+    change += opposite.cross(normal).cwiseAbs().dot(margins);
+  }
+  return -product < change;
+}
+
+/// Whether all corners lie on one face of the input, but for rounding, that has the same
+/// orientation.
+bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, const Vec3& margins) {
+  bool is_found = false;
+  bvh.visit_overlaps(float_box(piece[0] - margins, piece[0] + margins), [&](Index face) {
+    const Triangle t = triangle_of(input, face);
+    const auto is_on = [&](const Vec3& corner) { return is_within(margins, corner, t); };
+    is_found = std::all_of(piece.begin(), piece.end(), is_on) && has_orientation(piece, t, margins);
+    return !is_found;
+  });
+  return is_found;
+}
+
+void certify_pieces(const Meshes& meshes, const FaceMatch& match, const CertifyOptions& options,
+                    Certificate& certificate) {
+  const Mesh& input = meshes.input;
+  const Mesh& output = meshes.output;
+  const std::vector<Index> faces = spread(marked_faces(match.output_is_new, 1), options.most_faces);
+  const std::vector<Vec3> margins = rounding_margins(input, output, faces, options.coordinate);
+  const Bvh bvh(input);
+  std::vector<char> is_right(faces.size());
+  parallel_for(faces.size(), 64, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      is_right[i] = is_piece(triangle_of(output, faces[i]), input, bvh, margins[i]) ? 1 : 0;
+  });
+  certificate.samples = faces.size();
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (is_right[i] || certificate.wrong++ > 0) continue;
+    certificate.problem = "face " + std::to_string(faces[i]) + ", at " +
+                          point_text(meshes.unit * triangle_of(output, faces[i])[0]) +
+                          ", is no piece of a face of the input with its orientation";
+  }
+}
+
+Mesh scaled(Mesh mesh, double scale) {
+  for (Vec3& position : mesh.positions) position *= scale;
+  return mesh;
+}
+
+Meshes scale_near_1(const Mesh& input, const Mesh& output) {
+  const Box box = bounding_box(input);
+  const double largest = box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).maxCoeff();
+  const int exponent = largest > 0 ? std::clamp(std::ilogb(largest), -1000, 1000) : 0;
+  const double scale = std::ldexp(1.0, -exponent);
+  return {scaled(input, scale), scaled(output, scale), std::ldexp(1.0, exponent)};
+}
+
+}  // namespace
+
+double Certificate::undecided_share() const {
+  const std::size_t all = samples + undecided;
+  return all == 0 ? 0 : static_cast<double>(undecided) / static_cast<double>(all);
+}
+
+Certificate certify(const Mesh& input, const Mesh& output, const CertifyOptions& options,
+                    const Progress& progress) {
+  if (input.faces.empty()) throw InputError("the input to certify against has no faces");
+  progress("match");
+  const Meshes meshes = scale_near_1(input, output);
+  const FaceMatch match = match_faces(meshes.input, meshes.output);
+  Certificate certificate;
+  certificate.input_is_closed = match.input_is_closed;
+  if (match.input_is_closed) {
+    certify_winding(meshes, match, options, progress, certificate);
+  } else {
+    certify_pieces(meshes, match, options, certificate);
+  }
+  finish(certificate);
+  return certificate;
+}
+
+}  // namespace transformesh

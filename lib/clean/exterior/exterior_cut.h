@@ -1,0 +1,46 @@
+/// Cuts faces along what bounds their exterior, and along nothing else (paper 3.2.2): of a face
+/// that many others cross, usually little is exterior, and all else need not be triangulated.
+/// Exact; deterministic.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "clean/arrange/cut_plane.h"
+#include "clean/exterior/bounding_parts.h"
+#include "clean/exterior/corner_windings.h"
+
+namespace transformesh {
+
+class ExteriorCutter {
+ public:
+  /// Keeps references. What is exterior has w < level in front and w >= level behind it.
+  ExteriorCutter(const WeldedMesh& welded, const Planes& planes, const WindingSteps& steps,
+                 const CornerWindings& windings, const WindingRay& ray, int level)
+      : welded_(welded),
+        planes_(planes),
+        steps_(steps),
+        windings_(windings),
+        ray_(ray),
+        level_(level),
+        geometry_(welded.points, welded.faces) {}
+
+  /// The exterior facets of the only face of a plane. Nothing where other faces do not merely cross
+  /// it (bounding_parts.h): the plane has to be cut in full.
+  std::optional<PlaneCut> cut(const Plane& plane);
+  std::size_t rays() const { return rays_; }
+
+ private:
+  class FaceCut;
+
+  const WeldedMesh& welded_;
+  const Planes& planes_;
+  const WindingSteps& steps_;
+  const CornerWindings& windings_;
+  const WindingRay& ray_;
+  int level_;
+  ExactGeometry geometry_;
+  std::size_t rays_ = 0;
+};
+
+}  // namespace transformesh

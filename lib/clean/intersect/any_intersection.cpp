@@ -1,0 +1,110 @@
+#include "clean/intersect/any_intersection.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "clean/intersect/corner_cells.h"
+#include "clean/intersect/intersect.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t few_faces = 20000;  ///< are all searched at once
+constexpr std::size_t sampled_faces = 1024;
+constexpr std::size_t things_per_task = 8192;
+constexpr unsigned cells_per_axis = 128;
+constexpr std::size_t many_cells = 64;  ///< a face in more is large, and may touch any other
+
+/// Cells that are marked.
+class MarkedCells {
+ public:
+  explicit MarkedCells(const CornerCells& cells)
+      : cells_(cells), words_((cells.count() + word - 1) / word, 0) {}
+
+  void mark(const CellRange& range) {
+    cells_.for_each(range, [&](std::size_t cell) {
+      words_[cell / word] |= std::uint64_t{1} << cell % word;
+      return true;
+    });
+  }
+
+  bool has_any(const CellRange& range) const {
+    bool found = false;
+    cells_.for_each(range, [&](std::size_t cell) {
+      found = (words_[cell / word] >> cell % word & 1) != 0;
+      return !found;
+    });
+    return found;
+  }
+
+ private:
+  static constexpr std::size_t word = 64;
+  const CornerCells& cells_;
+  std::vector<std::uint64_t> words_;
+};
+
+// By multiples of the golden section, which are spread evenly however many there are.
+Index sampled_face(std::size_t i, std::size_t faces) {
+  constexpr std::uint64_t golden_section = 0x9e3779b97f4a7c15ULL;  // of 2^64
+  const auto share = static_cast<double>(i * golden_section) * 0x1p-64;
+  return static_cast<Index>(
+      std::min(share * static_cast<double>(faces), static_cast<double>(faces - 1)));
+}
+
+// The sampled faces and all that may touch one of them.
+std::vector<Index> faces_near_samples(const Mesh& mesh, const CornerCells& cells) {
+  MarkedCells marked(cells);
+  for (std::size_t i = 0; i < sampled_faces; ++i) {
+    const CellRange range = cells.around(mesh.faces[sampled_face(i, mesh.faces.size())]);
+    if (range.size() <= many_cells) marked.mark(range);
+  }
+  std::vector<char> is_near(mesh.faces.size());
+  parallel_for(mesh.faces.size(), things_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      const CellRange range = cells.around(mesh.faces[f]);
+      is_near[f] = range.size() > many_cells || marked.has_any(range) ? 1 : 0;
+    }
+  });
+  std::vector<Index> result;
+  for (std::size_t f = 0; f < is_near.size(); ++f)
+    if (is_near[f]) result.push_back(static_cast<Index>(f));
+  return result;
+}
+
+Mesh part_of(const Mesh& mesh, const std::vector<Index>& faces) {
+  Mesh part;
+  std::vector<Index> number(mesh.positions.size(), no_index);
+  for (const Index f : faces) {
+    Face face = mesh.faces[f];
+    for (Index& vertex : face) {
+      Index& known = number[vertex];
+      if (known == no_index) {
+        known = static_cast<Index>(part.positions.size());
+        part.positions.push_back(mesh.positions[vertex]);
+      }
+      vertex = known;
+    }
+    part.faces.push_back(face);
+  }
+  return part;
+}
+
+bool samples_intersect(const Mesh& mesh) {
+  const CornerCells cells(mesh.positions, cells_per_axis);
+  if (!cells.is_usable()) return false;
+  const std::vector<Index> faces = faces_near_samples(mesh, cells);
+  // Where most are near, all may as well be searched.
+  if (faces.size() > mesh.faces.size() / 4) return false;
+  return !find_intersections(part_of(mesh, faces)).empty();
+}
+
+}  // namespace
+
+bool has_intersections(const Mesh& mesh, const Progress& progress) {
+  progress("intersect");
+  if (mesh.faces.size() > few_faces && samples_intersect(mesh)) return true;
+  return !find_intersections(mesh, progress).empty();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,81 @@
+/// The cells of a grid of cubes over a mesh in which its faces may be: two faces that have a point
+/// in common have a cell in common.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+
+/// The cells around a face: those from low to high.
+struct CellRange {
+  using Cell = std::array<std::uint8_t, 4>;  ///< the last is not used
+  Cell low, high;
+  std::size_t size() const {
+    std::size_t size = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) size *= high[axis] - low[axis] + 1U;
+    return size;
+  }
+};
+
+class CornerCells {
+ public:
+  /// A grid of so many cells, up to 256, along the longest side.
+  CornerCells(std::span<const Vec3> points, unsigned per_axis)
+      : per_axis_(per_axis), cells_(points.size()) {
+    constexpr std::size_t points_per_task = 8192;
+    if (points.empty()) return;
+    Vec3 low = points[0], high = low;
+    for (const Vec3& point : points) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    const double per_length = (per_axis - 1) / (high - low).maxCoeff();
+    is_usable_ = std::isfinite(per_length) && per_length > 0;
+    if (!is_usable_) return;
+    parallel_for(cells_.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        for (int axis = 0; axis < 3; ++axis)
+          cells_[v][static_cast<std::size_t>(axis)] =
+              static_cast<std::uint8_t>((points[v][axis] - low[axis]) * per_length);
+    });
+  }
+
+  /// Not where the mesh has no extent, or more than numbers hold.
+  bool is_usable() const { return is_usable_; }
+
+  CellRange around(const Face& face) const {
+    CellRange range{cells_[face[0]], cells_[face[0]]};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const Index vertex : {face[1], face[2]}) {
+        range.low[axis] = std::min(range.low[axis], cells_[vertex][axis]);
+        range.high[axis] = std::max(range.high[axis], cells_[vertex][axis]);
+      }
+    return range;
+  }
+
+  /// How many numbers for cells there are, which visit(cell) of for_each takes.
+  std::size_t count() const { return std::size_t{per_axis_} * per_axis_ * per_axis_; }
+  /// Calls visit(cell) for the cells of a range until it returns false.
+  template <class Visit>
+  void for_each(const CellRange& range, const Visit& visit) const {
+    for (std::size_t x = range.low[0]; x <= range.high[0]; ++x)
+      for (std::size_t y = range.low[1]; y <= range.high[1]; ++y)
+        for (std::size_t z = range.low[2]; z <= range.high[2]; ++z)
+          if (!visit((x * per_axis_ + y) * per_axis_ + z)) return;
+  }
+
+ private:
+  std::size_t per_axis_;
+  std::vector<CellRange::Cell> cells_;
+  bool is_usable_ = false;
+};
+
+}  // namespace transformesh

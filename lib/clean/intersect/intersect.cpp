@@ -1,0 +1,219 @@
+#include "clean/intersect/intersect.h"
+
+#include <algorithm>
+
+#include "clean/intersect/contacts.h"
+#include "clean/intersect/crowded_stars.h"
+#include "clean/intersect/embedded_stars.h"
+#include "clean/intersect/faces_to_search.h"
+#include "clean/intersect/zones.h"
+#include "geometry/search/bvh.h"
+#include "geometry/search/sort_pairs.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t faces_per_task = 4096;
+
+// The welded face of each mesh face; no_index where it has no area.
+std::vector<Index> welded_faces(const WeldedMesh& welded, std::size_t mesh_faces) {
+  std::vector<Index> result(mesh_faces, no_index);
+  for (Index f = 0; f < welded.faces.size(); ++f) result[welded.face_of[f]] = f;
+  return result;
+}
+
+// Rounding keeps the order of numbers: so each point is rounded once, not with all its faces.
+std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> faces) {
+  std::vector<FloatBox> around(welded.points.size());
+  parallel_for(around.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p)
+      around[p] = welded.frame.box(welded.points[p], welded.points[p]);
+  });
+  std::vector<FloatBox> boxes(faces.size());
+  parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto& [a, b, c] = welded.faces[faces[i]];
+      boxes[i] = united(united(around[a], around[b]), around[c]);
+    }
+  });
+  return boxes;
+}
+
+bool has_copies(const WeldedMesh& welded) {
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (welded.first_copy[f] != f) return true;
+  }
+  return false;
+}
+
+// The copies of each face that is the first of its kind, ascending, itself among them.
+std::vector<std::vector<Index>> list_copies(const WeldedMesh& welded) {
+  std::vector<std::vector<Index>> copies(welded.faces.size());
+  for (Index f = 0; f < welded.faces.size(); ++f) copies[welded.first_copy[f]].push_back(f);
+  return copies;
+}
+
+// The pairs of which only first copies were named.
+std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<FacePair> pairs) {
+  if (!has_copies(welded)) return pairs;
+  const auto copies = list_copies(welded);
+  std::vector<FacePair> result;
+  for (const auto& [f, g] : pairs) {
+    for (const Index a : copies[f]) {
+      for (const Index b : copies[g]) result.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  for (const auto& same : copies) {
+    for (std::size_t i = 0; i < same.size(); ++i) {
+      for (std::size_t j = i + 1; j < same.size(); ++j) result.emplace_back(same[i], same[j]);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace
+
+namespace {
+
+std::vector<Index> zones_of(std::span<const Index> faces, std::span<const Index> zones) {
+  std::vector<Index> result;
+  result.reserve(faces.size());
+  for (const Index f : faces) result.push_back(zones[f]);
+  return result;
+}
+
+// Those of the pairs whose faces share no embedded star. There are no branches, as chance decides.
+void list_others(const WeldedMesh& welded, std::span<const Index> faces,
+                 const std::vector<char>& is_embedded, std::span<const Bvh::Pair> pairs,
+                 std::vector<Bvh::Pair>& others) {
+  others.resize(pairs.size());
+  std::size_t count = 0;
+  for (const auto& [i, k] : pairs) {
+    others[count] = {i, k};
+    count +=
+        share_embedded_star(welded.faces[faces[i]], welded.faces[faces[k]], is_embedded) ? 0 : 1;
+  }
+  others.resize(count);
+}
+
+}  // namespace
+
+namespace {
+
+// Adds the meetings among the pairs, which share no embedded star.
+void add_meetings(const WeldedMesh& welded, std::span<const FacePair> pairs,
+                  std::vector<Meeting>& meetings) {
+  for (const auto& [f, g] : pairs) {
+    const Contacts contacts = find_contacts(welded, f, g);
+    if (contacts.meet) meetings.push_back({f, g, contacts});
+  }
+}
+
+// The meetings of faces of crowded stars.
+std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded, const CrowdedStars& stars,
+                                                const std::vector<Index>& others,
+                                                const std::vector<char>& is_embedded,
+                                                const std::vector<Index>& zones) {
+  std::vector<FacePair> pairs = stars.find_pairs(others);
+  std::erase_if(pairs, [&](const FacePair& pair) {
+    const auto [f, g] = pair;
+    return (zones[f] != no_index && zones[f] == zones[g]) ||
+           share_embedded_star(welded.faces[f], welded.faces[g], is_embedded);
+  });
+  std::vector<std::vector<Meeting>> lists(pairs.size() / faces_per_task + 1);
+  parallel_for(pairs.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    add_meetings(welded, std::span(pairs).subspan(first, last - first),
+                 lists[first / faces_per_task]);
+  });
+  return lists;
+}
+
+}  // namespace
+
+std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
+  progress("intersect");
+  Zones zones = find_zones(welded);
+  std::vector<Index> faces = find_faces_to_search(welded, zones.of_face);
+  const Links links = find_links(welded.points, welded.faces);
+  const std::vector<char> is_crowded = CrowdedStars::crowded_points(welded, links);
+  for (std::size_t p = 0; p < is_crowded.size(); ++p) zones.is_seam[p] |= is_crowded[p];
+  std::vector<char> is_embedded;
+  CrowdedStars stars;
+  Bvh bvh;
+  const auto fill_bvh = [&] { bvh = Bvh(boxes_of(welded, faces), links, faces); };
+  parallel_invoke(
+      [&] {
+        is_embedded = find_embedded_stars(welded, zones.is_seam);
+        stars = CrowdedStars(welded, is_embedded, is_crowded);
+      },
+      [&] {
+        if (is_crowded.empty()) fill_bvh();
+      });
+  if (!is_crowded.empty()) {
+    std::erase_if(faces, [&](Index f) { return stars.has(f); });
+    fill_bvh();
+  }
+  bvh.set_groups(zones_of(faces, zones.of_face));
+  std::vector<std::vector<Meeting>> lists;
+  if (!stars.empty()) lists = star_meetings(welded, stars, faces, is_embedded, zones.of_face);
+  const std::size_t known = lists.size();
+  bvh.visit_pairs([&](std::size_t count) { lists.resize(known + count); },
+                  [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
+                    thread_local std::vector<Bvh::Pair> others;
+                    list_others(welded, faces, is_embedded, pairs, others);
+                    for (const auto& [i, k] : others) {
+                      const Contacts contacts = find_contacts(welded, faces[i], faces[k]);
+                      if (contacts.meet)
+                        lists[known + list].push_back({faces[i], faces[k], contacts});
+                    }
+                  });
+  std::vector<Meeting> meetings = joined(lists);
+  sort_pairs(meetings, welded.faces.size());
+  return meetings;
+}
+
+std::size_t count_pairs(const WeldedMesh& welded, const std::vector<Meeting>& meetings) {
+  std::vector<std::size_t> copies(welded.faces.size(), 0);
+  for (const Index first : welded.first_copy) ++copies[first];
+  std::size_t count = 0;
+  for (const Meeting& meeting : meetings) count += copies[meeting.first] * copies[meeting.second];
+  for (const std::size_t same : copies) count += same * (same - (same > 0 ? 1 : 0)) / 2;
+  return count;
+}
+
+std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress) {
+  const WeldedMesh welded = weld(mesh);
+  std::vector<FacePair> pairs;
+  for (const Meeting& meeting : find_meetings(welded, progress))
+    pairs.emplace_back(meeting.first, meeting.second);
+  pairs = pairs_of_copies(welded, std::move(pairs));
+  // Welded faces are in the order of the mesh, so the pairs stay sorted.
+  for (auto& [f, g] : pairs) {
+    f = welded.face_of[f];
+    g = welded.face_of[g];
+  }
+  return pairs;
+}
+
+std::vector<std::pair<Vec3, Vec3>> intersection_segments(const Mesh& mesh,
+                                                         const std::vector<FacePair>& pairs) {
+  const WeldedMesh welded = weld(mesh);
+  const std::vector<Index> of_mesh = welded_faces(welded, mesh.faces.size());
+  const ExactGeometry geometry(welded.points, welded.faces);
+  std::vector<std::pair<Vec3, Vec3>> segments;
+  for (const auto& [f, g] : pairs) {
+    const Index a = of_mesh[f], b = of_mesh[g];
+    const Contacts contacts = find_contacts(welded, a, b);
+    if (!contacts.meet || contacts.coplanar) continue;
+    const auto at = [&](int i) {
+      return contact_point(welded, geometry, a, b, contacts.contacts[static_cast<std::size_t>(i)])
+          .center;
+    };
+    segments.emplace_back(at(0), at(contacts.count - 1));
+  }
+  return segments;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,155 @@
+#include "clean/open/borders.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "clean/stitch/orient.h"
+#include "clean/stitch/orientation_check.h"
+#include "clean/stitch/stitch.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/edges.h"
+#include "mesh/manifold.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+// All mesh faces by points. Faces without area, which the welded mesh lacks, make no border: those
+// that name a point twice run both ways along their edge.
+std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh,
+                                  const std::vector<char>& left_out) {
+  std::vector<Face> faces;
+  faces.reserve(mesh.faces.size());
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    if (!left_out.empty() && left_out[i]) continue;
+    const Face& f = mesh.faces[i];
+    faces.push_back({welded.point_of[f[0]], welded.point_of[f[1]], welded.point_of[f[2]]});
+  }
+  return faces;
+}
+
+// Border edges from point to point, along the faces.
+using BorderEdges = std::multimap<Index, Index>;
+
+// As many border edges leave every point as arrive, so every walk closes.
+std::vector<std::vector<Index>> walk(BorderEdges border) {
+  std::vector<std::vector<Index>> loops;
+  while (!border.empty()) {
+    std::vector<Index>& loop = loops.emplace_back();
+    Index at = border.begin()->first;
+    for (auto step = border.find(at); step != border.end(); step = border.find(at)) {
+      loop.push_back(at);
+      at = step->second;
+      border.erase(step);
+    }
+  }
+  return loops;
+}
+
+// The mesh with one vertex for all that have one position.
+Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
+  Mesh result{mesh.positions, mesh.faces, {}, {}};
+  for (Face& face : result.faces) {
+    for (Index& v : face) v = welded.vertex_of[welded.point_of[v]];
+  }
+  return result;
+}
+
+// Whether some connected borders lie upon others all the way, and run alike: they bound a patch
+// that is inside out.
+bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
+  const std::vector<Index> border = check_manifold(mesh).border_halfedges;
+  const auto ends_of = [&](Index h) {
+    return std::minmax(
+        {welded.point_of[halfedge_source(mesh, h)], welded.point_of[halfedge_target(mesh, h)]});
+  };
+  std::map<std::pair<Index, Index>, int> borders_at;
+  DisjointSets rims(welded.points.size());
+  for (const Index h : border) {
+    ++borders_at[ends_of(h)];
+    rims.join(ends_of(h).first, ends_of(h).second);
+  }
+
+  std::set<Index> free_somewhere;
+  for (const auto& [ends, count] : borders_at)
+    if (count == 1) free_somewhere.insert(rims.find(ends.first));
+  return std::any_of(borders_at.begin(), borders_at.end(), [&](const auto& edge) {
+    return !free_somewhere.contains(rims.find(edge.first.first));
+  });
+}
+
+// Whether borders lie upon each other, and run alike, only because sheets end at a third one: such
+// a mesh is what cleaning itself makes. Reversing sheets does not mend that, so where it mends the
+// mesh there is another cause.
+bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& borders) {
+  return is_stitched(mesh, borders) &&
+         !(has_reversed_patch(welded, mesh) && can_be_oriented(with_joined_vertices(welded, mesh)));
+}
+
+// Whether the mesh that tm-stitch makes of this one, in which such sheets are apart, is accepted.
+bool can_be_stitched(const Mesh& mesh) {
+  Mesh stitched{mesh.positions, mesh.faces, {}, {}};
+  stitch(stitched);
+  const WeldedMesh welded = weld(stitched);
+  const Borders borders = find_borders(welded, stitched);
+  return borders.is_oriented || ends_at_sheets(welded, stitched, borders);
+}
+
+// Throws InputError, which names what mends the mesh, having tried it.
+[[noreturn]] void refuse_orientation(const WeldedMesh& welded, const Mesh& mesh) {
+  Mesh oriented = with_joined_vertices(welded, mesh);
+  const std::string problem = describe_misorientation(oriented);
+  orient_faces(oriented);
+  const std::string rest = describe_misorientation(oriented);
+  if (rest.empty()) {
+    throw InputError(problem + ": the mesh is not oriented; mend it with tm-stitch --orient");
+  }
+  throw InputError(rest + ", and turning sheets (tm-stitch --orient) cannot change that: " +
+                   (can_be_stitched(mesh) ? "tm-stitch keeps them apart" : "remove faces there"));
+}
+
+}  // namespace
+
+Borders find_borders(const WeldedMesh& welded, const Mesh& mesh,
+                     const std::vector<char>& left_out) {
+  // Most often these are the faces of the welded mesh.
+  const bool are_same = left_out.empty() && welded.faces.size() == mesh.faces.size();
+  const auto others = are_same ? std::vector<Face>() : faces_by_points(welded, mesh, left_out);
+  const Edges other_edges = are_same ? Edges() : Edges(others, welded.points.size());
+  const std::vector<Face>& faces = are_same ? welded.faces : others;
+  const Edges& edges = are_same ? welded.edges : other_edges;
+  Borders borders;
+  BorderEdges border;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    const int sum = sum_along(faces, halfedges);
+    if (sum == 0) continue;
+    if (std::abs(sum) > 1) borders.is_oriented = false;
+    const Face& f = faces[halfedges[0] / 3];
+    const auto [low, high] = std::minmax(f[halfedges[0] % 3], f[(halfedges[0] % 3 + 1) % 3]);
+    for (int i = 0; i < std::abs(sum); ++i) {
+      border.emplace(sum > 0 ? low : high, sum > 0 ? high : low);
+    }
+  }
+  borders.loops = walk(std::move(border));
+  return borders;
+}
+
+Borders find_oriented_borders(const WeldedMesh& welded, const Mesh& mesh) {
+  Borders borders = find_borders(welded, mesh);
+  if (!borders.is_oriented && !ends_at_sheets(welded, mesh, borders))
+    refuse_orientation(welded, mesh);
+  return borders;
+}
+
+bool is_stitched(const Mesh& mesh, const Borders& borders) {
+  const ManifoldReport report = check_manifold(mesh);
+  std::size_t border_edges = 0;
+  for (const auto& loop : borders.loops) border_edges += loop.size();
+  return report.is_manifold() && report.is_oriented() &&
+         report.border_halfedges.size() == border_edges;
+}
+
+}  // namespace transformesh

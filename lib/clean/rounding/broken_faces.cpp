@@ -1,0 +1,274 @@
+#include "clean/rounding/broken_faces.h"
+
+#include <algorithm>
+#include <array>
+
+#include "clean/intersect/contacts.h"
+#include "clean/intersect/embedded_stars.h"
+#include "clean/intersect/welded_mesh.h"
+#include "geometry/search/bvh.h"
+#include "mesh/disjoint_sets.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t faces_per_task = 4096;
+
+// New faces, and a hierarchy over them.
+struct NewFaces {
+  std::vector<Index> faces;
+  Links links;  // of all faces
+  Bvh bvh;
+};
+
+// The new faces of an assembly, and whatever lies at them, as nothing else can cross one.
+struct Surroundings {
+  Mesh mesh;
+  std::vector<Index> face_of;  // in the assembly
+  std::vector<char> is_new;    // per face
+};
+
+FloatBox box_of(const Mesh& mesh, const BoxFrame& frame, Index face) {
+  const Triangle t = triangle_of(mesh.positions, mesh.faces[face]);
+  return frame.box(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
+}
+
+std::vector<char> find_faces_at_new_ones(const Assembly& assembly) {
+  const Mesh& mesh = assembly.mesh;
+  std::vector<Vec3> corners;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (!assembly.face_is_new[f]) continue;
+    for (const Index v : mesh.faces[f]) corners.push_back(mesh.positions[v]);
+  }
+  const BoxFrame frame(corners);
+  std::vector<FloatBox> boxes;
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    if (assembly.face_is_new[f]) boxes.push_back(box_of(mesh, frame, f));
+  const Bvh bvh(boxes);
+
+  std::vector<char> is_near = assembly.face_is_new;
+  const auto note = [](char& mark) { return [&](Index) { return mark = 1, false; }; };
+  if (boxes.empty()) return is_near;
+  parallel_for(is_near.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f)
+      if (!is_near[f])
+        bvh.visit_overlaps(box_of(mesh, frame, static_cast<Index>(f)), note(is_near[f]));
+  });
+  return is_near;
+}
+
+Surroundings surroundings_of_new_faces(const Assembly& assembly) {
+  const std::vector<char> is_near = find_faces_at_new_ones(assembly);
+  Surroundings result;
+  std::vector<Index> vertex(assembly.mesh.positions.size(), no_index);
+  for (Index f = 0; f < is_near.size(); ++f) {
+    if (!is_near[f]) continue;
+    Face face = assembly.mesh.faces[f];
+    for (Index& v : face) {
+      if (vertex[v] == no_index) {
+        vertex[v] = static_cast<Index>(result.mesh.positions.size());
+        result.mesh.positions.push_back(assembly.mesh.positions[v]);
+      }
+      v = vertex[v];
+    }
+    result.mesh.faces.push_back(face);
+    result.face_of.push_back(f);
+    result.is_new.push_back(assembly.face_is_new[f]);
+  }
+  return result;
+}
+
+NewFaces collect_new_faces(const Surroundings& part, const WeldedMesh& welded) {
+  NewFaces result;
+  std::vector<FloatBox> boxes;
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (!part.is_new[welded.face_of[f]]) continue;
+    result.faces.push_back(f);
+    boxes.push_back(welded.box(f));
+  }
+  if (result.faces.empty()) return result;
+  result.links = find_links(welded.points, welded.faces);
+  result.bvh = Bvh(boxes, result.links, result.faces);
+  return result;
+}
+
+// Calls visit(face) for the faces without area.
+template <class Visit>
+void visit_faces_without_area(const Surroundings& part, const WeldedMesh& welded,
+                              const Visit& visit) {
+  std::vector<char> has_area(part.mesh.faces.size(), 0);
+  for (const Index f : welded.face_of) has_area[f] = 1;
+  for (std::size_t f = 0; f < has_area.size(); ++f)
+    if (!has_area[f]) visit(part.face_of[f]);
+}
+
+// The crossings of which one face is new, by faces of the part; sorted.
+std::vector<FacePair> search(const Surroundings& part, const WeldedMesh& welded,
+                             const KnownPairs& known) {
+  std::vector<FacePair> crossings;
+  const NewFaces news = collect_new_faces(part, welded);
+  if (news.faces.empty()) return crossings;
+  const auto add = [&](Index f, Index g) {
+    crossings.push_back(std::minmax({welded.face_of[f], welded.face_of[g]}));
+  };
+  const std::vector<char> is_embedded = find_embedded_stars(welded);
+  const auto meet = [&](Index f, Index g) {
+    if (const auto cross = known.cross(welded.face_of[f], welded.face_of[g])) return *cross;
+    return !share_embedded_star(welded.faces[f], welded.faces[g], is_embedded) &&
+           find_contacts(welded, f, g).meet;
+  };
+  const auto new_ones_meet = [&](Index i, Index k) { return meet(news.faces[i], news.faces[k]); };
+  for (const auto& [i, k] : news.bvh.overlapping_pairs(new_ones_meet))
+    add(news.faces[i], news.faces[k]);
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (part.is_new[welded.face_of[f]]) continue;
+    const auto visit_new = [&](Index i) {
+      if (meet(f, news.faces[i])) add(f, news.faces[i]);
+      return true;
+    };
+    news.bvh.visit_overlaps(welded.box(f), visit_new, news.links.of(f));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+std::vector<Index> marked(const std::vector<char>& marks) {
+  std::vector<Index> result;
+  for (Index i = 0; i < marks.size(); ++i) {
+    if (marks[i]) result.push_back(i);
+  }
+  return result;
+}
+
+/// A face by its corners in ascending order, and by its sense.
+struct UnorderedFace {
+  std::array<Index, 3> corners;
+  bool is_even;  ///< the corners were in this order but for turning the face
+  Index face;
+  auto key() const { return std::tie(corners, is_even, face); }
+};
+
+UnorderedFace unordered(const Face& face, Index index) {
+  std::array<Index, 3> corners = {face[0], face[1], face[2]};
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  const bool is_even = corners[1] < corners[2];
+  if (!is_even) std::swap(corners[1], corners[2]);
+  return {corners, is_even, index};
+}
+
+// The faces of which all corners are those of new faces, in the order of their corners.
+std::vector<UnorderedFace> sorted_faces_at_new_ones(const Assembly& assembly) {
+  const std::vector<Face>& faces = assembly.mesh.faces;
+  std::vector<char> is_at_new(assembly.mesh.positions.size(), 0);
+  for (Index f = 0; f < faces.size(); ++f) {
+    if (!assembly.face_is_new[f]) continue;
+    for (const Index v : faces[f]) is_at_new[v] = 1;
+  }
+  std::vector<UnorderedFace> sorted;
+  for (Index f = 0; f < faces.size(); ++f) {
+    const auto& [a, b, c] = faces[f];
+    if (is_at_new[a] && is_at_new[b] && is_at_new[c]) sorted.push_back(unordered(faces[f], f));
+  }
+  std::sort(sorted.begin(), sorted.end(),
+            [](const UnorderedFace& a, const UnorderedFace& b) { return a.key() < b.key(); });
+  return sorted;
+}
+
+// Unmarks as many faces of one sense as of the other among those with the same corners.
+void cancel_opposite_faces(const Assembly& assembly, std::vector<char>& keep) {
+  const std::vector<UnorderedFace> sorted = sorted_faces_at_new_ones(assembly);
+  for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
+    std::size_t odd = 0;
+    for (last = first; last < sorted.size() && sorted[last].corners == sorted[first].corners;
+         ++last)
+      odd += sorted[last].is_even ? 0 : 1;
+    const std::size_t pairs = std::min(odd, last - first - odd);
+    for (std::size_t i = 0; i < pairs; ++i)
+      keep[sorted[first + i].face] = keep[sorted[last - 1 - i].face] = 0;
+  }
+}
+
+void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
+  Mesh& mesh = assembly.mesh;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    mesh.faces[i] = mesh.faces[rows[i]];
+    assembly.source_face[i] = assembly.source_face[rows[i]];
+    assembly.face_is_new[i] = assembly.face_is_new[rows[i]];
+  }
+  mesh.faces.resize(rows.size());
+  assembly.source_face.resize(rows.size());
+  assembly.face_is_new.resize(rows.size());
+  mesh.face_columns = mesh.face_columns.select(rows);
+}
+
+}  // namespace
+
+BrokenFaces find_broken_faces(const Assembly& assembly, KnownPairs& known) {
+  Surroundings part = surroundings_of_new_faces(assembly);
+  const WeldedMesh welded = weld(part.mesh);
+  known.begin(part.mesh);
+  std::vector<FacePair> crossings = search(part, welded, known);
+
+  std::vector<char> is_broken(assembly.mesh.faces.size(), 0);
+  BrokenFaces result;
+  visit_faces_without_area(part, welded, [&](Index f) { is_broken[f] = 1; });
+  for (const auto& [f, g] : crossings) {
+    result.crossings.emplace_back(part.face_of[f], part.face_of[g]);
+    is_broken[part.face_of[f]] = is_broken[part.face_of[g]] = 1;
+  }
+  result.faces = marked(is_broken);
+  known.end(part.mesh, std::move(part.is_new), std::move(crossings));
+  return result;
+}
+
+BrokenFaces find_broken_faces(const Assembly& assembly) {
+  KnownPairs known;
+  return find_broken_faces(assembly, known);
+}
+
+std::vector<Index> find_new_faces(const Assembly& assembly) { return marked(assembly.face_is_new); }
+
+std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces) {
+  std::vector<char> is_corner(mesh.positions.size(), 0);
+  for (const Index face : faces)
+    for (const Index v : mesh.faces[face]) is_corner[v] = 1;
+  std::vector<Index> result;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    if (is_corner[a] || is_corner[b] || is_corner[c]) result.push_back(f);
+  }
+  return result;
+}
+
+std::size_t count_places(const Mesh& mesh, const std::vector<Index>& faces) {
+  DisjointSets sets(mesh.positions.size());
+  std::vector<char> is_corner(mesh.positions.size(), 0);
+  std::size_t places = 0;
+  for (const Index face : faces) {
+    const auto& [a, b, c] = mesh.faces[face];
+    for (const Index v : {a, b, c}) {
+      places += is_corner[v] ? 0 : 1;
+      is_corner[v] = 1;
+    }
+    places -= (sets.join(a, b) ? 1 : 0) + (sets.join(a, c) ? 1 : 0);
+  }
+  return places;
+}
+
+bool drop_collapsed_faces(Assembly& assembly) {
+  Mesh& mesh = assembly.mesh;
+  const WeldedMesh welded = weld(mesh);
+  std::vector<char> keep(mesh.faces.size(), 1);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    for (Index& v : mesh.faces[f]) v = welded.vertex_of[welded.point_of[v]];
+    keep[f] = is_collapsed(mesh.faces[f]) ? 0 : 1;
+  }
+  cancel_opposite_faces(assembly, keep);
+  const std::vector<Index> rows = marked(keep);
+  if (rows.size() == keep.size()) return false;
+  keep_faces(assembly, rows);
+  return true;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,37 @@
+/// What rounding of exact points to stored coordinates breaks (paper 4.3). Cost: O(n log n).
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "clean/rounding/known_pairs.h"
+#include "clean/stitch/assemble.h"
+
+namespace transformesh {
+
+/// In the coordinates as they are.
+struct BrokenFaces {
+  std::vector<Index> faces;         ///< that intersect a new face, or have no area; ascending
+  std::vector<FacePair> crossings;  ///< pairs, of which one is new; sorted
+};
+
+/// Whole input faces are known not to intersect each other. Of a series of searches each takes less
+/// time where it passes on what is known of pairs.
+BrokenFaces find_broken_faces(const Assembly& assembly);
+BrokenFaces find_broken_faces(const Assembly& assembly, KnownPairs& known);
+
+/// The faces that are no whole faces of the input; ascending.
+std::vector<Index> find_new_faces(const Assembly& assembly);
+
+/// The faces, and all others that have a corner in common with them; ascending.
+std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces);
+
+/// In how many places faces lie: those that share corners lie in one.
+std::size_t count_places(const Mesh& mesh, const std::vector<Index>& faces);
+
+/// Gives all vertices at one position one index, and drops faces that name a vertex twice, and
+/// pairs of new faces that lie upon each other with opposite sense. What is closed stays closed.
+/// Returns whether a face was dropped.
+bool drop_collapsed_faces(Assembly& assembly);
+
+}  // namespace transformesh

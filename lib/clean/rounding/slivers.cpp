@@ -1,0 +1,132 @@
+#include "clean/rounding/slivers.h"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "clean/rounding/broken_faces.h"
+#include "clean/rounding/local_distance.h"
+
+namespace transformesh {
+namespace {
+
+constexpr int most_flips_of_face = 3;
+
+class SliverFlipper {
+ public:
+  SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double spacings,
+                const Spacings& spacing);
+  Displacement flip_all();
+
+ private:
+  /// A face with the longest edge from a to b that its apex is beside, and its height over that.
+  struct Sliver {
+    Index a, b, apex;
+    double height;
+    double most;  ///< the height up to which it is flipped
+  };
+
+  double reach(Index vertex, const Vec3& direction) const {
+    return spacings_ * spacing_.along(direction, mesh_.positions[vertex]);
+  }
+  std::optional<Sliver> sliver_of(const Face& face) const;
+  void try_flip(Index face);
+  void flip(Index face, Index across, const Sliver& sliver);
+  void link(Index face);
+  void unlink(Index face);
+
+  Assembly& assembly_;
+  Mesh& mesh_;
+  double spacings_;
+  const Spacings& spacing_;
+  std::vector<Index> stack_;
+  std::map<std::pair<Index, Index>, Index> face_at_;  ///< per halfedge, of faces around
+  std::map<Index, int> flips_;                        ///< per face: how often it was tried
+  Displacement displacement_;
+};
+
+SliverFlipper::SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double spacings,
+                             const Spacings& spacing)
+    : assembly_(assembly),
+      mesh_(assembly.mesh),
+      spacings_(spacings),
+      spacing_(spacing),
+      stack_(faces.rbegin(), faces.rend()) {
+  for (const Index face : with_faces_around(mesh_, faces)) link(face);
+}
+
+void SliverFlipper::link(Index face) {
+  const Face& f = mesh_.faces[face];
+  for (std::size_t i = 0; i < 3; ++i) face_at_[{f[i], f[(i + 1) % 3]}] = face;
+}
+
+void SliverFlipper::unlink(Index face) {
+  const Face& f = mesh_.faces[face];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto found = face_at_.find({f[i], f[(i + 1) % 3]});
+    if (found != face_at_.end() && found->second == face) face_at_.erase(found);
+  }
+}
+
+std::optional<SliverFlipper::Sliver> SliverFlipper::sliver_of(const Face& face) const {
+  std::optional<Sliver> sliver;
+  double longest = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Index a = face[i], b = face[(i + 1) % 3], apex = face[(i + 2) % 3];
+    const Vec3 &p = mesh_.positions[a], &q = mesh_.positions[b];
+    const double length = (q - p).stableNorm();
+    if (length <= longest) continue;
+    const LineDistance from_edge = distance_from_line(p, q, mesh_.positions[apex]);
+    if (from_edge.beyond > reach(apex, (q - p).stableNormalized())) continue;
+    longest = length;
+    sliver = {a, b, apex, from_edge.distance, reach(apex, from_edge.across)};
+  }
+  return sliver;
+}
+
+void SliverFlipper::try_flip(Index face) {
+  if (is_collapsed(mesh_.faces[face]) || ++flips_[face] > most_flips_of_face) return;
+  const std::optional<Sliver> sliver = sliver_of(mesh_.faces[face]);
+  if (!sliver) return;
+  if (!(sliver->height <= sliver->most)) return;
+  const auto across = face_at_.find({sliver->b, sliver->a});
+  if (across == face_at_.end() || across->second == face) return;
+  displacement_.note(sliver->height, spacing_around(mesh_.positions[sliver->apex], spacing_.type));
+  flip(face, across->second, *sliver);
+}
+
+// The faces a b apex and b a opposite become a opposite apex and opposite b apex.
+void SliverFlipper::flip(Index face, Index across, const Sliver& sliver) {
+  Index opposite = sliver.a;
+  for (const Index v : mesh_.faces[across])
+    if (v != sliver.a && v != sliver.b) opposite = v;
+  unlink(face);
+  unlink(across);
+  assembly_.source_face[face] = assembly_.source_face[across];
+  assembly_.face_is_new[face] = assembly_.face_is_new[across] = 1;
+  mesh_.faces[face] = {sliver.a, opposite, sliver.apex};
+  mesh_.faces[across] = {opposite, sliver.b, sliver.apex};
+  for (const Index f : {across, face}) {
+    if (is_collapsed(mesh_.faces[f])) continue;
+    link(f);
+    stack_.push_back(f);
+  }
+}
+
+Displacement SliverFlipper::flip_all() {
+  while (!stack_.empty()) {
+    const Index face = stack_.back();
+    stack_.pop_back();
+    try_flip(face);
+  }
+  return displacement_;
+}
+
+}  // namespace
+
+Displacement flip_slivers(Assembly& assembly, const std::vector<Index>& faces, double spacings,
+                          const Spacings& spacing) {
+  return SliverFlipper(assembly, faces, spacings, spacing).flip_all();
+}
+
+}  // namespace transformesh

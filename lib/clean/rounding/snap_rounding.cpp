@@ -1,0 +1,375 @@
+#include "clean/rounding/snap_rounding.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include "clean/rounding/broken_faces.h"
+#include "clean/rounding/close_vertices.h"
+#include "clean/rounding/contact_splits.h"
+#include "clean/rounding/own_grids.h"
+#include "clean/rounding/push_out.h"
+#include "clean/rounding/slivers.h"
+#include "clean/rounding/thin_cells.h"
+#include "mesh/components.h"
+#include "mesh/location_text.h"
+#include "support/elementary/exponential.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+constexpr int most_rounds = 14;
+constexpr int most_starts = 7;
+constexpr int last_given = 3;             // the last start before which thin cells are given away
+constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are too many cells
+constexpr int digits_fewer = 5;           // binary, of what is extreme in every direction
+constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
+constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before,
+constexpr int patience = 2;      // and so many more where all starts failed, which begin again
+constexpr std::size_t few_pairs = 1000;
+constexpr std::size_t pairs_to_repair = 4;  // times those of the input
+constexpr std::size_t most_broken_share = 3;
+/// How close new vertices become one where nothing is broken, in spacings.
+constexpr double close_to_new = 0.75;
+
+/// How close and how thin parts are that may be united, and how far they come apart, in spacings.
+struct Tolerances {
+  double vertices, slivers, push, cells;
+  bool moves_input;  ///< vertices of the input may move as well
+};
+
+/// Which cells are given away where the surface is cleaned.
+struct GivenCells {
+  double spacings;                      ///< the most in thickness
+  std::vector<char> marked_faces = {};  ///< beside these faces only, where there are any
+};
+
+/// How thin the cells of the input are that are given away before a further start, in spacings.
+double given_spacings(int start) { return std::ldexp(32, 3 * start); }
+
+Tolerances tolerances(int start, int round) {
+  const int step = round + rounds_ahead * start;
+  const double coarser = elementary::exp2(step / 4.0);
+  return {3 * coarser, 4 * coarser, coarser, 4 * coarser * coarser, step > 0};
+}
+
+std::string place_of(const Mesh& mesh, Index face) {
+  return point_text(mesh.positions[mesh.faces[face][0]]);
+}
+
+// Expresses what a further pass tells about its input by that of the first pass: which vertices are
+// new, and the sources of faces.
+void inherit(const Assembly& before, Assembly& after) {
+  for (std::size_t v = 0; v < after.input_vertex.size(); ++v) {
+    const Index source = after.input_vertex[v];
+    if (source != no_index) after.vertex_is_new[v] = before.vertex_is_new[source];
+  }
+  for (Index& source : after.source_face) source = before.source_face[source];
+}
+
+// Rounds new vertices. Those that rounding all but unites would only make slivers.
+Displacement round_and_merge(Assembly& assembly, const Spacings& spacings) {
+  Displacement moved;
+  for (std::size_t v = 0; v < assembly.mesh.positions.size(); ++v) {
+    if (!assembly.vertex_is_new[v]) continue;
+    Vec3& position = assembly.mesh.positions[v];
+    position = rounded_to(position, spacings.type);
+    const double spacing = spacing_around(position, spacings.type);
+    moved.note(std::numbers::sqrt3 / 2 * spacing, spacing);
+  }
+  moved +=
+      merge_close_vertices(assembly, find_new_faces(assembly), {close_to_new, false}, spacings);
+  return moved;
+}
+
+class SnapRounder {
+ public:
+  SnapRounder(const Mesh& mesh, const SnapRoundingOptions& options, const Progress& progress)
+      : mesh_(mesh), options_(options), progress_(progress) {}
+
+  SnapRoundingResult snap_round(const CleanPass& pass);
+
+ private:
+  /// Of one start.
+  struct Attempts {
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();  ///< broken faces until now
+    int vain = 0;                                                  ///< rounds without fewer
+  };
+
+  bool repair(Assembly& assembly, int start);
+  bool is_in_vain(std::size_t broken, Attempts& attempts);
+  void note_broken(const Assembly& assembly, const std::vector<Index>& broken, bool is_first);
+  Assembly begin_anew(const CleanPass& pass, int start);
+  Assembly begin_simpler(const CleanPass& pass, int start);
+  void choose_spacings(int start);
+  int next_start(int start) const;
+  void mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most);
+  bool clean_again(Assembly& assembly, const GivenCells& cells, int level = 1);
+  bool has_changed(const Assembly& before, const Assembly& now) const;
+  void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
+  [[noreturn]] void give_up() const;
+  [[noreturn]] static void throw_nothing_left();
+
+  const Mesh& mesh_;
+  const SnapRoundingOptions& options_;
+  const Progress& progress_;
+  Spacings spacing_;            ///< those that count
+  std::size_t most_pairs_ = 0;  ///< with more than these, repair is hopeless
+  bool is_hopeless_ = false;
+  bool is_shattered_ = false;  ///< rounding breaks a good part of the faces
+  bool is_extreme_ = false;    ///< so it does where coordinates are extreme in every direction
+  int patience_ = 0;           ///< how many vain rounds more are waited for
+  bool is_vain_ = false;       ///< whether a start ended for want of it
+  std::string place_;          ///< the first place that was broken
+  KnownPairs known_;
+  std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
+  SnapRoundingResult result_;
+};
+
+void SnapRounder::give_up() const {
+  const bool is_float = options_.coordinate == Scalar::float32;
+  throw GoalError("rounding leaves faces that cross near " + place_ + "; " +
+                  (is_float ? "write doubles (--double), or " : "") +
+                  "merge vertices that lie close together there (tm-stitch --tolerance)");
+}
+
+void SnapRounder::throw_nothing_left() {
+  throw GoalError(
+      "the faces enclose nothing that is thicker than rounding moves it; a shape that is small or "
+      "far from the origin needs --double, or to be moved there");
+}
+
+// Unites what is close around the broken faces, until none is left.
+void SnapRounder::mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most) {
+  const auto around = [&] { return with_faces_around(assembly.mesh, broken.faces); };
+  result_.displacement +=
+      merge_close_vertices(assembly, around(), {most.vertices, most.moves_input}, spacing_);
+  drop_collapsed_faces(assembly);
+  broken = find_broken_faces(assembly, known_);
+  const auto note = [&](const Displacement& moved) {
+    if (!(moved.spacings > 0)) return false;
+    result_.displacement += moved;
+    drop_collapsed_faces(assembly);
+    return true;
+  };
+  if (!broken.faces.empty() && note(flip_slivers(assembly, around(), most.slivers, spacing_)))
+    broken = find_broken_faces(assembly, known_);
+  if (!broken.faces.empty() &&
+      note(push_out(assembly, broken.faces, {most.push, most.moves_input}, spacing_)))
+    broken = find_broken_faces(assembly, known_);
+  if (!broken.faces.empty())
+    note(split_at_contacts(assembly, broken.crossings, most.slivers, spacing_));
+}
+
+// Cleans what was rounded, and gives thin cells away. Returns whether nothing is left to be rounded
+// again.
+bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int level) {
+  PassOptions options{level, options_.method, false, {}, most_pairs_};
+  bool is_given = false;
+  if (cells.spacings > 0 && !options_.is_open)
+    options.change_kept = [&](Arrangement& arrangement, std::vector<char>& kept) {
+      const auto given =
+          give_thin_cells_away(arrangement, kept, cells.spacings, spacing_, cells.marked_faces);
+      is_given = given.has_value();
+      if (given) result_.displacement += *given;
+    };
+  CleanPass pass;
+  try {
+    pass = run_clean_pass(assembly.mesh, options, progress_);
+  } catch (const GoalError&) {
+    throw_nothing_left();
+  }
+  if (pass.unchanged) return true;
+  is_hopeless_ = pass.pairs > most_pairs_;
+  if (is_hopeless_) return false;
+  if (pass.assembly.mesh.faces.empty()) throw_nothing_left();
+  inherit(assembly, pass.assembly);
+  assembly = std::move(pass.assembly);
+  return pass.pairs == 0 && !is_given && assembly.split_edges == 0 && !options_.is_open;
+}
+
+// The last starts make simpler what coordinates that are extreme along an axis leave.
+void SnapRounder::choose_spacings(int start) {
+  if (start > last_given) spacing_.are_per_axis = false;
+}
+
+// Coordinates that are extreme in every direction are better made simpler at once: before thin
+// cells are sought, which takes the complete arrangement.
+int SnapRounder::next_start(int start) const {
+  constexpr int simpler = last_given + 1;
+  if (!is_extreme_) return start + 1;
+  if (start == 0) return simpler;
+  if (start == simpler) return 1;
+  return start + 1 == simpler ? simpler + 1 : start + 1;
+}
+
+// Rounds, and then mends and cleans what rounding broke, until cleaning changes nothing. What is
+// whole at once need not be cleaned again, unless the mesh is open: then other fans close its
+// borders now. Returns whether it succeeded.
+bool SnapRounder::repair(Assembly& assembly, int start) {
+  Attempts attempts;
+  for (int round = 0; round < most_rounds; ++round) {
+    progress_("round");
+    result_.displacement += round_and_merge(assembly, spacing_);
+    BrokenFaces found = find_broken_faces(assembly, known_);
+    const bool is_whole = found.faces.empty();
+    if (is_whole && round == 0 && !options_.is_open) return true;
+    if (is_in_vain(found.faces.size(), attempts)) return false;
+    if (round == 0) choose_spacings(start);
+    const Tolerances most = tolerances(start, round);
+    note_broken(assembly, found.faces, start == 0 && round == 0);
+    if (!is_whole && is_extreme_ && start == 0) return false;
+    if (!is_whole) mend(assembly, std::move(found), most);
+    if (clean_again(assembly, {is_whole ? 0 : most.cells})) return true;
+    if (is_hopeless_) return false;
+  }
+  return false;
+}
+
+// Whether for too long there have not been fewer.
+bool SnapRounder::is_in_vain(std::size_t broken, Attempts& attempts) {
+  attempts.vain = broken == 0 || broken < attempts.fewest ? 0 : attempts.vain + 1;
+  attempts.fewest = std::min(attempts.fewest, broken);
+  const bool is_now = attempts.vain == most_vain + patience_;
+  is_vain_ |= is_now;
+  return is_now;
+}
+
+void SnapRounder::note_broken(const Assembly& assembly, const std::vector<Index>& broken,
+                              bool is_first) {
+  for (const Index face : broken) is_broken_[assembly.source_face[face]] = 1;
+  is_shattered_ |= is_first && broken.size() > assembly.mesh.faces.size() / most_broken_share;
+  is_extreme_ |= spacing_.are_per_axis && is_shattered_;
+  if (broken.empty()) return;
+  ++result_.repairs;
+  if (!place_.empty()) return;
+  place_ = place_of(assembly.mesh, broken.front());
+  result_.places = count_places(assembly.mesh, broken);
+}
+
+// Where nothing was mended or merged, whole faces are those that were, as their corners stay.
+bool SnapRounder::has_changed(const Assembly& before, const Assembly& now) const {
+  return result_.repairs > 0 || before.mesh.faces.size() != now.mesh.faces.size();
+}
+
+// What was mended may leave vertices that no face uses.
+void drop_unused_vertices(Assembly& assembly) {
+  std::vector<char> is_used(assembly.mesh.positions.size(), 0);
+  for (const Face& face : assembly.mesh.faces)
+    for (const Index v : face) is_used[v] = 1;
+  if (std::find(is_used.begin(), is_used.end(), 0) == is_used.end()) return;
+  std::vector<char> is_new;
+  for (std::size_t v = 0; v < is_used.size(); ++v)
+    if (is_used[v]) is_new.push_back(assembly.vertex_is_new[v]);
+  assembly.vertex_is_new = std::move(is_new);
+  assembly.mesh = select_faces(assembly.mesh, std::vector<bool>(assembly.mesh.faces.size(), true));
+}
+
+// Marks the faces of the mesh that are whole faces of the assembly.
+std::vector<char> whole_faces(const Mesh& mesh, const Assembly& assembly) {
+  std::vector<char> is_whole(mesh.faces.size(), 0);
+  const auto at = [](const Mesh& of, Index face, std::size_t i) {
+    return of.positions[of.faces[face][i]];
+  };
+  for (Index f = 0; f < assembly.source_face.size(); ++f) {
+    const Index source = assembly.source_face[f];
+    bool is_same = true;
+    for (std::size_t i = 0; i < 3; ++i) is_same &= at(assembly.mesh, f, i) == at(mesh, source, i);
+    is_whole[source] |= is_same ? 1 : 0;
+  }
+  return is_whole;
+}
+
+void SnapRounder::count_faces(const std::vector<char>& was_whole, const Assembly& assembly) {
+  const std::vector<char> is_whole = whole_faces(mesh_, assembly);
+  std::vector<char> is_left(mesh_.faces.size(), 0);
+  for (const Index source : assembly.source_face) is_left[source] = 1;
+  for (std::size_t f = 0; f < is_left.size(); ++f)
+    if (was_whole[f] && !is_whole[f]) ++(is_left[f] ? result_.cut_faces : result_.removed_faces);
+}
+
+/// The mesh as if it were the result of a pass that changed nothing.
+Assembly unchanged_assembly(const Mesh& mesh) {
+  Assembly assembly;
+  assembly.mesh = mesh;
+  assembly.vertex_is_new.assign(mesh.positions.size(), 0);
+  assembly.face_is_new.assign(mesh.faces.size(), 0);
+  assembly.input_vertex.resize(mesh.positions.size());
+  std::iota(assembly.input_vertex.begin(), assembly.input_vertex.end(), Index{0});
+  assembly.source_face.resize(mesh.faces.size());
+  std::iota(assembly.source_face.begin(), assembly.source_face.end(), Index{0});
+  return assembly;
+}
+
+// Where parts are so thin and so nearly parallel that rounding their crossings makes new ones again
+// and again, they are given away in the exact arrangement of the input, before anything is rounded.
+// What that cannot help begins from the result once more, and coarser, as open meshes do, of which
+// it is not known what is inside, and what is so crowded that its complete arrangement is large.
+Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
+  result_.displacement = {};
+  is_hopeless_ = false;
+  if (is_shattered_ && start > last_given) return begin_simpler(pass, start);
+  const bool is_crowded = pass.pairs > most_crossed * mesh_.faces.size();
+  if (options_.is_open || is_crowded || start > last_given) return pass.assembly;
+  Assembly assembly = unchanged_assembly(mesh_);
+  clean_again(assembly, {given_spacings(start), is_broken_}, options_.level);
+  return assembly;
+}
+
+// Of coordinates that are extreme in every direction only the digits are kept that count where the
+// vertex is, and further starts keep fewer.
+Assembly SnapRounder::begin_simpler(const CleanPass& pass, int start) {
+  most_pairs_ = pairs_to_repair * pass.pairs + few_pairs;
+  Assembly assembly = unchanged_assembly(mesh_);
+  result_.displacement = snap_to_own_grids(assembly.mesh, options_.coordinate,
+                                           std::ldexp(1, digits_fewer * (start - last_given - 1)));
+  clean_again(assembly, {0}, options_.level);
+  if (!is_hopeless_) return assembly;
+  result_.displacement = {};
+  return pass.assembly;
+}
+
+SnapRoundingResult SnapRounder::snap_round(const CleanPass& pass) {
+  spacing_ = spacings_for(mesh_, options_.coordinate);
+  // What is extreme is better given up early, and begun anew.
+  most_pairs_ = (spacing_.are_per_axis ? 1 : pairs_to_repair) * pass.pairs + few_pairs;
+  is_broken_.assign(mesh_.faces.size(), 0);
+  Assembly assembly = pass.assembly;
+  for (int start = 0; !repair(assembly, start);) {
+    start = next_start(start);
+    if (start == most_starts) {
+      if (patience_ > 0 || !is_vain_) give_up();
+      patience_ = patience;
+      start = 1;
+    }
+    assembly = begin_anew(pass, start);
+  }
+  if (has_changed(pass.assembly, assembly))
+    count_faces(whole_faces(mesh_, pass.assembly), assembly);
+  drop_unused_vertices(assembly);
+  // A sliver that was flipped is part of the face beside it now.
+  if (result_.repairs > 0)
+    assembly.mesh.face_columns = mesh_.face_columns.select(assembly.source_face);
+  const auto& is_new = assembly.vertex_is_new;
+  result_.new_vertices = static_cast<std::size_t>(std::count(is_new.begin(), is_new.end(), 1));
+  result_.copied_vertices = assembly.copies;
+  result_.mesh = std::move(assembly.mesh);
+  return std::move(result_);
+}
+
+}  // namespace
+
+FirstRound round_once(Assembly& assembly, const Spacings& spacings) {
+  const Displacement displacement = round_and_merge(assembly, spacings);
+  return {count_places(assembly.mesh, find_broken_faces(assembly).faces), displacement};
+}
+
+SnapRoundingResult snap_round(const Mesh& mesh, const CleanPass& pass,
+                              const SnapRoundingOptions& options, const Progress& progress) {
+  return SnapRounder(mesh, options, progress).snap_round(pass);
+}
+
+}  // namespace transformesh

@@ -1,0 +1,218 @@
+#include "clean/rounding/thin_cells.h"
+
+#include <Eigen/Geometry>
+#include <limits>
+
+#include "clean/exterior/patches.h"
+#include "clean/open/space_cells.h"
+#include "clean/rounding/local_distance.h"
+
+namespace transformesh {
+namespace {
+
+constexpr char unknown = 2;
+constexpr int most_turns = 20;
+
+/// By how much the measured distance of a point from a plane may be wrong, as a share of how far
+/// the two are apart along it.
+constexpr double measuring_error = std::numeric_limits<double>::epsilon() / 2;
+
+/// The cells of an arrangement, and which of them are inside. A side of a patch is 2 * patch in
+/// front of it and 2 * patch + 1 behind it; a cell is named by one of its sides.
+class LabeledCells {
+ public:
+  LabeledCells(Arrangement& arrangement, const std::vector<char>& kept, const Spacings& spacing);
+  std::optional<Displacement> give_thin_ones_away(double spacings,
+                                                  const std::vector<char>& marked_faces);
+  void keep_boundary(std::vector<char>& kept) const;
+
+ private:
+  struct Plane {
+    Triangle triangle;
+    Vec3 normal = Vec3::Zero();
+  };
+
+  void spread_labels(const std::vector<char>& kept);
+  void measure_patches();
+  Plane largest_plane(Index cell) const;
+  bool is_beside(Index cell, const std::vector<char>& faces) const;
+  bool is_thin(Index cell, double spacings, Displacement& thickness) const;
+  bool wants_change(Index cell) const;
+  template <class Visit>
+  void visit_corners(Index cell, const Visit& visit) const;
+
+  Arrangement& arrangement_;
+  const Spacings& spacing_;
+  Patches patches_;
+  std::vector<Index> cell_of_;             ///< per side
+  std::vector<std::vector<Index>> sides_;  ///< per cell
+  std::vector<char> is_inside_;            ///< per cell, or unknown
+  std::vector<Vec3> positions_;            ///< per point
+  std::vector<double> areas_;              ///< per patch, in shares of the largest piece
+  std::vector<Index> largest_;             ///< per patch: its largest piece
+};
+
+LabeledCells::LabeledCells(Arrangement& arrangement, const std::vector<char>& kept,
+                           const Spacings& spacing)
+    : arrangement_(arrangement), spacing_(spacing), patches_(arrangement) {
+  DisjointSets sides = join_sides_around_edges(arrangement, patches_);
+  const auto count = static_cast<Index>(2 * patches_.size());
+  sides_.resize(count);
+  for (Index side = 0; side < count; ++side) {
+    cell_of_.push_back(sides.find(side));
+    sides_[cell_of_[side]].push_back(side);
+  }
+  for (Index i = 0; i < arrangement.point_count(); ++i)
+    positions_.push_back(arrangement.position(i));
+  spread_labels(kept);
+  measure_patches();
+}
+
+// A kept patch parts outside in front of it from inside behind it; across others nothing changes.
+void LabeledCells::spread_labels(const std::vector<char>& kept) {
+  is_inside_.assign(cell_of_.size(), unknown);
+  std::vector<Index> queue;
+  const auto label = [&](Index cell, char value) {
+    if (is_inside_[cell] != unknown) return;
+    is_inside_[cell] = value;
+    queue.push_back(cell);
+  };
+  const auto is_kept = [&](Index side) { return kept[patches_.pieces[side / 2].front()] != 0; };
+  for (Index side = 0; side < cell_of_.size(); ++side)
+    if (is_kept(side)) label(cell_of_[side], static_cast<char>(side % 2));
+  for (std::size_t i = 0; i < queue.size(); ++i)
+    for (const Index side : sides_[queue[i]])
+      if (!is_kept(side)) label(cell_of_[side ^ 1U], is_inside_[queue[i]]);
+}
+
+void LabeledCells::measure_patches() {
+  double size = 0;
+  for (const Vec3& p : positions_) size = std::max(size, (p - positions_[0]).cwiseAbs().maxCoeff());
+  for (Index patch = 0; patch < patches_.size(); ++patch) {
+    double sum = 0, most = -1;
+    largest_.push_back(no_index);
+    for (const Index piece : patches_.pieces[patch]) {
+      const Triangle t = triangle_of(positions_, arrangement_.pieces[piece].corners);
+      const double area = ((t[1] - t[0]) / size).cross((t[2] - t[0]) / size).stableNorm();
+      sum += area;
+      if (area <= most) continue;
+      most = area;
+      largest_.back() = piece;
+    }
+    areas_.push_back(sum);
+  }
+}
+
+// The plane of the cell's patch of the largest area, by the largest piece of that.
+LabeledCells::Plane LabeledCells::largest_plane(Index cell) const {
+  Index largest = sides_[cell].front() / 2;
+  for (const Index side : sides_[cell])
+    if (areas_[side / 2] > areas_[largest]) largest = side / 2;
+  const Triangle t = triangle_of(positions_, arrangement_.pieces[largest_[largest]].corners);
+  return {t, unit_normal(t)};
+}
+
+// Calls visit(position) for the corners of the pieces around the cell, until it returns false.
+template <class Visit>
+void LabeledCells::visit_corners(Index cell, const Visit& visit) const {
+  for (const Index side : sides_[cell])
+    for (const Index piece : patches_.pieces[side / 2])
+      for (const Index corner : arrangement_.pieces[piece].corners)
+        if (!visit(positions_[corner])) return;
+}
+
+// Whether one of the marked faces bounds the cell.
+bool LabeledCells::is_beside(Index cell, const std::vector<char>& faces) const {
+  for (const Index side : sides_[cell])
+    for (const Index piece : patches_.pieces[side / 2])
+      for (const PieceSource& source : arrangement_.sources_of(arrangement_.pieces[piece]))
+        if (faces[arrangement_.welded->face_of[source.face]]) return true;
+  return false;
+}
+
+// Whether all corners are between two planes that are that close at each of them.
+bool LabeledCells::is_thin(Index cell, double spacings, Displacement& thickness) const {
+  const Plane plane = largest_plane(cell);
+  if (plane.normal.isZero(0)) return false;
+  double low = 0, high = 0;
+  bool is_thin = true;
+  const auto check = [&](const Vec3& p) {
+    const double height = height_over(plane.triangle, plane.normal, p);
+    low = std::min(low, height);
+    high = std::max(high, height);
+    const Vec3 apart = (p - plane.triangle[0]).cwiseProduct(spacing_.leads(plane.normal));
+    const double error = measuring_error * apart.stableNorm();
+    const double spacing = spacing_.along(plane.normal, p);
+    is_thin = std::max(high - height, height - low) + error <= spacings * spacing;
+    return is_thin;
+  };
+  visit_corners(cell, check);
+  if (is_thin) visit_corners(cell, check);  // now that both planes are known
+  if (is_thin) thickness.note(high - low, spacing_around(plane.triangle[0], spacing_.type));
+  return is_thin;
+}
+
+// Whether less surface is left where the cell changes sides.
+bool LabeledCells::wants_change(Index cell) const {
+  double alike = 0, unlike = 0;
+  for (const Index side : sides_[cell]) {
+    const Index beyond = cell_of_[side ^ 1U];
+    if (beyond == cell) continue;
+    (is_inside_[beyond] == is_inside_[cell] ? alike : unlike) += areas_[side / 2];
+  }
+  return unlike > alike;
+}
+
+std::optional<Displacement> LabeledCells::give_thin_ones_away(
+    double spacings, const std::vector<char>& marked_faces) {
+  std::vector<Index> thin;
+  Displacement thickness;
+  std::optional<Displacement> given;
+  for (Index cell = 0; cell < sides_.size(); ++cell) {
+    if (sides_[cell].empty() || is_inside_[cell] == unknown) continue;
+    if (!marked_faces.empty() && !is_beside(cell, marked_faces)) continue;
+    if (is_thin(cell, spacings, thickness)) thin.push_back(cell);
+  }
+  bool is_changed = true;
+  for (int turn = 0; turn < most_turns && is_changed; ++turn) {
+    is_changed = false;
+    for (const Index cell : thin) {
+      if (!wants_change(cell)) continue;
+      is_inside_[cell] = is_inside_[cell] ? 0 : 1;
+      is_changed = true;
+      given = thickness;
+    }
+  }
+  return given;
+}
+
+void LabeledCells::keep_boundary(std::vector<char>& kept) const {
+  for (std::size_t p = 0; p < kept.size(); ++p) {
+    const Index patch = patches_.patch_of[p];
+    if (patch == no_index) continue;
+    const char front = is_inside_[cell_of_[std::size_t{2} * patch]];
+    const char behind = is_inside_[cell_of_[std::size_t{2} * patch + 1]];
+    if (front == unknown || behind == unknown) continue;
+    kept[p] = front != behind ? 1 : 0;
+    if (!kept[p] || !front) continue;
+    Piece& piece = arrangement_.pieces[p];
+    std::swap(piece.corners[1], piece.corners[2]);
+    for (Index s = 0; s < piece.source_count; ++s) {
+      bool& is_reversed = arrangement_.sources[piece.first_source + s].reversed;
+      is_reversed = !is_reversed;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Displacement> give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
+                                                 double spacings, const Spacings& spacing,
+                                                 const std::vector<char>& marked_faces) {
+  LabeledCells cells(arrangement, kept, spacing);
+  const std::optional<Displacement> given = cells.give_thin_ones_away(spacings, marked_faces);
+  if (given) cells.keep_boundary(kept);
+  return given;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,29 @@
+#include "clean/stitch/join_soup.h"
+
+#include "mesh/touching_borders.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+[[noreturn]] void refuse_orientation(Mesh mesh, const std::string& problem) {
+  const StitchResult oriented = stitch(mesh, {.orient = true});
+  if (oriented.misoriented_edges == 0)
+    throw InputError(problem + ": the mesh is not oriented; mend it with tm-stitch --orient");
+  throw InputError(oriented.misorientation +
+                   ", and turning sheets (tm-stitch --orient) cannot change that: remove faces "
+                   "there");
+}
+
+}  // namespace
+
+StitchResult join_soup(Mesh& mesh) {
+  if (count_touching_borders(mesh) == 0) return {};
+  Mesh joined = mesh;
+  const StitchResult result = stitch(joined);
+  if (result.misoriented_edges > 0) refuse_orientation(std::move(joined), result.misorientation);
+  mesh = std::move(joined);
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,269 @@
+#include "clean/stitch/orient.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+#include "clean/exterior/angular_order.h"
+#include "clean/stitch/copy_layers.h"
+#include "clean/stitch/orientation_check.h"
+#include "clean/stitch/sheet_links.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/edges.h"
+#include "mesh/location_text.h"
+#include "mesh/surface_columns.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+/// Faces connected across edges of two faces, or of copies of two (copy_layers.h).
+struct Sheet {
+  std::vector<Index> faces;
+  bool agreed = true;         ///< within itself, and with others at their common edges
+  bool has_border = false;    ///< it has an edge of one face
+  bool copies_agreed = true;  ///< all sheets of the set of copies that this one stands for did
+  double volume = 0;          ///< six times that of the cone over it from the group's centroid
+};
+
+class Orienter {
+ public:
+  explicit Orienter(const Mesh& mesh);
+  std::vector<char> find_reversed();
+
+ private:
+  void collect_sheet(Index first);
+  [[noreturn]] void refuse(Index halfedge, Index across) const;
+  bool runs_forward(Index halfedge) const;
+  void link_sheets();
+  void orient_group(const std::vector<Index>& group);
+  void measure_volumes(const std::vector<Index>& group);
+  double volume(Index sheet) const;
+  void improve(std::vector<Index> group, bool has_border);
+  void try_outwards(const std::vector<Index>& group);
+  void face_outwards(const std::vector<Index>& group);
+  void face_as_most(const std::vector<Index>& group);
+  void reverse_group(const std::vector<Index>& group);
+
+  const Mesh& mesh_;
+  const Edges edges_;
+  std::vector<Index> across_;      ///< per halfedge: the one that continues its sheet
+  std::vector<Index> sheet_of_;    ///< per face
+  std::vector<char> is_reversed_;  ///< per face: it must be, to agree with its sheet's first
+  std::vector<Sheet> sheets_;
+  std::vector<char> sheet_is_reversed_;
+  SheetLinks links_{0};
+  DisjointSets copies_{0};  ///< sheets that lie upon each other: if one needs it, all are turned
+};
+
+Orienter::Orienter(const Mesh& mesh)
+    : mesh_(mesh),
+      edges_(without_collapsed(mesh.faces), mesh.positions.size()),
+      across_(neighbors_in_layers(mesh, edges_)),
+      sheet_of_(mesh.faces.size(), no_index),
+      is_reversed_(mesh.faces.size(), 0) {
+  for (Index first = 0; first < mesh.faces.size(); ++first) {
+    if (sheet_of_[first] == no_index) collect_sheet(first);
+  }
+  sheet_is_reversed_.assign(sheets_.size(), 0);
+  links_ = SheetLinks(sheets_.size());
+  copies_ = DisjointSets(sheets_.size());
+  link_sheets();
+  for (Index sheet = 0; sheet < sheets_.size(); ++sheet)
+    if (!sheets_[sheet].agreed) sheets_[copies_.find(sheet)].copies_agreed = false;
+}
+
+// Whether the halfedge runs forward once its face agrees with the first of its sheet.
+bool Orienter::runs_forward(Index h) const {
+  return is_forward(mesh_.faces, h) != (is_reversed_[h / 3] != 0);
+}
+
+void Orienter::collect_sheet(Index first) {
+  const auto number = static_cast<Index>(sheets_.size());
+  Sheet& sheet = sheets_.emplace_back();
+  sheet.faces.push_back(first);
+  sheet_of_[first] = number;
+  for (std::size_t i = 0; i < sheet.faces.size(); ++i) {
+    for (Index k = 0; k < 3; ++k) {
+      const Index h = 3 * sheet.faces[i] + k, across = across_[h];
+      if (across == no_index) continue;
+      if (sheet_of_[across / 3] == no_index) {
+        sheet_of_[across / 3] = number;
+        is_reversed_[across / 3] = runs_forward(h) == runs_forward(across);
+        if (is_reversed_[across / 3]) sheet.agreed = false;
+        sheet.faces.push_back(across / 3);
+      } else if (runs_forward(h) == runs_forward(across)) {
+        refuse(h, across);
+      }
+    }
+  }
+}
+
+void Orienter::refuse(Index halfedge, Index across) const {
+  throw InputError("faces " + std::to_string(std::min(halfedge, across) / 3) + " and " +
+                   std::to_string(std::max(halfedge, across) / 3) + " cannot agree at the " +
+                   edge_text(mesh_, halfedge) +
+                   ", however faces are turned: the surface has one side only, like a Moebius "
+                   "strip; tm-stitch without --orient cuts it open, and tm-fill --allow-crossings "
+                   "closes borders");
+}
+
+// Finds by how much sheets that end at the same edges agree there.
+void Orienter::link_sheets() {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const auto halfedges = edges_.halfedges(e);
+    if (halfedges.size() == 1) sheets_[sheet_of_[halfedges[0] / 3]].has_border = true;
+    if (halfedges.size() <= 2) continue;
+    if (across_[halfedges[0]] != no_index)
+      for (const Index h : halfedges) copies_.join(sheet_of_[h / 3], sheet_of_[halfedges[0] / 3]);
+    std::map<Index, int> sums;
+    int sum_before = 0;
+    for (const Index h : halfedges) {
+      sums[sheet_of_[h / 3]] += runs_forward(h) ? 1 : -1;
+      sum_before += runs_forward(h) != (is_reversed_[h / 3] != 0) ? 1 : -1;
+    }
+    links_.add_edge(sums);
+    if (std::abs(sum_before) <= 1) continue;
+    for (const auto& [sheet, sum] : sums)
+      if (sum != 0) sheets_[sheet].agreed = false;
+  }
+  links_.find_kinds();
+}
+
+void Orienter::measure_volumes(const std::vector<Index>& group) {
+  Vec3 middle = Vec3::Zero();
+  std::size_t count = 0;
+  for (const Index sheet : group) {
+    for (const Index f : sheets_[sheet].faces) {
+      for (const Index v : mesh_.faces[f]) middle += mesh_.positions[v];
+    }
+    count += 3 * sheets_[sheet].faces.size();
+  }
+  middle /= static_cast<double>(count);
+  for (const Index sheet : group) {
+    for (const Index f : sheets_[sheet].faces) {
+      const auto& [i, j, k] = mesh_.faces[f];
+      const Vec3 a = mesh_.positions[i] - middle, b = mesh_.positions[j] - middle;
+      const double part = a.cross(b).dot(mesh_.positions[k] - middle);
+      sheets_[sheet].volume += is_reversed_[f] ? -part : part;
+    }
+  }
+}
+
+double Orienter::volume(Index sheet) const {
+  return sheet_is_reversed_[sheet] ? -sheets_[sheet].volume : sheets_[sheet].volume;
+}
+
+// Reverses sheets, small ones first, while that makes more of them agree, or as many with a larger
+// volume. As both only grow, this ends.
+void Orienter::improve(std::vector<Index> group, bool has_border) {
+  std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
+    return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);
+  });
+  links_.sum_up(group, sheet_is_reversed_);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Index sheet : group) {
+      const bool was_reversed = sheet_is_reversed_[sheet] != 0;
+      const std::int64_t agree = links_.agreement(sheet, was_reversed);
+      if (agree > 0 || (agree == 0 && (has_border || volume(sheet) >= 0))) continue;
+      links_.reverse(sheet, was_reversed);
+      sheet_is_reversed_[sheet] = !was_reversed;
+      changed = true;
+    }
+  }
+}
+
+// Starts again with every sheet looking outwards on its own, and keeps the result if it is better.
+void Orienter::try_outwards(const std::vector<Index>& group) {
+  const auto score = [&] {
+    links_.sum_up(group, sheet_is_reversed_);
+    std::int64_t agree = 0;
+    double sum = 0;
+    for (const Index sheet : group) {
+      agree += links_.agreement(sheet, sheet_is_reversed_[sheet] != 0);
+      sum += volume(sheet);
+    }
+    return std::pair(agree, std::abs(sum));
+  };
+  const std::vector<char> before = sheet_is_reversed_;
+  const auto score_before = score();
+  for (const Index sheet : group) sheet_is_reversed_[sheet] = sheets_[sheet].volume < 0;
+  improve(group, false);
+  if (score() < score_before) sheet_is_reversed_ = before;
+}
+
+void Orienter::reverse_group(const std::vector<Index>& group) {
+  for (const Index sheet : group) sheet_is_reversed_[sheet] = !sheet_is_reversed_[sheet];
+}
+
+void Orienter::face_outwards(const std::vector<Index>& group) {
+  double sum = 0;
+  for (const Index sheet : group) sum += volume(sheet);
+  if (sum < 0) reverse_group(group);
+}
+
+void Orienter::face_as_most(const std::vector<Index>& group) {
+  std::size_t reversed = 0, count = 0;
+  for (const Index sheet : group) {
+    for (const Index f : sheets_[sheet].faces)
+      reversed += is_reversed_[f] != sheet_is_reversed_[sheet] ? 1 : 0;
+    count += sheets_[sheet].faces.size();
+  }
+  if (2 * reversed > count) reverse_group(group);
+}
+
+void Orienter::orient_group(const std::vector<Index>& group) {
+  const auto has_border = [&](Index sheet) { return sheets_[sheet].has_border; };
+  const auto agreed = [&](Index sheet) { return sheets_[copies_.find(sheet)].copies_agreed; };
+  if (std::all_of(group.begin(), group.end(), agreed)) {
+    for (const Index sheet : group) sheet_is_reversed_[sheet] = 0;
+    return;
+  }
+  measure_volumes(group);
+  const bool is_open = std::any_of(group.begin(), group.end(), has_border);
+  if (group.size() > 1) improve(group, is_open);
+  if (is_open) {
+    face_as_most(group);
+  } else {
+    if (group.size() > 1) try_outwards(group);
+    face_outwards(group);
+  }
+}
+
+std::vector<char> Orienter::find_reversed() {
+  for (Index first = 0; first < sheets_.size(); ++first) {
+    const std::vector<Index> group = links_.align(first, sheet_is_reversed_);
+    if (!group.empty()) orient_group(group);
+  }
+  std::vector<char> is_reversed(mesh_.faces.size());
+  for (std::size_t f = 0; f < is_reversed.size(); ++f) {
+    is_reversed[f] = is_reversed_[f] != sheet_is_reversed_[sheet_of_[f]];
+  }
+  return is_reversed;
+}
+
+}  // namespace
+
+std::size_t orient_faces(Mesh& mesh) {
+  const std::vector<char> is_reversed = Orienter(mesh).find_reversed();
+  for (std::size_t f = 0; f < is_reversed.size(); ++f) {
+    if (!is_reversed[f]) continue;
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    reverse_corner_lists(mesh, static_cast<Index>(f));
+  }
+  return static_cast<std::size_t>(std::count(is_reversed.begin(), is_reversed.end(), 1));
+}
+
+bool can_be_oriented(Mesh mesh) {
+  try {
+    orient_faces(mesh);
+  } catch (const InputError&) {
+    return false;
+  }
+  return describe_misorientation(mesh).empty();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,147 @@
+#include "clean/stitch/stitch.h"
+
+#include <algorithm>
+
+#include "clean/exterior/angular_order.h"
+#include "clean/stitch/one_side.h"
+#include "clean/stitch/orient.h"
+#include "clean/stitch/orientation_check.h"
+#include "clean/stitch/pair_across_inside.h"
+#include "clean/stitch/split_singular_edges.h"
+#include "clean/stitch/weld.h"
+#include "mesh/fans.h"
+#include "mesh/surface_columns.h"
+
+namespace transformesh {
+namespace {
+
+// Replaces each vertex in faces by that with which it is joined. Returns how many are replaced.
+std::size_t join_vertices(Mesh& mesh, double tolerance) {
+  const std::vector<Index> representative = weld_positions(mesh.positions, tolerance);
+  for (Face& face : mesh.faces) {
+    for (Index& v : face) v = representative[v];
+  }
+  std::size_t joined = 0;
+  for (Index v = 0; v < representative.size(); ++v) joined += representative[v] != v ? 1 : 0;
+  return joined;
+}
+
+std::size_t drop_collapsed_faces(Mesh& mesh) {
+  std::vector<Face> faces;
+  std::vector<Index> rows;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (is_collapsed(mesh.faces[f])) continue;
+    faces.push_back(mesh.faces[f]);
+    rows.push_back(f);
+  }
+  const std::size_t dropped = mesh.faces.size() - faces.size();
+  if (dropped > 0) mesh.face_columns = mesh.face_columns.select(rows);
+  mesh.faces = std::move(faces);
+  return dropped;
+}
+
+// Counts edges at which faces are left over; those that several leave open all run the same way.
+void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
+                      StitchResult& result) {
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    const auto open = std::count_if(halfedges.begin(), halfedges.end(),
+                                    [&](Index h) { return opposite[h] == no_index; });
+    if (open == 1) ++result.border_edges;
+    if (open > 1) ++result.misoriented_edges;
+  }
+}
+
+// Keeps, in their order, those of the vertices and of the copies numbered behind them that faces
+// use.
+void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
+  std::vector<Index> renumbered(mesh.positions.size() + copies.size(), no_index);
+  for (const Face& face : mesh.faces) {
+    for (const Index v : face) renumbered[v] = 0;
+  }
+  std::vector<Index> rows;
+  std::vector<Vec3> positions;
+  for (Index v = 0; v < renumbered.size(); ++v) {
+    if (renumbered[v] == no_index) continue;
+    renumbered[v] = static_cast<Index>(rows.size());
+    rows.push_back(v < mesh.positions.size() ? v : copies[v - mesh.positions.size()]);
+    positions.push_back(mesh.positions[rows.back()]);
+  }
+  mesh.positions = std::move(positions);
+  mesh.vertex_columns = mesh.vertex_columns.select(rows);
+  for (Face& face : mesh.faces) {
+    for (Index& v : face) v = renumbered[v];
+  }
+}
+
+// Gives each fan a vertex of its own (paper 3.3.1): the first at a vertex keeps it, and others get
+// copies, which are numbered behind all vertices. Returns the number of copies.
+std::size_t separate_fans(Mesh& mesh, const Fans& fans) {
+  std::vector<char> is_taken(mesh.positions.size(), 0);
+  std::vector<Index> vertex_of = fans.vertex_of;
+  std::vector<Index> copies;
+  for (Index& v : vertex_of) {
+    if (!is_taken[v]) {
+      is_taken[v] = 1;
+      continue;
+    }
+    copies.push_back(v);
+    v = static_cast<Index>(mesh.positions.size() + copies.size() - 1);
+  }
+  for (Index h = 0; h < fans.of_corner.size(); ++h) {
+    mesh.faces[h / 3][h % 3] = vertex_of[fans.of_corner[h]];
+  }
+  drop_unused_vertices(mesh, copies);
+  return copies.size();
+}
+
+// Splits edges that are still singular. Midpoints and pieces inherit from what they are made of.
+std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
+  const EdgeSplits splits = split_singular_edges(mesh, opposite);
+  for (const auto& [face, ends] : splits.vertices) {
+    mesh.vertex_columns.append({{ends[0], ends[1], ends[1]}, {0.5, 0.5, 0}});
+  }
+  for (const Index face : splits.face_source) {
+    mesh.face_columns.append({{face, face, face}, {1, 0, 0}});
+  }
+  return splits.edges;
+}
+
+// With what says how they look.
+void reverse_faces(Mesh& mesh) {
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    reverse_corner_lists(mesh, f);
+  }
+  reverse_normals(mesh);
+}
+
+}  // namespace
+
+StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
+  StitchResult result;
+  result.joined_vertices = join_vertices(mesh, options.tolerance);
+  if (options.one_side) result.dropped_reverses = drop_reverses(mesh);
+  if (options.orient || options.one_side) result.reversed_faces = orient_faces(mesh);
+  const std::vector<Face> all_faces = mesh.faces;
+  result.dropped_faces = drop_collapsed_faces(mesh);
+
+  const Edges edges(mesh);
+  std::vector<Index> opposite = pair_across_inside(
+      mesh.faces, edges,
+      [&](std::span<const Index> halfedges) { return sort_around_edge(mesh, halfedges); });
+  count_open_edges(edges, opposite, result);
+  if (result.misoriented_edges > 0) {
+    const Mesh all{mesh.positions, all_faces, {}, {}};
+    result.misorientation = describe_misorientation(all);
+    result.can_be_oriented = can_be_oriented(all);
+  }
+  result.copied_vertices = separate_fans(mesh, find_fans(mesh.faces, opposite));
+  result.split_edges = split_edges(mesh, opposite);
+  if (options.one_side) result.reversed_faces += turn_outwards(mesh);
+  if (options.flip) reverse_faces(mesh);
+  if (result.reversed_faces > 0) result.new_normals = refresh_normals(mesh);
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,94 @@
+#include "evolution/evolve.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "evolution/loop/stop_rules.h"
+#include "support/counted.h"
+#include "support/number.h"
+
+namespace transformesh {
+namespace {
+
+class EvolveLoop : public Loop {
+ public:
+  EvolveLoop(const Step& step, IterationOptions options, const UntilRule& until)
+      : step_(step), options_(std::move(options)), until_(until) {}
+
+  void advance(Document& document, std::size_t /*iteration*/, const Progress& progress) override {
+    options_.expects_changes = last_.was_cleaned;
+    last_ = iterate(document, step_, options_, progress);
+    clamped_iterations_ += last_.displaced.clamped > 0 ? 1 : 0;
+    clamped_share_ = std::max(clamped_share_, last_.clamped_share());
+    is_done_ = until_.is_stalled
+                   ? stalled_.add(last_.displaced.rms_displacement) || last_.displaced.moved == 0
+                   : last_.displaced.max_displacement < until_.least_movement;
+  }
+  bool is_done() const override { return is_done_; }
+  void remember(Memory& memory) override {
+    stalled_.remember(memory);
+    memory("done", is_done_);
+    memory("clamped_iterations", clamped_iterations_)("clamped_share", clamped_share_);
+  }
+
+  void measure(CsvRow& row) const override {
+    last_.measure_mesh(row);
+    row.share("moved_fraction", last_.moved_share());
+    row.number("max_displacement", last_.displaced.max_displacement);
+    row.number("rms_displacement", last_.displaced.rms_displacement);
+    last_.measure_times(row);
+    row.share("clamped_fraction", last_.clamped_share());
+  }
+  std::string message() const override {
+    return ": " + in_words(last_.faces, last_.topology) + ", moved " +
+           significant(last_.displaced.max_displacement, 3) + " at most";
+  }
+
+  EvolveResult result(std::size_t iterations) const {
+    return {iterations, is_done_, clamped_iterations_, clamped_share_, last_};
+  }
+
+ private:
+  const Step& step_;
+  IterationOptions options_;
+  UntilRule until_;
+  StalledRule stalled_;
+  IterationResult last_;
+  bool is_done_ = false;
+  std::size_t clamped_iterations_ = 0;
+  double clamped_share_ = 0;
+};
+
+}  // namespace
+
+std::string clamps_in_words(const EvolveResult& result, double alpha) {
+  return "vertices moved less far than their velocities say in " +
+         std::to_string(result.clamped_iterations) + " of " +
+         counted(result.iterations, "iteration") + ", at most " +
+         significant(100 * result.clamped_share, 2) + " % of them: clamped to " +
+         shortest_text(alpha) + " of the mean edge";
+}
+
+EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options,
+                    const LoopOptions& loop_options, Record& record, const Progress& progress) {
+  EvolveLoop loop(step, completed(options.iteration, document.mesh), options.until);
+  run_loop(loop, document, loop_options, record, progress);
+  return loop.result(record.iteration());
+}
+
+EvolveResult evolve(Mesh& mesh, const Step& step, const EvolveOptions& options,
+                    const LoopOptions& loop, const Progress& progress) {
+  Document document;
+  document.mesh = std::move(mesh);
+  Record record;
+  try {
+    const EvolveResult result = evolve(document, step, options, loop, record, progress);
+    mesh = std::move(document.mesh);
+    return result;
+  } catch (...) {
+    mesh = std::move(document.mesh);
+    throw;
+  }
+}
+
+}  // namespace transformesh

@@ -1,0 +1,38 @@
+/// A row of a CSV file, with the names of its columns.
+#pragma once
+
+#include <concepts>
+#include <string>
+
+#include "support/number.h"
+
+namespace transformesh {
+
+/// Names and values go into it together, so that no header can differ from its rows.
+class CsvRow {
+ public:
+  CsvRow& count(const std::string& name, std::integral auto value) {
+    return text(name, std::to_string(value));
+  }
+  CsvRow& number(const std::string& name, double value, int digits = 6) {
+    return text(name, significant(value, digits));
+  }
+  CsvRow& share(const std::string& name, double value, int decimals = 4) {
+    return text(name, fixed(value, decimals));
+  }
+  CsvRow& seconds(const std::string& name, double value) { return share(name, value, 3); }
+  CsvRow& text(const std::string& name, const std::string& value) {
+    const std::string comma = header_.empty() ? "" : ",";
+    header_ += comma + name;
+    line_ += comma + value;
+    return *this;
+  }
+
+  const std::string& header() const { return header_; }
+  const std::string& line() const { return line_; }
+
+ private:
+  std::string header_, line_;
+};
+
+}  // namespace transformesh

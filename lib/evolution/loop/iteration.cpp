@@ -1,0 +1,212 @@
+#include "evolution/loop/iteration.h"
+
+#include <atomic>
+#include <exception>
+#include <utility>
+
+#include "clean/clean.h"
+#include "evolution/loop/stopwatch.h"
+#include "io/mesh_io.h"
+#include "mesh/components.h"
+#include "mesh/measure.h"
+#include "support/beside.h"
+#include "support/counted.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+Topology topology_of(const Components& found) { return {found.components.size(), found.genus()}; }
+
+RemeshOptions remesh_options(const Document& document, const IterationOptions& options) {
+  const auto resolved = [&](const Length& length) {
+    const bool is_factor = !options.remesh.size_column.empty();
+    const double base = is_factor ? 1 : options.reference_edge;
+    const bool needs_diagonal = length.unit == Length::Unit::diagonal;
+    const double diagonal = needs_diagonal ? bounding_box(document.mesh).diagonal() : 0;
+    return length.resolve(diagonal, base);
+  };
+  RemeshOptions result = options.remesh;
+  result.min_edge = resolved({options.edge_factor * options.min_edge.value, options.min_edge.unit});
+  result.max_edge = resolved({options.edge_factor * options.max_edge.value, options.max_edge.unit});
+  result.coordinate = document.style.coordinate;
+  return result;
+}
+
+/// remesh() of a document that is being cleaned: the result counts where that changes nothing.
+class EarlyRemesh {
+ public:
+  EarlyRemesh(Document document, const IterationOptions& options, const Progress& progress)
+      : document_(std::move(document)), options_(options), progress_(progress) {}
+
+  void run() {
+    try {
+      const Progress goes_on([this](std::string_view phase, double fraction) {
+        if (is_awaited_) progress_(phase, fraction);
+        return !is_cancelled_;
+      });
+      result_ = remesh_in_place(document_, options_, goes_on);
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+  }
+  void cancel() { is_cancelled_ = true; }
+  /// From now on it is all that is done: it tells its progress, and may be cancelled by that.
+  void await() { is_awaited_ = true; }
+  RemeshResult take(Document& document) {
+    if (error_) std::rethrow_exception(error_);
+    document = std::move(document_);
+    return std::move(result_);
+  }
+
+ private:
+  Document document_;
+  const IterationOptions& options_;
+  const Progress& progress_;
+  std::atomic<bool> is_cancelled_{false}, is_awaited_{false};
+  RemeshResult result_;
+  std::exception_ptr error_;
+};
+
+/// Cleans and remeshes; fills the result but for the step.
+class CleanAndRemesh {
+ public:
+  CleanAndRemesh(Document& document, const IterationOptions& options, const Progress& progress,
+                 IterationResult& result)
+      : document_(document), options_(options), progress_(progress), result_(result) {}
+
+  void run() {
+    RemeshResult remeshed;
+    if (allowed_thread_count() == 1 || options_.expects_changes) {
+      clean();
+      remeshed = remesh();
+    } else {
+      remeshed = run_both();
+    }
+    result_.seconds_remesh = watch_.lap();
+    result_.topology = {cleaned_.topology.components - remeshed.components_removed.count,
+                        cleaned_.topology.genus};
+    result_.faces = document_.mesh.faces.size();
+  }
+
+ private:
+  void clean() {
+    cleaned_ = clean_in_place(document_, progress_, options_.outermost);
+    result_.pairs = cleaned_.pairs;
+    result_.was_cleaned = cleaned_.changed;
+    result_.seconds_clean = watch_.lap();
+  }
+  RemeshResult remesh() {
+    return remesh_in_place(document_, options_, progress_, std::move(cleaned_.opposites));
+  }
+  RemeshResult run_both() {
+    EarlyRemesh early(document_, options_, progress_);
+    const auto clean_or_cancel = [&] {
+      try {
+        clean();
+        progress_("remesh");
+        cleaned_.changed ? early.cancel() : early.await();
+      } catch (...) {
+        early.cancel();
+        throw;
+      }
+    };
+    run_beside(clean_or_cancel, [&] { early.run(); });
+    return cleaned_.changed ? remesh() : early.take(document_);
+  }
+
+  Document& document_;
+  const IterationOptions& options_;
+  const Progress& progress_;
+  IterationResult& result_;
+  CleanedTopology cleaned_;
+  Stopwatch watch_;
+};
+
+}  // namespace
+
+Step step_along(Velocity velocity, const DisplaceOptions& options) {
+  return [velocity = std::move(velocity), options](Mesh& mesh, const Progress& progress) {
+    return displace(mesh, velocity(mesh, progress), options);
+  };
+}
+
+RemeshOptions smoothed_by(double factor) {
+  RemeshOptions options;
+  options.smoothing = Smoothing::laplace;
+  options.smooth_first = factor;
+  return options;
+}
+
+IterationOptions completed(IterationOptions options, const Mesh& mesh) {
+  if (options.reference_edge == 0) options.reference_edge = measured_reference_edge(mesh);
+  return options;
+}
+
+std::string in_words(std::size_t faces, const Topology& topology) {
+  return counted(faces, "face") + ", " + counted(topology.components, "part") + ", genus " +
+         std::to_string(topology.genus);
+}
+
+std::string in_short(std::size_t faces, const Topology& topology) {
+  return counted(faces, "face") + ", components " + std::to_string(topology.components) +
+         ", genus " + std::to_string(topology.genus);
+}
+
+double IterationResult::moved_share() const {
+  return static_cast<double>(displaced.moved) / static_cast<double>(vertices);
+}
+
+double IterationResult::clamped_share() const {
+  return static_cast<double>(displaced.clamped) / static_cast<double>(vertices);
+}
+
+void IterationResult::measure_mesh(CsvRow& row) const {
+  row.count("faces", faces).count("pairs", pairs);
+  row.count("components", topology.components).count("genus", topology.genus);
+}
+
+void IterationResult::measure_times(CsvRow& row) const {
+  row.number("mean_edge", displaced.mean_edge).seconds("seconds_step", seconds_step);
+  row.seconds("seconds_clean", seconds_clean).seconds("seconds_remesh", seconds_remesh);
+  row.seconds("seconds", seconds);
+}
+
+CleanedTopology clean_in_place(Document& document, const Progress& progress, bool outermost) {
+  CleanResult result = clean(
+      document.mesh, {.outermost = outermost, .coordinate = document.style.coordinate}, progress);
+  document.mesh = std::move(result.mesh);
+  round_as_written(document);
+  CleanedTopology cleaned{{}, result.changed, result.pairs, {}};
+  if (result.connectivity) {
+    cleaned.topology = topology_of(connected_components(document.mesh, *result.connectivity));
+    cleaned.opposites = std::move(result.connectivity->opposites);
+  } else {
+    cleaned.topology = topology_of(connected_components(document.mesh));
+  }
+  return cleaned;
+}
+
+RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
+                             const Progress& progress, std::vector<Index> opposites) {
+  RemeshResult result =
+      remesh(document.mesh, remesh_options(document, options), progress, std::move(opposites));
+  round_as_written(document);
+  return result;
+}
+
+IterationResult iterate(Document& document, const Step& step, const IterationOptions& options,
+                        const Progress& progress) {
+  IterationResult result;
+  result.vertices = document.mesh.positions.size();
+  Stopwatch watch;
+  result.displaced = step(document.mesh, progress);
+  round_as_written(document);
+  result.seconds_step = watch.lap();
+
+  CleanAndRemesh(document, options, progress, result).run();
+  result.seconds = result.seconds_step + result.seconds_clean + result.seconds_remesh;
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,88 @@
+#include "evolution/loop/loop.h"
+
+#include <utility>
+
+#include "evolution/loop/iteration.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+// Throws what is being handled again, of the same kind, with more in front.
+[[noreturn]] void rethrow_in(const std::string& where) {
+  try {
+    throw;
+  } catch (const UsageError& error) {
+    throw UsageError(where + error.what());
+  } catch (const InputError& error) {
+    throw InputError(where + error.what());
+  } catch (const GoalError& error) {
+    throw GoalError(where + error.what());
+  }
+}
+
+Memory memory_of(Loop& loop) {
+  Memory memory;
+  loop.remember(memory);
+  return memory;
+}
+
+CsvRow row_of(const Loop& loop, std::size_t iteration) {
+  const std::string noun = loop.noun();
+  CsvRow row;
+  row.count(noun.substr(noun.rfind(' ') + 1), iteration);
+  loop.measure(row);
+  return row;
+}
+
+void begin(Loop& loop, Document& document, Record& record, const Progress& progress) {
+  if (record.resumed()) {
+    document = record.resumed()->document;
+    Memory memory = record.resumed()->memory;
+    loop.remember(memory);
+  } else {
+    loop.start(document, progress);
+  }
+  record.begin(document, row_of(loop, 0).header(), memory_of(loop));
+}
+
+void advance(Loop& loop, Document& document, const LoopOptions& options, Record& record,
+             const Progress& progress) {
+  const std::size_t iteration = record.iteration() + 1;
+  const std::string name = loop.noun() + ' ' + std::to_string(iteration);
+  Document next = document;
+  try {
+    loop.advance(next, iteration, progress);
+  } catch (const CancelledError&) {
+    throw;
+  } catch (const std::runtime_error&) {
+    if (iteration == 1) record.remove_state();
+    rethrow_in(name + ": ");
+  }
+  record.keep(next, iteration, row_of(loop, iteration).line(), memory_of(loop));
+  document = std::move(next);
+  if (options.on_iteration) options.on_iteration(name + loop.message());
+}
+
+}  // namespace
+
+void Loop::start(Document& document, const Progress& progress) {
+  clean_in_place(document, progress);
+}
+
+void Loop::finish(Document& document, const Progress& progress) {
+  clean_in_place(document, progress);
+}
+
+void run_loop(Loop& loop, Document& document, const LoopOptions& options, Record& record,
+              const Progress& progress) {
+  begin(loop, document, record, progress);
+  while (!loop.is_done() && record.iteration() < options.iterations)
+    advance(loop, document, options, record, progress);
+  const bool is_done = loop.is_done();
+  if (!is_done) record.pause(document, memory_of(loop));
+  loop.finish(document, progress);
+  if (is_done) record.end();
+}
+
+}  // namespace transformesh

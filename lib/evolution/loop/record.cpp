@@ -1,0 +1,179 @@
+#include "evolution/loop/record.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "io/mesh_io.h"
+#include "io/streams/atomic_file.h"
+#include "io/streams/output_target.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+constexpr const char* mesh_name = "/mesh.ply";
+constexpr std::string_view settings_key = "tm:settings ";
+constexpr std::string_view memory_key = "tm:state ";
+
+std::optional<std::string> bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+/// As a comment can hold it.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return text;
+}
+
+/// Removes the comment that begins with the key, and returns the rest of it.
+std::string taken(std::vector<std::string>& comments, std::string_view key,
+                  const std::string& file) {
+  const auto found = std::find_if(comments.begin(), comments.end(),
+                                  [&](const std::string& line) { return line.starts_with(key); });
+  if (found == comments.end())
+    throw InputError("'" + file +
+                     "' is no state of a run; remove its folder, or name another output");
+  std::string rest = found->substr(key.size());
+  comments.erase(found);
+  return rest;
+}
+
+std::optional<SavedState> saved_in(const std::string& folder) {
+  const std::string file = folder + mesh_name;
+  const auto bytes = bytes_of(file);
+  if (!bytes) return std::nullopt;
+  SavedState state;
+  state.document = read_mesh(*bytes, file).document;
+  std::vector<std::string>& comments = state.document.style.comments;
+  state.settings = taken(comments, settings_key, file);
+  state.memory = Memory(taken(comments, memory_key, file));
+  state.memory("iteration", state.iteration)("paused", state.is_paused);
+  return state;
+}
+
+void check_may_continue(const SavedState& state, const RecordOptions& options) {
+  if (state.settings == options.settings) return;
+  throw UsageError("'" + options.state + "' is of a run with other settings (" + state.settings +
+                   "); leave out --resume");
+}
+
+void check_may_begin(const SavedState& state, const RecordOptions& options) {
+  if (state.is_paused || options.restart) return;
+  throw UsageError("'" + options.state +
+                   "' is the state of an interrupted run: continue it with --resume, or throw it "
+                   "away with --restart");
+}
+
+/// The header, and the rows of iterations up to the last one.
+std::string rows_until(const std::string& path, const std::string& header, std::size_t last) {
+  std::string kept;
+  if (is_written_directly(end_of_links(path))) return header + '\n';
+  std::ifstream csv(path);
+  for (std::string line; std::getline(csv, line);) {
+    if (kept.empty() || std::strtoull(line.c_str(), nullptr, 10) <= last) kept += line + '\n';
+  }
+  return kept.empty() ? header + '\n' : kept;
+}
+
+std::string frame_name(std::size_t iteration) {
+  const std::string digits = std::to_string(iteration);
+  return "/frame-" + std::string(5 - std::min<std::size_t>(digits.size(), 5), '0') + digits +
+         ".ply";
+}
+
+}  // namespace
+
+namespace {
+
+void remove_files_in(const std::string& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.is_regular_file(ignored)) std::filesystem::remove(entry.path(), ignored);
+}
+
+}  // namespace
+
+void remove_state(const std::string& folder) {
+  remove_files_in(folder);
+  std::error_code ignored;
+  std::filesystem::remove(folder, ignored);
+}
+
+Record::Record(RecordOptions options) : options_(std::move(options)) {
+  options_.settings = one_line(options_.settings);
+  std::optional<SavedState> state;
+  if (!options_.state.empty()) {
+    if (options_.is_alone) lock_ = std::make_shared<FolderLock>(options_.state);
+    state = saved_in(options_.state);
+  }
+  if (!state) return;
+  if (!options_.resume) {
+    check_may_begin(*state, options_);
+  } else {
+    check_may_continue(*state, options_);
+    iteration_ = state->iteration;
+    resumed_ = std::move(state);
+  }
+}
+
+std::optional<std::string> Record::find(const std::string& name) const {
+  return resumed_ ? bytes_of(options_.state + '/' + name) : std::nullopt;
+}
+
+void Record::forget_earlier_state() const {
+  if (!resumed_ && !options_.state.empty()) remove_files_in(options_.state);
+}
+
+void Record::begin(const Document& document, const std::string& csv_header, const Memory& memory) {
+  iteration_ = resumed_ ? resumed_->iteration : 0;
+  if (!options_.csv.empty())
+    rows_ = std::make_shared<LineFile>(
+        options_.csv,
+        resumed_ ? rows_until(options_.csv, csv_header, iteration_) : csv_header + '\n');
+  if (resumed_) return;
+  if (!options_.state.empty()) {
+    forget_earlier_state();
+    make_folder(options_.state);
+    for (const auto& [name, bytes] : std::exchange(added_, {}))
+      write_file(options_.state + '/' + name, bytes);
+  }
+  keep_frame(document, 0);
+  save(document, 0, memory);
+}
+
+void Record::keep(const Document& document, std::size_t iteration, const std::string& row,
+                  const Memory& memory) {
+  if (rows_) rows_->append(row);
+  keep_frame(document, iteration);
+  save(document, iteration, memory);
+  iteration_ = iteration;
+}
+
+void Record::save(const Document& document, std::size_t iteration, Memory memory,
+                  bool is_paused) const {
+  if (options_.state.empty()) return;
+  memory("iteration", iteration)("paused", is_paused);
+  Document written = document;
+  written.style.format = Format::ply_little;
+  std::vector<std::string>& comments = written.style.comments;
+  comments.push_back(std::string(settings_key) + options_.settings);
+  comments.push_back(std::string(memory_key) + memory.text());
+  make_folder(options_.state);
+  write_file(options_.state + mesh_name, write_mesh(written).bytes);
+}
+
+void Record::keep_frame(const Document& document, std::size_t iteration) const {
+  const bool is_nothing = document.mesh.positions.empty() && document.mesh.faces.empty();
+  if (options_.frames.empty() || iteration % options_.every != 0 || is_nothing) return;
+  make_folder(options_.frames);
+  write_file(options_.frames + frame_name(iteration), write_mesh(document).bytes);
+}
+
+}  // namespace transformesh

@@ -1,0 +1,43 @@
+/// From coarse to fine (paper 5.3.1): how many times smaller photographs are while a surface moves
+/// towards them, and how long its edges are then.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "io/document/document.h"
+#include "support/progress.h"
+
+namespace transformesh {
+
+struct ScaleOptions {
+  /// The first scale, >= 1, rounded up to a power of the square root of 2. Nothing: that at which
+  /// photographs are 28 pixels wide, `largest` at most.
+  std::optional<double> coarsest = std::nullopt;
+  double edge = 3;       ///< pixels of the scale; >= 1
+  double last_edge = 3;  ///< at full scale edges become as short as this
+  double largest = 11.3;
+};
+
+struct Level {
+  double scale = 1;
+  double edge = 0;  ///< input units
+};
+
+/// Scales from the coarsest to 1 by the square root of 2, then at scale 1 shorter edges by the
+/// same. Both numbers are as short as in a CSV file (4 decimals, 9 digits), so that what a file
+/// says of a pass is what was done. `pixel` is the length of a pixel's side at scale 1.
+std::vector<Level> coarse_to_fine(const ScaleOptions& options, int image_width, double pixel);
+
+/// A multiple of an edge as remesh() gets it, with 9 digits likewise.
+double edge_times(double factor, double edge);
+
+/// remesh() to edges about as long, rounded as written.
+void remesh_to(Document& document, double edge, int iterations = 1,
+               const Progress& progress = Progress());
+
+/// Makes edges about as long, where they are shorter. Doubles them again and again, which is much
+/// faster than going there at once. Throws as remesh() does.
+void coarsen(Document& document, double edge, const Progress& progress = Progress());
+
+}  // namespace transformesh

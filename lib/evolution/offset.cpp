@@ -1,0 +1,238 @@
+#include "evolution/offset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "evolution/loop/stop_rules.h"
+#include "geometry/search/closest_point.h"
+#include "geometry/surface_samples.h"
+#include "io/mesh_io.h"
+#include "mesh/components.h"
+#include "mesh/manifold.h"
+#include "mesh/measure.h"
+#include "mesh/triangle.h"
+#include "support/error.h"
+#include "support/length.h"
+#include "support/number.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t points_per_task = 512;
+constexpr std::size_t samples = 40000;
+constexpr double close_enough = 0.01;     ///< of an edge
+constexpr double least_edge = 1.0 / 400;  ///< of the diagonal
+constexpr double most_edge = 1.0 / 60;    ///< likewise
+constexpr double most_share = 0.5;        ///< of the distance
+/// A part whose vertices are farther off than this share of an edge, as root mean square, is what
+/// is left where nothing is so far inside.
+constexpr double shard_deviation = 0.5;
+constexpr std::size_t patience = 8;
+/// So near the source, as a share of the distance, its own normals tell the way.
+constexpr double at_source = 1e-6;
+/// So far from the true offset, in edges, the result has missed it. Corners of boxes are cut by up
+/// to .52. At half the value every box is told of; at twice, a plate two thirds of an edge thick
+/// has lost a twentieth of its volume in silence.
+constexpr double most_missed = 0.75;
+/// What counts as on the true offset, as a share of the distance.
+constexpr double on_offset = 1e-6;
+
+void check(const Mesh& mesh, double distance) {
+  if (!std::isfinite(distance) || distance == 0)
+    throw UsageError("the distance must be a length other than 0");
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces, so it has no offset");
+  const ManifoldReport found = check_manifold(mesh);
+  if (!found.is_closed())
+    throw InputError("the mesh is open: an offset needs an inside; tm-fill closes holes");
+  if (!found.is_manifold() || !found.is_oriented())
+    throw InputError(
+        "the mesh is not an oriented manifold: mend it with tm-stitch --orient, and "
+        "with tm-clean");
+}
+
+class Offset {
+ public:
+  Offset(const Mesh& source, double distance)
+      : source_(source), distance_(distance), query_(source) {}
+
+  /// From every vertex to the level, along the gradient.
+  std::vector<Vec3> ways(const Mesh& mesh);
+  OffsetDeviation deviation(const Mesh& mesh, const Progress& progress) const;
+  double rms() const { return rms_; }
+  /// Removes parts that are nowhere near the level. Returns the topology of what is left.
+  Topology drop_shards(Mesh& mesh, double edge, const Topology& known) const;
+
+ private:
+  void measure_excess(const Mesh& mesh, OffsetDeviation& result) const;
+  void measure_missed(const Mesh& mesh, OffsetDeviation& result) const;
+  double excess(const Vec3& point) const { return query_(point).signed_distance - distance_; }
+  bool is_on_offset(const Vec3& point) const {
+    return std::abs(excess(point)) <= on_offset * std::abs(distance_);
+  }
+
+  const Mesh& source_;
+  double distance_;
+  ClosestPointQuery query_;
+  double rms_ = std::numeric_limits<double>::infinity();  ///< of the ways asked for last
+};
+
+std::vector<Vec3> Offset::ways(const Mesh& mesh) {
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  std::vector<Vec3> ways(mesh.positions.size());
+  parallel_for(ways.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      const ClosestPoint closest = query_(mesh.positions[v]);
+      const bool is_at_source = closest.distance <= at_source * std::abs(distance_);
+      const Vec3 gradient =
+          is_at_source ? normals[v]
+                       : Vec3((mesh.positions[v] - closest.point) / closest.signed_distance);
+      ways[v] = (distance_ - closest.signed_distance) * gradient;
+    }
+  });
+  double squares = 0;
+  for (const Vec3& way : ways) squares += way.squaredNorm();
+  rms_ = std::sqrt(squares / static_cast<double>(ways.size()));
+  return ways;
+}
+
+OffsetDeviation Offset::deviation(const Mesh& mesh, const Progress& progress) const {
+  progress("measure");
+  OffsetDeviation result;
+  measure_excess(mesh, result);
+  measure_missed(mesh, result);
+  return result;
+}
+
+// Vertices are moved onto the level, so they tell nothing about the surface between them.
+void Offset::measure_excess(const Mesh& mesh, OffsetDeviation& result) const {
+  const std::vector<Vec3> points = surface_samples(mesh, samples, 1);
+  std::vector<double> off(points.size() + mesh.positions.size());
+  parallel_for(off.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      off[i] = std::abs(excess(i < points.size() ? points[i] : mesh.positions[i - points.size()]));
+  });
+  double squares = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) squares += off[i] * off[i];
+  result.rms = std::sqrt(squares / static_cast<double>(points.size()));
+  for (const double length : off) result.most = std::max(result.most, length);
+}
+
+// Straight out from points of the source, where nothing else is nearer.
+void Offset::measure_missed(const Mesh& mesh, OffsetDeviation& result) const {
+  const ClosestPointQuery to_result(mesh);
+  std::vector<Vec3> goals = surface_samples(source_, samples, 2);
+  std::vector<double> missed(goals.size(), 0);
+  parallel_for(goals.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      goals[i] += distance_ * query_(goals[i]).pseudonormal;
+      if (is_on_offset(goals[i])) missed[i] = to_result(goals[i]).distance;
+    }
+  });
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (!(missed[i] > result.missed)) continue;
+    result.missed = missed[i];
+    result.missed_at = goals[i];
+  }
+}
+
+Topology Offset::drop_shards(Mesh& mesh, double edge, const Topology& known) const {
+  const Components all = connected_components(mesh);
+  std::vector<double> squares(all.components.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const Triangle t = triangle_of(mesh.positions, mesh.faces[f]);
+    const double off = excess((t[0] + t[1] + t[2]) / 3);
+    squares[all.of_face[f]] +=
+        off * off / static_cast<double>(all.components[all.of_face[f]].faces);
+  }
+  const double most = shard_deviation * edge;
+  const auto is_shard = [&](double mean_square) { return mean_square > most * most; };
+  if (std::none_of(squares.begin(), squares.end(), is_shard)) return known;
+  std::vector<bool> keep(mesh.faces.size());
+  for (Index f = 0; f < keep.size(); ++f) keep[f] = !is_shard(squares[all.of_face[f]]);
+  mesh = select_faces(mesh, keep);
+  const Components left = connected_components(mesh);
+  return {left.components.size(), left.genus()};
+}
+
+}  // namespace
+
+double offset_edge(const Mesh& mesh, double distance) {
+  const double diagonal = bounding_box(mesh).diagonal();
+  const double edge = std::min(
+      {measured_reference_edge(mesh), most_share * std::abs(distance), most_edge * diagonal});
+  return std::max(edge, least_edge * diagonal);
+}
+
+namespace {
+
+double edge_of(const Mesh& mesh, const OffsetOptions& options) {
+  return options.edge > 0 ? options.edge : offset_edge(mesh, options.distance);
+}
+
+/// The normals of slivers are mostly rounding error, and vertices would follow them. Of remeshing
+/// only that step is done (remesh.h).
+void remove_slivers(Document& document, const OffsetOptions& options, const Progress& progress) {
+  const double edge = edge_of(document.mesh, options);
+  RemeshOptions removal;
+  removal.min_edge = 0.7 * edge;
+  removal.max_edge = 1.5 * edge;
+  removal.iterations = 0;
+  removal.coordinate = document.style.coordinate;
+  remesh(document.mesh, removal, progress);
+}
+
+OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
+                         const Progress& progress) {
+  const Mesh source = document.mesh;
+  IterationOptions iteration;
+  iteration.reference_edge = edge_of(source, options);
+  iteration.remesh = RemeshOptions();
+  iteration.outermost = false;
+
+  Offset level(source, options.distance);
+  const Step step = step_along([&](const Mesh& mesh, const Progress&) { return level.ways(mesh); });
+  StalledRule stalled(patience);
+  OffsetResult result;
+  result.edge = iteration.reference_edge;
+  while (!result.has_arrived && result.iterations < options.iterations) {
+    const IterationResult last = iterate(document, step, iteration, progress);
+    iteration.expects_changes = last.was_cleaned;
+    result.topology = last.topology;
+    ++result.iterations;
+    const bool is_close = level.rms() <= close_enough * iteration.reference_edge;
+    result.has_arrived = is_close || stalled.add(level.rms());
+  }
+
+  // Remeshing slid vertices off the level: one more step without it.
+  step(document.mesh, progress);
+  round_as_written(document);
+  result.topology = clean_in_place(document, progress, false).topology;
+  if (result.has_arrived)
+    result.topology = level.drop_shards(document.mesh, result.edge, result.topology);
+  if (document.mesh.faces.empty()) throw GoalError("only shards are left");
+  result.deviation = level.deviation(document.mesh, progress);
+  result.has_missed = result.deviation.missed > most_missed * result.edge;
+  return result;
+}
+
+}  // namespace
+
+OffsetResult offset(Document& document, const OffsetOptions& options, const Progress& progress) {
+  check(document.mesh, options.distance);
+  clean_in_place(document, progress, false);
+  remove_slivers(document, options, progress);
+  try {
+    return offset_mesh(document, options, progress);
+  } catch (const GoalError&) {
+    // Where all goes, what is left for a moment is inside out, or too small.
+    if (options.distance > 0) throw;
+    throw GoalError(
+        "nothing of the surface is left, or its walls are too thin for its edges: "
+        "nothing seems to be " +
+        significant(-options.distance, 3) + " inside it");
+  }
+}
+
+}  // namespace transformesh

@@ -1,0 +1,39 @@
+/// What a reconstruction decides around a pass (paper 5.3): plain values in, a choice or a verdict
+/// out.
+#pragma once
+
+#include <span>
+
+#include "evolution/reconstruction/level_rule.h"
+#include "views/cameras/view_pairs.h"
+
+namespace transformesh {
+
+/// Radii of the windows in which photographs are compared: larger ones at scale 2 and above find
+/// the way where a surface is far off or there is little texture, smaller ones below show detail.
+struct WindowRadii {
+  int coarse = 3;
+  int fine = 3;
+
+  int at(double scale) const;
+};
+
+/// Whether even the nearest of the views with which one is compared is on average more than 40
+/// degrees apart. Pairs of the same first view stand together.
+bool is_wide(std::span<const ViewPair> pairs);
+
+/// Whether edges were too long, so that thin parts of the object are gone, and with them a
+/// twentieth of the pixels that are compared. A start that was only too large loses fewer.
+bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now);
+
+/// Whether the surface flies apart in a pass: more than 100 components, ten times those of the
+/// start; or three tenths of the vertices outside of silhouettes, more than when the pass began; or
+/// less than three tenths of the pixels compared, half the share that it was. Such a surface never
+/// comes back.
+bool is_exploded(const Pass& pass, std::size_t components_of_start);
+
+/// Disagreement at which windows pull by a quarter, at last: `factor` times the mean, which is
+/// the dissimilarity. 0: all pull alike.
+double robust_loss(double factor, double dissimilarity);
+
+}  // namespace transformesh

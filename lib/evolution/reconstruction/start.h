@@ -1,0 +1,54 @@
+/// With what a reconstruction begins (paper 5.3): the visual hull, or a mesh that may be far off
+/// and have another topology, of which only what is within the hull of exact masks is kept.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/document/document.h"
+#include "support/progress.h"
+#include "views/cameras/view.h"
+#include "views/hull/silhouette.h"
+#include "views/photo/contour_gaps.h"
+
+namespace transformesh {
+
+struct StartOptions {
+  bool is_given = false;                                 ///< the mesh, which is else the hull
+  std::string name = {};                                 ///< of the one given, in messages
+  bool clips_by_hull = true;                             ///< the one given, where masks are exact
+  SilhouetteMeaning meaning = SilhouetteMeaning::exact;  ///< of masks
+  /// Of photographs without masks. Nothing: that of threshold_silhouettes, and no silhouettes at
+  /// all where a mesh is given, as there may be anything behind the object.
+  std::optional<ThresholdOptions> threshold = std::nullopt;
+  double keep = 1;               ///< HullOptions::keep
+  bool opens_hollows = true;     ///< of a hull, by depth maps (opened_hull.h)
+  double least_agreement = 0.7;  ///< ViewCheckOptions::least_agreement, without masks
+};
+
+/// Makes the document's mesh the one to begin with, clean and rounded as written. Views without
+/// masks get silhouettes where there is a threshold; then returns their hull, whose outlines are to
+/// take the place of masks. Edges of a hull are three `pixel` long. Throws as visual_hull() and
+/// clean() do, and GoalError where nothing of the mesh given is within the hull.
+std::optional<Mesh> begin_surface(Document& document, std::vector<View>& views,
+                                  const StartOptions& options, double pixel,
+                                  const Progress& progress = Progress());
+
+/// The hull of the views' masks; or else of what is brighter than the threshold, which becomes the
+/// silhouettes of the views and must agree (check_views). `edge` is HullOptions::edge.
+Mesh hull_of(std::vector<View>& views, const StartOptions& options, std::optional<double> edge,
+             const Progress& progress = Progress());
+
+/// What the mesh covers becomes the silhouette of each view. Throws InputError, with the name of
+/// the view, where that is nothing.
+void outline(std::vector<View>& views, const Mesh& mesh);
+
+/// The length of a pixel's side where the cameras look.
+double pixel_size(const std::vector<View>& views);
+
+/// Leaves of views that are packed what is around the mesh and their silhouettes, and some room for
+/// a surface that moves: what is beyond is unknown from then on.
+void crop_views(std::vector<View>& views, const Mesh& mesh);
+
+}  // namespace transformesh

@@ -1,0 +1,244 @@
+#include "fill/fill.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "clean/intersect/intersect.h"
+#include "fill/face_search.h"
+#include "fill/hole_patch.h"
+#include "fill/mesh_part.h"
+#include "geometry/numbers/predicates.h"
+#include "mesh/adjacency.h"
+#include "mesh/digits.h"
+#include "mesh/manifold.h"
+#include "mesh/measure.h"
+#include "mesh/surface_columns.h"
+#include "mesh/triangle.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+using Loop = std::vector<Index>;  ///< border halfedges, each starting where the one before ends
+
+void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& options) {
+  if (options.max_edges < 3) throw UsageError("a hole has at least 3 edges");
+  if (!(options.max_diameter > 0)) throw UsageError("the largest diameter must be greater than 0");
+  if (!found.is_manifold() || !found.is_oriented())
+    throw InputError("holes are filled in oriented manifolds only, and " +
+                     describe_problem(mesh, found, false) + "; tm-stitch --orient mends it");
+}
+
+/// The loops of a manifold, in the order of their first halfedges.
+std::vector<Loop> loops_of(const Mesh& mesh, const std::vector<Index>& border) {
+  std::vector<Index> from(mesh.positions.size(), no_index);
+  for (const Index h : border) from[halfedge_source(mesh, h)] = h;
+  std::vector<Loop> loops;
+  for (const Index first : border) {
+    Loop loop;
+    Index vertex = halfedge_source(mesh, first);
+    while (from[vertex] != no_index) {
+      loop.push_back(from[vertex]);
+      from[vertex] = no_index;
+      vertex = halfedge_target(mesh, loop.back());
+    }
+    if (!loop.empty()) loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+class Filler {
+ public:
+  Filler(Mesh& mesh, const FillOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        around_(mesh),
+        search_(mesh),
+        blends_(mesh.positions.size()) {}
+
+  void fill(const Loop& loop);
+  /// Gives rows to columns for what is new.
+  FillResult finish();
+  FillResult& result() { return result_; }
+
+ private:
+  bool fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const;
+  bool crosses(const HolePatch& patch, const MeshPart& part) const;
+  /// Adds the first patch that fits. One that may cross is only looked for unless it is allowed.
+  bool try_patches(const Loop& loop, const MeshPart& part, const HolePatches& found,
+                   bool may_cross = false);
+  HolePatches patches_of(const MeshPart& part, Index border, PatchKind finest, Search search) const;
+  void add(const HolePatch& patch, const MeshPart& part, const Loop& loop);
+  OpenHole open_hole(const Loop& loop) const;
+  bool is_too_large(const Loop& loop) const;
+  std::vector<Index> vertices_of(const Loop& loop) const;
+
+  Mesh& mesh_;
+  const FillOptions& options_;
+  VertexFaces around_;  ///< of the input: borders have no vertex in common
+  FaceSearch search_;
+  std::vector<RowBlend> blends_;
+  FillResult result_;
+};
+
+OpenHole Filler::open_hole(const Loop& loop) const {
+  OpenHole hole{halfedge_source(mesh_, loop.front()), loop.size(), 0};
+  for (const Index h : loop)
+    hole.length +=
+        (mesh_.positions[halfedge_target(mesh_, h)] - mesh_.positions[halfedge_source(mesh_, h)])
+            .norm();
+  return hole;
+}
+
+bool Filler::is_too_large(const Loop& loop) const {
+  Vec3 low = mesh_.positions[halfedge_source(mesh_, loop.front())], high = low;
+  for (const Index h : loop) {
+    low = low.cwiseMin(mesh_.positions[halfedge_source(mesh_, h)]);
+    high = high.cwiseMax(mesh_.positions[halfedge_source(mesh_, h)]);
+  }
+  return loop.size() > options_.max_edges || (high - low).norm() > options_.max_diameter;
+}
+
+std::vector<Index> Filler::vertices_of(const Loop& loop) const {
+  std::vector<Index> vertices;
+  for (const Index h : loop) vertices.push_back(halfedge_source(mesh_, h));
+  return vertices;
+}
+
+/// Whether the patch crosses itself or any face of the mesh that is near.
+bool Filler::crosses(const HolePatch& patch, const MeshPart& part) const {
+  const Mesh& local = part.mesh;
+  const auto position = [&](Index v) -> const Vec3& {
+    return v < local.positions.size() ? local.positions[v]
+                                      : patch.points[v - local.positions.size()];
+  };
+  std::vector<Index> near;
+  for (const auto& [i, j, k] : patch.faces) {
+    const Vec3 &a = position(i), &b = position(j), &c = position(k);
+    search_.append_near(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), near);
+  }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+
+  // Behind them those of the patch. Equal positions are one point.
+  Mesh both = part_of(mesh_, near).mesh;
+  const std::size_t old_faces = both.faces.size();
+  for (const Face& face : patch.faces) {
+    const auto first = static_cast<Index>(both.positions.size());
+    for (const Index v : face) both.positions.push_back(position(v));
+    both.faces.push_back({first, first + 1, first + 2});
+  }
+  const std::vector<FacePair> pairs = find_intersections(both);
+  return std::any_of(pairs.begin(), pairs.end(),
+                     [&](const FacePair& pair) { return pair.second >= old_faces; });
+}
+
+bool Filler::fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const {
+  Mesh joined = part.mesh;
+  joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
+  joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
+
+  // An edge of the patch may be one of the mesh already.
+  const ManifoldReport found = check_manifold(joined);
+  if (!found.nonmanifold_edges.empty() || !found.misoriented_edges.empty()) return false;
+  const std::vector<Index> flat = degenerate_faces(joined);
+  if (!flat.empty() && flat.back() >= part.mesh.faces.size()) return false;
+  return may_cross || !crosses(patch, part);
+}
+
+void Filler::add(const HolePatch& patch, const MeshPart& part, const Loop& loop) {
+  const auto first_new = static_cast<Index>(mesh_.positions.size());
+  const auto known = static_cast<Index>(part.vertices.size());
+  const std::vector<Index> border = vertices_of(loop);
+  for (const Vec3& point : patch.points) {
+    mesh_.positions.push_back(point);
+    blends_.push_back(blend_of_nearest(mesh_, border, point));
+  }
+  for (Face face : patch.faces) {
+    for (Index& v : face) v = v < known ? part.vertices[v] : first_new + v - known;
+    mesh_.faces.push_back(face);
+  }
+  search_.update();
+  result_.new_vertices += patch.points.size();
+  result_.new_faces += patch.faces.size();
+}
+
+void Filler::fill(const Loop& loop) {
+  ++result_.holes;
+  if (is_too_large(loop)) {
+    result_.too_large.push_back(open_hole(loop));
+    return;
+  }
+  const std::vector<Index> faces =
+      faces_around(mesh_, vertices_of(loop), [&](Index v, std::vector<Index>& all) {
+        all.insert(all.end(), around_[v].begin(), around_[v].end());
+      });
+  const MeshPart part = part_of(mesh_, faces);
+  const Index border = halfedge_in_part(faces, loop.front());
+
+  const PatchKind finest = !options_.refine ? PatchKind::plain
+                           : options_.fair  ? PatchKind::faired
+                                            : PatchKind::refined;
+  const HolePatches found = patches_of(part, border, finest, Search::delaunay);
+  if (try_patches(loop, part, found)) return;
+  if (!found.are_of_all && loop.size() <= most_edges_of_all &&
+      try_patches(loop, part, patches_of(part, border, finest, Search::all)))
+    return;
+  const bool crosses = try_patches(loop, part, found, true);
+  if (crosses && options_.allow_crossings) return;
+  (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
+}
+
+/// Returns patches whose positions are rounded to the type in which they will be written.
+HolePatches Filler::patches_of(const MeshPart& part, Index border, PatchKind finest,
+                               Search search) const {
+  HolePatches found = patch_hole(part.mesh, border, finest, search);
+  for (HolePatch& patch : found.patches)
+    for (Vec3& point : patch.points) point = rounded_to(point, options_.coordinate);
+  return found;
+}
+
+bool Filler::try_patches(const Loop& loop, const MeshPart& part, const HolePatches& found,
+                         bool may_cross) {
+  for (const HolePatch& patch : found.patches) {
+    if (!fits(patch, part, may_cross)) continue;
+    if (may_cross && !options_.allow_crossings) return true;
+    ++(may_cross                          ? result_.crossed
+       : patch.kind == PatchKind::faired  ? result_.faired
+       : patch.kind == PatchKind::refined ? result_.refined
+                                          : result_.plain);
+    add(patch, part, loop);
+    return true;
+  }
+  return false;
+}
+
+FillResult Filler::finish() {
+  const std::size_t old_vertices = mesh_.positions.size() - result_.new_vertices;
+  const std::vector<RowBlend> rows(blends_.begin() + static_cast<std::ptrdiff_t>(old_vertices),
+                                   blends_.end());
+  for (const RowBlend& row : rows) mesh_.vertex_columns.append(row);
+  mesh_.face_columns.concatenate(Columns(), mesh_.faces.size() - result_.new_faces,
+                                 result_.new_faces);
+  if (result_.new_faces > 0) result_.dropped_source_points = drop_source_points(mesh_);
+  return std::move(result_);
+}
+
+}  // namespace
+
+FillResult fill_holes(Mesh& mesh, const FillOptions& options, const Progress& progress) {
+  const ManifoldReport found = check_manifold(mesh);
+  check(mesh, found, options);
+  const std::vector<Loop> loops = loops_of(mesh, found.border_halfedges);
+  if (loops.empty()) return {};
+  Filler filler(mesh, options);
+  for (const Loop& loop : loops) {
+    progress("filling holes");
+    filler.fill(loop);
+  }
+  return filler.finish();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,151 @@
+#include "fill/hole_triangulation.h"
+
+#include <algorithm>
+
+#include "fill/hole_weigher.h"
+#include "geometry/search/kd_tree.h"
+
+namespace transformesh {
+namespace {
+
+/// Edges to so many of the nearest points are tried.
+constexpr std::size_t nearest_tried = 24;
+
+bool is_chord(const HoleBorder& border, std::size_t i, std::size_t k) {
+  return std::binary_search(border.chords.begin(), border.chords.end(),
+                            std::pair<Index, Index>(i, k));
+}
+
+/// The best parts between points i and k for all pairs, near ones first.
+class LeastTriangulation {
+ public:
+  explicit LeastTriangulation(const HoleBorder& border)
+      : border_(border),
+        weigher_(border),
+        size_(border.points.size()),
+        parts_(size_ * size_),
+        angles_(size_ * size_, HoleWeight().angle),
+        angles_before_(angles_) {
+    for (std::size_t i = 0; i + 1 < size_; ++i) set(i, i + 1, {{0, 0}, no_index});
+  }
+
+  std::vector<HoleTriangle> run() {
+    for (std::size_t length = 2; length < size_; ++length)
+      for (std::size_t i = 0; i + length < size_; ++i)
+        if (!is_chord(border_, i, i + length)) set(i, i + length, best_between(i, i + length));
+    if (size_ < 3 || !part(0, size_ - 1).weight.is_there()) return {};
+    return triangles_below(size_, [&](Index i, Index k) { return part(i, k).apex; });
+  }
+
+ private:
+  const HolePart& part(std::size_t i, std::size_t k) const { return parts_[i * size_ + k]; }
+  void set(std::size_t i, std::size_t k, const HolePart& part) {
+    parts_[i * size_ + k] = part;
+    angles_[i * size_ + k] = angles_before_[k * size_ + i] = part.weight.angle;
+  }
+  HolePart best_between(std::size_t i, std::size_t k) const;
+
+  const HoleBorder& border_;
+  HoleWeigher weigher_;
+  std::size_t size_;
+  std::vector<HolePart> parts_;  ///< By first and then by second point.
+  /// The angles of the parts once more, which are looked through: in the same order, and by second
+  /// and then by first point.
+  std::vector<double> angles_, angles_before_;
+};
+
+HolePart LeastTriangulation::best_between(std::size_t i, std::size_t k) const {
+  const double* left = angles_.data() + i * size_;
+  const double* right = angles_before_.data() + k * size_;
+  HolePart best;
+  const auto attempt = [&](std::size_t m) {
+    const HolePart &first = part(i, m), &second = part(m, k);
+    if (m != best.apex && first.weight.is_there() && second.weight.is_there())
+      weigher_.improve(i, m, k, first, second, best);
+  };
+  // The apexes of shorter pairs are often good, and good ones spare most of the others.
+  for (const Index m : {part(i, k - 1).apex, part(i + 1, k).apex})
+    if (m != no_index) attempt(m);
+  for (std::size_t m = i + 1; m < k; ++m)
+    if (std::max(left[m], right[m]) <= best.weight.angle) attempt(m);
+  return best;
+}
+
+/// The best parts between points that are near each other, or joined by the greedy triangulation;
+/// short ones first.
+class SparseTriangulation {
+ public:
+  explicit SparseTriangulation(const HoleBorder& border)
+      : border_(border),
+        weigher_(border),
+        size_(static_cast<Index>(border.points.size())),
+        to_(size_),
+        from_(size_) {
+    const KdTree tree(border.points);
+    for (Index i = 0; i < size_; ++i) {
+      edges_.push_back({i, (i + 1) % size_});
+      for (const Index k : tree.nearest(border.points[i], nearest_tried)) edges_.push_back({i, k});
+    }
+    for (const auto& [i, m, k] : greedy_triangulation(border))
+      edges_.insert(edges_.end(), {{i, m}, {m, k}, {i, k}});
+    for (auto& [i, k] : edges_) std::tie(i, k) = std::minmax({i, k});
+    std::erase_if(edges_, [&](const Edge& e) {
+      return e.first == e.second || is_chord(border, e.first, e.second);
+    });
+    std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) {
+      return std::pair(a.second - a.first, a) < std::pair(b.second - b.first, b);
+    });
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  }
+
+  std::vector<HoleTriangle> run() {
+    for (const auto& [i, k] : edges_) {
+      const HolePart part = k == i + 1 ? HolePart{{0, 0}, no_index} : best_between(i, k);
+      if (!part.weight.is_there()) continue;
+      to_[i].emplace_back(k, part);
+      from_[k].emplace_back(i, part);
+    }
+    if (size_ < 3 || edges_.back() != Edge(0, size_ - 1) || to_[0].back().first != size_ - 1)
+      return {};
+    return triangles_below(size_, [&](Index i, Index k) {
+      return std::lower_bound(to_[i].begin(), to_[i].end(), k,
+                              [](const auto& entry, Index point) { return entry.first < point; })
+          ->second.apex;
+    });
+  }
+
+ private:
+  using Edge = std::pair<Index, Index>;
+  using PartsTo = std::vector<std::pair<Index, HolePart>>;
+  HolePart best_between(Index i, Index k) const;
+
+  const HoleBorder& border_;
+  HoleWeigher weigher_;
+  Index size_;
+  std::vector<Edge> edges_;
+  std::vector<PartsTo> to_;    ///< Per first point, by ascending second point.
+  std::vector<PartsTo> from_;  ///< Per second point, by descending first point.
+};
+
+HolePart SparseTriangulation::best_between(Index i, Index k) const {
+  HolePart best;
+  auto right = from_[k].rbegin();
+  for (const auto& [m, left] : to_[i]) {
+    while (right != from_[k].rend() && right->first < m) ++right;
+    if (right == from_[k].rend()) break;
+    if (right->first == m) weigher_.improve(i, m, k, left, right->second, best);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<HoleTriangle> least_triangulation(const HoleBorder& border) {
+  return LeastTriangulation(border).run();
+}
+
+std::vector<HoleTriangle> sparse_triangulation(const HoleBorder& border) {
+  return SparseTriangulation(border).run();
+}
+
+}  // namespace transformesh

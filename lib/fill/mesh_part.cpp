@@ -1,0 +1,66 @@
+#include "fill/mesh_part.h"
+
+#include <algorithm>
+
+namespace transformesh {
+
+MeshPart part_of(const Mesh& mesh, const std::vector<Index>& faces) {
+  MeshPart part;
+  for (const Index f : faces)
+    part.vertices.insert(part.vertices.end(), mesh.faces[f].begin(), mesh.faces[f].end());
+  std::sort(part.vertices.begin(), part.vertices.end());
+  part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
+  for (const Index v : part.vertices) part.mesh.positions.push_back(mesh.positions[v]);
+  const auto local = [&](Index v) {
+    const auto found = std::lower_bound(part.vertices.begin(), part.vertices.end(), v);
+    return static_cast<Index>(found - part.vertices.begin());
+  };
+  for (const Index f : faces) {
+    const Face& face = mesh.faces[f];
+    part.mesh.faces.push_back({local(face[0]), local(face[1]), local(face[2])});
+  }
+  return part;
+}
+
+Index halfedge_in_part(const std::vector<Index>& faces, Index halfedge) {
+  const auto place = std::lower_bound(faces.begin(), faces.end(), halfedge / 3);
+  return static_cast<Index>(3 * (place - faces.begin())) + halfedge % 3;
+}
+
+std::vector<Index> faces_around(const Mesh& mesh, std::vector<Index> vertices,
+                                const FacesOfVertex& append_faces) {
+  std::vector<Index> faces;
+  for (int ring = 0; ring < 2; ++ring) {
+    for (const Index v : vertices) append_faces(v, faces);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    vertices.clear();
+    for (const Index f : faces)
+      vertices.insert(vertices.end(), mesh.faces[f].begin(), mesh.faces[f].end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  }
+  return faces;
+}
+
+RowBlend blend_of_nearest(const Mesh& mesh, const std::vector<Index>& vertices, const Vec3& point) {
+  std::vector<std::pair<double, Index>> distances;
+  distances.reserve(vertices.size());
+  for (const Index v : vertices) distances.emplace_back((mesh.positions[v] - point).norm(), v);
+  std::partial_sort(distances.begin(), distances.begin() + 3, distances.end());
+  RowBlend blend;
+  if (distances[0].first == 0) {
+    blend.source[0] = distances[0].second;
+    return blend;
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    blend.source.at(i) = distances[i].second;
+    blend.weight.at(i) = distances[0].first / distances[i].first;
+    sum += blend.weight.at(i);
+  }
+  for (double& weight : blend.weight) weight /= sum;
+  return blend;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,228 @@
+#include "geometry/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "geometry/search/closest_point.h"
+#include "geometry/search/kd_tree.h"
+#include "geometry/surface_samples.h"
+#include "mesh/measure.h"
+#include "support/error.h"
+#include "support/number.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double accuracy_share = 0.9;
+constexpr double default_distance_share = 0.01;  ///< of the reference's diagonal
+constexpr double largest_extent = 1e75;
+constexpr std::size_t points_per_task = 256;
+constexpr std::size_t points_per_report = 16384;
+/// One point of so many is searched before the others.
+constexpr std::size_t vanguard = 61;
+/// Less than what rounding adds to a distance.
+constexpr double certainly = 1 - 1e-12;
+
+/// The distance to the faces of a mesh, or to its vertices where there are no faces.
+class Distance {
+ public:
+  explicit Distance(const Mesh& mesh) : mesh_(mesh) {
+    if (mesh.faces.empty()) {
+      vertices_.emplace(mesh.positions);
+    } else {
+      surface_.emplace(mesh);
+    }
+  }
+  double operator()(const Vec3& point) const {
+    if (surface_) return (*surface_)(point).distance;
+    return (mesh_.positions[vertices_->nearest(point)] - point).norm();
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::optional<KdTree> vertices_;
+  std::optional<ClosestPointQuery> surface_;
+};
+
+std::vector<double> distances(const std::vector<Vec3>& points, const Distance& distance,
+                              const Progress& progress, const char* phase) {
+  std::vector<double> result(points.size());
+  for (std::size_t begin = 0; begin < points.size(); begin += points_per_report) {
+    progress(phase, static_cast<double>(begin) / static_cast<double>(points.size()));
+    const std::size_t count = std::min(points_per_report, points.size() - begin);
+    parallel_for(count, points_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = begin + first; i < begin + last; ++i) result[i] = distance(points[i]);
+    });
+  }
+  return result;
+}
+
+/// The vertices that faces use; all of them where there is no face.
+std::vector<Vec3> used_vertices(const Mesh& mesh) {
+  return mesh.faces.empty() ? mesh.positions : used_positions(mesh);
+}
+
+/// Distances one way. Those of the vertices stand for those by area where there are none.
+struct OneWay {
+  std::vector<double> by_area;
+  double largest = 0;
+  double mean = 0;
+  double mean_square = 0;
+};
+
+OneWay measure(const Mesh& from, const Mesh& to, const CompareOptions& options,
+               const Progress& progress, const char* phase) {
+  progress(phase);
+  const Distance distance(to);
+  OneWay result;
+  result.by_area =
+      distances(surface_samples(from, options.samples, options.seed), distance, progress, phase);
+  const std::vector<double> at_vertices = distances(used_vertices(from), distance, progress, phase);
+  if (result.by_area.empty()) result.by_area = at_vertices;
+
+  for (const double d : at_vertices) result.largest = std::max(result.largest, d);
+  for (const double d : result.by_area) {
+    result.largest = std::max(result.largest, d);
+    result.mean += d;
+    result.mean_square += d * d;
+  }
+  const auto count = static_cast<double>(result.by_area.size());
+  result.mean /= count;
+  result.mean_square /= count;
+  return result;
+}
+
+/// Areas of faces are squared on the way.
+void check_extent(const Mesh& mesh, const Mesh& reference) {
+  const Box a = bounding_box(mesh);
+  const Box b = bounding_box(reference);
+  const Box both{a.minimum.cwiseMin(b.minimum), a.maximum.cwiseMax(b.maximum)};
+  if (both.diagonal() < largest_extent) return;
+  throw InputError("the meshes are " + shortest_text(both.diagonal()) +
+                   " across, too large to compare them: scale both to less than " +
+                   shortest_text(largest_extent));
+}
+
+void check_comparable(const Mesh& mesh, const Mesh& reference) {
+  if (mesh.positions.empty()) throw InputError("the mesh has no vertices: nothing to compare");
+  if (reference.positions.empty())
+    throw InputError("the reference has no vertices: nothing to compare with");
+  check_extent(mesh, reference);
+}
+
+/// The smallest value that is not below the given share of the values.
+double quantile(std::vector<double> values, double share) {
+  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  const auto nth = values.begin() + (static_cast<std::ptrdiff_t>(rank) - 1);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+double share_within(const std::vector<double>& values, double distance) {
+  const auto count =
+      std::count_if(values.begin(), values.end(), [&](double value) { return value <= distance; });
+  return static_cast<double>(count) / static_cast<double>(values.size());
+}
+
+/// The numbers of `count` points: those taken evenly come first.
+std::vector<std::size_t> vanguard_first(std::size_t count) {
+  std::vector<std::size_t> order;
+  order.reserve(count);
+  for (std::size_t i = 0; i < count; i += vanguard) order.push_back(i);
+  for (std::size_t i = 0; i < count; ++i)
+    if (i % vanguard != 0) order.push_back(i);
+  return order;
+}
+
+/// The distances of the points, or 0 where it is certainly less than `least`. A face that shows
+/// this of one point mostly does so of the next.
+std::vector<double> distances_beyond(std::span<const Vec3> points,
+                                     std::span<const std::size_t> numbers,
+                                     const ClosestPointQuery& closest, double least) {
+  std::vector<double> beyond(numbers.size(), 0);
+  const auto take_run = [&](std::size_t run) {
+    Index hint = no_index;
+    const std::size_t end = std::min((run + 1) * points_per_task, numbers.size());
+    for (std::size_t i = run * points_per_task; i < end; ++i) {
+      const Vec3& point = points[numbers[i]];
+      const Index near = closest.face_within(point, certainly * least, hint);
+      if (near != no_index) {
+        hint = near;
+        continue;
+      }
+      const ClosestPoint found = closest(point, hint);
+      beyond[i] = found.distance;
+      hint = found.face;
+    }
+  };
+  // Runs have one length for any number of threads, and so does every point its hint.
+  const std::size_t runs = (numbers.size() + points_per_task - 1) / points_per_task;
+  parallel_for(runs, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t run = first; run < last; ++run) take_run(run);
+  });
+  return beyond;
+}
+
+// In blocks that grow, so that most points know of a far one; of each block the points are tested
+// at the same time, so that the result depends on no order. Of equally far points the first counts.
+void take_farthest(std::span<const Vec3> points, const ClosestPointQuery& closest,
+                   Farthest& farthest) {
+  const std::vector<std::size_t> order = vanguard_first(points.size());
+  std::size_t farthest_number = 0;  // lower than any where the farthest was found before
+  bool is_ours = false;
+  for (std::size_t begin = 0, size = points_per_task; begin < order.size(); begin += size) {
+    size = std::min(std::max(begin, points_per_task), order.size() - begin);
+    const auto numbers = std::span(order).subspan(begin, size);
+    const std::vector<double> beyond =
+        distances_beyond(points, numbers, closest, farthest.distance);
+    for (std::size_t i = 0; i < size; ++i) {
+      const bool is_first_of_equals =
+          is_ours && beyond[i] == farthest.distance && numbers[i] < farthest_number;
+      if (!(beyond[i] > farthest.distance) && !is_first_of_equals) continue;
+      farthest = {beyond[i], points[numbers[i]]};
+      farthest_number = numbers[i];
+      is_ours = true;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
+                                     const Progress& progress) {
+  check_comparable(mesh, reference);
+  return distances(mesh.positions, Distance(reference), progress, "vertex distances");
+}
+
+Farthest farthest_from(const ClosestPointQuery& reference, const Mesh& mesh,
+                       const CompareOptions& options) {
+  Farthest farthest;
+  take_farthest(used_vertices(mesh), reference, farthest);
+  take_farthest(surface_samples(mesh, options.samples, options.seed), reference, farthest);
+  return farthest;
+}
+
+Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options,
+                   const Progress& progress) {
+  check_comparable(mesh, reference);
+  const OneWay there = measure(mesh, reference, options, progress, "to the reference");
+  const OneWay back = measure(reference, mesh, options, progress, "from the reference");
+  const double distance = options.distance < 0
+                              ? default_distance_share * bounding_box(reference).diagonal()
+                              : options.distance;
+  Comparison result;
+  result.accuracy = quantile(there.by_area, accuracy_share);
+  result.completeness = share_within(back.by_area, distance);
+  result.mean = (there.mean + back.mean) / 2;
+  result.rms = std::sqrt((there.mean_square + back.mean_square) / 2);
+  result.hausdorff_to_reference = there.largest;
+  result.hausdorff_from_reference = back.largest;
+  result.hausdorff = std::max(there.largest, back.largest);
+  result.volume_difference = volume(mesh) - volume(reference);
+  return result;
+}
+
+}  // namespace transformesh

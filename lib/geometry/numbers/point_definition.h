@@ -1,0 +1,60 @@
+/// What defines a point that is not given: edges and faces through it, by the indices of their
+/// mesh.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <utility>
+
+#include "mesh/mesh.h"
+
+namespace transformesh {
+
+/// What makes a point. Equal definitions are equal points; those of edges and faces in another
+/// order are the same definition. Free points and means have none.
+struct PointDefinition {
+  enum class Kind : std::uint8_t { given, free, line_plane, line_line, three_planes, mean };
+
+  Kind kind = Kind::free;
+  std::array<Index, 4> indices{};  ///< vertex | - | u v face | u v x y | three faces | -
+
+  static PointDefinition given(Index vertex) { return {Kind::given, {vertex}}; }
+  /// Where edge uv crosses the plane of the face, which it must do.
+  static PointDefinition line_plane(Index u, Index v, Index face) {
+    return {Kind::line_plane, {std::min(u, v), std::max(u, v), face}};
+  }
+  /// Where two coplanar edges that are not parallel cross.
+  static PointDefinition line_line(Index u, Index v, Index x, Index y) {
+    if (u > v) std::swap(u, v);
+    if (x > y) std::swap(x, y);
+    if (u < x || (u == x && v < y)) return {Kind::line_line, {u, v, x, y}};
+    return {Kind::line_line, {x, y, u, v}};
+  }
+  /// Where the planes of three faces meet, which they must do in one point.
+  static PointDefinition three_planes(Index f, Index g, Index h) {
+    std::array<Index, 3> faces{f, g, h};
+    std::sort(faces.begin(), faces.end());
+    return {Kind::three_planes, {faces[0], faces[1], faces[2]}};
+  }
+
+  bool is_known() const { return kind != Kind::free && kind != Kind::mean; }
+  bool operator==(const PointDefinition&) const = default;
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison with 0 for a pointer
+  auto operator<=>(const PointDefinition&) const = default;
+};
+
+/// For hash tables.
+struct PointDefinitionHash {
+  std::size_t operator()(const PointDefinition& definition) const {
+    auto hash = static_cast<std::uint64_t>(definition.kind);
+    for (const Index i : definition.indices) {
+      hash = (hash ^ i) * 0x9e3779b97f4a7c15U;
+      hash ^= hash >> 29U;
+    }
+    return hash;
+  }
+};
+
+}  // namespace transformesh

@@ -1,0 +1,37 @@
+/// Four boxes side by side, which are tested at once: a node of the bounding volume hierarchy.
+/// Unused boxes are NaN, which no comparison accepts.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "geometry/search/float_box.h"
+
+namespace transformesh {
+
+struct alignas(16) BoxQuad {
+  std::array<std::array<float, 4>, 3> minimum;
+  std::array<std::array<float, 4>, 3> maximum;
+
+  FloatBox box(unsigned lane) const {
+    return {{minimum[0][lane], minimum[1][lane], minimum[2][lane]},
+            {maximum[0][lane], maximum[1][lane], maximum[2][lane]}};
+  }
+
+  void set(unsigned lane, const FloatBox& box) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      minimum[axis][lane] = box.minimum[axis];
+      maximum[axis][lane] = box.maximum[axis];
+    }
+  }
+};
+
+/// The group of each box of a quad, or no_index for none.
+struct alignas(16) GroupQuad {
+  std::array<Index, 4> group;
+};
+
+inline constexpr float unused = std::numeric_limits<float>::quiet_NaN();
+inline constexpr FloatBox unused_box{{unused, unused, unused}, {unused, unused, unused}};
+
+}  // namespace transformesh

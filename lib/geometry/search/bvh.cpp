@@ -1,0 +1,131 @@
+#include "geometry/search/bvh.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "geometry/search/hilbert.h"
+#include "geometry/search/quad_overlap.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t quads_per_task = 1024;
+
+/// More than can wait at once: each level leaves at most three quads waiting.
+constexpr std::size_t stack_size = 64;
+
+FloatBox united(const BoxQuad& quad) {
+  FloatBox box = quad.box(0);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int lane = 1; lane < 4; ++lane) {
+      // In this order a comparison with the NaN of an unused box changes nothing.
+      box.minimum[axis] = std::min(box.minimum[axis], quad.minimum[axis][lane]);
+      box.maximum[axis] = std::max(box.maximum[axis], quad.maximum[axis][lane]);
+    }
+  return box;
+}
+
+/// Packs box_of(0) .. box_of(count - 1) four by four.
+template <class BoxOf>
+std::vector<BoxQuad> pack(std::size_t count, const BoxOf& box_of) {
+  std::vector<BoxQuad> quads((count + 3) / 4);
+  parallel_for(quads.size(), quads_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = 4 * first; i < 4 * last; ++i)
+      quads[i / 4].set(i % 4, i < count ? box_of(i) : unused_box);
+  });
+  return quads;
+}
+
+}  // namespace
+
+Bvh::Bvh(std::span<const FloatBox> boxes) : order_(hilbert_order(boxes)) {
+  if (boxes.empty()) return;
+  levels_.push_back(pack(boxes.size(), [&](std::size_t i) { return boxes[order_[i]]; }));
+  while (levels_.back().size() > 1) {
+    const std::vector<BoxQuad>& below = levels_.back();
+    auto level = pack(below.size(), [&](std::size_t i) { return united(below[i]); });
+    levels_.push_back(std::move(level));
+  }
+}
+
+Bvh::Bvh(const Mesh& mesh) : Bvh(face_boxes(mesh)) {}
+
+Bvh::Bvh(std::span<const FloatBox> boxes, const Links& links, std::span<const Index> faces)
+    : Bvh(boxes) {
+  if (!links.empty()) add_links(links, faces);
+}
+
+void Bvh::add_links(const Links& links, std::span<const Index> faces) {
+  links_ = links.boxes;
+  std::vector<Index> rows;
+  rows.reserve(order_.size());
+  for (const Index box : order_) rows.push_back(links.row_of[faces[box]]);
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    std::vector<Index> above;
+    for (std::size_t i = 0; i < rows.size(); i += 4)
+      above.push_back(
+          add_common_links(std::span(rows).subspan(i, std::min(rows.size() - i, std::size_t{4}))));
+    link_rows_.push_back(std::exchange(rows, std::move(above)));
+  }
+}
+
+Index Bvh::add_common_links(std::span<const Index> rows) {
+  if (std::count(rows.begin(), rows.end(), no_index) > 0) return no_index;
+  LinkBoxes common = links_[rows[0]];
+  for (const Index row : rows) common = common_links(common, links_[row]);
+  if (common[0].link == no_index) return no_index;
+  links_.push_back(common);
+  return static_cast<Index>(links_.size() - 1);
+}
+
+// Unused boxes are like the first, so that they change nothing above.
+void Bvh::set_groups(std::span<const Index> group_of_box) {
+  groups_.clear();
+  std::vector<Index> groups(order_.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = group_of_box[order_[i]];
+  for (const auto& level : levels_) {
+    std::vector<GroupQuad> quads(level.size());
+    std::vector<Index> above(quads.size());
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+      std::array<Index, 4>& group = quads[q].group;
+      group.fill(groups[4 * q]);
+      std::copy_n(&groups[4 * q], std::min(groups.size() - 4 * q, group.size()), group.data());
+      const bool is_one = group[1] == group[0] && group[2] == group[0] && group[3] == group[0];
+      above[q] = is_one ? group[0] : no_index;
+    }
+    groups_.push_back(std::move(quads));
+    groups = std::move(above);
+  }
+}
+
+const LinkBoxes* Bvh::links_of(std::size_t level, std::size_t place) const {
+  const Index row = link_rows_.empty() ? no_index : link_rows_[level][place];
+  return row == no_index ? nullptr : &links_[row];
+}
+
+void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit,
+                         const LinkBoxes* links) const {
+  if (empty()) return;
+  struct Node {
+    std::size_t level;
+    std::size_t quad;
+  };
+  std::array<Node, stack_size> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = {levels_.size() - 1, 0};
+  while (waiting > 0) {
+    const auto [level, quad] = stack[--waiting];
+    for (unsigned mask = overlap_mask(levels_[level][quad], box); mask != 0; mask &= mask - 1) {
+      const std::size_t below = 4 * quad + static_cast<std::size_t>(std::countr_zero(mask));
+      if (are_apart(links, links_of(level, below))) continue;
+      if (level > 0) {
+        stack[waiting++] = {level - 1, below};
+      } else if (!visit(order_[below])) {
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace transformesh

@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cstdint>
+
+#include "geometry/search/bvh.h"
+#include "geometry/search/quad_overlap.h"
+#include "geometry/search/sort_pairs.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+using Pair = Bvh::Pair;
+using Level = std::vector<BoxQuad>;
+
+/// Enough tasks to keep all threads busy to the end. Their number does not depend on the threads.
+constexpr std::size_t task_count = 1024;
+constexpr std::size_t pairs_at_once = 1024;
+constexpr std::size_t most_of_quads = 16;
+
+/// Two quads of one level whose pairs are wanted. For the pairs inside a quad it is named twice.
+struct Task {
+  std::size_t level;
+  Index first;
+  Index second;
+};
+
+/// Two places of a level as one number, so that adding to both is one step.
+using PlacePair = std::uint64_t;
+constexpr int place_bits = 32;
+constexpr PlacePair place_pair(Index first, Index second) {
+  return PlacePair{second} << place_bits | first;
+}
+constexpr Index first_of(PlacePair places) { return static_cast<Index>(places); }
+constexpr Index second_of(PlacePair places) { return static_cast<Index>(places >> place_bits); }
+
+/// The pairs that a mask of turned_overlap_masks() names; the rest of the four are not used.
+struct NamedPairs {
+  std::array<PlacePair, 4> places;
+  std::size_t count;
+};
+constexpr auto make_named_pairs() {
+  std::array<std::array<NamedPairs, 16>, 4> table{};
+  for (Index turn = 0; turn < 4; ++turn)
+    for (Index mask = 0; mask < 16; ++mask) {
+      NamedPairs& named = table[turn][mask];
+      for (Index i = 0; i < 4; ++i)
+        if ((mask >> i & 1) != 0) named.places[named.count++] = place_pair(i, (i + turn) % 4);
+    }
+  return table;
+}
+
+constexpr auto named_pairs = make_named_pairs();
+
+/// Of two different quads, of a quad with itself, and of that without the pairs of a box with
+/// itself: the bits of masks that count.
+constexpr std::array<unsigned, 4> all_pairs{15, 15, 15, 15};
+constexpr std::array<unsigned, 4> pairs_inside{15, 15, 3, 0};
+constexpr std::array<unsigned, 4> different_inside{0, 15, 3, 0};
+
+/// Writes four pairs for each turn, of which those that count come first, and returns the end of
+/// these. There are no branches, as chance decides.
+PlacePair* list_overlaps(const BoxQuad& first, const BoxQuad& second, PlacePair base,
+                         const std::array<unsigned, 4>& counting, PlacePair* to) {
+  const std::array<unsigned, 4> masks = turned_overlap_masks(first, second);
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    const NamedPairs& named = named_pairs[turn][masks[turn] & counting[turn]];
+    for (std::size_t k = 0; k < 4; ++k) to[k] = base + named.places[k];
+    to += named.count;
+  }
+  return to;
+}
+
+/// Pairs of boxes by their places in level 0, until there are enough to be looked at.
+class PlacePairs {
+ public:
+  PlacePairs() : places_(pairs_at_once + most_of_quads), end_(places_.data()) {}
+  PlacePair* end() { return end_; }
+  void set_end(PlacePair* end) { end_ = end; }
+  bool is_full() const { return end_ - places_.data() >= std::ptrdiff_t{pairs_at_once}; }
+  std::span<const PlacePair> take() {
+    const std::span<const PlacePair> all(places_.data(), end_);
+    end_ = places_.data();
+    return all;
+  }
+
+ private:
+  std::vector<PlacePair> places_;
+  PlacePair* end_;
+};
+
+}  // namespace
+
+/// Descends two trees at once, level by level. The trees may be one and the same.
+class Bvh::PairSearch {
+ public:
+  PairSearch(const Bvh& here, const Bvh& there)
+      : here_(here),
+        there_(there),
+        is_self_(&here == &there),
+        has_links_(!here.links_.empty() && !there.links_.empty()),
+        has_groups_(is_self_ && !here.groups_.empty()) {}
+
+  void run(const Prepare& prepare, const VisitPairs& visit) const {
+    std::vector<Task> tasks = first_tasks();
+    while (!tasks.empty() && tasks.size() < task_count && tasks[0].level > 0)
+      tasks = refined(tasks);
+    prepare(tasks.size());
+    parallel_for(tasks.size(), 1, [&](std::size_t first, std::size_t last) {
+      PlacePairs found;
+      std::vector<Pair> pairs;
+      for (std::size_t i = first; i < last; ++i) {
+        const auto flush = [&] {
+          name_boxes(found.take(), pairs);
+          visit(i, pairs);
+        };
+        descend(tasks[i], found, flush);
+        flush();
+      }
+    });
+  }
+
+ private:
+  /// Pairs of the roots. Of a higher tree the quads on the level of the other's root are taken.
+  std::vector<Task> first_tasks() const {
+    if (here_.empty() || there_.empty()) return {};
+    const std::size_t level = std::min(here_.levels_.size(), there_.levels_.size()) - 1;
+    std::vector<Task> tasks;
+    for (Index i = 0; i < here_.levels_[level].size(); ++i)
+      for (Index j = 0; j < there_.levels_[level].size(); ++j) tasks.push_back({level, i, j});
+    return tasks;
+  }
+
+  /// Returns whether any pairs are left.
+  bool leave_out_groups(const Task& task, std::array<unsigned, 4>& counting) const {
+    const std::vector<GroupQuad>& groups = here_.groups_[task.level];
+    const auto same = turned_group_masks(groups[task.first], groups[task.second]);
+    for (std::size_t turn = 0; turn < 4; ++turn) counting[turn] &= ~same[turn];
+    return (counting[0] | counting[1] | counting[2] | counting[3]) != 0;
+  }
+
+  /// Writes the overlaps of a task as places in its level, and returns their end.
+  PlacePair* list_overlaps_of(const Task& task, PlacePair* to) const {
+    const bool is_same = is_self_ && task.first == task.second;
+    auto counting = !is_same ? all_pairs : task.level == 0 ? different_inside : pairs_inside;
+    if (has_groups_ && !leave_out_groups(task, counting)) return to;
+    PlacePair* end = list_overlaps(here_.levels_[task.level][task.first],
+                                   there_.levels_[task.level][task.second],
+                                   place_pair(4 * task.first, 4 * task.second), counting, to);
+    if (!has_links_) return end;
+    return std::remove_if(to, end, [&](PlacePair places) {
+      return are_apart(here_.links_of(task.level, first_of(places)),
+                       there_.links_of(task.level, second_of(places)));
+    });
+  }
+
+  /// The task of two places in the level above.
+  Task task_below(std::size_t level, PlacePair places) const {
+    const Index i = first_of(places), j = second_of(places);
+    if (is_self_) return {level - 1, std::min(i, j), std::max(i, j)};
+    return {level - 1, i, j};
+  }
+
+  std::vector<Task> refined(const std::vector<Task>& tasks) const {
+    std::vector<Task> result;
+    std::array<PlacePair, most_of_quads> overlaps;
+    for (const Task& task : tasks) {
+      const PlacePair* end = list_overlaps_of(task, overlaps.data());
+      for (const PlacePair* places = overlaps.data(); places != end; ++places)
+        result.push_back(task_below(task.level, *places));
+    }
+    return result;
+  }
+
+  // Calls flush when enough pairs have come together.
+  template <class Flush>
+  void descend(const Task& task, PlacePairs& found, const Flush& flush) const {
+    if (task.level == 0) {
+      found.set_end(list_overlaps_of(task, found.end()));
+      if (found.is_full()) flush();
+      return;
+    }
+    std::array<PlacePair, most_of_quads> overlaps;
+    const PlacePair* end = list_overlaps_of(task, overlaps.data());
+    for (const PlacePair* places = overlaps.data(); places != end; ++places)
+      descend(task_below(task.level, *places), found, flush);
+  }
+
+  /// The boxes at these places; of one tree the smaller number first.
+  void name_boxes(std::span<const PlacePair> places, std::vector<Pair>& pairs) const {
+    pairs.resize(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Index first = here_.order_[first_of(places[i])];
+      const Index second = there_.order_[second_of(places[i])];
+      const bool swaps = is_self_ && second < first;
+      pairs[i] = {swaps ? second : first, swaps ? first : second};
+    }
+  }
+
+  const Bvh& here_;
+  const Bvh& there_;
+  bool is_self_;
+  bool has_links_;
+  bool has_groups_;
+};
+
+void Bvh::visit_pairs(const Prepare& prepare, const VisitPairs& visit) const {
+  PairSearch(*this, *this).run(prepare, visit);
+}
+
+std::vector<Pair> Bvh::collect_pairs(const PairSearch& search, const Accept& accept) const {
+  std::vector<std::vector<Pair>> lists;
+  search.run([&](std::size_t count) { lists.resize(count); },
+             [&](std::size_t list, std::span<const Pair> pairs) {
+               for (const auto& [first, second] : pairs)
+                 if (accept(first, second)) lists[list].emplace_back(first, second);
+             });
+  std::vector<Pair> pairs = joined(lists);
+  sort_pairs(pairs, order_.size());
+  return pairs;
+}
+
+std::vector<Pair> Bvh::overlapping_pairs(const Accept& accept) const {
+  return collect_pairs(PairSearch(*this, *this), accept);
+}
+
+std::vector<Pair> Bvh::overlapping_pairs(const Bvh& other, const Accept& accept) const {
+  return collect_pairs(PairSearch(*this, other), accept);
+}
+
+}  // namespace transformesh

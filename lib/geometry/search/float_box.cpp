@@ -1,0 +1,110 @@
+#include "geometry/search/float_box.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t boxes_per_task = 4096;
+constexpr std::size_t most_sampled_points = 1024;
+constexpr double smallest_usual = 1e-30;  ///< less is hardly told apart by floats
+
+FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return float_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+}
+
+/// The entry that is `share` of the way up among those of some points.
+template <class Value>
+double quantile(std::span<const Vec3> points, double share, const Value& value) {
+  const std::size_t stride = points.size() / most_sampled_points + 1;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < points.size(); i += stride) values.push_back(value(points[i]));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// The median along each axis: a few points that are far away do not move it.
+Vec3 middle_of_most(std::span<const Vec3> points) {
+  const auto middle = [&](int axis) {
+    return quantile(points, 0.5, [axis](const Vec3& p) { return p[axis]; });
+  };
+  return {middle(0), middle(1), middle(2)};
+}
+
+/// Ascends with the number, and by 1 where its magnitude doubles.
+double exponent_and_fraction(double x) {
+  const auto bits = static_cast<double>(std::bit_cast<std::uint64_t>(std::abs(x)));
+  return std::copysign(bits * 0x1p-52, x);
+}
+
+Vec3 exponents(const Vec3& p) {
+  return {exponent_and_fraction(p[0]), exponent_and_fraction(p[1]), exponent_and_fraction(p[2])};
+}
+
+}  // namespace
+
+// There is no branch, because boxes are made by the thousand and whether the nearest float is below
+// the value is a coin toss. Adding 0 makes -0 positive, so that the bits are in order.
+float float_above(double value) {
+  const float nearest = static_cast<float>(value) + 0.0F;
+  const auto bits = std::bit_cast<std::int32_t>(nearest);
+  const std::int32_t up = bits < 0 ? -1 : 1;
+  return std::bit_cast<float>(bits + (nearest < value ? up : 0));
+}
+
+float float_below(double value) { return -float_above(-value); }
+
+FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
+  return {{float_below(minimum.x()), float_below(minimum.y()), float_below(minimum.z())},
+          {float_above(maximum.x()), float_above(maximum.y()), float_above(maximum.z())}};
+}
+
+// Rounding keeps the order of numbers, and so boxes that overlap still do.
+BoxFrame::BoxFrame(std::span<const Vec3> points) {
+  if (points.empty()) return;
+  origin_ = middle_of_most(points);
+  double size = 0;
+  for (const Vec3& point : points)
+    size = std::max(size, (point / 2 - origin_ / 2).cwiseAbs().maxCoeff());
+  if (size > 0) scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(size)));
+  for (int axis = 0; axis < 3; ++axis)
+    is_wide_ |= quantile(points, 0.25, [&](const Vec3& p) {
+                  const double x = std::abs(p[axis] - origin_[axis]) * scale_;
+                  return x > 0 ? x : 1;
+                }) < smallest_usual;
+}
+
+FloatBox BoxFrame::wide_box(const Vec3& minimum, const Vec3& maximum) const {
+  return float_box(exponents(minimum - origin_), exponents(maximum - origin_));
+}
+
+std::vector<FloatBox> face_boxes(const Mesh& mesh) {
+  std::vector<FloatBox> boxes(mesh.faces.size());
+  parallel_for(boxes.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      const auto& [a, b, c] = mesh.faces[f];
+      boxes[f] = box_of_corners(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    }
+  });
+  return boxes;
+}
+
+std::vector<FloatBox> face_boxes(const Mesh& mesh, std::span<const Index> faces) {
+  std::vector<FloatBox> boxes(faces.size());
+  parallel_for(boxes.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto& [a, b, c] = mesh.faces[faces[i]];
+      boxes[i] = box_of_corners(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    }
+  });
+  return boxes;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,54 @@
+#include "io/formats/column_groups.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/document/losses.h"
+#include "io/document/scalar.h"
+
+namespace transformesh {
+namespace {
+
+using Names = std::initializer_list<std::string_view>;
+
+ColumnGroup group_of(const Columns& columns, Names names) {
+  if (!has_columns(columns, names)) return {};
+  ColumnGroup group;
+  for (const std::string_view name : names) {
+    group.push_back(columns.find(name));
+    if (group.back()->type != group.front()->type) return {};
+  }
+  return group;
+}
+
+ColumnGroup first_group_of(const Columns& columns, std::initializer_list<Names> choices) {
+  for (const Names& names : choices)
+    if (ColumnGroup group = group_of(columns, names); !group.empty()) return group;
+  return {};
+}
+
+}  // namespace
+
+ColumnGroup normal_group(const Columns& columns) { return group_of(columns, {"nx", "ny", "nz"}); }
+
+ColumnGroup color_group(const Columns& columns) {
+  return first_group_of(columns, {{"red", "green", "blue", "alpha"}, {"red", "green", "blue"}});
+}
+
+ColumnGroup texture_group(const Columns& columns) {
+  return first_group_of(columns, {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}});
+}
+
+const Column* corner_texture(const Columns& face_columns) {
+  const Column* column = face_columns.find("texcoord");
+  if (column == nullptr || !column->list_count_type || !is_floating(column->type)) return nullptr;
+  for (std::size_t row = 0; row + 1 < column->list_offsets.size(); ++row) {
+    const std::size_t length = column->list_offsets[row + 1] - column->list_offsets[row];
+    if (length != 0 && length != 6) return nullptr;
+  }
+  const bool are_finite = std::all_of(column->values.begin(), column->values.end(),
+                                      [](double value) { return std::isfinite(value); });
+  return are_finite ? column : nullptr;
+}
+
+}  // namespace transformesh

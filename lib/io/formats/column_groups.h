@@ -1,0 +1,22 @@
+/// The columns that mean one thing together, by the names that PLY files give them.
+#pragma once
+
+#include <vector>
+
+#include "mesh/columns.h"
+
+namespace transformesh {
+
+using ColumnGroup = std::vector<const Column*>;
+
+/// Each empty where a column is missing, is a list, holds a number that is not finite, or has
+/// another type than the others.
+ColumnGroup normal_group(const Columns& columns);   ///< nx ny nz
+ColumnGroup color_group(const Columns& columns);    ///< red green blue, and alpha where it is there
+ColumnGroup texture_group(const Columns& columns);  ///< s t, u v or texture_u texture_v
+
+/// The face column `texcoord`: lists of u and v of three corners, or of none. Null where it is not
+/// there, is not like that or holds a number that is not finite.
+const Column* corner_texture(const Columns& face_columns);
+
+}  // namespace transformesh

@@ -1,0 +1,56 @@
+/// Gathers the faces of a file, which may come before their vertices, and makes triangles of them.
+/// Polygons are triangulated without folds (polygons/triangulate_polygon.h).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/polygons/planar_outline.h"
+#include "mesh/mesh.h"
+
+namespace transformesh {
+
+class FaceRows {
+ public:
+  void reserve(std::size_t faces) { triangles_.reserve(faces); }
+  /// Appends a triangle; inline, for the tight loops.
+  void add(const Face& triangle) {
+    triangles_.push_back(triangle);
+    ++rows_;
+  }
+  /// Appends a polygon of any size; with fewer than three corners it only counts as dropped.
+  void add(std::span<const Index> corners);
+  std::uint32_t rows() const { return rows_; }
+
+  /// Moves the faces into the mesh, whose vertices are complete and whose face columns have one row
+  /// for each row added. Face columns get one row for each triangle (of texture coordinates, those
+  /// of its corners). Vertices with a coordinate that is not finite are dropped with the rows that
+  /// use them. `notes` say what was cut or dropped; they count faces from `first_number`.
+  void move_into(Mesh& mesh, const std::string& format, std::vector<std::string>& notes,
+                 std::uint32_t first_number = 0);
+
+ private:
+  struct Polygon {
+    std::uint32_t row;
+    std::size_t first;  ///< of its corners in `corners_`
+  };
+  struct Cuts;
+
+  std::span<const Index> corners_of(std::size_t polygon) const;
+  Cuts cut_polygons(const Mesh& mesh) const;
+  /// Calls add(row, number of corners, corners of the triangle) for each triangle in order.
+  template <class Add>
+  void for_each_triangle(const Cuts& cuts, const Add& add) const;
+  void put_together(Mesh& mesh, const Cuts& cuts) const;
+  void add_notes(const Cuts& cuts, std::size_t faces, const std::string& format,
+                 std::vector<std::string>& notes, std::uint32_t first_number) const;
+
+  std::vector<Face> triangles_;    ///< rows with three corners, in order
+  std::vector<Polygon> polygons_;  ///< rows with any other number of corners, in order
+  std::vector<Index> corners_;     ///< of the polygons
+  std::uint32_t rows_ = 0;
+};
+
+}  // namespace transformesh

@@ -1,0 +1,100 @@
+#include "io/formats/finite_values.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/document/scalar.h"
+#include "support/counted.h"
+
+namespace transformesh {
+namespace {
+
+using Group = std::vector<Column*>;
+
+/// The floating-point columns with these names; empty if one of them is missing, a list or
+/// integers.
+Group group_of(Columns& columns, std::initializer_list<std::string_view> names) {
+  Group group;
+  for (const std::string_view name : names) {
+    Column* column = columns.find(name);
+    if (column == nullptr || column->list_count_type || !is_floating(column->type)) return {};
+    group.push_back(column);
+  }
+  return group;
+}
+
+bool is_finite_row(const Group& group, std::size_t row) {
+  return std::all_of(group.begin(), group.end(),
+                     [&](const Column* column) { return std::isfinite(column->values[row]); });
+}
+
+void zero_group(const Group& group, const Source& source, const std::string& what,
+                const std::string& element, const std::string& format,
+                std::vector<std::string>& notes) {
+  if (group.empty()) return;
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < group[0]->values.size(); ++row) {
+    if (is_finite_row(group, row)) continue;
+    if (source.is_strict)
+      source.fail("the " + what + " of " + element + ' ' + std::to_string(row) +
+                  " is not a finite number");
+    for (Column* column : group) column->values[row] = 0;
+    ++count;
+  }
+  note_zeroed(count, what, format, notes);
+}
+
+}  // namespace
+
+void drop_points_not_finite(Mesh& mesh, std::size_t dropped_faces, const std::string& format,
+                            std::vector<std::string>& notes) {
+  std::vector<std::uint32_t> kept;
+  const auto is_finite = [](const Vec3& position) { return position.allFinite(); };
+  if (std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite)) return;
+  std::vector<Index> number(mesh.positions.size(), no_index);
+  for (Index v = 0; v < number.size(); ++v) {
+    if (!is_finite(mesh.positions[v])) continue;
+    number[v] = static_cast<Index>(kept.size());
+    mesh.positions[kept.size()] = mesh.positions[v];
+    kept.push_back(v);
+  }
+  const std::size_t dropped = number.size() - kept.size();
+  mesh.positions.resize(kept.size());
+  mesh.vertex_columns = mesh.vertex_columns.select(kept);
+
+  std::vector<std::uint32_t> kept_faces;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    Face face = mesh.faces[f];
+    for (Index& corner : face) corner = number[corner];
+    if (std::find(face.begin(), face.end(), no_index) != face.end()) continue;
+    mesh.faces[kept_faces.size()] = face;
+    kept_faces.push_back(f);
+  }
+  dropped_faces += mesh.faces.size() - kept_faces.size();
+  mesh.faces.resize(kept_faces.size());
+  mesh.face_columns = mesh.face_columns.select(kept_faces);
+  std::string note =
+      format + ": " + counted(dropped, "vertex") + " with a coordinate that is not finite dropped";
+  if (dropped_faces > 0)
+    note += ", and " + counted(dropped_faces, "face") + " that " +
+            (dropped_faces == 1 ? "uses " : "use ") + (dropped == 1 ? "it" : "them");
+  notes.push_back(note);
+}
+
+void zero_values_not_finite(Columns& columns, const Source& source, const std::string& element,
+                            const std::string& format, std::vector<std::string>& notes) {
+  zero_group(group_of(columns, {"nx", "ny", "nz"}), source, "normal", element, format, notes);
+  Group color = group_of(columns, {"red", "green", "blue"});
+  const Group alpha = group_of(columns, {"alpha"});
+  if (!color.empty()) color.insert(color.end(), alpha.begin(), alpha.end());
+  zero_group(color, source, "color", element, format, notes);
+}
+
+void note_zeroed(std::size_t count, const std::string& what, const std::string& format,
+                 std::vector<std::string>& notes) {
+  if (count == 0) return;
+  notes.push_back(format + ": " + counted(count, what) +
+                  (count == 1 ? " that is not finite becomes 0" : " that are not finite become 0"));
+}
+
+}  // namespace transformesh

@@ -1,0 +1,135 @@
+/// Goes through text line by line and, within a line, word by word. Blank lines are skipped.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/streams/number_text.h"
+#include "io/streams/source.h"
+
+namespace transformesh {
+
+class TextRows {
+ public:
+  struct Rules {
+    char comment = '\0';           ///< starts a comment that runs to the end of the line
+    bool backslash_joins = false;  ///< a backslash at the end of a line joins the next one to it
+  };
+
+  TextRows(const Source& source, std::size_t start, Rules rules);
+
+  /// Moves to the next line that holds a word. False at the end of the text.
+  bool next_row();
+  /// Whether the row holds a further word.
+  bool has_more();
+  /// The next word, empty at the end of the row.
+  std::string_view word();
+  /// What word() would return, and how many words are left in the row.
+  std::string_view peek() const;
+  std::size_t words_left() const;
+  /// Leaves out what is left of the row, and returns it without blanks around it.
+  std::string_view skip_row();
+  /// The word that was read last, as number or as word.
+  std::string_view last_word() const;
+  /// The number that the next word is. Throws InputError where it is none; what() names it there.
+  template <class T, class What>
+  T number(const What& what);
+  /// As number, and finite.
+  template <class T, class What>
+  T finite_number(const What& what);
+  /// Returns finite_number() if the source is read strictly. Otherwise returns NaN for a number
+  /// that is not finite or too large for T.
+  template <class T, class What>
+  T number_or_nan(const What& what);
+  /// Throws InputError where the row goes on; row() names it there.
+  template <class What>
+  void end_row(const What& row) {
+    if (has_more()) fail_rest(row());
+  }
+
+  /// Where the row that next_row finds may start at the earliest.
+  const char* rest() const { return line_end_; }
+  /// Where the last word or number starts.
+  const char* place() const { return place_; }
+  [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(place_, what); }
+
+  /// Whole lines of comment met so far, without the mark and one space behind it.
+  std::vector<std::string> comments;
+  /// Comments behind data, which are not kept.
+  std::size_t trailing_comments = 0;
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+  bool separates(char c) const { return is_blank(c) || (rules_.backslash_joins && c == '\\'); }
+  const char* word_start(const char* from) const;
+  const char* word_end(const char* from) const;
+  const char* find_line_end(const char* from) const;
+  void find_row();
+  const char* find_comment(const char* start) const;
+  void keep_comment(const char* mark);
+  [[noreturn]] void fail_rest(const std::string& row);
+  [[noreturn]] void fail_number(const std::string& what, const char* needed, Parsed problem);
+  template <class T>
+  Parsed parse_word(T& value);
+
+  const Source* source_;
+  Rules rules_;
+  char terminator_;
+  const char* place_;     ///< what was read last, for messages
+  const char* next_;      ///< the rest of the row
+  const char* row_end_;   ///< without comment
+  const char* line_end_;  ///< of the text line
+};
+
+inline const char* TextRows::word_start(const char* from) const {
+  while (from != row_end_ && separates(*from)) ++from;
+  return from;
+}
+
+inline bool TextRows::has_more() {
+  next_ = word_start(next_);
+  return next_ != row_end_;
+}
+
+template <class T>
+Parsed TextRows::parse_word(T& value) {
+  place_ = next_;
+  const Parsed parsed = parse_number(next_, row_end_, value);
+  const bool is_whole_word = next_ == row_end_ || separates(*next_);
+  return is_whole_word ? parsed : Parsed::malformed;
+}
+
+template <class T, class What>
+T TextRows::number(const What& what) {
+  constexpr const char* needed = std::is_floating_point_v<T> ? "a number"
+                                 : std::is_signed_v<T>       ? "a whole number"
+                                                             : "a whole number of 0 or more";
+  if (!has_more()) fail(what() + " is missing");
+  T value;
+  const Parsed parsed = parse_word(value);
+  if (parsed != Parsed::ok) fail_number(what(), needed, parsed);
+  return value;
+}
+
+template <class T, class What>
+T TextRows::number_or_nan(const What& what) {
+  if (source_->is_strict) return finite_number<T>(what);
+  if (!has_more()) fail(what() + " is missing");
+  T value;
+  const Parsed parsed = parse_word(value);
+  if (parsed == Parsed::malformed) fail_number(what(), "a number", parsed);
+  const bool is_finite = parsed == Parsed::ok && std::isfinite(value);
+  return is_finite ? value : std::numeric_limits<T>::quiet_NaN();
+}
+
+template <class T, class What>
+T TextRows::finite_number(const What& what) {
+  const T value = number<T>(what);
+  if (!std::isfinite(value)) fail_number(what(), "a finite number", Parsed::malformed);
+  return value;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,30 @@
+#include "io/matrix_file.h"
+
+#include <algorithm>
+
+#include "io/formats/text_rows.h"
+
+namespace transformesh {
+
+Eigen::Matrix4d parse_matrix(std::string_view bytes, const std::string& name) {
+  std::string text(bytes);
+  std::replace(text.begin(), text.end(), ',', ' ');
+  const Source source{text, name};
+  TextRows rows(source, 0, {.comment = '#'});
+
+  Eigen::Matrix4d matrix;
+  Eigen::Index count = 0;
+  while (rows.next_row())
+    while (rows.has_more()) {
+      const auto number = rows.finite_number<double>([] { return std::string("a number"); });
+      if (count == 16) rows.fail("a 4x4 matrix has 16 numbers, but here is a seventeenth");
+      matrix(count / 4, count % 4) = number;
+      ++count;
+    }
+  if (count < 16)
+    source.fail("a 4x4 matrix has 16 numbers, but there " +
+                std::string(count == 1 ? "is " : "are ") + std::to_string(count));
+  return matrix;
+}
+
+}  // namespace transformesh

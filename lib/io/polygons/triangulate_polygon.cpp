@@ -1,0 +1,220 @@
+#include "io/polygons/triangulate_polygon.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "io/polygons/outline.h"
+
+namespace transformesh {
+namespace {
+
+using Point = Eigen::Vector2d;
+
+/// Coordinates of a point in the plane are its products with both vectors. They are the doubles of
+/// the point itself if the vectors are axes.
+struct Projection {
+  Vec3 u, v;
+
+  Point operator()(const Vec3& position) const { return {u.dot(position), v.dot(position)}; }
+};
+
+/// Newell's normal of the polygon, scaled to coordinates of at most 1.
+Vec3 normal_of(std::span<const Vec3> positions) {
+  double largest = 0;
+  for (const Vec3& position : positions)
+    largest = std::max(largest, position.cwiseAbs().maxCoeff());
+  Vec3 normal = Vec3::Zero();
+  if (largest == 0) return normal;
+  const Vec3 origin = positions[0] / largest;
+  Vec3 edge = Vec3::Zero();
+  for (std::size_t i = 1; i < positions.size(); ++i) {
+    const Vec3 next = positions[i] / largest - origin;
+    normal += edge.cross(next);
+    edge = next;
+  }
+  return normal;
+}
+
+Projection along_axis(Eigen::Index axis) {
+  return {Vec3::Unit((axis + 1) % 3), Vec3::Unit((axis + 2) % 3)};
+}
+
+/// The last of equally near axes.
+Eigen::Index axis_nearest_to(const Vec3& normal) {
+  const Vec3 size = normal.cwiseAbs();
+  if (size[2] >= size[0] && size[2] >= size[1]) return 2;
+  return size[1] >= size[0] ? 1 : 0;
+}
+
+/// Along the normal, if it has a direction, and along the axes other than the nearest.
+std::vector<Projection> other_projections(const Vec3& normal, Eigen::Index nearest) {
+  std::vector<Projection> others;
+  const Vec3 direction = normal.stableNormalized();
+  if (!direction.isZero()) {
+    const Vec3 across = direction.unitOrthogonal();
+    others.push_back({across, direction.cross(across)});
+  }
+  others.push_back(along_axis((nearest + 1) % 3));
+  others.push_back(along_axis((nearest + 2) % 3));
+  return others;
+}
+
+int orientation(const Point& a, const Point& b, const Point& c) {
+  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  return CGAL::orientation(Exact(a[0], a[1]), Exact(b[0], b[1]), Exact(c[0], c[1]));
+}
+
+/// Decides whether the triangles of the fan from the first corner turn one way in a projection,
+/// less than once around it, and all have an area in space.
+class FanCheck {
+ public:
+  FanCheck(std::span<const Vec3> positions, const Projection& projected)
+      : positions_(positions), projected_(projected), apex_(projected(positions[0])) {}
+
+  bool is_fan() {
+    for (std::size_t i = 1; i < positions_.size(); ++i) {
+      const Point corner = projected_(positions_[i]);
+      const Point before = projected_(positions_[i - 1]);
+      const bool has_area = i == 1 || orientation(apex_, before, corner) != 0 ||
+                            !is_collinear(positions_[0], positions_[i - 1], positions_[i]);
+      if (!has_area || (corner != apex_ && !turns_to(corner))) return false;
+    }
+    return sign_ != 0;
+  }
+
+ private:
+  bool turns_to(const Point& corner) {
+    if (!first_) {
+      first_ = last_ = corner;
+      return true;
+    }
+    const int turn = orientation(apex_, *last_, corner);
+    if (turn == 0 && (*last_ - apex_).dot(corner - apex_) <= 0) return false;
+    if (sign_ == 0) sign_ = turn;
+    if (turn != 0 && turn != sign_) return false;
+    last_ = corner;
+    const int side = sign_ * orientation(apex_, *first_, corner);
+    if (is_beyond_half_ && side >= 0) return false;  // once around
+    is_beyond_half_ = side < 0;
+    return true;
+  }
+
+  std::span<const Vec3> positions_;
+  const Projection& projected_;
+  Point apex_;
+  std::optional<Point> first_, last_;  ///< corners that differ from the apex in the projection
+  int sign_ = 0;
+  bool is_beyond_half_ = false;
+};
+
+PolygonTriangles fan_of(std::size_t size) {
+  PolygonTriangles fan;
+  fan.triangles.reserve(size - 2);
+  for (std::uint32_t i = 2; i < size; ++i) fan.triangles.push_back({0, i - 1, i});
+  return fan;
+}
+
+/// Each triangle from its lowest corner, in ascending order: whatever the order in which they were
+/// found.
+void sort_triangles(std::vector<CornerTriangle>& triangles) {
+  for (CornerTriangle& triangle : triangles)
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                triangle.end());
+  std::sort(triangles.begin(), triangles.end());
+}
+
+using Edge = std::pair<Index, Index>;
+
+/// The edges between different vertices, without pairs that run forth and back.
+std::vector<Edge> boundary_of(std::vector<Edge> edges) {
+  const auto without_direction = [](const Edge& edge) {
+    return Edge(std::minmax(edge.first, edge.second));
+  };
+  std::erase_if(edges, [](const Edge& edge) { return edge.first == edge.second; });
+  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+    return std::pair(without_direction(a), a) < std::pair(without_direction(b), b);
+  });
+  std::vector<Edge> boundary;
+  for (const Edge& edge : edges) {
+    if (!boundary.empty() && boundary.back() == Edge(edge.second, edge.first))
+      boundary.pop_back();
+    else
+      boundary.push_back(edge);
+  }
+  return boundary;
+}
+
+/// Whether the triangles have the boundary of the outline. Where edges lie upon each other, corners
+/// of different vertices at one point may be mistaken for each other.
+bool bounds(const PlanarTriangles& result, std::span<const std::uint32_t> outline,
+            std::span<const Index> vertices) {
+  std::vector<Edge> inside, around;
+  for (const auto* triangles : {&result.triangles, &result.flat})
+    for (const CornerTriangle& triangle : *triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        inside.emplace_back(vertices[triangle[i]], vertices[triangle[(i + 1) % 3]]);
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    around.emplace_back(vertices[outline[i]], vertices[outline[(i + 1) % outline.size()]]);
+  return boundary_of(std::move(inside)) == boundary_of(std::move(around));
+}
+
+/// Cuts off the corners at edges that cross others, in each round a longer part of the outline
+/// there, until the rest crosses nothing.
+PolygonTriangles triangulate_along(const Projection& projected, std::span<const Vec3> positions,
+                                   std::span<const Index> vertices) {
+  constexpr std::size_t growth = 4;
+  std::vector<Point> points;
+  points.reserve(positions.size());
+  for (const Vec3& position : positions) points.push_back(projected(position));
+  Outline outline(positions, vertices, points);
+  PlanarTriangles rest;
+  for (std::size_t length = 1; !rest.is_complete; length *= growth) {
+    outline.remove_coincident();
+    if (outline.size() < 3) break;
+    const std::vector<std::uint32_t> corners = outline.corners();
+    rest = triangulate_outline(points, corners);
+    if (rest.is_complete && outline.has_twins() && !bounds(rest, corners, vertices)) rest = {};
+    for (const std::uint32_t corner : rest.crossing) outline.cut_edge(corner, length);
+    if (!rest.is_complete && rest.crossing.empty()) outline.cut_fan();
+  }
+  if (rest.is_complete) {
+    for (const CornerTriangle& triangle : rest.flat) outline.add_flat(triangle);
+  } else {  // nothing is left that shows its area in the projection
+    outline.folds += std::exchange(outline.upright, 0);
+  }
+  PolygonTriangles result{std::move(outline.triangles), outline.folds + rest.folds,
+                          outline.upright};
+  result.triangles.insert(result.triangles.end(), rest.triangles.begin(), rest.triangles.end());
+  sort_triangles(result.triangles);
+  return result;
+}
+
+}  // namespace
+
+bool is_unfolded_fan(std::span<const Vec3> positions) {
+  if (positions.size() < 3) return false;
+  return FanCheck(positions, along_axis(axis_nearest_to(normal_of(positions)))).is_fan();
+}
+
+PolygonTriangles triangulate_polygon(std::span<const Vec3> positions,
+                                     std::span<const Index> vertices) {
+  if (positions.size() < 3) return {};
+  if (is_unfolded_fan(positions)) return fan_of(positions.size());
+  const Vec3 normal = normal_of(positions);
+  const Eigen::Index axis = axis_nearest_to(normal);
+  PolygonTriangles best = triangulate_along(along_axis(axis), positions, vertices);
+  if (best.folds + best.upright == 0) return best;
+  for (const Projection& projection : other_projections(normal, axis)) {
+    PolygonTriangles other = triangulate_along(projection, positions, vertices);
+    if (other.folds + other.upright < best.folds + best.upright) best = std::move(other);
+  }
+  return best;
+}
+
+}  // namespace transformesh

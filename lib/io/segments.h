@@ -1,0 +1,18 @@
+/// Segments in a PLY: the element `edge`, whose numbers vertex1 and vertex2 name the vertices at
+/// their ends. It is what tm-intersect writes and other programs read.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "io/document/document.h"
+
+namespace transformesh {
+
+using Segment = std::pair<Vec3, Vec3>;
+
+/// In the order of the file. Throws InputError, calling the file `name`, where there is no such
+/// element and where a vertex is named that does not exist.
+std::vector<Segment> segments_of(const Document& document, const std::string& name);
+
+}  // namespace transformesh

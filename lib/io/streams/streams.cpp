@@ -1,0 +1,113 @@
+#include "io/streams/streams.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <new>
+
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t block = std::size_t{1} << 20;
+
+class Descriptor {
+ public:
+  explicit Descriptor(const std::string& path)
+      : number_(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  ~Descriptor() {
+    if (number_ > STDERR_FILENO) close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+[[noreturn]] void throw_unreadable(const std::string& path) {
+  if (errno == EISDIR) throw InputError(input_name(path) + ": cannot be read: it is a folder");
+  throw InputError(input_name(path) + ": cannot be read: " + std::strerror(errno));
+}
+
+// Waits where the other side made the descriptor non-blocking; false for a real error.
+bool may_retry(int descriptor, short events) {
+  if (errno == EINTR) return true;
+  if (errno != EAGAIN) return false;
+  pollfd waiting{descriptor, events, 0};
+  poll(&waiting, 1, -1);
+  return true;
+}
+
+// Fewer switches between the programs of a pipeline; harmless where it is refused.
+void widen_pipe([[maybe_unused]] int descriptor) {
+#ifdef F_SETPIPE_SZ
+  fcntl(descriptor, F_SETPIPE_SZ, static_cast<int>(block));
+#endif
+}
+
+// One more than the size of a regular file, so that one read sees the end; else a block.
+std::size_t first_read_size(int descriptor) {
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return block;
+  return std::min(static_cast<std::size_t>(status.st_size) + 1, std::size_t{1} << 30);
+}
+
+}  // namespace
+
+char* Bytes::reserve(std::size_t size) {
+  if (capacity_ - size_ < size) {
+    // Programs prepare memory for what is new, but not for what is reallocated.
+    if (data_ == nullptr && size > block) ::operator delete(::operator new(size));
+    const std::size_t capacity = std::max(size_ + size, 2 * capacity_);
+    char* data = static_cast<char*>(std::realloc(data_.get(), capacity));
+    if (data == nullptr) throw std::bad_alloc();
+    static_cast<void>(data_.release());
+    data_.reset(data);
+    capacity_ = capacity;
+  }
+  return data_.get() + size_;
+}
+
+std::string input_name(const std::string& path) {
+  if (path.empty()) return "''";
+  return path == "-" ? "standard input" : path;
+}
+
+Bytes read_all(const std::string& path) {
+  const Descriptor descriptor(path);
+  if (descriptor.number() < 0) throw_unreadable(path);
+  widen_pipe(descriptor.number());
+  Bytes bytes;
+  std::size_t wanted = first_read_size(descriptor.number());
+  while (true) {
+    char* end = bytes.reserve(wanted);
+    const ssize_t got = read(descriptor.number(), end, wanted);
+    if (got == 0) return bytes;
+    if (got > 0) bytes.grow(static_cast<std::size_t>(got));
+    if (got < 0 && !may_retry(descriptor.number(), POLLIN)) throw_unreadable(path);
+    wanted = std::max(wanted - static_cast<std::size_t>(std::max<ssize_t>(got, 0)), block);
+  }
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+  widen_pipe(descriptor);
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    } else if (!may_retry(descriptor, POLLOUT)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,65 @@
+#include "mesh/fans.h"
+
+#include <algorithm>
+
+#include "mesh/disjoint_sets.h"
+
+namespace transformesh {
+
+Fans find_fans(std::span<const Face> faces, std::span<const Index> across,
+               std::span<const char> included) {
+  // Two halfedges that start at the same vertex join their corners there, others their opposite
+  // ends.
+  DisjointSets corners(3 * faces.size());
+  for (Index h = 0; h < across.size(); ++h) {
+    const Index other = across[h];
+    if (other == no_index || other < h) continue;
+    const bool run_alike = faces[h / 3][h % 3] == faces[other / 3][other % 3];
+    corners.join(h, run_alike ? other : next_halfedge(other));
+    corners.join(next_halfedge(h), run_alike ? next_halfedge(other) : other);
+  }
+
+  // Fans are numbered by their first corners.
+  Fans fans;
+  fans.of_corner.assign(3 * faces.size(), no_index);
+  for (Index corner = 0; corner < fans.of_corner.size(); ++corner) {
+    if (!included.empty() && !included[corner / 3]) continue;
+    const Index first = corners.find(corner);
+    if (first == corner) {
+      fans.of_corner[corner] = static_cast<Index>(fans.vertex_of.size());
+      fans.vertex_of.push_back(faces[corner / 3][corner % 3]);
+    } else {
+      fans.of_corner[corner] = fans.of_corner[first];
+    }
+  }
+  return fans;
+}
+
+Fans find_fans(const Mesh& mesh, const Edges& edges) {
+  return find_fans(mesh.faces, neighbors_across(edges, mesh.faces.size()));
+}
+
+std::vector<Index> boundary_loops(const Edges& edges, const Fans& fans) {
+  // Border edges that share a fan belong to one loop.
+  std::vector<Index> border;
+  DisjointSets loops(fans.vertex_of.size());
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    if (edges.halfedges(edge).size() != 1) continue;
+    const Index h = edges.halfedges(edge)[0];
+    border.push_back(h);
+    loops.join(fans.of_corner[h], fans.of_corner[next_halfedge(h)]);
+  }
+
+  // The lowest halfedge of each set stands for its loop.
+  std::sort(border.begin(), border.end());
+  std::vector<Index> firsts;
+  std::vector<bool> is_counted(fans.vertex_of.size(), false);
+  for (const Index halfedge : border) {
+    const Index loop = loops.find(fans.of_corner[halfedge]);
+    if (!is_counted[loop]) firsts.push_back(halfedge);
+    is_counted[loop] = true;
+  }
+  return firsts;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "mesh/mesh.h"
+
+namespace transformesh {
+
+/// The length of a vector, also where squares overflow or vanish.
+inline double length_of(const Vec3& vector) {
+  constexpr double small = 1e-60, large = 1e60;
+  const double length = vector.norm();
+  return length > small && length < large ? length : vector.stableNorm();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,23 @@
+#include "mesh/location_text.h"
+
+#include "support/length.h"
+
+namespace transformesh {
+
+std::string point_text(const Vec3& point) {
+  std::string text = "(";
+  text += shortest_text(point.x()) + ", ";
+  text += shortest_text(point.y()) + ", ";
+  return text + shortest_text(point.z()) + ")";
+}
+
+std::string vertex_text(const Mesh& mesh, Index vertex) {
+  return "vertex " + std::to_string(vertex) + " at " + point_text(mesh.positions[vertex]);
+}
+
+std::string edge_text(const Mesh& mesh, Index halfedge) {
+  return "edge from " + vertex_text(mesh, halfedge_source(mesh, halfedge)) + " to " +
+         vertex_text(mesh, halfedge_target(mesh, halfedge));
+}
+
+}  // namespace transformesh

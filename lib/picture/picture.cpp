@@ -1,0 +1,85 @@
+#include "picture/picture.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "mesh/measure.h"
+#include "picture/colormap.h"
+#include "picture/legend.h"
+#include "picture/panels.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+bool has_column(const Mesh& mesh, const std::string& name) {
+  return mesh.face_columns.find(name) != nullptr || mesh.vertex_columns.find(name) != nullptr;
+}
+
+/// Of all meshes together, so that their colors compare.
+ColorScale find_scale(std::span<const Mesh* const> meshes, const PictureOptions& options) {
+  const std::string& name = options.shade.color.by;
+  if (options.range && name.empty())
+    throw UsageError("a range of colors needs a property to color by: --color-by");
+  if (name.empty()) return {};
+  const ColorScale own = scale_of_column(meshes, name);
+  if (!options.range) return own;
+  if (!(options.range->first < options.range->second))
+    throw UsageError("the range of colors ends before it begins: LOW must be less than HIGH");
+  return {options.range->first, options.range->second};
+}
+
+double lowest(std::span<const Mesh* const> meshes, const Vec3& upright) {
+  double height = std::numeric_limits<double>::infinity();
+  for (const Mesh* mesh : meshes)
+    for (const Vec3& point : used_positions(*mesh)) height = std::min(height, upright.dot(point));
+  return height;
+}
+
+/// Where a mesh stands: like the view, the same for all meshes where their places compare.
+double floor_of(const Mesh* mesh, std::span<const Mesh* const> meshes,
+                const PictureOptions& options, const Vec3& upright) {
+  if (options.around != nullptr) return lowest({&options.around, 1}, upright);
+  if (options.framing == Framing::place) return lowest(meshes, upright);
+  return lowest({&mesh, 1}, upright);
+}
+
+/// The options for one of the meshes, without what that one does not have.
+ShadeOptions shading_of(const Mesh& mesh, const PictureOptions& options, bool can_highlight) {
+  ShadeOptions shading = options.shade;
+  shading.upright = eye_axes({0, 0, options.orbit.up, 1}).up;
+  if (can_highlight && !has_column(mesh, shading.color.highlight)) shading.color.highlight.clear();
+  if (number_column_of_faces(mesh, shading.color.by) == nullptr &&
+      number_column_of_vertices(mesh, shading.color.by) == nullptr)
+    shading.color.by.clear();
+  return shading;
+}
+
+}  // namespace
+
+Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& options,
+                   const Progress& progress) {
+  const bool has_legend = !options.shade.color.by.empty();
+  const int strip = has_legend ? legend_height(options.width, options.height) : 0;
+  const std::vector<Panel> panels = lay_out(meshes, options, strip);
+  const std::string& highlight = options.shade.color.highlight;
+  const bool can_highlight = std::any_of(
+      meshes.begin(), meshes.end(), [&](const Mesh* mesh) { return has_column(*mesh, highlight); });
+
+  const ColorScale scale = find_scale(meshes, options);
+
+  Image whole(options.width, options.height);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    progress("draw", static_cast<double>(i) / static_cast<double>(panels.size()));
+    const Panel& panel = panels[i];
+    ShadeOptions shading = shading_of(*panel.mesh, options, can_highlight);
+    shading.color.scale = scale;
+    if (shading.soft_shadow) shading.floor = floor_of(panel.mesh, meshes, options, shading.upright);
+    shade(*panel.mesh, panel.camera, shading, panel.x, panel.y, whole);
+  }
+  if (has_legend) draw_legend(scale, options.shade.background, whole);
+  return whole;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,203 @@
+#include "remesh/decimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <queue>
+#include <string>
+
+#include "mesh/measure.h"
+#include "remesh/operations/edge_collapser.h"
+#include "remesh/operations/quadric.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+/// The mesh is coarsened in stages, each of which has its own guard: with one made for the longest
+/// edges at once, each of its cells would hold many vertices.
+constexpr double stage_share = 0.4;  ///< of the faces of the stage before
+constexpr double longest_edge = 5;   ///< in a stage, as a multiple of what its faces take
+constexpr double stage_growth = 1.6;
+constexpr double border_weight = 10;  ///< of a border's planes, as a multiple of a face's
+constexpr double shortness = 1e-6;    ///< how much an edge's length counts where all is flat
+constexpr double tolerance = 0.01;
+
+/// Positions relative to a corner of the box, so that squares stay small.
+class Decimator {
+ public:
+  Decimator(const Mesh& mesh, const DecimateOptions& options, const Progress& progress);
+
+  DecimateResult run();
+  Mesh to_mesh() const { return mesh_.to_mesh(); }
+
+ private:
+  struct Candidate {
+    double cost;
+    Index halfedge, source, target;
+    std::uint32_t source_version, target_version;
+    bool operator<(const Candidate& other) const {
+      return cost != other.cost ? cost > other.cost : halfedge > other.halfedge;
+    }
+  };
+
+  void add_quadrics();
+  void add_border(Index halfedge);
+  void run_stage(std::size_t wanted, double longest);
+  void push(Index halfedge);
+  bool is_current(const Candidate& candidate) const;
+  Vec3 best_position(Index source, Index target) const;
+  void merge(Index stays, Index goes);
+
+  EditableMesh mesh_;
+  const DecimateOptions& options_;
+  std::optional<KeepOut> keep_out_;
+  const Progress& progress_;
+  Vec3 origin_;
+  double area_;
+  std::size_t first_faces_;
+  std::vector<Quadric> quadrics_;        ///< per vertex
+  std::vector<std::uint32_t> versions_;  ///< per vertex: how often it moved
+  std::priority_queue<Candidate> queue_;
+  DecimateResult result_;
+};
+
+Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, const Progress& progress)
+    : mesh_(mesh),
+      options_(options),
+      progress_(progress),
+      origin_(mesh.positions[mesh.faces[0][0]]),
+      area_(surface_area(mesh)),
+      first_faces_(mesh.faces.size()) {
+  mesh_.set_coordinate(options.coordinate);
+  if (options.feature_angle_deg < 180) mark_features(mesh_, options.feature_angle_deg);
+  result_.faces = first_faces_;
+  if (options.keep_out.surface != nullptr) {
+    keep_out_.emplace(options.keep_out);
+    result_.near_keep_out = keep_out_->count_near(mesh);
+  }
+  add_quadrics();
+}
+
+void Decimator::add_quadrics() {
+  quadrics_.resize(mesh_.vertex_slots());
+  versions_.assign(mesh_.vertex_slots(), 0);
+  for (Index face = 0; face < mesh_.face_slots(); ++face) {
+    const Vec3 normal = mesh_.face_normal(face);
+    const double length = normal.stableNorm();
+    if (!(length > 0)) continue;
+    const Quadric plane(mesh_.position(mesh_.source(3 * face)) - origin_, normal / length, length);
+    for (Index i = 0; i < 3; ++i) quadrics_[mesh_.source(3 * face + i)] += plane;
+  }
+  for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
+    if (mesh_.has_halfedge(h) && is_line(mesh_, h)) add_border(h);
+}
+
+// The plane through a border or a sharp edge that stands on its face.
+void Decimator::add_border(Index halfedge) {
+  const Vec3 from = mesh_.position(mesh_.source(halfedge));
+  const Vec3 along = mesh_.position(mesh_.target(halfedge)) - from;
+  const Vec3 across = along.cross(mesh_.face_normal(halfedge / 3)).stableNormalized();
+  const Quadric plane(from - origin_, across, border_weight * along.squaredNorm());
+  quadrics_[mesh_.source(halfedge)] += plane;
+  quadrics_[mesh_.target(halfedge)] += plane;
+}
+
+Vec3 Decimator::best_position(Index source, Index target) const {
+  const Vec3 middle = 0.5 * mesh_.position(source) + 0.5 * mesh_.position(target);
+  const Quadric sum = quadrics_[source] + quadrics_[target];
+  return sum.least_near(middle - origin_) + origin_;
+}
+
+void Decimator::push(Index halfedge) {
+  const Index source = mesh_.source(halfedge), target = mesh_.target(halfedge);
+  const Quadric sum = quadrics_[source] + quadrics_[target];
+  const double squared = mesh_.squared_length(halfedge);
+  const double cost =
+      sum.at(best_position(source, target) - origin_) + shortness * squared * squared;
+  queue_.push({cost, halfedge, source, target, versions_[source], versions_[target]});
+}
+
+bool Decimator::is_current(const Candidate& candidate) const {
+  return mesh_.has_halfedge(candidate.halfedge) &&
+         mesh_.source(candidate.halfedge) == candidate.source &&
+         mesh_.target(candidate.halfedge) == candidate.target &&
+         versions_[candidate.source] == candidate.source_version &&
+         versions_[candidate.target] == candidate.target_version;
+}
+
+void Decimator::merge(Index stays, Index goes) {
+  quadrics_[stays] += quadrics_[goes];
+  ++versions_[stays];
+  mesh_.for_each_neighbor(stays, [&](Index, Index halfedge) { push(halfedge); });
+}
+
+void Decimator::run_stage(std::size_t wanted, double longest) {
+  const VertexRoles roles(mesh_, options_.keep_border);
+  EmbeddingGuard guard(mesh_, longest, keep_out_ ? &*keep_out_ : nullptr);
+  EdgeCollapser collapser(mesh_, guard, roles, longest);
+  queue_ = {};
+  for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
+    if (mesh_.is_edge(h)) push(h);
+  while (result_.faces > wanted && !queue_.empty()) {
+    const Candidate next = queue_.top();
+    queue_.pop();
+    if (!is_current(next)) continue;
+    const std::size_t gone = mesh_.is_border(next.halfedge) ? 1 : 2;
+    const Index stays =
+        collapser.collapse_to(next.halfedge, best_position(next.source, next.target));
+    if (stays == no_index) continue;
+    result_.faces -= gone;
+    if (++result_.collapses % 1024 == 0)
+      progress_("decimate", static_cast<double>(first_faces_ - result_.faces) /
+                                static_cast<double>(first_faces_ - options_.faces));
+    merge(stays, stays == next.source ? next.target : next.source);
+  }
+  result_.kept_out += guard.kept_out();
+}
+
+DecimateResult Decimator::run() {
+  double allowance = longest_edge;
+  while (result_.faces > options_.faces) {
+    const std::size_t before = result_.faces;
+    const auto share = static_cast<std::size_t>(stage_share * static_cast<double>(before));
+    const std::size_t wanted = std::max(options_.faces, share);
+    const double edge = std::sqrt(4 / std::sqrt(3.0) * area_ / static_cast<double>(wanted));
+    run_stage(wanted, allowance * edge);
+    if (result_.faces <= wanted) continue;
+    if (result_.faces == before && allowance > longest_edge * 1000) break;
+    allowance *= stage_growth;
+  }
+  return result_;
+}
+
+void check(const Mesh& mesh, const DecimateOptions& options) {
+  if (mesh.faces.empty())
+    throw InputError("the mesh has no faces, so there is nothing to decimate");
+  if (options.faces < 4)
+    throw UsageError("a closed surface has at least 4 faces; " + std::to_string(options.faces) +
+                     " are too few");
+}
+
+}  // namespace
+
+DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progress& progress) {
+  check(mesh, options);
+  if (mesh.faces.size() <= options.faces) return {0, mesh.faces.size(), 0, 0, {}};
+  progress("connect");
+  Decimator decimator(mesh, options, progress);
+  DecimateResult result = decimator.run();
+  if (static_cast<double>(result.faces) > (1 + tolerance) * static_cast<double>(options.faces)) {
+    throw GoalError(
+        std::to_string(result.faces) + " faces are left, of which no more than " +
+        std::to_string(options.faces) +
+        " were wanted: further collapses would change the topology, turn faces over or "
+        "make the surface touch itself or what it is kept out of; ask for more faces, or remove "
+        "crossings of the input first (tm-clean), around which nothing collapses");
+  }
+  mesh = decimator.to_mesh();
+  result.columns = refresh_columns(mesh);
+  return result;
+}
+
+}  // namespace transformesh

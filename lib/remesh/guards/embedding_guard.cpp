@@ -1,0 +1,290 @@
+#include "remesh/guards/embedding_guard.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+/// Cells are 1.5 longest edges wide: most patches reach nine tenths of an edge from their center,
+/// and each face that meets a ball has a corner within 0.58 of an edge from it.
+constexpr double cell_edges = 1.5;
+constexpr double corner_reach = 0.58;
+
+Vec3 lowest(const Triangle& triangle) {
+  return triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
+}
+Vec3 highest(const Triangle& triangle) {
+  return triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
+}
+
+bool boxes_touch(const Triangle& first, const Triangle& second) {
+  return (lowest(first).array() <= highest(second).array()).all() &&
+         (lowest(second).array() <= highest(first).array()).all();
+}
+
+bool meets_itself(const Patch& patch) {
+  for (std::size_t i = 0; i < patch.made.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (boxes_touch(patch.made[i], patch.made[j]) && may_touch(patch.made[i], patch.made[j])) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+/// The space between two planes perpendicular to a direction.
+class EmbeddingGuard::Slab {
+ public:
+  explicit Slab(Vec3 direction) : direction_(std::move(direction)) {}
+  const Vec3& direction() const { return direction_; }
+  void extend(const Triangle& triangle) {
+    for (const Vec3& corner : triangle) {
+      low_ = std::min(low_, direction_.dot(corner));
+      high_ = std::max(high_, direction_.dot(corner));
+    }
+  }
+  /// What comes within rounding error of the slab counts as meeting it.
+  bool meets(const Triangle& triangle) const {
+    const double a = direction_.dot(triangle[0]);
+    const double b = direction_.dot(triangle[1]);
+    const double c = direction_.dot(triangle[2]);
+    const double margin = 1e-12 * (std::abs(low_) + std::abs(high_) + std::abs(a));
+    return std::max({a, b, c}) >= low_ - margin && std::min({a, b, c}) <= high_ + margin;
+  }
+
+ private:
+  Vec3 direction_;
+  double low_ = HUGE_VAL;
+  double high_ = -HUGE_VAL;
+};
+
+namespace {
+
+Vec3 sum_of(const std::vector<Vec3>& vectors) {
+  return std::accumulate(vectors.begin(), vectors.end(), Vec3(Vec3::Zero()));
+}
+
+double longest_edge_of(const EditableMesh& mesh) {
+  constexpr std::size_t per_part = 2048;
+  std::vector<double> longest((mesh.face_slots() + per_part - 1) / per_part, 0);
+  parallel_for(longest.size(), 1, [&](std::size_t from, std::size_t to) {
+    for (std::size_t part = from; part < to; ++part) {
+      const auto last = std::min<std::size_t>(mesh.face_slots(), (part + 1) * per_part);
+      double most = 0;
+      for (auto face = static_cast<Index>(part * per_part); face < last; ++face) {
+        if (!mesh.has_face(face)) continue;
+        const auto [a, b, c] = mesh.triangle(face);
+        most =
+            std::max({most, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+      }
+      longest[part] = most;
+    }
+  });
+  double result = 0;
+  for (const double squared : longest) result = std::max(result, squared);
+  return std::sqrt(result);
+}
+
+}  // namespace
+
+void Patch::clear() {
+  made.clear();
+  normals.clear();
+  cone.reset();
+  replaced.clear();
+  vertices.clear();
+}
+
+EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge,
+                               const KeepOut* keep_out, std::optional<double> longest_now)
+    : mesh_(mesh),
+      keep_out_(keep_out),
+      longest_allowed_(longest_edge),
+      longest_edge_(longest_now ? *longest_now : longest_edge_of(mesh)),
+      cells_(mesh, cell_edges * std::max(longest_allowed_, longest_edge_)),
+      stamp_(mesh.face_slots(), 0) {}
+
+void EmbeddingGuard::commit(const Patch& patch) {
+  longest_edge_ = std::max(longest_edge_, std::sqrt(patch.longest_squared));
+  cells_.update(patch.center);
+  cells_.restrict(patch.vertices, cone_, patch.longest_squared);
+}
+
+bool EmbeddingGuard::keeps_out(const Patch& patch) {
+  std::vector<Index> faces = patch.replaced;  // some are named twice
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::vector<Triangle> replaced;
+  replaced.reserve(faces.size());
+  for (const Index face : faces) replaced.push_back(mesh_.triangle(face));
+  if (keep_out_->allows(patch.made, replaced)) return true;
+  ++kept_out_;
+  return false;
+}
+
+bool EmbeddingGuard::allows_uncertified(const Patch& patch) {
+  if (keep_out_ == nullptr) return is_embedded(patch);
+  return (is_certified(patch) || is_embedded(patch)) && keeps_out(patch);
+}
+
+bool EmbeddingGuard::is_too_long(const Patch& patch) const {
+  const double longest = std::max(longest_allowed_, longest_edge_);
+  return !(patch.longest_squared <= longest * longest);
+}
+
+bool EmbeddingGuard::is_embedded(const Patch& patch) {
+  if (is_too_long(patch)) return false;
+  enclose(patch);
+  if (is_seen_around(patch)) return true;
+  find_faces_near(patch);
+  return is_height_field(patch) || (!meets_itself(patch) && !meets_others(patch));
+}
+
+bool EmbeddingGuard::is_certified(const Patch& patch) {
+  if (is_too_long(patch)) return false;
+  cone_ = patch.cone ? *patch.cone : common_cone(patch.normals);
+  if ((cone_ & cells_.cell_of(patch.center).cone_around) == 0) return false;
+  return lies_within(cells_.cell_size() - corner_reach * longest_edge_, patch);
+}
+
+/// Whether the ball around the center holds the patch.
+bool EmbeddingGuard::lies_within(double radius, const Patch& patch) const {
+  const double limit = radius * radius;
+  const Vec3& center = mesh_.position(patch.center);
+  if (!((patch.center_position - center).squaredNorm() <= limit)) return false;
+  if (patch.reach_squared >= 0) return patch.reach_squared <= limit;
+  return std::all_of(patch.vertices.begin(), patch.vertices.end(), [&](Index vertex) {
+    return (mesh_.position(vertex) - center).squaredNorm() <= limit;
+  });
+}
+
+/// The slab that holds the old and the new patch.
+EmbeddingGuard::Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
+  Slab slab(direction);
+  for (const Triangle& triangle : patch.made) slab.extend(triangle);
+  for (const Index face : patch.replaced) slab.extend(mesh_.triangle(face));
+  return slab;
+}
+
+/// The certificate of the header with a convex body other than a ball: the part of the box around
+/// both patches that lies in the slab which holds them.
+bool EmbeddingGuard::is_height_field(const Patch& patch) const {
+  const Index component = cells_[patch.center].component;
+  if (component == no_index) return false;
+  const Vec3 direction = sum_of(patch.normals).normalized();
+  const Slab slab = slab_of(patch, direction);
+  const auto is_seen = [&](Index face) {
+    return cells_[mesh_.source(3 * face)].component == component &&
+           sees(direction, mesh_.triangle(face));
+  };
+  return std::all_of(patch.made.begin(), patch.made.end(),
+                     [&](const Triangle& triangle) { return sees(direction, triangle); }) &&
+         std::all_of(patch.replaced.begin(), patch.replaced.end(), is_seen) &&
+         std::all_of(near_.begin(), near_.end(), [&](Index face) {
+           return !slab.meets(mesh_.triangle(face)) || is_seen(face);
+         });
+}
+
+bool EmbeddingGuard::meets_others(const Patch& patch) const {
+  return std::any_of(near_.begin(), near_.end(), [&](Index face) {
+    const Triangle other = mesh_.triangle(face);
+    return std::any_of(patch.made.begin(), patch.made.end(), [&](const Triangle& triangle) {
+      return boxes_touch(triangle, other) && may_touch(triangle, other);
+    });
+  });
+}
+
+/// Finds the box around the old and the new patch.
+void EmbeddingGuard::enclose(const Patch& patch) {
+  low_ = high_ = patch.center_position;
+  const auto extend = [&](const Triangle& triangle) {
+    low_ = low_.cwiseMin(lowest(triangle));
+    high_ = high_.cwiseMax(highest(triangle));
+  };
+  for (const Triangle& triangle : patch.made) extend(triangle);
+  for (const Index face : patch.replaced) extend(mesh_.triangle(face));
+  const Vec3 reach = Vec3::Constant(corner_reach * longest_edge_);
+  low_corner_ = low_ - reach;
+  high_corner_ = high_ + reach;
+}
+
+/// The certificate of is_height_field() along one direction: of those that see both patches, the
+/// one nearest to the normals. Only faces at vertices whose cones lack it are asked.
+bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
+  const Index component = cells_[patch.center].component;
+  NormalCone cone = component == no_index ? 0 : cone_;
+  for (const Index vertex : patch.vertices) cone &= cells_[vertex].cone;
+  if (cone == 0) return false;
+  const Direction direction = nearest_direction(cone, sum_of(patch.normals));
+  const auto is_alike = [&](const auto& part) {
+    return part.component == component && (part.cone & direction.bit) != 0;
+  };
+
+  std::optional<Slab> slab;
+  return cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
+    if (is_alike(cell)) return true;
+    for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
+      if (is_alike(cells_[v]) || !is_around(v)) continue;
+      if (!slab) slab = slab_of(patch, direction.unit);
+      if (!is_seen_or_far(v, component, *slab)) return false;
+    }
+    return true;
+  });
+}
+
+/// Whether the slab's direction sees the faces at the vertex, other than those outside slab or box.
+bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& slab) const {
+  const bool is_mine = cells_[vertex].component == component;
+  bool result = true;
+  mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
+    const Triangle triangle = mesh_.triangle(halfedge / 3);
+    result = result && (!meets_box(triangle) || (is_mine && sees(slab.direction(), triangle)) ||
+                        !slab.meets(triangle));
+  });
+  return result;
+}
+
+bool EmbeddingGuard::meets_box(const Triangle& triangle) const {
+  return (lowest(triangle).array() <= high_.array()).all() &&
+         (highest(triangle).array() >= low_.array()).all();
+}
+
+/// Fills near_ with the faces, other than those that give way, whose boxes touch the patches'.
+void EmbeddingGuard::find_faces_near(const Patch& patch) {
+  near_.clear();
+  ++stamp_now_;
+  for (const Index face : patch.replaced) stamp_[face] = stamp_now_;
+  const auto add_if_near = [&](Index halfedge) {
+    const Index face = halfedge / 3;
+    if (stamp_[face] == stamp_now_) return;
+    stamp_[face] = stamp_now_;
+    if (meets_box(mesh_.triangle(face))) near_.push_back(face);
+  };
+  cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
+    for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
+      if (is_around(v)) mesh_.for_each_outgoing(v, add_if_near);
+    }
+    return true;
+  });
+}
+
+/// Whether a face that meets the box may have this vertex as its nearest corner.
+bool EmbeddingGuard::is_around(Index vertex) const {
+  const Vec3& position = mesh_.position(vertex);
+  const double longest = std::sqrt(static_cast<double>(cells_[vertex].longest_squared));
+  const double reach = corner_reach * std::min(longest, longest_edge_);
+  return (position.array() >= low_.array() - reach).all() &&
+         (position.array() <= high_.array() + reach).all();
+}
+
+}  // namespace transformesh

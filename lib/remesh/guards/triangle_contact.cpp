@@ -1,0 +1,164 @@
+#include "remesh/guards/triangle_contact.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+
+namespace transformesh {
+namespace {
+
+/// Relative to the sizes involved, whose rounding errors are below 1e-14.
+constexpr double margin = 1e-12;
+constexpr double nearly_zero = 1e-9;
+
+/// Whether the projections onto the axis leave a gap. Coordinates are relative to a corner.
+bool is_gap(const Vec3& axis, const Triangle& first, const Triangle& second, double size) {
+  const std::array<double, 3> s{axis.dot(first[0]), axis.dot(first[1]), axis.dot(first[2])};
+  const std::array<double, 3> t{axis.dot(second[0]), axis.dot(second[1]), axis.dot(second[2])};
+  const auto [s_low, s_high] = std::minmax({s[0], s[1], s[2]});
+  const auto [t_low, t_high] = std::minmax({t[0], t[1], t[2]});
+  const double least = margin * size * axis.norm();
+  return s_high + least < t_low || t_high + least < s_low;
+}
+
+Triangle relative_to(const Triangle& triangle, const Vec3& origin) {
+  return {triangle[0] - origin, triangle[1] - origin, triangle[2] - origin};
+}
+
+Vec3 edge_of(const Triangle& triangle, std::size_t corner) {
+  return triangle[(corner + 1) % 3] - triangle[corner];
+}
+
+/// Tries the separating axes of two triangles: their normals, the products of their edges, and the
+/// normals of their edges within their planes.
+bool are_apart(const Triangle& first, const Triangle& second) {
+  const Triangle s = relative_to(first, first[0]);
+  const Triangle t = relative_to(second, first[0]);
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) size = std::max({size, s[i].norm(), t[i].norm()});
+  const Vec3 s_normal = normal_of(s[0], s[1], s[2]);
+  const Vec3 t_normal = normal_of(t[0], t[1], t[2]);
+  if (is_gap(s_normal, s, t, size) || is_gap(t_normal, s, t, size)) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 edge = edge_of(s, i);
+    if (is_gap(s_normal.cross(edge), s, t, size)) return true;
+    if (is_gap(t_normal.cross(edge_of(t, i)), s, t, size)) return true;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (is_gap(edge.cross(edge_of(t, j)), s, t, size)) return true;
+    }
+  }
+  return false;
+}
+
+/// The four unit directions along the sides of two triangles that leave a common corner.
+struct Wedges {
+  std::array<Vec3, 4> rays;  ///< two of the first triangle, two of the second
+
+  /// The distance of a ray from the plane, positive on its own triangle's side.
+  double side(const Vec3& axis, std::size_t ray) const {
+    return (ray < 2 ? 1.0 : -1.0) * axis.dot(rays[ray]);
+  }
+
+  /// Whether the plane, turned a little where rays lie in it, has the wedges on its two sides.
+  bool separates(const Vec3& unit_axis) const {
+    double least = 1;
+    Vec3 tilt = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double distance = side(unit_axis, i);
+      if (distance < -nearly_zero) return false;
+      if (distance > nearly_zero) {
+        least = std::min(least, distance);
+      } else {
+        tilt += (i < 2 ? 1.0 : -1.0) * rays[i];
+      }
+    }
+    const Vec3 tilted = unit_axis + 0.2 * least * tilt;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (side(tilted, i) < margin) return false;
+    }
+    return true;
+  }
+
+  bool separates_either_way(const Vec3& axis) const {
+    const double length = axis.norm();
+    if (length < nearly_zero) return false;
+    return separates(axis / length) || separates(axis / -length);
+  }
+};
+
+bool are_wedges_apart(const Wedges& wedges) {
+  const auto& [a, b, c, d] = wedges.rays;
+  const Vec3 first_normal = a.cross(b);
+  const Vec3 second_normal = c.cross(d);
+  const std::array<Vec3, 10> axes = {first_normal,
+                                     second_normal,
+                                     a.cross(c),
+                                     a.cross(d),
+                                     b.cross(c),
+                                     b.cross(d),
+                                     first_normal.cross(a),
+                                     first_normal.cross(b),
+                                     second_normal.cross(c),
+                                     second_normal.cross(d)};
+  return std::any_of(axes.begin(), axes.end(),
+                     [&](const Vec3& axis) { return wedges.separates_either_way(axis); });
+}
+
+/// Whether two triangles with the common edge from `origin` along `edge` open by more than a
+/// thousandth of a radian.
+bool is_open_hinge(const Vec3& edge, const Vec3& first_apex, const Vec3& second_apex) {
+  const Vec3 first = edge.cross(first_apex);
+  const Vec3 second = edge.cross(second_apex);
+  const double scale = first.norm() * second.norm();
+  const double smallest =
+      nearly_zero * nearly_zero * edge.squaredNorm() * first_apex.norm() * second_apex.norm();
+  return scale > smallest && (first.dot(second) < 0 || first.cross(second).norm() > 1e-3 * scale);
+}
+
+/// The corners that two triangles have in common, by their numbers in each.
+struct CommonCorners {
+  std::array<std::size_t, 3> in_first{};
+  std::array<std::size_t, 3> in_second{};
+  std::size_t count = 0;  ///< 3 where a triangle has two corners in one place, which may touch any
+
+  CommonCorners(const Triangle& first, const Triangle& second) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (first[i] != second[j] || count == 3) continue;
+        in_first[count] = i;
+        in_second[count] = j;
+        ++count;
+      }
+    }
+    if (count == 2 && (in_first[0] == in_first[1] || in_second[0] == in_second[1])) count = 3;
+  }
+};
+
+}  // namespace
+
+bool may_touch(const Triangle& first, const Triangle& second) {
+  const CommonCorners common(first, second);
+  const std::size_t i = common.in_first[0];
+  const std::size_t j = common.in_second[0];
+  const Vec3& origin = first[i];
+  switch (common.count) {
+    case 0:
+      return !are_apart(first, second);
+    case 1: {
+      const Wedges wedges{{(first[(i + 1) % 3] - origin).normalized(),
+                           (first[(i + 2) % 3] - origin).normalized(),
+                           (second[(j + 1) % 3] - origin).normalized(),
+                           (second[(j + 2) % 3] - origin).normalized()}};
+      return !are_wedges_apart(wedges);
+    }
+    case 2: {
+      const Vec3 edge = first[common.in_first[1]] - origin;
+      return !is_open_hinge(edge, first[3 - i - common.in_first[1]] - origin,
+                            second[3 - j - common.in_second[1]] - origin);
+    }
+    default:  // the same triangle, or one without area
+      return true;
+  }
+}
+
+}  // namespace transformesh

@@ -1,0 +1,189 @@
+/// The triangle mesh that the remeshing operations edit in place: an index-based halfedge structure
+/// for oriented manifolds with or without borders. A halfedge is named 3 * face + corner, as in
+/// mesh.h, so next and previous are arithmetic and only `opposite` is stored. A removed face or
+/// vertex leaves a dead slot, and new ones are appended, so survivors keep their order; to_mesh()
+/// squeezes dead slots out. Attribute rows travel along: every vertex and face names its row.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/digits.h"
+#include "mesh/triangle.h"
+
+namespace transformesh {
+
+class EditableMesh {
+ public:
+  /// Throws InputError with face ids where the mesh is not an oriented manifold: an index out of
+  /// range, a corner repeated, an edge with three faces or two that run alike, a vertex with more
+  /// than one fan. O(n).
+  explicit EditableMesh(const Mesh& mesh);
+  /// With its manifold_opposites() (halfedges.h), which are known already.
+  EditableMesh(const Mesh& mesh, std::vector<Index> opposites);
+  /// Living vertices and faces in slot order: survivors first, new ones behind.
+  Mesh to_mesh() const;
+
+  Index vertex_slots() const { return static_cast<Index>(positions_.size()); }
+  Index face_slots() const { return static_cast<Index>(sources_.size() / 3); }
+  Index halfedge_slots() const { return static_cast<Index>(sources_.size()); }
+  bool has_vertex(Index vertex) const { return outgoing_[vertex] != no_index; }
+  bool has_face(Index face) const { return sources_[std::size_t{3} * face] != no_index; }
+  bool has_halfedge(Index halfedge) const { return sources_[halfedge] != no_index; }
+  bool has_borders() const { return has_borders_; }
+
+  Index source(Index halfedge) const { return sources_[halfedge]; }
+  Index target(Index halfedge) const { return sources_[next_halfedge(halfedge)]; }
+  Index apex(Index halfedge) const { return sources_[previous_halfedge(halfedge)]; }
+  Index opposite(Index halfedge) const { return opposites_[halfedge]; }
+  /// One halfedge of each edge: the lower, or the only one.
+  bool is_edge(Index halfedge) const {
+    return has_halfedge(halfedge) && halfedge < opposites_[halfedge];
+  }
+  bool is_border(Index halfedge) const { return opposites_[halfedge] == no_index; }
+  /// The first in counter-clockwise order; at a border vertex the one on the border.
+  Index outgoing(Index vertex) const { return outgoing_[vertex]; }
+  bool is_border_vertex(Index vertex) const { return is_border(outgoing_[vertex]); }
+
+  const Vec3& position(Index vertex) const { return positions_[vertex]; }
+  double squared_length(Index halfedge) const {
+    return (positions_[target(halfedge)] - positions_[source(halfedge)]).squaredNorm();
+  }
+  /// The same in units of the local size, the mean of both ends'; plain while there are no sizes.
+  double scaled_squared_length(Index halfedge) const {
+    const double squared = squared_length(halfedge);
+    if (sizes_.empty()) return squared;
+    const double size = mean_size(source(halfedge), target(halfedge));
+    return squared / (size * size);
+  }
+  /// That of its three halfedges.
+  std::array<double, 3> scaled_squared_lengths(Index face) const {
+    const Index* corners = sources_.data() + std::size_t{3} * face;
+    const Vec3& a = positions_[corners[0]];
+    const Vec3& b = positions_[corners[1]];
+    const Vec3& c = positions_[corners[2]];
+    std::array<double, 3> result{(b - a).squaredNorm(), (c - b).squaredNorm(),
+                                 (a - c).squaredNorm()};
+    if (sizes_.empty()) return result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double size = mean_size(corners[i], corners[(i + 1) % 3]);
+      result[i] /= size * size;
+    }
+    return result;
+  }
+  Triangle triangle(Index face) const {
+    const Index* corners = sources_.data() + std::size_t{3} * face;
+    return triangle_of(positions_, {corners[0], corners[1], corners[2]});
+  }
+  /// Twice the area times the unit normal.
+  Vec3 face_normal(Index face) const;
+
+  /// Calls visit(halfedge) for every halfedge that leaves the vertex, counter-clockwise: one per
+  /// face at the vertex.
+  template <class Visit>
+  void for_each_outgoing(Index vertex, const Visit& visit) const {
+    const Index first = outgoing_[vertex];
+    Index halfedge = first;
+    do {
+      visit(halfedge);
+      halfedge = opposites_[previous_halfedge(halfedge)];
+    } while (halfedge != first && halfedge != no_index);
+  }
+  /// Calls visit(neighbor, halfedge) for every edge at the vertex; the halfedge leaves the vertex,
+  /// but for the last edge of a border vertex, where it arrives.
+  template <class Visit>
+  void for_each_neighbor(Index vertex, const Visit& visit) const {
+    Index last = no_index;
+    for_each_outgoing(vertex, [&](Index halfedge) {
+      visit(target(halfedge), halfedge);
+      last = previous_halfedge(halfedge);
+    });
+    if (opposites_[last] == no_index) visit(sources_[last], last);
+  }
+  Index valence(Index vertex) const;
+  bool are_neighbors(Index first, Index second) const;
+
+  /// Marks an edge to be kept sharp. Splits and collapses hand the mark on.
+  void set_feature(Index halfedge, bool is_feature);
+  void clear_features() { features_.clear(); }
+  bool has_features() const { return !features_.empty(); }
+  bool is_feature(Index halfedge) const { return !features_.empty() && features_[halfedge]; }
+
+  /// A wanted edge length per vertex, which the operations interpolate as they do attributes.
+  void set_sizes(std::vector<double> sizes) { sizes_ = std::move(sizes); }
+  bool has_sizes() const { return !sizes_.empty(); }
+  double mean_size(Index first, Index second) const {
+    return sizes_.empty() ? 1 : 0.5 * (sizes_[first] + sizes_[second]);
+  }
+  double size(Index vertex) const { return sizes_.empty() ? 1 : sizes_[vertex]; }
+
+  /// A label per vertex, which those of the same component share: operations neither join nor part
+  /// components. Empty where nobody has set them.
+  void set_components(std::vector<Index> components) { components_ = std::move(components); }
+  std::span<const Index> components() const { return components_; }
+
+  /// Positions are rounded to this type as they are made, so that what is checked is what a file
+  /// of that type holds.
+  void set_coordinate(Scalar coordinate) { single_ = coordinate == Scalar::float32; }
+  Scalar coordinate() const { return single_ ? Scalar::float32 : Scalar::float64; }
+  Vec3 rounded(const Vec3& position) const {
+    if (!single_) return position;
+    return {round_to_single(position.x()), round_to_single(position.y()),
+            round_to_single(position.z())};
+  }
+  /// The positions given to these are to be rounded already.
+  void move(Index vertex, const Vec3& position) { positions_[vertex] = position; }
+  /// Puts a new vertex at `position` on the edge, with the mean of both ends' attributes; returns
+  /// it. Faces inherit their rows.
+  Index split(Index halfedge, const Vec3& position);
+  /// Whether merging the ends of the edge leaves a manifold of the same topology (link condition).
+  bool can_collapse(Index halfedge) const;
+  /// Merges the source of the halfedge into its target, which moves to `position` and takes the
+  /// share `source_weight` of its attributes from the source. Pre: can_collapse.
+  void collapse(Index halfedge, const Vec3& position, double source_weight);
+  /// Whether the edge has two faces and turning it makes no edge that exists already.
+  bool can_flip(Index halfedge) const;
+  /// Turns the edge within its two faces. Pre: can_flip.
+  void flip(Index halfedge);
+  /// Gives a face the attributes of another one.
+  void copy_face_row(Index from, Index to) { face_rows_[to] = face_rows_[from]; }
+  /// Removes a face without mending what it leaves: for whole components.
+  void remove_face(Index face);
+  void remove_vertex(Index vertex) { outgoing_[vertex] = no_index; }
+
+  bool has_vertex_attributes() const { return !vertex_columns_.columns.empty() || !sizes_.empty(); }
+  /// Gives the vertex the blend of the rows, and of the sizes, of three vertices.
+  void blend_attributes(Index vertex, const std::array<Index, 3>& sources,
+                        const std::array<double, 3>& weights);
+
+ private:
+  bool has_three_neighbors(Index vertex) const;
+  Index count_common_neighbors(Index from, Index to) const;
+  void link(Index first, Index second);
+  void find_outgoing();
+  Index append_face(Index a, Index b, Index c, Index row);
+  Index append_row(const RowBlend& blend);
+  void set_opposite(Index halfedge, Index opposite);
+  void copy_feature(Index from, Index to);
+  void close_gap(Index removed, Index other_removed);
+  void rewind_outgoing(Index vertex, Index any_outgoing);
+  std::vector<Index> squeezed_vertices(std::vector<Index>& new_index) const;
+
+  std::vector<Vec3> positions_;
+  std::vector<Index> sources_;     ///< per halfedge; no_index in dead faces
+  std::vector<Index> opposites_;   ///< per halfedge
+  std::vector<Index> outgoing_;    ///< per vertex; no_index for dead and isolated ones
+  std::vector<bool> isolated_;     ///< vertices without a face in the input, which are kept
+  std::vector<char> features_;     ///< per halfedge, empty while there are none
+  std::vector<double> sizes_;      ///< per vertex, empty while there are none
+  std::vector<Index> components_;  ///< per vertex, or empty
+  std::vector<Index> vertex_rows_;
+  std::vector<Index> face_rows_;
+  Columns vertex_columns_;
+  Columns face_columns_;
+  Index vertex_row_count_ = 0;
+  bool has_borders_ = false;
+  bool single_ = false;
+};
+
+}  // namespace transformesh

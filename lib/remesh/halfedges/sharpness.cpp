@@ -1,0 +1,182 @@
+#include "remesh/halfedges/sharpness.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/elementary/arctangent.h"
+#include "support/elementary/trigonometric.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double steady_spacings = 16;  ///< height of a face whose normal is good to 4 degrees
+constexpr double sharp_deg = 60;
+constexpr double line_deg = 40;
+constexpr double smooth_share = 0.35;  ///< of the angle of a sharp edge
+constexpr double meant_share = 0.9;    ///< of the length of sharp edges
+constexpr double meant_of_lines = 0.25;
+constexpr double least_length = 0.5;  ///< of all that are meant, per root of the area
+
+double cosine_of(double degrees) { return elementary::cos(degrees * std::numbers::pi / 180); }
+
+/// In radians.
+double angle_of(double cosine) {
+  return elementary::atan2(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine);
+}
+
+Index longest_halfedge(const EditableMesh& mesh, Index face) {
+  Index longest = 3 * face;
+  for (Index h = 3 * face + 1; h < 3 * face + 3; ++h)
+    if (mesh.squared_length(h) > mesh.squared_length(longest)) longest = h;
+  return longest;
+}
+
+double spacing_at_face(const EditableMesh& mesh, Index face) {
+  double spacing = 0;
+  for (Index h = 3 * face; h < 3 * face + 3; ++h)
+    spacing = std::max(spacing, spacing_around(mesh.position(mesh.source(h)), mesh.coordinate()));
+  return spacing;
+}
+
+/// Zero for a face without a steady one.
+Vec3 own_normal(const EditableMesh& mesh, Index face) {
+  const Vec3 normal = mesh.face_normal(face);
+  const double area = normal.stableNorm();
+  const double height = area / std::sqrt(mesh.squared_length(longest_halfedge(mesh, face)));
+  const bool is_steady = height > steady_spacings * spacing_at_face(mesh, face);
+  return is_steady ? Vec3(normal / area) : Vec3(Vec3::Zero());
+}
+
+/// Gives thin faces the normals at the ends of the ways across longest edges. A way that comes back
+/// to itself, as where two of them share their longest edge, leads nowhere.
+void take_over_across_longest(const EditableMesh& mesh, const std::vector<Index>& thin,
+                              std::vector<Vec3>& normals) {
+  std::vector<char> is_visited(normals.size(), 0);
+  std::vector<Index> way;
+  for (const Index first : thin) {
+    way.clear();
+    Index face = first;
+    while (face != no_index && normals[face].isZero(0) && is_visited[face] == 0) {
+      is_visited[face] = 1;
+      way.push_back(face);
+      const Index across = mesh.opposite(longest_halfedge(mesh, face));
+      face = across == no_index ? no_index : across / 3;
+    }
+    if (face == no_index) continue;
+    for (const Index passed : way) normals[passed] = normals[face];
+  }
+}
+
+/// Gives each face without a normal that of the nearest face with one, in steps across edges.
+void take_over_across_any(const EditableMesh& mesh, std::vector<Vec3>& normals) {
+  std::vector<Index> reached;
+  for (Index face = 0; face < mesh.face_slots(); ++face)
+    if (!normals[face].isZero(0)) reached.push_back(face);
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h) {
+      const Index across = mesh.opposite(h);
+      if (across == no_index || !normals[across / 3].isZero(0)) continue;
+      normals[across / 3] = normals[reached[i]];
+      reached.push_back(across / 3);
+    }
+  }
+}
+
+/// True wherever an edge turns by 60 degrees, be it only by noise. Most meshes are smooth: of them
+/// nothing is asked but this, which takes no root.
+bool may_have_sharp_edges(const EditableMesh& mesh) {
+  std::vector<Vec3> normals(mesh.face_slots());
+  std::vector<double> squares(mesh.face_slots());
+  for (Index face = 0; face < mesh.face_slots(); ++face) {
+    normals[face] = mesh.has_face(face) ? mesh.face_normal(face) : Vec3(Vec3::Zero());
+    squares[face] = normals[face].squaredNorm();
+  }
+  for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
+    const Index across = mesh.opposite(h);
+    if (across < h || across == no_index) continue;
+    const double cosine = normals[h / 3].dot(normals[across / 3]);
+    if (!(cosine > 0 && 4 * cosine * cosine > squares[h / 3] * squares[across / 3])) return true;
+  }
+  return false;
+}
+
+/// Lengths of the edges of a mesh by how they turn.
+struct SharpLengths {
+  double lines = 0, sharp = 0, meant = 0;
+};
+
+class SharpEdges {
+ public:
+  explicit SharpEdges(const EditableMesh& mesh)
+      : mesh_(mesh), normals_(steady_normals(mesh)), flattest_(mesh.vertex_slots(), 1) {}
+
+  bool are_meant() {
+    for_each_edge([&](Index h, double cosine) { note_smooth(h, cosine); });
+    SharpLengths lengths;
+    for_each_edge([&](Index h, double cosine) { add(h, cosine, lengths); });
+    return lengths.meant > meant_share * lengths.sharp &&
+           lengths.meant > meant_of_lines * lengths.lines &&
+           lengths.meant > least_length * std::sqrt(area());
+  }
+
+ private:
+  double area() const {
+    double twice = 0;
+    for (Index face = 0; face < mesh_.face_slots(); ++face)
+      if (mesh_.has_face(face)) twice += mesh_.face_normal(face).norm();
+    return twice / 2;
+  }
+  template <class Visit>
+  void for_each_edge(const Visit& visit) const {
+    for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
+      if (!mesh_.is_edge(h) || mesh_.is_border(h)) continue;
+      const Vec3& here = normals_[h / 3];
+      const Vec3& there = normals_[mesh_.opposite(h) / 3];
+      if (!here.isZero(0) && !there.isZero(0)) visit(h, here.dot(there));
+    }
+  }
+  // Keeps at both ends the cosine of the largest angle that is no line's.
+  void note_smooth(Index h, double cosine) {
+    if (cosine < line_cosine_) return;
+    for (const Index v : {mesh_.source(h), mesh_.target(h)})
+      flattest_[v] = std::min(flattest_[v], cosine);
+  }
+  void add(Index h, double cosine, SharpLengths& lengths) const {
+    if (cosine >= line_cosine_) return;
+    const double length = std::sqrt(mesh_.squared_length(h));
+    lengths.lines += length;
+    if (cosine >= sharp_cosine_) return;
+    lengths.sharp += length;
+    const double beside = std::min(flattest_[mesh_.source(h)], flattest_[mesh_.target(h)]);
+    if (angle_of(beside) < smooth_share * angle_of(cosine)) lengths.meant += length;
+  }
+
+  const EditableMesh& mesh_;
+  std::vector<Vec3> normals_;
+  std::vector<double> flattest_;  ///< per vertex
+  double sharp_cosine_ = cosine_of(sharp_deg), line_cosine_ = cosine_of(line_deg);
+};
+
+}  // namespace
+
+std::vector<Vec3> steady_normals(const EditableMesh& mesh) {
+  std::vector<Vec3> normals(mesh.face_slots(), Vec3::Zero());
+  std::vector<Index> thin;
+  for (Index face = 0; face < mesh.face_slots(); ++face) {
+    if (!mesh.has_face(face)) continue;
+    normals[face] = own_normal(mesh, face);
+    if (normals[face].isZero(0)) thin.push_back(face);
+  }
+  if (thin.empty()) return normals;
+  take_over_across_longest(mesh, thin, normals);
+  take_over_across_any(mesh, normals);
+  return normals;
+}
+
+bool has_sharp_edges(const EditableMesh& mesh) {
+  return may_have_sharp_edges(mesh) && SharpEdges(mesh).are_meant();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,42 @@
+/// Measures of triangles that the operations compare before and after.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/triangle.h"
+
+namespace transformesh {
+
+/// The area over the sum of the squared edges, scaled: 1 for equilateral, 0 for degenerate
+/// triangles.
+inline double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const double squares = ab.squaredNorm() + ac.squaredNorm() + (c - b).squaredNorm();
+  return squares > 0 ? 3.4641016151377544 * ab.cross(ac).norm() / squares : 0;
+}
+
+/// The cosine of the smallest angle, which is opposite the shortest edge: smaller is better.
+inline double cosine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double ab = (b - a).squaredNorm();
+  const double bc = (c - b).squaredNorm();
+  const double ca = (a - c).squaredNorm();
+  // Which edge is the shortest is left to minima and maxima: a branch would be a coin toss.
+  const double lesser = std::min(ab, bc), greater = std::max(ab, bc);
+  const double shortest = std::min(lesser, ca);
+  const double product = std::max(lesser, std::min(greater, ca)) * std::max(greater, ca);
+  return product > 0 ? (ab + bc + ca - 2 * shortest) / (2 * std::sqrt(product)) : 1;
+}
+
+/// Whether a normal turns by more than the angle with this cosine, given the product of it before
+/// and after, and both lengths squared.
+inline bool turns(double dot, double before_squared, double after_squared, double least_cosine) {
+  if (dot <= 0) return true;
+  return dot * dot < least_cosine * least_cosine * before_squared * after_squared;
+}
+inline bool turns(const Vec3& before, const Vec3& after, double least_cosine) {
+  return turns(before.dot(after), before.squaredNorm(), after.squaredNorm(), least_cosine);
+}
+
+}  // namespace transformesh

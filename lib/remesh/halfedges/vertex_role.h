@@ -1,0 +1,40 @@
+/// Which vertices may move and merge: free inside a smooth part, bound to a line (a border or a row
+/// of sharp edges), or fixed where lines meet, end or turn.
+#pragma once
+
+#include "remesh/halfedges/editable_mesh.h"
+
+namespace transformesh {
+
+enum class VertexRole { free, on_line, fixed };
+
+/// Marks the edges between faces whose normals differ by more than the angle; from 180 on, none.
+void mark_features(EditableMesh& mesh, double feature_angle_deg);
+
+/// Whether the edge is a border or marked sharp.
+inline bool is_line(const EditableMesh& mesh, Index halfedge) {
+  return mesh.is_border(halfedge) || mesh.is_feature(halfedge);
+}
+
+class VertexRoles {
+ public:
+  VertexRoles(const EditableMesh& mesh, bool keep_border)
+      : mesh_(mesh),
+        has_lines_(mesh.has_borders() || mesh.has_features()),
+        keep_border_(keep_border) {}
+  VertexRole operator[](Index vertex) const { return has_lines_ ? role(vertex) : VertexRole::free; }
+  /// The vertices before and behind this one on the line. Pre: the role is on_line.
+  std::array<Index, 2> line_neighbors(Index vertex) const;
+  /// Whether merging the ends of the edge keeps the lines.
+  bool may_merge(Index halfedge) const;
+  bool keeps_border() const { return keep_border_; }
+
+ private:
+  VertexRole role(Index vertex) const;
+
+  const EditableMesh& mesh_;
+  bool has_lines_;
+  bool keep_border_;
+};
+
+}  // namespace transformesh

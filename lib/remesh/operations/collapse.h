@@ -1,0 +1,35 @@
+/// Collapses edges that are short, or whose collapse makes valences regular.
+#pragma once
+
+#include "remesh/guards/edge_rules.h"
+#include "remesh/guards/embedding_guard.h"
+#include "remesh/halfedges/vertex_role.h"
+#include "support/progress.h"
+
+namespace transformesh {
+
+struct CollapseCounts {
+  std::size_t done = 0;
+  std::size_t refused = 0;  ///< short edges that are left
+};
+
+/// Collapses edges shorter than the shortest allowed, the shortest first, where that keeps the
+/// topology (link condition; a closed component keeps four faces), turns no normal by more than 60
+/// degrees, makes no sliver, no edge longer than allowed and no contact. The merged vertex lies at
+/// the midpoint, shifted along the normal so that the volume stays (Lindstrom & Turk, "Fast and
+/// memory efficient polygonal simplification", Visualization 1998), or at the end that must stay.
+CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
+                                    const VertexRoles& roles, const EdgeLimits& limits,
+                                    const Progress& progress);
+
+/// Collapses, under the same rules, edges of up to 1.15 times the shortest allowed where that
+/// brings the valences around closer to six; edges may be stretched. Returns how many went.
+std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
+                                 const VertexRoles& roles, const EdgeLimits& limits,
+                                 const Progress& progress);
+
+/// Tries to collapse one edge under the same rules, whatever its length.
+bool collapse_edge(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+                   Index halfedge, double max_edge);
+
+}  // namespace transformesh

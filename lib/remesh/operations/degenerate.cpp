@@ -1,0 +1,73 @@
+#include "remesh/operations/degenerate.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "remesh/halfedges/where.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double short_edge = 0.1;  ///< of the longest edge; what has one is a needle
+constexpr int most_rounds = 4;
+
+/// The shortest and the longest edge of a face.
+struct Sides {
+  Index shortest;
+  Index longest;
+  double shortest_squared;
+  double longest_squared;
+
+  Sides(const EditableMesh& mesh, Index face) : shortest(3 * face), longest(3 * face) {
+    shortest_squared = longest_squared = mesh.squared_length(3 * face);
+    for (Index h = 3 * face + 1; h < 3 * face + 3; ++h) {
+      const double squared = mesh.squared_length(h);
+      if (squared < shortest_squared) {
+        shortest = h;
+        shortest_squared = squared;
+      }
+      if (squared > longest_squared) {
+        longest = h;
+        longest_squared = squared;
+      }
+    }
+  }
+  bool is_needle() const { return shortest_squared < short_edge * short_edge * longest_squared; }
+};
+
+bool is_degenerate(const EditableMesh& mesh, Index face) {
+  return FaceShape(mesh, face).is_degenerate();
+}
+
+}  // namespace
+
+std::vector<Index> degenerate_faces(const EditableMesh& mesh) {
+  return indices_where(mesh.face_slots(), [&](Index face) {
+    return mesh.has_face(face) && is_degenerate(mesh, face);
+  });
+}
+
+std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
+                                    const VertexRoles& roles, double max_edge) {
+  const auto mend = [&](Index face) {
+    const Sides sides(mesh, face);
+    const bool may_collapse = !(roles.keeps_border() && mesh.is_border(sides.shortest));
+    if (sides.is_needle() && may_collapse &&
+        collapse_edge(mesh, guard, roles, sides.shortest, max_edge)) {
+      return true;
+    }
+    return flip_edge(mesh, guard, sides.longest);
+  };
+  std::vector<Index> faces = degenerate_faces(mesh);
+  for (int round = 0; round < most_rounds && !faces.empty(); ++round) {
+    bool changed = false;
+    for (const Index face : faces) {
+      if (mesh.has_face(face) && is_degenerate(mesh, face)) changed |= mend(face);
+    }
+    if (!changed) break;
+    faces = degenerate_faces(mesh);
+  }
+  return faces.size();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,44 @@
+/// Removes triangles that have nearly no area.
+#pragma once
+
+#include <algorithm>
+
+#include "remesh/operations/collapse.h"
+#include "remesh/operations/flip.h"
+
+namespace transformesh {
+
+/// The height of degenerate triangles is at most this share of their longest edge.
+inline constexpr double least_height = 1e-3;
+
+/// The measures of a face that decide whether it is degenerate.
+struct FaceShape {
+  double doubled_area_squared;
+  double longer_squared;  ///< the longer one of two edges
+  double third_squared;   ///< the other edge
+
+  FaceShape(const EditableMesh& mesh, Index face) {
+    const Vec3& a = mesh.position(mesh.source(3 * face));
+    const Vec3 ab = mesh.position(mesh.source(3 * face + 1)) - a;
+    const Vec3 ac = mesh.position(mesh.source(3 * face + 2)) - a;
+    doubled_area_squared = ab.cross(ac).squaredNorm();
+    longer_squared = std::max(ab.squaredNorm(), ac.squaredNorm());
+    third_squared = (ac - ab).squaredNorm();
+  }
+  /// Twice the area is the longest edge times the height.
+  bool is_degenerate() const {
+    const double longest = std::max(longer_squared, third_squared);
+    return doubled_area_squared <= least_height * least_height * longest * longest;
+  }
+};
+
+/// A triangle counts as degenerate when its height is below a thousandth of its longest edge: one
+/// with a short edge (needle) loses that edge, one without (cap) has its longest edge flipped.
+/// Returns how many are left, where both were refused.
+std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
+                                    const VertexRoles& roles, double max_edge);
+
+/// The faces that count as degenerate, ascending.
+std::vector<Index> degenerate_faces(const EditableMesh& mesh);
+
+}  // namespace transformesh

@@ -1,0 +1,177 @@
+#include "remesh/operations/edge_collapser.h"
+
+#include <algorithm>
+
+#include "remesh/halfedges/star.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double least_turn_cosine = 0.5;
+/// Triangles at least this round are good enough; others must not get worse.
+constexpr double round_enough = 0.3;
+/// The same where the shape of the surface counts for more than that of its triangles.
+constexpr double round_enough_for_shape = 0.05;
+/// The normal of a triangle that is no rounder than this is mostly rounding error.
+constexpr double normal_roundness = 0.02;
+/// Around vertices of high valence all triangles are narrow, and collapses make some a little
+/// narrower and squared lengths a little longer. Long edges are split afterwards.
+constexpr double normal_roundness_of_stars = 1e-6;
+constexpr double narrowing_of_stars = 0.5;
+constexpr double stretch_of_stars = 1.02;
+
+}  // namespace
+
+Index EdgeCollapser::collapse(Index halfedge) {
+  round_enough_ = round_enough;
+  if (!prepare(halfedge)) return no_index;
+  const bool done = roles_[goes_] != roles_[stays_] ? try_bound_end() : try_free_positions();
+  return done ? stays_ : no_index;
+}
+
+Index EdgeCollapser::collapse_to(Index halfedge, const Vec3& wanted) {
+  round_enough_ = round_enough_for_shape;
+  if (!prepare(halfedge)) return no_index;
+  if (roles_[goes_] != roles_[stays_]) return try_bound_end() ? stays_ : no_index;
+  const Vec3 along = mesh_.position(goes_) - mesh_.position(stays_);
+  const double share = along.dot(wanted - mesh_.position(stays_)) / along.squaredNorm();
+  const bool done = try_position(wanted, share > 0 ? std::min(share, 1.0) : 0);
+  return done || try_free_positions() ? stays_ : no_index;
+}
+
+bool EdgeCollapser::prepare(Index halfedge) {
+  if (!roles_.may_merge(halfedge) || !mesh_.can_collapse(halfedge)) return false;
+  const bool turned = !mesh_.is_border(halfedge) && mesh_.target(halfedge) > mesh_.source(halfedge);
+  edge_ = turned ? mesh_.opposite(halfedge) : halfedge;
+  goes_ = mesh_.source(edge_);
+  stays_ = mesh_.target(edge_);
+  gather();
+  return true;
+}
+
+// The end that is bound more keeps its place.
+bool EdgeCollapser::try_bound_end() {
+  const bool source_wins = roles_[goes_] > roles_[stays_];
+  return try_position(mesh_.position(source_wins ? goes_ : stays_), source_wins ? 1 : 0);
+}
+
+void EdgeCollapser::gather() {
+  spokes_.clear();
+  patch_.clear();
+  mean_normal_.setZero();
+  volume_ = 0;
+  gather_star(goes_);
+  gather_star(stays_);
+  patch_.vertices.push_back(stays_);
+}
+
+void EdgeCollapser::gather_star(Index vertex) {
+  const Vec3& corner = mesh_.position(vertex);
+  const Vec3& origin = mesh_.position(stays_);
+  mesh_.for_each_outgoing(vertex, [&](Index halfedge) {
+    const Index first = mesh_.target(halfedge);
+    const Index second = mesh_.apex(halfedge);
+    const Vec3& a = mesh_.position(first);
+    const Vec3& b = mesh_.position(second);
+    patch_.replaced.push_back(halfedge / 3);
+    const Index other_end = vertex == goes_ ? stays_ : goes_;
+    if (first == other_end || second == other_end) return;
+    const Vec3 normal = normal_of(corner, a, b);
+    const double to_a = (a - corner).squaredNorm();
+    const double to_b = (b - corner).squaredNorm();
+    const double longest = (guard_ != nullptr ? 1 : stretch_of_stars) * std::max(to_a, to_b);
+    const double least = guard_ != nullptr ? normal_roundness : normal_roundness_of_stars;
+    const double needed = least * (to_a + to_b + (b - a).squaredNorm());
+    spokes_.push_back({a, b, normal, 12 * normal.squaredNorm() > needed * needed,
+                       std::max(longest, longest_to(first)),
+                       std::max(longest, longest_to(second))});
+    mean_normal_ += normal;
+    volume_ += (corner - origin).dot((a - origin).cross(b - origin));
+    patch_.vertices.push_back(first);
+    patch_.vertices.push_back(second);
+  });
+}
+
+/// The largest squared length of an edge from the merged vertex to that neighbor. The merged vertex
+/// counts with the mean size of both ends.
+double EdgeCollapser::longest_to(Index neighbor) const {
+  const double size = 0.5 * (mesh_.mean_size(goes_, stays_) + mesh_.size(neighbor));
+  return longest_ * size * size;
+}
+
+bool EdgeCollapser::try_free_positions() {
+  const Vec3& source = mesh_.position(goes_);
+  const Vec3& target = mesh_.position(stays_);
+  const Vec3 middle = 0.5 * source + 0.5 * target;
+  if (roles_[stays_] == VertexRole::free) {
+    const Vec3 shift = volume_keeping_shift(middle);
+    if (shift.norm() <= 0.5 * (target - source).norm() && try_position(middle + shift, 0.5)) {
+      return true;
+    }
+  }
+  return try_position(middle, 0.5) || try_position(target, 0) || try_position(source, 1);
+}
+
+Vec3 EdgeCollapser::volume_keeping_shift(const Vec3& position) const {
+  // The volume is linear in the position: six times it is position . ring plus a constant.
+  const Vec3& origin = mesh_.position(stays_);
+  Vec3 ring = Vec3::Zero();
+  for (const Spoke& spoke : spokes_) {
+    ring += (spoke.first - origin).cross(spoke.second - origin);
+  }
+  const double squared = ring.squaredNorm();
+  if (squared == 0) return Vec3::Zero();
+  return (volume_ - (position - origin).dot(ring)) / squared * ring;
+}
+
+bool EdgeCollapser::is_sound(const Vec3& position) const {
+  double least = 1;
+  for (const Spoke& spoke : spokes_) {
+    if ((spoke.first - position).squaredNorm() > spoke.first_limit) return false;
+    if ((spoke.second - position).squaredNorm() > spoke.second_limit) return false;
+    const Vec3& before = spoke.has_normal ? spoke.normal : mean_normal_;
+    const Vec3 after = normal_of(position, spoke.first, spoke.second);
+    if (turns(before, after, least_turn_cosine)) return false;
+    least = std::min(least, roundness(position, spoke.first, spoke.second));
+  }
+  const double share = guard_ != nullptr ? 1 : narrowing_of_stars;
+  return least >= round_enough_ || least >= share * least_roundness_before();
+}
+
+double EdgeCollapser::least_roundness_before() const {
+  double least = 1;
+  for (const Index face : patch_.replaced) {
+    const auto [a, b, c] = mesh_.triangle(face);
+    least = std::min(least, roundness(a, b, c));
+  }
+  return least;
+}
+
+void EdgeCollapser::fill_patch(const Vec3& position) {
+  patch_.center = stays_;
+  patch_.center_position = position;
+  patch_.made.clear();
+  patch_.normals.clear();
+  patch_.longest_squared = 0;
+  for (const Spoke& spoke : spokes_) {
+    patch_.longest_squared = std::max(
+        {patch_.longest_squared, (spoke.first - position).squaredNorm(),
+         (spoke.second - position).squaredNorm(), (spoke.second - spoke.first).squaredNorm()});
+    patch_.made.push_back({position, spoke.first, spoke.second});
+    patch_.normals.push_back(reliable_normal(position, spoke.first, spoke.second));
+  }
+}
+
+bool EdgeCollapser::try_position(const Vec3& wanted, double source_share) {
+  const Vec3 position = mesh_.rounded(wanted);
+  if (!is_sound(position)) return false;
+  fill_patch(position);
+  if (guard_ != nullptr && !guard_->allows(patch_)) return false;
+  mesh_.collapse(edge_, position, source_share);
+  if (guard_ == nullptr) return true;
+  guard_->forget(goes_);
+  guard_->commit(patch_);
+  return true;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,63 @@
+/// Collapses one edge where that keeps what collapse.h promises.
+#pragma once
+
+#include <vector>
+
+#include "remesh/guards/embedding_guard.h"
+#include "remesh/halfedges/vertex_role.h"
+
+namespace transformesh {
+
+class EdgeCollapser {
+ public:
+  EdgeCollapser(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
+                double max_edge)
+      : mesh_(mesh), guard_(&guard), roles_(roles), longest_(max_edge * max_edge) {}
+  /// Without a guard: the caller looks for intersections.
+  EdgeCollapser(EditableMesh& mesh, const VertexRoles& roles, double max_edge)
+      : mesh_(mesh), guard_(nullptr), roles_(roles), longest_(max_edge * max_edge) {}
+
+  /// The vertex that the edge became; no_index where it stays.
+  Index collapse(Index halfedge);
+  /// The same, where possible to that position, if neither end is bound more than the other, and
+  /// with flatter triangles.
+  Index collapse_to(Index halfedge, const Vec3& wanted);
+
+ private:
+  /// A triangle that stays, without its corner at the edge.
+  struct Spoke {
+    Vec3 first;
+    Vec3 second;
+    Vec3 normal;
+    bool has_normal;
+    double first_limit;  ///< squared: no new edge to `first` may be longer
+    double second_limit;
+  };
+
+  bool prepare(Index halfedge);
+  bool try_bound_end();
+  void gather();
+  void gather_star(Index vertex);
+  double longest_to(Index neighbor) const;
+  bool try_position(const Vec3& wanted, double source_share);
+  bool try_free_positions();
+  Vec3 volume_keeping_shift(const Vec3& position) const;
+  bool is_sound(const Vec3& position) const;
+  double least_roundness_before() const;
+  void fill_patch(const Vec3& position);
+
+  EditableMesh& mesh_;
+  EmbeddingGuard* guard_;
+  const VertexRoles& roles_;
+  double longest_;
+  double round_enough_ = 0;
+  Index edge_ = no_index;
+  Index goes_ = no_index;
+  Index stays_ = no_index;
+  std::vector<Spoke> spokes_;
+  Vec3 mean_normal_ = Vec3::Zero();
+  double volume_ = 0;  ///< six times what the star of goes_ encloses with stays_
+  Patch patch_;
+};
+
+}  // namespace transformesh

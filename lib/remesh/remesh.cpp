@@ -1,0 +1,392 @@
+#include "remesh/remesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "remesh/guards/edge_rules.h"
+#include "remesh/halfedges/halfedges.h"
+#include "remesh/halfedges/sharpness.h"
+#include "remesh/operations/collapse.h"
+#include "remesh/operations/degenerate.h"
+#include "remesh/operations/even_out.h"
+#include "remesh/operations/flip.h"
+#include "remesh/operations/safe_split.h"
+#include "remesh/operations/slivers.h"
+#include "remesh/operations/smooth.h"
+#include "remesh/operations/thin_stars.h"
+#include "remesh/sizing.h"
+#include "remesh/small_components.h"
+#include "support/counted.h"
+#include "support/length.h"
+#include "support/nothing_left.h"
+
+namespace transformesh {
+namespace {
+
+/// Of the longest to the shortest edge: below that, halves of split edges would be collapsed again.
+constexpr double least_ratio = 1.5;
+constexpr double most_faces = 500e6;
+constexpr double largest_extent = 1e75;
+/// Edges far too short are collapsed in stages of this many times the typical length.
+constexpr double stage_growth = 1.6;
+/// Shares of the edge length that curvature takes: shorter edges are collapsed, longer ones split.
+/// The second is below 1 because faces relax after the splits, and curvature varies.
+constexpr double adaptive_shortest = 0.55;
+constexpr double adaptive_longest = 0.95;
+/// From so many iterations on, a mesh is made anew and evened out at the end. With fewer it is part
+/// of an evolution, whose next step sees to its shape.
+constexpr int iterations_anew = 3;
+constexpr double usual_feature_angle_deg = 40;
+
+void check_lengths(double min_edge, double max_edge) {
+  if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
+    throw UsageError("edge lengths must be positive: the shortest is " + shortest_text(min_edge) +
+                     ", the longest " + shortest_text(max_edge));
+  }
+  if (max_edge < least_ratio * min_edge) {
+    throw UsageError("the longest edge " + shortest_text(max_edge) + " is below 1.5 times the " +
+                     "shortest " + shortest_text(min_edge) +
+                     ": what is split would be collapsed again; use at most " +
+                     shortest_text(max_edge / least_ratio) + " for the shortest, or at least " +
+                     shortest_text(min_edge * least_ratio) + " for the longest");
+  }
+}
+
+void check_options(const RemeshOptions& options) {
+  check_lengths(options.min_edge, options.max_edge);
+  if (!(std::isfinite(options.adaptive_error) && options.adaptive_error >= 0)) {
+    throw UsageError("the error bound must be a positive length");
+  }
+  if (options.adaptive_error > 0 && !options.size_column.empty()) {
+    throw UsageError("sizes come from a column or from curvature, not from both");
+  }
+  const double first = options.smooth_first;
+  const double second = options.smooth_second;
+  if (options.only_smooth && options.smoothing == Smoothing::none)
+    throw UsageError("nothing but smoothing, and no smoothing: nothing would be done");
+  if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
+  if (!(options.feature_angle_deg >= 0 && options.feature_angle_deg <= 180)) {
+    throw UsageError("the feature angle " + shortest_text(options.feature_angle_deg) +
+                     " is not at least 0 and at most 180 degrees");
+  }
+  if (!(first >= 0 && first <= 1)) {
+    throw UsageError("the smoothing factor " + shortest_text(first) + " is not between 0 and 1");
+  }
+  if (options.smoothing != Smoothing::bilaplace) return;
+  if (!(second >= (first - 1) / 2 && second <= first / 2)) {
+    throw UsageError("the second smoothing factor " + shortest_text(second) +
+                     " would amplify noise: with the first factor " + shortest_text(first) +
+                     " it must be between " + shortest_text((first - 1) / 2) + " and " +
+                     shortest_text(first / 2));
+  }
+}
+
+/// Areas are roots of fourth powers of lengths, which must not overflow.
+void check_size(const Mesh& mesh) {
+  Vec3 lowest = mesh.positions[0];
+  Vec3 highest = lowest;
+  for (const Vec3& position : mesh.positions) {
+    lowest = lowest.cwiseMin(position);
+    highest = highest.cwiseMax(position);
+  }
+  const double size = (highest - lowest).maxCoeff();
+  if (!(size <= largest_extent)) {
+    throw InputError("the mesh is " + shortest_text(size) +
+                     " across, too large to compute its areas: scale it to less than " +
+                     shortest_text(largest_extent));
+  }
+}
+
+RemeshOptions with_feature_angle(RemeshOptions options, const EditableMesh& mesh) {
+  if (options.feature_angle_deg == 0)
+    options.feature_angle_deg = has_sharp_edges(mesh) ? usual_feature_angle_deg : 180;
+  return options;
+}
+
+EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions& options) {
+  EdgeLimits limits{options.min_edge, options.max_edge};
+  std::vector<double> sizes;
+  if (!options.size_column.empty()) {
+    sizes = sizes_of_column(input, options.size_column);
+  } else if (options.adaptive_error > 0) {
+    limits = {adaptive_shortest, adaptive_longest};
+    const double most = options.max_edge / adaptive_longest;
+    const double least = std::min(options.min_edge / adaptive_shortest, most);
+    mark_features(mesh, options.feature_angle_deg);
+    sizes = sizes_of_curvature(mesh, {options.adaptive_error, least, most});
+  }
+  if (sizes.empty()) return limits;
+  grade_sizes(mesh, sizes);
+  mesh.set_sizes(std::move(sizes));
+  return limits;
+}
+
+struct SizeRange {
+  double smallest = 1;
+  double largest = 1;
+};
+
+SizeRange sizes_of(const EditableMesh& mesh) {
+  if (!mesh.has_sizes()) return {};
+  SizeRange range{HUGE_VAL, 0};
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    if (!mesh.has_vertex(v)) continue;
+    range.smallest = std::min(range.smallest, mesh.size(v));
+    range.largest = std::max(range.largest, mesh.size(v));
+  }
+  return range;
+}
+
+/// Returns whether there are degenerate faces. Throws UsageError if edges of that length would make
+/// too many faces.
+bool survey_faces(const EditableMesh& mesh, double max_edge) {
+  double faces = 0;
+  bool has_degenerate = false;
+  for (Index face = 0; face < mesh.face_slots(); ++face) {
+    const double sizes = mesh.size(mesh.source(3 * face)) + mesh.size(mesh.source(3 * face + 1)) +
+                         mesh.size(mesh.source(3 * face + 2));
+    const FaceShape shape(mesh, face);
+    has_degenerate |= shape.is_degenerate();
+    faces += std::sqrt(shape.doubled_area_squared) * 9 / (sizes * sizes);
+  }
+  faces /= max_edge * max_edge * std::sqrt(3.0) / 2;
+  if (faces > most_faces) {
+    const double least = std::isfinite(faces) ? faces : most_faces;
+    throw UsageError("a longest edge of " + shortest_text(max_edge) + " would take more than " +
+                     shortest_text(std::floor(least / 1e6)) + " million faces");
+  }
+  return has_degenerate;
+}
+
+/// What all iterations share.
+struct Task {
+  EditableMesh& mesh;
+  const RemeshOptions& options;
+  EdgeLimits limits;
+  const ClosestPointQuery* surface;  ///< to project onto, or none
+  const KeepOut* keep_out;
+  const Progress& progress;
+  RemeshResult& result;
+};
+
+/// The steps of one iteration after the splits.
+class Iteration {
+ public:
+  Iteration(const Task& task, EmbeddingGuard& guard)
+      : task_(task), mesh_(task.mesh), roles_(mesh_, task.options.keep_border), guard_(guard) {}
+
+  void run(bool is_first) {
+    if (task_.options.only_smooth) {
+      smooth(true);
+      return relax();
+    }
+    collapse();
+    flip();
+    smooth(is_first);
+    if (task_.options.smoothing == Smoothing::none) return;
+    if (task_.options.flip == FlipRule::valence) collapse_irregular();
+    flip();
+    relax();
+  }
+
+  void finish() {
+    if (task_.options.smoothing == Smoothing::tangential && task_.surface == nullptr)
+      even_out(mesh_, guard_, roles_, task_.progress);
+  }
+
+ private:
+  void collapse() {
+    const CollapseCounts counts =
+        collapse_short_edges(mesh_, guard_, roles_, task_.limits, task_.progress);
+    task_.result.collapses += counts.done;
+    task_.result.refused += counts.refused;
+    remove_degenerate_faces(mesh_, guard_, roles_, task_.limits.longest);
+  }
+  void collapse_irregular() {
+    task_.result.collapses +=
+        collapse_for_valence(mesh_, guard_, roles_, task_.limits, task_.progress);
+  }
+  void flip() {
+    const FlipCounts counts =
+        flip_edges(mesh_, guard_, task_.options.flip, task_.limits, task_.progress);
+    task_.result.flips += counts.done;
+    task_.result.refused += counts.refused;
+  }
+  void relax() {
+    task_.result.refused +=
+        relax_tangentially(mesh_, guard_, roles_, task_.surface, task_.progress).refused;
+  }
+  void smooth(bool is_first) {
+    const RemeshOptions& options = task_.options;
+    // Between collapses and flips, relaxation pays only where a mesh is good already.
+    if (options.smoothing == Smoothing::tangential && !is_first) relax();
+    const bool twice = options.smoothing == Smoothing::bilaplace;
+    if (options.smoothing != Smoothing::laplace && !twice) return;
+    const SmoothCounts counts = smooth_laplace(mesh_, guard_, roles_, options.smooth_first,
+                                               twice ? options.smooth_second : 0, task_.progress);
+    task_.result.refused += counts.refused;
+  }
+
+  const Task& task_;
+  EditableMesh& mesh_;
+  VertexRoles roles_;
+  EmbeddingGuard& guard_;
+};
+
+void remove_small(const Task& task) {
+  if (task.options.only_smooth) return;
+  const RemovedComponents removed =
+      remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
+  RemovedComponents& all = task.result.components_removed;
+  all.count += removed.count;
+  all.faces += removed.faces;
+  all.area += removed.area;
+  all.volume += removed.volume;
+}
+
+/// Lengths over all edges, in units of the local size.
+struct ScaledLengths {
+  double typical = 0;  ///< root of the mean square
+  double longest = 0;
+
+  explicit ScaledLengths(const EditableMesh& mesh) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (Index face = 0; face < mesh.face_slots(); ++face) {
+      if (!mesh.has_face(face)) continue;
+      const std::array<double, 3> squared = mesh.scaled_squared_lengths(face);
+      for (Index i = 0; i < 3; ++i) {
+        // Without a branch, as it is a coin toss which of two halfedges is the lower.
+        const bool is_lower = 3 * face + i < mesh.opposite(3 * face + i);
+        longest = std::max(longest, squared[i]);
+        sum += is_lower ? squared[i] : 0;
+        count += is_lower ? 1 : 0;
+      }
+    }
+    typical = std::sqrt(sum / static_cast<double>(count));
+    longest = std::sqrt(longest);
+  }
+};
+
+/// Where edges are far too short, collapses them in stages of less than twice the length: with the
+/// guard made for the longest edges at once, each of its cells would hold many vertices. Returns
+/// the lengths that came of it.
+ScaledLengths coarsen(const Task& task) {
+  for (bool goes_on = true;;) {
+    const ScaledLengths lengths(task.mesh);
+    const double shortest = stage_growth * lengths.typical;
+    if (!goes_on || !(stage_growth * shortest < task.limits.shortest)) return lengths;
+    const EdgeLimits limits{shortest, shortest / task.limits.shortest * task.limits.longest};
+    EmbeddingGuard guard(task.mesh, limits.longest * sizes_of(task.mesh).largest, task.keep_out);
+    const VertexRoles roles(task.mesh, task.options.keep_border);
+    const CollapseCounts counts =
+        collapse_short_edges(task.mesh, guard, roles, limits, task.progress);
+    task.result.collapses += counts.done;
+    task.result.kept_out += guard.kept_out();
+    goes_on = counts.done > 0;
+  }
+}
+
+std::unique_ptr<EmbeddingGuard> make_guard(const Task& task,
+                                           std::optional<double> longest_edge = std::nullopt) {
+  return std::make_unique<EmbeddingGuard>(task.mesh,
+                                          task.limits.stretched() * sizes_of(task.mesh).largest,
+                                          task.keep_out, longest_edge);
+}
+
+/// Collapses what is far too short and splits what is too long. Returns the guard of the mesh that
+/// came of it.
+std::unique_ptr<EmbeddingGuard> refine(const Task& task) {
+  const ScaledLengths lengths = coarsen(task);
+  if (lengths.longest <= task.limits.longest) {
+    if (task.mesh.has_sizes()) return make_guard(task);
+    return make_guard(task, lengths.longest);
+  }
+  const SafeSplitOptions options{task.limits.longest, task.options.keep_border,
+                                 [&] { return make_guard(task); }};
+  SafeSplits splits = split_safely(task.mesh, options, task.progress);
+  task.result.splits += splits.done;
+  task.result.refused = splits.refused;
+  return std::move(splits.guard);
+}
+
+void iterate(const Task& task, bool is_first, bool is_finish) {
+  mark_features(task.mesh, task.options.feature_angle_deg);
+  task.result.refused = 0;
+  const std::unique_ptr<EmbeddingGuard> guard =
+      task.options.only_smooth ? make_guard(task) : refine(task);
+  Iteration iteration(task, *guard);
+  iteration.run(is_first);
+  if (is_finish) iteration.finish();
+  task.result.kept_out += guard->kept_out();
+  remove_small(task);
+}
+
+/// Removes slivers, if there are any, and counts what is left.
+void treat_slivers(const Task& task) {
+  const SliverTest is_sliver(task.mesh, task.limits.shortest * sizes_of(task.mesh).smallest);
+  Slivers left = count_slivers(task.mesh, is_sliver);
+  if (left.kept > 0 && !task.options.only_smooth) {
+    remove_slivers(task.mesh, VertexRoles(task.mesh, task.options.keep_border), is_sliver);
+    left = count_slivers(task.mesh, is_sliver);
+  }
+  task.result.degenerate_faces = left.degenerate;
+  task.result.slivers_kept = left.kept;
+  task.result.first_sliver = left.place;
+  task.result.faces_without_area = left.without_area;
+}
+
+}  // namespace
+
+RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& progress,
+                    std::vector<Index> opposites) {
+  if (mesh.faces.empty() || mesh.positions.empty())
+    throw InputError("the mesh has no faces, so there is nothing to remesh");
+  check_size(mesh);
+  check_options(given);
+  progress("connect");
+  if (opposites.empty()) opposites = manifold_opposites(mesh);
+  EditableMesh editable(mesh, std::move(opposites));
+  editable.set_coordinate(given.coordinate);
+  const RemeshOptions options = with_feature_angle(given, editable);
+  const EdgeLimits limits = set_sizes(editable, mesh, options);
+  const bool has_degenerate = survey_faces(editable, limits.longest);
+  std::optional<ClosestPointQuery> surface;
+  if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
+
+  RemeshResult result;
+  result.feature_angle_deg = options.feature_angle_deg;
+  std::optional<KeepOut> keep_out;
+  if (options.keep_out.surface != nullptr) {
+    keep_out.emplace(options.keep_out);
+    result.near_keep_out = keep_out->count_near(mesh);
+  }
+  const Task task{
+      editable, options, limits, surface ? &*surface : nullptr, keep_out ? &*keep_out : nullptr,
+      progress, result};
+  remove_small(task);
+  if (has_degenerate) treat_slivers(task);
+  if (options.iterations > 0 && !options.only_smooth && !keep_out)
+    result.collapses += thin_crowded_stars(editable, options.keep_border, limits, progress);
+  if (options.iterations > 1) editable.set_components(closed_components(editable));
+  for (int i = 0; i < options.iterations; ++i)
+    iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
+  treat_slivers(task);
+  Mesh remeshed = editable.to_mesh();
+  if (remeshed.faces.empty()) {
+    const std::size_t count = result.components_removed.count;
+    const std::string all =
+        count == 1 ? "the only component is" : "all " + counted(count, "component") + " are";
+    throw NothingLeftError(all + " smaller than the shortest edge " +
+                           shortest_text(options.min_edge) +
+                           ", so nothing would be left; use a smaller --min-edge");
+  }
+  mesh = std::move(remeshed);
+  result.columns = refresh_columns(mesh);
+  return result;
+}
+
+}  // namespace transformesh

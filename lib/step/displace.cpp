@@ -1,0 +1,139 @@
+#include "step/displace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/digits.h"
+#include "mesh/location_text.h"
+#include "mesh/surface_columns.h"
+#include "step/hold_back.h"
+#include "support/error.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t vertices_per_task = 4096;
+
+void check(const Mesh& mesh, std::span<const Vec3> velocities, const DisplaceOptions& options) {
+  if (!std::isfinite(options.time_step)) throw UsageError("the time step is not a finite number");
+  if (!(options.alpha >= 0)) throw UsageError("alpha is to be at least 0");
+  if (velocities.size() != mesh.positions.size()) {
+    throw UsageError("one velocity is needed for each vertex");
+  }
+  for (std::size_t v = 0; v < velocities.size(); ++v) {
+    if (velocities[v].allFinite()) continue;
+    throw InputError("the velocity of " + vertex_text(mesh, static_cast<Index>(v)) +
+                     " is not a finite number");
+  }
+}
+
+struct Step {
+  Vec3 displacement = Vec3::Zero();
+  bool is_clamped = false;
+};
+
+/// The velocity is scaled by its largest coordinate first, so that no square overflows.
+Step clamped_step(const Vec3& velocity, double time_step, double limit) {
+  const double scale = velocity.cwiseAbs().maxCoeff();
+  if (scale == 0 || time_step == 0) return {};
+  const Vec3 direction = velocity / scale;
+  const double length = std::abs(time_step) * scale * direction.norm();
+  if (length <= limit) return {time_step * velocity, false};
+  return {std::copysign(limit, time_step) * direction.normalized(), true};
+}
+
+/// Throws where faces collapse or become flat, because coordinates are farther apart than the edges
+/// were.
+void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
+                  const std::vector<char>& is_moved) {
+  std::size_t lost = 0;
+  for (std::size_t v = 0; v < is_moved.size(); ++v) {
+    lost += is_moved[v] != 0 &&
+            spacing_at(mesh.positions[v].cwiseAbs().maxCoeff()) > edges.vertex_mean[v];
+  }
+  if (2 * lost > is_moved.size()) {
+    throw GoalError(
+        "most vertices would go so far that coordinates have no digits for their edges any more");
+  }
+}
+
+/// Per vertex.
+struct Ways {
+  std::vector<double> limits;
+  std::vector<Vec3> displacements;
+  std::vector<char> is_clamped;
+};
+
+Ways clamped_ways(std::span<const Vec3> velocities, const HalfedgeLengths& edges,
+                  const DisplaceOptions& options) {
+  const std::size_t count = velocities.size();
+  Ways ways{std::vector<double>(count), std::vector<Vec3>(count), std::vector<char>(count, 0)};
+  parallel_for(count, vertices_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      ways.limits[v] = options.alpha * edges.vertex_mean[v];
+      const Step step = clamped_step(velocities[v], options.time_step, ways.limits[v]);
+      ways.displacements[v] = step.displacement;
+      ways.is_clamped[v] = step.is_clamped;
+    }
+  });
+  return ways;
+}
+
+/// Returns which vertices moved.
+std::vector<char> move(Mesh& mesh, const std::vector<Vec3>& displacements, Scalar coordinate) {
+  std::vector<char> is_moved(displacements.size(), 0);
+  parallel_for(is_moved.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      const Vec3 goal = moved_position(mesh.positions[v], displacements[v], coordinate);
+      is_moved[v] = goal != mesh.positions[v];
+      mesh.positions[v] = goal;
+    }
+  });
+  return is_moved;
+}
+
+/// Sums up in the order of the vertices.
+void summarize(const Ways& ways, const std::vector<char>& is_moved, DisplaceResult& result) {
+  double squares = 0;
+  for (std::size_t v = 0; v < is_moved.size(); ++v) {
+    const double length = ways.displacements[v].norm();
+    const double share = ways.limits[v] > 0 ? length / ways.limits[v] : 0;
+    result.moved += is_moved[v] != 0;
+    result.clamped += ways.is_clamped[v] != 0;
+    result.max_displacement = std::max(result.max_displacement, length);
+    result.max_clamp_share = std::max(result.max_clamp_share, share);
+    squares += length * length;
+  }
+  if (!is_moved.empty())
+    result.rms_displacement = std::sqrt(squares / static_cast<double>(is_moved.size()));
+}
+
+}  // namespace
+
+DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
+                        const DisplaceOptions& options) {
+  return displace(mesh, velocities, options, halfedge_lengths(mesh));
+}
+
+DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
+                        const DisplaceOptions& options, const HalfedgeLengths& edges) {
+  check(mesh, velocities, options);
+  Ways ways = clamped_ways(velocities, edges, options);
+  DisplaceResult result;
+  Scalar coordinate = Scalar::float64;
+  if (options.keep_out.surface != nullptr) {
+    coordinate = options.coordinate;
+    const HoldBackResult held = hold_back(mesh, options.keep_out, coordinate, ways.displacements);
+    result.held_back = held.held_back;
+    result.near_keep_out = held.near;
+  }
+  const std::vector<char> is_moved = move(mesh, ways.displacements, coordinate);
+  check_digits(mesh, edges, is_moved);
+  summarize(ways, is_moved, result);
+  result.mean_edge = edges.mean;
+  if (result.moved > 0) result.new_normals = refresh_normals(mesh);
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,83 @@
+#include "step/morph_check.h"
+
+#include "clean/intersect/intersect.h"
+#include "clean/stitch/orientation_check.h"
+#include "clean/stitch/weld.h"
+#include "mesh/location_text.h"
+#include "mesh/manifold.h"
+#include "mesh/measure.h"
+#include "support/counted.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+std::string named(const std::string& what, const std::string& name) {
+  return name.empty() ? what : what + ' ' + name;
+}
+
+// Without columns. Corners that weld make faces without area, which have no say.
+Mesh welded(const Mesh& mesh) {
+  Mesh result;
+  result.positions = mesh.positions;
+  const std::vector<Index> first = weld_positions(mesh.positions, 0);
+  for (const Face& face : mesh.faces) {
+    const Face joined{first[face[0]], first[face[1]], first[face[2]]};
+    if (!is_collapsed(joined)) result.faces.push_back(joined);
+  }
+  return result;
+}
+
+// Returns the number of its border edges.
+std::size_t check_orientation(const Mesh& mesh, const std::string& what) {
+  const std::string problem = describe_misorientation(mesh);
+  if (!problem.empty()) {
+    throw InputError(what + " is not oriented: " + problem +
+                     "; turn its faces with tm-stitch --orient");
+  }
+  const std::size_t borders = check_manifold(mesh).border_halfedges.size();
+  if (borders == 0 && volume(mesh) < 0)
+    throw InputError(what + " is inside out; reverse it with tm-stitch --flip");
+  return borders;
+}
+
+std::string box_text(const Box& box) {
+  return "from " + point_text(box.minimum) + " to " + point_text(box.maximum);
+}
+
+}  // namespace
+
+std::vector<std::string> check_target(const Target& target, const std::string& name,
+                                      const Progress& progress) {
+  if (!target.is_mesh()) return {};
+  std::vector<std::string> warnings;
+  const std::size_t borders = check_orientation(welded(target.mesh), named("the target", name));
+  if (borders > 0) {
+    warnings.push_back(named("the target", name) + " is open, with " +
+                       counted(borders, "border edge") +
+                       ": a closed surface lies on both its sides or passes through; close its "
+                       "holes before, or go around it with tm-wrap");
+  }
+  const std::size_t pairs = find_intersections(target.mesh, progress).size();
+  if (pairs > 0) {
+    warnings.push_back(named("the target", name) + " crosses itself at " + counted(pairs, "pair") +
+                       " of faces: what lies inside is no goal; remove it with tm-clean before");
+  }
+  return warnings;
+}
+
+std::vector<std::string> check_source(const Mesh& source, const Target& target,
+                                      const std::string& name) {
+  check_orientation(welded(source), named("the source", name));
+  if (source.positions.empty()) return {};
+  const Box ours = bounding_box(source);
+  const Box theirs = bounding_box(target.mesh);
+  const bool overlaps = (ours.minimum.array() <= theirs.maximum.array()).all() &&
+                        (theirs.minimum.array() <= ours.maximum.array()).all();
+  if (overlaps) return {};
+  return {"the source lies " + box_text(ours) + ", apart from the target, " + box_text(theirs) +
+          ": it shrinks to nothing; begin with a mesh that overlaps all of the target, as tm-shape "
+          "sphere --around makes it"};
+}
+
+}  // namespace transformesh

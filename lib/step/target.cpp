@@ -1,0 +1,94 @@
+#include "step/target.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "clean/stitch/stitch.h"
+#include "mesh/components.h"
+#include "mesh/manifold.h"
+#include "mesh/measure.h"
+#include "mesh/touching_borders.h"
+#include "step/estimate_normals.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::array<const char*, 3> normal_names{"nx", "ny", "nz"};
+
+void refuse_inside_out(const Mesh& mesh) {
+  if (volume(mesh) < 0 && check_manifold(mesh).is_closed()) {
+    throw InputError("the target is inside out; reverse it with tm-stitch --flip");
+  }
+}
+
+std::vector<Vec3> column_normals(const Mesh& mesh, const std::array<const Column*, 3>& columns) {
+  std::vector<Vec3> normals(mesh.positions.size());
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const Vec3 normal(columns[0]->values[v], columns[1]->values[v], columns[2]->values[v]);
+    if (!normal.allFinite()) {
+      throw InputError("the normal of point " + std::to_string(v) + " is not finite");
+    }
+    // What has unit length stays as it is, so that a target reads back the same.
+    const bool is_unit = std::abs(normal.squaredNorm() - 1) < 1e-15;
+    normals[v] = is_unit ? normal : normal.stableNormalized();
+  }
+  return normals;
+}
+
+void add_point_normals(Target& target) {
+  target.normals = stored_normals(target.mesh);
+  target.has_estimated_normals = target.normals.empty();
+  if (target.normals.empty()) target.normals = estimate_normals(target.mesh.positions);
+}
+
+}  // namespace
+
+Target make_target(Mesh mesh) {
+  if (mesh.positions.empty()) throw InputError("the target has no points");
+  Target target;
+  target.mesh = std::move(mesh);
+  if (!target.is_mesh()) {
+    add_point_normals(target);
+    return target;
+  }
+  if (used_positions(target.mesh).size() < target.mesh.positions.size()) {
+    target.mesh = select_faces(target.mesh, std::vector<bool>(target.mesh.faces.size(), true));
+  }
+  // The side of a point beside an edge or a vertex is that of all faces there, which are known by
+  // their vertices. What looks this way and that stays apart, and is for check_target() to refuse.
+  if (count_touching_borders(target.mesh) > 0) stitch(target.mesh);
+  refuse_inside_out(target.mesh);
+  return target;
+}
+
+void order_spatially(Target& target) {
+  if (!target.is_mesh() || target.face_order == FaceOrder::spatial) return;
+  std::vector<Face> faces;
+  faces.reserve(target.mesh.faces.size());
+  for (const Index face : spatial_face_order(target.mesh)) faces.push_back(target.mesh.faces[face]);
+  target.mesh.faces = std::move(faces);
+  target.mesh.face_columns = {};
+  target.face_order = FaceOrder::spatial;
+}
+
+std::vector<Vec3> stored_normals(const Mesh& mesh) {
+  std::array<const Column*, 3> columns{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    columns[axis] = mesh.vertex_columns.find(normal_names[axis]);
+    if (columns[axis] == nullptr || columns[axis]->list_count_type) return {};
+  }
+  return column_normals(mesh, columns);
+}
+
+void set_normal_columns(Mesh& mesh, const std::vector<Vec3>& normals) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Column& column = mesh.vertex_columns.get(normal_names[axis], Scalar::float64, normals.size());
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+      column.values[v] = normals[v][static_cast<Eigen::Index>(axis)];
+    }
+  }
+}
+
+}  // namespace transformesh

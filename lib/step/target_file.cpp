@@ -1,0 +1,78 @@
+#include "step/target_file.h"
+
+#include <algorithm>
+
+#include "io/mesh_io.h"
+#include "step/point_text.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+constexpr const char* spatial_order = "tm:faces in spatial order";
+constexpr const char* measured_gaps = "tm:gaps measured";
+constexpr const char* gap_column = "gap";
+
+bool has_comment(const Document& document, const char* comment) {
+  const std::vector<std::string>& comments = document.style.comments;
+  return std::find(comments.begin(), comments.end(), comment) != comments.end();
+}
+
+// What is neither names all that there is, and why its lines are no points.
+ReadResult read_as_mesh(const Source& source) {
+  try {
+    return read_mesh(source.bytes, source.name, {source.is_strict});
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    const bool is_unknown = message.starts_with("unknown mesh format");
+    if (!is_unknown) throw;
+    check_point_text(source);
+    const std::string place = " (" + source.name + ")";
+    throw InputError(message.substr(0, message.size() - place.size()) +
+                     ", and points as lines of x y z [nx ny nz]" + place);
+  }
+}
+
+}  // namespace
+
+Target read_target(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  auto [document, notes] = read_mesh_or_points(bytes, name, options);
+  Target target = make_target(std::move(document.mesh));
+  target.notes = std::move(notes);
+  target.is_prepared = has_comment(document, spatial_order);
+  if (target.is_prepared) target.face_order = FaceOrder::spatial;
+  order_spatially(target);
+  const Column* gaps = target.mesh.vertex_columns.find(gap_column);
+  if (has_comment(document, measured_gaps) && gaps != nullptr) target.thickness = gaps->values;
+  return target;
+}
+
+ReadResult read_mesh_or_points(std::string_view bytes, const std::string& name,
+                               const ReadOptions& options) {
+  const Source source{bytes, name, options.strict};
+  return is_point_text(source) ? read_point_text(source) : read_as_mesh(source);
+}
+
+std::string write_target(const Target& target) {
+  Document document;
+  document.mesh.positions = target.mesh.positions;
+  if (target.is_mesh()) {
+    Target ordered;
+    ordered.mesh = target.mesh;
+    ordered.face_order = target.face_order;
+    order_spatially(ordered);
+    document.mesh.faces = std::move(ordered.mesh.faces);
+    document.style.comments.emplace_back(spatial_order);
+  } else {
+    document.style.element_order = {"vertex"};
+    set_normal_columns(document.mesh, target.normals);
+  }
+  if (!target.thickness.empty()) {
+    Columns& columns = document.mesh.vertex_columns;
+    columns.get(gap_column, Scalar::float64, target.thickness.size()).values = target.thickness;
+    document.style.comments.emplace_back(measured_gaps);
+  }
+  return write_mesh(document).bytes;
+}
+
+}  // namespace transformesh

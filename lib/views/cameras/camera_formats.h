@@ -1,0 +1,60 @@
+/// The formats of camera files, one source each, and the checks that they share. Internal to
+/// camera_file.
+#pragma once
+
+#include "io/formats/text_rows.h"
+#include "io/streams/text_buffer.h"
+#include "views/cameras/camera_file.h"
+
+namespace transformesh {
+
+/// Each throws InputError for what camera_file.h refuses.
+CameraList read_middlebury(const Source& source);
+CameraList read_bundler(const Source& source);
+/// Cameras are called after the stem.
+CameraList read_opencv(const Source& source, const std::string& stem);
+CameraList read_metashape(const Source& source);
+/// The table of cameras, or the XMP file of one, which is called after the stem.
+CameraList read_reality_capture(const Source& source, const std::string& stem);
+/// Cameras without a name are called after the stem.
+CameraList read_matrices(const Source& source, const std::string& stem);
+/// Cameras and images in one text.
+CameraList read_colmap(const Source& source);
+/// Cameras and images in two texts.
+CameraList read_colmap(const Source& cameras, const Source& images);
+/// The same of cameras.bin and images.bin.
+CameraList read_colmap_binary(const Source& cameras, const Source& images);
+
+/// Which of COLMAP's files has such a row.
+enum class ColmapPart { none, cameras, images };
+ColmapPart colmap_part(TextRows rows);
+
+std::string write_middlebury(const CameraList& list);
+std::string write_matrix(const CameraRecord& record);
+std::string write_colmap_cameras(const CameraList& list);
+std::string write_colmap_images(const CameraList& list);
+/// cameras.bin and images.bin of their texts.
+std::string binary_colmap_cameras(const std::string& text);
+std::string binary_colmap_images(const std::string& text);
+std::string write_opencv(const CameraRecord& record);
+
+bool is_number(std::string_view word);
+
+/// Where rows are now, as in `dino_par.txt line 3`.
+std::string place_of(const TextRows& rows, const Source& source);
+
+/// Why no camera has such numbers, or none that every format can hold; empty if all is well.
+std::string intrinsics_problem(const Eigen::Matrix3d& intrinsics, const std::string& who);
+std::string translation_problem(const Vec3& translation, const std::string& who);
+
+/// Each throws InputError at the line of rows, and says what is wrong with `who`.
+void check_intrinsics(const TextRows& rows, const Eigen::Matrix3d& intrinsics,
+                      const std::string& who);
+void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who);
+void check_translation(const TextRows& rows, const Vec3& translation, const std::string& who);
+
+/// Throws InputError where the camera that would be read again is none: `again` is the record's
+/// after writing and reading.
+void check_read_again(const CameraRecord& record, const PinholeCamera& again);
+
+}  // namespace transformesh

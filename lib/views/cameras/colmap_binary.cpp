@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "support/number.h"
+#include "views/cameras/camera_formats.h"
+
+namespace transformesh {
+namespace {
+
+/// The models by their numbers in files, with how many parameters they have.
+struct Model {
+  const char* name;
+  int parameters;
+};
+constexpr std::array models{Model{"SIMPLE_PINHOLE", 3},
+                            Model{"PINHOLE", 4},
+                            Model{"SIMPLE_RADIAL", 4},
+                            Model{"RADIAL", 5},
+                            Model{"OPENCV", 8},
+                            Model{"OPENCV_FISHEYE", 8},
+                            Model{"FULL_OPENCV", 12},
+                            Model{"FOV", 5},
+                            Model{"SIMPLE_RADIAL_FISHEYE", 4},
+                            Model{"RADIAL_FISHEYE", 5},
+                            Model{"THIN_PRISM_FISHEYE", 12}};
+
+/// Numbers one after the other, little-endian.
+class Numbers {
+ public:
+  explicit Numbers(const Source& source) : source_(source), rest_(source.bytes) {}
+
+  template <class Number>
+  Number take() {
+    std::array<char, sizeof(Number)> bytes{};
+    const std::string_view taken = take_bytes(sizeof(Number));
+    std::memcpy(bytes.data(), taken.data(), sizeof(Number));
+    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    return std::bit_cast<Number>(bytes);
+  }
+
+  std::string_view take_name() {
+    const std::size_t size = rest_.find('\0');
+    if (size == std::string_view::npos) fail();
+    return take_bytes(size + 1).substr(0, size);
+  }
+
+  void skip(std::uint64_t count, std::uint64_t size) {
+    if (count > rest_.size() / size) fail();
+    rest_.remove_prefix(count * size);
+  }
+
+ private:
+  std::string_view take_bytes(std::size_t size) {
+    if (rest_.size() < size) fail();
+    const std::string_view taken = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+    return taken;
+  }
+  [[noreturn]] void fail() const {
+    source_.fail("COLMAP's binary file ends too early, after " +
+                 std::to_string(source_.bytes.size()) + " bytes");
+  }
+
+  const Source& source_;
+  std::string_view rest_;
+};
+
+void copy_numbers(Numbers& numbers, int count, TextBuffer& text) {
+  for (int i = 0; i < count; ++i) {
+    text.add(' ');
+    text.add_number(numbers.take<double>());
+  }
+}
+
+/// The same as a line of cameras.txt for each.
+std::string cameras_text(const Source& source) {
+  Numbers numbers(source);
+  TextBuffer text;
+  for (auto count = numbers.take<std::uint64_t>(); count > 0; --count) {
+    text.add_number(numbers.take<std::int32_t>());
+    const auto model = static_cast<std::size_t>(numbers.take<std::int32_t>());
+    if (model >= models.size())
+      source.fail("there is no model " + std::to_string(model) + " of COLMAP's cameras");
+    text.add(' ');
+    text.add(models[model].name);
+    for (int side = 0; side < 2; ++side) {
+      text.add(' ');
+      text.add_number(numbers.take<std::uint64_t>());
+    }
+    copy_numbers(numbers, models[model].parameters, text);
+    text.add('\n');
+  }
+  return text.take();
+}
+
+/// The same as a line of images.txt for each, and an empty one instead of its points.
+std::string images_text(const Source& source) {
+  Numbers numbers(source);
+  TextBuffer text;
+  for (auto count = numbers.take<std::uint64_t>(); count > 0; --count) {
+    text.add_number(numbers.take<std::uint32_t>());
+    copy_numbers(numbers, 7, text);
+    text.add(' ');
+    text.add_number(numbers.take<std::uint32_t>());
+    text.add(' ');
+    const std::string_view name = numbers.take_name();
+    if (name.empty() || name.find_first_of("\r\n") != std::string_view::npos)
+      source.fail("an image has the name " + quoted(name) + ": rename it");
+    text.add(name);
+    text.add("\n\n");
+    const auto points = numbers.take<std::uint64_t>();
+    numbers.skip(points, 24);
+  }
+  return text.take();
+}
+
+/// Numbers one after the other, little-endian.
+class Bytes {
+ public:
+  template <class Number>
+  void add(Number number) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    bytes_.append(bytes.data(), bytes.size());
+  }
+  void add(std::string_view text) { bytes_ += text; }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+/// The words of a row of text, and the rest where there is no more than a name.
+class Words {
+ public:
+  explicit Words(std::string_view row) : rest_(row) {}
+
+  bool has_more() const { return !rest_.empty(); }
+  std::string_view rest() const { return rest_; }
+  std::string_view word() {
+    const std::string_view word = rest_.substr(0, rest_.find(' '));
+    rest_.remove_prefix(std::min(word.size() + 1, rest_.size()));
+    return word;
+  }
+  template <class Number>
+  Number number() {
+    return number_in<Number>(word()).value_or(0);
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+/// The rows that are neither empty nor comments.
+std::vector<std::string_view> rows_of(std::string_view text) {
+  std::vector<std::string_view> rows;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    if (end > 0 && text.front() != '#') rows.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  return rows;
+}
+
+std::int32_t number_of_model(std::string_view name) {
+  const auto* const model =
+      std::find_if(models.begin(), models.end(), [&](const Model& m) { return m.name == name; });
+  return static_cast<std::int32_t>(model - models.begin());
+}
+
+/// How many rows there are, and what `add` makes of the words of each.
+template <class Add>
+std::string binary_rows(const std::string& text, const Add& add) {
+  const std::vector<std::string_view> rows = rows_of(text);
+  Bytes bytes;
+  bytes.add(static_cast<std::uint64_t>(rows.size()));
+  for (const std::string_view row : rows) {
+    Words words(row);
+    add(words, bytes);
+  }
+  return bytes.take();
+}
+
+}  // namespace
+
+std::string binary_colmap_cameras(const std::string& text) {
+  return binary_rows(text, [](Words& words, Bytes& bytes) {
+    bytes.add(words.number<std::int32_t>());
+    bytes.add(number_of_model(words.word()));
+    for (int side = 0; side < 2; ++side) bytes.add(words.number<std::uint64_t>());
+    while (words.has_more()) bytes.add(words.number<double>());
+  });
+}
+
+std::string binary_colmap_images(const std::string& text) {
+  return binary_rows(text, [](Words& words, Bytes& bytes) {
+    bytes.add(words.number<std::uint32_t>());
+    for (int i = 0; i < 7; ++i) bytes.add(words.number<double>());
+    bytes.add(words.number<std::uint32_t>());
+    bytes.add(words.rest());
+    bytes.add('\0');
+    bytes.add(std::uint64_t{0});  // points
+  });
+}
+
+CameraList read_colmap_binary(const Source& cameras, const Source& images) {
+  const std::string camera_lines = cameras_text(cameras);
+  const std::string image_lines = images_text(images);
+  return read_colmap({camera_lines, cameras.name + " as text"},
+                     {image_lines, images.name + " as text"});
+}
+
+}  // namespace transformesh

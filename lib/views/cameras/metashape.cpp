@@ -1,0 +1,131 @@
+#include <Eigen/LU>
+#include <map>
+
+#include "views/cameras/camera_formats.h"
+#include "views/cameras/xml_text.h"
+
+namespace transformesh {
+namespace {
+
+/// What a sensor of the file says of all its cameras.
+struct Sensor {
+  Eigen::Matrix3d intrinsics = Eigen::Matrix3d::Identity();
+  LensDistortion distortion;
+  int width = 0;
+  int height = 0;
+  bool is_calibrated = false;
+};
+
+double number(const XmlElement& calibration, const char* name, const Source& source) {
+  const auto element = xml_element(calibration.text, name);
+  if (!element) return 0;
+  const auto numbers = xml_numbers(element->text, name, source);
+  if (numbers.size() != 1) source.fail(std::string(name) + " of a sensor is not one number");
+  return numbers.front();
+}
+
+int side(const XmlElement& resolution, const char* name, const Source& source) {
+  const auto text = xml_attribute(resolution, name);
+  const auto numbers = xml_numbers(text.value_or(""), name, source);
+  if (numbers.size() != 1 || !(numbers[0] >= 1 && numbers[0] <= 1e9))
+    source.fail("the resolution of a sensor has no " + std::string(name));
+  return static_cast<int>(numbers[0]);
+}
+
+/// What was found, where the file has also what was there before.
+std::optional<XmlElement> calibration_of(const XmlElement& sensor) {
+  std::optional<XmlElement> found;
+  for (const XmlElement& calibration : xml_elements(sensor.text, "calibration"))
+    if (!found || xml_attribute(calibration, "class") == "adjusted") found = calibration;
+  return found;
+}
+
+/// The model of frame cameras in Metashape's manual, whose p1 and p2 are OpenCV's p2 and p1. The
+/// principal point is counted from the image's center.
+Sensor read_sensor(const XmlElement& element, const Source& source) {
+  Sensor sensor;
+  const auto calibration = calibration_of(element);
+  if (!calibration) return sensor;
+  if (const auto type = xml_attribute(*calibration, "type"); type && *type != "frame")
+    source.fail("a sensor is of the type " + quoted(*type) +
+                ": undistort the photographs of cameras that are no frame cameras");
+  auto resolution = xml_element(calibration->text, "resolution");
+  if (!resolution) resolution = xml_element(element.text, "resolution");
+  if (!resolution) source.fail("a sensor has no resolution");
+  sensor.width = side(*resolution, "width", source);
+  sensor.height = side(*resolution, "height", source);
+  const auto get = [&](const char* name) { return number(*calibration, name, source); };
+  const double f = get("f");
+  sensor.intrinsics << f + get("b1"), get("b2"), (sensor.width - 1) / 2.0 + get("cx"),  //
+      0, f, (sensor.height - 1) / 2.0 + get("cy"), 0, 0, 1;
+  const std::string problem = intrinsics_problem(sensor.intrinsics, "a sensor");
+  if (!problem.empty()) source.fail(problem);
+  sensor.distortion.radial = {get("k1"), get("k2"), get("k3"), 0, 0, 0};
+  sensor.distortion.tangential = {get("p2"), get("p1")};
+  for (const char* name : {"k4", "p3", "p4"})
+    if (get(name) != 0)
+      source.fail(std::string(name) + " of a sensor is not taken out here: undistort the images");
+  sensor.is_calibrated = true;
+  return sensor;
+}
+
+/// The matrix of a camera leads from it to the chunk.
+PinholeCamera pose_of(const std::vector<double>& numbers, const std::string& who,
+                      const Source& source) {
+  if (numbers.size() != 16) source.fail("the transform of " + who + " has no 16 numbers");
+  PinholeCamera pose;
+  Vec3 center;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) pose.rotation(j, i) = numbers[static_cast<std::size_t>(4 * i + j)];
+    center[i] = numbers[static_cast<std::size_t>(4 * i + 3)];
+  }
+  const Eigen::Matrix3d product = pose.rotation * pose.rotation.transpose();
+  if (!product.isApprox(Eigen::Matrix3d::Identity(), 1e-3) || pose.rotation.determinant() < 0)
+    source.fail("the transform of " + who + " has no rotation");
+  pose.translation = -pose.rotation * center;
+  const std::string problem = translation_problem(pose.translation, who);
+  if (!problem.empty()) source.fail(problem);
+  return pose;
+}
+
+CameraRecord read_camera(const XmlElement& element, const XmlElement& transform,
+                         const std::map<std::string, Sensor>& sensors, const Source& source) {
+  CameraRecord record;
+  record.name = xml_attribute(element, "label").value_or("");
+  record.place = source.name;
+  const std::string who = "camera " + quoted(record.name);
+  const auto sensor = sensors.find(xml_attribute(element, "sensor_id").value_or(""));
+  if (sensor == sensors.end()) source.fail("there is no sensor of " + who);
+  if (!sensor->second.is_calibrated) source.fail("the sensor of " + who + " has no calibration");
+  const auto numbers = xml_numbers(transform.text, "the transform of " + who, source);
+  record.camera = pose_of(numbers, who, source);
+  record.camera.intrinsics = sensor->second.intrinsics;
+  record.distortion = sensor->second.distortion;
+  record.width = sensor->second.width;
+  record.height = sensor->second.height;
+  return record;
+}
+
+}  // namespace
+
+CameraList read_metashape(const Source& source) {
+  const std::string text = without_xml_comments(source.bytes);
+  const auto chunks = xml_elements(text, "chunk");
+  if (chunks.size() != 1)
+    source.fail(chunks.empty() ? "Metashape's file ends within its chunk"
+                               : "Metashape's file has several chunks: export one alone");
+  std::map<std::string, Sensor> sensors;
+  for (const XmlElement& element : xml_elements(chunks[0].text, "sensor"))
+    sensors[xml_attribute(element, "id").value_or("")] = read_sensor(element, source);
+  CameraList list;
+  list.names_images = true;
+  for (const XmlElement& element : xml_elements(chunks[0].text, "camera")) {
+    // Cameras that could not be aligned have no place.
+    if (const auto transform = xml_element(element.text, "transform"))
+      list.cameras.push_back(read_camera(element, *transform, sensors, source));
+  }
+  if (list.cameras.empty()) source.fail("no camera of Metashape's file is aligned");
+  return list;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,261 @@
+#include "views/hull/hull.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "mesh/components.h"
+#include "support/error.h"
+#include "support/parallel.h"
+#include "views/hull/contour_distance.h"
+#include "views/hull/marching_tetrahedra.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double most_nodes = 1 << 28;
+/// Side of the blocks of nodes that a single look at the silhouettes may carve or keep.
+constexpr std::size_t block_nodes = 8;
+/// By how much an interpolated distance between pixels may be off.
+constexpr double distance_slack_px = 1;
+
+/// Reads at points in space how far they are from the contour of a silhouette.
+struct Carver {
+  Projection projection;
+  double focal_length = 1;
+  HeldImage distances;
+
+  struct Reading {
+    double distance_px = 0;
+    double depth = 0;
+    bool is_known = false;
+  };
+
+  Reading read(const Vec3& point) const {
+    const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
+    if (!(q.z() > 0)) return {};
+    const float distance = distance_at(distances, q.x() / q.z(), q.y() / q.z());
+    return {distance, q.z(), !std::isnan(distance)};
+  }
+};
+
+std::vector<Carver> make_carvers(std::span<const View> views) {
+  std::vector<const View*> usable;
+  for (const View& view : views)
+    if (!view.silhouette.empty()) usable.push_back(&view);
+  if (usable.empty()) throw InputError("no view has a silhouette");
+  std::vector<Carver> carvers(usable.size());
+  parallel_for(usable.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const PinholeCamera& camera = usable[i]->camera;
+      carvers[i] = {camera.projection(), camera.focal_length(),
+                    signed_distance(usable[i]->silhouette)};
+      if (usable[i]->silhouette.is_packed()) carvers[i].distances.pack(HeldImage::Kind::distances);
+    }
+  });
+  return carvers;
+}
+
+double field(const std::vector<Carver>& carvers, const Vec3& point) {
+  double value = -std::numeric_limits<double>::infinity();
+  for (const Carver& carver : carvers) {
+    const Carver::Reading reading = carver.read(point);
+    if (reading.is_known)
+      value = std::max(value, reading.distance_px * reading.depth / carver.focal_length);
+  }
+  return value;
+}
+
+enum class Verdict { carved, kept, open };
+
+/// The rectangle around the image of a box.
+struct Footprint {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  bool is_before_camera = true;
+
+  Footprint(const Projection& projection, const Box& box) {
+    for (int corner = 0; corner < 8; ++corner) {
+      Vec3 point;
+      for (int axis = 0; axis < 3; ++axis)
+        point[axis] = (corner >> axis & 1) != 0 ? box.maximum[axis] : box.minimum[axis];
+      const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
+      is_before_camera = is_before_camera && q.z() > 0;
+      low = low.cwiseMin(q.hnormalized());
+      high = high.cwiseMax(q.hnormalized());
+    }
+  }
+
+  double reach() const { return (high - low).norm() / 2; }
+  bool is_in(const HeldImage& image) const {
+    return low.minCoeff() >= -0.5 && high.x() <= image.width - 0.5 &&
+           high.y() <= image.height - 0.5;
+  }
+  bool is_beside(const HeldImage& image) const {
+    return high.x() < -0.5 || high.y() < -0.5 || low.x() > image.width - 0.5 ||
+           low.y() > image.height - 0.5;
+  }
+};
+
+/// What one view says of all points of a box. From pixel to pixel a distance changes by at most
+/// one, so that the distance in the middle bounds all others.
+Verdict verdict_of(const Carver& carver, const Box& box) {
+  const Footprint footprint(carver.projection, box);
+  if (!footprint.is_before_camera) return Verdict::open;
+  if (footprint.is_beside(carver.distances)) return Verdict::kept;
+  const Eigen::Vector2d middle = (footprint.low + footprint.high) / 2;
+  const float distance = distance_at(carver.distances, middle.x(), middle.y());
+  const double margin = footprint.reach() + distance_slack_px;
+  if (distance < -margin) return Verdict::kept;
+  if (distance > margin && footprint.is_in(carver.distances)) return Verdict::carved;
+  return Verdict::open;
+}
+
+Verdict verdict_of(const std::vector<Carver>& carvers, const Box& box) {
+  Verdict verdict = Verdict::kept;
+  for (const Carver& carver : carvers) {
+    const Verdict single = verdict_of(carver, box);
+    if (single == Verdict::carved) return Verdict::carved;
+    if (single == Verdict::open) verdict = Verdict::open;
+  }
+  return verdict;
+}
+
+/// Measures the field at the nodes of a grid, block by block.
+class Sampler {
+ public:
+  Sampler(const std::vector<Carver>& carvers, ValueGrid& grid)
+      : carvers_(carvers), grid_(grid), far_(static_cast<float>(4 * grid.spacing)) {
+    for (int axis = 0; axis < 3; ++axis)
+      blocks_[axis] = (grid.nodes[axis] + block_nodes - 1) / block_nodes;
+  }
+
+  void run(const Progress& progress) {
+    grid_.values.assign(grid_.nodes[0] * grid_.nodes[1] * grid_.nodes[2], far_);
+    for (std::size_t z = 0; z < blocks_[2]; ++z) {
+      progress("carve", static_cast<double>(z) / static_cast<double>(blocks_[2]));
+      parallel_for(blocks_[0] * blocks_[1], 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) fill({i % blocks_[0], i / blocks_[0], z});
+      });
+    }
+  }
+
+ private:
+  using Site = std::array<std::size_t, 3>;
+
+  Vec3 place(const Site& site) const { return grid_.position(site[0], site[1], site[2]); }
+
+  void fill(const Site& block) {
+    Site low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = block[axis] * block_nodes;
+      high[axis] = std::min(low[axis] + block_nodes, grid_.nodes[axis]);
+    }
+    // The box is one cell wider than the block, so that no edge that leaves a carved or kept block
+    // crosses the surface.
+    const Vec3 cell = Vec3::Constant(grid_.spacing);
+    const Verdict verdict = verdict_of(carvers_, Box{place(low) - cell, place(high)});
+    if (verdict == Verdict::carved) return;  // nodes are outside from the start
+    for (std::size_t z = low[2]; z < high[2]; ++z)
+      for (std::size_t y = low[1]; y < high[1]; ++y)
+        for (std::size_t x = low[0]; x < high[0]; ++x) measure({x, y, z}, verdict);
+  }
+
+  void measure(const Site& site, Verdict verdict) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (site[axis] == 0 || site[axis] + 1 == grid_.nodes[axis]) return;
+    float value = -far_;
+    if (verdict == Verdict::open)
+      value = static_cast<float>(std::clamp<double>(field(carvers_, place(site)), -far_, far_));
+    grid_.values[grid_.index(site[0], site[1], site[2])] = value;
+  }
+
+  const std::vector<Carver>& carvers_;
+  ValueGrid& grid_;
+  float far_;  ///< values are cut off at this distance, beyond which only their sign counts
+  Site blocks_{};
+};
+
+void check(const HullOptions& options) {
+  if (options.resolution < 4 || options.resolution > 4096)
+    throw UsageError("the resolution of a hull must be between 4 and 4096");
+  if (options.edge && !(*options.edge > 0)) throw UsageError("the cells of a hull need a size > 0");
+  if (!(options.keep >= 0 && options.keep <= 1))
+    throw UsageError("the share of components to keep must be between 0 and 1");
+  if (options.box && !((options.box->maximum - options.box->minimum).minCoeff() > 0))
+    throw UsageError("the box of a hull must have its smaller corner first");
+}
+
+/// The box lies within the outermost nodes, which are always outside.
+ValueGrid make_grid(const Box& box, const HullOptions& options) {
+  const Vec3 size = box.maximum - box.minimum;
+  ValueGrid grid;
+  grid.spacing = options.edge.value_or(size.maxCoeff() / options.resolution);
+  double count = 1;
+  for (int axis = 0; axis < 3; ++axis) count *= std::ceil(size[axis] / grid.spacing) + 3;
+  if (!(count <= most_nodes))
+    throw UsageError("the cells of the hull are too small for a box of this size: " +
+                     std::to_string(count / most_nodes) + " times more than the largest number");
+  for (int axis = 0; axis < 3; ++axis) {
+    const double cells = std::ceil(size[axis] / grid.spacing) + 2;
+    grid.nodes[axis] = static_cast<std::size_t>(cells) + 1;
+    grid.origin[axis] = (box.minimum[axis] + box.maximum[axis]) / 2 - cells * grid.spacing / 2;
+  }
+  return grid;
+}
+
+struct Measured {
+  ValueGrid grid;
+  Box box;
+};
+
+Measured measured(std::span<const View> views, const HullOptions& options,
+                  const Progress& progress) {
+  check(options);
+  progress("contours");
+  const std::vector<Carver> carvers = make_carvers(views);
+  const Box box = options.box ? *options.box : silhouette_box(views);
+  Measured measured{make_grid(box, options), box};
+  Sampler(carvers, measured.grid).run(progress);
+  return measured;
+}
+
+}  // namespace
+
+std::size_t drop_components(Mesh& mesh, double keep) {
+  const Components parts = connected_components(mesh);
+  double largest = 0;
+  for (const Component& part : parts.components) largest = std::max(largest, part.volume);
+  std::size_t kept = 0;
+  std::vector<bool> keeps_part;
+  for (const Component& part : parts.components) {
+    keeps_part.push_back(part.volume > 0 && part.volume >= keep * largest);
+    kept += keeps_part.back() ? 1 : 0;
+  }
+  std::vector<bool> keeps_face;
+  for (const Index part : parts.of_face) keeps_face.push_back(keeps_part[part]);
+  mesh = select_faces(mesh, keeps_face);
+  return parts.components.size() - kept;
+}
+
+ValueGrid hull_values(std::span<const View> views, const HullOptions& options,
+                      const Progress& progress) {
+  return measured(views, options, progress).grid;
+}
+
+HullResult visual_hull(std::span<const View> views, const HullOptions& options,
+                       const Progress& progress) {
+  const Measured field = measured(views, options, progress);
+  progress("march");
+  HullResult result{march_tetrahedra(field.grid), field.box, field.grid.spacing};
+  if (result.mesh.faces.empty())
+    throw InputError(
+        "nothing is inside all silhouettes: look at the cameras, or use smaller cells");
+  result.dropped_components = drop_components(result.mesh, options.keep);
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,54 @@
+#include "views/hull/keep_in_box.h"
+
+#include <algorithm>
+
+#include "shapes/boxes.h"
+#include "support/error.h"
+#include "support/parallel.h"
+#include "views/hull/silhouette.h"
+
+namespace transformesh {
+namespace {
+
+/// Whether the pixel or one of those around it is inside.
+bool is_near(const GrayImage& silhouette, int x, int y) {
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, silhouette.height - 1); ++j)
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, silhouette.width - 1); ++i)
+      if (silhouette.at(i, j) > 0) return true;
+  return false;
+}
+
+/// Beside the silhouette of the box.
+void blacken(HeldImage& held, const GrayImage& box) {
+  if (held.empty()) return;
+  const bool is_packed = held.is_packed();
+  GrayImage image = held;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (!is_near(box, x, y)) image.at(x, y) = 0;
+  held = std::move(image);
+  if (is_packed) held.pack();
+}
+
+}  // namespace
+
+void keep_in_box(std::vector<View>& views, const Box& box) {
+  const Vec3 size = box.maximum - box.minimum;
+  if (!(size.allFinite() && size.minCoeff() > 0))
+    throw UsageError("the box has no inside: its second corner is to be above the first");
+  Mesh surface = shapes::box(size, 12);
+  for (Vec3& position : surface.positions) position += (box.minimum + box.maximum) / 2;
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const GrayImage shown = mesh_silhouette(surface, views[i]);
+      if (inside_share(shown) == 0)
+        throw InputError(
+            views[i].name +
+            ": nothing of the box is in this view; are its units those of the cameras?");
+      blacken(views[i].image, shown);
+      blacken(views[i].silhouette, shown);
+    }
+  });
+}
+
+}  // namespace transformesh

@@ -1,0 +1,160 @@
+#include "views/hull/silhouette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+#include "support/error.h"
+#include "views/hull/contour_distance.h"
+
+namespace transformesh {
+namespace {
+
+bool is_inside(float level) { return level > contour_level; }
+
+/// The silhouette whose contour is `offset` pixels outside of the one with these distances.
+GrayImage offset_silhouette(GrayImage distances, float offset) {
+  for (float& pixel : distances.pixels)
+    pixel = std::clamp(contour_level * (1 + offset - pixel), 0.0F, 255.0F);
+  return distances;
+}
+
+/// Dilates by a disc and erodes by it again. The border of the image is no contour, so that nothing
+/// is eroded from there.
+GrayImage closed(const GrayImage& silhouette, float radius) {
+  // Only distances near the radius count; four pixels more carry them past their neighbors.
+  const float limit = radius + 4;
+  const GrayImage wide = offset_silhouette(signed_distance(silhouette, limit), radius);
+  GrayImage narrow = offset_silhouette(signed_distance(wide, limit), -radius);
+  // Where nothing was closed the contour stays exactly where it was.
+  for (std::size_t i = 0; i < narrow.pixels.size(); ++i)
+    narrow.pixels[i] = std::max(narrow.pixels[i], silhouette.pixels[i]);
+  return narrow;
+}
+
+/// How many pixels have each level.
+using Histogram = std::array<std::size_t, 256>;
+
+/// The last dark level: where the variance between dark and bright levels, Otsu's equation 14, is
+/// largest. Shares that a float could not tell from none do not divide anything.
+std::ptrdiff_t otsu_level(const Histogram& counts) {
+  const double scale = 1 / std::accumulate(counts.begin(), counts.end(), 0.0);
+  double mean = 0;
+  for (std::size_t level = 0; level < counts.size(); ++level)
+    mean += static_cast<double>(level) * static_cast<double>(counts[level]);
+  mean *= scale;
+
+  std::ptrdiff_t best = 0;
+  double largest = 0;
+  double dark_share = 0;
+  double dark_mean = 0;
+  for (std::size_t level = 0; level < counts.size(); ++level) {
+    const double share = static_cast<double>(counts[level]) * scale;
+    dark_mean *= dark_share;
+    dark_share += share;
+    const double bright_share = 1 - dark_share;
+    if (std::min(dark_share, bright_share) < std::numeric_limits<float>::epsilon()) continue;
+    dark_mean = (dark_mean + static_cast<double>(level) * share) / dark_share;
+    const double bright_mean = (mean - dark_share * dark_mean) / bright_share;
+    const double apart = dark_mean - bright_mean;
+    const double variance = dark_share * bright_share * apart * apart;
+    if (variance <= largest) continue;
+    largest = variance;
+    best = static_cast<std::ptrdiff_t>(level);
+  }
+  return best;
+}
+
+}  // namespace
+
+double dividing_level(std::span<const GrayImage> images) {
+  Histogram counts{};
+  for (const GrayImage& image : images)
+    for (const float level : image.pixels)
+      ++counts[static_cast<std::size_t>(std::clamp(std::lround(level), 0L, 255L))];
+  const auto is_used = [](std::size_t count) { return count > 0; };
+  if (std::none_of(counts.begin(), counts.end(), is_used)) return contour_level;
+
+  // Otsu's level may be any of those without a pixel that follow the brightest dark one.
+  // NOLINTBEGIN(readability-qualified-auto): an iterator of an array is a pointer here only
+  const auto first_bright = counts.begin() + otsu_level(counts) + 1;
+  const auto bright = std::find_if(first_bright, counts.end(), is_used);
+  // NOLINTEND(readability-qualified-auto)
+  const auto dark = std::find_if(std::make_reverse_iterator(first_bright), counts.rend(), is_used);
+  const auto brightest_dark = std::max<std::ptrdiff_t>(dark.base() - counts.begin() - 1, 0);
+  const auto darkest_bright = std::min<std::ptrdiff_t>(bright - counts.begin(), 255);
+  return std::clamp(static_cast<double>(brightest_dark + darkest_bright) / 2, 0.5, 254.5);
+}
+
+GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options) {
+  if (options.level && !(*options.level > 0 && *options.level < 255))
+    throw UsageError("the level of a silhouette must be between 0 and 255");
+  if (!(options.close >= 0 && options.close <= 1))
+    throw UsageError("what is closed in a silhouette must be between 0 and 1 of the image");
+  if (!(options.blur >= 0)) throw UsageError("the blur of a silhouette must not be negative");
+  GrayImage silhouette = image;
+  if (image.empty()) return silhouette;
+
+  if (options.blur > 0) silhouette = gaussian_blur(image, options.blur);
+  // The levels become as steep as the range allows without a cut between dark and bright, which
+  // keeps the place of the contour between two pixels.
+  const auto level =
+      static_cast<float>(options.level ? *options.level : dividing_level({&silhouette, 1}));
+  const float slope = contour_level / std::min(level, 255 - level);
+  for (float& pixel : silhouette.pixels)
+    pixel = std::clamp(contour_level + slope * (pixel - level), 0.0F, 255.0F);
+  const auto radius = static_cast<float>(options.close * std::max(image.width, image.height));
+  return radius > 0 ? closed(silhouette, radius) : silhouette;
+}
+
+GrayImage two_levels(const GrayImage& silhouette) {
+  GrayImage mask = silhouette;
+  for (float& pixel : mask.pixels) pixel = is_inside(pixel) ? 255.0F : 0.0F;
+  return mask;
+}
+
+double inside_share(const GrayImage& silhouette) {
+  const auto inside = std::count_if(silhouette.pixels.begin(), silhouette.pixels.end(), is_inside);
+  return silhouette.empty()
+             ? 0.0
+             : static_cast<double>(inside) / static_cast<double>(silhouette.pixels.size());
+}
+
+double silhouette_agreement(const GrayImage& first, const GrayImage& second) {
+  if (first.width != second.width || first.height != second.height)
+    throw UsageError("silhouettes of different sizes cannot be compared");
+  std::size_t both = 0;
+  std::size_t any = 0;
+  for (std::size_t i = 0; i < first.pixels.size(); ++i) {
+    const bool is_in_first = is_inside(first.pixels[i]);
+    const bool is_in_second = is_inside(second.pixels[i]);
+    both += is_in_first && is_in_second ? 1 : 0;
+    any += is_in_first || is_in_second ? 1 : 0;
+  }
+  return any == 0 ? 1.0 : static_cast<double>(both) / static_cast<double>(any);
+}
+
+GrayImage mesh_silhouette(const Mesh& mesh, const Camera& camera) {
+  const FaceBuffer faces = rasterize(mesh, camera);
+  GrayImage silhouette(camera.width, camera.height);
+  for (std::size_t i = 0; i < faces.pixels.size(); ++i)
+    silhouette.pixels[i] = faces.pixels[i].face == no_index ? 0.0F : 255.0F;
+  return silhouette;
+}
+
+GrayImage mesh_silhouette(const Mesh& mesh, const View& view) {
+  const HeldImage& image = view.image.empty() ? view.silhouette : view.image;
+  return mesh_silhouette(mesh, {view.camera.projection(), image.width, image.height});
+}
+
+std::vector<double> silhouette_agreements(const Mesh& mesh, std::span<const View> views) {
+  std::vector<double> agreements;
+  for (const View& view : views)
+    agreements.push_back(silhouette_agreement(mesh_silhouette(mesh, view), view.silhouette));
+  return agreements;
+}
+
+}  // namespace transformesh

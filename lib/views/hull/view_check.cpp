@@ -1,0 +1,412 @@
+#include "views/hull/view_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "io/streams/source.h"
+#include "support/counted.h"
+#include "support/error.h"
+#include "support/parallel.h"
+#include "views/hull/contour_distance.h"
+#include "views/hull/hull.h"
+#include "views/hull/silhouette.h"
+
+namespace transformesh {
+namespace {
+
+/// How large the object in pictures, and hulls, are that decide.
+struct Fineness {
+  int side_px = 160;
+  int cells = 64;
+};
+constexpr Fineness coarse;
+constexpr Fineness fine{320, 128};
+constexpr std::size_t least_views = 3;
+/// Points along each side of the box in which views vote.
+constexpr int vote_points = 48;
+
+/// The mean over blocks of pixels, which the smaller camera stays aligned with.
+GrayImage block_means(const GrayImage& image, int side) {
+  GrayImage means(image.width / side, image.height / side);
+  for (int y = 0; y < means.height; ++y) {
+    for (int x = 0; x < means.width; ++x) {
+      float sum = 0;
+      for (int row = y * side; row < (y + 1) * side; ++row)
+        sum = std::accumulate(image.row(row) + x * side, image.row(row) + (x + 1) * side, sum);
+      means.at(x, y) = sum / static_cast<float>(side * side);
+    }
+  }
+  return means;
+}
+
+/// The larger side of the rectangle around what is inside.
+int extent(const GrayImage& silhouette) {
+  int left = silhouette.width, right = -1, top = silhouette.height, bottom = -1;
+  for (int y = 0; y < silhouette.height; ++y) {
+    for (int x = 0; x < silhouette.width; ++x) {
+      if (silhouette.at(x, y) <= contour_level) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = y;
+    }
+  }
+  return std::max({right - left, bottom - top, 0}) + 1;
+}
+
+/// The silhouettes alone, made smaller.
+std::vector<View> shrunk(std::span<const View> views, int side_px) {
+  std::vector<View> result(views.size());
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const GrayImage& silhouette = views[i].silhouette;
+      const int smaller = std::min(silhouette.width, silhouette.height);
+      const int side = std::clamp((extent(silhouette) + side_px - 1) / side_px, 1, smaller);
+      result[i] = {views[i].name, views[i].camera.shrunk(side), {}, block_means(silhouette, side)};
+    }
+  });
+  return result;
+}
+
+/// What the hull of some views says of each of them.
+struct Agreement {
+  std::vector<double> of_view;
+  bool has_hull = false;  ///< else agreements are 0
+
+  double least() const { return *std::min_element(of_view.begin(), of_view.end()); }
+  double sum() const { return std::accumulate(of_view.begin(), of_view.end(), 0.0); }
+  std::size_t worst() const {
+    return static_cast<std::size_t>(std::min_element(of_view.begin(), of_view.end()) -
+                                    of_view.begin());
+  }
+};
+
+Agreement agreement_of(const std::vector<View>& views, const Fineness& fineness) {
+  try {
+    const Mesh hull = visual_hull(views, {.resolution = fineness.cells, .keep = 0}).mesh;
+    return {silhouette_agreements(hull, views), true};
+  } catch (const InputError&) {
+    return {std::vector<double>(views.size(), 0), false};
+  }
+}
+
+void invert(HeldImage& silhouette) {
+  GrayImage image = silhouette;
+  for (float& pixel : image.pixels) pixel = 255 - pixel;
+  silhouette = std::move(image);
+}
+
+bool is_border_inside(const GrayImage& silhouette) {
+  std::size_t inside = 0;
+  std::size_t count = 0;
+  for (int y = 0; y < silhouette.height; ++y) {
+    const bool is_outer_row = y == 0 || y == silhouette.height - 1;
+    const int step = is_outer_row ? 1 : std::max(1, silhouette.width - 1);
+    for (int x = 0; x < silhouette.width; x += step, ++count)
+      inside += silhouette.at(x, y) > contour_level ? 1 : 0;
+  }
+  return 2 * inside > count;
+}
+
+/// Where the cameras look, about as large as they see it.
+Box viewed_box(const std::vector<View>& views) {
+  const Vec3 center = viewed_point(cameras_of(views));
+  std::vector<double> reaches;
+  for (const View& view : views) {
+    const HeldImage& image = view.silhouette;
+    reaches.push_back((view.camera.center() - center).norm() *
+                      Eigen::Vector2d(image.width, image.height).norm() / 2 /
+                      view.camera.focal_length());
+  }
+  std::nth_element(reaches.begin(),
+                   reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2),
+                   reaches.end());
+  const Vec3 reach = Vec3::Constant(reaches[reaches.size() / 2]);
+  return {center - reach, center + reach};
+}
+
+enum class Sight { nothing, object, background };
+
+Sight seen_at(const View& view, const Projection& projection, const Vec3& point) {
+  const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
+  if (!(q.z() > 0)) return Sight::nothing;
+  const HeldImage& mask = view.silhouette;
+  const double x = std::floor(q.x() / q.z() + 0.5);
+  const double y = std::floor(q.y() / q.z() + 0.5);
+  if (!(x >= 0 && y >= 0 && x < mask.width && y < mask.height)) return Sight::nothing;
+  const bool is_inside = mask.at(static_cast<int>(x), static_cast<int>(y)) > contour_level;
+  return is_inside ? Sight::object : Sight::background;
+}
+
+/// How often each view, alone or with a few, carves what most take for the object.
+std::vector<double> suspicions(const std::vector<View>& views) {
+  const Box box = viewed_box(views);
+  std::vector<Projection> projections;
+  for (const View& view : views) projections.push_back(view.camera.projection());
+  std::vector<double> suspicion(views.size(), 0);
+  std::vector<std::size_t> carvers;
+  for (int i = 0; i < vote_points * vote_points * vote_points; ++i) {
+    const Eigen::Array3d place(i % vote_points, i / vote_points % vote_points,
+                               i / vote_points / vote_points);
+    const Vec3 share = (place + 0.5) / vote_points;
+    const Vec3 point = box.minimum + share.cwiseProduct(box.maximum - box.minimum);
+    carvers.clear();
+    std::size_t others = 0;
+    for (std::size_t v = 0; v < views.size() && 3 * carvers.size() <= views.size(); ++v) {
+      const Sight sight = seen_at(views[v], projections[v], point);
+      if (sight == Sight::background) carvers.push_back(v);
+      if (sight == Sight::object) ++others;
+    }
+    if (2 * others <= views.size()) continue;
+    for (const std::size_t v : carvers)
+      suspicion[v] += 1 / static_cast<double>(carvers.size() * carvers.size());
+  }
+  return suspicion;
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100 * share)) + "%"; }
+
+/// "'a'", "'a' and 'b'", "'a', 'b' and 2 further views".
+std::string names_of(const std::vector<std::string>& names) {
+  std::string text = quoted(names.front());
+  if (names.size() == 2) return text + " and " + quoted(names[1]);
+  if (names.size() > 2) {
+    text += ", " + quoted(names[1]) + " and " +
+            (names.size() == 3 ? quoted(names[2]) : counted(names.size() - 2, "further view"));
+  }
+  return text;
+}
+
+/// Looks for what explains that views disagree.
+class Diagnosis {
+ public:
+  Diagnosis(std::vector<View> views, Agreement agreement, const ViewCheckOptions& options,
+            const Progress& progress)
+      : views_(std::move(views)),
+        agreement_(std::move(agreement)),
+        options_(options),
+        progress_(progress) {}
+
+  /// The views that are to be left out; none where there is no hull and no explanation. Throws
+  /// InputError where there is another explanation, or where they are to stay.
+  std::vector<std::size_t> run() {
+    try_cameras();
+    try_inverted();
+    try_shifts();
+    find_bad();
+    if (options_.drops_bad_views && !bad_.empty()) return bad_;
+    // Whoever makes the hull says why there is none: it may only lack a box.
+    if (bad_.empty() && !agreement_.has_hull) return {};
+    try_exchanges();
+    fail_for_bad();
+  }
+  /// The agreement of those with the hull of the others.
+  const std::vector<double>& agreement_with_others() const { return agreement_of_bad_; }
+
+  /// Throws InputError where masks whose border is inside agree better inverted.
+  void try_inverted() const;
+
+ private:
+  void try_cameras() const;
+  void try_shifts() const;
+  void try_exchanges() const;
+  void find_bad();
+  void keep_only_bad();
+  [[noreturn]] void fail_for_bad() const;
+
+  Agreement agreement(const std::vector<View>& views) const {
+    progress_("check views");
+    return agreement_of(views, coarse);
+  }
+  bool agree(const Agreement& found) const { return found.least() >= options_.least_agreement; }
+  bool agree(const std::vector<View>& views) const { return agree(agreement(views)); }
+  std::vector<View> rest() const;  ///< without those that are bad
+
+  std::vector<View> views_;
+  Agreement agreement_;
+  const ViewCheckOptions& options_;
+  const Progress& progress_;
+  std::vector<std::size_t> bad_;
+  std::vector<double> agreement_of_bad_;
+};
+
+void Diagnosis::try_cameras() const {
+  std::vector<View> views = views_;
+  for (View& view : views) view.camera = view.camera.mirrored();
+  if (agree(views)) {
+    throw InputError(
+        "the scene lies behind every camera, as where the world of the cameras is left-handed: "
+        "--mirror takes its mirror image, z for -z");
+  }
+  views = views_;
+  for (View& view : views) {
+    view.camera.rotation.bottomRows<2>() *= -1;
+    view.camera.translation.tail<2>() *= -1;
+  }
+  if (agree(views)) {
+    throw InputError(
+        "the cameras look away from the scene, as those of OpenGL do, which look along -z with y "
+        "up: negate the second and the third row of each rotation and translation");
+  }
+}
+
+void Diagnosis::try_inverted() const {
+  std::vector<View> views = views_;
+  std::vector<std::string> names;
+  for (View& view : views) {
+    if (!is_border_inside(view.silhouette)) continue;
+    invert(view.silhouette);
+    names.push_back(view.name);
+  }
+  // Of all but a few a view may be left out.
+  const bool is_dropped = options_.drops_bad_views && 3 * names.size() <= views.size();
+  if (names.empty() || is_dropped || !agree(views)) return;
+  const bool are_all = names.size() == views.size();
+  throw InputError((are_all
+                        ? "all masks look inverted"
+                        : (names.size() == 1 ? "the mask of " : "the masks of ") + names_of(names) +
+                              (names.size() == 1 ? " looks inverted" : " look inverted")) +
+                   ": they are not black where the object is not; with black and white exchanged "
+                   "all views agree");
+}
+
+// The silhouette that falls off the end is left out: it may be that of no camera.
+void Diagnosis::try_shifts() const {
+  if (views_.size() <= least_views) return;
+  for (const std::size_t forward : {1U, 0U}) {
+    std::vector<View> views(views_.begin(), views_.end() - 1);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      views[i].silhouette = views_[i + 1 - forward].silhouette;
+      views[i].camera = views_[i + forward].camera;
+    }
+    if (!agree(views)) continue;
+    const std::size_t first = 1 - forward;
+    throw InputError("all silhouettes look shifted by one against the cameras: that of " +
+                     quoted(views_[first].name) + " fits the camera of " +
+                     quoted(views_[forward].name) +
+                     ", and so on; is one numbered from 0 and the other from 1?");
+  }
+}
+
+std::vector<View> Diagnosis::rest() const {
+  std::vector<View> views;
+  for (std::size_t i = 0; i < views_.size(); ++i)
+    if (std::find(bad_.begin(), bad_.end(), i) == bad_.end()) views.push_back(views_[i]);
+  return views;
+}
+
+/// Leaves out the most suspicious views, as many as it takes; none where the rest never agrees.
+void Diagnosis::find_bad() {
+  if (views_.size() <= least_views) return;
+  const std::vector<double> suspicion = suspicions(views_);
+  std::vector<std::size_t> suspects(views_.size());
+  std::iota(suspects.begin(), suspects.end(), std::size_t{0});
+  std::stable_sort(suspects.begin(), suspects.end(),
+                   [&](std::size_t a, std::size_t b) { return suspicion[a] > suspicion[b]; });
+  const std::size_t most = std::min(views_.size() / 3, views_.size() - least_views);
+  for (const std::size_t suspect : suspects) {
+    if (bad_.size() == most) break;
+    bad_.push_back(suspect);
+    if (agree(rest())) return keep_only_bad();
+  }
+  bad_.clear();
+}
+
+/// Takes back those whose suspicion came from the company they were in.
+void Diagnosis::keep_only_bad() {
+  const std::vector<std::size_t> suspects = bad_;
+  for (const std::size_t suspect : suspects) {
+    if (bad_.size() == 1) break;
+    const std::vector<std::size_t> before = bad_;
+    std::erase(bad_, suspect);
+    if (!agree(rest())) bad_ = before;
+  }
+  std::sort(bad_.begin(), bad_.end());
+  const std::vector<View> good = rest();
+  for (const std::size_t i : bad_) {
+    std::vector<View> views = good;
+    views.push_back(views_[i]);
+    agreement_of_bad_.push_back(agreement(views).of_view.back());
+  }
+}
+
+void Diagnosis::try_exchanges() const {
+  for (const std::size_t i : bad_) {
+    for (std::size_t j = 0; j < views_.size(); ++j) {
+      if (i == j || bad_.size() > 2) continue;
+      const bool are_bad = std::find(bad_.begin(), bad_.end(), j) != bad_.end();
+      if (bad_.size() == 2 && !are_bad) continue;
+      std::vector<View> views = views_;
+      std::swap(views[i].camera, views[j].camera);
+      if (!agree(views)) continue;
+      throw InputError("the cameras of " + quoted(views_[std::min(i, j)].name) + " and " +
+                       quoted(views_[std::max(i, j)].name) +
+                       " look swapped: the other way round all views agree");
+    }
+  }
+}
+
+void Diagnosis::fail_for_bad() const {
+  if (bad_.empty()) {
+    throw InputError("cameras and silhouettes disagree: the hull covers " +
+                     percent(agreement_.least()) + " of the silhouette of " +
+                     quoted(views_[agreement_.worst()].name) +
+                     ", and it is not because of a few views: do they belong together? See "
+                     "--least-agreement");
+  }
+  std::vector<std::string> names;
+  for (const std::size_t i : bad_) names.push_back(views_[i].name);
+  throw InputError((names.size() == 1 ? "the view " : "the views ") + names_of(names) +
+                   (names.size() == 1 ? " disagrees" : " disagree") +
+                   " with the rest: with it, the hull covers " + percent(agreement_.least()) +
+                   " of the silhouette of " + quoted(views_[agreement_.worst()].name) +
+                   ", without all agree; look at camera and mask, or leave out what disagrees with "
+                   "--drop-bad-views");
+}
+
+void check(const ViewCheckOptions& options) {
+  if (!(options.least_agreement >= 0 && options.least_agreement <= 1))
+    throw UsageError("the least agreement of views must be between 0 and 1");
+}
+
+}  // namespace
+
+ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options,
+                      const Progress& progress) {
+  check(options);
+  std::vector<View> seen;
+  std::vector<std::size_t> place;  // in `views`
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (!views[i].silhouette.empty()) place.push_back(i);
+  if (place.size() < 2 || options.least_agreement == 0) return {};
+
+  // Thin parts may get lost in the small, where nothing is wrong with them.
+  progress("check views");
+  for (const std::size_t i : place)
+    seen.push_back({views[i].name, views[i].camera, {}, views[i].silhouette});
+  std::vector<View> small = shrunk(seen, coarse.side_px);
+  Agreement agreement = agreement_of(small, coarse);
+  const bool may_be_inverted = std::all_of(small.begin(), small.end(), [](const View& view) {
+    return is_border_inside(view.silhouette);
+  });
+  if (may_be_inverted) Diagnosis(small, agreement, options, progress).try_inverted();
+  if (agreement.least() >= options.least_agreement) return {agreement.least(), {}};
+  const Agreement finer = agreement_of(shrunk(seen, fine.side_px), fine);
+  if (finer.least() >= options.least_agreement) return {finer.least(), {}};
+
+  Diagnosis diagnosis(std::move(small), std::move(agreement), options, progress);
+  const std::vector<std::size_t> bad = diagnosis.run();
+  ViewCheck result;
+  for (std::size_t k = 0; k < bad.size(); ++k)
+    result.dropped.push_back({views[place[bad[k]]].name, diagnosis.agreement_with_others()[k]});
+  for (std::size_t k = bad.size(); k-- > 0;) {
+    views.erase(views.begin() + static_cast<std::ptrdiff_t>(place[bad[k]]));
+    seen.erase(seen.begin() + static_cast<std::ptrdiff_t>(bad[k]));
+  }
+  result.least_agreement = agreement_of(shrunk(seen, coarse.side_px), coarse).least();
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,42 @@
+/// Photographs and silhouettes from files, JPEG, PNG, TIFF and PNM (P2, P3, P5, P6), and as
+/// pictures that can be written (picture/png.h). The format is told by the first bytes, not by the
+/// name.
+///
+/// Pixels stay where the file has them: a camera is calibrated for those, so that a wish to show
+/// the photograph rotated (Exif) is ignored. Transparency counts in masks only.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "picture/image.h"
+#include "views/images/gray_image.h"
+#include "views/images/mask.h"
+
+namespace transformesh {
+
+/// Whether the bytes begin like an image file, be it of a format that is not read.
+bool is_image(std::string_view bytes);
+
+/// Gray levels 0.299 R + 0.587 G + 0.114 B from 0 to 255, without gamma; deeper samples are scaled.
+/// Throws InputError naming the file (`name`) where the bytes are no image, incomplete, damaged or
+/// of a format that is not read, and then says how to convert it.
+GrayImage decode_photograph(std::string_view bytes, const std::string& name);
+
+/// The same in color, 8 bits a channel, opaque.
+Image decode_picture(std::string_view bytes, const std::string& name);
+
+/// Width and height as its header has them, without a pixel. Throws as decode_photograph does, but
+/// for what only the pixels tell.
+GrayImage decode_size(std::string_view bytes, const std::string& name);
+
+/// Inside is what the levels or the transparency show (mask.h). Throws as decode_photograph does.
+Mask decode_mask(std::string_view bytes, const std::string& name);
+
+/// The same without how it was told.
+GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
+
+/// Levels from 0 to 255, rounded to whole ones and cut off beyond; opaque.
+Image picture_of(const GrayImage& image);
+
+}  // namespace transformesh

@@ -1,0 +1,163 @@
+#include "views/photo/photo_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/measure.h"
+#include "support/error.h"
+#include "views/photo/thin_plate.h"
+
+namespace transformesh {
+namespace {
+
+void check(const PhotoStepOptions& options) {
+  const auto check_least = [](double value, const char* name) {
+    if (!(value >= 0 && std::isfinite(value)))
+      throw UsageError(std::string(name) + " is to be at least 0");
+  };
+  check_least(options.stiffness, "the stiffness");
+  check_least(options.damping, "the damping");
+  check_least(options.time_step, "the time step");
+  check_least(options.silhouettes, "the pull of silhouettes");
+  check_least(options.least_cosine, "the least cosine");
+  if (!(options.smoothing >= 0 && options.smoothing <= 1))
+    throw UsageError("the smoothing is to be from 0 to 1");
+}
+
+std::vector<ViewPair> compared_pairs(const std::vector<ViewPair>& pairs, PairOrder order) {
+  if (order == PairOrder::both) return pairs;
+  std::vector<ViewPair> result;
+  for (const ViewPair& pair : pairs)
+    if ((pair.first < pair.second) == (order == PairOrder::rising)) result.push_back(pair);
+  return result;
+}
+
+/// Curvatures plus damping, so that none is 0 where anything is compared.
+std::vector<double> damped_curvature(const Photoconsistency& measured, double damping) {
+  std::vector<double> result(measured.curvature);
+  for (std::size_t v = 0; v < result.size(); ++v) result[v] += damping * measured.coverage[v];
+  return result;
+}
+
+/// The median of the curvatures over the vertices that are seen, one at least.
+double usual_curvature(const Photoconsistency& measured, std::span<const double> curvature) {
+  std::vector<double> seen;
+  for (std::size_t v = 0; v < curvature.size(); ++v) {
+    if (measured.coverage[v] > 0) seen.push_back(curvature[v]);
+  }
+  const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
+  std::nth_element(seen.begin(), middle, seen.end());
+  return *middle;
+}
+
+std::vector<double> newton_movements(const Mesh& mesh, const Umbrella& umbrella,
+                                     std::vector<Vec3> normals, const Photoconsistency& measured,
+                                     const ContourGaps& gaps, double pixel,
+                                     const PhotoStepOptions& options) {
+  ThinPlateProblem problem;
+  problem.normals = std::move(normals);
+  problem.gradient.resize(mesh.positions.size());
+  problem.curvature = damped_curvature(measured, options.damping / (pixel * pixel));
+  const double usual = usual_curvature(measured, problem.curvature);
+  const double pull = options.silhouettes * usual;
+  problem.stiffness = options.stiffness * usual;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const bool is_outside = gaps.outside[v] > 0;
+    problem.gradient[v] =
+        measured.gradient[v].dot(problem.normals[v]) + pull * (gaps.outside[v] - gaps.inside[v]);
+    problem.curvature[v] += pull * ((is_outside ? 1 : 0) + gaps.rims[v]);
+  }
+  return thin_plate_step(mesh, umbrella, problem);
+}
+
+/// A third of the area of the faces around each vertex.
+std::vector<double> vertex_areas(const Mesh& mesh) {
+  std::vector<double> areas(mesh.positions.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    for (const Index vertex : mesh.faces[f]) areas[vertex] += face_area(mesh, f) / 3;
+  }
+  return areas;
+}
+
+std::vector<double> gradient_movements(const Mesh& mesh, std::span<const Vec3> normals,
+                                       const Photoconsistency& measured, const ContourGaps& gaps,
+                                       const PhotoStepOptions& options) {
+  const std::vector<double> areas = vertex_areas(mesh);
+  std::vector<double> movements(areas.size(), 0);
+  for (std::size_t v = 0; v < movements.size(); ++v) {
+    if (areas[v] > 0)
+      movements[v] = -options.time_step * measured.gradient[v].dot(normals[v]) / areas[v];
+    movements[v] -= options.silhouettes * (gaps.outside[v] - gaps.inside[v]);
+  }
+  return movements;
+}
+
+double mean_edge(const Mesh& mesh, const Umbrella& umbrella, Index vertex) {
+  const std::span<const Index> around = umbrella.neighbors(vertex);
+  double sum = 0;
+  for (const Index neighbor : around)
+    sum += (mesh.positions[neighbor] - mesh.positions[vertex]).norm();
+  return around.empty() ? 0 : sum / static_cast<double>(around.size());
+}
+
+/// The mean movement as a fraction of the local mean edge before it.
+double mean_share(const Mesh& before, const Mesh& after, const Umbrella& umbrella) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (Index v = 0; v < before.positions.size(); ++v) {
+    const double edge = mean_edge(before, umbrella, v);
+    if (!(edge > 0)) continue;
+    sum += (after.positions[v] - before.positions[v]).norm() / edge;
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+void smooth(Mesh& mesh, const Umbrella& umbrella, double factor) {
+  std::vector<Vec3> ways;
+  umbrella.apply(mesh.positions, ways);
+  for (std::size_t v = 0; v < ways.size(); ++v) mesh.positions[v] += factor * ways[v];
+}
+
+}  // namespace
+
+PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepOptions& options,
+                           const Progress& progress) {
+  check(options);
+  progress("see");
+  const SeenViews seen(mesh, scene.views, options.least_cosine);
+  const Photoconsistency measured =
+      photoconsistency(mesh, scene.views, seen, compared_pairs(scene.pairs, options.order),
+                       options.photographs, progress);
+  if (measured.pixels == 0) throw InputError("no two views see the same part of the mesh");
+  progress("move");
+  const ContourGaps gaps = contour_gaps(mesh, scene.views, seen, scene.distances, options.meaning);
+
+  // Vertices move along their normals; displace() clamps.
+  const Umbrella umbrella(mesh);
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  const bool is_gradient = options.rule == PhotoStepRule::gradient;
+  const std::vector<double> movements =
+      is_gradient ? gradient_movements(mesh, normals, measured, gaps, options)
+                  : newton_movements(mesh, umbrella, normals, measured, gaps, scene.pixel, options);
+  std::vector<Vec3> ways(normals.size());
+  for (std::size_t v = 0; v < ways.size(); ++v) ways[v] = movements[v] * normals[v];
+  const Mesh before{mesh.positions, {}, {}, {}};
+  PhotoStepResult result;
+  result.displaced = displace(mesh, ways, {1, options.alpha});
+  result.mean_share = mean_share(before, mesh, umbrella);
+  if (is_gradient) smooth(mesh, umbrella, options.smoothing);
+
+  result.energy = measured.energy;
+  result.dissimilarity = measured.weight > 0 ? measured.energy / measured.weight : 0;
+  result.pixels = measured.pixels;
+  result.coverage = static_cast<double>(measured.pixels) / static_cast<double>(measured.visible);
+  result.unseen =
+      static_cast<std::size_t>(std::count(measured.coverage.begin(), measured.coverage.end(), 0.0));
+  result.outside = static_cast<std::size_t>(
+      std::count_if(gaps.outside.begin(), gaps.outside.end(),
+                    [&](double outside) { return outside > scene.pixel; }));
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,78 @@
+#include "views/photo/solid_texture.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "support/elementary/double_double.h"
+#include "support/elementary/exponential.h"
+#include "support/elementary/trigonometric.h"
+#include "support/error.h"
+#include "support/random.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double middle_level = 128;
+/// Standard deviation of the levels.
+constexpr double deviation = 40;
+
+/// Inverse factorials of odd numbers, the last first.
+constexpr std::array sine_coefficients = [] {
+  std::array<double, 10> coefficients{};
+  double factorial = 1;
+  for (int i = 0; i < 10; ++i) {
+    if (i > 0) factorial *= 2.0 * i * (2 * i + 1);
+    coefficients[9 - i] = 1 / factorial;
+  }
+  return coefficients;
+}();
+
+/// A direction uniform on the sphere: by Archimedes, heights are uniform.
+Vec3 random_direction(Random& random) {
+  const double height = random.uniform(-1, 1);
+  const double angle = random.uniform(0, 2 * std::numbers::pi);
+  const double radius = std::sqrt(1 - height * height);
+  return {radius * elementary::cos(angle), radius * elementary::sin(angle), height};
+}
+
+/// To 1e-13 and a spacing of numbers at the angle, quicker than to all digits: a level has
+/// 8 bits. By the Taylor series, of the angle less a multiple of pi.
+double quick_sine(double angle) {
+  using elementary::inverse;
+  using elementary::pi;
+  const double halves = elementary::nearest_integer(angle * inverse(pi.high));
+  const double x = (angle - halves * pi.high) - halves * pi.low;
+  const double square = x * x;
+  double series = 0;
+  for (const double coefficient : sine_coefficients) series = coefficient - square * series;
+  const double odd = halves - 2 * elementary::nearest_integer(halves / 2);
+  return (1 - 2 * odd * odd) * x * series;
+}
+
+}  // namespace
+
+SolidTexture::SolidTexture(const TextureOptions& options) {
+  if (options.waves < 1 || options.waves > 10000)
+    throw UsageError("a texture needs 1 to 10000 waves");
+  if (!(options.finest > 0 && options.coarsest >= options.finest))
+    throw UsageError("the wavelengths of a texture must be above 0, the finest first");
+  Random random(options.seed);
+  for (int i = 0; i < options.waves; ++i) {
+    const Vec3 direction = random_direction(random);
+    const double octaves = random.uniform(0, elementary::log2(options.coarsest / options.finest));
+    const double wavelength = options.finest * elementary::exp2(octaves);
+    waves_.push_back(
+        {2 * std::numbers::pi / wavelength * direction, random.uniform(0, 2 * std::numbers::pi)});
+  }
+  // The mean square of a sine is a half, so that the waves together have the deviation.
+  amplitude_ = deviation * std::sqrt(2.0 / options.waves);
+}
+
+float SolidTexture::level_at(const Vec3& point) const {
+  double sum = 0;
+  for (const Wave& wave : waves_) sum += quick_sine(wave.frequency.dot(point) + wave.phase);
+  return static_cast<float>(middle_level + amplitude_ * sum);
+}
+
+}  // namespace transformesh

@@ -1,0 +1,173 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/alpha_wrap_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/ray_winding.h"
+#include "geometry/search/closest_point.h"
+#include "mesh/measure.h"
+#include "support/elementary/exponential.h"
+#include "support/error.h"
+#include "support/length.h"
+#include "support/parallel.h"
+#include "views/wrap/unit_scale.h"
+#include "views/wrap/wrap.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t points_per_task = 512;
+constexpr double offset_by_diagonal = 1.0 / 300;
+
+/// The range in which alpha is looked for, and the ratio of its steps, four of which halve it.
+constexpr double largest_alpha_by_diagonal = 1.0 / 5;
+constexpr double least_alpha_by_diagonal = 1.0 / 100;
+constexpr double alpha_ratio = 0.8408964152537145;
+
+/// A wrap has about so many faces for each square of alpha in its area, and takes a minute and a
+/// gigabyte for a million of them. Its area is at most twice that of a coarse wrap, whose inside it
+/// covers too where alpha gets in between the points, and at most that of balls around all points.
+constexpr double faces_by_area = 1.3;
+constexpr double most_faces = 2e6;
+constexpr double coarse_alpha_by_size = 1.0 / 50;
+
+/// A wrap is hollow where it is thinner than this many offsets: a ball that got in between the
+/// points leaves hardly more than two.
+constexpr double hollow_by_offset = 4;
+constexpr double most_hollow = 0.05;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using Cloud = std::vector<Kernel::Point_3>;
+
+Mesh mesh_of(const Surface& surface) {
+  Mesh mesh;
+  for (const auto vertex : surface.vertices()) {
+    const auto& point = surface.point(vertex);
+    mesh.positions.emplace_back(point.x(), point.y(), point.z());
+  }
+  for (const auto face : surface.faces()) {
+    Face corners;
+    std::size_t i = 0;
+    for (const auto vertex : surface.vertices_around_face(surface.halfedge(face)))
+      corners[i++] = static_cast<Index>(vertex.idx());
+    mesh.faces.push_back(corners);
+  }
+  return mesh;
+}
+
+AlphaWrap wrap(const Cloud& cloud, double alpha, double offset) {
+  Surface surface;
+  CGAL::alpha_wrap_3(cloud, alpha, offset, surface);
+  return {mesh_of(surface), alpha, 0};
+}
+
+Cloud cloud_of(const std::vector<Vec3>& points) {
+  const std::vector<std::size_t> first = first_equals(points);
+  Cloud cloud;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (first[i] == i) cloud.emplace_back(points[i].x(), points[i].y(), points[i].z());
+  return cloud;
+}
+
+double expected_faces(const Cloud& cloud, double alpha, double offset, double diagonal) {
+  const double faces_of_unit_area = faces_by_area / (alpha * alpha);
+  const double balls = 4 * std::numbers::pi * offset * offset * static_cast<double>(cloud.size());
+  const double coarse = coarse_alpha_by_size * (diagonal + 2 * offset);
+  if (alpha >= coarse || balls * faces_of_unit_area <= most_faces) return 0;
+  return faces_of_unit_area * std::min(balls, 2 * surface_area(wrap(cloud, coarse, offset).mesh));
+}
+
+/// The length with two digits, rounded up.
+std::string rounded_up(double length) {
+  const double power = std::floor(elementary::log10(length)) - 1;
+  const double digits = std::ceil(length / elementary::pow(10, power));
+  return shortest_text(power < 0 ? digits / elementary::pow(10, -power)
+                                 : digits * elementary::pow(10, power));
+}
+
+/// Throws UsageError for an alpha that is far too small.
+void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal,
+                const UnitScale& scale) {
+  const double faces = expected_faces(cloud, alpha, offset, diagonal);
+  if (faces <= most_faces) return;
+  const double least = scale.from_unit(alpha * std::sqrt(faces / most_faces));
+  throw UsageError(
+      "alpha is too small: a wrap of more than two million faces would take minutes; of " +
+      rounded_up(least) + " or more it would not");
+}
+
+/// Returns the smallest distance of a point from the surface.
+double least_distance(const Mesh& mesh, const Cloud& cloud) {
+  const ClosestPointQuery closest(mesh);
+  std::vector<double> distances(cloud.size());
+  parallel_for(cloud.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      distances[i] = closest(Vec3(cloud[i].x(), cloud[i].y(), cloud[i].z())).distance;
+  });
+  return *std::ranges::min_element(distances);
+}
+
+/// The share of the wrap's area behind which it soon ends.
+double hollow_share(const Mesh& mesh, double offset) {
+  const RayWinding winding(mesh);
+  double hollow = 0;
+  double all = 0;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    const Vec3 center = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+    const double area = face_area(mesh, f);
+    all += area;
+    if (winding(center - hollow_by_offset * offset * face_normal(mesh, f).normalized()) == 0)
+      hollow += area;
+  }
+  return all > 0 ? hollow / all : 0;
+}
+
+/// Goes from large balls to small ones, and returns the wrap before the first hollow one.
+AlphaWrap tightest_wrap(const Cloud& cloud, double diagonal, double offset) {
+  double alpha = largest_alpha_by_diagonal * diagonal;
+  AlphaWrap best = wrap(cloud, alpha, offset);
+  while ((alpha *= alpha_ratio) >= least_alpha_by_diagonal * diagonal) {
+    AlphaWrap next = wrap(cloud, alpha, offset);
+    if (hollow_share(next.mesh, offset) > most_hollow) break;
+    best = std::move(next);
+  }
+  return best;
+}
+
+}  // namespace
+
+AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options) {
+  if (!(options.alpha >= 0 && options.offset >= 0))
+    throw UsageError("alpha and the offset of a wrap must not be negative");
+  if (points.empty()) throw InputError("there are no points to wrap");
+  const double diagonal = diagonal_of(points);
+  const double offset = options.offset > 0 ? options.offset : offset_by_diagonal * diagonal;
+  if (!(offset > 0 && (options.alpha > 0 || diagonal > 0)))
+    throw InputError("the points are all in one place: give alpha and the offset as lengths");
+  const double finest = options.alpha > 0 ? std::min(options.alpha, offset) : offset;
+  const double largest = std::max({diagonal, options.alpha, offset});
+  const UnitScale scale(largest);
+  check_detail(points, finest, largest);
+
+  const Cloud cloud = cloud_of(scale.to_unit(points));
+  const double unit_offset = scale.to_unit(offset);
+  if (options.alpha > 0)
+    check_cost(cloud, scale.to_unit(options.alpha), unit_offset, scale.to_unit(diagonal), scale);
+  AlphaWrap result = options.alpha > 0 ? wrap(cloud, scale.to_unit(options.alpha), unit_offset)
+                                       : tightest_wrap(cloud, scale.to_unit(diagonal), unit_offset);
+  check_wrap(result.mesh);
+  result.least_distance = scale.from_unit(least_distance(result.mesh, cloud));
+  scale.from_unit(result.mesh);
+  result.alpha = scale.from_unit(result.alpha);
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,60 @@
+#include "clean/box/mesh_part.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "helpers/shapes.h"
+
+namespace transformesh {
+
+TEST_CASE("a box has its lower sides and not its upper ones") {
+  const Mesh cube = test::cube();
+  std::vector<int> owners(cube.faces.size(), 0);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 low(i & 1, i >> 1 & 1, i >> 2 & 1);
+    const std::vector<bool> own = faces_of_box(cube, {low, low + Vec3::Ones()});
+    for (std::size_t f = 0; f < own.size(); ++f) owners[f] += own[f] ? 1 : 0;
+  }
+  CHECK(std::all_of(owners.begin(), owners.end(), [](int count) { return count == 1; }));
+}
+
+TEST_CASE("faces near a box are those whose own boxes reach it") {
+  const Mesh ball = test::icosphere(3);
+  const Box box{{.5, .5, .5}, {1, 1, 1}};
+  const std::vector<bool> near = faces_near(ball, box, .1);
+  for (Index f = 0; f < ball.faces.size(); ++f) {
+    bool reaches = true;
+    for (int i = 0; i < 3; ++i) {
+      double most = -9;
+      for (const Index v : ball.faces[f]) most = std::max(most, ball.positions[v][i]);
+      reaches &= most >= .5 - .1;
+    }
+    CHECK(near[f] == reaches);
+  }
+}
+
+TEST_CASE("a part keeps order and columns, and the first vertex of every place comes along") {
+  Mesh mesh = test::joined(test::cube(), test::cube());
+  mesh.vertex_columns.get("id", Scalar::int32, 16).values = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                             8, 9, 10, 11, 12, 13, 14, 15};
+  std::vector<bool> second(24, false);
+  std::fill(second.begin() + 12, second.end(), true);
+  const MeshPart part = take_part(mesh, second);
+  CHECK(part.face_of.front() == 12);
+  CHECK(part.mesh.positions.size() == 16);
+  CHECK(part.mesh.faces.front() == mesh.faces[12]);
+  CHECK(part.mesh.vertex_columns.find("id")->values[9] == 9);
+}
+
+TEST_CASE("closed is what has as many faces one way as the other along every edge") {
+  Mesh mesh = test::joined(test::icosphere(2), test::cuboid({0, 0, 0}, {3, 3, 3}));
+  CHECK(is_closed_chain(mesh));
+  std::swap(mesh.faces[7][0], mesh.faces[7][1]);
+  CHECK(!is_closed_chain(mesh));
+  std::swap(mesh.faces[7][0], mesh.faces[7][1]);
+  mesh.faces.erase(mesh.faces.begin() + 3);
+  CHECK(!is_closed_chain(mesh));
+}
+
+}  // namespace transformesh

@@ -1,0 +1,218 @@
+/// Boxes against the whole: together they are the triangles of clean(), and one alone leaves all
+/// else as it was.
+#include "clean/clean_box.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "clean/intersect/intersect.h"
+#include "geometry/numbers/predicates.h"
+#include "helpers/mesh_facts.h"
+#include "helpers/shape_options.h"
+#include "helpers/shapes.h"
+#include "mesh/digits.h"
+#include "mesh/manifold.h"
+#include "mesh/transform.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+using Corners = std::array<std::array<double, 3>, 3>;
+
+/// All triangles, each from its least corner on, sorted.
+std::vector<Corners> sorted_triangles(const Mesh& mesh) {
+  std::vector<Corners> result;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    Corners t;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& p = mesh.positions[mesh.faces[f][i]];
+      t[i] = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
+    }
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    result.push_back(t);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Eight boxes that cover a mesh, from a corner somewhere inside of it.
+std::vector<Box> octants(const Mesh& mesh, const Vec3& share) {
+  const Box all = bounding_box(mesh);
+  const Vec3 low = all.minimum.array() - 1, high = all.maximum.array() + 1;
+  const Vec3 middle = low + share.cwiseProduct(high - low);
+  std::vector<Box> boxes;
+  for (int i = 0; i < 8; ++i) {
+    Box box{low, middle};
+    for (int k = 0; k < 3; ++k)
+      if (i >> k & 1) {
+        box.minimum[k] = middle[k];
+        box.maximum[k] = high[k];
+      }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+/// The faces of all boxes, each cleaned alone; counts how many had to clean the whole mesh.
+Mesh clean_in_boxes(const Mesh& mesh, CleanBoxOptions options, std::size_t& whole) {
+  Mesh all;
+  std::size_t faces = 0;
+  for (const Box& box : octants(mesh, {.47, .52, .5})) {
+    options.box = box;
+    options.only = true;
+    const CleanBoxResult result = clean_box(mesh, options);
+    faces += result.box_faces;
+    whole += result.is_whole ? 1 : 0;
+    all = test::joined(all, result.clean.mesh);
+  }
+  CHECK(faces == mesh.faces.size());
+  return all;
+}
+
+Mesh rounded_to_floats(Mesh mesh) {
+  for (Vec3& p : mesh.positions) p = p.unaryExpr([](double x) { return round_to_single(x); });
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("eight boxes have the triangles of the whole") {
+  for (const char* kind :
+       {"two-spheres", "folded", "tangle", "dumbbell", "many-spheres", "boxes", "pinch"}) {
+    for (const int level : {1, 2}) {
+      CAPTURE(kind);
+      CAPTURE(level);
+      const Mesh input = test::workload(kind, 6000, 3);
+      CleanOptions options;
+      options.level = level;
+      Mesh expected;
+      try {
+        expected = clean(input, options).mesh;
+      } catch (const GoalError&) {
+        continue;
+      }
+      CleanBoxOptions box_options;
+      box_options.level = level;
+      std::size_t whole = 0;
+      const Mesh boxes = clean_in_boxes(input, box_options, whole);
+      CHECK(whole == 0);
+      CHECK(sorted_triangles(boxes) == sorted_triangles(expected));
+    }
+  }
+}
+
+TEST_CASE("also of a soup, of coincident faces and of faces in one plane") {
+  Mesh blocks;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 low(.5 * i, i % 2 * .25, 0);
+    blocks = test::joined(blocks, test::cuboid(low, low + Vec3(1, 1, 1 + i / 2)));
+  }
+  blocks = test::joined(blocks, test::cuboid({0, 0, 0}, {1, 1, 1}));
+  const Mesh spheres = test::workload("many-spheres", 3000, 5);
+  Mesh soup;
+  for (const Face& face : spheres.faces) {
+    const auto v = static_cast<Index>(soup.positions.size());
+    for (const Index corner : face) soup.positions.push_back(spheres.positions[corner]);
+    soup.faces.push_back({v, v + 1, v + 2});
+  }
+  std::reverse(soup.faces.begin(), soup.faces.end());
+  for (const Mesh* input : {&blocks, &soup}) {
+    std::size_t whole = 0;
+    const Mesh boxes = clean_in_boxes(*input, {}, whole);
+    CHECK(whole == 0);
+    CHECK(sorted_triangles(boxes) == sorted_triangles(clean(*input).mesh));
+  }
+}
+
+TEST_CASE("where rounding breaks faces, boxes are taken from the whole") {
+  // Boxes with sides in one plane but for rounding.
+  Mesh turned = test::workload("boxes", 2000, 2);
+  const Eigen::AngleAxisd turn(.3, Vec3(1, 2, 3).normalized());
+  for (Vec3& p : turned.positions) p = turn * p;
+  const Mesh input = rounded_to_floats(turned);
+  CleanOptions options;
+  options.coordinate = Scalar::float32;
+  const CleanResult expected = clean(input, options);
+  REQUIRE(expected.rounding_places > 0);
+  CleanBoxOptions box_options;
+  box_options.coordinate = Scalar::float32;
+  std::size_t whole = 0;
+  const Mesh boxes = clean_in_boxes(input, box_options, whole);
+  CHECK(whole > 0);
+  CHECK(sorted_triangles(boxes) == sorted_triangles(expected.mesh));
+}
+
+TEST_CASE("a box around one crossing leaves another as it was") {
+  const Mesh pair = test::workload("two-spheres", 2000, 1);
+  Mesh input = test::joined(pair, test::moved(pair, {10, 0, 0}));
+  Column& number = input.face_columns.get("number", Scalar::int32, input.faces.size());
+  for (std::size_t f = 0; f < input.faces.size(); ++f) number.values[f] = static_cast<double>(f);
+  CleanBoxOptions options;
+  options.box = {Vec3::Constant(-5), Vec3::Constant(5)};
+  const CleanBoxResult result = clean_box(input, options);
+  CHECK(result.box_faces == pair.faces.size());
+  CHECK(result.clean.changed);
+  const Mesh& mesh = result.clean.mesh;
+  CHECK(check_manifold(mesh).is_closed());
+  CHECK(check_manifold(mesh).is_manifold());
+  // The first pair is that of clean() alone, the second one is the input.
+  std::vector<bool> is_second(mesh.faces.size());
+  const Column& kept = *mesh.face_columns.find("number");
+  for (std::size_t f = 0; f < is_second.size(); ++f)
+    is_second[f] = kept.values[f] >= static_cast<double>(pair.faces.size());
+  const Mesh second = select_faces(mesh, is_second);
+  CHECK(second.positions == test::moved(pair, {10, 0, 0}).positions);
+  CHECK(second.faces == pair.faces);
+  is_second.flip();
+  CHECK(sorted_triangles(select_faces(mesh, is_second)) == sorted_triangles(clean(pair).mesh));
+  CHECK(find_intersections(mesh).size() == find_intersections(pair).size());
+}
+
+TEST_CASE("a box in which nothing crosses changes nothing, though it may be cut from the rest") {
+  const Mesh input = test::workload("two-spheres", 2000, 1);
+  const Box all = bounding_box(input);
+  CleanBoxOptions options;
+  options.box = {all.minimum, all.minimum + .2 * (all.maximum - all.minimum)};
+  options.box.maximum.y() = options.box.maximum.z() = all.maximum.z() + 1;
+  const CleanBoxResult result = clean_box(input, options);
+  CHECK(result.box_faces > 0);
+  CHECK(!result.clean.changed);
+  CHECK(result.clean.mesh.positions == input.positions);
+  CHECK(result.clean.mesh.faces == input.faces);
+  // Half a crossing: what is outside keeps its name and place.
+  options.box = octants(input, {.5, .5, .5})[0];
+  options.box.maximum.x() = 100;
+  const Mesh half = clean_box(input, options).clean.mesh;
+  std::size_t stayed = 0, outside = 0;
+  for (const Face& face : input.faces) {
+    const Vec3& first = input.positions[face[0]];
+    outside += (first.array() < options.box.maximum.array()).all() ? 0 : 1;
+  }
+  const auto triangles = sorted_triangles(input);
+  for (const Corners& t : sorted_triangles(half))
+    stayed += std::binary_search(triangles.begin(), triangles.end(), t) ? 1 : 0;
+  CHECK(stayed >= outside);
+}
+
+TEST_CASE("what a box cannot do is said") {
+  CleanBoxOptions options;
+  options.box = {Vec3::Constant(-9), Vec3::Constant(9)};
+  Mesh open = test::icosphere(2);
+  open.faces.pop_back();
+  CHECK_THROWS_AS(clean_box(open, options), InputError);
+  CHECK_THROWS_AS(clean_box(Mesh(), options), InputError);
+  const Mesh input = test::workload("two-spheres", 1000, 1);
+  options.refuse = true;
+  CHECK_THROWS_AS(clean_box(input, options), GoalError);
+  options.box.maximum.x() = -9;
+  CHECK_THROWS_AS(clean_box(input, options), UsageError);
+  // A box beside the mesh.
+  options.box = {Vec3::Constant(50), Vec3::Constant(60)};
+  options.only = true;
+  CHECK(clean_box(input, options).clean.mesh.faces.empty());
+}
+
+}  // namespace transformesh

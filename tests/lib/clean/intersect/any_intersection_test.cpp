@@ -1,0 +1,45 @@
+#include "clean/intersect/any_intersection.h"
+
+#include <doctest/doctest.h>
+
+#include "clean/intersect/intersect.h"
+#include "helpers/shape_options.h"
+#include "helpers/shapes.h"
+
+namespace transformesh {
+TEST_CASE("something crosses where the whole search finds a pair") {
+  for (const char* kind : {"two-spheres", "folded", "tangle", "boxes", "pinch", "torus"}) {
+    for (const std::size_t faces : {800, 30000}) {
+      if (faces > 800 && (kind == std::string("boxes") || kind == std::string("pinch"))) continue;
+      CAPTURE(kind);
+      CAPTURE(faces);
+      const Mesh mesh = test::workload(kind, faces);
+      CHECK(has_intersections(mesh) == !find_intersections(mesh).empty());
+    }
+  }
+}
+
+// One face crosses another, far from most samples; or all faces lie in one place.
+TEST_CASE("a single crossing of a large mesh is found") {
+  Mesh mesh = test::workload("torus", 30000);
+  REQUIRE(!has_intersections(mesh));
+  const auto& [a, b, c] = mesh.faces[12345];
+  const Vec3 middle = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+  const Vec3 out = (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - middle);
+  const auto first = static_cast<Index>(mesh.positions.size());
+  const double length = (mesh.positions[b] - mesh.positions[a]).norm() / 100;
+  for (const Vec3& move : {Vec3(out.normalized() * length), Vec3(-out.normalized() * length),
+                           Vec3((mesh.positions[b] - mesh.positions[a]) / 100)})
+    mesh.positions.push_back(middle + move);
+  mesh.faces.push_back({first, first + 1, first + 2});
+  CHECK(find_intersections(mesh).size() == 1);
+  CHECK(has_intersections(mesh));
+
+  for (Vec3& position : mesh.positions) position.setZero();
+  CHECK(!has_intersections(mesh));
+  mesh.positions[0] = Vec3::Constant(1e308);
+  mesh.positions[1] = -mesh.positions[0];
+  CHECK(!has_intersections(mesh));
+}
+
+}  // namespace transformesh

@@ -1,0 +1,99 @@
+/// What one pass counts, by brute force and by closed forms.
+#include "clean/pass/clean_pass.h"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "clean/intersect/intersect.h"
+#include "helpers/mesh_facts.h"
+#include "helpers/random.h"
+#include "helpers/shapes.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+CleanPass pass_over(const Mesh& mesh, const PassOptions& options = {}) {
+  return run_clean_pass(mesh, options, Progress());
+}
+
+Mesh two_balls() {
+  return test::joined(test::icosphere(3), test::moved(test::icosphere(3), {0.9, 0.2, 0.1}));
+}
+
+}  // namespace
+
+TEST_CASE("pairs, cut faces and removed faces are those of the input") {
+  const Mesh mesh = two_balls();
+  const std::vector<FacePair> pairs = find_intersections(mesh);
+  std::set<Index> cut;
+  for (const auto& [f, g] : pairs) cut.insert({f, g});
+  // A face that is not cut goes exactly where it lies in the other ball.
+  const Mesh first = test::icosphere(3), second = test::moved(first, {0.9, 0.2, 0.1});
+  std::size_t inside = 0;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const Vec3& corner = mesh.positions[mesh.faces[f][0]];
+    const Mesh& other = f < first.faces.size() ? second : first;
+    inside += !cut.contains(f) && test::winding_number(other, corner) > 0.5 ? 1 : 0;
+  }
+  const CleanPass pass = pass_over(mesh);
+  CHECK(pass.pairs == pairs.size());
+  CHECK(pass.cut_faces == cut.size());
+  CHECK(pass.removed_faces == inside);
+  CHECK(inside > 100);
+  CHECK(!pass.is_open);
+  CHECK(!pass.unchanged);
+  CHECK(pass.exterior.rays == 2);
+  CHECK(test::count(pass.assembly.mesh).is_manifold);
+}
+
+TEST_CASE("a mesh with nothing to clean is unchanged, and one to be stitched is not") {
+  const CleanPass whole = pass_over(test::icosphere(2));
+  CHECK(whole.unchanged);
+  CHECK(whole.assembly.mesh.faces.empty());
+  const CleanPass soup = pass_over(test::soup_of(test::icosphere(2)));
+  CHECK(!soup.unchanged);
+  CHECK(soup.removed_faces == 0);
+  CHECK(soup.assembly.mesh.positions.size() == test::icosphere(2).positions.size());
+}
+
+TEST_CASE("with too many pairs nothing but their number is found") {
+  const std::size_t pairs = find_intersections(two_balls()).size();
+  PassOptions options;
+  options.most_pairs = pairs - 1;
+  const CleanPass pass = pass_over(two_balls(), options);
+  CHECK(pass.pairs == pairs);
+  CHECK(pass.cut_faces == 0);
+  CHECK(pass.exterior.kept.empty());
+  CHECK(pass.assembly.mesh.faces.empty());
+  options.most_pairs = pairs;
+  CHECK(!pass_over(two_balls(), options).assembly.mesh.faces.empty());
+}
+
+TEST_CASE(
+    "an open mesh is told, and static refuses it unless enclosed sheets were all of its borders") {
+  CHECK(pass_over(test::grid(3)).is_open);
+  PassOptions options;
+  options.method = ExteriorMethod::static_test;
+  CHECK_THROWS_WITH_AS(pass_over(test::grid(3), options),
+                       doctest::Contains("--method static needs a closed mesh"), UsageError);
+  Mesh rooms = test::cuboid({0, 0, 0}, {2, 1, 1});
+  rooms.positions.insert(rooms.positions.end(), {{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}});
+  rooms.faces.insert(rooms.faces.end(), {{8, 9, 10}, {8, 10, 11}});
+  const CleanPass pass = pass_over(rooms, options);
+  CHECK(pass.is_open);
+  CHECK(pass.removed_faces == 2);
+  CHECK(test::signed_volume(pass.assembly.mesh) == doctest::Approx(2));
+}
+
+TEST_CASE("a mesh that is not oriented is refused, unless that is not to be checked") {
+  Mesh mesh = test::icosphere(1);
+  std::swap(mesh.faces[3][0], mesh.faces[3][1]);
+  CHECK_THROWS_AS(pass_over(mesh), InputError);
+  PassOptions options;
+  options.check_orientation = false;
+  CHECK_NOTHROW(pass_over(mesh, options));
+}
+
+}  // namespace transformesh

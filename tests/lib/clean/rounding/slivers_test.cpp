@@ -1,0 +1,79 @@
+/// Slivers are flipped away, the surface stays closed, and nothing else changes.
+#include "clean/rounding/slivers.h"
+
+#include <doctest/doctest.h>
+
+#include "clean/rounding/broken_faces.h"
+#include "helpers/assembly_of.h"
+#include "helpers/mesh_facts.h"
+#include "helpers/shapes.h"
+
+namespace transformesh {
+namespace {
+
+/// A cube of which one edge has a point beside it, `height` inside of a face: so that face has a
+/// sliver.
+Assembly cube_with_sliver(double height) {
+  Assembly assembly;
+  Mesh& mesh = assembly.mesh;
+  mesh = test::cube();
+  const Face split = mesh.faces[0];  // 0 2 1 at the bottom: split at a point near its edge 0 2
+  const auto apex = static_cast<Index>(mesh.positions.size());
+  mesh.positions.emplace_back(height, 0.4, 0);
+  mesh.faces[0] = {split[0], split[1], apex};
+  mesh.faces.push_back({split[1], split[2], apex});
+  mesh.faces.push_back({split[2], split[0], apex});
+  assembly.vertex_is_new.assign(mesh.positions.size(), 0);
+  assembly.face_is_new.assign(mesh.faces.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f) assembly.source_face.push_back(f);
+  return assembly;
+}
+
+}  // namespace
+
+TEST_CASE("a sliver lower than the rule is flipped, a higher one stays") {
+  Assembly low = cube_with_sliver(2 * spacing_at(0.4));
+  const Spacings by_largest{Scalar::float64, false};
+  const Displacement moved = flip_slivers(low, test::all_faces(low.mesh), 4, by_largest);
+  CHECK(moved.spacings == doctest::Approx(2));
+  CHECK(test::count(low.mesh).is_closed_and_oriented);
+  CHECK(low.mesh.faces.size() == 14);
+  CHECK(test::signed_volume(low.mesh) == doctest::Approx(1));
+  for (Index f = 0; f < low.mesh.faces.size(); ++f)
+    CHECK(normal_of(low.mesh.positions[low.mesh.faces[f][0]],
+                    low.mesh.positions[low.mesh.faces[f][1]],
+                    low.mesh.positions[low.mesh.faces[f][2]])
+              .norm() > 0.1);
+
+  Assembly high = cube_with_sliver(8 * spacing_at(0.4));
+  const Mesh before = high.mesh;
+  CHECK(flip_slivers(high, test::all_faces(high.mesh), 4, by_largest).spacings == 0);
+  CHECK(high.mesh.faces == before.faces);
+}
+
+TEST_CASE("a sliver is low by the numbers along its height, which are dense near zero") {
+  Assembly beside_zero = cube_with_sliver(2 * spacing_at(0.4));
+  const Mesh before = beside_zero.mesh;
+  flip_slivers(beside_zero, test::all_faces(before), 4, {Scalar::float64});
+  CHECK(beside_zero.mesh.faces == before.faces);
+
+  Assembly beside_one = cube_with_sliver(2 * spacing_at(1));
+  for (Vec3& p : beside_one.mesh.positions) p.x() += 1;
+  flip_slivers(beside_one, test::all_faces(before), 4, {Scalar::float64});
+  CHECK(beside_one.mesh.faces != before.faces);
+}
+
+TEST_CASE("flat faces upon each other vanish") {
+  Assembly assembly;
+  Mesh& mesh = assembly.mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}};
+  mesh.faces = {{0, 1, 2}, {1, 0, 2}};
+  assembly.vertex_is_new.assign(3, 1);
+  assembly.face_is_new.assign(2, 1);
+  assembly.source_face = {0, 1};
+  flip_slivers(assembly, {0, 1}, 1, {Scalar::float64});
+  drop_collapsed_faces(assembly);
+  CHECK(mesh.faces.empty());
+}
+
+}  // namespace transformesh

@@ -1,0 +1,106 @@
+/// Thin cells go to the side that leaves less surface: gaps close, films vanish, and what is
+/// thicker stays as it is.
+#include "clean/rounding/thin_cells.h"
+
+#include <doctest/doctest.h>
+
+#include <memory>
+
+#include "clean/exterior/exterior.h"
+#include "clean/intersect/intersect.h"
+#include "helpers/shapes.h"
+
+namespace transformesh {
+namespace {
+
+using test::cuboid;
+using test::joined;
+
+/// The arrangement of a mesh and what it keeps, before and after thin cells are given away.
+struct Cells {
+  explicit Cells(const Mesh& mesh) {
+    const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
+    arrangement = arrange(welded, find_meetings(*welded, Progress()), Progress());
+    kept = find_exterior(arrangement, 1, ExteriorMethod::grow, BorderClosure(), Progress()).kept;
+  }
+  double volume() const {
+    double sum = 0;
+    for (std::size_t p = 0; p < kept.size(); ++p) {
+      if (!kept[p]) continue;
+      const auto& [a, b, c] = arrangement.pieces[p].corners;
+      sum += arrangement.position(a).dot(arrangement.position(b).cross(arrangement.position(c)));
+    }
+    return sum / 6;
+  }
+  std::optional<Displacement> give(double spacings, const std::vector<char>& marked_faces = {}) {
+    return give_thin_cells_away(arrangement, kept, spacings, {Scalar::float32}, marked_faces);
+  }
+
+  Arrangement arrangement;
+  std::vector<char> kept;
+};
+
+constexpr double spacing = 0x1p-23;  // of floats from 1 to 2
+
+/// A box with a slit through it, that is as wide as said.
+Mesh slit_box(double width) {
+  return joined(cuboid({1, 1, 1}, {1.9, 1.9, 1.9}),
+                test::reversed(cuboid({1.2, 1.2, 1.4}, {1.7, 1.7, 1.4 + width})));
+}
+
+}  // namespace
+
+TEST_CASE("a gap between bodies that touch all around it is closed") {
+  // Two boxes, one with a hollow of a few spacings in the face in which they touch.
+  const double width = 4 * spacing;
+  const Mesh boxes =
+      joined(cuboid({1, 1, 1}, {1.9, 1.9, 1.4}), cuboid({1, 1, 1.4}, {1.9, 1.9, 1.9}));
+  const Mesh hollow = test::reversed(cuboid({1.2, 1.2, 1.4}, {1.7, 1.7, 1.4 + width}));
+  Cells cells(joined(boxes, hollow));
+  CHECK(cells.volume() == doctest::Approx(0.9 * 0.9 * 0.9 - 0.25 * width).epsilon(1e-12));
+  CHECK(!cells.give(2));
+  const std::optional<Displacement> given = cells.give(16);
+  REQUIRE(given.has_value());
+  CHECK(given->length == doctest::Approx(width));
+  CHECK(cells.volume() == doctest::Approx(0.9 * 0.9 * 0.9).epsilon(1e-14));
+}
+
+TEST_CASE("a slit inside a box closes, a wide one stays") {
+  Cells thin(slit_box(4 * spacing));
+  CHECK(thin.give(16).has_value());
+  CHECK(thin.volume() == doctest::Approx(0.9 * 0.9 * 0.9).epsilon(1e-14));
+  Cells wide(slit_box(0.1));
+  CHECK(!wide.give(16).has_value());
+  CHECK(wide.volume() == doctest::Approx(0.9 * 0.9 * 0.9 - 0.025));
+}
+
+TEST_CASE("a film beside a body vanishes, and the body stays") {
+  Cells cells(
+      joined(cuboid({1, 1, 1}, {1.5, 1.5, 1.5}), cuboid({1.6, 1, 1}, {1.9, 1.5, 1 + 3 * spacing})));
+  REQUIRE(cells.give(16).has_value());
+  CHECK(cells.volume() == doctest::Approx(0.125).epsilon(1e-14));
+}
+
+TEST_CASE("of two films only that one vanishes of which a face is marked") {
+  const double thickness = 3 * spacing;
+  const Mesh film = cuboid({1.6, 1, 1}, {1.9, 1.5, 1 + thickness});
+  const Mesh other = cuboid({1, 1.6, 1}, {1.5, 1.8, 1 + thickness});
+  const Mesh both = joined(film, other);
+  Cells cells(both);
+  std::vector<char> marked(both.faces.size(), 0);
+  CHECK(!cells.give(16, marked).has_value());
+  marked[film.faces.size() + 5] = 1;
+  CHECK(cells.give(16, marked).has_value());
+  CHECK(cells.volume() == doctest::Approx(0.3 * 0.5 * thickness).epsilon(1e-6));
+  CHECK(cells.give(16).has_value());
+  CHECK(cells.volume() == 0);
+}
+
+TEST_CASE("thickness counts in spacings of the place: the same film is thick near the origin") {
+  const Mesh film =
+      cuboid({0x1p-30, 0x1p-30, 0x1p-30}, {0x1p-29, 0x1p-29, 0x1p-30 + spacing / 512});
+  Cells cells(joined(cuboid({1, 1, 1}, {1.5, 1.5, 1.5}), film));
+  CHECK(!cells.give(16).has_value());
+}
+
+}  // namespace transformesh

@@ -1,0 +1,47 @@
+#include "clean/stitch/join_soup.h"
+
+#include <doctest/doctest.h>
+
+#include "helpers/shapes.h"
+#include "mesh/manifold.h"
+#include "support/error.h"
+
+using namespace transformesh;
+
+TEST_CASE("a soup becomes a mesh, and what is none stays as it is") {
+  const Mesh ball = test::icosphere(2);
+  Mesh soup = test::soup_of(ball);
+  CHECK(join_soup(soup).joined_vertices == 3 * ball.faces.size() - ball.positions.size());
+  CHECK(check_manifold(soup).is_closed());
+  CHECK(soup.positions.size() == ball.positions.size());
+
+  Mesh open = ball;
+  open.faces.resize(100);
+  const std::vector<Face> faces = open.faces;
+  CHECK(join_soup(open).joined_vertices == 0);
+  CHECK(open.faces == faces);
+  CHECK(open.positions.size() == ball.positions.size());
+}
+
+TEST_CASE("closed bodies that touch keep their own vertices") {
+  Mesh bodies = test::joined(test::cube(), test::moved(test::cube(), {1, 0, 0}));
+  const std::size_t before = bodies.positions.size();
+  CHECK(join_soup(bodies).joined_vertices == 0);
+  CHECK(bodies.positions.size() == before);
+}
+
+TEST_CASE("faces that look this way and that are refused, with the remedy") {
+  Mesh soup = test::soup_of(test::cube());
+  std::swap(soup.faces[3][1], soup.faces[3][2]);
+  const std::vector<Face> faces = soup.faces;
+  try {
+    join_soup(soup);
+    FAIL("accepted");
+  } catch (const InputError& error) {
+    CHECK(std::string(error.what()).ends_with("mend it with tm-stitch --orient"));
+  }
+  CHECK(soup.faces == faces);
+  stitch(soup, {.orient = true});
+  CHECK(join_soup(soup).joined_vertices == 0);
+  CHECK(check_manifold(soup).is_closed());
+}

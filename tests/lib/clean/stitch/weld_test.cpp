@@ -1,0 +1,110 @@
+/// Joining and snapping of positions, against brute force over all pairs.
+#include "clean/stitch/weld.h"
+
+#include <doctest/doctest.h>
+
+#include <numeric>
+
+#include "helpers/random.h"
+
+namespace transformesh {
+namespace {
+
+/// Points in clumps, some of them equal.
+std::vector<Vec3> clumps(std::uint64_t seed, double size) {
+  test::Random random(seed);
+  std::vector<Vec3> positions;
+  while (positions.size() < 120) {
+    const Vec3 middle = random.point(-1, 1);
+    for (std::uint64_t i = random.below(6) + 1; i > 0; --i)
+      positions.push_back(middle + random.point(-size, size));
+    if (random.below(3) == 0) positions.push_back(positions[random.below(positions.size())]);
+  }
+  return positions;
+}
+
+/// The smallest index that steps of at most the tolerance lead to.
+std::vector<Index> welded_by_steps(const std::vector<Vec3>& positions, double tolerance) {
+  std::vector<Index> root(positions.size());
+  std::iota(root.begin(), root.end(), 0);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Index i = 0; i < positions.size(); ++i) {
+      for (Index k = 0; k < positions.size(); ++k) {
+        if ((positions[i] - positions[k]).norm() > tolerance || root[k] >= root[i]) continue;
+        root[i] = root[k];
+        changed = true;
+      }
+    }
+  }
+  return root;
+}
+
+}  // namespace
+
+TEST_CASE("positions are welded with all that short steps lead to") {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    CAPTURE(seed);
+    const std::vector<Vec3> positions = clumps(seed, 0.05);
+    for (const double tolerance : {0.0, 0.02, 0.05, 0.2, 5.0}) {
+      CAPTURE(tolerance);
+      CHECK(weld_positions(positions, tolerance) == welded_by_steps(positions, tolerance));
+    }
+  }
+  CHECK(weld_positions({{0, 0, 0}, {-0.0, 0, -0.0}}, 0) == std::vector<Index>{0, 0});
+  CHECK(weld_positions({}, 1).empty());
+}
+
+TEST_CASE("heaps of points within the tolerance are welded as by steps") {
+  for (const double tolerance : {0.01, 0.05, 0.1, 0.25}) {
+    test::Random random(static_cast<std::uint64_t>(1000 * tolerance));
+    std::vector<Vec3> plate;  // many are in one place along x
+    std::vector<Vec3> heaps;  // nearly as far apart as the tolerance
+    std::vector<Vec3> lattice;
+    for (int i = 0; i < 700; ++i) {
+      plate.push_back(random.point(0, 1).cwiseProduct(Vec3(1e-3, 1, 1)));
+      const double heap = static_cast<double>(random.below(3));
+      heaps.push_back(Vec3(heap * 1.02 * tolerance, 0, 0) + random.point(0, 0.02 * tolerance));
+      lattice.push_back(0.05 * Vec3(0, static_cast<double>(random.below(40)),
+                                    static_cast<double>(random.below(40))));
+    }
+    for (const auto& positions : {plate, heaps, lattice})
+      CHECK(weld_positions(positions, tolerance) == welded_by_steps(positions, tolerance));
+  }
+}
+
+TEST_CASE("snapped positions go to the nearest that is kept, and those are apart") {
+  std::size_t snapped = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    CAPTURE(seed);
+    const std::vector<Vec3> positions = clumps(seed, 0.05);
+    const std::size_t fixed = 3 * seed;
+    for (const double distance : {0.03, 0.1}) {
+      const std::vector<Index> to = snap_positions(positions, fixed, distance);
+      const auto apart = [&](Index i, Index k) { return (positions[i] - positions[k]).norm(); };
+      for (Index i = 0; i < positions.size(); ++i) {
+        CHECK(to[to[i]] == to[i]);
+        if (i < fixed) CHECK(to[i] == i);
+        // The nearest of those kept before it decides whether it is kept.
+        Index nearest = no_index;
+        for (Index k = 0; k < i; ++k)
+          if (to[k] == k && (nearest == no_index || apart(i, k) < apart(i, nearest))) nearest = k;
+        const bool is_kept = i < fixed || nearest == no_index || apart(i, nearest) > distance;
+        CHECK((to[i] == i) == is_kept);
+        if (!is_kept) CHECK(apart(i, to[i]) == apart(i, nearest));
+        snapped += is_kept ? 0 : 1;
+      }
+    }
+  }
+  CHECK(snapped > 500);
+}
+
+TEST_CASE("snapping tells positions apart that differ by one spacing of doubles") {
+  const double spacing = 0x1p-52;
+  const std::vector<Vec3> row = {{1, 1, 1}, {1 + spacing, 1, 1}, {1 + 2 * spacing, 1, 1}};
+  CHECK(snap_positions(row, 0, spacing) == std::vector<Index>{0, 0, 2});
+  CHECK(snap_positions(row, 2, spacing) == std::vector<Index>{0, 1, 1});
+  CHECK(snap_positions(row, 0, 2 * spacing) == std::vector<Index>{0, 0, 0});
+}
+
+}  // namespace transformesh

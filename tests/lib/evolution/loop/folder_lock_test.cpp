@@ -1,0 +1,43 @@
+#include "evolution/loop/folder_lock.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "helpers/temporary_folder.h"
+#include "support/error.h"
+
+using namespace transformesh;
+using namespace transformesh::test;
+
+namespace fs = std::filesystem;
+
+TEST_CASE("a folder is locked once, and free again afterwards") {
+  const TemporaryFolder folder;
+  {
+    const FolderLock lock(folder / "state");
+    CHECK_THROWS_AS(FolderLock(folder / "./state"), OutputError);
+    const FolderLock other(folder / "other");
+  }
+  const FolderLock again(folder / "state");
+}
+
+TEST_CASE("an empty folder goes with its lock, and the one above if the lock made it") {
+  const TemporaryFolder folder;
+  { const FolderLock lock(folder / "state"); }
+  { const FolderLock lock(folder / "above/state"); }
+  CHECK(folder.is_empty());
+  {
+    const FolderLock lock(folder / "state");
+    make_file(folder / "state/mesh.ply", "");
+  }
+  CHECK(fs::exists(folder / "state/mesh.ply"));
+}
+
+TEST_CASE("a folder that was removed in between is locked anew") {
+  const TemporaryFolder folder;
+  const FolderLock lock(folder / "state");
+  fs::remove(folder / "state");
+  const FolderLock other(folder / "state");
+  CHECK_THROWS_AS(FolderLock(folder / "state"), OutputError);
+}

@@ -1,0 +1,126 @@
+#include "evolution/reconstruction/level_rule.h"
+
+#include <doctest/doctest.h>
+
+#include "helpers/moving_pass.h"
+
+using namespace transformesh;
+
+namespace {
+
+using test::moving;
+
+Pass with_topology(Pass pass, Topology topology) {
+  pass.mesh.topology = topology;
+  return pass;
+}
+
+Pass with_outside(Pass pass, std::size_t outside) {
+  pass.steps.last.outside = outside;
+  return pass;
+}
+
+}  // namespace
+
+TEST_CASE("a level is done where vertices hardly move, or photographs agree hardly better") {
+  LevelRule rule;
+  Pass slow = moving(0.5);
+  slow.steps.last.mean_share = 0.014;
+  CHECK(rule.add(slow).is_done);
+  rule.begin();
+  CHECK_FALSE(rule.add(moving(0.5)).is_done);
+  CHECK_FALSE(rule.add(moving(0.49)).is_done);
+  const PassVerdict verdict = rule.add(moving(0.486));
+  CHECK(verdict.is_done);
+  CHECK(verdict.is_at_rest);
+}
+
+TEST_CASE("a level ends after so many passes, and does not count as at rest") {
+  LevelRule rule(2);
+  CHECK_FALSE(rule.add(moving(0.5)).is_done);
+  const PassVerdict verdict = rule.add(moving(0.4));
+  CHECK(verdict.is_done);
+  CHECK_FALSE(verdict.is_at_rest);
+}
+
+TEST_CASE("while the topology changes a level has twice as many passes, and no rest") {
+  LevelRule rule(2);
+  rule.add(moving(0.5));
+  CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 0})).is_done);
+  CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 1})).is_done);
+  const PassVerdict verdict = rule.add(with_topology(moving(0.5), {1, 1}));
+  CHECK(verdict.is_done);
+  CHECK_FALSE(verdict.is_at_rest);
+}
+
+TEST_CASE("while vertices come in from outside of silhouettes a level goes on") {
+  LevelRule rule(2);
+  CHECK_FALSE(rule.add(with_outside(moving(0.5), 100)).is_done);
+  CHECK_FALSE(rule.add(with_outside(moving(0.5), 80)).is_done);
+  // Those that stay outside do not come in; and a few are none.
+  CHECK(rule.add(with_outside(moving(0.5), 79)).is_done);
+  rule.begin();
+  rule.add(moving(0.5));
+  CHECK(rule.add(with_outside(moving(0.5), 2)).is_at_rest);
+}
+
+TEST_CASE("a surface of which less is compared than when the level began is lost, not at rest") {
+  for (const bool is_share : {true, false}) {
+    LevelRule rule;
+    CHECK_FALSE(rule.add(moving(0.5)).is_lost);
+    Pass lost = moving(0.5);
+    if (is_share) lost.steps.last.coverage = 0.71;
+    if (!is_share) lost.steps.last.pixels = 449;
+    const PassVerdict verdict = rule.add(lost);
+    CHECK(verdict.is_lost);
+    CHECK_FALSE(verdict.is_at_rest);
+    CHECK_FALSE(verdict.is_done);
+  }
+  // What the level began with counts, not the pass.
+  LevelRule rule;
+  rule.add(moving(0.5));
+  Pass later = moving(0.4);
+  later.steps.first.coverage = 0.6;
+  later.steps.last.coverage = 0.6;
+  CHECK(rule.add(later).is_lost);
+}
+
+TEST_CASE("a topology that changes within a late scale is told from one that changes before") {
+  const auto is_late = [](double scale, Topology before) {
+    LevelRule rule;
+    rule.add(with_topology(moving(0.5), before));
+    Pass measures = with_topology(moving(0.3), {1, 5});
+    measures.level.scale = scale;
+    return rule.add(measures).is_late;
+  };
+  CHECK(is_late(1.4142, {1, 6}));
+  CHECK(is_late(1, {2, 5}));
+  CHECK_FALSE(is_late(1.4142, {1, 5}));
+  CHECK_FALSE(is_late(2, {1, 6}));
+  // From level to level it may change.
+  LevelRule rule;
+  Pass first = with_topology(moving(0.3), {1, 5});
+  first.level.scale = 1;
+  CHECK_FALSE(rule.add(first).is_late);
+}
+
+TEST_CASE("the rule of a level goes on from its memory as if nothing had happened") {
+  LevelRule whole(6), parts(6);
+  for (int i = 0; i < 6; ++i) {
+    Pass measures = with_outside(moving(0.123456789 / (1 + i)), 100 - 5 * (i / 2));
+    measures.steps.last.coverage = 0.8123456789 - 0.03 * i;
+    measures.mesh.topology = {1, -i / 3};
+    LevelRule next(6);
+    Memory kept;
+    parts.remember(kept);
+    Memory memory(kept.text());
+    next.remember(memory);
+    parts = next;
+    const PassVerdict expected = whole.add(measures);
+    const PassVerdict found = parts.add(measures);
+    CHECK(expected.is_done == found.is_done);
+    CHECK(expected.is_lost == found.is_lost);
+    CHECK(expected.is_at_rest == found.is_at_rest);
+    CHECK(expected.is_late == found.is_late);
+  }
+}

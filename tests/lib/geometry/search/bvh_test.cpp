@@ -1,0 +1,169 @@
+#include "geometry/search/bvh.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "helpers/random.h"
+#include "helpers/shapes.h"
+#include "support/parallel.h"
+
+using namespace transformesh;
+
+namespace {
+
+constexpr auto every_pair = [](Index, Index) { return true; };
+
+bool touch(const FloatBox& a, const FloatBox& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (a.maximum[axis] < b.minimum[axis] || b.maximum[axis] < a.minimum[axis]) return false;
+  return true;
+}
+
+std::vector<Bvh::Pair> pairs_by_search(const std::vector<FloatBox>& boxes) {
+  std::vector<Bvh::Pair> pairs;
+  for (Index i = 0; i < boxes.size(); ++i)
+    for (Index j = i + 1; j < boxes.size(); ++j)
+      if (touch(boxes[i], boxes[j])) pairs.emplace_back(i, j);
+  return pairs;
+}
+
+std::vector<Bvh::Pair> pairs_by_search(const std::vector<FloatBox>& here,
+                                       const std::vector<FloatBox>& there) {
+  std::vector<Bvh::Pair> pairs;
+  for (Index i = 0; i < here.size(); ++i)
+    for (Index j = 0; j < there.size(); ++j)
+      if (touch(here[i], there[j])) pairs.emplace_back(i, j);
+  return pairs;
+}
+
+std::vector<FloatBox> random_boxes(std::uint64_t seed, std::size_t count, double size) {
+  test::Random random(seed);
+  std::vector<FloatBox> boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 low = random.point(0, 1);
+    boxes.push_back(float_box(low, low + random.point(0, size)));
+  }
+  return boxes;
+}
+
+/// Small integer coordinates: boxes that touch, coincide, and have no extent.
+std::vector<FloatBox> lattice_boxes(std::uint64_t seed, std::size_t count) {
+  test::Random random(seed);
+  std::vector<FloatBox> boxes(count);
+  for (FloatBox& box : boxes)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.minimum[axis] = static_cast<float>(random.below(8));
+      box.maximum[axis] = box.minimum[axis] + static_cast<float>(random.below(3));
+    }
+  return boxes;
+}
+
+}  // namespace
+
+TEST_CASE("pairs agree with a search for any number of boxes") {
+  for (std::size_t count = 0; count < 40; ++count) {
+    const auto boxes = lattice_boxes(count, count);
+    CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
+    CHECK(Bvh(boxes).empty() == (count == 0));
+  }
+  for (const double size : {0.0, 0.02, 0.1, 1.0}) {
+    const auto boxes = random_boxes(7, 1500, size);
+    CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
+  }
+  const auto boxes = lattice_boxes(3, 1500);
+  CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
+}
+
+TEST_CASE("pairs between two trees agree with a search, whatever their heights") {
+  const std::size_t counts[] = {0, 1, 3, 5, 70, 1200};
+  for (const std::size_t m : counts)
+    for (const std::size_t n : counts) {
+      const auto here = lattice_boxes(m + 1, m);
+      const auto there = lattice_boxes(n + 2, n);
+      CHECK(Bvh(here).overlapping_pairs(Bvh(there), every_pair) == pairs_by_search(here, there));
+    }
+}
+
+TEST_CASE("only accepted pairs are listed, and asked for with the smaller index first") {
+  const auto boxes = lattice_boxes(4, 800);
+  const auto accept = [](Index i, Index j) { return i < j && (i + j) % 7 == 0; };
+  auto expected = pairs_by_search(boxes);
+  std::erase_if(expected, [&](const Bvh::Pair& pair) { return !accept(pair.first, pair.second); });
+  CHECK(Bvh(boxes).overlapping_pairs(accept) == expected);
+}
+
+TEST_CASE("boxes at the ends of the float range and beyond are paired") {
+  for (const double scale : {1e-320, 1e-44, 1e-30, 1e30, 1e38, 1e39, 1e300}) {
+    test::Random random(11);
+    std::vector<FloatBox> boxes;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 low = random.point(-10, 10);
+      boxes.push_back(float_box(scale * low, scale * (low + random.point(0, 2))));
+    }
+    CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
+  }
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::vector<FloatBox> boxes = lattice_boxes(5, 50);
+  boxes.push_back({{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}});
+  CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
+}
+
+TEST_CASE("boxes of one group are not paired, those of none are") {
+  for (const std::size_t count : {1, 3, 50, 1000}) {
+    const auto boxes = random_boxes(12, count, 0.3);
+    for (const Index groups : {1, 2, 40}) {
+      std::vector<Index> group_of(count);
+      for (Index i = 0; i < count; ++i)
+        group_of[i] = i % 5 == 0 ? no_index : boxes[i].minimum[0] < 0 ? 0 : i % groups;
+      std::vector<Bvh::Pair> expected;
+      for (const auto& [i, j] : pairs_by_search(boxes))
+        if (group_of[i] == no_index || group_of[i] != group_of[j]) expected.emplace_back(i, j);
+      Bvh bvh(boxes);
+      bvh.set_groups(group_of);
+      CHECK(bvh.overlapping_pairs(every_pair) == expected);
+    }
+  }
+}
+
+TEST_CASE("many equal boxes cost pairs, not depth") {
+  const std::vector<FloatBox> boxes(10000, float_box(Vec3::Zero(), Vec3::Ones()));
+  const auto pairs = Bvh(boxes).overlapping_pairs([](Index, Index j) { return j == 9999; });
+  REQUIRE(pairs.size() == 9999);
+  for (Index i = 0; i < pairs.size(); ++i) CHECK(pairs[i] == Bvh::Pair(i, 9999));
+}
+
+TEST_CASE("pairs are the same for any number of threads") {
+  const Mesh mesh = test::joined(test::icosphere(4), test::moved(test::icosphere(4), {0.3, 0, 0}));
+  std::vector<std::vector<Bvh::Pair>> results;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    results.push_back(Bvh(mesh).overlapping_pairs(every_pair));
+  }
+  CHECK(results[0] == pairs_by_search(face_boxes(mesh)));
+  CHECK(results[1] == results[0]);
+  CHECK(results[2] == results[0]);
+}
+
+TEST_CASE("visited overlaps agree with a search and stop on request") {
+  const auto boxes = random_boxes(8, 1000, 0.2);
+  const Bvh bvh(boxes);
+  for (const FloatBox& box : random_boxes(9, 50, 0.3)) {
+    std::vector<Index> visited;
+    bvh.visit_overlaps(box, [&](Index i) {
+      visited.push_back(i);
+      return true;
+    });
+    std::sort(visited.begin(), visited.end());
+    std::vector<Index> expected;
+    for (Index i = 0; i < boxes.size(); ++i)
+      if (touch(boxes[i], box)) expected.push_back(i);
+    CHECK(visited == expected);
+  }
+  int calls = 0;
+  bvh.visit_overlaps(float_box(Vec3::Zero(), Vec3::Ones()), [&](Index) { return ++calls < 3; });
+  CHECK(calls == 3);
+  Bvh().visit_overlaps(boxes[0], [&](Index) { return ++calls < 0; });
+  CHECK(calls == 3);
+}

@@ -1,0 +1,144 @@
+/// Decimated shapes against what they are: counts, closed forms of volume and distance, and no
+/// crossing.
+#include "remesh/decimate.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "clean/intersect/intersect.h"
+#include "helpers/shapes.h"
+#include "mesh/components.h"
+#include "mesh/measure.h"
+#include "remesh_checks.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+Mesh decimated(Mesh mesh, std::size_t faces, DecimateOptions options = {}) {
+  const std::size_t before = mesh.faces.size();
+  options.faces = faces;
+  const DecimateResult result = decimate(mesh, options);
+  CHECK(mesh.faces.size() == result.faces);
+  CHECK(mesh.faces.size() <= faces);
+  CHECK(mesh.faces.size() + 1 >= faces);
+  CHECK(before - 2 * result.collapses == result.faces);
+  CHECK(test::is_oriented_manifold(mesh));
+  CHECK(test::is_closed(mesh));
+  CHECK(find_intersections(mesh).empty());
+  return mesh;
+}
+
+/// A cube whose faces are grids of squares, each cut in two.
+Mesh fine_cube(int steps) {
+  Mesh mesh;
+  std::map<std::array<int, 3>, Index> numbers;
+  const auto number = [&](const std::array<int, 3>& p) {
+    const auto [entry, is_new] = numbers.try_emplace(p, static_cast<Index>(mesh.positions.size()));
+    if (is_new) mesh.positions.push_back(Vec3(p[0], p[1], p[2]) / steps);
+    return entry->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const int side : {0, steps}) {
+      for (int i = 0; i < steps; ++i) {
+        for (int k = 0; k < steps; ++k) {
+          const auto corner = [&](int di, int dk) {
+            std::array<int, 3> p{};
+            p[axis] = side;
+            p[(axis + 1) % 3] = i + di;
+            p[(axis + 2) % 3] = k + dk;
+            return number(p);
+          };
+          Face first{corner(0, 0), corner(1, 0), corner(1, 1)};
+          Face second{corner(0, 0), corner(1, 1), corner(0, 1)};
+          if (side == 0) std::swap(first[1], first[2]), std::swap(second[1], second[2]);
+          mesh.faces.push_back(first);
+          mesh.faces.push_back(second);
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("a sphere keeps its shape with few faces") {
+  const Mesh ball = test::icosphere(5);
+  for (const std::size_t faces : {5000, 1000, 200, 40}) {
+    CAPTURE(faces);
+    const Mesh mesh = decimated(ball, faces);
+    // A ball of that volume, less the caps over triangles of equal areas: about 1 - 7.3 / n.
+    const double lost = 1 - volume(mesh) / (4.0 / 3 * std::numbers::pi);
+    CHECK(lost > -1e-3);
+    CHECK(lost < 11.0 / static_cast<double>(faces));
+    // The sagitta of an equilateral triangle of that area.
+    for (const Vec3& p : mesh.positions)
+      CHECK(std::abs(p.norm() - 1) < 4.84 / static_cast<double>(faces));
+  }
+}
+
+TEST_CASE("what is flat goes first: a fine cube becomes twelve triangles with eight corners") {
+  const Mesh mesh = decimated(fine_cube(12), 12);
+  CHECK(mesh.positions.size() == 8);
+  CHECK(volume(mesh) == doctest::Approx(1).epsilon(1e-9));
+}
+
+TEST_CASE("edges that are sharp stay where they are") {
+  DecimateOptions options;
+  options.feature_angle_deg = 40;
+  const Mesh mesh = decimated(fine_cube(10), 60, options);
+  CHECK(volume(mesh) == doctest::Approx(1).epsilon(1e-12));
+}
+
+TEST_CASE("handles and components stay") {
+  const Mesh mesh = decimated(test::torus(1, 0.4, 60, 30), 60);
+  CHECK(connected_components(mesh).components.front().genus() == 1);
+
+  const Mesh pair = test::joined(test::icosphere(3), test::moved(test::icosphere(3), {3, 0, 0}));
+  CHECK(connected_components(decimated(pair, 40)).components.size() == 2);
+}
+
+TEST_CASE("sheets that are close do not come to cross") {
+  Mesh plate = test::icosphere(5);
+  for (Vec3& p : plate.positions) p.z() *= 0.01;
+  decimated(plate, 400);
+}
+
+TEST_CASE("positions are rounded before they are checked") {
+  DecimateOptions options;
+  options.coordinate = Scalar::float32;
+  Mesh ball = test::icosphere(4);
+  for (Vec3& p : ball.positions) p = p.cast<float>().cast<double>();
+  for (const Vec3& p : decimated(ball, 300, options).positions)
+    CHECK(p == Vec3(p.cast<float>().cast<double>()));
+}
+
+TEST_CASE("vertex properties are blended along") {
+  Mesh ball = test::icosphere(4);
+  Column& height = ball.vertex_columns.get("height", Scalar::float64, ball.positions.size());
+  for (std::size_t v = 0; v < ball.positions.size(); ++v) height.values[v] = ball.positions[v].z();
+  const Mesh mesh = decimated(ball, 500);
+  const Column* column = mesh.vertex_columns.find("height");
+  REQUIRE(column != nullptr);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    CHECK(std::abs(column->values[v] - mesh.positions[v].z()) < 0.1);
+}
+
+TEST_CASE("what cannot be decimated so far is told") {
+  Mesh mesh = test::icosphere(2);
+  CHECK_THROWS_AS(decimate(mesh, {3}), UsageError);
+  Mesh empty;
+  CHECK_THROWS_AS(decimate(empty, {10}), InputError);
+  // Two balls take eight faces.
+  Mesh pair = test::joined(mesh, test::moved(mesh, {3, 0, 0}));
+  CHECK_THROWS_AS(decimate(pair, {4}), GoalError);
+  CHECK(pair.faces.size() == 2 * mesh.faces.size());
+  const std::size_t faces = mesh.faces.size();
+  CHECK(decimate(mesh, {faces}).collapses == 0);
+}
+
+}  // namespace transformesh

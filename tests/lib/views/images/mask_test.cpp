@@ -1,0 +1,53 @@
+#include "views/images/mask.h"
+
+#include <doctest/doctest.h>
+
+using namespace transformesh;
+
+namespace {
+
+GrayImage row(std::vector<float> levels) {
+  GrayImage image(static_cast<int>(levels.size()), 1);
+  image.pixels = std::move(levels);
+  return image;
+}
+
+using Levels = std::vector<float>;
+
+}  // namespace
+
+TEST_CASE("a mask of few levels is inside where it is not black") {
+  for (const Levels& levels :
+       {Levels{0, 255, 0, 255}, Levels{0, 1, 0, 2}, Levels{0, 40, 0, 200}, Levels{0, 1, 0, 255}}) {
+    const Mask mask = mask_of(row(levels), {});
+    CHECK(mask.rule == MaskRule::not_black);
+    CHECK(mask.silhouette.pixels == Levels{0, 255, 0, 255});
+  }
+  CHECK(mask_of(row({7, 7}), {}).silhouette.pixels == Levels{255, 255});
+  CHECK(mask_of(row({0, 0}), {}).silhouette.pixels == Levels{0, 0});
+}
+
+TEST_CASE("a photograph before black keeps its dark parts") {
+  const Mask mask = mask_of(row({0, 10, 30, 50, 90, 120, 150, 180, 210, 240}), {});
+  CHECK(mask.rule == MaskRule::not_black);
+  CHECK(mask.silhouette.pixels[1] == 255);
+}
+
+TEST_CASE("black that is not quite black is told from white") {
+  for (const Levels& levels :
+       {Levels{5, 250, 5, 250}, Levels{0, 3, 9, 7, 2, 255, 241, 250}, Levels{20, 22, 90, 100}}) {
+    const Mask mask = mask_of(row(levels), {});
+    CHECK(mask.rule == MaskRule::between_levels);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      CHECK(mask.silhouette.pixels[i] == (levels[i] > 60 ? 255 : 0));
+  }
+}
+
+TEST_CASE("transparency is the mask where it varies") {
+  const Mask mask = mask_of(row({255, 255, 255}), row({0, 255, 100}));
+  CHECK(mask.rule == MaskRule::alpha);
+  CHECK(mask.silhouette.pixels == Levels{0, 255, 0});
+  const Mask opaque = mask_of(row({0, 255, 9}), row({255, 255, 255}));
+  CHECK(opaque.rule == MaskRule::not_black);
+  CHECK(opaque.silhouette.pixels == Levels{0, 255, 255});
+}
