@@ -6,7 +6,7 @@
 
 #include "frame/report.h"
 #include "support/number.h"
-#include "views/cameras/pinhole_camera.h"
+#include "transformesh/pinhole_camera.h"
 
 namespace transformesh::tool {
 namespace {

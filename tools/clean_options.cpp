@@ -1,6 +1,6 @@
 #include "clean_options.h"
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "clean/clean_box.h"
 #include "frame/run.h"
+#include "transformesh/clean_box.h"
 
 namespace transformesh::tool {
 

@@ -1,11 +1,11 @@
 /// The entries of tm-clean's report.
 #pragma once
 
-#include "clean/clean.h"
 #include "clean/stitch/separate.h"
 #include "frame/column_notes.h"
 #include "frame/run.h"
-#include "mesh/components.h"
+#include "transformesh/clean.h"
+#include "transformesh/components.h"
 
 namespace transformesh::tool {
 

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 
-#include "io/mesh_io.h"
-#include "picture/png.h"
+#include "io/formats/file_format.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/image.h"
+#include "transformesh/mesh_io.h"
+#include "views/cameras/view_files.h"
 
 namespace transformesh::tool {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "filter_process.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {

@@ -13,7 +13,7 @@
 #include <memory>
 
 #include "frame/run.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {

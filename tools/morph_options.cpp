@@ -1,7 +1,8 @@
 #include "morph_options.h"
 
 #include "frame/smoothing_option.h"
-#include "support/error.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {
@@ -89,8 +90,8 @@ void check_morph(const MorphChoices& choices, const Run& run) {
     throw UsageError("one source at most, but '" + inputs[1] + "' is a second one");
 }
 
-MorphingOptions morphing_of(const MorphChoices& choices, Run& run) {
-  MorphingOptions options = choices.options;
+MorphOptions morphing_of(const MorphChoices& choices, Run& run) {
+  MorphOptions options = choices.options;
   options.step.distance = distance_of(choices.distance);
   if (choices.features != "auto")
     options.features = choices.features == "on" ? Features::on : Features::off;

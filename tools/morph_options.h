@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "evolution/morphing.h"
 #include "frame/loop_options.h"
 #include "frame/run.h"
+#include "transformesh/morph.h"
 
 namespace transformesh::tool {
 
@@ -13,7 +13,7 @@ namespace transformesh::tool {
 struct MorphChoices {
   std::string target;
   bool sequence = false;
-  MorphingOptions options;
+  MorphOptions options;
   std::string distance = "auto";
   std::string smooth = "0.1";
   std::string features = "auto";
@@ -27,7 +27,7 @@ void declare_morph(Program& program, MorphChoices& choices);
 void check_morph(const MorphChoices& choices, const Run& run);
 
 /// With lengths that refer to the mesh of the run.
-MorphingOptions morphing_of(const MorphChoices& choices, Run& run);
+MorphOptions morphing_of(const MorphChoices& choices, Run& run);
 
 /// The shell loop over the filters that makes the same meshes.
 std::string pipeline_of(const MorphChoices& choices, const Run& run);

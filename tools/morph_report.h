@@ -3,21 +3,25 @@
 
 #include <string>
 
-#include "evolution/tracking.h"
+#include "evolution/loop/iteration_text.h"
+#include "evolution/morph_remedy.h"
+#include "evolution/recorded_loops.h"
 #include "frame/run.h"
-#include "mesh/components.h"
-#include "mesh/measure.h"
 #include "support/counted.h"
+#include "support/number.h"
+#include "transformesh/components.h"
+#include "transformesh/measure.h"
+#include "transformesh/track.h"
 
 namespace transformesh::tool {
 
-inline std::string how(MorphingStop stop) {
-  if (stop == MorphingStop::converged) return "converged";
-  return stop == MorphingStop::stalled ? "no longer improving" : "iteration limit reached";
+inline std::string how(MorphStop stop) {
+  if (stop == MorphStop::converged) return "converged";
+  return stop == MorphStop::stalled ? "no longer improving" : "iteration limit reached";
 }
 
 /// The options that mend it; empty if there is nothing to mend.
-inline std::string words_of(const MorphRemedy& remedy, const MorphingOptions& options) {
+inline std::string words_of(const MorphRemedy& remedy, const MorphOptions& options) {
   // The longest edges are 1.5 times as long as the reference edge, which this halves.
   const std::string halved = significant(remedy.edge / 3, 2);
   switch (remedy.kind) {
@@ -39,16 +43,16 @@ inline std::string words_of(const MorphRemedy& remedy, const MorphingOptions& op
 }
 
 /// Returns the fault of a morph with the option that mends it; empty if there is none.
-inline std::string fault_of(const MorphingResult& result, const MorphingOptions& options) {
-  const std::string& fault = result.agreement.fault;
+inline std::string fault_of(const MorphResult& result, const MorphOptions& options) {
+  const std::string& fault = result.fault;
   if (fault.empty()) return fault;
-  const bool was_limited = result.stop == MorphingStop::iteration_limit;
+  const bool was_limited = result.stop == MorphStop::iteration_limit;
   return fault + ": " + (was_limited ? "take more --iterations" : words_of(result.remedy, options));
 }
 
 /// Calls it; adds to the message that the surface has vanished what mends that.
 template <class Morph>
-MorphingResult with_remedy(const MorphingOptions& options, const Morph& morph) {
+MorphResult with_remedy(const MorphOptions& options, const Morph& morph) {
   try {
     return morph();
   } catch (const VanishedError& error) {
@@ -56,7 +60,7 @@ MorphingResult with_remedy(const MorphingOptions& options, const Morph& morph) {
   }
 }
 
-inline std::string summary(const MorphingResult& result, const MorphingOptions& options,
+inline std::string summary(const MorphResult& result, const MorphOptions& options,
                            const Mesh& mesh) {
   const std::string fault = fault_of(result, options);
   return how(result.stop) + " after " + counted(result.iterations, "iteration") + ": " +
@@ -66,9 +70,9 @@ inline std::string summary(const MorphingResult& result, const MorphingOptions& 
          (fault.empty() ? "" : "; " + fault);
 }
 
-inline void report_morph(const MorphingResult& result, const MorphingOptions& options, Run& run) {
+inline void report_morph(const MorphResult& result, const MorphOptions& options, Run& run) {
   const MorphStepResult& distances = result.distances;
-  run.report("converged", result.stop == MorphingStop::converged);
+  run.report("converged", result.stop == MorphStop::converged);
   run.report("stop", name_of(result.stop));
   run.report("iterations", result.iterations);
   run.report("components", result.topology.components);
@@ -77,9 +81,9 @@ inline void report_morph(const MorphingResult& result, const MorphingOptions& op
   run.report("max_distance_to_target", distances.to_target.maximum);
   run.report("rms_distance_from_target", distances.from_target.rms);
   run.report("max_distance_from_target", distances.from_target.maximum);
-  if (result.agreement.to_target) {
-    run.report("hausdorff_to_target", *result.agreement.to_target);
-    run.report("hausdorff_from_target", *result.agreement.from_target);
+  if (result.to_target) {
+    run.report("hausdorff_to_target", *result.to_target);
+    run.report("hausdorff_from_target", *result.from_target);
   }
   if (result.expected) {
     run.report("target_components", result.expected->components);
@@ -95,7 +99,7 @@ inline void report_morph(const MorphingResult& result, const MorphingOptions& op
   run.report("aligned", result.aligned);
 }
 
-inline void report_tracking(const TrackingResult& result, const Mesh& mesh, Run& run) {
+inline void report_tracking(const TrackResult& result, const Mesh& mesh, Run& run) {
   run.report("converged", result.converged == result.frames);
   run.report("frames", result.frames);
   run.report("converged_frames", result.converged);
@@ -103,7 +107,7 @@ inline void report_tracking(const TrackingResult& result, const Mesh& mesh, Run&
   run.report("mean_edge", edge_lengths(mesh).mean);
 }
 
-inline std::string summary(const TrackingResult& result, const Mesh& mesh) {
+inline std::string summary(const TrackResult& result, const Mesh& mesh) {
   return counted(result.frames, "frame") + ", " + std::to_string(result.converged) +
          " converged: " + counted(mesh.faces.size(), "face");
 }

@@ -12,7 +12,7 @@
 
 #include "io/streams/output_target.h"
 #include "io/streams/streams.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {

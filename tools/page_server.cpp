@@ -14,7 +14,7 @@
 #include <list>
 #include <vector>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {

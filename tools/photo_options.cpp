@@ -1,7 +1,13 @@
 #include "photo_options.h"
 
-#include "support/error.h"
-#include "support/length.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "transformesh/length.h"
+#include "views/cameras/view.h"
+#include "views/cameras/view_files.h"
+#include "views/photo/photo_scene.h"
+#include "views/photo/photo_steps.h"
 
 namespace transformesh::tool {
 namespace {

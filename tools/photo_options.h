@@ -6,6 +6,7 @@
 #include "frame/run.h"
 #include "view_options.h"
 #include "views/cameras/view_files.h"
+#include "views/photo/photo_scene.h"
 #include "views/photo/photo_steps.h"
 
 namespace transformesh::tool {

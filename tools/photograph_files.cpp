@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "picture/png.h"
 #include "picture/shade.h"
-#include "support/error.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/image.h"
 #include "views/cameras/name_pairs.h"
+#include "views/cameras/view.h"
 #include "views/cameras/view_files.h"
 #include "views/hull/silhouette.h"
 #include "views/images/image_file.h"

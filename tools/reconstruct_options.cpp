@@ -1,6 +1,10 @@
 #include "reconstruct_options.h"
 
-#include "support/error.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
+#include "views/cameras/view_files.h"
 #include "views/hull/keep_in_box.h"
 
 namespace transformesh::tool {
@@ -70,8 +74,7 @@ void declare_steps(Program& program, ReconstructChoices& choices) {
   program.number("robust", &choices.options.robust, 0, 1e300,
                  "at last, windows that disagree this many times as much as the mean pull by a "
                  "quarter, 0: all alike");
-  program.number("stiffness", &choices.options.steps.step.stiffness, 0, 1e300,
-                 "resistance to bending");
+  program.number("stiffness", &choices.options.step.stiffness, 0, 1e300, "resistance to bending");
   program.number("crumbs", &choices.options.crumbs, 0, 1,
                  "at last, drop components of less than this share of the largest one's volume");
   program.number("handles", &choices.options.handles, 0, 1e300,

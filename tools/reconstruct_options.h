@@ -11,6 +11,7 @@
 #include "frame/loop_options.h"
 #include "frame/run.h"
 #include "view_options.h"
+#include "views/cameras/view.h"
 #include "views/cameras/view_files.h"
 
 namespace transformesh::tool {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "evolution/loop/iteration_text.h"
+#include "evolution/reconstruction/surface_doubt.h"
+#include "evolution/recorded_loops.h"
 #include "evolution/sequence.h"
 #include "frame/run.h"
 #include "support/counted.h"
@@ -34,13 +37,12 @@ inline void report_reconstruction(const ReconstructionResult& result, std::size_
   run.report("coverage", result.last.coverage);
   run.report("first_pixels", result.first.pixels);
   run.report("pixels", result.last.pixels);
-  const SurfaceEvidence& evidence = result.evidence;
-  run.report("first_silhouette_agreement", evidence.first_agreement);
-  run.report("silhouette_agreement", evidence.agreement);
-  run.report("noise_floor", evidence.doubt.floor);
-  run.report("disagreement", evidence.doubt.disagreement);
-  run.report("doubtful", evidence.doubt.share);
-  run.report("doubtful_places", texts_of(evidence.doubt.places));
+  run.report("first_silhouette_agreement", result.first_agreement);
+  run.report("silhouette_agreement", result.agreement);
+  run.report("noise_floor", result.noise_floor);
+  run.report("disagreement", result.disagreement);
+  run.report("doubtful", result.doubtful);
+  run.report("doubtful_places", texts_of(result.doubtful_places));
   run.report("mean_edge", result.last.displaced.mean_edge);
 }
 

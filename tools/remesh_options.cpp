@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "frame/smoothing_option.h"
-#include "support/error.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {
@@ -120,8 +120,8 @@ AlignOptions align_options(RemeshChoices& choices, const Document& document, Run
                 {"feature-angle", "min-edge", "max-edge", "source"});
   AlignOptions result;
   result.feature_angle_deg = feature_angle(choices.feature_angle, result.feature_angle_deg);
-  result.limits.shortest = edge_length(choices.min_edge, 0.7, "--min-edge", false, run);
-  result.limits.longest = edge_length(choices.max_edge, 1.5, "--max-edge", false, run);
+  result.min_edge = edge_length(choices.min_edge, 0.7, "--min-edge", false, run);
+  result.max_edge = edge_length(choices.max_edge, 1.5, "--max-edge", false, run);
   result.coordinate = document.style.coordinate;
   return result;
 }

@@ -7,9 +7,9 @@
 
 #include "frame/keep_out_option.h"
 #include "frame/run.h"
-#include "remesh/align_features.h"
-#include "remesh/decimate.h"
-#include "remesh/remesh.h"
+#include "transformesh/align_features.h"
+#include "transformesh/decimate.h"
+#include "transformesh/remesh.h"
 
 namespace transformesh::tool {
 

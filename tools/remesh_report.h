@@ -3,15 +3,15 @@
 
 #include "frame/run.h"
 #include "mesh/location_text.h"
-#include "remesh/remesh.h"
 #include "support/counted.h"
 #include "support/number.h"
+#include "transformesh/remesh.h"
 
 namespace transformesh::tool {
 
 /// The shortest edge is named, with advice, only if one length holds for the whole mesh.
-inline void report_dropped(const RemovedComponents& dropped, const RemeshOptions& options,
-                           Run& run) {
+inline void report_dropped(const RemeshResult::RemovedComponents& dropped,
+                           const RemeshOptions& options, Run& run) {
   run.report("components_dropped", dropped.count);
   run.report("components_dropped_faces", dropped.faces);
   run.report("components_dropped_area", dropped.area);

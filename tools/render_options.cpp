@@ -5,7 +5,7 @@
 
 #include "film.h"
 #include "picture/spelling.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 

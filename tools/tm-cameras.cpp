@@ -4,8 +4,8 @@
 
 #include "camera_table.h"
 #include "frame/run.h"
-#include "support/error.h"
-#include "views/cameras/pinhole_camera.h"
+#include "transformesh/errors.h"
+#include "transformesh/pinhole_camera.h"
 #include "views/cameras/view_files.h"
 
 namespace {

@@ -2,8 +2,9 @@
 #include <sstream>
 
 #include "frame/run.h"
-#include "geometry/carry.h"
-#include "support/error.h"
+#include "geometry/source_points.h"
+#include "transformesh/carry.h"
+#include "transformesh/errors.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 /// tm-cat: several meshes as one, one after the other.
 #include "frame/run.h"
-#include "io/concatenate.h"
+#include "transformesh/document.h"
 
 namespace {
 

@@ -1,12 +1,12 @@
 /// tm-checkmanifold: whether a mesh is an oriented manifold, and where it is not.
-#include "clean/certify/certify.h"
-#include "clean/intersect/intersect.h"
 #include "frame/run.h"
 #include "geometry/numbers/predicates.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/certify.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
 
 namespace {
 

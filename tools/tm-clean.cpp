@@ -5,7 +5,7 @@
 #include "geometry/source_points.h"
 #include "mesh/surface_columns.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 

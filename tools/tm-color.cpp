@@ -1,5 +1,6 @@
 /// tm-color: colors of a surface from calibrated photographs.
 #include "color_options.h"
+#include "views/cameras/view_files.h"
 
 namespace {
 

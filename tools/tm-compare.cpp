@@ -1,7 +1,7 @@
 /// tm-compare: how far a mesh is from a reference.
 #include "frame/run.h"
-#include "geometry/compare.h"
-#include "mesh/measure.h"
+#include "transformesh/compare.h"
+#include "transformesh/measure.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include "frame/keep_out_option.h"
 #include "frame/run.h"
 #include "mesh/touching_borders.h"
-#include "step/displace.h"
-#include "step/velocity.h"
-#include "support/error.h"
+#include "transformesh/displace.h"
+#include "transformesh/errors.h"
+#include "transformesh/velocity.h"
 
 namespace {
 

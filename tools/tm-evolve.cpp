@@ -1,13 +1,16 @@
 /// tm-evolve: the evolution of paper 5.1 around any filter that moves vertices.
 #include <cstdlib>
 
-#include "evolution/evolve.h"
 #include "evolution/filter_step.h"
+#include "evolution/loop/iteration_text.h"
+#include "evolution/loop/record.h"
+#include "evolution/recorded_loops.h"
 #include "filter_process.h"
 #include "frame/loop_options.h"
 #include "frame/smoothing_option.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/evolve.h"
 
 namespace {
 

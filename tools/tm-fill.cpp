@@ -1,10 +1,10 @@
 /// tm-fill: closes the holes of a mesh.
-#include "fill/fill.h"
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "mesh/location_text.h"
 #include "support/counted.h"
 #include "support/number.h"
+#include "transformesh/fill.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 /// tm-handles: removes thin handles and narrow tunnels.
-#include "fill/handles.h"
 #include "frame/column_notes.h"
 #include "frame/run.h"
-#include "mesh/components.h"
 #include "support/counted.h"
+#include "transformesh/components.h"
+#include "transformesh/handles.h"
 
 namespace {
 

@@ -1,7 +1,9 @@
 /// tm-hull: the visual hull of calibrated silhouettes.
 #include "frame/run.h"
+#include "transformesh/hull.h"
 #include "view_options.h"
-#include "views/hull/hull.h"
+#include "views/cameras/view.h"
+#include "views/hull/hull_values.h"
 
 namespace {
 

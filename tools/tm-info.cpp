@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "frame/run.h"
-#include "mesh/components.h"
-#include "mesh/measure.h"
-#include "step/velocity.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/velocity.h"
 
 namespace {
 

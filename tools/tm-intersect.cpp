@@ -1,11 +1,11 @@
 #include "clean/arrange/refine.h"
 #include "clean/intersect/any_intersection.h"
-#include "clean/intersect/intersect.h"
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "geometry/source_points.h"
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 

@@ -5,8 +5,9 @@
 #include "mesh/touching_borders.h"
 #include "step/local_thickness.h"
 #include "step/morph_check.h"
-#include "step/morph_step.h"
+#include "step/morph_step_query.h"
 #include "step/target_file.h"
+#include "transformesh/morph_step.h"
 
 namespace {
 

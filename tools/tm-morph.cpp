@@ -1,11 +1,13 @@
 /// tm-morph: evolves a mesh until it lies on a target, or follows a film of them (paper 5.2).
+#include "evolution/loop/record.h"
 #include "evolution/loop/run_folder.h"
-#include "evolution/tracking.h"
+#include "evolution/recorded_loops.h"
 #include "io/streams/streams.h"
 #include "morph_options.h"
 #include "morph_report.h"
 #include "step/morph_check.h"
 #include "step/target_file.h"
+#include "transformesh/track.h"
 
 namespace {
 
@@ -39,10 +41,10 @@ Target target_of(const tool::MorphChoices& choices, Record& record, tool::Run& r
 
 void morph_to_target(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   Document& document = tool::begin_document(record, run);
-  const MorphingOptions options = tool::morphing_of(choices, run);
+  const MorphOptions options = tool::morphing_of(choices, run);
   const Target target = target_of(choices, record, run);
   tool::begin_run(choices.loop, record, &document, run, {{run_file::target, write_target(target)}});
-  MorphingResult result;
+  MorphResult result;
   tool::evolve_or_keep(run, record, "iteration", [&] {
     result = tool::with_remedy(options, [&] {
       return morph(document, target, options, tool::loop_of(choices.loop, run), record,
@@ -50,16 +52,15 @@ void morph_to_target(const tool::MorphChoices& choices, Record& record, tool::Ru
     });
   });
   tool::report_morph(result, options, run);
-  tool::conclude(
-      run, choices.loop, record,
-      {result.stop != MorphingStop::iteration_limit, result.stop == MorphingStop::converged,
-       tool::summary(result, options, document.mesh)});
+  tool::conclude(run, choices.loop, record,
+                 {result.stop != MorphStop::iteration_limit, result.stop == MorphStop::converged,
+                  tool::summary(result, options, document.mesh)});
 }
 
 void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   Document& document = tool::begin_document(record, run);
   const std::vector<std::string> names(run.inputs().begin() + 1, run.inputs().end());
-  const MorphingOptions options = tool::morphing_of(choices, run);
+  const MorphOptions options = tool::morphing_of(choices, run);
   tool::begin_run(choices.loop, record, &document, run);
   const auto target_of = [&](std::size_t frame) {
     Target target = read(names[frame], run);
@@ -67,7 +68,7 @@ void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Ru
       add_to_run(folder, {{run_name(run_file::targets, frame + 1, ".ply"), write_target(target)}});
     return target;
   };
-  TrackingResult result;
+  TrackResult result;
   tool::evolve_or_keep(run, record, "frame", [&] {
     result = track(document, names, target_of, options, tool::loop_of(choices.loop, run), record,
                    run.progress());

@@ -1,9 +1,9 @@
 /// tm-offset: the surface at a distance from another one.
-#include "evolution/offset.h"
 #include "frame/run.h"
 #include "mesh/location_text.h"
-#include "support/error.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/offset.h"
 
 namespace {
 

@@ -2,6 +2,8 @@
 #include "frame/displacement_report.h"
 #include "mesh/touching_borders.h"
 #include "photo_options.h"
+#include "views/photo/photo_scene.h"
+#include "views/photo/photo_steps.h"
 
 namespace {
 

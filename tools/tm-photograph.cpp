@@ -2,10 +2,11 @@
 #include <tuple>
 
 #include "frame/run.h"
-#include "mesh/measure.h"
 #include "photograph_files.h"
 #include "picture/spelling.h"
-#include "support/error.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace {
 

@@ -1,9 +1,12 @@
 /// tm-reconstruct: from calibrated photographs to a closed, clean mesh, from coarse to fine (paper
 /// 5.3), or to one for each time step of a film.
+#include "evolution/loop/record.h"
 #include "evolution/loop/run_views.h"
+#include "evolution/recorded_loops.h"
 #include "frame/memory.h"
 #include "reconstruct_options.h"
 #include "reconstruct_report.h"
+#include "views/cameras/view.h"
 
 namespace {
 

@@ -3,11 +3,11 @@
 #include "frame/run.h"
 #include "geometry/source_points.h"
 #include "io/comments.h"
-#include "mesh/measure.h"
-#include "remesh/remesh.h"
 #include "remesh_options.h"
 #include "remesh_report.h"
 #include "support/number.h"
+#include "transformesh/measure.h"
+#include "transformesh/remesh.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include "io/segments.h"
 #include "picture/line_drawing.h"
 #include "picture/openness.h"
-#include "picture/png.h"
 #include "render_options.h"
+#include "transformesh/image.h"
 
 namespace {
 

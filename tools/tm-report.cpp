@@ -1,7 +1,7 @@
 /// tm-report: one page that shows runs of the loops.
 #include "frame/run.h"
 #include "page/run_page.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "viewer_file.h"
 
 namespace {

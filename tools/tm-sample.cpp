@@ -1,7 +1,7 @@
 /// tm-sample: points on a surface.
 #include "frame/run.h"
-#include "geometry/sample_surface.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/sample.h"
 
 namespace {
 

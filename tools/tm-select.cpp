@@ -1,9 +1,10 @@
 /// tm-select: keeps components or faces of a mesh.
 #include "frame/run.h"
-#include "geometry/selection.h"
-#include "mesh/components.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "support/number.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/select.h"
 
 namespace {
 
@@ -33,12 +34,12 @@ SelectionOptions options_of(const Choices& c) {
 void report(const SelectionResult& result, tool::Run& run) {
   run.report("selected_faces", result.selected_faces);
   run.report("dropped_faces", result.dropped_faces);
-  if (!result.around) return;
-  run.report("contains_point", result.around->contains_point);
-  run.report("distance", result.around->distance);
-  if (!result.around->contains_point)
+  if (!result.contains_point) return;
+  run.report("contains_point", *result.contains_point);
+  run.report("distance", result.distance);
+  if (!*result.contains_point)
     run.note("no component contains the point: the closest is taken, " +
-             shortest_text(result.around->distance) + " away");
+             shortest_text(result.distance) + " away");
 }
 
 /// `part-007.ply`: names sort by number.

@@ -1,7 +1,7 @@
 /// tm-shape: closed meshes out of nothing, as sources, targets and workloads.
 #include "frame/run.h"
-#include "shapes/shapes.h"
 #include "support/suggestion.h"
+#include "transformesh/shapes.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
-#include "clean/stitch/stitch.h"
 #include "frame/column_notes.h"
 #include "frame/run.h"
+#include "transformesh/stitch.h"
 
 using namespace transformesh;
 

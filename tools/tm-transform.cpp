@@ -1,8 +1,8 @@
 /// tm-transform: moves, turns, scales and mirrors a mesh.
 #include "frame/run.h"
 #include "io/comments.h"
-#include "mesh/transform.h"
 #include "transform_options.h"
+#include "transformesh/transform.h"
 
 namespace {
 

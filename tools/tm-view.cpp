@@ -1,7 +1,7 @@
 /// tm-view: meshes, or a run that goes on, in a browser.
 #include "frame/run.h"
 #include "open_page.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "view_sites.h"
 #include "viewer_file.h"
 

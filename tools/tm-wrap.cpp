@@ -6,12 +6,13 @@
 #include "frame/run.h"
 #include "io/streams/streams.h"
 #include "mesh/location_text.h"
+#include "step/prepare_target.h"
 #include "step/target_file.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/wrap.h"
 #include "views/wrap/outliers.h"
 #include "views/wrap/unit_scale.h"
-#include "views/wrap/wrap.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include "frame/run.h"
 #include "program_list.h"
-#include "support/error.h"
 #include "support/suggestion.h"
+#include "transformesh/errors.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 #include "transform_options.h"
 
 #include "io/matrix_file.h"
-#include "support/error.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frame/run.h"
-#include "mesh/transform.h"
+#include "transformesh/transform.h"
 
 namespace transformesh::tool {
 

@@ -2,8 +2,11 @@
 
 #include <cmath>
 
-#include "picture/png.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "transformesh/image.h"
+#include "views/cameras/view.h"
+#include "views/cameras/view_files.h"
 #include "views/hull/agreed_level.h"
 #include "views/hull/silhouette.h"
 #include "views/images/image_file.h"

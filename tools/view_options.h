@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "frame/run.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/cameras/view_files.h"
 #include "views/hull/silhouette.h"
 #include "views/hull/view_check.h"

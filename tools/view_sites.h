@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "io/document/document.h"
 #include "page/live_run.h"
 #include "page/page.h"
 #include "page_server.h"
+#include "transformesh/document.h"
 
 namespace transformesh::tool {
 

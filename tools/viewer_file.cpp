@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 

@@ -1,4 +1,4 @@
-#include "clean/clean.h"
+#include "transformesh/clean.h"
 
 #include <algorithm>
 #include <string>

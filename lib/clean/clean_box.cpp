@@ -1,4 +1,4 @@
-#include "clean/clean_box.h"
+#include "transformesh/clean_box.h"
 
 #include <algorithm>
 #include <string>
@@ -6,13 +6,15 @@
 #include "clean/box/mesh_part.h"
 #include "clean/box/put_in_place.h"
 #include "clean/exterior/exterior_arrangement.h"
-#include "clean/intersect/intersect.h"
+#include "clean/intersect/find_meetings.h"
 #include "clean/rounding/snap_rounding.h"
 #include "clean/stitch/assemble.h"
-#include "mesh/components.h"
+#include "evolution/loop/stages.h"
 #include "mesh/digits.h"
 #include "mesh/surface_columns.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

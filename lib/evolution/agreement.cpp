@@ -2,13 +2,17 @@
 
 #include <algorithm>
 
-#include "geometry/compare.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "evolution/loop/stages.h"
+#include "evolution/morph_remedy.h"
+#include "geometry/search/closest_point.h"
+#include "step/target_query.h"
 #include "support/number.h"
 #include "support/parallel.h"
+#include "transformesh/compare.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

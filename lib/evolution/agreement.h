@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "evolution/loop/iteration.h"
 #include "evolution/morph_remedy.h"
 #include "step/target_query.h"
+#include "transformesh/iteration.h"
 
 namespace transformesh {
 

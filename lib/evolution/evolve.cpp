@@ -1,9 +1,15 @@
-#include "evolution/evolve.h"
+#include "transformesh/evolve.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "evolution/loop/csv_row.h"
+#include "evolution/loop/iteration_text.h"
+#include "evolution/loop/loop.h"
+#include "evolution/loop/record.h"
+#include "evolution/loop/stages.h"
 #include "evolution/loop/stop_rules.h"
+#include "evolution/recorded_loops.h"
 #include "support/counted.h"
 #include "support/number.h"
 
@@ -19,7 +25,7 @@ class EvolveLoop : public Loop {
     options_.expects_changes = last_.was_cleaned;
     last_ = iterate(document, step_, options_, progress);
     clamped_iterations_ += last_.displaced.clamped > 0 ? 1 : 0;
-    clamped_share_ = std::max(clamped_share_, last_.clamped_share());
+    clamped_share_ = std::max(clamped_share_, transformesh::clamped_share(last_));
     is_done_ = until_.is_stalled
                    ? stalled_.add(last_.displaced.rms_displacement) || last_.displaced.moved == 0
                    : last_.displaced.max_displacement < until_.least_movement;
@@ -32,12 +38,12 @@ class EvolveLoop : public Loop {
   }
 
   void measure(CsvRow& row) const override {
-    last_.measure_mesh(row);
-    row.share("moved_fraction", last_.moved_share());
+    measure_mesh(last_, row);
+    row.share("moved_fraction", transformesh::moved_share(last_));
     row.number("max_displacement", last_.displaced.max_displacement);
     row.number("rms_displacement", last_.displaced.rms_displacement);
-    last_.measure_times(row);
-    row.share("clamped_fraction", last_.clamped_share());
+    measure_times(last_, row);
+    row.share("clamped_fraction", transformesh::clamped_share(last_));
   }
   std::string message() const override {
     return ": " + in_words(last_.faces, last_.topology) + ", moved " +
@@ -76,13 +82,18 @@ EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& o
   return loop.result(record.iteration());
 }
 
+EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options,
+                    const LoopOptions& loop, const Progress& progress) {
+  Record record(loop.record);
+  return evolve(document, step, options, loop, record, progress);
+}
+
 EvolveResult evolve(Mesh& mesh, const Step& step, const EvolveOptions& options,
                     const LoopOptions& loop, const Progress& progress) {
   Document document;
   document.mesh = std::move(mesh);
-  Record record;
   try {
-    const EvolveResult result = evolve(document, step, options, loop, record, progress);
+    const EvolveResult result = evolve(document, step, options, loop, progress);
     mesh = std::move(document.mesh);
     return result;
   } catch (...) {

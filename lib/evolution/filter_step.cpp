@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "io/mesh_io.h"
-#include "mesh/measure.h"
-#include "step/velocity.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/velocity.h"
 
 namespace transformesh {
 namespace {

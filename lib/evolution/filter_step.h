@@ -11,7 +11,7 @@
 #include <functional>
 #include <string>
 
-#include "evolution/loop/iteration.h"
+#include "transformesh/iteration.h"
 
 namespace transformesh {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "step/local_thickness.h"
+#include "step/target_query.h"
 #include "support/number.h"
 
 namespace transformesh {

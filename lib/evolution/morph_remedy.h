@@ -8,24 +8,9 @@
 
 #include "step/target_query.h"
 #include "support/nothing_left.h"
+#include "transformesh/morph.h"
 
 namespace transformesh {
-
-enum class RemedyKind {
-  none,
-  clean_target,            ///< it is open, not manifold, or crosses itself
-  edges_at_narrow_places,  ///< shorter ones where the target is narrow
-  larger_source,           ///< one that overlaps all of the target
-  shorter_edges
-};
-
-struct MorphRemedy {
-  RemedyKind kind = RemedyKind::none;
-  double edge = 0;  ///< the longest one, input units
-  /// Width of the narrowest gap or wall, and its place; set for `edges_at_narrow_places` only.
-  double width = std::numeric_limits<double>::infinity();
-  Vec3 place = Vec3::Zero();
-};
 
 /// The largest disagreement of mesh and target.
 struct Mismatch {

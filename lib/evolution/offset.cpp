@@ -1,21 +1,24 @@
-#include "evolution/offset.h"
+#include "transformesh/offset.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "evolution/loop/stages.h"
 #include "evolution/loop/stop_rules.h"
 #include "geometry/search/closest_point.h"
 #include "geometry/surface_samples.h"
-#include "io/mesh_io.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
+#include "io/document/round_as_written.h"
+#include "io/length_basis.h"
 #include "mesh/triangle.h"
-#include "support/error.h"
-#include "support/length.h"
 #include "support/number.h"
 #include "support/parallel.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

@@ -5,11 +5,20 @@
 #include <optional>
 #include <utility>
 
+#include "evolution/loop/csv_row.h"
+#include "evolution/loop/iteration_text.h"
+#include "evolution/loop/loop.h"
+#include "evolution/loop/record.h"
 #include "evolution/loop/stopwatch.h"
+#include "evolution/reconstruction/start.h"
 #include "evolution/reconstruction/surface_quality.h"
-#include "io/mesh_io.h"
+#include "evolution/recorded_loops.h"
 #include "io/streams/atomic_file.h"
-#include "support/error.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "transformesh/mesh_io.h"
+#include "views/cameras/view.h"
 #include "views/hull/silhouette.h"
 
 namespace transformesh {

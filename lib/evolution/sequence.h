@@ -11,8 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "evolution/reconstruction.h"
+#include "evolution/loop/record.h"
 #include "evolution/reconstruction/time_steps.h"
+#include "transformesh/reconstruct.h"
+#include "views/cameras/view.h"
 
 namespace transformesh {
 

@@ -7,7 +7,7 @@
 
 #include "geometry/search/bvh.h"
 #include "geometry/search/float_box.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

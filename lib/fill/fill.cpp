@@ -1,22 +1,22 @@
-#include "fill/fill.h"
+#include "transformesh/fill.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "clean/intersect/intersect.h"
 #include "fill/face_search.h"
 #include "fill/hole_patch.h"
 #include "fill/mesh_part.h"
 #include "geometry/numbers/predicates.h"
 #include "mesh/adjacency.h"
 #include "mesh/digits.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
 #include "mesh/surface_columns.h"
 #include "mesh/triangle.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

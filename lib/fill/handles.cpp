@@ -1,13 +1,13 @@
-#include "fill/handles.h"
+#include "transformesh/handles.h"
 
 #include <algorithm>
 
 #include "fill/short_loops.h"
 #include "fill/slit_room.h"
 #include "mesh/adjacency.h"
-#include "mesh/manifold.h"
 #include "mesh/surface_columns.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
 
 namespace transformesh {
 namespace {

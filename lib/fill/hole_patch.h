@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

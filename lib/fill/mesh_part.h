@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -12,7 +12,7 @@
 
 #include "fill/halfedge_stars.h"
 #include "fill/homology.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fill/halfedge_stars.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

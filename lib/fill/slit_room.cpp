@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "clean/intersect/intersect.h"
 #include "geometry/winding.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

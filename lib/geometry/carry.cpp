@@ -1,15 +1,16 @@
-#include "geometry/carry.h"
+#include "transformesh/carry.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "geometry/search/closest_point.h"
+#include "geometry/source_points.h"
 #include "mesh/edges.h"
-#include "mesh/measure.h"
 #include "mesh/surface_columns.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

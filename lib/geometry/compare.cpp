@@ -1,4 +1,4 @@
-#include "geometry/compare.h"
+#include "transformesh/compare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,11 @@
 #include "geometry/search/closest_point.h"
 #include "geometry/search/kd_tree.h"
 #include "geometry/surface_samples.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "mesh/local_measures.h"
 #include "support/number.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "geometry/search/closest_point.h"
 #include "geometry/winding.h"
-#include "mesh/components.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -8,8 +8,8 @@
 #include "geometry/search/closest_point.h"
 #include "geometry/winding.h"
 #include "mesh/location_text.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -13,9 +13,9 @@
 #include <span>
 #include <vector>
 
-#include "geometry/keep_out_options.h"
 #include "geometry/search/bvh.h"
 #include "mesh/triangle.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -13,7 +13,7 @@
 
 #include "geometry/numbers/predicates.h"
 #include "geometry/search/bvh.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -6,10 +6,10 @@
 
 #include "geometry/search/closest_point.h"
 #include "mesh/adjacency.h"
-#include "mesh/measure.h"
 #include "mesh/surface_columns.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

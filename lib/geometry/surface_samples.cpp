@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

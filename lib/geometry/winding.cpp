@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <numbers>
 
-#include "mesh/measure.h"
 #include "support/elementary/arctangent.h"
 #include "support/parallel.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

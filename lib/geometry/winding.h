@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

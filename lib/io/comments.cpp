@@ -4,8 +4,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "support/error.h"
-#include "support/length.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
 
 namespace transformesh {
 namespace {

@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "io/comments.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 

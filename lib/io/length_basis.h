@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "io/document/document.h"
-#include "support/length.h"
+#include "transformesh/document.h"
+#include "transformesh/length.h"
 
 namespace transformesh {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "support/error.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/document/document.h"
+#include "transformesh/document.h"
 
 namespace transformesh {
 

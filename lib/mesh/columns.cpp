@@ -1,4 +1,4 @@
-#include "mesh/columns.h"
+#include "transformesh/columns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "mesh/components.h"
+#include "transformesh/components.h"
 
 #include <utility>
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
 #include "mesh/fans.h"
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

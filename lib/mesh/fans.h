@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/edges.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

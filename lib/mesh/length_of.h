@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

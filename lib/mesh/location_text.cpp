@@ -1,6 +1,7 @@
 #include "mesh/location_text.h"
 
-#include "support/length.h"
+#include "support/number.h"
+#include "transformesh/length.h"
 
 namespace transformesh {
 

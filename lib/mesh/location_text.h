@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

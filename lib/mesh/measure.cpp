@@ -1,4 +1,4 @@
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "mesh/edges.h"
 #include "mesh/length_of.h"
+#include "mesh/local_measures.h"
 #include "mesh/triangle.h"
 #include "support/elementary/arctangent.h"
 #include "support/parallel.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -11,16 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
-
-/// What became of such columns.
-struct StaleColumns {
-  bool new_normals = false;          ///< computed anew
-  std::vector<std::string> dropped;  ///< names of corner lists
-  bool dropped_source_points = false;
-};
 
 /// Computes normals anew, weighted by angle, unless they are undefined. Returns whether any are.
 bool refresh_normals(Mesh& mesh);

@@ -1,4 +1,4 @@
-#include "mesh/transform.h"
+#include "transformesh/transform.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -9,9 +9,10 @@
 #include <string>
 #include <utility>
 
+#include "mesh/local_measures.h"
 #include "mesh/surface_columns.h"
 #include "support/elementary/trigonometric.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -7,7 +7,7 @@
 
 #include "evolution/loop/run_folder.h"
 #include "evolution/loop/stopwatch.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "page/encode.h"
 #include "picture/colormap.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -6,13 +6,13 @@
 #include <iterator>
 
 #include "evolution/loop/run_views.h"
-#include "geometry/compare.h"
-#include "io/mesh_io.h"
 #include "io/streams/streams.h"
 #include "step/target_file.h"
-#include "support/error.h"
 #include "support/number.h"
 #include "support/parallel.h"
+#include "transformesh/compare.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

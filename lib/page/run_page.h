@@ -6,7 +6,7 @@
 
 #include "evolution/loop/run_folder.h"
 #include "page/page.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

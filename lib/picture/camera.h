@@ -5,7 +5,8 @@
 
 #include <span>
 
-#include "mesh/mesh.h"
+#include "picture/camera.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "mesh/mesh.h"
 #include "picture/color.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -5,10 +5,10 @@
 
 #include "mesh/adjacency.h"
 #include "mesh/disjoint_sets.h"
-#include "mesh/measure.h"
 #include "support/elementary/arctangent.h"
 #include "support/elementary/trigonometric.h"
 #include "support/parallel.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

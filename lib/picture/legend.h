@@ -4,7 +4,7 @@
 
 #include "picture/color.h"
 #include "picture/colormap.h"
-#include "picture/image.h"
+#include "transformesh/image.h"
 
 namespace transformesh {
 

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "picture/camera.h"
+
 namespace transformesh {
 namespace {
 

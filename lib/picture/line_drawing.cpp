@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "mesh/edges.h"
-#include "mesh/measure.h"
 #include "picture/panels.h"
 #include "picture/visible_lines.h"
 #include "support/elementary/trigonometric.h"
 #include "support/number.h"
 #include "support/parallel.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "geometry/search/bvh.h"
-#include "mesh/measure.h"
 #include "support/elementary/trigonometric.h"
 #include "support/parallel.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -12,8 +12,8 @@
 
 #include <string>
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -4,8 +4,10 @@
 #include <string>
 #include <tuple>
 
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "mesh/local_measures.h"
+#include "picture/camera.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

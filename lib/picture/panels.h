@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "picture/camera.h"
 #include "picture/picture.h"
 
 namespace transformesh {

@@ -4,11 +4,12 @@
 #include <limits>
 #include <string>
 
-#include "mesh/measure.h"
+#include "mesh/local_measures.h"
 #include "picture/colormap.h"
 #include "picture/legend.h"
 #include "picture/panels.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "picture/camera.h"
 #include "picture/shade.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

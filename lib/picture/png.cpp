@@ -1,10 +1,9 @@
-#include "picture/png.h"
-
 #include <png.h>
 
 #include <algorithm>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/image.h"
 
 namespace transformesh {
 namespace {

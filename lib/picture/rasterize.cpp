@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture/camera.h"
 #include "support/parallel.h"
 
 namespace transformesh {

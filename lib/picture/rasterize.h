@@ -12,9 +12,9 @@
 #include <array>
 #include <vector>
 
-#include "mesh/mesh.h"
 #include "picture/camera.h"
-#include "picture/image.h"
+#include "transformesh/image.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

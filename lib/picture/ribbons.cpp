@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "picture/camera.h"
+
 namespace transformesh {
 
 void add_ribbons(std::span<const std::pair<Vec3, Vec3>> segments, const Camera& camera,

@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "mesh/mesh.h"
 #include "picture/camera.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "picture/camera.h"
 #include "picture/corner_normals.h"
 #include "picture/lights.h"
 #include "picture/ribbons.h"

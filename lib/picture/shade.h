@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "picture/camera.h"
 #include "picture/color.h"
-#include "picture/image.h"
 #include "picture/rasterize.h"
 #include "picture/surface_color.h"
+#include "transformesh/image.h"
 
 namespace transformesh {
 

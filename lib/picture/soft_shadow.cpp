@@ -6,9 +6,11 @@
 #include <limits>
 #include <numbers>
 
-#include "mesh/measure.h"
+#include "mesh/local_measures.h"
+#include "picture/camera.h"
 #include "picture/rasterize.h"
 #include "support/elementary/trigonometric.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

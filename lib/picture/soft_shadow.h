@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "picture/camera.h"
-#include "picture/image.h"
+#include "transformesh/image.h"
 
 namespace transformesh {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "support/error.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -1,6 +1,6 @@
 #include "picture/surface_color.h"
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "mesh/mesh.h"
 #include "picture/color.h"
 #include "picture/colormap.h"
 #include "picture/rasterize.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "geometry/search/bvh.h"
-#include "mesh/mesh.h"
 #include "picture/camera.h"
 #include "picture/rasterize.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

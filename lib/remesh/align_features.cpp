@@ -1,4 +1,4 @@
-#include "remesh/align_features.h"
+#include "transformesh/align_features.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,8 @@
 #include "geometry/search/kd_tree.h"
 #include "mesh/digits.h"
 #include "mesh/edges.h"
-#include "mesh/measure.h"
+#include "mesh/surface_columns.h"
+#include "remesh/guards/edge_rules.h"
 #include "remesh/halfedges/star.h"
 #include "remesh/operations/collapse.h"
 #include "remesh/operations/exact_split.h"
@@ -21,7 +22,8 @@
 #include "remesh/operations/split.h"
 #include "remesh/operations/vertex_mover.h"
 #include "support/elementary/trigonometric.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
@@ -150,6 +152,7 @@ class Aligner {
   const Mesh& target_;
   const ClosestPointQuery& surface_;
   const AlignOptions& options_;
+  const EdgeLimits limits_{options_.min_edge, options_.max_edge};
   double cosine_;
   const Progress& progress_;
   std::vector<char> is_held_;  ///< per vertex: on a corner or a line
@@ -292,7 +295,7 @@ void Aligner::flip_towards_target(EmbeddingGuard& guard) {
     if (before < nearer * length) continue;
     if (!(roundness_after_flip(h) > sliver)) continue;
     if (middle_distance(left, right) < before - nearer * length)
-      flip_edge(mesh_, guard, h, {0, options_.limits.stretched()});
+      flip_edge(mesh_, guard, h, {0, limits_.stretched()});
   }
 }
 
@@ -314,15 +317,15 @@ void Aligner::mark_aligned_edges() {
 // slide along themselves and back onto the target's, and the rest relaxes onto it.
 void Aligner::tidy(bool moves) {
   mark_aligned_edges();
-  const double longest = options_.limits.longest;
+  const double longest = limits_.longest;
   const SafeSplitOptions splitting{
       longest, false,
       [&] { return std::make_unique<EmbeddingGuard>(mesh_, longest_allowed * longest); }};
   const std::unique_ptr<EmbeddingGuard> owned = split_safely(mesh_, splitting, progress_).guard;
   EmbeddingGuard& guard = *owned;
   const VertexRoles roles(mesh_, false);
-  collapse_short_edges(mesh_, guard, roles, options_.limits, progress_);
-  flip_edges(mesh_, guard, FlipRule::angle, options_.limits, progress_);
+  collapse_short_edges(mesh_, guard, roles, limits_, progress_);
+  flip_edges(mesh_, guard, FlipRule::angle, limits_, progress_);
   if (moves) {
     relax_tangentially(mesh_, guard, roles, &surface_, progress_);
     slide_back(guard, roles);
@@ -343,7 +346,7 @@ void Aligner::snap(bool splits) {
   progress_("align");
   const Index first_new = mesh_.vertex_slots();
   if (splits) split_what_crosses();
-  EmbeddingGuard guard(mesh_, longest_allowed * options_.limits.longest);
+  EmbeddingGuard guard(mesh_, longest_allowed * limits_.longest);
   settle_midpoints(mesh_, guard, first_new);
   snap_to_corners(guard);
   snap_to_lines(guard);

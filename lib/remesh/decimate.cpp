@@ -1,4 +1,4 @@
-#include "remesh/decimate.h"
+#include "transformesh/decimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,11 @@
 #include <queue>
 #include <string>
 
-#include "mesh/measure.h"
+#include "mesh/surface_columns.h"
 #include "remesh/operations/edge_collapser.h"
 #include "remesh/operations/quadric.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

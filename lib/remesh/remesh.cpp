@@ -1,4 +1,4 @@
-#include "remesh/remesh.h"
+#include "transformesh/remesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "geometry/search/closest_point.h"
+#include "mesh/surface_columns.h"
 #include "remesh/guards/edge_rules.h"
 #include "remesh/halfedges/halfedges.h"
 #include "remesh/halfedges/sharpness.h"
@@ -17,11 +19,13 @@
 #include "remesh/operations/slivers.h"
 #include "remesh/operations/smooth.h"
 #include "remesh/operations/thin_stars.h"
+#include "remesh/remesh_connected.h"
 #include "remesh/sizing.h"
 #include "remesh/small_components.h"
 #include "support/counted.h"
-#include "support/length.h"
 #include "support/nothing_left.h"
+#include "support/number.h"
+#include "transformesh/length.h"
 
 namespace transformesh {
 namespace {
@@ -238,9 +242,9 @@ class Iteration {
 
 void remove_small(const Task& task) {
   if (task.options.only_smooth) return;
-  const RemovedComponents removed =
+  const RemeshResult::RemovedComponents removed =
       remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
-  RemovedComponents& all = task.result.components_removed;
+  RemeshResult::RemovedComponents& all = task.result.components_removed;
   all.count += removed.count;
   all.faces += removed.faces;
   all.area += removed.area;
@@ -341,8 +345,8 @@ void treat_slivers(const Task& task) {
 
 }  // namespace
 
-RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& progress,
-                    std::vector<Index> opposites) {
+RemeshResult remesh_connected(Mesh& mesh, const RemeshOptions& given, const Progress& progress,
+                              std::vector<Index> opposites) {
   if (mesh.faces.empty() || mesh.positions.empty())
     throw InputError("the mesh has no faces, so there is nothing to remesh");
   check_size(mesh);
@@ -387,6 +391,10 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& prog
   mesh = std::move(remeshed);
   result.columns = refresh_columns(mesh);
   return result;
+}
+
+RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress) {
+  return remesh_connected(mesh, options, progress, {});
 }
 
 }  // namespace transformesh

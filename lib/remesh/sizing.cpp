@@ -5,8 +5,9 @@
 #include <queue>
 
 #include "remesh/curvature.h"
-#include "support/error.h"
-#include "support/length.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
 
 namespace transformesh {
 namespace {

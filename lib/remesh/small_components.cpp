@@ -114,8 +114,9 @@ void remove_faces(EditableMesh& mesh, const std::vector<Index>& faces) {
 
 }  // namespace
 
-RemovedComponents remove_small_components(EditableMesh& mesh, double edge, bool keep_border) {
-  RemovedComponents removed;
+RemeshResult::RemovedComponents remove_small_components(EditableMesh& mesh, double edge,
+                                                        bool keep_border) {
+  RemeshResult::RemovedComponents removed;
   ComponentWalk component(mesh, edge);
   const std::vector<Index> seeds = indices_where(mesh.face_slots(), [&](Index face) {
     return mesh.has_face(face) && component.has_short_edges(face);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "remesh/halfedges/editable_mesh.h"
-#include "remesh/remesh.h"
+#include "transformesh/remesh.h"
 
 namespace transformesh {
 
@@ -12,6 +12,7 @@ namespace transformesh {
 /// however thin it is. `edge` is a factor of the component's mean size if the mesh has sizes. With
 /// `keep_border` components with a border stay. The volume of a component with a border is that of
 /// the cone from one of its vertices.
-RemovedComponents remove_small_components(EditableMesh& mesh, double edge, bool keep_border);
+RemeshResult::RemovedComponents remove_small_components(EditableMesh& mesh, double edge,
+                                                        bool keep_border);
 
 }  // namespace transformesh

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::shapes {
 

@@ -1,8 +1,8 @@
 /// A little figure of tubes that crosses its arms and lets go: the frames of a film.
 #pragma once
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::shapes {
 

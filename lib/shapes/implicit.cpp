@@ -5,14 +5,14 @@
 #include <optional>
 #include <string>
 
-#include "mesh/components.h"
-#include "mesh/manifold.h"
 #include "shapes/lattice.h"
 #include "shapes/relax.h"
 #include "support/counted.h"
 #include "support/elementary/exponential.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
 
 namespace transformesh::shapes {
 namespace {

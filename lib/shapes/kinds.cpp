@@ -11,8 +11,9 @@
 #include "shapes/solids.h"
 #include "shapes/spheres.h"
 #include "shapes/tubes.h"
-#include "support/error.h"
-#include "support/length.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
 
 namespace transformesh::shapes {
 namespace {

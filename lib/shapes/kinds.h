@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "shapes/shapes.h"
+#include "transformesh/shapes.h"
 
 namespace transformesh::shapes {
 

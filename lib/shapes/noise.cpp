@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "mesh/measure.h"
 #include "support/parallel.h"
 #include "support/random.h"
+#include "transformesh/measure.h"
 
 namespace transformesh::shapes {
 namespace {

@@ -1,7 +1,7 @@
 /// A surface pinched on its axis.
 #pragma once
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::shapes {
 

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::shapes {
 

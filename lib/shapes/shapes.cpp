@@ -1,18 +1,19 @@
-#include "shapes/shapes.h"
+#include "transformesh/shapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "mesh/digits.h"
-#include "mesh/measure.h"
 #include "shapes/assembly.h"
 #include "shapes/kinds.h"
 #include "shapes/noise.h"
 #include "shapes/spheres.h"
 #include "support/counted.h"
-#include "support/error.h"
-#include "support/length.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

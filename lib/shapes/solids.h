@@ -1,8 +1,8 @@
 /// Solids known by a distance: meshed by marching on a lattice and relaxed on the exact surface.
 #pragma once
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::shapes {
 

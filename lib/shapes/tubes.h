@@ -1,7 +1,7 @@
 /// Tori and tubes along knots.
 #pragma once
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::shapes {
 

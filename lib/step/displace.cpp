@@ -1,14 +1,16 @@
-#include "step/displace.h"
+#include "transformesh/displace.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "mesh/digits.h"
+#include "mesh/local_measures.h"
 #include "mesh/location_text.h"
 #include "mesh/surface_columns.h"
+#include "step/displace_measured.h"
 #include "step/hold_back.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {
@@ -111,13 +113,8 @@ void summarize(const Ways& ways, const std::vector<char>& is_moved, DisplaceResu
 
 }  // namespace
 
-DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
-                        const DisplaceOptions& options) {
-  return displace(mesh, velocities, options, halfedge_lengths(mesh));
-}
-
-DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
-                        const DisplaceOptions& options, const HalfedgeLengths& edges) {
+DisplaceResult displace_measured(Mesh& mesh, std::span<const Vec3> velocities,
+                                 const DisplaceOptions& options, const HalfedgeLengths& edges) {
   check(mesh, velocities, options);
   Ways ways = clamped_ways(velocities, edges, options);
   DisplaceResult result;
@@ -134,6 +131,11 @@ DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
   result.mean_edge = edges.mean;
   if (result.moved > 0) result.new_normals = refresh_normals(mesh);
   return result;
+}
+
+DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
+                        const DisplaceOptions& options) {
+  return displace_measured(mesh, velocities, options, halfedge_lengths(mesh));
 }
 
 }  // namespace transformesh

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "geometry/search/kd_tree.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

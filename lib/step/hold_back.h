@@ -14,8 +14,7 @@
 
 #include <vector>
 
-#include "geometry/keep_out_options.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

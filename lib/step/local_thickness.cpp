@@ -9,9 +9,11 @@
 #include "geometry/search/closest_point.h"
 #include "geometry/search/kd_tree.h"
 #include "mesh/adjacency.h"
-#include "mesh/measure.h"
+#include "step/prepare_target.h"
 #include "step/split_faces.h"
+#include "step/target_query.h"
 #include "support/parallel.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
@@ -139,7 +141,9 @@ std::vector<double> thickness_of_mesh(const Mesh& mesh, FaceOrder order, double 
 std::vector<double> local_thickness(const Target& target, double reach, const Progress& progress) {
   progress("gaps");
   const Mesh& mesh = target.mesh;
-  if (target.is_mesh()) return thickness_of_mesh(mesh, target.face_order, reach);
+  if (target.is_mesh())
+    return thickness_of_mesh(mesh, target.has_spatial_order ? FaceOrder::spatial : FaceOrder::any,
+                             reach);
   const KdTree tree(mesh.positions);
   const Search closest = search_of(tree, target);
   return measured(mesh.positions.size(), [&](Index v) {
@@ -166,7 +170,7 @@ Target with_thickness(const Target& target, double gap_edges, double edge,
                       const Progress& progress) {
   Target result = target;
   if (split_faces(result.mesh, std::max(gap_edges, 1.0) * edge / 2)) {
-    result.face_order = FaceOrder::any;
+    result.has_spatial_order = false;
     order_spatially(result);
   }
   result.thickness = local_thickness(result, gap_edges * edge, progress);

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "step/target_query.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

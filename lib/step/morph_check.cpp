@@ -1,13 +1,13 @@
 #include "step/morph_check.h"
 
-#include "clean/intersect/intersect.h"
 #include "clean/stitch/orientation_check.h"
 #include "clean/stitch/weld.h"
 #include "mesh/location_text.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

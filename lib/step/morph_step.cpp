@@ -1,11 +1,16 @@
-#include "step/morph_step.h"
+#include "transformesh/morph_step.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "geometry/search/hilbert.h"
-#include "step/velocity.h"
+#include "mesh/local_measures.h"
+#include "step/displace_measured.h"
+#include "step/morph_step_query.h"
+#include "step/morph_velocities.h"
+#include "step/target_query.h"
 #include "support/parallel.h"
+#include "transformesh/velocity.h"
 
 namespace transformesh {
 namespace {
@@ -46,7 +51,7 @@ MorphStepResult morph_step(Mesh& mesh, const TargetQuery& query, const MorphStep
   MorphVelocities morph;
   parallel_invoke(
       [&] {
-        const MorphOptions how{result.distance, exact_within(options, edges)};
+        const MorphVelocityOptions how{result.distance, exact_within(options, edges)};
         morph = morph_velocities(mesh, query, how, Progress(), order);
       },
       [&] {
@@ -59,8 +64,13 @@ MorphStepResult morph_step(Mesh& mesh, const TargetQuery& query, const MorphStep
   if (!options.mask.empty()) apply_mask(mesh, options.mask, morph.velocities);
   if (options.gap_edges > 0 && !morph.thickness.empty()) set_sizes(mesh, morph.thickness, options);
   progress("displace");
-  result.displaced = displace(mesh, morph.velocities, options.displace, edges);
+  result.displaced = displace_measured(mesh, morph.velocities, options.displace, edges);
   return result;
+}
+
+MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOptions& options,
+                           const Progress& progress) {
+  return morph_step(mesh, TargetQuery(target), options, progress);
 }
 
 }  // namespace transformesh

@@ -8,6 +8,7 @@
 
 #include "io/formats/finite_values.h"
 #include "io/formats/text_rows.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

@@ -4,8 +4,9 @@
 /// follows a # are skipped.
 #pragma once
 
-#include "io/document/document.h"
 #include "io/streams/source.h"
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 

@@ -1,7 +1,7 @@
 /// Splits faces without moving the surface.
 #pragma once
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

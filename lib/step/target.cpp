@@ -1,16 +1,19 @@
-#include "step/target.h"
+#include "transformesh/target.h"
 
 #include <array>
 #include <cmath>
 #include <string>
 
-#include "clean/stitch/stitch.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
+#include "geometry/search/closest_point.h"
+#include "mesh/local_measures.h"
 #include "mesh/touching_borders.h"
 #include "step/estimate_normals.h"
-#include "support/error.h"
+#include "step/prepare_target.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
+#include "transformesh/stitch.h"
 
 namespace transformesh {
 namespace {
@@ -64,13 +67,13 @@ Target make_target(Mesh mesh) {
 }
 
 void order_spatially(Target& target) {
-  if (!target.is_mesh() || target.face_order == FaceOrder::spatial) return;
+  if (!target.is_mesh() || target.has_spatial_order) return;
   std::vector<Face> faces;
   faces.reserve(target.mesh.faces.size());
   for (const Index face : spatial_face_order(target.mesh)) faces.push_back(target.mesh.faces[face]);
   target.mesh.faces = std::move(faces);
   target.mesh.face_columns = {};
-  target.face_order = FaceOrder::spatial;
+  target.has_spatial_order = true;
 }
 
 std::vector<Vec3> stored_normals(const Mesh& mesh) {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "io/mesh_io.h"
 #include "step/point_text.h"
-#include "support/error.h"
+#include "step/prepare_target.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {
@@ -40,7 +41,7 @@ Target read_target(std::string_view bytes, const std::string& name, const ReadOp
   Target target = make_target(std::move(document.mesh));
   target.notes = std::move(notes);
   target.is_prepared = has_comment(document, spatial_order);
-  if (target.is_prepared) target.face_order = FaceOrder::spatial;
+  if (target.is_prepared) target.has_spatial_order = true;
   order_spatially(target);
   const Column* gaps = target.mesh.vertex_columns.find(gap_column);
   if (has_comment(document, measured_gaps) && gaps != nullptr) target.thickness = gaps->values;
@@ -59,7 +60,7 @@ std::string write_target(const Target& target) {
   if (target.is_mesh()) {
     Target ordered;
     ordered.mesh = target.mesh;
-    ordered.face_order = target.face_order;
+    ordered.has_spatial_order = target.has_spatial_order;
     order_spatially(ordered);
     document.mesh.faces = std::move(ordered.mesh.faces);
     document.style.comments.emplace_back(spatial_order);

@@ -5,14 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "io/document/document.h"
-#include "step/target.h"
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/target.h"
 
 namespace transformesh {
-
-/// The faces of a mesh come in spatial order, without their columns. Throws InputError as
-/// read_mesh, read_point_text and make_target do.
-Target read_target(std::string_view bytes, const std::string& name, const ReadOptions& = {});
 
 /// The mesh or the points of such a file, for what is no target.
 ReadResult read_mesh_or_points(std::string_view bytes, const std::string& name,

@@ -9,8 +9,8 @@
 
 #include "geometry/search/closest_point.h"
 #include "geometry/search/kd_tree.h"
-#include "mesh/measure.h"
-#include "step/target.h"
+#include "transformesh/measure.h"
+#include "transformesh/target.h"
 
 namespace transformesh {
 
@@ -21,7 +21,9 @@ class TargetQuery {
 
   /// For the faces of a target that is a mesh.
   const ClosestPointQuery& surface() const {
-    if (!surface_) surface_.emplace(target_->mesh, target_->face_order);
+    if (!surface_)
+      surface_.emplace(target_->mesh,
+                       target_->has_spatial_order ? FaceOrder::spatial : FaceOrder::any);
     return *surface_;
   }
   const KdTree& vertices() const {

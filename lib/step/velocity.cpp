@@ -1,4 +1,4 @@
-#include "step/velocity.h"
+#include "transformesh/velocity.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <string>
 
 #include "mesh/edges.h"
-#include "mesh/measure.h"
 #include "mesh/triangle.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -1,9 +1,10 @@
-#include "support/length.h"
+#include "transformesh/length.h"
 
 #include <charconv>
 #include <cmath>
 
-#include "support/error.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 

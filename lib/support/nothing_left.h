@@ -1,7 +1,7 @@
 /// The refusal of operations that would leave no surface, which loops tell from other ones.
 #pragma once
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 

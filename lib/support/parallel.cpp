@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/beside.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 namespace {

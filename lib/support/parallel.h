@@ -4,7 +4,8 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
+
+#include "transformesh/control.h"
 
 namespace transformesh {
 
@@ -16,22 +17,5 @@ void parallel_for(std::size_t count, std::size_t grain,
 
 /// Runs both, perhaps at the same time.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
-
-/// How many threads loops may use now: for work that is done in groups, to save memory.
-std::size_t allowed_thread_count();
-
-/// While alive, the library uses at most `count` threads, which may be more than there are cores; 0
-/// changes nothing, and without any limit there is one per core. The innermost limit counts.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(int count);
-  ~ThreadLimit();
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
-
- private:
-  struct Control;
-  std::unique_ptr<Control> control_;
-};
 
 }  // namespace transformesh

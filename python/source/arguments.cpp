@@ -2,7 +2,7 @@
 
 #include "clean/stitch/join_soup.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::python {
 

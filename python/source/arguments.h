@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "call.h"
-#include "geometry/keep_out_options.h"
-#include "mesh/measure.h"
 #include "python_mesh.h"
-#include "remesh/remesh.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh.h"
+#include "transformesh/remesh.h"
 
 namespace transformesh::python {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <variant>
 
-#include "io/document/document.h"
-#include "support/length.h"
 #include "support/parallel.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/document.h"
+#include "transformesh/length.h"
 
 namespace transformesh::python {
 

@@ -2,7 +2,7 @@
 
 #include <pybind11/stl.h>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::python {
 namespace {

@@ -3,16 +3,17 @@
 
 #include "arguments.h"
 #include "call.h"
-#include "fill/fill.h"
-#include "fill/handles.h"
-#include "geometry/carry.h"
-#include "geometry/sample_surface.h"
-#include "geometry/selection.h"
+#include "geometry/source_points.h"
 #include "io/comments.h"
-#include "mesh/components.h"
-#include "mesh/transform.h"
 #include "python_mesh.h"
-#include "support/error.h"
+#include "transformesh/carry.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/fill.h"
+#include "transformesh/handles.h"
+#include "transformesh/sample.h"
+#include "transformesh/select.h"
+#include "transformesh/transform.h"
 
 namespace transformesh::python {
 namespace {
@@ -143,9 +144,9 @@ py::dict report_of(const SelectionResult& result) {
   py::dict report;
   report["selected_faces"] = result.selected_faces;
   report["dropped_faces"] = result.dropped_faces;
-  if (!result.around) return report;
-  report["contains_point"] = result.around->contains_point;
-  report["distance"] = result.around->distance;
+  if (!result.contains_point) return report;
+  report["contains_point"] = *result.contains_point;
+  report["distance"] = result.distance;
   return report;
 }
 

@@ -1,13 +1,15 @@
 /// The loops: evolutions with any velocity, morphs.
 #include "arguments.h"
 #include "call.h"
-#include "evolution/evolve.h"
-#include "evolution/morphing.h"
-#include "io/mesh_io.h"
+#include "evolution/loop/record.h"
+#include "evolution/recorded_loops.h"
 #include "python_mesh.h"
 #include "step/morph_check.h"
 #include "step/target_file.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/evolve.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/morph.h"
 
 namespace transformesh::python {
 namespace {
@@ -114,9 +116,9 @@ const char* remedy_text(RemedyKind kind) {
   return "";
 }
 
-py::dict report_of(const MorphingResult& result) {
+py::dict report_of(const MorphResult& result) {
   py::dict report;
-  report["converged"] = result.stop == MorphingStop::converged;
+  report["converged"] = result.stop == MorphStop::converged;
   report["stop"] = name_of(result.stop);
   report["iterations"] = result.iterations;
   report["components"] = result.topology.components;
@@ -126,7 +128,7 @@ py::dict report_of(const MorphingResult& result) {
   report["rms_distance_from_target"] = result.distances.from_target.rms;
   report["max_distance_from_target"] = result.distances.from_target.maximum;
   report["target_left_out"] = result.left_out;
-  report["fault"] = result.agreement.fault;
+  report["fault"] = result.fault;
   report["remedy"] = remedy_text(result.remedy.kind);
   report["aligned"] = result.aligned;
   report["mean_edge"] = result.distances.displaced.mean_edge;
@@ -139,7 +141,7 @@ MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::
                        const SmoothingChoice& smooth, double gap_edges, const std::string& features,
                        int scales, const py::object& on_iteration, const py::object& progress) {
   Document document = beginning(source);
-  MorphingOptions options;
+  MorphOptions options;
   options.iteration = iteration_of(min_edge, max_edge, smooth, document);
   options.step.distance = distance_of(distance);
   options.step.displace = {time_step, alpha};
@@ -158,7 +160,7 @@ MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::
     return reading;
   });
   warn(notes);
-  const MorphingResult result = without_lock(progress, [&](const Progress& to) {
+  const MorphResult result = without_lock(progress, [&](const Progress& to) {
     Record record;
     return morph(document, read, options, loop, record, to);
   });

@@ -1,11 +1,11 @@
 /// What looks at meshes and judges them.
 #include "call.h"
-#include "clean/certify/certify.h"
-#include "geometry/compare.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
 #include "python_mesh.h"
+#include "transformesh/certify.h"
+#include "transformesh/compare.h"
+#include "transformesh/components.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 namespace transformesh::python {
 namespace {

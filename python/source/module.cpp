@@ -5,7 +5,7 @@
 #include "io/comments.h"
 #include "io/length_basis.h"
 #include "python_mesh.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::python {
 

@@ -12,7 +12,7 @@
 #include "picture/picture.h"
 #include "picture/spelling.h"
 #include "python_mesh.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::python {
 namespace {

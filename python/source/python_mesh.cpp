@@ -7,10 +7,11 @@
 #include "arguments.h"
 #include "call.h"
 #include "columns_binding.h"
-#include "io/mesh_io.h"
+#include "io/formats/file_format.h"
 #include "io/streams/atomic_file.h"
 #include "io/streams/streams.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh::python {
 namespace {

@@ -8,7 +8,7 @@
 #include <list>
 #include <memory>
 
-#include "io/document/document.h"
+#include "transformesh/document.h"
 
 namespace transformesh::python {
 

@@ -3,10 +3,10 @@
 #include "call.h"
 #include "geometry/source_points.h"
 #include "python_mesh.h"
-#include "remesh/align_features.h"
-#include "remesh/decimate.h"
-#include "remesh/remesh.h"
-#include "support/error.h"
+#include "transformesh/align_features.h"
+#include "transformesh/decimate.h"
+#include "transformesh/errors.h"
+#include "transformesh/remesh.h"
 
 namespace transformesh::python {
 namespace {
@@ -114,7 +114,8 @@ AlignOptions align_options(const RemeshOptions& remesh, const RemeshChoices& cho
                      " remeshes: use one after the other");
   AlignOptions options;
   if (remesh.feature_angle_deg > 0) options.feature_angle_deg = remesh.feature_angle_deg;
-  options.limits = {remesh.min_edge, remesh.max_edge};
+  options.min_edge = remesh.min_edge;
+  options.max_edge = remesh.max_edge;
   options.coordinate = remesh.coordinate;
   return options;
 }

@@ -8,11 +8,16 @@
 
 #include "arguments.h"
 #include "call.h"
-#include "evolution/reconstruction.h"
+#include "evolution/loop/record.h"
+#include "evolution/reconstruction/surface_doubt.h"
+#include "evolution/recorded_loops.h"
 #include "python_mesh.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "transformesh/reconstruct.h"
+#include "views/cameras/view.h"
 #include "views/cameras/view_files.h"
-#include "views/hull/hull.h"
+#include "views/hull/hull_values.h"
 #include "views/hull/keep_in_box.h"
 #include "views/hull/view_check.h"
 
@@ -110,12 +115,12 @@ py::dict report_of(const ReconstructionResult& result) {
   report["coverage"] = result.last.coverage;
   report["first_pixels"] = result.first.pixels;
   report["pixels"] = result.last.pixels;
-  report["first_silhouette_agreement"] = result.evidence.first_agreement;
-  report["silhouette_agreement"] = result.evidence.agreement;
-  report["noise_floor"] = result.evidence.doubt.floor;
-  report["disagreement"] = result.evidence.doubt.disagreement;
-  report["doubtful"] = result.evidence.doubt.share;
-  report["doubtful_places"] = places_of(result.evidence.doubt.places);
+  report["first_silhouette_agreement"] = result.first_agreement;
+  report["silhouette_agreement"] = result.agreement;
+  report["noise_floor"] = result.noise_floor;
+  report["disagreement"] = result.disagreement;
+  report["doubtful"] = result.doubtful;
+  report["doubtful_places"] = places_of(result.doubtful_places);
   report["mean_edge"] = result.last.displaced.mean_edge;
   return report;
 }

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <string>
 
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 

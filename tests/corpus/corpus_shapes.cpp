@@ -10,7 +10,7 @@
 #include <iostream>
 
 #include "corpus/cases.h"
-#include "io/mesh_io.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using namespace transformesh::corpus;

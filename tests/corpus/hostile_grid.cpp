@@ -18,14 +18,15 @@
 #include <map>
 #include <sstream>
 
-#include "clean/clean.h"
-#include "clean/intersect/intersect.h"
 #include "corpus/hostile_oracle.h"
 #include "corpus/hostile_shapes.h"
-#include "io/mesh_io.h"
-#include "mesh/manifold.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/clean.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using namespace transformesh::corpus;

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::corpus {
 

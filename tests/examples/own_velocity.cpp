@@ -1,6 +1,6 @@
 // A whole evolution with a velocity of one's own: a ball in a vortex around the axis of z.
-#include "evolution/evolve.h"
-#include "io/mesh_io.h"
+#include "transformesh/evolve.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 

@@ -2,7 +2,7 @@
 #include <Eigen/LU>
 
 #include "fuzz/fuzz.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_file.h"
 
 using namespace transformesh;

@@ -1,14 +1,15 @@
 // Cleaning: the result is a manifold without crossings, closed where the input is, its winding
 // numbers are those that it must have, and it is clean already. What may be refused is a mesh that
 // is not oriented, and one that encloses nothing.
-#include "clean/clean.h"
+#include "transformesh/clean.h"
 
-#include "clean/certify/certify.h"
-#include "clean/intersect/intersect.h"
 #include "fuzz/tiny_mesh.h"
 #include "geometry/numbers/predicates.h"
-#include "io/mesh_io.h"
-#include "mesh/manifold.h"
+#include "io/document/round_as_written.h"
+#include "transformesh/certify.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

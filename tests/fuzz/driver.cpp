@@ -1,6 +1,7 @@
 // What libFuzzer calls. Results do not depend on threads, and one is quicker with tiny inputs.
 #include "fuzz/fuzz.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const transformesh::ThreadLimit one_thread(1);

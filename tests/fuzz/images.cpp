@@ -1,7 +1,7 @@
 // Image files of any format that is read. A header is a claim: scripts/fuzz limits the memory of a
 // run, and of one allocation.
 #include "fuzz/fuzz.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/images/image_file.h"
 
 using namespace transformesh;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fuzz/fuzz.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/file_list.h"
 #include "views/cameras/name_pairs.h"
 

@@ -3,8 +3,8 @@
 #include "frame/limits.h"
 #include "frame/program.h"
 #include "fuzz/fuzz.h"
-#include "support/error.h"
-#include "support/length.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

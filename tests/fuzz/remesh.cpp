@@ -1,15 +1,16 @@
 // Remeshing: an embedded manifold stays one, of the same genus. Sheets less than a rounding apart
 // may end up crossed, so that coordinates are plain.
-#include "remesh/remesh.h"
+#include "transformesh/remesh.h"
 
-#include "clean/intersect/intersect.h"
 #include "fuzz/tiny_mesh.h"
 #include "geometry/numbers/predicates.h"
-#include "io/mesh_io.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "io/document/round_as_written.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "fuzz/fuzz.h"
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "io/formats/file_format.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh::fuzz {
 

@@ -8,8 +8,8 @@
 #include "corpus/hostile_shapes.h"
 #include "fuzz/tiny_mesh.h"
 #include "helpers/encoded_images.h"
-#include "io/mesh_io.h"
-#include "shapes/shapes.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/shapes.h"
 #include "views/cameras/camera_ring.h"
 
 using namespace transformesh;

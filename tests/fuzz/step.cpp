@@ -1,10 +1,13 @@
 // One step of a morph between tiny meshes: vertices go no farther than the clamp allows, and all
 // else stays.
 #include "fuzz/tiny_mesh.h"
-#include "mesh/measure.h"
+#include "mesh/local_measures.h"
 #include "step/local_thickness.h"
-#include "step/morph_step.h"
-#include "support/error.h"
+#include "step/morph_step_query.h"
+#include "step/target_query.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/morph_step.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

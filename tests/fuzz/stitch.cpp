@@ -1,10 +1,10 @@
 // Stitching: whatever the triangles are, the result is an oriented manifold, with borders only
 // where faces are left over.
-#include "clean/stitch/stitch.h"
+#include "transformesh/stitch.h"
 
 #include "fuzz/tiny_mesh.h"
-#include "mesh/manifold.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

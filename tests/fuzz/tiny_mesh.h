@@ -9,7 +9,7 @@
 #include <map>
 
 #include "fuzz/fuzz.h"
-#include "io/mesh_io.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh::fuzz {
 

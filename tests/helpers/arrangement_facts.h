@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "clean/arrange/arrange.h"
+#include "clean/intersect/find_meetings.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_file.h"
 
 namespace transformesh::test {

@@ -4,7 +4,7 @@
 /// Reference: CGAL, Polygon Mesh Processing, corefine_and_compute_boolean_operations().
 #pragma once
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::test {
 

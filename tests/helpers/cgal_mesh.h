@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::test {
 

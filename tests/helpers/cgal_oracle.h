@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::test {
 

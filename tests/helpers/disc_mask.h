@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
 
 namespace transformesh::test {
 

@@ -13,7 +13,7 @@
 #include <cstring>
 
 #include "helpers/random.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/images/image_file.h"
 
 namespace transformesh::test {

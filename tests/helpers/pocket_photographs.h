@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "helpers/view_maker.h"
+#include "views/cameras/view.h"
 #include "views/photo/solid_texture.h"
 
 namespace transformesh::test {

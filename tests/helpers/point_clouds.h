@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
-#include "mesh/measure.h"
+#include "transformesh/intersect.h"
+#include "transformesh/measure.h"
 
 namespace transformesh::test {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::test {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "shapes/shapes.h"
+#include "transformesh/shapes.h"
 
 namespace transformesh::test {
 

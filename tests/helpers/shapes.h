@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::test {
 

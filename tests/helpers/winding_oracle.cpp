@@ -8,8 +8,8 @@
 
 #include "geometry/winding.h"
 #include "helpers/random.h"
-#include "mesh/measure.h"
 #include "support/parallel.h"
+#include "transformesh/measure.h"
 
 namespace transformesh::test {
 namespace {

@@ -9,8 +9,8 @@
 #include <iostream>
 #include <iterator>
 
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 

@@ -4,9 +4,9 @@
 
 #include "frame/column_notes.h"
 #include "frame/run.h"
-#include "step/displace.h"
 #include "support/counted.h"
 #include "support/number.h"
+#include "transformesh/displace.h"
 
 namespace transformesh::tool {
 

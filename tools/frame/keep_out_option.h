@@ -5,9 +5,9 @@
 #include <string>
 
 #include "frame/run.h"
-#include "geometry/keep_out_options.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh::tool {
 

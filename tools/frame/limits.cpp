@@ -15,8 +15,8 @@
 #include "frame/program.h"
 #include "frame/terminal.h"
 #include "support/elementary/exponential.h"
-#include "support/error.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {

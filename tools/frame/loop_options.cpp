@@ -4,9 +4,10 @@
 #include <cctype>
 #include <exception>
 
-#include "io/mesh_io.h"
+#include "evolution/loop/record.h"
 #include "io/streams/output_target.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh::tool {
 

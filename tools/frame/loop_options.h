@@ -7,6 +7,7 @@
 #include <string>
 
 #include "evolution/loop/loop.h"
+#include "evolution/loop/record.h"
 #include "evolution/loop/run_folder.h"
 #include "frame/run.h"
 

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "frame/program.h"
-#include "support/error.h"
 #include "support/number.h"
 #include "support/suggestion.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {

@@ -11,8 +11,9 @@
 #include "frame/memory.h"
 #include "frame/run.h"
 #include "io/streams/streams.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "support/number.h"
+
 namespace transformesh::tool {
 namespace {
 

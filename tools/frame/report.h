@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "evolution/loop/stopwatch.h"
-#include "support/length.h"
+#include "transformesh/length.h"
 
 namespace transformesh::tool {
 

@@ -7,15 +7,18 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "clean/intersect/intersect.h"
 #include "clean/stitch/join_soup.h"
 #include "io/comments.h"
-#include "io/mesh_io.h"
+#include "io/formats/file_format.h"
+#include "io/length_basis.h"
 #include "io/streams/output_target.h"
 #include "mesh/digits.h"
-#include "mesh/measure.h"
 #include "mesh/touching_borders.h"
 #include "support/counted.h"
+#include "support/number.h"
+#include "transformesh/intersect.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh::tool {
 namespace {

@@ -11,11 +11,12 @@
 
 #include "frame/program.h"
 #include "frame/terminal.h"
-#include "io/document/document.h"
 #include "io/length_basis.h"
 #include "io/streams/atomic_file.h"
 #include "io/streams/streams.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh::tool {
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "remesh/remesh.h"
-#include "support/error.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/remesh.h"
 
 namespace transformesh::tool {
 

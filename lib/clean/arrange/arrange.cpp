@@ -4,9 +4,10 @@
 
 #include "clean/arrange/unify_points.h"
 #include "mesh/location_text.h"
-#include "support/error.h"
-#include "support/length.h"
+#include "support/number.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
 
 namespace transformesh {
 namespace {

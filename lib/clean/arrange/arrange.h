@@ -8,10 +8,10 @@
 #include <span>
 
 #include "clean/arrange/cut_plane.h"
-#include "clean/intersect/intersect.h"
 #include "clean/intersect/welded_mesh.h"
 #include "geometry/numbers/exact_point.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "clean/arrange/arrange.h"
+#include "clean/intersect/find_meetings.h"
 #include "mesh/surface_columns.h"
 
 namespace transformesh {

@@ -11,8 +11,8 @@
 /// Exact but for the rounding; deterministic. Cost: that of finding and arranging intersections.
 #pragma once
 
-#include "clean/intersect/intersect.h"
-#include "mesh/mesh.h"
+#include "transformesh/intersect.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

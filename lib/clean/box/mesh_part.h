@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "mesh/measure.h"
-#include "mesh/mesh.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

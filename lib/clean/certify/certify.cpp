@@ -1,4 +1,4 @@
-#include "clean/certify/certify.h"
+#include "transformesh/certify.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,10 +9,11 @@
 #include "geometry/search/closest_point.h"
 #include "geometry/winding.h"
 #include "mesh/location_text.h"
-#include "mesh/measure.h"
-#include "support/error.h"
-#include "support/length.h"
+#include "support/number.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

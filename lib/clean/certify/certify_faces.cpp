@@ -4,9 +4,9 @@
 #include <array>
 #include <numeric>
 
-#include "clean/intersect/intersect.h"
 #include "geometry/numbers/predicates.h"
 #include "mesh/disjoint_sets.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

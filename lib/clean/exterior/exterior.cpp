@@ -6,9 +6,10 @@
 
 #include "clean/exterior/patches.h"
 #include "clean/exterior/winding_ray.h"
-#include "mesh/components.h"
-#include "support/error.h"
 #include "support/nothing_left.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "views/hull/hull_values.h"
 
 namespace transformesh {
 namespace {

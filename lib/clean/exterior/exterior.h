@@ -15,9 +15,9 @@
 
 #include "clean/arrange/arrange.h"
 #include "clean/exterior/close_borders.h"
-#include "clean/exterior/exterior_method.h"
-#include "mesh/components.h"
-#include "support/progress.h"
+#include "transformesh/clean.h"
+#include "transformesh/components.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

@@ -9,7 +9,7 @@
 
 #include "clean/arrange/arrange.h"
 #include "clean/exterior/surroundings.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/numbers/predicates.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

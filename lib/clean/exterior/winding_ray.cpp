@@ -6,7 +6,7 @@
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/location_text.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

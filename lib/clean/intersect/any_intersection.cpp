@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "clean/intersect/corner_cells.h"
-#include "clean/intersect/intersect.h"
 #include "support/parallel.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

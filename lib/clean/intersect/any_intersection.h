@@ -6,8 +6,8 @@
 /// else as find_intersections and a third more. Parallel; deterministic.
 #pragma once
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

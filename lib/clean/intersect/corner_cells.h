@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesh.h"
 #include "support/parallel.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

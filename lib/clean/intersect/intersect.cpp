@@ -1,4 +1,4 @@
-#include "clean/intersect/intersect.h"
+#include "transformesh/intersect.h"
 
 #include <algorithm>
 
@@ -6,6 +6,7 @@
 #include "clean/intersect/crowded_stars.h"
 #include "clean/intersect/embedded_stars.h"
 #include "clean/intersect/faces_to_search.h"
+#include "clean/intersect/find_meetings.h"
 #include "clean/intersect/zones.h"
 #include "geometry/search/bvh.h"
 #include "geometry/search/sort_pairs.h"

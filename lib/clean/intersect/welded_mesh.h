@@ -8,7 +8,7 @@
 #include "geometry/numbers/predicates.h"
 #include "geometry/search/float_box.h"
 #include "mesh/edges.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -7,11 +7,11 @@
 
 #include "clean/stitch/orient.h"
 #include "clean/stitch/orientation_check.h"
-#include "clean/stitch/stitch.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
-#include "mesh/manifold.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
+#include "transformesh/stitch.h"
 
 namespace transformesh {
 namespace {

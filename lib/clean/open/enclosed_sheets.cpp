@@ -5,6 +5,7 @@
 
 #include "clean/exterior/angular_order.h"
 #include "clean/exterior/patches.h"
+#include "clean/intersect/find_meetings.h"
 #include "clean/open/space_cells.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"

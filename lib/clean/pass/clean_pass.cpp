@@ -8,12 +8,13 @@
 #include "clean/exterior/close_borders.h"
 #include "clean/exterior/exterior_arrangement.h"
 #include "clean/exterior/winding_ray.h"
-#include "clean/intersect/intersect.h"
+#include "clean/intersect/find_meetings.h"
 #include "clean/open/borders.h"
 #include "clean/open/enclosed_sheets.h"
 #include "mesh/adjacency.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

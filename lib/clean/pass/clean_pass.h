@@ -10,8 +10,8 @@
 
 #include "clean/exterior/exterior.h"
 #include "clean/stitch/assemble.h"
-#include "mesh/components.h"
-#include "support/progress.h"
+#include "transformesh/components.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "clean/intersect/intersect.h"
 #include "clean/rounding/displacement.h"
 #include "clean/rounding/local_distance.h"
 #include "clean/stitch/assemble.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "clean/intersect/intersect.h"
 #include "mesh/triangle.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 

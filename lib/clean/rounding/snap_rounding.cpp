@@ -13,10 +13,10 @@
 #include "clean/rounding/push_out.h"
 #include "clean/rounding/slivers.h"
 #include "clean/rounding/thin_cells.h"
-#include "mesh/components.h"
 #include "mesh/location_text.h"
 #include "support/elementary/exponential.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

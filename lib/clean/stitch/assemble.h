@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "clean/arrange/arrange.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

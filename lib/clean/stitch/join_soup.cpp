@@ -1,7 +1,7 @@
 #include "clean/stitch/join_soup.h"
 
 #include "mesh/touching_borders.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

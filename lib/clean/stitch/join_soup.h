@@ -3,7 +3,7 @@
 /// open, stays as it is.
 #pragma once
 
-#include "clean/stitch/stitch.h"
+#include "transformesh/stitch.h"
 
 namespace transformesh {
 

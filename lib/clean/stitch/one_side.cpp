@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "clean/stitch/weld.h"
-#include "mesh/components.h"
 #include "mesh/edges.h"
 #include "mesh/surface_columns.h"
+#include "transformesh/components.h"
 
 namespace transformesh {
 namespace {

@@ -14,7 +14,7 @@
 #include "mesh/edges.h"
 #include "mesh/location_text.h"
 #include "mesh/surface_columns.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

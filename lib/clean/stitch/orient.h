@@ -16,7 +16,7 @@
 
 #include <cstddef>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

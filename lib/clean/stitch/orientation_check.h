@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -14,8 +14,8 @@
 /// Deterministic; one thread.
 #pragma once
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

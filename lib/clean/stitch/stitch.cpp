@@ -1,4 +1,4 @@
-#include "clean/stitch/stitch.h"
+#include "transformesh/stitch.h"
 
 #include <algorithm>
 

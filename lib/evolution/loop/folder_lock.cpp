@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "io/streams/atomic_file.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

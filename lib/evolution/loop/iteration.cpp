@@ -1,17 +1,22 @@
-#include "evolution/loop/iteration.h"
+#include "transformesh/iteration.h"
 
 #include <atomic>
 #include <exception>
 #include <utility>
 
-#include "clean/clean.h"
+#include "evolution/loop/stages.h"
 #include "evolution/loop/stopwatch.h"
-#include "io/mesh_io.h"
-#include "mesh/components.h"
-#include "mesh/measure.h"
+#include "io/document/round_as_written.h"
+#include "io/length_basis.h"
+#include "remesh/remesh_connected.h"
 #include "support/beside.h"
 #include "support/counted.h"
 #include "support/parallel.h"
+#include "transformesh/clean.h"
+#include "transformesh/components.h"
+#include "transformesh/control.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {
@@ -143,35 +148,6 @@ IterationOptions completed(IterationOptions options, const Mesh& mesh) {
   return options;
 }
 
-std::string in_words(std::size_t faces, const Topology& topology) {
-  return counted(faces, "face") + ", " + counted(topology.components, "part") + ", genus " +
-         std::to_string(topology.genus);
-}
-
-std::string in_short(std::size_t faces, const Topology& topology) {
-  return counted(faces, "face") + ", components " + std::to_string(topology.components) +
-         ", genus " + std::to_string(topology.genus);
-}
-
-double IterationResult::moved_share() const {
-  return static_cast<double>(displaced.moved) / static_cast<double>(vertices);
-}
-
-double IterationResult::clamped_share() const {
-  return static_cast<double>(displaced.clamped) / static_cast<double>(vertices);
-}
-
-void IterationResult::measure_mesh(CsvRow& row) const {
-  row.count("faces", faces).count("pairs", pairs);
-  row.count("components", topology.components).count("genus", topology.genus);
-}
-
-void IterationResult::measure_times(CsvRow& row) const {
-  row.number("mean_edge", displaced.mean_edge).seconds("seconds_step", seconds_step);
-  row.seconds("seconds_clean", seconds_clean).seconds("seconds_remesh", seconds_remesh);
-  row.seconds("seconds", seconds);
-}
-
 CleanedTopology clean_in_place(Document& document, const Progress& progress, bool outermost) {
   CleanResult result = clean(
       document.mesh, {.outermost = outermost, .coordinate = document.style.coordinate}, progress);
@@ -189,8 +165,8 @@ CleanedTopology clean_in_place(Document& document, const Progress& progress, boo
 
 RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
                              const Progress& progress, std::vector<Index> opposites) {
-  RemeshResult result =
-      remesh(document.mesh, remesh_options(document, options), progress, std::move(opposites));
+  RemeshResult result = remesh_connected(document.mesh, remesh_options(document, options), progress,
+                                         std::move(opposites));
   round_as_written(document);
   return result;
 }

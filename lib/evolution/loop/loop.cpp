@@ -2,8 +2,11 @@
 
 #include <utility>
 
-#include "evolution/loop/iteration.h"
-#include "support/error.h"
+#include "evolution/loop/csv_row.h"
+#include "evolution/loop/record.h"
+#include "evolution/loop/stages.h"
+#include "transformesh/errors.h"
+#include "transformesh/iteration.h"
 
 namespace transformesh {
 namespace {

@@ -8,7 +8,8 @@
 
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/record.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/loop.h"
 
 namespace transformesh {
 
@@ -32,11 +33,6 @@ class Loop {
   /// line of progress. The columns are asked for before the first iteration as well.
   virtual void measure(CsvRow& row) const = 0;
   virtual std::string message() const = 0;
-};
-
-struct LoopOptions {
-  std::size_t iterations = 1000;  ///< the limit, earlier runs included
-  std::function<void(const std::string& message)> on_iteration = {};
 };
 
 /// Replaces the document by that of the state where the run continues. A failure of an iteration is

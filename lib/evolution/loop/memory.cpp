@@ -2,8 +2,8 @@
 
 #include <sstream>
 
-#include "support/error.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 

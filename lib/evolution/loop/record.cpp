@@ -7,10 +7,10 @@
 #include <iterator>
 #include <string_view>
 
-#include "io/mesh_io.h"
 #include "io/streams/atomic_file.h"
 #include "io/streams/output_target.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

@@ -17,23 +17,11 @@
 
 #include "evolution/loop/folder_lock.h"
 #include "evolution/loop/memory.h"
-#include "io/document/document.h"
 #include "io/streams/line_file.h"
+#include "transformesh/document.h"
+#include "transformesh/loop.h"
 
 namespace transformesh {
-
-/// Empty names: not kept.
-struct RecordOptions {
-  std::string state;       ///< folder
-  std::string settings;    ///< what determines the result: a run that continues must have the same
-  bool resume = false;     ///< continue from the state where there is one
-  bool restart = false;    ///< throw the state of an interrupted run away
-  std::string frames;      ///< folder for frame-00000.ply and so on, of meshes that are not empty
-  std::size_t every = 10;  ///< iterations from one frame to the next
-  std::string csv;
-  bool is_alone = false;           ///< refuse to run beside another process that has this state
-  bool keep_state_at_end = false;  ///< the caller calls remove_state() once the result is safe
-};
 
 struct SavedState {
   Document document;
@@ -42,9 +30,6 @@ struct SavedState {
   bool is_paused = false;  ///< stopped by its limit of iterations, not interrupted
   Memory memory;
 };
-
-/// Removes the folder of a state and its files, which are all the run's own.
-void remove_state(const std::string& folder);
 
 class Record {
  public:

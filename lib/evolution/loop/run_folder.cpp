@@ -9,8 +9,8 @@
 #include <regex>
 
 #include "io/streams/atomic_file.h"
-#include "support/error.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

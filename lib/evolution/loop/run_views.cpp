@@ -5,9 +5,10 @@
 #include <optional>
 
 #include "io/streams/streams.h"
-#include "picture/png.h"
 #include "support/number.h"
+#include "transformesh/image.h"
 #include "views/cameras/camera_file.h"
+#include "views/cameras/view.h"
 #include "views/images/image_file.h"
 
 namespace transformesh {

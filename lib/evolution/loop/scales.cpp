@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <numbers>
 
-#include "io/mesh_io.h"
-#include "mesh/measure.h"
-#include "remesh/remesh.h"
+#include "io/document/round_as_written.h"
 #include "support/elementary/exponential.h"
 #include "support/number.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/remesh.h"
 
 namespace transformesh {
 namespace {

@@ -5,19 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "io/document/document.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/document.h"
+#include "transformesh/reconstruction_options.h"
 
 namespace transformesh {
-
-struct ScaleOptions {
-  /// The first scale, >= 1, rounded up to a power of the square root of 2. Nothing: that at which
-  /// photographs are 28 pixels wide, `largest` at most.
-  std::optional<double> coarsest = std::nullopt;
-  double edge = 3;       ///< pixels of the scale; >= 1
-  double last_edge = 3;  ///< at full scale edges become as short as this
-  double largest = 11.3;
-};
 
 struct Level {
   double scale = 1;

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "evolution/loop/memory.h"
-#include "step/morph_step.h"
+#include "transformesh/morph_step.h"
 
 namespace transformesh {
 

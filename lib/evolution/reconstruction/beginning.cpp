@@ -1,8 +1,11 @@
 #include "evolution/reconstruction/beginning.h"
 
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "evolution/loop/record.h"
+#include "evolution/reconstruction/start.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
+#include "views/cameras/view.h"
 #include "views/depth/opened_hull.h"
 
 namespace transformesh {

@@ -6,6 +6,7 @@
 
 #include "evolution/loop/record.h"
 #include "evolution/reconstruction/start.h"
+#include "views/cameras/view.h"
 #include "views/cameras/view_pairs.h"
 
 namespace transformesh {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evolution/reconstruction/surface_doubt.h"
 #include "support/number.h"
 
 namespace transformesh {

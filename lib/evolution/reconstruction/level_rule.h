@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
-#include "evolution/loop/iteration.h"
 #include "evolution/loop/memory.h"
 #include "evolution/loop/scales.h"
+#include "transformesh/iteration.h"
 #include "views/photo/photo_steps.h"
 
 namespace transformesh {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evolution/reconstruction/level_rule.h"
 #include "support/number.h"
 
 namespace transformesh {

@@ -5,18 +5,10 @@
 #include <span>
 
 #include "evolution/reconstruction/level_rule.h"
+#include "transformesh/reconstruction_options.h"
 #include "views/cameras/view_pairs.h"
 
 namespace transformesh {
-
-/// Radii of the windows in which photographs are compared: larger ones at scale 2 and above find
-/// the way where a surface is far off or there is little texture, smaller ones below show detail.
-struct WindowRadii {
-  int coarse = 3;
-  int fine = 3;
-
-  int at(double scale) const;
-};
 
 /// Whether even the nearest of the views with which one is compared is on average more than 40
 /// degrees apart. Pairs of the same first view stand together.

@@ -4,16 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clean/clean.h"
-#include "evolution/loop/iteration.h"
 #include "evolution/loop/scales.h"
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "evolution/loop/stages.h"
+#include "io/document/round_as_written.h"
+#include "picture/camera.h"
 #include "support/parallel.h"
-#include "views/cameras/pinhole_camera.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "transformesh/iteration.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/pinhole_camera.h"
+#include "views/cameras/view.h"
 #include "views/hull/agreed_level.h"
 #include "views/hull/contour_distance.h"
-#include "views/hull/hull.h"
+#include "views/hull/hull_values.h"
 #include "views/hull/silhouette.h"
 #include "views/hull/view_check.h"
 

@@ -6,26 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "io/document/document.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/document.h"
+#include "transformesh/reconstruction_options.h"
 #include "views/cameras/view.h"
+#include "views/hull/hull_values.h"
 #include "views/hull/silhouette.h"
 #include "views/photo/contour_gaps.h"
 
 namespace transformesh {
-
-struct StartOptions {
-  bool is_given = false;                                 ///< the mesh, which is else the hull
-  std::string name = {};                                 ///< of the one given, in messages
-  bool clips_by_hull = true;                             ///< the one given, where masks are exact
-  SilhouetteMeaning meaning = SilhouetteMeaning::exact;  ///< of masks
-  /// Of photographs without masks. Nothing: that of threshold_silhouettes, and no silhouettes at
-  /// all where a mesh is given, as there may be anything behind the object.
-  std::optional<ThresholdOptions> threshold = std::nullopt;
-  double keep = 1;               ///< HullOptions::keep
-  bool opens_hollows = true;     ///< of a hull, by depth maps (opened_hull.h)
-  double least_agreement = 0.7;  ///< ViewCheckOptions::least_agreement, without masks
-};
 
 /// Makes the document's mesh the one to begin with, clean and rounded as written. Views without
 /// masks get silhouettes where there is a threshold; then returns their hull, whose outlines are to

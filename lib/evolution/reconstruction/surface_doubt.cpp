@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "mesh/measure.h"
 #include "step/local_thickness.h"
 #include "support/number.h"
+#include "transformesh/measure.h"
+#include "views/photo/photo_scene.h"
 #include "views/photo/thin_plate.h"
 
 namespace transformesh {

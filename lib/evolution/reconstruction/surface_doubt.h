@@ -10,15 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "transformesh/reconstruct.h"
 #include "views/photo/disagreement.h"
+#include "views/photo/photo_scene.h"
 
 namespace transformesh {
-
-struct DoubtfulPlace {
-  Vec3 center = Vec3::Zero();
-  double area = 0;  ///< squared pixels
-  bool is_thin = false;
-};
 
 struct SurfaceDoubt {
   std::vector<double> of_vertex;      ///< with six digits

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <set>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/file_list.h"
 
 namespace transformesh {

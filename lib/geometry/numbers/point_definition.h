@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -15,7 +15,7 @@
 #include "geometry/search/box_quad.h"
 #include "geometry/search/float_box.h"
 #include "geometry/search/links.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

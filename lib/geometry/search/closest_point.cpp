@@ -4,8 +4,9 @@
 #include <limits>
 
 #include "geometry/search/median_tree_visit.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "mesh/local_measures.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

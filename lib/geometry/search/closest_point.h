@@ -14,7 +14,7 @@
 
 #include "geometry/search/median_tree.h"
 #include "mesh/adjacency.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

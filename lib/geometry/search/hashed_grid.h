@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mesh/mesh.h"
 #include "support/random.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/search/median_tree.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/document/document.h"
+#include "transformesh/document.h"
 
 namespace transformesh {
 

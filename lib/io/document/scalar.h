@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "mesh/columns.h"
+#include "transformesh/columns.h"
 
 namespace transformesh {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/columns.h"
+#include "transformesh/columns.h"
 
 namespace transformesh {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mesh/columns.h"
+#include "transformesh/columns.h"
 
 namespace transformesh {
 

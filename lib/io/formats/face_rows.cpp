@@ -6,8 +6,8 @@
 #include "io/polygons/triangulate_polygon.h"
 #include "mesh/surface_columns.h"
 #include "support/counted.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 

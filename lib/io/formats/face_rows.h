@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/polygons/planar_outline.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

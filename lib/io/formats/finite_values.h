@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/streams/source.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

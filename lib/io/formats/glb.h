@@ -9,7 +9,8 @@
 /// Comments are in the extras of `asset`.
 #pragma once
 
-#include "io/document/document.h"
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 

@@ -13,7 +13,8 @@
 #include "io/formats/glb.h"
 #include "io/streams/source.h"
 #include "mesh/digits.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

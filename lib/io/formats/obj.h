@@ -11,8 +11,9 @@
 /// which. 0 is none. `mtllib` is the comment `tm:mtllib FILE`.
 #pragma once
 
-#include "io/document/document.h"
 #include "io/streams/source.h"
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 

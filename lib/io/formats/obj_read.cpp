@@ -10,6 +10,7 @@
 #include "io/formats/obj_texture.h"
 #include "io/formats/text_rows.h"
 #include "support/counted.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

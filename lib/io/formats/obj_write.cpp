@@ -8,6 +8,7 @@
 #include "io/formats/obj.h"
 #include "io/formats/obj_labels.h"
 #include "io/streams/text_buffer.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

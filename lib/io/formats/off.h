@@ -3,8 +3,9 @@
 /// nx ny nz and s t; the single number of a face color becomes color_index.
 #pragma once
 
-#include "io/document/document.h"
 #include "io/streams/source.h"
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 

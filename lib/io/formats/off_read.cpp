@@ -7,6 +7,7 @@
 #include "io/formats/off.h"
 #include "io/formats/text_rows.h"
 #include "support/counted.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

@@ -4,6 +4,7 @@
 #include "io/document/scalar.h"
 #include "io/formats/off.h"
 #include "io/streams/text_buffer.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

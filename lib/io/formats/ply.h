@@ -3,8 +3,9 @@
 
 #include <optional>
 
-#include "io/document/document.h"
 #include "io/streams/source.h"
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 

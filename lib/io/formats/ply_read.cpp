@@ -5,6 +5,7 @@
 #include "io/formats/finite_values.h"
 #include "io/formats/ply_table.h"
 #include "support/counted.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

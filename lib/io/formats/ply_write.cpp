@@ -6,7 +6,8 @@
 #include "io/document/scalar_bytes.h"
 #include "io/formats/ply.h"
 #include "io/streams/text_buffer.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

@@ -8,7 +8,7 @@
 #include "io/document/scalar_bytes.h"
 #include "io/formats/off.h"
 #include "io/formats/text_rows.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -3,8 +3,9 @@
 /// line or header is a comment; bytes for attributes become the face column `attribute`.
 #pragma once
 
-#include "io/document/document.h"
 #include "io/streams/source.h"
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 

@@ -8,8 +8,10 @@
 #include "io/streams/source.h"
 #include "io/streams/text_buffer.h"
 #include "mesh/digits.h"
-#include "mesh/measure.h"
+#include "mesh/local_measures.h"
 #include "support/counted.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

@@ -5,7 +5,8 @@
 /// own name; lists where all of a column are equally long, as components.
 #pragma once
 
-#include "io/document/document.h"
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 

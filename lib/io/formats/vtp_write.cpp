@@ -6,6 +6,7 @@
 #include "io/formats/column_groups.h"
 #include "io/formats/vtp.h"
 #include "io/streams/text_buffer.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

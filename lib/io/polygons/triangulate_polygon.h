@@ -14,7 +14,7 @@
 #include <span>
 
 #include "io/polygons/planar_outline.h"
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

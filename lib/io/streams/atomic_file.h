@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "io/streams/output_target.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string_view>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

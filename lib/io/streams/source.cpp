@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 

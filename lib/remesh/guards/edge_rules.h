@@ -1,4 +1,4 @@
-/// What edges are held to: their lengths, and which of the two diagonals of a pair of faces stays.
+/// Lengths that the edges of a mesh are held to.
 #pragma once
 
 namespace transformesh {
@@ -12,8 +12,5 @@ struct EdgeLimits {
   /// triangles makes an edge of 1.73 of theirs, which relaxation shortens.
   double stretched() const { return 1.12 * longest; }
 };
-
-/// Towards valence 6 (4 on borders), towards larger least angles, or as it is.
-enum class FlipRule { none, valence, angle };
 
 }  // namespace transformesh

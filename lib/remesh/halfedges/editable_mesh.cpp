@@ -6,7 +6,7 @@
 #include <string>
 
 #include "remesh/halfedges/halfedges.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

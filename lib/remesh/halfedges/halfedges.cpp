@@ -7,7 +7,7 @@
 
 #include "mesh/edges.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "remesh/guards/edge_rules.h"
 #include "remesh/halfedges/where.h"
 #include "remesh/operations/edge_collapser.h"
 #include "remesh/operations/edge_queue.h"

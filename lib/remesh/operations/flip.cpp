@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "remesh/guards/edge_rules.h"
 #include "remesh/halfedges/star.h"
 #include "support/parallel.h"
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "remesh/guards/embedding_guard.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

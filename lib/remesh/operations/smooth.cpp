@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/search/closest_point.h"
 #include "remesh/operations/vertex_mover.h"
 #include "support/parallel.h"
 

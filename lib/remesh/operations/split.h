@@ -2,7 +2,7 @@
 #pragma once
 
 #include "remesh/guards/embedding_guard.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include "clean/intersect/intersect.h"
 #include "geometry/numbers/predicates.h"
+#include "remesh/guards/edge_rules.h"
 #include "remesh/operations/edge_collapser.h"
 #include "remesh/operations/edge_queue.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

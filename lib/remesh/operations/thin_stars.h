@@ -3,7 +3,7 @@
 
 #include "remesh/guards/edge_rules.h"
 #include "remesh/halfedges/vertex_role.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <set>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
 #include "views/cameras/file_list.h"
 

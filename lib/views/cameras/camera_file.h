@@ -23,6 +23,7 @@
 #include <string_view>
 #include <vector>
 
+#include "picture/camera.h"
 #include "views/cameras/camera_record.h"
 
 namespace transformesh {

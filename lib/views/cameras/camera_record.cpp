@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
 
 namespace transformesh {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "transformesh/pinhole_camera.h"
 #include "views/cameras/lens_distortion.h"
-#include "views/cameras/pinhole_camera.h"
 
 namespace transformesh {
 

@@ -8,7 +8,7 @@
 
 #include "support/elementary/arctangent.h"
 #include "support/elementary/trigonometric.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
 
 namespace transformesh {

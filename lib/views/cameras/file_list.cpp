@@ -9,7 +9,7 @@
 #include <fstream>
 #include <memory>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

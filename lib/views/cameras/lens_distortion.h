@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
 
 namespace transformesh {
 

@@ -1,5 +1,5 @@
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
 
 namespace transformesh {

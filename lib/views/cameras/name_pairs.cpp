@@ -9,7 +9,7 @@
 
 #include "io/streams/source.h"
 #include "support/counted.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/file_list.h"
 
 namespace transformesh {

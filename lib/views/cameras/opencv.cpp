@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "support/elementary/trigonometric.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
 
 namespace transformesh {

@@ -1,11 +1,12 @@
-#include "views/cameras/pinhole_camera.h"
+#include "transformesh/pinhole_camera.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <vector>
 
-#include "support/error.h"
+#include "picture/camera.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 

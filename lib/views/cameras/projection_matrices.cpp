@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/error.h"
+#include "picture/camera.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
 
 namespace transformesh {

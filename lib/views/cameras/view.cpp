@@ -7,7 +7,7 @@
 
 #include "support/elementary/error_function.h"
 #include "support/elementary/exponential.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

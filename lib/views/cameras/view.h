@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "views/cameras/pinhole_camera.h"
+#include "transformesh/pinhole_camera.h"
 #include "views/images/held_image.h"
 
 namespace transformesh {

@@ -6,10 +6,11 @@
 #include <set>
 
 #include "support/counted.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
 #include "views/cameras/file_list.h"
 #include "views/cameras/name_pairs.h"
+#include "views/cameras/view.h"
 #include "views/images/image_file.h"
 
 namespace transformesh {

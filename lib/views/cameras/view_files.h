@@ -5,21 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "transformesh/views.h"
 #include "views/cameras/camera_file.h"
 #include "views/cameras/view.h"
 
 namespace transformesh {
-
-/// Each is a file, a folder or a pattern. Of a folder the files are taken that look like what is
-/// wanted.
-struct ViewSources {
-  std::string cameras;      ///< see camera_file.h
-  std::string images;       ///< empty: the views have none
-  std::string silhouettes;  ///< empty: the views have none
-  bool mirror = false;      ///< the cameras: PinholeCamera::mirrored
-  /// Gets a line for each way in which masks were read otherwise than by what is not black.
-  std::function<void(const std::string& note)> on_note = {};
-};
 
 /// The views in the order of the cameras, with the images' names, else the silhouettes', else the
 /// cameras'.

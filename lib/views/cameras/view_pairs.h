@@ -7,18 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "views/cameras/pinhole_camera.h"
+#include "transformesh/photo_step.h"
+#include "transformesh/pinhole_camera.h"
 
 namespace transformesh {
-
-struct PairOptions {
-  std::size_t neighbors = 4;      ///< at most so many for each view
-  double minimum_angle_deg = 4;   ///< below it depth is uncertain
-  double maximum_angle_deg = 50;  ///< above it surfaces look too different
-  /// >= 1: of a view's neighbors, those go that are above 30 degrees and above so many times the
-  /// angle of the best one.
-  double spread = std::numeric_limits<double>::infinity();
-};
 
 /// An ordered pair: view `first` is compared with what view `second` sees of its surface.
 struct ViewPair {

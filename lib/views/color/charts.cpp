@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "mesh/edges.h"
-#include "mesh/measure.h"
-#include "picture/image.h"
 #include "support/elementary/trigonometric.h"
+#include "transformesh/image.h"
+#include "transformesh/measure.h"
 #include "views/color/texels.h"
 
 namespace transformesh {

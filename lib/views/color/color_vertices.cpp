@@ -4,10 +4,12 @@
 #include <array>
 
 #include "mesh/edges.h"
-#include "mesh/measure.h"
+#include "mesh/local_measures.h"
 #include "support/counted.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "views/cameras/view_files.h"
 #include "views/color/even_exposure.h"
 #include "views/color/surface_looks.h"
 
@@ -126,6 +128,10 @@ ColorResult color_vertices(Mesh& mesh, std::span<const PictureView> views,
       column.values[v] = static_cast<std::uint8_t>(colors[v][channel] + 0.5F);
   }
   return result;
+}
+
+ColorResult color_vertices(Mesh& mesh, const ViewSources& sources, const Progress& progress) {
+  return color_vertices(mesh, picture_views_from(sources), progress);
 }
 
 }  // namespace transformesh

@@ -12,18 +12,12 @@
 
 #include <span>
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/color.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 #include "views/cameras/view_files.h"
 
 namespace transformesh {
-
-struct ColorResult {
-  std::size_t unseen = 0;  ///< vertices that no view sees
-  /// Mean difference of the colors, in gray levels, from the photographs that see them well.
-  double disagreement = 0;
-  double largest_gain = 1;  ///< even_exposure.h: by which a photograph was brightened or darkened
-};
 
 /// Writes the columns red, green and blue, of bytes, in the place of any that are there. Throws
 /// InputError where the mesh is before no camera or no view sees any of it, and what

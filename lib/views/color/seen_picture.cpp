@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture/camera.h"
 #include "picture/rasterize.h"
 #include "support/parallel.h"
 

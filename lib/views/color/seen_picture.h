@@ -6,9 +6,10 @@
 
 #include <vector>
 
-#include "mesh/mesh.h"
-#include "picture/image.h"
-#include "views/cameras/pinhole_camera.h"
+#include "picture/camera.h"
+#include "transformesh/image.h"
+#include "transformesh/mesh.h"
+#include "transformesh/pinhole_camera.h"
 #include "views/color/glimpses.h"
 
 namespace transformesh {

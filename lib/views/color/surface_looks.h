@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "support/progress.h"
+#include "transformesh/control.h"
 #include "views/cameras/view_files.h"
 #include "views/color/color_vertices.h"
 #include "views/color/seen_picture.h"

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/measure.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "views/cameras/view_files.h"
 #include "views/color/chart_packing.h"
 #include "views/color/charts.h"
 #include "views/color/even_exposure.h"
@@ -217,6 +218,11 @@ Atlas texture_surface(Mesh& mesh, std::span<const PictureView> views, const Atla
   fill_rest(atlas.picture);
   write_coordinates(layout, options.padding, mesh);
   return atlas;
+}
+
+Atlas texture_surface(Mesh& mesh, const ViewSources& sources, const AtlasOptions& options,
+                      const Progress& progress) {
+  return texture_surface(mesh, picture_views_from(sources), options, progress);
 }
 
 }  // namespace transformesh

@@ -9,22 +9,11 @@
 /// photograph. The same bytes for any number of threads.
 #pragma once
 
-#include "picture/image.h"
+#include "transformesh/image.h"
+#include "views/cameras/view_files.h"
 #include "views/color/color_vertices.h"
 
 namespace transformesh {
-
-struct AtlasOptions {
-  int most_size = 4096;  ///< texels each way, 16 to 32768
-  int padding = 4;       ///< texels around charts, 1 to 64
-};
-
-struct Atlas {
-  Image picture;
-  std::size_t charts = 0;
-  double texel = 0;   ///< length of its side
-  ColorResult color;  ///< of the vertices
-};
 
 /// Writes the face column `texcoord`, lists of u and v, v upwards, of each corner, as floats; takes
 /// away red, green, blue and alpha of the vertices, by which viewers would darken the texture.

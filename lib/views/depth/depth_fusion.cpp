@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture/camera.h"
 #include "support/parallel.h"
+#include "views/cameras/view.h"
 
 namespace transformesh {
 namespace {

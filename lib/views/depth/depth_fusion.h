@@ -13,7 +13,8 @@
 
 #include <span>
 
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "views/cameras/view.h"
 #include "views/depth/depth_maps.h"
 
 namespace transformesh {

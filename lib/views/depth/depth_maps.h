@@ -9,7 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "views/cameras/view.h"
 #include "views/cameras/view_pairs.h"
 #include "views/depth/plane_sweep.h"
 

@@ -4,7 +4,9 @@
 #include <numeric>
 
 #include "support/parallel.h"
-#include "views/cameras/pinhole_camera.h"
+#include "transformesh/pinhole_camera.h"
+#include "views/cameras/view.h"
+#include "views/hull/hull_values.h"
 #include "views/hull/silhouette.h"
 
 namespace transformesh {

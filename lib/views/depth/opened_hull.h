@@ -5,10 +5,12 @@
 #include <optional>
 #include <span>
 
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/cameras/view_pairs.h"
 #include "views/depth/depth_fusion.h"
-#include "views/hull/hull.h"
+#include "views/hull/hull_values.h"
 
 namespace transformesh {
 

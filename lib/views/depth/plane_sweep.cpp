@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "picture/camera.h"
+#include "views/cameras/view.h"
 #include "views/images/interpolation.h"
 #include "views/photo/warp.h"
 

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "support/elementary/exponential.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
 #include "views/cameras/view.h"
-#include "views/hull/hull.h"
+#include "views/hull/hull_values.h"
 #include "views/hull/silhouette.h"
 
 namespace transformesh {

@@ -13,7 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/hull.h"
 #include "views/cameras/view.h"
 #include "views/hull/silhouette.h"
 

@@ -1,4 +1,4 @@
-#include "views/hull/hull.h"
+#include "transformesh/hull.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "mesh/components.h"
-#include "support/error.h"
+#include "picture/camera.h"
 #include "support/parallel.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "views/cameras/view.h"
 #include "views/hull/contour_distance.h"
+#include "views/hull/hull_values.h"
 #include "views/hull/marching_tetrahedra.h"
 
 namespace transformesh {
@@ -256,6 +259,10 @@ HullResult visual_hull(std::span<const View> views, const HullOptions& options,
         "nothing is inside all silhouettes: look at the cameras, or use smaller cells");
   result.dropped_components = drop_components(result.mesh, options.keep);
   return result;
+}
+
+HullResult visual_hull(const Views& views, const HullOptions& options, const Progress& progress) {
+  return visual_hull(std::span<const View>(views.list()), options, progress);
 }
 
 }  // namespace transformesh

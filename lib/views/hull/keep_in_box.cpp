@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "shapes/boxes.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "views/cameras/view.h"
 #include "views/hull/silhouette.h"
 
 namespace transformesh {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 #include "views/cameras/view.h"
 
 namespace transformesh {

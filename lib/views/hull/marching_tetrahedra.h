@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 

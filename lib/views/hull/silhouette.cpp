@@ -7,8 +7,12 @@
 #include <limits>
 #include <numeric>
 
-#include "support/error.h"
+#include "picture/camera.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/hull/contour_distance.h"
+#include "views/images/gaussian_blur.h"
 
 namespace transformesh {
 namespace {

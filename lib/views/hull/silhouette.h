@@ -5,20 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "picture/camera.h"
 #include "picture/rasterize.h"
+#include "transformesh/hull.h"
 #include "views/cameras/view.h"
 
 namespace transformesh {
-
-struct ThresholdOptions {
-  /// (0, 255): the object is brighter than that. Default: the dividing_level of the image; several
-  /// views together know better (agreed_level.h).
-  std::optional<double> level = std::nullopt;
-  double blur = 1.5;  ///< >= 0: deviation in pixels of the Gaussian that is applied before
-  /// [0, 1]: a radius as a share of the image's larger side; dark marks on the object, and gaps in
-  /// it, that are less than twice as wide become part of the object.
-  double close = 0.01;
-};
 
 /// The level that best divides the pixels of all images into dark and bright ones (Otsu, "A
 /// threshold selection method from gray-level histograms", IEEE Trans. SMC 9, 1979), in the middle

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "support/error.h"
+#include "picture/camera.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/hull/contour_distance.h"
-#include "views/hull/hull.h"
+#include "views/hull/hull_values.h"
 
 namespace transformesh {
 namespace {

@@ -6,11 +6,14 @@
 #include <utility>
 
 #include "io/streams/source.h"
+#include "picture/camera.h"
 #include "support/counted.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/hull/contour_distance.h"
-#include "views/hull/hull.h"
+#include "views/hull/hull_values.h"
 #include "views/hull/silhouette.h"
 
 namespace transformesh {

@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "support/progress.h"
+#include "transformesh/control.h"
 #include "views/cameras/view.h"
 
 namespace transformesh {

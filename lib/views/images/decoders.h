@@ -7,8 +7,7 @@
 #include <cstdint>
 
 #include "io/streams/source.h"
-#include "picture/image.h"
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
 
 namespace transformesh {
 

@@ -1,3 +1,5 @@
+#include "views/images/gaussian_blur.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,7 +7,7 @@
 #include <numeric>
 
 #include "support/elementary/exponential.h"
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
 
 namespace transformesh {
 namespace {

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
 #include "views/images/three_taps.h"
 #include "views/images/tiled_words.h"
 

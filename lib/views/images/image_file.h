@@ -9,8 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "picture/image.h"
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
 #include "views/images/mask.h"
 
 namespace transformesh {
@@ -18,12 +17,7 @@ namespace transformesh {
 /// Whether the bytes begin like an image file, be it of a format that is not read.
 bool is_image(std::string_view bytes);
 
-/// Gray levels 0.299 R + 0.587 G + 0.114 B from 0 to 255, without gamma; deeper samples are scaled.
-/// Throws InputError naming the file (`name`) where the bytes are no image, incomplete, damaged or
-/// of a format that is not read, and then says how to convert it.
-GrayImage decode_photograph(std::string_view bytes, const std::string& name);
-
-/// The same in color, 8 bits a channel, opaque.
+/// Decodes a picture in color, 8 bits a channel, opaque. Throws as decode_photograph() does.
 Image decode_picture(std::string_view bytes, const std::string& name);
 
 /// Width and height as its header has them, without a pixel. Throws as decode_photograph does, but

@@ -3,14 +3,10 @@
 
 #include <Eigen/Core>
 
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
+#include "transformesh/photo_step.h"
 
 namespace transformesh {
-
-enum class Interpolation {
-  bilinear,     ///< of four pixels, linear in each direction; continuous
-  catmull_rom,  ///< of sixteen pixels, cubic; continuous with its first derivative
-};
 
 struct Sample {
   float level = 0;

@@ -1,7 +1,7 @@
 /// What the levels of a mask in a file mean.
 #pragma once
 
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
 
 namespace transformesh {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "picture/image.h"
+#include "transformesh/image.h"
 
 namespace transformesh {
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture/camera.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/hull/contour_distance.h"
 
 namespace transformesh {

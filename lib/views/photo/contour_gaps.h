@@ -8,14 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/photo/seen_surface.h"
 
 namespace transformesh {
-
-/// What silhouettes say of the object: where it is and where not; or, as those do that a threshold
-/// found, only where some of it is, to within a pixel. Then nothing is outside, and a rim is beyond
-/// the contour only from a pixel on.
-enum class SilhouetteMeaning { exact, least };
 
 /// Per vertex; lengths in input units.
 struct ContourGaps {

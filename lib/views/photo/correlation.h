@@ -18,15 +18,9 @@
 #include <cstddef>
 #include <functional>
 
-namespace transformesh {
+#include "transformesh/photo_step.h"
 
-struct CorrelationOptions {
-  int radius = 3;              ///< of the window, in pixels; 1 to 5
-  double noise_variance = 25;  ///< added to the variances, in squared gray levels; > 0
-  double contrast = 25;        ///< variance at which rho is 1/2; 0: rho is 1
-  double robust = 0;  ///< s, 1 - cc at which a window pulls by a quarter; 0.001 to 1000, or
-                      ///< 0: the loss is 1 - cc
-};
+namespace transformesh {
 
 /// A row of both images, to be filled; 0 where nothing is seen.
 struct ComparedRow {

@@ -6,6 +6,9 @@
 #include <cstdint>
 
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "views/cameras/view.h"
+#include "views/photo/photo_scene.h"
 #include "views/photo/warp.h"
 
 namespace transformesh {

@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 #include "views/photo/photo_scene.h"
 #include "views/photo/photoconsistency.h"
 

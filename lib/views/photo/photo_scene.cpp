@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "support/counted.h"
-#include "support/error.h"
 #include "support/parallel.h"
-#include "views/cameras/pinhole_camera.h"
+#include "transformesh/errors.h"
+#include "transformesh/pinhole_camera.h"
 #include "views/cameras/view.h"
 #include "views/hull/contour_distance.h"
 

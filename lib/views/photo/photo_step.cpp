@@ -1,10 +1,14 @@
-#include "views/photo/photo_step.h"
+#include "transformesh/photo_step.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "views/photo/contour_gaps.h"
+#include "views/photo/photo_scene.h"
+#include "views/photo/photoconsistency.h"
+#include "views/photo/scene_step.h"
 #include "views/photo/thin_plate.h"
 
 namespace transformesh {
@@ -158,6 +162,12 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
       std::count_if(gaps.outside.begin(), gaps.outside.end(),
                     [&](double outside) { return outside > scene.pixel; }));
   return result;
+}
+
+PhotoStepResult photo_step(Mesh& mesh, const Views& views, double scale,
+                           const PhotoStepOptions& options, const PairOptions& pairs,
+                           const Progress& progress) {
+  return photo_step(mesh, photo_scene(views.list(), scale, pairs), options, progress);
 }
 
 }  // namespace transformesh

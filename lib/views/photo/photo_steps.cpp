@@ -3,8 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "step/displace.h"
-#include "support/error.h"
+#include "transformesh/displace.h"
+#include "transformesh/errors.h"
+#include "views/photo/photo_scene.h"
+#include "views/photo/scene_step.h"
 
 namespace transformesh {
 namespace {

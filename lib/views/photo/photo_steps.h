@@ -7,7 +7,8 @@
 /// Computational Mathematics and Mathematical Physics 4(5), 1964.
 #pragma once
 
-#include "views/photo/photo_step.h"
+#include "views/photo/photo_scene.h"
+#include "views/photo/scene_step.h"
 
 namespace transformesh {
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <string>
 
-#include "mesh/measure.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "views/cameras/view.h"
 #include "views/photo/warp.h"
 
 namespace transformesh {

@@ -15,8 +15,8 @@
 
 #include <span>
 
-#include "mesh/mesh.h"
-#include "support/progress.h"
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
 #include "views/cameras/view.h"
 #include "views/cameras/view_pairs.h"
 #include "views/images/interpolation.h"
@@ -24,12 +24,6 @@
 #include "views/photo/seen_surface.h"
 
 namespace transformesh {
-
-struct PhotoconsistencyOptions {
-  CorrelationOptions correlation;
-  Interpolation interpolation = Interpolation::catmull_rom;
-  double depth_tolerance = 0.005;  ///< share of the depth by which hidden points are behind; >= 0
-};
 
 /// Sums over the compared pixels of all pairs; those of a vertex by its barycentric weight l in
 /// each.

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "picture/camera.h"
 #include "picture/rasterize.h"
 #include "support/elementary/exponential.h"
 #include "support/elementary/trigonometric.h"
-#include "support/error.h"
 #include "support/parallel.h"
 #include "support/random.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

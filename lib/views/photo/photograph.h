@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "picture/camera.h"
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
 #include "views/photo/solid_texture.h"
 
 namespace transformesh {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <functional>
 
-#include "mesh/measure.h"
+#include "picture/camera.h"
 #include "support/parallel.h"
+#include "transformesh/measure.h"
+#include "views/cameras/view.h"
 
 namespace transformesh {
 namespace {

@@ -7,8 +7,8 @@
 #include "support/elementary/double_double.h"
 #include "support/elementary/exponential.h"
 #include "support/elementary/trigonometric.h"
-#include "support/error.h"
 #include "support/random.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

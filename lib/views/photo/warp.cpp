@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "picture/camera.h"
+#include "views/cameras/view.h"
 #include "views/images/interpolation.h"
 
 namespace transformesh {

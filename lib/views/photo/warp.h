@@ -2,6 +2,7 @@
 /// the same point of the surface (the reprojection of Pons, Keriven & Faugeras, IJCV 72, 2007).
 #pragma once
 
+#include "views/cameras/view.h"
 #include "views/images/interpolation.h"
 #include "views/photo/seen_surface.h"
 

@@ -11,13 +11,14 @@
 
 #include "geometry/ray_winding.h"
 #include "geometry/search/closest_point.h"
-#include "mesh/measure.h"
 #include "support/elementary/exponential.h"
-#include "support/error.h"
-#include "support/length.h"
+#include "support/number.h"
 #include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
+#include "transformesh/measure.h"
+#include "transformesh/wrap.h"
 #include "views/wrap/unit_scale.h"
-#include "views/wrap/wrap.h"
 
 namespace transformesh {
 namespace {

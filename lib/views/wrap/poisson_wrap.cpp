@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/measure.h"
-#include "support/error.h"
 #include "support/random.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/wrap.h"
 #include "views/hull/marching_tetrahedra.h"
 #include "views/wrap/unit_scale.h"
-#include "views/wrap/wrap.h"
 
 namespace transformesh {
 namespace {

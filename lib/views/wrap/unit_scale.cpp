@@ -7,10 +7,11 @@
 #include <tuple>
 #include <utility>
 
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
-#include "support/error.h"
-#include "support/length.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/length.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -1,9 +1,5 @@
-// A project of somebody else, on the installed library: a surface blown up until its parts merge.
-#include <clean/clean.h>
-#include <evolution/evolve.h>
-#include <io/mesh_io.h>
-#include <remesh/remesh.h>
-#include <step/velocity.h>
+// A project of somebody else, on the installed library: a surface grows until its components merge.
+#include <transformesh/transformesh.h>
 
 using namespace transformesh;
 

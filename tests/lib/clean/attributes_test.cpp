@@ -7,11 +7,11 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
-#include "clean/clean.h"
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "mesh/triangle.h"
+#include "transformesh/clean.h"
 
 namespace transformesh {
 namespace {

@@ -8,15 +8,15 @@
 #include <numeric>
 #include <optional>
 
-#include "clean/clean.h"
-#include "clean/intersect/intersect.h"
 #include "helpers/cgal_boolean.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
-#include "support/error.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

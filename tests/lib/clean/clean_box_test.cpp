@@ -1,21 +1,21 @@
 /// Boxes against the whole: together they are the triangles of clean(), and one alone leaves all
 /// else as it was.
-#include "clean/clean_box.h"
+#include "transformesh/clean_box.h"
 
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "clean/intersect/intersect.h"
 #include "geometry/numbers/predicates.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "mesh/digits.h"
-#include "mesh/manifold.h"
-#include "mesh/transform.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/transform.h"
 
 namespace transformesh {
 namespace {

@@ -1,19 +1,20 @@
-#include "clean/clean.h"
+#include "transformesh/clean.h"
 
 #include <doctest/doctest.h>
 
-#include "clean/intersect/intersect.h"
 #include "geometry/numbers/predicates.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
 #include "mesh/adjacency.h"
-#include "mesh/components.h"
 #include "mesh/digits.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
 #include "support/parallel.h"
+#include "transformesh/components.h"
+#include "transformesh/control.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

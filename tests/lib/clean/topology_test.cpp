@@ -2,14 +2,14 @@
 
 #include <numbers>
 
-#include "clean/clean.h"
-#include "clean/intersect/intersect.h"
 #include "geometry/winding.h"
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
+#include "transformesh/clean.h"
+#include "transformesh/components.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 // The topology changes of the paper's Fig. 7, and handles: components, genus and volume of each.
 namespace transformesh {

@@ -1,16 +1,19 @@
-#include "evolution/evolve.h"
+#include "transformesh/evolve.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "evolution/loop/record.h"
+#include "evolution/recorded_loops.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
-#include "io/mesh_io.h"
-#include "mesh/measure.h"
-#include "step/velocity.h"
-#include "support/error.h"
+#include "io/document/round_as_written.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/velocity.h"
 
 using namespace transformesh;
 using test::TemporaryFolder;

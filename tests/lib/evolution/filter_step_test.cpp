@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "helpers/shapes.h"
-#include "io/mesh_io.h"
-#include "step/velocity.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/velocity.h"
 
 using namespace transformesh;
 

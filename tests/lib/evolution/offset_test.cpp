@@ -1,18 +1,20 @@
 /// Offsets of balls and boxes against Steiner's formula.
-#include "evolution/offset.h"
+#include "transformesh/offset.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "clean/intersect/intersect.h"
+#include "evolution/loop/stages.h"
 #include "helpers/shapes.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/components.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -2,12 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include "evolution/loop/record.h"
 #include "evolution/reconstruction/time_steps.h"
 #include "helpers/photographed.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
+#include "views/cameras/view.h"
 
 using namespace transformesh;
 using test::TemporaryFolder;

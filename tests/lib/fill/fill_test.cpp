@@ -1,17 +1,17 @@
 /// Filled holes of balls and boxes, against the volumes of what they were.
-#include "fill/fill.h"
+#include "transformesh/fill.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/shapes.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

@@ -1,20 +1,21 @@
 /// Surfaces without their handles: what is left, against closed forms and the Euler characteristic.
-#include "fill/handles.h"
+#include "transformesh/handles.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "clean/clean.h"
-#include "clean/intersect/intersect.h"
 #include "helpers/shapes.h"
-#include "mesh/components.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
-#include "shapes/shapes.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/clean.h"
+#include "transformesh/components.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
+#include "transformesh/shapes.h"
 
 namespace transformesh {
 namespace {

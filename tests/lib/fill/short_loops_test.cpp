@@ -11,7 +11,7 @@
 #include "helpers/shapes.h"
 #include "mesh/adjacency.h"
 #include "mesh/disjoint_sets.h"
-#include "shapes/shapes.h"
+#include "transformesh/shapes.h"
 
 namespace transformesh {
 namespace {

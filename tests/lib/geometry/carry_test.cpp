@@ -1,4 +1,4 @@
-#include "geometry/carry.h"
+#include "transformesh/carry.h"
 
 #include <doctest/doctest.h>
 
@@ -6,13 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "clean/clean.h"
 #include "geometry/search/closest_point.h"
+#include "geometry/source_points.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "remesh/remesh.h"
-#include "support/error.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/remesh.h"
 
 using namespace transformesh;
 using doctest::Approx;

@@ -1,4 +1,4 @@
-#include "geometry/compare.h"
+#include "transformesh/compare.h"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,9 @@
 
 #include "geometry/search/closest_point.h"
 #include "helpers/shapes.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using doctest::Approx;

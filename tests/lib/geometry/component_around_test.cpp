@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "helpers/shapes.h"
-#include "mesh/components.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using doctest::Approx;

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "clean/clean.h"
 #include "geometry/search/closest_point.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
 #include "mesh/surface_columns.h"
-#include "remesh/remesh.h"
-#include "support/error.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/remesh.h"
 
 using namespace transformesh;
 

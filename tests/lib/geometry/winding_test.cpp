@@ -5,8 +5,9 @@
 #include <random>
 
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string>
 
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh::testing {
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 

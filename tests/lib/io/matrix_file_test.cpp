@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 

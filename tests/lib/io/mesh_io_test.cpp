@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "helpers/random.h"
-#include "io/bytes.h"
+#include "io/document/round_as_written.h"
+#include "io/formats/file_format.h"
+#include "lib/io/bytes.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 

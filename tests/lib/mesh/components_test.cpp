@@ -1,4 +1,4 @@
-#include "mesh/components.h"
+#include "transformesh/components.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 
 #include "helpers/shapes.h"
 #include "mesh/adjacency.h"
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using doctest::Approx;

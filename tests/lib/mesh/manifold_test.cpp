@@ -1,4 +1,4 @@
-#include "mesh/manifold.h"
+#include "transformesh/manifold.h"
 
 #include <doctest/doctest.h>
 

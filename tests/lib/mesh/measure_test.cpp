@@ -1,4 +1,4 @@
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +7,7 @@
 
 #include "helpers/shapes.h"
 #include "mesh/adjacency.h"
+#include "mesh/local_measures.h"
 
 using namespace transformesh;
 using doctest::Approx;

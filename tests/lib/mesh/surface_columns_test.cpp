@@ -4,12 +4,13 @@
 
 #include <array>
 
-#include "clean/stitch/stitch.h"
 #include "helpers/shapes.h"
-#include "io/mesh_io.h"
-#include "remesh/remesh.h"
-#include "step/displace.h"
-#include "step/target.h"
+#include "step/prepare_target.h"
+#include "transformesh/displace.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/remesh.h"
+#include "transformesh/stitch.h"
+#include "transformesh/target.h"
 
 using namespace transformesh;
 

@@ -1,5 +1,5 @@
 /// Affine maps against closed forms.
-#include "mesh/transform.h"
+#include "transformesh/transform.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "helpers/shapes.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "helpers/shapes.h"
 #include "page/encode.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

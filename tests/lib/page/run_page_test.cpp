@@ -5,9 +5,9 @@
 #include "evolution/loop/run_folder.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
-#include "io/mesh_io.h"
 #include "io/streams/atomic_file.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "helpers/shapes.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

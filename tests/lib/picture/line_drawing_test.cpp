@@ -7,8 +7,9 @@
 
 #include "helpers/shapes.h"
 #include "picture/panels.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

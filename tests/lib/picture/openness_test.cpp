@@ -7,6 +7,7 @@
 
 #include "helpers/shapes.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -4,7 +4,7 @@
 
 #include "helpers/shapes.h"
 #include "picture/legend.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -1,10 +1,9 @@
-#include "picture/png.h"
-
 #include <doctest/doctest.h>
 #include <png.h>
 
 #include "helpers/random.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/image.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

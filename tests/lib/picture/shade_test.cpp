@@ -6,8 +6,9 @@
 
 #include "helpers/shapes.h"
 #include "picture/lights.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

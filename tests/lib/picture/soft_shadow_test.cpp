@@ -9,6 +9,7 @@
 #include "helpers/shapes.h"
 #include "picture/shade.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

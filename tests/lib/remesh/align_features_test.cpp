@@ -1,19 +1,19 @@
-#include "remesh/align_features.h"
+#include "transformesh/align_features.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "clean/clean.h"
-#include "clean/intersect/intersect.h"
-#include "geometry/compare.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "remesh/remesh.h"
-#include "support/error.h"
+#include "transformesh/clean.h"
+#include "transformesh/compare.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/measure.h"
+#include "transformesh/remesh.h"
 
 using namespace transformesh;
 using doctest::Approx;
@@ -39,7 +39,8 @@ Mesh rounded(Mesh mesh, double edge) {
 
 AlignOptions edges_around(double length) {
   AlignOptions options;
-  options.limits = {0.7 * length, 1.5 * length};
+  options.min_edge = 0.7 * length;
+  options.max_edge = 1.5 * length;
   return options;
 }
 
@@ -182,8 +183,9 @@ TEST_CASE("without sharp edges nothing changes; which targets have some") {
   test::Random random(3);
   for (Vec3& p : noisy.positions) p += random.point(-0.01, 0.01);
   CHECK(!has_features(noisy));
-  CHECK_THROWS_AS(align_features(mesh, test::cube(), {.feature_angle_deg = 0, .limits = {1, 2}}),
-                  UsageError);
+  CHECK_THROWS_AS(
+      align_features(mesh, test::cube(), {.feature_angle_deg = 0, .min_edge = 1, .max_edge = 2}),
+      UsageError);
   Mesh empty;
   CHECK_THROWS_AS(align_features(empty, test::cube(), edges_around(1)), InputError);
 }

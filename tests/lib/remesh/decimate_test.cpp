@@ -1,6 +1,6 @@
 /// Decimated shapes against what they are: counts, closed forms of volume and distance, and no
 /// crossing.
-#include "remesh/decimate.h"
+#include "transformesh/decimate.h"
 
 #include <doctest/doctest.h>
 
@@ -8,12 +8,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/shapes.h"
-#include "mesh/components.h"
-#include "mesh/measure.h"
 #include "remesh_checks.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

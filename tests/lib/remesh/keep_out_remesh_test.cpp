@@ -5,9 +5,9 @@
 #include "geometry/keep_out.h"
 #include "helpers/mesh_distance.h"
 #include "helpers/shapes.h"
-#include "remesh/decimate.h"
-#include "remesh/remesh.h"
-#include "support/error.h"
+#include "transformesh/decimate.h"
+#include "transformesh/errors.h"
+#include "transformesh/remesh.h"
 
 using namespace transformesh;
 using test::distance_of_meshes;

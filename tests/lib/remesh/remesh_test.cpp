@@ -1,17 +1,17 @@
-#include "remesh/remesh.h"
+#include "transformesh/remesh.h"
 
 #include <cmath>
 #include <numbers>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/components.h"
+#include "lib/remesh/remesh_checks.h"
 #include "mesh/digits.h"
-#include "mesh/measure.h"
-#include "remesh/remesh_checks.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using namespace transformesh::test;
@@ -301,7 +301,7 @@ TEST_CASE("what is removed is reported with its faces, area and volume") {
   options.max_edge = 0.4;
   options.iterations = 0;
   Mesh mesh = joined(icosphere(3), moved(thread, {3, 0, 0}));
-  const RemovedComponents removed = remesh(mesh, options).components_removed;
+  const RemeshResult::RemovedComponents removed = remesh(mesh, options).components_removed;
   CHECK(removed.count == 1);
   CHECK(removed.faces == thread.faces.size());
   CHECK(removed.area == doctest::Approx(surface_area(thread)));

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <exception>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "remesh/remesh.h"
-#include "remesh/remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
+#include "transformesh/intersect.h"
+#include "transformesh/measure.h"
+#include "transformesh/remesh.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

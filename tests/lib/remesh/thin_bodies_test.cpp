@@ -6,15 +6,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "clean/clean.h"
 #include "geometry/numbers/predicates.h"
 #include "helpers/cgal_oracle.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/remesh_checks.h"
 #include "mesh/digits.h"
-#include "mesh/measure.h"
-#include "remesh/remesh.h"
-#include "remesh/remesh_checks.h"
+#include "transformesh/clean.h"
+#include "transformesh/measure.h"
+#include "transformesh/remesh.h"
 
 namespace transformesh::test {
 namespace {

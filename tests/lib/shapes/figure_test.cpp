@@ -5,7 +5,7 @@
 #include "geometry/search/closest_point.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

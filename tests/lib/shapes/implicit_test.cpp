@@ -6,7 +6,7 @@
 #include <string>
 
 #include "helpers/mesh_facts.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "helpers/shape_options.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

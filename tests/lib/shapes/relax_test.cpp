@@ -8,6 +8,7 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -8,7 +8,7 @@
 
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
-#include "shapes/shapes.h"
+#include "transformesh/shapes.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

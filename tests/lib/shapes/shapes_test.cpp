@@ -1,4 +1,4 @@
-#include "shapes/shapes.h"
+#include "transformesh/shapes.h"
 
 #include <doctest/doctest.h>
 
@@ -11,8 +11,9 @@
 
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

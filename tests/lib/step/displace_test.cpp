@@ -1,4 +1,4 @@
-#include "step/displace.h"
+#include "transformesh/displace.h"
 
 #include <doctest/doctest.h>
 
@@ -6,9 +6,10 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "step/velocity.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/velocity.h"
 
 using namespace transformesh;
 using doctest::Approx;

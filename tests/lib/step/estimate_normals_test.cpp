@@ -4,9 +4,10 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 

@@ -7,10 +7,10 @@
 #include "geometry/keep_out.h"
 #include "helpers/mesh_distance.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "step/displace.h"
-#include "step/velocity.h"
-#include "support/error.h"
+#include "transformesh/displace.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/velocity.h"
 
 using namespace transformesh;
 using doctest::Approx;

@@ -11,10 +11,13 @@
 
 #include "geometry/search/closest_point.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "step/morph_step.h"
+#include "step/morph_step_query.h"
+#include "step/prepare_target.h"
 #include "step/target_file.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/measure.h"
+#include "transformesh/morph_step.h"
 
 using namespace transformesh;
 using doctest::Approx;

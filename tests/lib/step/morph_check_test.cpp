@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 

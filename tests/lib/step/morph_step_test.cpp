@@ -1,12 +1,15 @@
-#include "step/morph_step.h"
+#include "transformesh/morph_step.h"
 
 #include <doctest/doctest.h>
 
 #include <limits>
 
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "step/morph_step_query.h"
+#include "step/morph_velocities.h"
+#include "step/prepare_target.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using doctest::Approx;

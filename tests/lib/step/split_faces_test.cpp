@@ -4,8 +4,8 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using doctest::Approx;

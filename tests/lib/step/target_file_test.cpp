@@ -4,10 +4,11 @@
 
 #include <algorithm>
 
+#include "geometry/search/closest_point.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "io/mesh_io.h"
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 
@@ -19,11 +20,13 @@ TEST_CASE("a mesh as target reads back as it was") {
   CHECK(again.mesh.faces.size() == target.mesh.faces.size());
   CHECK(std::is_permutation(again.mesh.faces.begin(), again.mesh.faces.end(),
                             target.mesh.faces.begin()));
-  CHECK(target.face_order == FaceOrder::any);
-  CHECK(again.face_order == FaceOrder::spatial);
+  CHECK(!target.has_spatial_order);
+  CHECK(again.has_spatial_order);
   // As a target it is the same.
-  const ClosestPointQuery before(target.mesh, target.face_order);
-  const ClosestPointQuery after(again.mesh, again.face_order);
+  const ClosestPointQuery before(target.mesh,
+                                 target.has_spatial_order ? FaceOrder::spatial : FaceOrder::any);
+  const ClosestPointQuery after(again.mesh,
+                                again.has_spatial_order ? FaceOrder::spatial : FaceOrder::any);
   test::Random random(3);
   for (int i = 0; i < 200; ++i) {
     const Vec3 query = random.point(-2, 2);
@@ -56,5 +59,5 @@ TEST_CASE("a target read has its faces in one order, whether it was written in b
   const Target again = read_target(write_target(direct), "b.ply");
   CHECK(direct.mesh.faces != document.mesh.faces);
   CHECK(direct.mesh.faces == again.mesh.faces);
-  CHECK(direct.face_order == FaceOrder::spatial);
+  CHECK(direct.has_spatial_order);
 }

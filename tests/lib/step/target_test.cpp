@@ -1,12 +1,14 @@
-#include "step/target.h"
+#include "transformesh/target.h"
 
 #include <doctest/doctest.h>
 
 #include <limits>
 
+#include "geometry/search/closest_point.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "support/error.h"
+#include "step/prepare_target.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 

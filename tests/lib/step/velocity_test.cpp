@@ -1,11 +1,11 @@
-#include "step/velocity.h"
+#include "transformesh/velocity.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "helpers/shapes.h"
-#include "shapes/shapes.h"
+#include "transformesh/shapes.h"
 
 using namespace transformesh;
 using doctest::Approx;

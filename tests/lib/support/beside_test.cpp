@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 using namespace transformesh;
 

@@ -11,6 +11,8 @@
 #include <thread>
 #include <vector>
 
+#include "transformesh/control.h"
+
 using namespace transformesh;
 
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "frame/program.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::tool;

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "helpers/temporary_folder.h"
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

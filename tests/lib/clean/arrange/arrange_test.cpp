@@ -7,11 +7,13 @@
 #include <Eigen/Geometry>
 #include <set>
 
+#include "clean/intersect/find_meetings.h"
 #include "helpers/random.h"
 #include "helpers/rational.h"
 #include "helpers/shapes.h"
 #include "mesh/triangle.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 namespace {

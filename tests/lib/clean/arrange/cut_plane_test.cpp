@@ -7,9 +7,10 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "clean/intersect/intersect.h"
+#include "clean/intersect/find_meetings.h"
 #include "helpers/shapes.h"
 #include "mesh/triangle.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

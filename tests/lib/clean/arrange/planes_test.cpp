@@ -3,8 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "clean/intersect/intersect.h"
+#include "clean/intersect/find_meetings.h"
 #include "helpers/shapes.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 

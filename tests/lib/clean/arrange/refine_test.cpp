@@ -6,8 +6,8 @@
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
 #include "mesh/triangle.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 

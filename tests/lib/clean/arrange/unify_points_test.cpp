@@ -6,8 +6,9 @@
 #include <map>
 #include <set>
 
-#include "clean/intersect/intersect.h"
+#include "clean/intersect/find_meetings.h"
 #include "helpers/shapes.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 

@@ -3,7 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "clean/intersect/intersect.h"
+#include "clean/intersect/find_meetings.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

@@ -9,8 +9,8 @@
 #include <map>
 #include <numeric>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/shapes.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

@@ -1,16 +1,17 @@
-#include "clean/certify/certify.h"
+#include "transformesh/certify.h"
 
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
 
 #include "clean/certify/certify_faces.h"
-#include "clean/clean.h"
 #include "geometry/numbers/predicates.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "mesh/digits.h"
 #include "support/parallel.h"
+#include "transformesh/clean.h"
+#include "transformesh/control.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -7,10 +7,12 @@
 #include <algorithm>
 
 #include "clean/exterior/exterior.h"
-#include "clean/intersect/intersect.h"
+#include "clean/intersect/find_meetings.h"
 #include "helpers/arrangement_facts.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

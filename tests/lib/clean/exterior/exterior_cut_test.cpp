@@ -4,9 +4,10 @@
 
 #include <doctest/doctest.h>
 
-#include "clean/intersect/intersect.h"
+#include "clean/intersect/find_meetings.h"
 #include "helpers/arrangement_facts.h"
 #include "helpers/shapes.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

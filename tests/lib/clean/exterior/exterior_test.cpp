@@ -5,9 +5,9 @@
 #include <doctest/doctest.h>
 
 #include "helpers/arrangement_facts.h"
-#include "mesh/components.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

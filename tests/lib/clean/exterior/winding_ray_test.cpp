@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "helpers/arrangement_facts.h"
-#include "mesh/manifold.h"
+#include "transformesh/manifold.h"
 
 namespace transformesh {
 namespace {

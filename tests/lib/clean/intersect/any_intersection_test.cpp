@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 TEST_CASE("something crosses where the whole search finds a pair") {

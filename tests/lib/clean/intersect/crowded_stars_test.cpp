@@ -9,8 +9,8 @@
 
 #include "clean/intersect/contacts.h"
 #include "clean/intersect/embedded_stars.h"
-#include "clean/intersect/intersect.h"
 #include "helpers/shapes.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

@@ -1,11 +1,13 @@
-#include "clean/intersect/intersect.h"
+#include "transformesh/intersect.h"
 
 #include <doctest/doctest.h>
 
 #include "clean/intersect/contacts.h"
+#include "clean/intersect/find_meetings.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 TEST_CASE("the search finds the pairs that testing all pairs finds") {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "clean/clean.h"
 #include "clean/stitch/orientation_check.h"
-#include "clean/stitch/stitch.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
-#include "support/error.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
+#include "transformesh/stitch.h"
 
 namespace transformesh {
 namespace {

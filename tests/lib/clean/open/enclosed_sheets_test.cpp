@@ -7,11 +7,11 @@
 #include <map>
 #include <optional>
 
-#include "clean/clean.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "support/error.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <set>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

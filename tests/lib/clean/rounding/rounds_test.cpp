@@ -5,17 +5,18 @@
 #include <cstdlib>
 #include <set>
 
-#include "clean/clean.h"
-#include "clean/intersect/intersect.h"
 #include "helpers/cgal_oracle.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/winding_oracle.h"
-#include "io/mesh_io.h"
-#include "remesh/remesh.h"
-#include "step/displace.h"
-#include "support/error.h"
+#include "io/document/round_as_written.h"
+#include "transformesh/clean.h"
+#include "transformesh/displace.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/remesh.h"
 
 namespace transformesh {
 namespace {

@@ -5,14 +5,14 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "clean/clean.h"
-#include "clean/intersect/intersect.h"
 #include "geometry/numbers/predicates.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "mesh/digits.h"
-#include "support/error.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

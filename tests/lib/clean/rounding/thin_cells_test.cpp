@@ -7,8 +7,9 @@
 #include <memory>
 
 #include "clean/exterior/exterior.h"
-#include "clean/intersect/intersect.h"
+#include "clean/intersect/find_meetings.h"
 #include "helpers/shapes.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {

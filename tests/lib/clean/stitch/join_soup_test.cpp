@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "helpers/shapes.h"
-#include "mesh/manifold.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
 
 using namespace transformesh;
 

@@ -5,13 +5,13 @@
 
 #include <string>
 
-#include "clean/clean.h"
-#include "clean/stitch/stitch.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/components.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "transformesh/clean.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/stitch.h"
 
 namespace transformesh {
 namespace {

@@ -7,7 +7,7 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

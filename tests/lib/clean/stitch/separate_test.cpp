@@ -5,13 +5,13 @@
 #include <Eigen/Geometry>
 #include <set>
 
-#include "clean/clean.h"
 #include "helpers/cgal_oracle.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "mesh/digits.h"
+#include "transformesh/clean.h"
 
 namespace transformesh {
 namespace {

@@ -1,4 +1,4 @@
-#include "clean/stitch/stitch.h"
+#include "transformesh/stitch.h"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,8 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/components.h"
-#include "support/error.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {

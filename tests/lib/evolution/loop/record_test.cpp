@@ -4,8 +4,8 @@
 
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using test::TemporaryFolder;

@@ -8,6 +8,7 @@
 #include "helpers/temporary_folder.h"
 #include "io/streams/atomic_file.h"
 #include "views/cameras/camera_ring.h"
+#include "views/cameras/view.h"
 #include "views/images/image_file.h"
 
 using namespace transformesh;

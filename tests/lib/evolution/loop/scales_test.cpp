@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using doctest::Approx;

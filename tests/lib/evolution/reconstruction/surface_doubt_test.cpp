@@ -4,6 +4,7 @@
 
 #include "helpers/ball_photographs.h"
 #include "helpers/shapes.h"
+#include "views/photo/photo_scene.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

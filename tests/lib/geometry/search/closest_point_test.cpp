@@ -9,8 +9,8 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using doctest::Approx;

@@ -9,6 +9,7 @@
 #include "geometry/search/median_tree_visit.h"
 #include "helpers/random.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 using namespace transformesh;
 

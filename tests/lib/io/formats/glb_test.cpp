@@ -1,7 +1,8 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "io/bytes.h"
+#include "lib/io/bytes.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

@@ -1,4 +1,5 @@
-#include "io/bytes.h"
+#include "lib/io/bytes.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

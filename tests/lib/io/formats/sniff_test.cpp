@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/mesh_io.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 

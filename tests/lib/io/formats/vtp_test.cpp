@@ -2,7 +2,8 @@
 #include <cstring>
 #include <sstream>
 
-#include "io/bytes.h"
+#include "lib/io/bytes.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "helpers/temporary_folder.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

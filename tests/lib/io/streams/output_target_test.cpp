@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "helpers/temporary_folder.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "helpers/temporary_folder.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using test::TemporaryFolder;

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
 #include "remesh/operations/vertex_mover.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "remesh/remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
+#include "transformesh/intersect.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

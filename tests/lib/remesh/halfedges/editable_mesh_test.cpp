@@ -4,8 +4,8 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "remesh/remesh_checks.h"
-#include "support/error.h"
+#include "lib/remesh/remesh_checks.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

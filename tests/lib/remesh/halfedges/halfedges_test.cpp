@@ -7,7 +7,7 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "mesh/adjacency.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 

@@ -8,9 +8,9 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "remesh/remesh.h"
-#include "shapes/shapes.h"
+#include "transformesh/measure.h"
+#include "transformesh/remesh.h"
+#include "transformesh/shapes.h"
 
 using namespace transformesh;
 

@@ -4,6 +4,7 @@
 
 #include "helpers/shapes.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 using namespace transformesh;
 

@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
-#include "remesh/remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
+#include "remesh/guards/edge_rules.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "helpers/shapes.h"
-#include "remesh/remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
+#include "remesh/guards/edge_rules.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

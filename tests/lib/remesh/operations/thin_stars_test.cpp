@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/shapes.h"
-#include "mesh/manifold.h"
-#include "mesh/measure.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {

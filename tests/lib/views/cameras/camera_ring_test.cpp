@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 

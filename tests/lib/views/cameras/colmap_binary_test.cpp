@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
 
 using namespace transformesh;

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "helpers/random.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 

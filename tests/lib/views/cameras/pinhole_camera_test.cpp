@@ -1,11 +1,11 @@
-#include "views/cameras/pinhole_camera.h"
+#include "transformesh/pinhole_camera.h"
 
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
 
 #include "helpers/random.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 

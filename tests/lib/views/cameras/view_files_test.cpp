@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "views/cameras/view.h"
 
 using namespace transformesh;
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "helpers/levels.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using doctest::Approx;

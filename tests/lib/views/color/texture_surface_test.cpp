@@ -8,9 +8,11 @@
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "picture/rasterize.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
 #include "views/cameras/camera_ring.h"
+#include "views/cameras/view_files.h"
 #include "views/photo/photograph.h"
 
 using namespace transformesh;

@@ -5,8 +5,11 @@
 #include "helpers/ball_photographs.h"
 #include "helpers/pocket_photographs.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/depth/opened_hull.h"
-#include "views/hull/hull.h"
+#include "views/hull/hull_values.h"
 
 using namespace transformesh;
 

@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "helpers/pocket_photographs.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/depth/depth_maps.h"
-#include "views/hull/hull.h"
+#include "views/hull/hull_values.h"
 
 using namespace transformesh;
 

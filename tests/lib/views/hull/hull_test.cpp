@@ -1,14 +1,17 @@
-#include "views/hull/hull.h"
+#include "transformesh/hull.h"
 
 #include <doctest/doctest.h>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/levels.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/view_maker.h"
-#include "mesh/components.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/components.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "views/cameras/view.h"
+#include "views/hull/hull_values.h"
 
 using namespace transformesh;
 using namespace view_maker;

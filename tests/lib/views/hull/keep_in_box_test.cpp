@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "views/cameras/view.h"
 
 using namespace transformesh;
 

@@ -4,12 +4,13 @@
 
 #include <cmath>
 
-#include "clean/intersect/intersect.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
-#include "mesh/components.h"
-#include "mesh/measure.h"
 #include "support/parallel.h"
+#include "transformesh/components.h"
+#include "transformesh/control.h"
+#include "transformesh/intersect.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 

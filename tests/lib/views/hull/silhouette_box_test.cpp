@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
 #include "helpers/view_maker.h"
-#include "support/error.h"
-#include "views/hull/hull.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
+#include "views/hull/hull_values.h"
 
 using namespace transformesh;
 using namespace view_maker;

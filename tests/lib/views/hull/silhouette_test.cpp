@@ -7,7 +7,7 @@
 
 #include "helpers/disc_mask.h"
 #include "helpers/random.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 #include "views/hull/contour_distance.h"
 
 using namespace transformesh;

@@ -7,9 +7,12 @@
 #include "helpers/levels.h"
 #include "helpers/view_maker.h"
 #include "io/streams/source.h"
-#include "support/error.h"
 #include "support/parallel.h"
-#include "views/hull/hull.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
+#include "views/hull/hull_values.h"
 #include "views/hull/silhouette.h"
 
 using namespace transformesh;

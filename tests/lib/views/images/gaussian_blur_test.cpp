@@ -1,9 +1,11 @@
+#include "views/images/gaussian_blur.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "helpers/random.h"
-#include "views/images/gray_image.h"
+#include "transformesh/image.h"
 
 using namespace transformesh;
 

@@ -6,8 +6,12 @@
 #include <limits>
 
 #include "helpers/photographed.h"
-#include "shapes/shapes.h"
-#include "views/photo/photo_step.h"
+#include "transformesh/photo_step.h"
+#include "transformesh/shapes.h"
+#include "views/cameras/view.h"
+#include "views/photo/photo_scene.h"
+#include "views/photo/scene_step.h"
+#include "views/photo/seen_surface.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

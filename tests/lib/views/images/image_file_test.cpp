@@ -5,7 +5,7 @@
 #include <array>
 
 #include "helpers/encoded_images.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "helpers/shapes.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
 #include "views/hull/contour_distance.h"
 
 using namespace transformesh;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "helpers/random.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using doctest::Approx;

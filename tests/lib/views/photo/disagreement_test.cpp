@@ -7,6 +7,9 @@
 #include "helpers/ball_photographs.h"
 #include "helpers/random.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "views/cameras/view.h"
+#include "views/photo/photo_scene.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

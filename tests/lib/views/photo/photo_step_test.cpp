@@ -1,9 +1,11 @@
-#include "views/photo/photo_step.h"
+#include "transformesh/photo_step.h"
 
 #include <doctest/doctest.h>
 
 #include "helpers/ball_photographs.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
+#include "views/photo/photo_scene.h"
+#include "views/photo/scene_step.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -6,8 +6,11 @@
 
 #include "helpers/ball_photographs.h"
 #include "helpers/levels.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "views/cameras/view.h"
+#include "views/photo/photo_scene.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

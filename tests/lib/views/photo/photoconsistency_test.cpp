@@ -8,8 +8,9 @@
 #include "helpers/levels.h"
 #include "helpers/random.h"
 #include "picture/rasterize.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
 #include "views/cameras/view.h"
 
 using namespace transformesh;

@@ -6,9 +6,11 @@
 
 #include "helpers/levels.h"
 #include "helpers/view_maker.h"
-#include "shapes/shapes.h"
-#include "support/error.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
+#include "transformesh/errors.h"
+#include "transformesh/shapes.h"
+#include "views/cameras/view.h"
 
 using namespace transformesh;
 using namespace view_maker;

@@ -6,7 +6,7 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "mesh/measure.h"
+#include "transformesh/measure.h"
 
 using namespace transformesh;
 using doctest::Approx;

@@ -3,9 +3,9 @@
 #include "geometry/search/closest_point.h"
 #include "geometry/winding.h"
 #include "helpers/point_clouds.h"
-#include "mesh/components.h"
-#include "support/error.h"
-#include "views/wrap/wrap.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/wrap.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -9,6 +9,7 @@
 #include "helpers/point_clouds.h"
 #include "helpers/random.h"
 #include "support/parallel.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 namespace {

@@ -1,9 +1,9 @@
 #include <doctest/doctest.h>
 
 #include "helpers/point_clouds.h"
-#include "mesh/components.h"
-#include "support/error.h"
-#include "views/wrap/wrap.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+#include "transformesh/wrap.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

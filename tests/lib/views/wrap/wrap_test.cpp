@@ -1,9 +1,9 @@
-#include "views/wrap/wrap.h"
+#include "transformesh/wrap.h"
 
 #include <doctest/doctest.h>
 
 #include "helpers/point_clouds.h"
-#include "support/error.h"
+#include "transformesh/errors.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -1,0 +1,60 @@
+/// One iteration of an evolution (paper 5.1, Fig. 8): every vertex takes a step, clean() removes
+/// the self-intersections that the step made, remesh() keeps the surface well sampled.
+///
+/// Guarantees: the result is an oriented manifold, and free of self-intersections as far as
+/// remesh() promises. Columns are carried. After each stage coordinates and columns are rounded to
+/// the types in which they will be written, as between filters on pipes. Throws what the stages
+/// throw. Deterministic for any number of threads.
+#pragma once
+
+#include "transformesh/displace.h"
+#include "transformesh/document.h"
+#include "transformesh/length.h"
+#include "transformesh/remesh.h"
+
+namespace transformesh {
+
+/// Returns one vector per vertex.
+using Velocity = std::function<std::vector<Vec3>(const Mesh& mesh, const Progress& progress)>;
+
+/// Moves the vertices and changes nothing else.
+using Step = std::function<DisplaceResult(Mesh& mesh, const Progress& progress)>;
+
+/// Returns the step that displace() makes of a velocity.
+Step step_along(Velocity velocity, const DisplaceOptions& options = {});
+
+/// Returns options that smooth by a factor in [0, 1] of the Laplace-Beltrami operator
+/// (paper 5.1.2).
+RemeshOptions smoothed_by(double factor);
+
+struct IterationOptions {
+  Length min_edge{0.7, Length::Unit::reference_edge};
+  Length max_edge{1.5, Length::Unit::reference_edge};
+  double reference_edge = 0;                ///< input units; 0: mean edge when the evolution begins
+  double edge_factor = 1;                   ///< both lengths are multiplied by this
+  RemeshOptions remesh = smoothed_by(0.1);  ///< lengths and type of coordinates are not used
+  bool outermost = true;                    ///< CleanOptions::outermost
+  bool expects_changes = false;  ///< clean() probably changes the mesh; affects only the speed
+};
+
+struct Topology {
+  std::size_t components = 0;
+  long genus = 0;  ///< of all components
+  bool operator==(const Topology&) const = default;
+};
+
+struct IterationResult {
+  std::size_t vertices = 0;  ///< that took the step
+  std::size_t faces = 0;     ///< after the iteration
+  std::size_t pairs = 0;     ///< intersecting pairs of faces that were removed
+  bool was_cleaned = false;  ///< clean() changed the mesh
+  Topology topology;         ///< after the iteration
+  DisplaceResult displaced;
+  double seconds_step = 0, seconds_clean = 0, seconds_remesh = 0, seconds = 0;
+};
+
+/// Makes one iteration.
+IterationResult iterate(Document& document, const Step& step, const IterationOptions& options,
+                        const Progress& progress = Progress());
+
+}  // namespace transformesh

@@ -1,0 +1,39 @@
+/// How the loop of an evolution runs, and what it leaves on disk: its state, a CSV file with a row
+/// for each iteration, and meshes as frames.
+///
+/// The state is a folder with the last mesh and what the loop remembers. It is replaced at once
+/// after each iteration: a run that was ended in any way, even killed, continues from its state to
+/// the same bytes, and the CSV file loses rows of iterations that the state does not contain.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace transformesh {
+
+/// Names that are empty are not written.
+struct RecordOptions {
+  std::string state;       ///< folder of the state
+  std::string settings;    ///< determines the result: a run continues only with equal settings
+  bool resume = false;     ///< continue from the state if there is one
+  bool restart = false;    ///< delete the state of an interrupted run and begin again
+  std::string frames;      ///< folder for frame-00000.ply and so on; empty meshes are not written
+  std::size_t every = 10;  ///< iterations from one frame to the next
+  std::string csv;         ///< CSV file
+  bool is_alone = false;   ///< refuse to run while another process uses the state
+  bool keep_state_at_end = false;  ///< the caller calls remove_state() when the result is safe
+};
+
+struct LoopOptions {
+  std::size_t iterations = 1000;  ///< limit, with iterations of earlier runs
+  std::function<void(const std::string& message)> on_iteration = {};
+  /// Functions that take a record throw UsageError if the state is of a run with other settings, or
+  /// of an interrupted run and neither `resume` nor `restart` is set; InputError if the folder
+  /// holds no state; OutputError if another process uses it or a file cannot be written.
+  RecordOptions record = {};
+};
+
+/// Removes the folder of a state with its files.
+void remove_state(const std::string& folder);
+
+}  // namespace transformesh

@@ -1,0 +1,50 @@
+/// Sizes of a mesh: lengths in input units, angles in degrees. Degenerate faces count with area 0
+/// and angle 0. Sums run in face order: the same result for any number of threads. Coordinates of
+/// any size do; an area or volume that no double can hold is infinite.
+#pragma once
+
+#include <vector>
+
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+struct Box {
+  Vec3 minimum = Vec3::Zero();
+  Vec3 maximum = Vec3::Zero();
+  double diagonal() const;
+};
+
+/// The box of all vertices that faces use; of all vertices where there is no face.
+Box bounding_box(const Mesh& mesh);
+
+/// Area of one face; 0 if it is degenerate.
+double face_area(const Mesh& mesh, Index face);
+/// Twice the area times the unit normal.
+Vec3 face_normal(const Mesh& mesh, Index face);
+/// Sum of the areas of all faces.
+double surface_area(const Mesh& mesh);
+/// Enclosed volume with sign, by the divergence theorem; positive where faces look outwards.
+double volume(const Mesh& mesh);
+
+struct EdgeLengths {
+  std::size_t count = 0;  ///< distinct edges
+  double mean = 0;
+  double minimum = 0;
+  double maximum = 0;
+};
+EdgeLengths edge_lengths(const Mesh& mesh);
+
+struct Angles {
+  double minimum_deg = 0;       ///< smallest angle of any face
+  double minimum_mean_deg = 0;  ///< mean over faces of their smallest angle
+};
+Angles angles(const Mesh& mesh);
+
+/// Unit normals per vertex, weighted by angle (Baerentzen & Aanaes 2005); zero where undefined.
+std::vector<Vec3> vertex_normals(const Mesh& mesh);
+
+/// Share of interior vertices with six edges.
+double valence_six_share(const Mesh& mesh);
+
+}  // namespace transformesh

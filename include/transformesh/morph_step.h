@@ -1,0 +1,55 @@
+/// One step of a morph (paper 5.2 with the step of 5.1.1): every vertex p moves along its normal
+/// N(p) by -phi(p), phi being a signed distance to the target, clamped as displace() clamps. The
+/// part of a surface outside of the target shrinks, the part inside grows (Breen & Whitaker, "A
+/// level-set approach for the metamorphosis of solid models", TVCG 2001). A component of the target
+/// that the source does not overlap stays unfound; a component of the source outside of the target
+/// shrinks. Distances at which every movement is clamped are estimated to a few percent; movements
+/// are those of exact distances. Cost: O(n log m). Deterministic for any number of threads.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "transformesh/control.h"
+#include "transformesh/displace.h"
+#include "transformesh/target.h"
+
+namespace transformesh {
+
+/// How phi(p) is computed.
+enum class MorphDistance {
+  surface,  ///< to the closest point of the target's faces
+  vertex,  ///< ((q - p) . n), q being the nearest vertex and n its normal, as in the paper; needs a
+           ///< target sampled as finely as the source, and vanishes beside sharp edges
+  points   ///< as `vertex`, with the side decided by twelve planes if p is far away (Kolluri,
+           ///< "Provably good moving least squares", TALG 4(2), 2008)
+};
+
+struct MorphStepOptions {
+  std::optional<MorphDistance> distance;  ///< default: `surface` for a mesh, else `points`
+  DisplaceOptions displace;
+  std::string mask;  ///< vertex column by which velocities are multiplied; empty: none
+  /// > 0, if the target's thickness is measured: number of edges across narrow places, for which
+  /// the vertex column `size` is set to an edge length.
+  double gap_edges = 0;
+  double largest_size = 0;       ///< of that column; input units; the smallest is a twentieth
+  const Target* goal = nullptr;  ///< vertices to reach, for `from_target`; null: all of the target
+};
+
+struct DistanceSummary {
+  double rms = 0, maximum = 0;
+};
+
+struct MorphStepResult {
+  MorphDistance distance = MorphDistance::surface;  ///< that was used
+  DistanceSummary to_target;    ///< over vertices of the mesh, before the movement; input units
+  DistanceSummary from_target;  ///< over at most 1024 vertices of the target
+  DisplaceResult displaced;
+};
+
+/// Moves the vertices. Throws as displace() does, InputError for a mesh without faces, UsageError
+/// if distances to the surface of points are asked for.
+MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOptions& options = {},
+                           const Progress& progress = Progress());
+
+}  // namespace transformesh

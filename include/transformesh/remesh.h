@@ -1,0 +1,60 @@
+/// Keeps a surface well sampled while it evolves (paper 5.1.2): edges between two lengths, vertices
+/// of valence 6, round triangles. Each iteration splits, collapses, flips and smooths, in the order
+/// of Botsch & Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004.
+///
+/// Guarantees for an oriented manifold with or without borders: the result is one too. Genus and
+/// number of components change only by small components that are removed. No step adds a
+/// self-intersection or a face without area; intersections of the input stay. Slivers are removed
+/// first. Surviving vertices and faces keep their order, attributes are interpolated. Not
+/// preserved: lists of texture coordinates. Not guaranteed: that every edge reaches the interval.
+/// Deterministic for any number of threads; O(n log n); about 150 bytes per face.
+#pragma once
+
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+enum class Smoothing { none, tangential, laplace, bilaplace };
+enum class FlipRule { none, valence, angle };  ///< towards valence 6, or larger least angles
+
+struct RemeshOptions {
+  double min_edge = 0;        ///< shorter edges are collapsed; input units, > 0
+  double max_edge = 0;        ///< longer edges are split; input units, >= 1.5 min_edge
+  std::string size_column;    ///< vertex column by which both lengths are multiplied; empty: none
+  double adaptive_error = 0;  ///< > 0: edge lengths follow the curvature to keep this distance
+  int iterations = 1;         ///< >= 0; 0 removes only small components and degenerate faces
+  bool only_smooth = false;   ///< no splits, collapses and flips
+  FlipRule flip = FlipRule::valence;
+  Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
+  double smooth_first = 0;                      ///< b in v - b dv, or b1; in [0, 1]
+  double smooth_second = 0;             ///< b2 in v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
+  double feature_angle_deg = 180;       ///< sharper edges stay; [0, 180]; 0: 40 if there are any
+  bool keep_border = false;             ///< border vertices and edges stay
+  bool project = false;                 ///< move relaxed vertices onto the input surface
+  Scalar coordinate = Scalar::float64;  ///< type to which new positions are rounded
+  KeepOutOptions keep_out = {};
+};
+
+struct RemeshResult {
+  struct RemovedComponents {
+    std::size_t count = 0, faces = 0;
+    double area = 0, volume = 0;  ///< sums of absolute values
+  } components_removed;           ///< components that are too small for the edge lengths
+  std::size_t splits = 0, collapses = 0, flips = 0;
+  std::size_t refused = 0;             ///< steps of the last iteration that would break a guarantee
+  std::size_t kept_out = 0;            ///< steps refused because of `keep_out`
+  std::size_t near_keep_out = 0;       ///< faces of the input that are nearer than its gap
+  std::size_t degenerate_faces = 0;    ///< left: lower than a thousandth of their longest edge
+  std::size_t slivers_kept = 0;        ///< degenerate faces whose height is a few spacings
+  Vec3 first_sliver = Vec3::Zero();    ///< a corner of the first sliver
+  std::size_t faces_without_area = 0;  ///< slivers that have no area and could not be removed
+  double feature_angle_deg = 180;
+  StaleColumns columns;
+};
+
+/// Throws UsageError for options out of range, InputError if the mesh is no oriented manifold, has
+/// no faces or size column, or meets the obstacle, GoalError if no face would be left.
+RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress = {});
+
+}  // namespace transformesh

@@ -1,0 +1,45 @@
+/// Selects the faces of a mesh that meet all of several conditions. Faces and vertices keep their
+/// order and columns; vertices that no face uses are dropped. The mesh may be open, a soup, or of
+/// any orientation. Components are connected by vertex indices. Deterministic. Cost: O(n log n).
+///
+/// A component contains a point if its generalized winding number there does not round to 0:
+/// Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding
+/// numbers", ACM TOG 32(4), 2013. That is exact for closed components of any orientation.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transformesh/components.h"
+#include "transformesh/measure.h"
+
+namespace transformesh {
+
+/// Conditions on faces. Members that are not set are no condition.
+struct SelectionOptions {
+  std::optional<std::size_t> largest;       ///< number of components to keep, largest first
+  double at_least = 0;                      ///< least size of a component; 0: any
+  ComponentSize by = ComponentSize::faces;  ///< measure of the size of a component
+  /// `COLUMN OP NUMBER`, with OP one of < <= = != >= >, for a face column, else for a vertex column
+  /// at all three corners of a face.
+  std::string where;
+  std::optional<Box> box;  ///< contains all corners of a selected face; sides included
+  /// The component that contains this point, the innermost if several do, else the closest one.
+  std::optional<Vec3> around;
+  std::optional<std::vector<bool>> mask;  ///< true for each face that may be selected
+  bool invert = false;                    ///< select the faces that do not meet the conditions
+};
+
+struct SelectionResult {
+  std::size_t selected_faces = 0, dropped_faces = 0;
+  std::optional<bool> contains_point;  ///< whether the component of `around` contains the point
+  double distance = 0;                 ///< from the point of `around` to the surface; input units
+};
+
+/// Keeps the selected faces. Throws UsageError for a condition that is none, InputError if there is
+/// no such column of numbers or the mask has the wrong length, GoalError if no face is selected.
+/// The mesh does not change if it throws.
+SelectionResult select(Mesh& mesh, const SelectionOptions& options);
+
+}  // namespace transformesh

@@ -1,0 +1,57 @@
+/// Calibrated photographs of one object: cameras, photographs and silhouettes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "transformesh/image.h"
+#include "transformesh/pinhole_camera.h"
+
+namespace transformesh {
+
+struct View;  // private
+
+/// A list of photographs with their cameras. A photograph takes 4 bytes a pixel, or 1 if
+/// read_views() read it.
+class Views {
+ public:
+  Views();
+  explicit Views(std::vector<View> views);
+  Views(Views&&) noexcept;
+  Views& operator=(Views&&) noexcept;
+  ~Views();
+
+  /// Appends a photograph without lens distortion. An empty silhouette means that none is known.
+  /// Throws UsageError if both have pixels and their sizes differ.
+  void add(const std::string& name, const PinholeCamera& camera, GrayImage photograph,
+           GrayImage silhouette = {});
+
+  std::size_t size() const;
+  const std::string& name(std::size_t view) const;
+  const PinholeCamera& camera(std::size_t view) const;
+
+  std::vector<View>& list() { return *views_; }
+  const std::vector<View>& list() const { return *views_; }
+
+ private:
+  std::unique_ptr<std::vector<View>> views_;
+};
+
+/// Places of files. Each is a file, a folder or a pattern.
+struct ViewSources {
+  std::string cameras;      ///< Middlebury, COLMAP, Bundler, OpenCV, Metashape, RealityCapture, 3x4
+  std::string images;       ///< empty: no photographs
+  std::string silhouettes;  ///< empty: no silhouettes
+  bool mirror = false;      ///< cameras are of a left-handed world
+  std::function<void(const std::string& note)> on_note = {};  ///< gets notes on how masks were read
+};
+
+/// Reads views in the order of the cameras. Images belong to the camera that has their name if the
+/// camera file names images, else they are paired by the numbers in their names. Lens distortion is
+/// removed. Throws InputError, naming the file, if a file cannot be read, images and cameras cannot
+/// be paired, sizes disagree, or a silhouette is empty. Parallel; deterministic.
+Views read_views(const ViewSources& sources);
+
+}  // namespace transformesh

@@ -1,0 +1,26 @@
+/// Iterations in words, and as rows of a CSV file.
+#pragma once
+
+#include <string>
+
+#include "evolution/loop/csv_row.h"
+#include "transformesh/iteration.h"
+
+namespace transformesh {
+
+/// Returns "812 faces, 1 part, genus 0".
+std::string in_words(std::size_t faces, const Topology& topology);
+
+/// Returns "812 faces, components 1, genus 0".
+std::string in_short(std::size_t faces, const Topology& topology);
+
+/// Fractions of the vertices that moved, and that were clamped.
+double moved_share(const IterationResult& result);
+double clamped_share(const IterationResult& result);
+
+/// Adds the columns that all loops have: measures of the mesh after the iteration, and of its edges
+/// before with the times of the stages.
+void measure_mesh(const IterationResult& result, CsvRow& row);
+void measure_times(const IterationResult& result, CsvRow& row);
+
+}  // namespace transformesh

@@ -1,0 +1,29 @@
+/// The stages of an iteration (iteration.h) that loops also run alone.
+#pragma once
+
+#include <vector>
+
+#include "transformesh/iteration.h"
+
+namespace transformesh {
+
+/// Returns the options with the reference edge of the mesh if they have none.
+IterationOptions completed(IterationOptions options, const Mesh& mesh);
+
+/// Runs remesh() and rounds as written. `opposites` are those of the halfedges, or empty.
+RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
+                             const Progress& progress = Progress(),
+                             std::vector<Index> opposites = {});
+
+struct CleanedTopology {
+  Topology topology;
+  bool changed = false;
+  std::size_t pairs = 0;
+  std::vector<Index> opposites;  ///< of the halfedges if they were found, for remesh_in_place()
+};
+
+/// Runs clean() and rounds as written.
+CleanedTopology clean_in_place(Document& document, const Progress& progress = Progress(),
+                               bool outermost = true);
+
+}  // namespace transformesh

@@ -1,0 +1,99 @@
+#include "transformesh/document.h"
+
+#include <unordered_map>
+#include <unordered_set>
+
+#include "io/formats/obj_labels.h"
+
+namespace transformesh {
+namespace {
+
+using Notes = std::vector<std::string>;
+
+void note_misfits(const std::vector<std::string>& names, const std::string& element, Notes& notes) {
+  for (const std::string& name : names)
+    notes.push_back((element + " property '").append(name) +
+                    "' is a list in one input and a number in another: missing in the later one");
+}
+
+void append_mesh(Mesh& all, const Mesh& other, Notes& notes) {
+  const auto offset = static_cast<Index>(all.positions.size());
+  note_misfits(all.vertex_columns.concatenate(other.vertex_columns, all.positions.size(),
+                                              other.positions.size()),
+               "vertex", notes);
+  note_misfits(
+      all.face_columns.concatenate(other.face_columns, all.faces.size(), other.faces.size()),
+      "face", notes);
+  all.positions.insert(all.positions.end(), other.positions.begin(), other.positions.end());
+  for (const Face& face : other.faces) {
+    all.faces.push_back({face[0] + offset, face[1] + offset, face[2] + offset});
+  }
+}
+
+void append_elements(std::vector<OtherElement>& all, const std::vector<OtherElement>& others,
+                     Notes& notes) {
+  std::unordered_map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < all.size(); ++i) places.emplace(all[i].name, i);
+  for (const OtherElement& other : others) {
+    const auto [place, is_new] = places.emplace(other.name, all.size());
+    if (is_new) {
+      all.push_back(other);
+      continue;
+    }
+    OtherElement& same = all[place->second];
+    note_misfits(same.columns.concatenate(other.columns, same.rows, other.rows), other.name, notes);
+    same.rows += other.rows;
+  }
+}
+
+// Lines that are not there yet. A reference edge belongs to one mesh: the first keeps its own.
+void append_lines(std::vector<std::string>& all, const std::vector<std::string>& other) {
+  std::unordered_set<std::string> present(all.begin(), all.end());
+  for (const std::string& line : other)
+    if (!line.starts_with("tm:reference-edge") && present.insert(line).second) all.push_back(line);
+}
+
+std::vector<std::string> append_separated(Document& all, const Document& other) {
+  Notes notes;
+  append_mesh(all.mesh, other.mesh, notes);
+  append_elements(all.other_elements, other.other_elements, notes);
+  append_lines(all.style.comments, other.style.comments);
+  append_lines(all.style.obj_info, other.style.obj_info);
+  if (other.style.coordinate == Scalar::float64) all.style.coordinate = Scalar::float64;
+  return notes;
+}
+
+}  // namespace
+
+std::vector<std::string> append(Document& all, const Document& other) {
+  if (have_obj_labels(all, other)) {
+    Document separated = other;
+    separate_obj_labels(all, separated);
+    return append_separated(all, separated);
+  }
+  return append_separated(all, other);
+}
+
+const char* name_of(Format format) {
+  switch (format) {
+    case Format::ply_ascii:
+      return "ply-ascii";
+    case Format::ply_big:
+      return "ply-be";
+    case Format::off:
+      return "off";
+    case Format::obj:
+      return "obj";
+    case Format::stl_ascii:
+    case Format::stl_binary:
+      return "stl";
+    case Format::glb:
+      return "glb";
+    case Format::vtp:
+      return "vtp";
+    default:
+      return "ply";
+  }
+}
+
+}  // namespace transformesh

@@ -1,0 +1,17 @@
+/// Rounds coordinates and columns to the types in which they will be written.
+#pragma once
+
+#include "transformesh/document.h"
+
+namespace transformesh {
+
+/// Rounds coordinates to a scalar type. Returns the number of faces that collapse. Throws GoalError
+/// if most faces collapse or turn over.
+std::size_t round_positions(Mesh& mesh, Scalar coordinate);
+
+/// Changes a document to what write_mesh() in a PLY format and read_mesh() would make of it: stages
+/// that follow each other in one process then compute the same bytes as programs on pipes. Throws
+/// GoalError as write_mesh() does.
+void round_as_written(Document& document);
+
+}  // namespace transformesh

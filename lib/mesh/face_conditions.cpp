@@ -1,0 +1,161 @@
+#include "mesh/face_conditions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "support/number.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+
+namespace transformesh {
+namespace {
+
+std::vector<double> sizes_of(const Mesh& mesh, const Components& all, ComponentSize by) {
+  std::vector<double> sizes(all.components.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    sizes[all.of_face[f]] += by == ComponentSize::area ? face_area(mesh, f) : 1;
+  if (by == ComponentSize::volume)
+    for (std::size_t c = 0; c < sizes.size(); ++c) sizes[c] = std::abs(all.components[c].volume);
+  return sizes;
+}
+
+/// The components from the largest to the smallest; of equal ones the first comes first.
+std::vector<std::size_t> by_size(const std::vector<double>& sizes) {
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  return order;
+}
+
+/// The vertices of each component, in order.
+std::vector<std::vector<Index>> vertices_of(const Mesh& mesh, const Components& all) {
+  std::vector<Index> component(mesh.positions.size(), no_index);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for (const Index vertex : mesh.faces[f]) component[vertex] = all.of_face[f];
+  std::vector<std::vector<Index>> vertices(all.components.size());
+  for (Index v = 0; v < component.size(); ++v)
+    if (component[v] != no_index) vertices[component[v]].push_back(v);
+  return vertices;
+}
+
+/// These faces and vertices; writes new numbers of the vertices.
+Mesh part_of(const Mesh& mesh, const std::vector<Index>& faces, const std::vector<Index>& vertices,
+             std::vector<Index>& new_vertex) {
+  Mesh part;
+  for (const Index v : vertices) {
+    new_vertex[v] = static_cast<Index>(part.positions.size());
+    part.positions.push_back(mesh.positions[v]);
+  }
+  for (const Index f : faces) {
+    const Face& face = mesh.faces[f];
+    part.faces.push_back({new_vertex[face[0]], new_vertex[face[1]], new_vertex[face[2]]});
+  }
+  part.vertex_columns = mesh.vertex_columns.select(vertices);
+  part.face_columns = mesh.face_columns.select(faces);
+  return part;
+}
+
+std::vector<bool> faces_of(const Components& all, const std::vector<bool>& chosen) {
+  std::vector<bool> keep(all.of_face.size());
+  for (std::size_t f = 0; f < keep.size(); ++f) keep[f] = chosen[all.of_face[f]];
+  return keep;
+}
+
+struct Condition {
+  std::string column, relation;
+  double number = 0;
+  bool holds(double value) const {
+    if (relation == "<") return value < number;
+    if (relation == "<=") return value <= number;
+    if (relation == ">") return value > number;
+    if (relation == ">=") return value >= number;
+    return (value == number) == (relation == "=" || relation == "==");
+  }
+};
+
+Condition parsed(std::string text) {
+  std::erase(text, ' ');
+  const std::size_t begin = std::min(text.find_first_of("<>=!"), text.size());
+  const std::size_t end = std::min(text.find_first_not_of("<>=!", begin), text.size());
+  Condition result{text.substr(0, begin), text.substr(begin, end - begin), 0};
+  const auto number = number_in<double>(text.substr(end));
+  const std::vector<std::string> known{"<", "<=", "=", "==", "!=", ">=", ">"};
+  if (begin == 0 || !number ||
+      std::find(known.begin(), known.end(), result.relation) == known.end())
+    throw UsageError("'" + text + "' is no condition such as 'intersections>0'");
+  result.number = *number;
+  return result;
+}
+
+const Column* numbers_of(const Columns& columns, const std::string& name) {
+  const Column* column = columns.find(name);
+  return column == nullptr || column->list_count_type ? nullptr : column;
+}
+
+}  // namespace
+
+ComponentSize component_size_of(const std::string& word) {
+  if (word == "faces") return ComponentSize::faces;
+  if (word == "area") return ComponentSize::area;
+  if (word == "volume") return ComponentSize::volume;
+  throw UsageError("by: '" + word + "' is none of faces, area, volume");
+}
+
+std::vector<bool> faces_of_largest(const Mesh& mesh, std::size_t count, ComponentSize by) {
+  const Components all = connected_components(mesh);
+  const std::vector<std::size_t> order = by_size(sizes_of(mesh, all, by));
+  std::vector<bool> chosen(order.size(), false);
+  for (std::size_t i = 0; i < std::min(count, order.size()); ++i) chosen[order[i]] = true;
+  return faces_of(all, chosen);
+}
+
+std::vector<bool> faces_of_at_least(const Mesh& mesh, double size, ComponentSize by) {
+  const Components all = connected_components(mesh);
+  std::vector<bool> chosen;
+  for (const double found : sizes_of(mesh, all, by)) chosen.push_back(found >= size);
+  return faces_of(all, chosen);
+}
+
+std::vector<Mesh> split_components(const Mesh& mesh, ComponentSize by) {
+  const Components all = connected_components(mesh);
+  const std::vector<std::vector<Index>> vertices = vertices_of(mesh, all);
+  std::vector<std::vector<Index>> faces(all.components.size());
+  for (Index f = 0; f < mesh.faces.size(); ++f) faces[all.of_face[f]].push_back(f);
+
+  std::vector<Index> new_vertex(mesh.positions.size(), no_index);
+  std::vector<Mesh> parts;
+  for (const std::size_t c : by_size(sizes_of(mesh, all, by)))
+    parts.push_back(part_of(mesh, faces[c], vertices[c], new_vertex));
+  return parts;
+}
+
+std::vector<bool> faces_where(const Mesh& mesh, const std::string& condition) {
+  const Condition wanted = parsed(condition);
+  const Column* of_faces = numbers_of(mesh.face_columns, wanted.column);
+  const Column* of_vertices = numbers_of(mesh.vertex_columns, wanted.column);
+  if (of_faces == nullptr && of_vertices == nullptr)
+    throw InputError("the mesh has no property '" + wanted.column + "' of numbers");
+  std::vector<bool> keep(mesh.faces.size());
+  for (std::size_t f = 0; f < keep.size(); ++f) {
+    const Face& face = mesh.faces[f];
+    keep[f] = of_faces != nullptr ? wanted.holds(of_faces->values[f])
+                                  : std::all_of(face.begin(), face.end(), [&](Index v) {
+                                      return wanted.holds(of_vertices->values[v]);
+                                    });
+  }
+  return keep;
+}
+
+std::vector<bool> faces_in_box(const Mesh& mesh, const Box& box) {
+  std::vector<bool> keep(mesh.faces.size());
+  for (std::size_t f = 0; f < keep.size(); ++f)
+    keep[f] = std::all_of(mesh.faces[f].begin(), mesh.faces[f].end(), [&](Index v) {
+      const Vec3& p = mesh.positions[v];
+      return (p.array() >= box.minimum.array()).all() && (p.array() <= box.maximum.array()).all();
+    });
+  return keep;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,24 @@
+/// Measures of a mesh that other operations start from, without a search for edges.
+#pragma once
+
+#include <span>
+
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+/// Returns the positions of the vertices that faces use, in their order.
+std::vector<Vec3> used_positions(const Mesh& mesh);
+
+/// Lengths over all halfedges: an edge of two faces counts twice.
+struct HalfedgeLengths {
+  double mean = 0;
+  double maximum = 0;
+  std::vector<double> vertex_mean;  ///< of the edges at each vertex; 0 if there is none
+};
+HalfedgeLengths halfedge_lengths(const Mesh& mesh);
+
+/// Returns the normal of one vertex as vertex_normals() does, given its faces in ascending order.
+Vec3 vertex_normal(const Mesh& mesh, Index vertex, std::span<const Index> faces);
+
+}  // namespace transformesh

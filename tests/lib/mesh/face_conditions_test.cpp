@@ -1,0 +1,70 @@
+/// Selections of which the answer is known.
+#include "mesh/face_conditions.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "helpers/shapes.h"
+#include "transformesh/components.h"
+#include "transformesh/errors.h"
+
+namespace transformesh {
+
+TEST_CASE("components are chosen by faces, area or volume") {
+  const Mesh mesh = test::joined(test::icosphere(1), test::cuboid({5, 0, 0}, {8, 3, 3}));
+  const auto has_ball = [&](const std::vector<bool>& keep) {
+    CHECK(keep.front() != keep.back());
+    return keep.front();
+  };
+  CHECK(has_ball(faces_of_largest(mesh, 1, ComponentSize::faces)));
+  CHECK_FALSE(has_ball(faces_of_largest(mesh, 1, ComponentSize::area)));
+  CHECK_FALSE(has_ball(faces_of_largest(test::reversed(mesh), 1, ComponentSize::volume)));
+  CHECK_FALSE(has_ball(faces_of_at_least(mesh, 27 - 1e-9, ComponentSize::volume)));
+  const auto both = faces_of_largest(mesh, 3, ComponentSize::area);
+  CHECK(std::count(both.begin(), both.end(), true) == std::ssize(mesh.faces));
+}
+
+TEST_CASE("a mesh is split into its components, the largest first, with all columns") {
+  Mesh mesh = test::joined(test::icosphere(1), test::cuboid({5, 0, 0}, {8, 3, 3}));
+  mesh.positions.insert(mesh.positions.begin(), Vec3(99, 0, 0));  // of no face
+  for (Face& face : mesh.faces)
+    for (Index& vertex : face) ++vertex;
+  Column& labels = mesh.face_columns.get("label", Scalar::int32, mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) labels.values[f] = static_cast<double>(f);
+  const std::vector<Mesh> by_faces = split_components(mesh, ComponentSize::faces);
+  const std::vector<Mesh> by_volume = split_components(mesh, ComponentSize::volume);
+  REQUIRE(by_faces.size() == 2);
+  REQUIRE(by_volume.size() == 2);
+  CHECK(by_faces[0].faces.size() == test::icosphere(1).faces.size());
+  for (std::size_t i = 0; i < 2; ++i) {
+    // The same as choosing this one, and the other way round by volume.
+    const std::vector<bool> keep = faces_of_largest(mesh, 1, ComponentSize::faces);
+    std::vector<bool> other = keep;
+    other.flip();
+    const Mesh expected = select_faces(mesh, i == 0 ? keep : other);
+    for (const Mesh* part : {&by_faces[i], &by_volume[1 - i]}) {
+      CHECK(part->positions == expected.positions);
+      CHECK(part->faces == expected.faces);
+      CHECK(part->face_columns.find("label")->values ==
+            expected.face_columns.find("label")->values);
+    }
+  }
+  CHECK(split_components(Mesh(), ComponentSize::area).empty());
+}
+
+TEST_CASE("conditions on properties and boxes") {
+  Mesh mesh = test::tetrahedron();
+  mesh.face_columns.get("label", Scalar::int32, 4).values = {0, 1, 2, 3};
+  mesh.vertex_columns.get("height", Scalar::float64, 4).values = {0, 0, 0, 1};
+  using Mask = std::vector<bool>;
+  CHECK(faces_where(mesh, "label>=2") == Mask{false, false, true, true});
+  CHECK(faces_where(mesh, "label != 2") == Mask{true, true, false, true});
+  CHECK(faces_where(mesh, "height < 1") == Mask{true, false, false, false});
+  CHECK(faces_in_box(mesh, {{0, 0, 0}, {1, 1, 0.5}}) == Mask{true, false, false, false});
+  for (const char* text : {"", "label", "label>", ">3", "label=>3", "label>3x"})
+    CHECK_THROWS_AS(faces_where(mesh, text), UsageError);
+  CHECK_THROWS_AS(faces_where(mesh, "none>0"), InputError);
+}
+
+}  // namespace transformesh
