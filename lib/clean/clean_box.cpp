@@ -9,7 +9,6 @@
 #include "clean/intersect/find_meetings.h"
 #include "clean/rounding/snap_rounding.h"
 #include "clean/stitch/assemble.h"
-#include "evolution/loop/stages.h"
 #include "mesh/digits.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/components.h"

@@ -9,7 +9,6 @@
 #include "support/nothing_left.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
-#include "views/hull/hull_values.h"
 
 namespace transformesh {
 namespace {
