@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "clean/box/mesh_part.h"
+#include "clean/box/box_submesh.h"
 #include "clean/box/put_in_place.h"
 #include "clean/exterior/exterior_arrangement.h"
 #include "clean/intersect/find_meetings.h"
@@ -48,7 +48,7 @@ class BoxPart {
   const Spacings& spacings_;
   const Progress& progress_;
   std::vector<bool> is_complete_, is_in_part_;  ///< per face of the mesh
-  MeshPart part_;
+  BoxSubmesh part_;
   std::shared_ptr<const WeldedMesh> welded_;
   std::vector<Meeting> meetings_;
 };
@@ -66,7 +66,7 @@ void BoxPart::find_complete() {
   do {
     progress_("intersect");
     is_in_part_ = near(near(is_complete_));
-    part_ = take_part(mesh_, is_in_part_);
+    part_ = take_submesh(mesh_, is_in_part_);
     welded_ = std::make_shared<const WeldedMesh>(weld(part_.mesh));
     meetings_ = find_meetings(*welded_, progress_);
   } while (complete_planes());

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "fill/face_search.h"
+#include "fill/hole_neighborhood.h"
 #include "fill/hole_patch.h"
-#include "fill/mesh_part.h"
 #include "geometry/numbers/predicates.h"
 #include "mesh/adjacency.h"
 #include "mesh/digits.h"
@@ -64,13 +64,14 @@ class Filler {
   FillResult& result() { return result_; }
 
  private:
-  bool fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const;
-  bool crosses(const HolePatch& patch, const MeshPart& part) const;
+  bool fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_cross) const;
+  bool crosses(const HolePatch& patch, const HoleNeighborhood& part) const;
   /// Adds the first patch that fits. One that may cross is only looked for unless it is allowed.
-  bool try_patches(const Loop& loop, const MeshPart& part, const HolePatches& found,
+  bool try_patches(const Loop& loop, const HoleNeighborhood& part, const HolePatches& found,
                    bool may_cross = false);
-  HolePatches patches_of(const MeshPart& part, Index border, PatchKind finest, Search search) const;
-  void add(const HolePatch& patch, const MeshPart& part, const Loop& loop);
+  HolePatches patches_of(const HoleNeighborhood& part, Index border, PatchKind finest,
+                         Search search) const;
+  void add(const HolePatch& patch, const HoleNeighborhood& part, const Loop& loop);
   OpenHole open_hole(const Loop& loop) const;
   bool is_too_large(const Loop& loop) const;
   std::vector<Index> vertices_of(const Loop& loop) const;
@@ -108,7 +109,7 @@ std::vector<Index> Filler::vertices_of(const Loop& loop) const {
 }
 
 /// Whether the patch crosses itself or any face of the mesh that is near.
-bool Filler::crosses(const HolePatch& patch, const MeshPart& part) const {
+bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const {
   const Mesh& local = part.mesh;
   const auto position = [&](Index v) -> const Vec3& {
     return v < local.positions.size() ? local.positions[v]
@@ -123,7 +124,7 @@ bool Filler::crosses(const HolePatch& patch, const MeshPart& part) const {
   near.erase(std::unique(near.begin(), near.end()), near.end());
 
   // Behind them those of the patch. Equal positions are one point.
-  Mesh both = part_of(mesh_, near).mesh;
+  Mesh both = neighborhood_of(mesh_, near).mesh;
   const std::size_t old_faces = both.faces.size();
   for (const Face& face : patch.faces) {
     const auto first = static_cast<Index>(both.positions.size());
@@ -135,7 +136,7 @@ bool Filler::crosses(const HolePatch& patch, const MeshPart& part) const {
                      [&](const FacePair& pair) { return pair.second >= old_faces; });
 }
 
-bool Filler::fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const {
+bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_cross) const {
   Mesh joined = part.mesh;
   joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
   joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
@@ -148,7 +149,7 @@ bool Filler::fits(const HolePatch& patch, const MeshPart& part, bool may_cross) 
   return may_cross || !crosses(patch, part);
 }
 
-void Filler::add(const HolePatch& patch, const MeshPart& part, const Loop& loop) {
+void Filler::add(const HolePatch& patch, const HoleNeighborhood& part, const Loop& loop) {
   const auto first_new = static_cast<Index>(mesh_.positions.size());
   const auto known = static_cast<Index>(part.vertices.size());
   const std::vector<Index> border = vertices_of(loop);
@@ -175,8 +176,8 @@ void Filler::fill(const Loop& loop) {
       faces_around(mesh_, vertices_of(loop), [&](Index v, std::vector<Index>& all) {
         all.insert(all.end(), around_[v].begin(), around_[v].end());
       });
-  const MeshPart part = part_of(mesh_, faces);
-  const Index border = halfedge_in_part(faces, loop.front());
+  const HoleNeighborhood part = neighborhood_of(mesh_, faces);
+  const Index border = halfedge_in_neighborhood(faces, loop.front());
 
   const PatchKind finest = !options_.refine ? PatchKind::plain
                            : options_.fair  ? PatchKind::faired
@@ -192,7 +193,7 @@ void Filler::fill(const Loop& loop) {
 }
 
 /// Returns patches whose positions are rounded to the type in which they will be written.
-HolePatches Filler::patches_of(const MeshPart& part, Index border, PatchKind finest,
+HolePatches Filler::patches_of(const HoleNeighborhood& part, Index border, PatchKind finest,
                                Search search) const {
   HolePatches found = patch_hole(part.mesh, border, finest, search);
   for (HolePatch& patch : found.patches)
@@ -200,7 +201,7 @@ HolePatches Filler::patches_of(const MeshPart& part, Index border, PatchKind fin
   return found;
 }
 
-bool Filler::try_patches(const Loop& loop, const MeshPart& part, const HolePatches& found,
+bool Filler::try_patches(const Loop& loop, const HoleNeighborhood& part, const HolePatches& found,
                          bool may_cross) {
   for (const HolePatch& patch : found.patches) {
     if (!fits(patch, part, may_cross)) continue;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fill/mesh_part.h"
+#include "fill/hole_neighborhood.h"
 #include "mesh/digits.h"
 
 namespace transformesh {
@@ -42,7 +42,7 @@ bool has_chord(const HolePatch& patch, const SlitSides& sides) {
 }
 
 /// In the numbers of the mesh.
-void rename(HolePatch& patch, const MeshPart& part, std::size_t vertices) {
+void rename(HolePatch& patch, const HoleNeighborhood& part, std::size_t vertices) {
   const auto known = static_cast<Index>(part.vertices.size());
   for (Face& face : patch.faces)
     for (Index& v : face)
@@ -88,8 +88,8 @@ std::vector<Index> add_vertices(Mesh& mesh, std::vector<Index> loop, const HoleP
 std::optional<HolePatch> patch_of_slit(const Mesh& mesh, const std::vector<Index>& loop,
                                        const SlitSides& sides, const HalfedgeStars& stars) {
   const std::vector<Index> faces = faces_on_left(mesh, loop, sides, stars);
-  const MeshPart part = part_of(mesh, faces);
-  const Index border = halfedge_in_part(faces, sides.left.corners.front().front());
+  const HoleNeighborhood part = neighborhood_of(mesh, faces);
+  const Index border = halfedge_in_neighborhood(faces, sides.left.corners.front().front());
   for (const Search search : {Search::delaunay, Search::all}) {
     if (search == Search::all && loop.size() > most_edges_of_all) break;
     HolePatches found = patch_hole(part.mesh, border, PatchKind::refined, search);

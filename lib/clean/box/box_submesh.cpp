@@ -1,4 +1,4 @@
-#include "clean/box/mesh_part.h"
+#include "clean/box/box_submesh.h"
 
 #include <bit>
 
@@ -72,8 +72,8 @@ std::vector<bool> faces_near(const Mesh& mesh, const Box& box, double margin) {
   return result;
 }
 
-MeshPart take_part(const Mesh& mesh, const std::vector<bool>& faces) {
-  MeshPart part;
+BoxSubmesh take_submesh(const Mesh& mesh, const std::vector<bool>& faces) {
+  BoxSubmesh part;
   std::vector<bool> is_taken(mesh.positions.size(), false);
   for (Index f = 0; f < faces.size(); ++f) {
     if (!faces[f]) continue;

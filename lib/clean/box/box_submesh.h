@@ -1,4 +1,5 @@
-/// Parts of a large mesh, by boxes. Deterministic. Cost: O(n), a few bits a face.
+/// Submeshes of a large mesh that lie in or near a box. Deterministic. Cost: O(n), a few bits a
+/// face.
 #pragma once
 
 #include <vector>
@@ -17,14 +18,15 @@ Box box_around(const Mesh& mesh, const std::vector<bool>& faces);
 /// The faces that come as near to the box as `margin`, by their own boxes.
 std::vector<bool> faces_near(const Mesh& mesh, const Box& box, double margin);
 
-struct MeshPart {
+/// Some faces of a mesh as a mesh of their own.
+struct BoxSubmesh {
   Mesh mesh;
-  std::vector<Index> face_of;  ///< per face: that of the mesh
+  std::vector<Index> face_of;  ///< index of each face in the whole mesh
 };
 
 /// Vertices that are in the place of a used one come along, used or not: so the first vertex of
 /// every place is the same as in the mesh. Order and columns stay.
-MeshPart take_part(const Mesh& mesh, const std::vector<bool>& faces);
+BoxSubmesh take_submesh(const Mesh& mesh, const std::vector<bool>& faces);
 
 /// Whether along every edge as many faces run one way as the other, by positions; faces without
 /// area do not count. Decided by sums of hashes: a mesh that is not closed passes by a chance of

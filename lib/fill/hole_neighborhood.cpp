@@ -1,11 +1,11 @@
-#include "fill/mesh_part.h"
+#include "fill/hole_neighborhood.h"
 
 #include <algorithm>
 
 namespace transformesh {
 
-MeshPart part_of(const Mesh& mesh, const std::vector<Index>& faces) {
-  MeshPart part;
+HoleNeighborhood neighborhood_of(const Mesh& mesh, const std::vector<Index>& faces) {
+  HoleNeighborhood part;
   for (const Index f : faces)
     part.vertices.insert(part.vertices.end(), mesh.faces[f].begin(), mesh.faces[f].end());
   std::sort(part.vertices.begin(), part.vertices.end());
@@ -22,7 +22,7 @@ MeshPart part_of(const Mesh& mesh, const std::vector<Index>& faces) {
   return part;
 }
 
-Index halfedge_in_part(const std::vector<Index>& faces, Index halfedge) {
+Index halfedge_in_neighborhood(const std::vector<Index>& faces, Index halfedge) {
   const auto place = std::lower_bound(faces.begin(), faces.end(), halfedge / 3);
   return static_cast<Index>(3 * (place - faces.begin())) + halfedge % 3;
 }

@@ -1,4 +1,4 @@
-#include "clean/box/mesh_part.h"
+#include "clean/box/box_submesh.h"
 
 #include <doctest/doctest.h>
 
@@ -40,7 +40,7 @@ TEST_CASE("a part keeps order and columns, and the first vertex of every place c
                                                              8, 9, 10, 11, 12, 13, 14, 15};
   std::vector<bool> second(24, false);
   std::fill(second.begin() + 12, second.end(), true);
-  const MeshPart part = take_part(mesh, second);
+  const BoxSubmesh part = take_submesh(mesh, second);
   CHECK(part.face_of.front() == 12);
   CHECK(part.mesh.positions.size() == 16);
   CHECK(part.mesh.faces.front() == mesh.faces[12]);

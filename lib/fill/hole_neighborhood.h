@@ -1,4 +1,4 @@
-/// What lies around a hole: a part of a mesh by itself, and columns of what is put there.
+/// Extracts the faces around a hole as a mesh, and interpolates columns for the patch of the hole.
 #pragma once
 
 #include <functional>
@@ -8,17 +8,18 @@
 
 namespace transformesh {
 
-/// A part of a mesh without columns, and which vertices of that mesh its own are.
-struct MeshPart {
+/// Faces around a hole as a mesh without columns.
+struct HoleNeighborhood {
   Mesh mesh;
-  std::vector<Index> vertices;
+  std::vector<Index> vertices;  ///< index of each vertex in the whole mesh
 };
 
-/// Those faces, which ascend; vertices come in the order of the mesh. O(k log k).
-MeshPart part_of(const Mesh& mesh, const std::vector<Index>& faces);
+/// Extracts `faces`, which ascend. Vertices keep their order. O(k log k).
+HoleNeighborhood neighborhood_of(const Mesh& mesh, const std::vector<Index>& faces);
 
-/// The halfedge of the part that is this one of the mesh; `faces` are those of the part.
-Index halfedge_in_part(const std::vector<Index>& faces, Index halfedge);
+/// Returns the halfedge of the neighborhood that is `halfedge` of the whole mesh. `faces` are those
+/// that were extracted.
+Index halfedge_in_neighborhood(const std::vector<Index>& faces, Index halfedge);
 
 /// Appends the faces around a vertex.
 using FacesOfVertex = std::function<void(Index vertex, std::vector<Index>& faces)>;
