@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "clean/intersect/outline.h"
+#include "clean/intersect/projected_polygon.h"
 
 namespace transformesh {
 namespace {
@@ -99,7 +99,7 @@ class ZoneFinder {
   Ways way_ = 0;
   std::vector<char> is_zone_;
   bool has_failed_ = false;
-  Outline outline_;
+  ProjectedPolygon outline_;
 };
 
 }  // namespace

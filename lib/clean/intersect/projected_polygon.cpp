@@ -1,4 +1,4 @@
-#include "clean/intersect/outline.h"
+#include "clean/intersect/projected_polygon.h"
 
 #include <algorithm>
 #include <tuple>
@@ -12,7 +12,7 @@ constexpr std::size_t most_steps = 64;
 }  // namespace
 
 // The longer side of the box is swept.
-void Outline::measure() {
+void ProjectedPolygon::measure() {
   Vec3 low = points_[edges_[0].from], high = low;
   for (const Edge& edge : edges_) {
     low = low.cwiseMin(points_[edge.from]);
@@ -29,13 +29,13 @@ void Outline::measure() {
 }
 
 // Of three points on one line.
-bool Outline::goes_on(const Vec3& a, const Vec3& b, const Vec3& c) const {
+bool ProjectedPolygon::goes_on(const Vec3& a, const Vec3& b, const Vec3& c) const {
   const int axis = a[projection_.u] != b[projection_.u] ? projection_.u : projection_.v;
   return (a[axis] < b[axis]) == (b[axis] < c[axis]);
 }
 
 // Segments that are apart, and not on one line, are so beside the line of one of them.
-bool Outline::are_apart(const Edge& e, const Edge& f) const {
+bool ProjectedPolygon::are_apart(const Edge& e, const Edge& f) const {
   const Vec3 &a = points_[e.from], &b = points_[e.to], &c = points_[f.from], &d = points_[f.to];
   const auto side = [&](const Vec3& from, const Vec3& to, const Vec3& point) {
     return orient2d(from, to, point, projection_);
@@ -46,7 +46,7 @@ bool Outline::are_apart(const Edge& e, const Edge& f) const {
   return side(a, b, c) * side(a, b, d) > 0 || side(c, d, a) * side(c, d, b) > 0;
 }
 
-bool Outline::is_simple(PlaneProjection projection) {
+bool ProjectedPolygon::is_simple(PlaneProjection projection) {
   projection_ = projection;
   if (edges_.empty()) return false;
   measure();

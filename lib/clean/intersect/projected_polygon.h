@@ -1,4 +1,4 @@
-/// Whether a closed polygon, seen along an axis, is simple.
+/// A closed polygon in space, projected along an axis, and a test whether the projection is simple.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace transformesh {
 
-class Outline {
+class ProjectedPolygon {
  public:
-  explicit Outline(std::span<const Vec3> points) : points_(points) {}
+  explicit ProjectedPolygon(std::span<const Vec3> points) : points_(points) {}
 
   void clear() { edges_.clear(); }
   void add(Index from, Index to) { edges_.push_back({from, to, 0, 0, 0, 0}); }

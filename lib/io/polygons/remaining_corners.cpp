@@ -1,4 +1,4 @@
-#include "io/polygons/outline.h"
+#include "io/polygons/remaining_corners.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -27,8 +27,8 @@ std::vector<std::uint32_t> lowest_equal(std::span<const Eigen::Vector2d> points)
 
 }  // namespace
 
-Outline::Outline(std::span<const Vec3> positions, std::span<const Index> vertices,
-                 std::span<const Eigen::Vector2d> points)
+RemainingCorners::RemainingCorners(std::span<const Vec3> positions, std::span<const Index> vertices,
+                                   std::span<const Eigen::Vector2d> points)
     : positions_(positions),
       vertices_(vertices),
       points_(points),
@@ -42,7 +42,7 @@ Outline::Outline(std::span<const Vec3> positions, std::span<const Index> vertice
   }
 }
 
-std::vector<std::uint32_t> Outline::corners() const {
+std::vector<std::uint32_t> RemainingCorners::corners() const {
   std::vector<std::uint32_t> corners;
   corners.reserve(size_);
   for (std::uint32_t corner = first_; corners.size() < size_; corner = next_[corner])
@@ -50,13 +50,13 @@ std::vector<std::uint32_t> Outline::corners() const {
   return corners;
 }
 
-bool Outline::has_twins() const {
+bool RemainingCorners::has_twins() const {
   for (std::size_t i = 0; i < place_.size(); ++i)
     if (vertices_[i] != vertices_[place_[i]]) return true;
   return false;
 }
 
-void Outline::remove_coincident() {
+void RemainingCorners::remove_coincident() {
   std::uint32_t corner = first_;
   for (std::size_t unchanged = 0; size_ > 2 && unchanged < size_;) {
     const std::uint32_t before = previous_[corner], behind = next_[corner];
@@ -71,7 +71,7 @@ void Outline::remove_coincident() {
   }
 }
 
-void Outline::cut_edge(std::uint32_t corner, std::size_t count) {
+void RemainingCorners::cut_edge(std::uint32_t corner, std::size_t count) {
   if (size_ < 3 || !is_there(corner)) return;
   if (area(next_[corner]) < area(corner)) corner = next_[corner];
   for (; count > 0 && size_ > 2; --count) {
@@ -81,11 +81,11 @@ void Outline::cut_edge(std::uint32_t corner, std::size_t count) {
   }
 }
 
-void Outline::cut_fan() {
+void RemainingCorners::cut_fan() {
   while (size_ > 2) cut(next_[first_], folds);
 }
 
-void Outline::add(const CornerTriangle& triangle, std::size_t& kind) {
+void RemainingCorners::add(const CornerTriangle& triangle, std::size_t& kind) {
   const auto& [a, b, c] = triangle;
   const bool is_triangle =
       vertices_[a] != vertices_[b] && vertices_[b] != vertices_[c] && vertices_[c] != vertices_[a];
@@ -94,7 +94,7 @@ void Outline::add(const CornerTriangle& triangle, std::size_t& kind) {
   if (!is_collinear(positions_[a], positions_[b], positions_[c])) ++kind;
 }
 
-void Outline::cut(std::uint32_t corner, std::size_t& kind) {
+void RemainingCorners::cut(std::uint32_t corner, std::size_t& kind) {
   const std::uint32_t before = previous_[corner], behind = next_[corner];
   add({before, corner, behind}, kind);
   next_[before] = behind;
@@ -104,7 +104,7 @@ void Outline::cut(std::uint32_t corner, std::size_t& kind) {
   --size_;
 }
 
-double Outline::area(std::uint32_t corner) const {
+double RemainingCorners::area(std::uint32_t corner) const {
   const Eigen::Vector2d a = points_[previous_[corner]] - points_[corner];
   const Eigen::Vector2d b = points_[next_[corner]] - points_[corner];
   return std::abs(a[0] * b[1] - a[1] * b[0]);

@@ -10,11 +10,11 @@
 
 namespace transformesh {
 
-class Outline {
+class RemainingCorners {
  public:
   /// Keeps references. `points` are the projected positions.
-  Outline(std::span<const Vec3> positions, std::span<const Index> vertices,
-          std::span<const Eigen::Vector2d> points);
+  RemainingCorners(std::span<const Vec3> positions, std::span<const Index> vertices,
+                   std::span<const Eigen::Vector2d> points);
 
   /// The corners in order.
   std::vector<std::uint32_t> corners() const;

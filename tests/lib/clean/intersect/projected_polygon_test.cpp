@@ -1,4 +1,4 @@
-#include "clean/intersect/outline.h"
+#include "clean/intersect/projected_polygon.h"
 
 #include <doctest/doctest.h>
 
@@ -18,7 +18,7 @@ bool is_simple(const std::vector<Vec3>& corners) {
       for (int axis = 0; axis < 3; ++axis) turned[(axis + turn) % 3] = p[axis];
       points.push_back(turned);
     }
-    Outline outline(points);
+    ProjectedPolygon outline(points);
     for (Index i = 0; i < points.size(); ++i)
       outline.add(i, static_cast<Index>((i + 1) % points.size()));
     answers[static_cast<std::size_t>(turn)] = outline.is_simple({turn, (turn + 1) % 3});
