@@ -1,0 +1,74 @@
+# The checks of scripts/lint find what they are for, and only that.
+
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  checks=$tm_root/scripts/checks
+}
+
+@test "two types of one name in a namespace are found" {
+  printf '%s\n' 'namespace a {' 'struct Part { int x; };' 'namespace {' 'struct Own {};' '}' '}' >first.h
+  printf '%s\n' 'namespace a {' 'class Part;' 'struct Part::Inner {};' 'namespace {' 'struct Own {};' '}' '}' >second.cpp
+  python3 "$checks/types.py" first.h second.cpp
+  printf '%s\n' 'namespace a {' '// struct Part {' 'enum class Part { x };' '}' >third.cpp
+  run ! python3 "$checks/types.py" first.h second.cpp third.cpp
+  [[ $output == *'a::Part is defined in first.h:2 and third.cpp:3'* ]]
+  [[ $output != *Own* ]]
+}
+
+@test "names of options and programs in strings are found" {
+  printf '%s\n' '// mend it by tm-stitch --orient' 'int f(int i) { return --i; }' \
+    'const char* page = "<!--tm:title-->";' 'const char* text = "not oriented";' >clean.cpp
+  python3 "$checks/options.py" clean.cpp
+  echo 'const char* text = "mend it with tm-stitch --orient";' >option.cpp
+  run ! python3 "$checks/options.py" option.cpp
+  [[ $output == *'option.cpp:1: a string names tm-stitch'*'option.cpp:1: a string names --orient'* ]]
+}
+
+@test "public headers that are long, or include what is private, are found" {
+  mkdir -p include/transformesh
+  printf '%s\n' '#pragma once' '#include <vector>' '#include <Eigen/Core>' >include/transformesh/a.h
+  "$tm_root/scripts/lint" --headers "$PWD/include"
+  printf '%s\n' '#pragma once' '#include "mesh/private.h"' >include/transformesh/b.h
+  seq -f '// %g' 61 >include/transformesh/c.h
+  run ! "$tm_root/scripts/lint" --headers "$PWD/include"
+  [[ $output == *'b.h includes a header that is not public'* ]]
+  [[ $output == *'c.h has more than 60 lines'* ]]
+}
+
+# A repository with one commit.
+make_repository() {
+  git init -q repository
+  cd repository
+  git config user.email x@example.com
+  git config user.name x
+  printf '%s\n' '/// Of old.' 'int old;' >old.h
+  git add old.h
+  git commit -qm 'Begin'
+  begin=$(git rev-parse HEAD)
+}
+
+@test "prose that is new follows the rules; what was there before does not count" {
+  make_repository
+  python3 "$checks/prose.py" "$begin" old.h
+  printf '%s\n' '/// Number of faces.' 'int a;  ///< of old' '/// Where old is, e.g. here. Then more.' >new.h
+  run ! python3 "$checks/prose.py" "$begin" old.h new.h
+  [[ $output == *"new.h:2: begins with 'of'"*"new.h:3: begins with 'Where'"* ]]
+  [ "$(wc -l <<<"$output")" -eq 2 ]
+}
+
+@test "sentences of more than thirty words and long subjects are found" {
+  make_repository
+  words=$(printf 'word %.0s' {1..28})
+  printf '%s\n' "# Title" "" "A ${words}ends." "" '```' "A ${words}${words}ends" '```' >text.md
+  python3 "$checks/prose.py" "$begin" text.md
+  printf '%s\n' "A ${words}word" "ends. Short." >text.md
+  git commit -q --allow-empty -m "$(printf 'x%.0s' {1..72})"
+  run ! python3 "$checks/prose.py" "$begin" text.md
+  [ "$(wc -l <<<"$output")" -eq 1 ]
+  [[ $output == *'text.md:1: a sentence of 31 words'* ]]
+  git commit -q --allow-empty -m "$(printf 'x%.0s' {1..73})"
+  run ! python3 "$checks/prose.py" "$begin"
+  [[ $output == *'a subject of 73 characters'* ]]
+}
