@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "io/bytes.h"
+#include "lib/io/bytes.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "helpers/random.h"
-#include "io/bytes.h"
+#include "lib/io/bytes.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

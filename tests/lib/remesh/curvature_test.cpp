@@ -5,8 +5,8 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/remesh_checks.h"
 #include "remesh/halfedges/vertex_role.h"
-#include "remesh/remesh_checks.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

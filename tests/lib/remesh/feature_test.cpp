@@ -4,9 +4,9 @@
 #include "clean/intersect/intersect.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/remesh_checks.h"
 #include "mesh/measure.h"
 #include "remesh/remesh.h"
-#include "remesh/remesh_checks.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -7,10 +7,10 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/remesh_checks.h"
 #include "mesh/components.h"
 #include "mesh/digits.h"
 #include "mesh/measure.h"
-#include "remesh/remesh_checks.h"
 #include "support/error.h"
 
 using namespace transformesh;

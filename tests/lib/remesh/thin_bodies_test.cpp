@@ -11,10 +11,10 @@
 #include "helpers/cgal_oracle.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/remesh_checks.h"
 #include "mesh/digits.h"
 #include "mesh/measure.h"
 #include "remesh/remesh.h"
-#include "remesh/remesh_checks.h"
 
 namespace transformesh::test {
 namespace {

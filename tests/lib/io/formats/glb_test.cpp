@@ -1,7 +1,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "io/bytes.h"
+#include "lib/io/bytes.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

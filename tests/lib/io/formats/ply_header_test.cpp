@@ -1,5 +1,5 @@
-#include "io/bytes.h"
-#include "io/ply_text.h"
+#include "lib/io/bytes.h"
+#include "lib/io/ply_text.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

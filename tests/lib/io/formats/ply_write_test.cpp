@@ -1,4 +1,4 @@
-#include "io/bytes.h"
+#include "lib/io/bytes.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

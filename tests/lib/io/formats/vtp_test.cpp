@@ -2,7 +2,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "io/bytes.h"
+#include "lib/io/bytes.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

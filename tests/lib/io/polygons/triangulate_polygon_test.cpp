@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "io/polygons/outlines.h"
+#include "lib/io/polygons/outlines.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;

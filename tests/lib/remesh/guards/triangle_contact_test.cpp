@@ -6,7 +6,7 @@
 #include "clean/intersect/intersect.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "remesh/remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -4,7 +4,7 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
-#include "remesh/remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

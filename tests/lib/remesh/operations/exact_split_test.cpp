@@ -7,8 +7,8 @@
 #include "clean/intersect/intersect.h"
 #include "helpers/cgal_oracle.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/remesh_checks.h"
 #include "remesh/operations/split.h"
-#include "remesh/remesh_checks.h"
 
 namespace transformesh::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "helpers/shapes.h"
-#include "remesh/remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -6,7 +6,7 @@
 
 #include "helpers/cgal_oracle.h"
 #include "helpers/shapes.h"
-#include "remesh/remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
 
 namespace transformesh::test {
 namespace {

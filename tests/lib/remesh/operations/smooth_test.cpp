@@ -4,8 +4,8 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/remesh_checks.h"
 #include "mesh/measure.h"
-#include "remesh/remesh_checks.h"
 
 using namespace transformesh;
 using namespace transformesh::test;

@@ -6,8 +6,8 @@
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/remesh_checks.h"
 #include "mesh/digits.h"
-#include "remesh/remesh_checks.h"
 
 using namespace transformesh;
 using namespace transformesh::test;
