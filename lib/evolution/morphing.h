@@ -9,9 +9,9 @@
 /// result is cleaned once more. Columns are carried. Deterministic; the
 /// record of a run that was ended in any way continues to the same bytes.
 ///
-/// Throws what the stages throw, a failure of an iteration with its number, and VanishedError
-/// (morph_remedy.h) if nothing is left of the surface; the document is then that of the last good
-/// one.
+/// Throws what the stages throw, a failure of an iteration with its number, and GoalError of the
+/// kinds of cause_of_vanishing() (morph_remedy.h) if nothing is left of the surface; the document
+/// is then that of the last good one.
 #pragma once
 
 #include <functional>
@@ -49,7 +49,7 @@ struct MorphingResult {
   std::size_t left_out = 0;          ///< components of the target that are no goal (agreement.h)
   MorphStepResult distances;         ///< of the result; nothing moved
   Agreement agreement;
-  MorphRemedy remedy;       ///< of the agreement's fault
+  Problem cause;            ///< of the agreement's fault
   std::size_t aligned = 0;  ///< vertices on the target's sharp edges, where they were aligned
 };
 

@@ -20,8 +20,8 @@
 #include "remesh/sizing.h"
 #include "remesh/small_components.h"
 #include "support/counted.h"
+#include "support/error.h"
 #include "support/length.h"
-#include "support/nothing_left.h"
 
 namespace transformesh {
 namespace {
@@ -380,9 +380,10 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& prog
     const std::size_t count = result.components_removed.count;
     const std::string all =
         count == 1 ? "the only component is" : "all " + counted(count, "component") + " are";
-    throw NothingLeftError(all + " smaller than the shortest edge " +
-                           shortest_text(options.min_edge) +
-                           ", so nothing would be left; use a smaller --min-edge");
+    throw GoalError(ErrorKind::component_too_small,
+                    all + " smaller than the shortest edge " + shortest_text(options.min_edge) +
+                        ", so nothing would be left",
+                    {.counts = {count}, .lengths = {options.min_edge}});
   }
   mesh = std::move(remeshed);
   result.columns = refresh_columns(mesh);

@@ -9,19 +9,20 @@
 #include <vector>
 
 #include "step/target.h"
+#include "support/problem.h"
 #include "support/progress.h"
 
 namespace transformesh {
 
 /// Throws InputError for a target whose faces do not agree which side is outside, and for a closed
-/// one that is inside out. Returns what makes a result doubtful, one line each: an open target, and
-/// one that crosses itself. Points are not checked.
-std::vector<std::string> check_target(const Target& target, const std::string& name,
-                                      const Progress& progress = Progress());
+/// one that is inside out. Returns what makes a result doubtful: an open target, and one that
+/// crosses itself. Points are not checked.
+std::vector<Problem> check_target(const Target& target, const std::string& name,
+                                  const Progress& progress = Progress());
 
-/// Throws InputError for a source that is not oriented or inside out. Returns a line where its box
+/// Throws InputError for a source that is not oriented or inside out. Returns a warning if its box
 /// does not meet that of the target: then it finds nothing there.
-std::vector<std::string> check_source(const Mesh& source, const Target& target,
-                                      const std::string& name);
+std::vector<Problem> check_source(const Mesh& source, const Target& target,
+                                  const std::string& name);
 
 }  // namespace transformesh

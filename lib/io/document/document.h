@@ -54,6 +54,8 @@ struct ReadOptions {
 struct ReadResult {
   Document document;
   std::vector<std::string> notes;  ///< what was changed on the way in, one line each
+  /// Index of the note that the faces share no vertices, as in STL.
+  std::optional<std::size_t> soup_note = {};
 };
 
 /// Of write_mesh().
