@@ -17,7 +17,7 @@ struct ErrorData {
   std::optional<std::array<double, 3>> position = {};   ///< input units
   std::vector<std::size_t> counts = {};                 ///< in the order of the sentence
   std::vector<double> lengths = {};                     ///< in the order of the sentence
-  std::string name = {};                                ///< of a file, folder or view
+  std::string name = {};                                ///< of a file, folder, view or argument
 };
 
 /// A sentence is one line that says what is wrong and where. It names no program and no option:
