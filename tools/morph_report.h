@@ -6,12 +6,13 @@
 #include "evolution/loop/iteration_text.h"
 #include "evolution/morph_remedy.h"
 #include "evolution/recorded_loops.h"
+#include "frame/advice.h"
 #include "frame/run.h"
 #include "support/counted.h"
 #include "support/number.h"
 #include "transformesh/components.h"
 #include "transformesh/measure.h"
-#include "transformesh/track.h"
+#include "transformesh/morph.h"
 
 namespace transformesh::tool {
 
@@ -20,49 +21,17 @@ inline std::string how(MorphStop stop) {
   return stop == MorphStop::stalled ? "no longer improving" : "iteration limit reached";
 }
 
-/// The options that mend it; empty if there is nothing to mend.
-inline std::string words_of(const MorphRemedy& remedy, const MorphOptions& options) {
-  // The longest edges are 1.5 times as long as the reference edge, which this halves.
-  const std::string halved = significant(remedy.edge / 3, 2);
-  switch (remedy.kind) {
-    case RemedyKind::clean_target:
-      return "the target is open, no manifold, or crosses itself, so that no surface without "
-             "crossings lies on all of it: clean it with tm-clean, or close its holes with tm-fill";
-    case RemedyKind::edges_at_narrow_places:
-      return options.step.gap_edges == 0 ? "shorten edges at narrow places with --gap-edges 1.5"
-                                         : "shorten all edges with --reference-edge " + halved;
-    case RemedyKind::larger_source:
-      return "begin with a source that overlaps all of the target, as tm-shape sphere --around "
-             "makes it";
-    case RemedyKind::shorter_edges:
-      return "shorten edges with --reference-edge " + halved;
-    case RemedyKind::none:
-      break;
-  }
-  return {};
-}
-
-/// Returns the fault of a morph with the option that mends it; empty if there is none.
-inline std::string fault_of(const MorphResult& result, const MorphOptions& options) {
+/// Returns the fault of a morph with its remedy; empty if there is none.
+inline std::string fault_of(const MorphResult& result, const Program& program) {
   const std::string& fault = result.fault;
   if (fault.empty()) return fault;
   const bool was_limited = result.stop == MorphStop::iteration_limit;
-  return fault + ": " + (was_limited ? "take more --iterations" : words_of(result.remedy, options));
+  return fault + ": " +
+         (was_limited ? "take more --iterations" : advice_for(result.cause, program));
 }
 
-/// Calls it; adds to the message that the surface has vanished what mends that.
-template <class Morph>
-MorphResult with_remedy(const MorphOptions& options, const Morph& morph) {
-  try {
-    return morph();
-  } catch (const VanishedError& error) {
-    throw GoalError(std::string(error.what()) + ": " + words_of(error.remedy, options));
-  }
-}
-
-inline std::string summary(const MorphResult& result, const MorphOptions& options,
-                           const Mesh& mesh) {
-  const std::string fault = fault_of(result, options);
+inline std::string summary(const MorphResult& result, const Mesh& mesh, const Program& program) {
+  const std::string fault = fault_of(result, program);
   return how(result.stop) + " after " + counted(result.iterations, "iteration") + ": " +
          in_short(mesh.faces.size(), result.topology) + ", rms distance " +
          significant(result.distances.to_target.rms, 3) + " to and " +
@@ -70,7 +39,7 @@ inline std::string summary(const MorphResult& result, const MorphOptions& option
          (fault.empty() ? "" : "; " + fault);
 }
 
-inline void report_morph(const MorphResult& result, const MorphOptions& options, Run& run) {
+inline void report_morph(const MorphResult& result, Run& run) {
   const MorphStepResult& distances = result.distances;
   run.report("converged", result.stop == MorphStop::converged);
   run.report("stop", name_of(result.stop));
@@ -94,7 +63,7 @@ inline void report_morph(const MorphResult& result, const MorphOptions& options,
     run.note(counted(result.left_out, "component") + " of the target " +
              (result.left_out == 1 ? "bounds a cavity" : "bound cavities") +
              " or floats in one, and is no goal: a surface that evolves keeps no cavity");
-  run.report("fault", fault_of(result, options));
+  run.report("fault", fault_of(result, run.program()));
   run.report("mean_edge", distances.displaced.mean_edge);
   run.report("aligned", result.aligned);
 }

@@ -1,4 +1,5 @@
 /// tm-checkmanifold: whether a mesh is an oriented manifold, and where it is not.
+#include "frame/advice.h"
 #include "frame/run.h"
 #include "geometry/numbers/predicates.h"
 #include "support/counted.h"
@@ -77,7 +78,10 @@ void check(const Document& document, const Options& options, tool::Run& run) {
   run.progress()("checking edges and vertices");
   const ManifoldReport found = check_manifold(mesh);
   report_counts(mesh, found, run);
-  std::vector<std::string> problems = {describe_problem(mesh, found, options.closed)};
+  const auto describe = [&](bool is_closed) {
+    return tool::with_advice(manifold_problem(mesh, found, is_closed), run.program());
+  };
+  std::vector<std::string> problems = {describe(options.closed)};
   if (options.intersections || certifies) {
     const std::vector<FacePair> pairs = find_intersections(mesh, run.progress());
     run.report("intersections", pairs.size());
@@ -86,7 +90,7 @@ void check(const Document& document, const Options& options, tool::Run& run) {
   if (certifies) {
     const Certificate certificate =
         certify_document(document, run.read(options.certify).mesh, options, run);
-    problems.push_back(describe_problem(mesh, found, certificate.input_is_closed));
+    problems.push_back(describe(certificate.input_is_closed));
     problems.push_back(describe_degenerate(degenerate_faces(mesh)));
     problems.push_back(certificate.problem);
   }

@@ -29,14 +29,13 @@ Target target_of(const Options& options, tool::Run& run) {
   run.progress()("read target");
   Target target =
       read_target(run.read_bytes(options.target), input_name(options.target), run.reading());
-  run.note_read(target.notes, true);
+  run.note_all(target.notes);
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }
   // Who wrote it in this way has been told.
   if (!target.is_prepared)
-    for (const std::string& line : check_target(target, input_name(options.target), run.progress()))
-      run.note(line);
+    run.note_all(check_target(target, input_name(options.target), run.progress()));
   if (options.step.gap_edges > 0 && target.thickness.empty())
     target = with_thickness(target, options.step.gap_edges, run.reference_edge(), run.progress());
   if (!options.written_target.empty()) run.write(options.written_target, write_target(target));
@@ -47,8 +46,7 @@ void step(Document& document, Options options, tool::Run& run) {
   refuse_touching_borders(document.mesh);
   if (options.step.gap_edges > 0) options.step.largest_size = run.reference_edge();
   const Target target = target_of(options, run);
-  for (const std::string& line : check_source(document.mesh, target, input_name(run.input())))
-    run.note(line);
+  run.note_all(check_source(document.mesh, target, input_name(run.input())));
   if (options.distance == "surface") options.step.distance = MorphDistance::surface;
   if (options.distance == "points") options.step.distance = MorphDistance::points;
   if (options.distance == "vertex") options.step.distance = MorphDistance::vertex;

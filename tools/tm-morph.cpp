@@ -7,7 +7,7 @@
 #include "morph_report.h"
 #include "step/morph_check.h"
 #include "step/target_file.h"
-#include "transformesh/track.h"
+#include "transformesh/morph.h"
 
 namespace {
 
@@ -16,17 +16,15 @@ using namespace transformesh;
 constexpr const char* state_target = "target.ply";
 
 void check_start(const Mesh& source, const Target& target, tool::Run& run) {
-  for (const std::string& line : check_source(source, target, input_name(run.input())))
-    run.note(line);
+  run.note_all(check_source(source, target, input_name(run.input())));
 }
 
 Target read(const std::string& name, tool::Run& run) {
   Target target = read_target(run.read_bytes(name), input_name(name), run.reading());
-  run.note_read(target.notes, true);
+  run.note_all(target.notes);
   if (target.has_estimated_normals)
     run.note("the target's points have no normals: estimated from their neighbors");
-  for (const std::string& line : check_target(target, input_name(name), run.progress()))
-    run.note(line);
+  run.note_all(check_target(target, input_name(name), run.progress()));
   return target;
 }
 
@@ -46,15 +44,13 @@ void morph_to_target(const tool::MorphChoices& choices, Record& record, tool::Ru
   tool::begin_run(choices.loop, record, &document, run, {{run_file::target, write_target(target)}});
   MorphResult result;
   tool::evolve_or_keep(run, record, "iteration", [&] {
-    result = tool::with_remedy(options, [&] {
-      return morph(document, target, options, tool::loop_of(choices.loop, run), record,
-                   run.progress());
-    });
+    result =
+        morph(document, target, options, tool::loop_of(choices.loop, run), record, run.progress());
   });
-  tool::report_morph(result, options, run);
+  tool::report_morph(result, run);
   tool::conclude(run, choices.loop, record,
                  {result.stop != MorphStop::iteration_limit, result.stop == MorphStop::converged,
-                  tool::summary(result, options, document.mesh)});
+                  tool::summary(result, document.mesh, run.program())});
 }
 
 void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Run& run) {

@@ -6,6 +6,8 @@
 #include "frame/memory.h"
 #include "reconstruct_options.h"
 #include "reconstruct_report.h"
+#include "support/error_prefix.h"
+#include "transformesh/errors.h"
 #include "views/cameras/view.h"
 
 namespace {
@@ -47,10 +49,18 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   tool::conclude(run, choices.loop, record, {true, result.fault.empty(), summary_of(result)});
 }
 
+std::vector<TimeStep> time_steps_of(const std::string& sequence) {
+  try {
+    return time_steps(sequence);
+  } catch (const Error&) {
+    rethrow_with_prefix("--sequence ");
+  }
+}
+
 void reconstruct_film(const tool::ReconstructChoices& choices,
                       const ReconstructionOptions& reconstruction, tool::Run& run) {
   SequenceOptions options = tool::sequence_of(choices, reconstruction, run);
-  const std::vector<TimeStep> steps = time_steps(choices.sequence);
+  const std::vector<TimeStep> steps = time_steps_of(choices.sequence);
   Record record = tool::open_record(choices.loop, 1, run, options.states);
   const std::string& folder = choices.loop.run;
   if (folder.empty()) run.write_nothing();

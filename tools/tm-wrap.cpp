@@ -68,10 +68,9 @@ void note_without_normal(const std::vector<Vec3>& normals, tool::Run& run) {
 void wrap(const Options& options, tool::Run& run) {
   run.progress()("read");
   const std::string name = input_name(run.input());
-  const auto [document, notes] =
-      read_mesh_or_points(run.read_bytes(run.input()), name, run.reading());
-  const Mesh& cloud = document.mesh;
-  run.note_read(notes, true);
+  const ReadResult read = read_mesh_or_points(run.read_bytes(run.input()), name, run.reading());
+  const Mesh& cloud = read.document.mesh;
+  run.note_all(read.notes);
   run.report("points", cloud.positions.size());
   const auto [positions, normals] = without_outliers(
       cloud, cloud.faces.empty() ? stored_normals(cloud) : std::vector<Vec3>(), options, run);

@@ -5,7 +5,7 @@
 ///
 /// Faces of the box become their pieces that clean() would keep; all others keep their vertices,
 /// columns and order, also where they cross what is in the box. With `only`, these pieces alone are
-/// the result, made a part of the box at a time: vertices at seams are double, tm-stitch joins
+/// the result, made a part of the box at a time: vertices at seams are double, stitch() joins
 /// them.
 ///
 /// Guaranteed: where rounding breaks nothing in any of the boxes that a mesh is cut into, together

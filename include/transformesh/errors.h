@@ -1,36 +1,60 @@
-/// The five ways in which the library refuses. Every message is one line that says what is wrong,
-/// where (line, byte offset, face and vertex id, coordinate) and what to do next. The frame in
-/// tools/ maps the first four to the exit codes 2 to 5; it cancels nothing, as a signal ends
-/// the process.
+/// Errors that the library throws: each has a kind, data and a sentence.
 #pragma once
 
+#include <array>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "transformesh/error_kind.h"
 
 namespace transformesh {
 
-/// An option or argument that makes no sense: the caller's mistake.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+/// Facts that a sentence states, as values.
+struct ErrorData {
+  std::vector<std::size_t> faces = {};                  ///< indices
+  std::optional<std::array<std::size_t, 2>> edge = {};  ///< indices of its vertices
+  std::optional<std::array<double, 3>> position = {};   ///< input units
+  std::vector<std::size_t> counts = {};                 ///< in the order of the sentence
+  std::vector<double> lengths = {};                     ///< in the order of the sentence
+  std::string name = {};                                ///< file, folder, view or argument
 };
 
-/// Input that is unreadable, malformed, or not what the operation needs.
-struct InputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+/// Content of an error or a warning. The sentence is one line, empty if there is no problem, and
+/// names no remedy: callers choose it by the kind.
+struct Problem {
+  ErrorKind kind = ErrorKind::other;
+  std::string sentence = {};
+  ErrorData data = {};
 };
 
-/// The goal cannot be reached from valid input; no result exists.
-struct GoalError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+class Error : public std::runtime_error {
+ public:
+  explicit Error(const std::string& sentence) : Error(ErrorKind::other, sentence) {}
+  Error(ErrorKind kind, const std::string& sentence, ErrorData data = {});
+  explicit Error(Problem problem);
+
+  const Problem& problem() const { return *problem_; }
+  ErrorKind kind() const { return problem_->kind; }
+  const ErrorData& data() const { return problem_->data; }
+
+ private:
+  std::shared_ptr<const Problem> problem_;
 };
 
-/// A file could not be written: the disk is full, the folder missing, the descriptor closed.
-struct OutputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// The progress callback asked to stop.
-struct CancelledError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+// clang-format off
+/// An argument or option makes no sense.
+struct UsageError : Error { using Error::Error; };
+/// Input is unreadable, malformed, or not as the operation needs it.
+struct InputError : Error { using Error::Error; };
+/// The goal cannot be reached from valid input: there is no result.
+struct GoalError : Error { using Error::Error; };
+/// A file could not be written.
+struct OutputError : Error { using Error::Error; };
+/// The progress callback has cancelled the operation.
+struct CancelledError : std::runtime_error { using runtime_error::runtime_error; };
+// clang-format on
 
 }  // namespace transformesh

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "transformesh/errors.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {
@@ -29,8 +30,11 @@ struct ManifoldReport {
 
 ManifoldReport check_manifold(const Mesh& mesh);
 
-/// The first problem in words, with face and vertex ids and coordinates; empty if there is none of
-/// manifoldness, orientation and, on request, closedness.
+/// Returns the first problem of manifoldness, orientation and, on request, closedness. The sentence
+/// has face and vertex ids and coordinates; it is empty if there is no problem.
+Problem manifold_problem(const Mesh& mesh, const ManifoldReport& report, bool closed);
+
+/// Returns the sentence of manifold_problem().
 std::string describe_problem(const Mesh& mesh, const ManifoldReport& report, bool closed);
 
 }  // namespace transformesh

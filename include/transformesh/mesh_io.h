@@ -10,6 +10,7 @@
 /// back the same. Cost: O(n). Deterministic; independent of the locale.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,8 @@ struct ReadOptions {
 
 struct ReadResult {
   Document document;
-  std::vector<std::string> notes;  ///< what was changed while reading, one line each
+  std::vector<std::string> notes;             ///< changes while reading, one line each
+  std::optional<std::size_t> soup_note = {};  ///< index of the note that faces share no vertices
 };
 
 struct WriteResult {

@@ -1,16 +1,16 @@
 /// Evolves a surface until it lies on a target (paper 5.2): morph_step(), clean() and remesh(),
-/// again and again. The surface merges and splits where it has to, and finds the components of the
-/// target that it overlaps.
+/// repeatedly. The surface merges and splits, and finds the components of the target it overlaps.
 ///
-/// Ends as converged if no vertex moves by more than half its clamp, or nothing improves, and mesh
-/// and target agree all over: points on each are near the other, and the topology is equal. Ends as
-/// stalled if nothing improves and they do not agree. Then vertices and edges are aligned with the
-/// target's sharp edges. The result is cleaned once more. Columns are carried. Deterministic.
+/// Converged: movements are at most half the clamp, or nothing improves, and points all over mesh
+/// and target are near the other and the topology is equal. Stalled: nothing improves, and they
+/// differ. Then the mesh is aligned with sharp edges of the target, and cleaned. Columns are
+/// carried. Deterministic for any number of threads.
 #pragma once
 
-#include <limits>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "transformesh/iteration.h"
 #include "transformesh/loop.h"
@@ -28,33 +28,34 @@ struct MorphOptions {
   int scales = 1;  ///< begin with edges 2^(scales - 1) times as long; 1 to 10
 };
 
-/// A change that would probably let a morph converge: a clean target, shorter edges where the
-/// target is narrow, a source that overlaps all of the target, or shorter edges everywhere.
-enum class RemedyKind { none, clean_target, edges_at_narrow_places, larger_source, shorter_edges };
-struct MorphRemedy {
-  RemedyKind kind = RemedyKind::none;
-  double edge = 0;                                         ///< longest edge to use, input units
-  double width = std::numeric_limits<double>::infinity();  ///< of the narrowest gap or wall
-  Vec3 place = Vec3::Zero();                               ///< of that gap or wall
-};
-
 enum class MorphStop { iteration_limit, stalled, converged };
 struct MorphResult {
   MorphStop stop = MorphStop::iteration_limit;
-  std::size_t iterations = 0;  ///< with those of earlier runs
+  std::size_t iterations = 0;  ///< including earlier runs
   Topology topology;
-  std::optional<Topology> expected;  ///< of the target if it is known, without its cavities
+  std::optional<Topology> expected;  ///< topology of the target without cavities, if known
   std::size_t left_out = 0;          ///< components of the target that are cavities or inside them
-  MorphStepResult distances;         ///< of the result
-  std::string fault;  ///< why the result does not agree with the target; empty if it does
+  MorphStepResult distances;         ///< distances of the result
+  std::string fault;  ///< disagreement of result and target; empty if there is none
   std::optional<double> to_target, from_target;  ///< Hausdorff distances, to a target with faces
-  MorphRemedy remedy;                            ///< for `fault`
+  Problem cause;                                 ///< what causes `fault`
   std::size_t aligned = 0;                       ///< vertices on the target's sharp edges
 };
 
-/// Morphs a document. Throws what the stages throw, with the number of the iteration, and GoalError
-/// if no surface is left; the document is then that of the last good iteration.
+/// Morphs a document. Throws what the stages throw, and GoalError if no surface is left; the
+/// document is then that of the last good iteration.
 MorphResult morph(Document& document, const Target& target, const MorphOptions& options = {},
                   const LoopOptions& loop = {}, const Progress& progress = Progress());
+
+struct TrackResult {
+  std::size_t frames = 0, converged = 0;  ///< numbers of targets, and of targets that were reached
+};
+
+/// Follows a target that moves (paper 5.2.3, Fig. 11): morphs to the targets that `target_of`
+/// returns; `names` are for messages. Tries again with short edges at narrow places if that fails.
+TrackResult track(Document& document, const std::vector<std::string>& names,
+                  const std::function<Target(std::size_t frame)>& target_of,
+                  const MorphOptions& options = {}, const LoopOptions& loop = {},
+                  const Progress& progress = Progress());
 
 }  // namespace transformesh

@@ -40,7 +40,7 @@ Target read_target(std::string_view bytes, const std::string& name, const ReadOp
 /// of the target a vertex is. Throws InputError if neighboring faces disagree, and for a closed
 /// mesh that is inside out. Returns one line for each reason to doubt a result: the target is open,
 /// or intersects itself. O(n log n).
-std::vector<std::string> check_target(const Target& target, const std::string& name,
+std::vector<Problem> check_target(const Target& target, const std::string& name,
                                       const Progress& progress = Progress());
 
 }  // namespace transformesh

@@ -8,7 +8,7 @@
 #include "clean/rounding/snap_rounding.h"
 #include "clean/stitch/one_side.h"
 #include "mesh/surface_columns.h"
-#include "support/nothing_left.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {
@@ -19,15 +19,15 @@ constexpr double double_sided_share = 0.5;
 
 /// A difference without a remainder and a double-sided solid are the same mesh, so that both are
 /// named. One side of a sheet is open.
-std::string describe_reverses(const Mesh& mesh, std::size_t reverses) {
+Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
   const bool is_sheet = one_side_is_open(mesh);
-  return "the faces enclose nothing: " + std::to_string(reverses) + " of " +
-         std::to_string(mesh.faces.size()) + " lie upon their reverses, as in " +
-         (is_sheet ? "sheets whose borders are filled flat, and in double-sided sheets, of which "
-                     "tm-stitch --one-side keeps one side, open; tm-sample and tm-wrap --method "
-                     "alpha go around a sheet"
-                   : "a difference without a remainder, which is empty, and in double-sided "
-                     "models, of which tm-stitch --one-side keeps one side");
+  return {is_sheet ? ErrorKind::double_sided_sheet : ErrorKind::double_sided,
+          "the faces enclose nothing: " + std::to_string(reverses) + " of " +
+              std::to_string(mesh.faces.size()) + " lie upon their reverses, as in " +
+              (is_sheet ? "sheets whose borders are filled flat, and in double-sided sheets"
+                        : "a difference without a remainder, which is empty, and in double-sided "
+                          "models"),
+          {.counts = {reverses, mesh.faces.size()}}};
 }
 
 CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
@@ -72,12 +72,12 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
   if (options.refuse && result.changed) {
     const bool only_joins =
         result.pairs == 0 && result.removed_faces == 0 && result.copied_vertices == 0;
-    throw GoalError("the mesh needs cleaning (" + std::to_string(result.pairs) +
-                    " intersecting face pairs, " + std::to_string(result.removed_faces) +
-                    " faces to remove, " + std::to_string(result.copied_vertices) +
-                    " vertices to duplicate" +
-                    (only_joins ? ", but vertices to join, as tm-stitch does" : "") +
-                    ") and --refuse forbids it");
+    throw GoalError(ErrorKind::needs_cleaning,
+                    "the mesh needs cleaning (" + std::to_string(result.pairs) +
+                        " intersecting face pairs, " + std::to_string(result.removed_faces) +
+                        " faces to remove, " + std::to_string(result.copied_vertices) +
+                        " vertices to duplicate" + (only_joins ? ", but vertices to join)" : ")"),
+                    {.counts = {result.pairs, result.removed_faces, result.copied_vertices}});
   }
   return result;
 }
@@ -91,7 +91,7 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
     const auto faces = static_cast<double>(mesh.faces.size());
     const std::size_t both = options.refuse ? 0 : count_double_sided(mesh);
     if (static_cast<double>(both) < std::max(1.0, double_sided_share * faces)) throw;
-    throw NothingLeftError(describe_reverses(mesh, both));
+    throw GoalError(problem_of_reverses(mesh, both));
   }
 }
 

@@ -181,10 +181,11 @@ Mesh own_pieces(const CleanedFaces& cleaned, const std::vector<bool>& is_own) {
 void finish_counts(const CleanBoxOptions& options, CleanResult& counts) {
   counts.changed = counts.cut_faces + counts.removed_faces > 0;
   if (!options.refuse || !counts.changed) return;
-  throw GoalError("the box needs cleaning (" + std::to_string(counts.pairs) +
-                  " intersecting face pairs, " + std::to_string(counts.cut_faces) +
-                  " faces to cut, " + std::to_string(counts.removed_faces) +
-                  " to remove) and --refuse forbids it");
+  throw GoalError(ErrorKind::needs_cleaning,
+                  "the box needs cleaning (" + std::to_string(counts.pairs) +
+                      " intersecting face pairs, " + std::to_string(counts.cut_faces) +
+                      " faces to cut, " + std::to_string(counts.removed_faces) + " to remove)",
+                  {.counts = {counts.pairs, counts.cut_faces, counts.removed_faces}});
 }
 
 // The box cut through the middle of its faces, along the axis on which they reach farthest. Nothing
@@ -208,10 +209,9 @@ void check_input(const Mesh& mesh, const CleanBoxOptions& options) {
     throw UsageError("the box has no inside: its first corner must be below the second");
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
   if (is_closed_chain(mesh)) return;
-  throw InputError(
-      "a box can be cleaned in a closed oriented mesh only, and here faces are left over along "
-      "edges: tm-checkmanifold names them, tm-fill closes holes, and tm-clean without --box takes "
-      "open meshes");
+  throw InputError(ErrorKind::box_in_open_mesh,
+                   "a box can be cleaned in a closed oriented mesh only, and here faces are left "
+                   "over along edges");
 }
 
 void drop_stale_columns(CleanResult& counts) {

@@ -20,6 +20,7 @@
 #include "support/nothing_left.h"
 #include "support/number.h"
 #include "transformesh/align_features.h"
+#include "transformesh/errors.h"
 #include "transformesh/measure.h"
 #include "transformesh/mesh_io.h"
 
@@ -57,8 +58,6 @@ class MorphingLoop : public Loop {
   std::string message() const override;
 
   const MorphResult& result() const { return result_; }
-  /// The remedy for a surface that vanished; empty if it did not.
-  const std::optional<MorphRemedy>& remedy() const { return remedy_; }
 
  private:
   bool takes_iteration(Document& document, bool remeshes_first, const Progress& progress);
@@ -74,7 +73,8 @@ class MorphingLoop : public Loop {
     if (goal_.without_those) options.goal = &*goal_.without_those;
     return options;
   }
-  [[noreturn]] void vanish(const Mesh& mesh);
+  bool has_uniform_edges() const { return options_.step.gap_edges == 0; }
+  [[noreturn]] void vanish(const Mesh& mesh) const;
 
   const Target& target_;
   const std::optional<Target> measured_;  ///< with its thickness, if that is needed and missing
@@ -83,7 +83,6 @@ class MorphingLoop : public Loop {
   MorphRule rule_;
   const MorphGoal goal_;
   MorphResult result_;
-  std::optional<MorphRemedy> remedy_;
 
   // The last iteration.
   int scale_ = 0;
@@ -109,19 +108,19 @@ bool MorphingLoop::takes_iteration(Document& document, bool remeshes_first,
     if (remeshes_first) remesh_in_place(document, iteration, progress);
     last_ = iterate(document, step, iteration, progress);
     return true;
-  } catch (const NothingLeftError&) {
-    if (is_last) vanish(document.mesh);
-    return false;
-  } catch (const GoalError&) {
-    if (is_last) throw;
-    return false;
+  } catch (const GoalError& error) {
+    if (!is_last) return false;
+    if (is_nothing_left(error.kind())) vanish(document.mesh);
+    throw;
   }
 }
 
-void MorphingLoop::vanish(const Mesh& mesh) {
-  remedy_ = remedy_for_vanished(target_, edge_lengths(mesh).maximum);
-  const std::string reason = reason_of(*remedy_);
-  throw NothingLeftError("the surface shrinks to nothing" + (reason.empty() ? "" : ": " + reason));
+void MorphingLoop::vanish(const Mesh& mesh) const {
+  const Problem cause =
+      cause_of_vanishing(target_, edge_lengths(mesh).maximum, has_uniform_edges());
+  const std::string what = "the surface shrinks to nothing";
+  throw GoalError(cause.kind, cause.sentence.empty() ? what : what + ": " + cause.sentence,
+                  cause.data);
 }
 
 // A coarse scale may have no edges for what is left, or steps so long that they turn it inside out.
@@ -206,8 +205,9 @@ void MorphingLoop::conclude(Document& document, const Progress& progress) {
   CleanedTopology cleaned;
   try {
     cleaned = clean_in_place(document, progress);
-  } catch (const NothingLeftError&) {
-    vanish(document.mesh);
+  } catch (const GoalError& error) {
+    if (is_nothing_left(error.kind())) vanish(document.mesh);
+    throw;
   }
   result_.topology = cleaned.topology;
   MorphStepOptions at_rest;
@@ -225,8 +225,10 @@ void MorphingLoop::conclude(Document& document, const Progress& progress) {
   result_.from_target = found.from_target;
   if (found.fault.empty()) return;
   if (is_converged) result_.stop = MorphStop::stalled;
-  result_.remedy = remedy_for(query_, found.mismatch);
-  const std::string reason = reason_of(result_.remedy);
+  Mismatch mismatch = found.mismatch;
+  mismatch.has_uniform_edges = has_uniform_edges();
+  result_.cause = cause_of(query_, mismatch);
+  const std::string& reason = result_.cause.sentence;
   if (!reason.empty()) result_.fault += "; " + reason;
 }
 
@@ -248,12 +250,7 @@ MorphResult morph(Document& document, const Target& target, const MorphOptions& 
                   const LoopOptions& loop_options, Record& record, const Progress& progress) {
   const MorphOptions complete = completed(options, document);
   MorphingLoop loop(target, complete, progress);
-  try {
-    run_loop(loop, document, loop_options, record, progress);
-  } catch (const GoalError& error) {
-    if (loop.remedy()) throw VanishedError(error.what(), *loop.remedy());
-    throw;
-  }
+  run_loop(loop, document, loop_options, record, progress);
   MorphResult result = loop.result();
   result.iterations = record.iteration();
   return result;

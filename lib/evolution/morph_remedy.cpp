@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "mesh/location_text.h"
 #include "step/local_thickness.h"
 #include "step/target_query.h"
 #include "support/number.h"
@@ -18,56 +20,56 @@ Target measured(const Target& target, double edge) {
   return with_thickness(target, edges_across, edge);
 }
 
+Problem narrow_at(const Vec3& place, double width, double edge, bool has_uniform_edges) {
+  return {has_uniform_edges ? ErrorKind::uniform_edges_too_long : ErrorKind::edges_too_long,
+          "the target is " + significant(width, 3) + " wide" + at_place(place) +
+              ", and edges are up to " + significant(edge, 3) + " long",
+          {.position = position_data(place), .lengths = {width, edge}}};
+}
+
 /// The narrowest vertex of the target.
-MorphRemedy narrowest(const Target& target, const std::vector<double>& widths, double edge) {
+std::optional<Problem> narrowest(const Target& target, double edge, bool has_uniform_edges) {
+  const std::vector<double>& widths = target.thickness;
   const auto least = std::min_element(widths.begin(), widths.end());
-  if (least == widths.end() || !std::isfinite(*least)) return {};
+  if (least == widths.end() || !std::isfinite(*least)) return std::nullopt;
   const auto v = static_cast<std::size_t>(least - widths.begin());
-  return {RemedyKind::edges_at_narrow_places, edge, *least, target.mesh.positions[v]};
+  return narrow_at(target.mesh.positions[v], *least, edge, has_uniform_edges);
 }
 
 // Names the narrowest place if the topology differs: the cause may be far from the place where mesh
 // and target are farthest apart.
-MorphRemedy narrow_place(const TargetQuery& target, const Mismatch& found) {
+std::optional<Problem> narrow_place(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
-  if (found.is_of_topology) {
-    const Target all = measured(target.target(), edge);
-    return narrowest(all, all.thickness, edge);
-  }
+  if (found.is_of_topology)
+    return narrowest(measured(target.target(), edge), edge, found.has_uniform_edges);
   const double width = local_thickness_near(target, found.place, edges_across * edge);
-  if (!std::isfinite(width)) return {};
-  return {RemedyKind::edges_at_narrow_places, edge, width, found.place};
+  if (!std::isfinite(width)) return std::nullopt;
+  return narrow_at(found.place, width, edge, found.has_uniform_edges);
 }
 
 }  // namespace
 
-MorphRemedy remedy_for(const TargetQuery& target, const Mismatch& found) {
+Problem cause_of(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
-  if (!found.has_clean_target) return {RemedyKind::clean_target, edge};
-  MorphRemedy narrow = narrow_place(target, found);
-  if (narrow.kind != RemedyKind::none) return narrow;
-  if (found.distance > few_edges * edge) return {RemedyKind::larger_source, edge};
-  return {RemedyKind::shorter_edges, edge};
+  if (!found.has_clean_target) return {ErrorKind::target_not_solid, "", {.lengths = {edge}}};
+  if (const auto narrow = narrow_place(target, found)) return *narrow;
+  const bool is_far = found.distance > few_edges * edge;
+  return {is_far ? ErrorKind::source_apart : ErrorKind::edges_too_long, "", {.lengths = {edge}}};
 }
 
-MorphRemedy remedy_for_vanished(const Target& target, double longest_edge) {
+Problem cause_of_vanishing(const Target& target, double longest_edge, bool has_uniform_edges) {
   const Target all = measured(target, longest_edge);
   const auto narrow = std::count_if(all.thickness.begin(), all.thickness.end(),
                                     [](double width) { return std::isfinite(width); });
   if (2 * static_cast<std::size_t>(narrow) < all.thickness.size())
-    return {RemedyKind::larger_source, longest_edge};
-  return narrowest(all, all.thickness, longest_edge);
+    return {ErrorKind::source_apart, "", {.lengths = {longest_edge}}};
+  return narrowest(all, longest_edge, has_uniform_edges)
+      .value_or(Problem{ErrorKind::surface_vanished});
 }
 
 std::string at_place(const Vec3& place) {
   std::string text = " at (" + significant(place.x(), 4) + ", " + significant(place.y(), 4);
   return text.append(", ").append(significant(place.z(), 4)).append(")");
-}
-
-std::string reason_of(const MorphRemedy& remedy) {
-  if (remedy.kind != RemedyKind::edges_at_narrow_places) return {};
-  return "the target is " + significant(remedy.width, 3) + " wide" + at_place(remedy.place) +
-         ", and edges are up to " + significant(remedy.edge, 3) + " long";
 }
 
 }  // namespace transformesh

@@ -48,11 +48,9 @@ void check(const Mesh& mesh, double distance) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces, so it has no offset");
   const ManifoldReport found = check_manifold(mesh);
   if (!found.is_closed())
-    throw InputError("the mesh is open: an offset needs an inside; tm-fill closes holes");
+    throw InputError(ErrorKind::not_closed, "the mesh is open: an offset needs an inside");
   if (!found.is_manifold() || !found.is_oriented())
-    throw InputError(
-        "the mesh is not an oriented manifold: mend it with tm-stitch --orient, and "
-        "with tm-clean");
+    throw InputError(ErrorKind::not_manifold, "the mesh is not an oriented manifold");
 }
 
 class Offset {

@@ -241,8 +241,8 @@ bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& prog
   if (!is_exploded(pass_, connected_components(start_.mesh).components.size())) return false;
   const std::string what = "the surface explodes at scale " + fixed(pass_.level.scale, 4);
   if (pass_.level.scale < stiffer_scale || stiffness_ >= most_stiffness)
-    throw GoalError(what + ": photographs, cameras and masks may not belong together; see " +
-                    "--stiffness, --coarsest and tm-cameras");
+    throw GoalError(ErrorKind::surface_explodes,
+                    what + ": photographs, cameras and masks may not belong together");
   stiffness_ *= stiffer;
   if (options_.on_note)
     options_.on_note(what + ": beginning anew, " + fixed(stiffness_, 0) + " times as stiff");

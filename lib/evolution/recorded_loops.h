@@ -8,8 +8,8 @@
 
 #include "evolution/loop/record.h"
 #include "transformesh/evolve.h"
+#include "transformesh/morph.h"
 #include "transformesh/reconstruct.h"
-#include "transformesh/track.h"
 #include "views/cameras/view.h"
 
 namespace transformesh {

@@ -1,5 +1,3 @@
-#include "transformesh/track.h"
-
 #include <utility>
 
 #include "evolution/loop/csv_row.h"
@@ -11,6 +9,7 @@
 #include "evolution/recorded_loops.h"
 #include "support/counted.h"
 #include "support/number.h"
+#include "transformesh/morph.h"
 
 namespace transformesh {
 namespace {

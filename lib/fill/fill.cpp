@@ -13,6 +13,7 @@
 #include "mesh/digits.h"
 #include "mesh/surface_columns.h"
 #include "mesh/triangle.h"
+#include "support/error_prefix.h"
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
@@ -27,8 +28,8 @@ void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& opt
   if (options.max_edges < 3) throw UsageError("a hole has at least 3 edges");
   if (!(options.max_diameter > 0)) throw UsageError("the largest diameter must be greater than 0");
   if (!found.is_manifold() || !found.is_oriented())
-    throw InputError("holes are filled in oriented manifolds only, and " +
-                     describe_problem(mesh, found, false) + "; tm-stitch --orient mends it");
+    throw InputError(prefixed("holes are filled in oriented manifolds only, and ",
+                              manifold_problem(mesh, found, false)));
 }
 
 /// The loops of a manifold, in the order of their first halfedges.

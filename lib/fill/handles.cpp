@@ -6,6 +6,7 @@
 #include "fill/slit_room.h"
 #include "mesh/adjacency.h"
 #include "mesh/surface_columns.h"
+#include "support/error_prefix.h"
 #include "transformesh/errors.h"
 #include "transformesh/manifold.h"
 
@@ -14,9 +15,8 @@ namespace {
 
 std::vector<Index> checked_opposites(const Mesh& mesh) {
   if (auto opposites = closed_opposites(mesh, opposite_halfedges(mesh))) return *opposites;
-  throw InputError("handles are removed from closed oriented manifolds only, and " +
-                   describe_problem(mesh, check_manifold(mesh), true) +
-                   "; tm-stitch and tm-fill mend it");
+  throw InputError(prefixed("handles are removed from closed oriented manifolds only, and ",
+                            manifold_problem(mesh, check_manifold(mesh), true)));
 }
 
 /// Loops that are slit at the same time: far enough from each other that each finds the surface as

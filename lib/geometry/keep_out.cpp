@@ -212,10 +212,11 @@ std::size_t KeepOut::count_near(const Mesh& mesh) const {
   const auto met = std::ranges::find(distances, 0.0);
   if (met != distances.end()) {
     const auto face = static_cast<std::size_t>(met - distances.begin());
-    throw InputError("face " + std::to_string(face) + " at " +
-                     point_text(mesh.positions[mesh.faces[face][0]]) +
-                     " meets the surface to be kept out of: cut one from the other first, as the "
-                     "difference in tm-clean(1)");
+    const Vec3& place = mesh.positions[mesh.faces[face][0]];
+    throw InputError(ErrorKind::meets_keep_out,
+                     "face " + std::to_string(face) + " at " + point_text(place) +
+                         " meets the surface to be kept out of",
+                     {.faces = {face}, .position = position_data(place)});
   }
   return static_cast<std::size_t>(
       std::ranges::count_if(distances, [&](double distance) { return distance < gap_; }));

@@ -59,8 +59,8 @@ std::optional<double> reference_edge_of(const std::vector<std::string>& comments
   const auto last = std::find_if(comments.rbegin(), comments.rend(), is_reference_edge);
   if (last == comments.rend()) return std::nullopt;
   if (const auto length = length_in(*last)) return length;
-  throw InputError("the comment '" + *last +
-                   "' does not hold a positive length; measure it anew with --reference-edge auto");
+  throw InputError(ErrorKind::bad_reference_edge,
+                   "the comment '" + *last + "' does not hold a positive length");
 }
 
 std::size_t drop_bad_reference_edges(std::vector<std::string>& comments) {

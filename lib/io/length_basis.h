@@ -14,7 +14,7 @@ double measured_reference_edge(const Mesh& mesh);
 
 class LengthBasis {
  public:
-  /// `choice` is the value of --reference-edge: empty, `auto` or a length.
+  /// `choice` is empty, `auto` or a length.
   explicit LengthBasis(std::string choice) : choice_(std::move(choice)) {}
 
   /// The mesh read, as long as it is as read: bases are taken from it when first needed.

@@ -27,9 +27,11 @@ std::vector<Segment> segments_of(const Document& document, const std::string& na
   const Column* first = is_there ? edges->columns.find("vertex1") : nullptr;
   const Column* second = is_there ? edges->columns.find("vertex2") : nullptr;
   if (first == nullptr || second == nullptr || first->list_count_type || second->list_count_type)
-    throw InputError(name +
-                     ": no segments: a PLY with the element edge is needed, which has vertex1 and "
-                     "vertex2, as tm-intersect --segments writes");
+    throw InputError(ErrorKind::no_segments,
+                     name +
+                         ": no segments: a PLY with the element edge is needed, which has vertex1 "
+                         "and vertex2",
+                     {.name = name});
   std::vector<Segment> segments;
   for (std::size_t row = 0; row < edges->rows; ++row)
     segments.emplace_back(end_of(document, *first, row, name),

@@ -1,5 +1,5 @@
 /// Segments in a PLY: the element `edge`, whose numbers vertex1 and vertex2 name the vertices at
-/// their ends. It is what tm-intersect writes and other programs read.
+/// their ends, as in files of the curves along which a mesh intersects itself.
 #pragma once
 
 #include <utility>

@@ -21,4 +21,11 @@ std::string edge_text(const Mesh& mesh, Index halfedge) {
          vertex_text(mesh, halfedge_target(mesh, halfedge));
 }
 
+ErrorData edge_data(const Mesh& mesh, Index halfedge) {
+  const Index source = halfedge_source(mesh, halfedge);
+  return {.faces = {halfedge / 3},
+          .edge = {{source, halfedge_target(mesh, halfedge)}},
+          .position = position_data(mesh.positions[source])};
+}
+
 }  // namespace transformesh

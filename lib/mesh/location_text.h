@@ -1,8 +1,10 @@
-/// Where something is, in the words of a message.
+/// Where something is, in the words of a message and in the data of an error.
 #pragma once
 
+#include <array>
 #include <string>
 
+#include "transformesh/errors.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {
@@ -15,5 +17,13 @@ std::string vertex_text(const Mesh& mesh, Index vertex);
 
 /// "edge from vertex 3 at (1, 0, 0.5) to vertex 4 at (0, 0, 0.5)"
 std::string edge_text(const Mesh& mesh, Index halfedge);
+
+/// Returns the coordinates for ErrorData::position.
+inline std::array<double, 3> position_data(const Vec3& point) {
+  return {point.x(), point.y(), point.z()};
+}
+
+/// Returns the face, the edge and its first vertex's position.
+ErrorData edge_data(const Mesh& mesh, Index halfedge);
 
 }  // namespace transformesh

@@ -1,6 +1,7 @@
 #include "transformesh/manifold.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "mesh/edges.h"
 #include "mesh/fans.h"
@@ -56,11 +57,25 @@ std::string and_more(std::size_t count, const std::string& what) {
   return count < 2 ? "" : " (the first of " + std::to_string(count) + " such " + what + ")";
 }
 
-/// Names joining first: tm-fill would close borders that lie upon each other by flat patches.
-std::string border_advice(const ManifoldReport& report) {
-  if (report.touching_borders == 0) return "; tm-fill closes holes";
-  return ", and " + std::to_string(report.touching_borders) +
-         " border edges lie upon each other, as in a soup of triangles; tm-stitch joins them";
+Problem edge_problem(ErrorKind kind, const std::string& what, const Mesh& mesh,
+                     const std::vector<Index>& halfedges) {
+  ErrorData data = edge_data(mesh, halfedges[0]);
+  data.counts = {halfedges.size()};
+  return {kind, what + and_more(halfedges.size(), "edges"), std::move(data)};
+}
+
+/// Joining comes first: patches would fill the gap between border edges that coincide.
+Problem border_problem(const Mesh& mesh, const ManifoldReport& report) {
+  const std::vector<Index>& borders = report.border_halfedges;
+  Problem problem = edge_problem(ErrorKind::not_closed,
+                                 "the " + face_edge_text(mesh, borders[0]) + " has no face across",
+                                 mesh, borders);
+  if (report.touching_borders == 0) return problem;
+  problem.kind = ErrorKind::not_joined;
+  problem.sentence += ", and " + std::to_string(report.touching_borders) +
+                      " border edges lie upon each other, as in a soup of triangles";
+  problem.data.counts.push_back(report.touching_borders);
+  return problem;
 }
 
 }  // namespace
@@ -77,23 +92,33 @@ ManifoldReport check_manifold(const Mesh& mesh) {
   return report;
 }
 
-std::string describe_problem(const Mesh& mesh, const ManifoldReport& report, bool closed) {
+Problem manifold_problem(const Mesh& mesh, const ManifoldReport& report, bool closed) {
   if (!report.collapsed_faces.empty())
-    return "face " + std::to_string(report.collapsed_faces[0]) + " names a vertex twice" +
-           and_more(report.collapsed_faces.size(), "faces");
+    return {ErrorKind::not_manifold,
+            "face " + std::to_string(report.collapsed_faces[0]) + " names a vertex twice" +
+                and_more(report.collapsed_faces.size(), "faces"),
+            {.faces = {report.collapsed_faces[0]}, .counts = {report.collapsed_faces.size()}}};
   if (!report.nonmanifold_edges.empty())
-    return "the " + face_edge_text(mesh, report.nonmanifold_edges[0]) + " has more than two faces" +
-           and_more(report.nonmanifold_edges.size(), "edges");
-  if (!report.nonmanifold_vertices.empty())
-    return "the faces around " + vertex_text(mesh, report.nonmanifold_vertices[0]) +
-           " are not one fan" + and_more(report.nonmanifold_vertices.size(), "vertices");
+    return edge_problem(
+        ErrorKind::not_manifold,
+        "the " + face_edge_text(mesh, report.nonmanifold_edges[0]) + " has more than two faces",
+        mesh, report.nonmanifold_edges);
+  if (const std::vector<Index>& vertices = report.nonmanifold_vertices; !vertices.empty())
+    return {ErrorKind::not_manifold,
+            "the faces around " + vertex_text(mesh, vertices[0]) + " are not one fan" +
+                and_more(vertices.size(), "vertices"),
+            {.position = position_data(mesh.positions[vertices[0]]), .counts = {vertices.size()}}};
   if (!report.misoriented_edges.empty())
-    return "both faces of the " + face_edge_text(mesh, report.misoriented_edges[0]) +
-           " run along it the same way" + and_more(report.misoriented_edges.size(), "edges");
-  if (closed && !report.border_halfedges.empty())
-    return "the " + face_edge_text(mesh, report.border_halfedges[0]) + " has no face across" +
-           and_more(report.border_halfedges.size(), "edges") + border_advice(report);
-  return "";
+    return edge_problem(ErrorKind::not_oriented,
+                        "both faces of the " + face_edge_text(mesh, report.misoriented_edges[0]) +
+                            " run along it the same way",
+                        mesh, report.misoriented_edges);
+  if (closed && !report.border_halfedges.empty()) return border_problem(mesh, report);
+  return {};
+}
+
+std::string describe_problem(const Mesh& mesh, const ManifoldReport& report, bool closed) {
+  return manifold_problem(mesh, report, closed).sentence;
 }
 
 }  // namespace transformesh

@@ -70,9 +70,11 @@ std::size_t count_touching_borders(const Mesh& mesh) {
 void refuse_touching_borders(const Mesh& mesh) {
   const std::size_t count = count_touching_borders(mesh);
   if (count == 0) return;
-  throw InputError(counted(count, "border edge") +
-                   " lie upon each other, as in a soup of triangles: the faces share no vertices "
-                   "there, so they would come apart; join them with tm-stitch");
+  throw InputError(ErrorKind::not_joined,
+                   counted(count, "border edge") +
+                       " lie upon each other, as in a soup of triangles: the faces share no "
+                       "vertices there, so they would come apart",
+                   {.counts = {count}});
 }
 
 }  // namespace transformesh

@@ -22,7 +22,8 @@ bool has_column(const Mesh& mesh, const std::string& name) {
 ColorScale find_scale(std::span<const Mesh* const> meshes, const PictureOptions& options) {
   const std::string& name = options.shade.color.by;
   if (options.range && name.empty())
-    throw UsageError("a range of colors needs a property to color by: --color-by");
+    throw UsageError(ErrorKind::no_color_property,
+                     "a range of colors needs a property to color by");
   if (name.empty()) return {};
   const ColorScale own = scale_of_column(meshes, name);
   if (!options.range) return own;

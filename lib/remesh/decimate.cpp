@@ -190,11 +190,12 @@ DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progre
   DecimateResult result = decimator.run();
   if (static_cast<double>(result.faces) > (1 + tolerance) * static_cast<double>(options.faces)) {
     throw GoalError(
+        ErrorKind::decimation_stuck,
         std::to_string(result.faces) + " faces are left, of which no more than " +
-        std::to_string(options.faces) +
-        " were wanted: further collapses would change the topology, turn faces over or "
-        "make the surface touch itself or what it is kept out of; ask for more faces, or remove "
-        "crossings of the input first (tm-clean), around which nothing collapses");
+            std::to_string(options.faces) +
+            " were wanted: further collapses would change the topology, turn faces over or make "
+            "the surface touch itself or what it is kept out of",
+        {.counts = {result.faces, options.faces}});
   }
   mesh = decimator.to_mesh();
   result.columns = refresh_columns(mesh);

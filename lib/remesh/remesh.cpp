@@ -25,6 +25,7 @@
 #include "support/counted.h"
 #include "support/nothing_left.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 #include "transformesh/length.h"
 
 namespace transformesh {
@@ -384,9 +385,10 @@ RemeshResult remesh_connected(Mesh& mesh, const RemeshOptions& given, const Prog
     const std::size_t count = result.components_removed.count;
     const std::string all =
         count == 1 ? "the only component is" : "all " + counted(count, "component") + " are";
-    throw NothingLeftError(all + " smaller than the shortest edge " +
-                           shortest_text(options.min_edge) +
-                           ", so nothing would be left; use a smaller --min-edge");
+    throw GoalError(ErrorKind::component_too_small,
+                    all + " smaller than the shortest edge " + shortest_text(options.min_edge) +
+                        ", so nothing would be left",
+                    {.counts = {count}, .lengths = {options.min_edge}});
   }
   mesh = std::move(remeshed);
   result.columns = refresh_columns(mesh);

@@ -42,13 +42,14 @@ void check_applies(const Kind& kind, const std::string& option) {
   std::string others;
   for (const Kind& other : shapes::kinds())
     if (has_option(other, option)) others += (others.empty() ? "" : ", ") + other.name;
-  throw UsageError(kind.name + " has no --" + option + "; these have: " + others);
+  throw UsageError(kind.name + " has no " + option + "; these have: " + others);
 }
 
 void check_length(const std::optional<double>& value, const std::string& option) {
   if (value && !shapes::is_sensible_length(*value))
-    throw UsageError("--" + option + " must be positive, from 1e-50 to 1e50, not " +
-                     shortest_text(*value));
+    throw UsageError(ErrorKind::other,
+                     option + " must be positive, from 1e-50 to 1e50, not " + shortest_text(*value),
+                     {.lengths = {*value}, .name = option});
 }
 
 // Checks lengths that may be 0, and of which the sign may say something.
@@ -66,16 +67,16 @@ void check_options(const Kind& kind, const ShapeOptions& options) {
   check_length(options.tube, "tube");
   check_length(options.edge, "edge");
   check_distance(options.gap, "gap");
-  if (options.noise && !(*options.noise >= 0)) throw UsageError("--noise must not be negative");
+  if (options.noise && !(*options.noise >= 0)) throw UsageError("noise must not be negative");
   check_distance(options.noise, "noise");
   if (options.around && (kind.name != "sphere" || options.radius || !options.center.isZero(0)))
-    throw UsageError("--around makes a sphere and sets its --radius and --center itself");
+    throw UsageError("around makes a sphere and sets its radius and center itself");
   if (options.faces && options.edge)
-    throw UsageError("--faces and --edge both set the size of the faces: give one of them");
+    throw UsageError("faces and edge both set the size of the faces: give one of them");
   if (kind.name == "boxes" && options.edge)
-    throw UsageError("boxes has no --edge: its boxes have 12 faces each; give --count");
+    throw UsageError("boxes has no edge: its boxes have 12 faces each; give their count");
   if (kind.name == "boxes" && options.faces && options.count)
-    throw UsageError("--faces and --count both set the number of boxes: give one of them");
+    throw UsageError("faces and count both set the number of boxes: give one of them");
 }
 
 // Fills in defaults where the user gave none.
@@ -104,13 +105,13 @@ std::size_t faces_for_edge(const Kind& kind, const ShapeOptions& options) {
   const double mean_edge = edge_lengths(coarse).mean;
   const double faces =
       static_cast<double>(coarse.faces.size()) * (mean_edge / edge) * (mean_edge / edge);
-  return checked_faces(faces, "--edge " + shortest_text(edge));
+  return checked_faces(faces, "edge " + shortest_text(edge));
 }
 
 std::size_t wanted_faces(const Kind& kind, const ShapeOptions& options) {
   if (options.edge) return faces_for_edge(kind, options);
   const std::size_t faces = options.faces.value_or(default_faces);
-  return checked_faces(static_cast<double>(faces), "--faces " + std::to_string(faces));
+  return checked_faces(static_cast<double>(faces), "faces " + std::to_string(faces));
 }
 
 // The volume over the area: half the thickness of plates, a third of the radius of balls.

@@ -4,6 +4,7 @@
 #include "clean/stitch/weld.h"
 #include "mesh/location_text.h"
 #include "support/counted.h"
+#include "support/error_prefix.h"
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
@@ -30,14 +31,11 @@ Mesh welded(const Mesh& mesh) {
 
 // Returns the number of its border edges.
 std::size_t check_orientation(const Mesh& mesh, const std::string& what) {
-  const std::string problem = describe_misorientation(mesh);
-  if (!problem.empty()) {
-    throw InputError(what + " is not oriented: " + problem +
-                     "; turn its faces with tm-stitch --orient");
-  }
+  const Problem problem = find_misorientation(mesh);
+  if (!problem.sentence.empty()) throw InputError(prefixed(what + " is not oriented: ", problem));
   const std::size_t borders = check_manifold(mesh).border_halfedges.size();
   if (borders == 0 && volume(mesh) < 0)
-    throw InputError(what + " is inside out; reverse it with tm-stitch --flip");
+    throw InputError(ErrorKind::inside_out, what + " is inside out");
   return borders;
 }
 
@@ -47,27 +45,30 @@ std::string box_text(const Box& box) {
 
 }  // namespace
 
-std::vector<std::string> check_target(const Target& target, const std::string& name,
-                                      const Progress& progress) {
+std::vector<Problem> check_target(const Target& target, const std::string& name,
+                                  const Progress& progress) {
   if (!target.is_mesh()) return {};
-  std::vector<std::string> warnings;
+  std::vector<Problem> warnings;
   const std::size_t borders = check_orientation(welded(target.mesh), named("the target", name));
   if (borders > 0) {
-    warnings.push_back(named("the target", name) + " is open, with " +
-                       counted(borders, "border edge") +
-                       ": a closed surface lies on both its sides or passes through; close its "
-                       "holes before, or go around it with tm-wrap");
+    warnings.push_back({ErrorKind::target_open,
+                        named("the target", name) + " is open, with " +
+                            counted(borders, "border edge") +
+                            ": a closed surface lies on both its sides or passes through",
+                        {.counts = {borders}, .name = name}});
   }
   const std::size_t pairs = find_intersections(target.mesh, progress).size();
   if (pairs > 0) {
-    warnings.push_back(named("the target", name) + " crosses itself at " + counted(pairs, "pair") +
-                       " of faces: what lies inside is no goal; remove it with tm-clean before");
+    warnings.push_back({ErrorKind::target_intersects_itself,
+                        named("the target", name) + " crosses itself at " + counted(pairs, "pair") +
+                            " of faces: what lies inside is no goal",
+                        {.counts = {pairs}, .name = name}});
   }
   return warnings;
 }
 
-std::vector<std::string> check_source(const Mesh& source, const Target& target,
-                                      const std::string& name) {
+std::vector<Problem> check_source(const Mesh& source, const Target& target,
+                                  const std::string& name) {
   check_orientation(welded(source), named("the source", name));
   if (source.positions.empty()) return {};
   const Box ours = bounding_box(source);
@@ -75,9 +76,10 @@ std::vector<std::string> check_source(const Mesh& source, const Target& target,
   const bool overlaps = (ours.minimum.array() <= theirs.maximum.array()).all() &&
                         (theirs.minimum.array() <= ours.maximum.array()).all();
   if (overlaps) return {};
-  return {"the source lies " + box_text(ours) + ", apart from the target, " + box_text(theirs) +
-          ": it shrinks to nothing; begin with a mesh that overlaps all of the target, as tm-shape "
-          "sphere --around makes it"};
+  return {{ErrorKind::source_apart,
+           "the source lies " + box_text(ours) + ", apart from the target, " + box_text(theirs) +
+               ": it shrinks to nothing",
+           {.name = name}}};
 }
 
 }  // namespace transformesh

@@ -13,9 +13,9 @@
 
 namespace transformesh {
 
-/// Throws InputError for a source that is not oriented or inside out. Returns a line where its box
+/// Throws InputError for a source that is not oriented or inside out. Returns a warning if its box
 /// does not meet that of the target: then it finds nothing there.
-std::vector<std::string> check_source(const Mesh& source, const Target& target,
-                                      const std::string& name);
+std::vector<Problem> check_source(const Mesh& source, const Target& target,
+                                  const std::string& name);
 
 }  // namespace transformesh

@@ -22,7 +22,7 @@ constexpr std::array<const char*, 3> normal_names{"nx", "ny", "nz"};
 
 void refuse_inside_out(const Mesh& mesh) {
   if (volume(mesh) < 0 && check_manifold(mesh).is_closed()) {
-    throw InputError("the target is inside out; reverse it with tm-stitch --flip");
+    throw InputError(ErrorKind::inside_out, "the target is inside out");
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/formats/sniff.h"
 #include "step/point_text.h"
 #include "step/prepare_target.h"
 #include "transformesh/errors.h"
@@ -24,20 +25,16 @@ ReadResult read_as_mesh(const Source& source) {
   try {
     return read_mesh(source.bytes, source.name, {source.is_strict});
   } catch (const InputError& error) {
-    const std::string message = error.what();
-    const bool is_unknown = message.starts_with("unknown mesh format");
-    if (!is_unknown) throw;
+    if (error.kind() != ErrorKind::unknown_format) throw;
     check_point_text(source);
-    const std::string place = " (" + source.name + ")";
-    throw InputError(message.substr(0, message.size() - place.size()) +
-                     ", and points as lines of x y z [nx ny nz]" + place);
+    refuse_unknown_format(source, ", and points as lines of x y z [nx ny nz]");
   }
 }
 
 }  // namespace
 
 Target read_target(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-  auto [document, notes] = read_mesh_or_points(bytes, name, options);
+  auto [document, notes, soup] = read_mesh_or_points(bytes, name, options);
   Target target = make_target(std::move(document.mesh));
   target.notes = std::move(notes);
   target.is_prepared = has_comment(document, spatial_order);

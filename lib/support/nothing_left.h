@@ -1,13 +1,27 @@
-/// The refusal of operations that would leave no surface, which loops tell from other ones.
+/// Problems that loops handle in a special way: the surface has no face left.
 #pragma once
 
+#include "transformesh/error_kind.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
 
-/// The goal cannot be reached because no face of the surface would be left.
-struct NothingLeftError : GoalError {
-  using GoalError::GoalError;
-};
+/// Returns true if an operation failed because no face of the surface would be left.
+constexpr bool is_nothing_left(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::inside_out:
+    case ErrorKind::double_sided:
+    case ErrorKind::double_sided_sheet:
+    case ErrorKind::canceling_faces:
+    case ErrorKind::no_area:
+    case ErrorKind::no_positive_winding:
+    case ErrorKind::no_such_level:
+    case ErrorKind::component_too_small:
+    case ErrorKind::surface_vanished:
+      return true;
+    default:
+      return false;
+  }
+}
 
 }  // namespace transformesh

@@ -1,4 +1,5 @@
 /// The loops: evolutions with any velocity, morphs.
+#include "advice.h"
 #include "arguments.h"
 #include "call.h"
 #include "evolution/loop/record.h"
@@ -99,23 +100,6 @@ std::optional<MorphDistance> distance_of(const std::string& name) {
   throw UsageError("distance: '" + name + "' is none of auto, surface, points, vertex");
 }
 
-/// Returns a sentence that names the arguments or functions that mend a fault.
-const char* remedy_text(RemedyKind kind) {
-  switch (kind) {
-    case RemedyKind::clean_target:
-      return "the target is open, no manifold, or crosses itself: clean() it, or fill() its holes";
-    case RemedyKind::edges_at_narrow_places:
-      return "shorten edges at narrow places with gap_edges=1.5, or begin with shorter edges";
-    case RemedyKind::larger_source:
-      return "begin with a source that overlaps all of the target";
-    case RemedyKind::shorter_edges:
-      return "begin with shorter edges";
-    case RemedyKind::none:
-      break;
-  }
-  return "";
-}
-
 py::dict report_of(const MorphResult& result) {
   py::dict report;
   report["converged"] = result.stop == MorphStop::converged;
@@ -129,7 +113,7 @@ py::dict report_of(const MorphResult& result) {
   report["max_distance_from_target"] = result.distances.from_target.maximum;
   report["target_left_out"] = result.left_out;
   report["fault"] = result.fault;
-  report["remedy"] = remedy_text(result.remedy.kind);
+  report["remedy"] = advice_for(result.cause.kind);
   report["aligned"] = result.aligned;
   report["mean_edge"] = result.distances.displaced.mean_edge;
   return report;
@@ -150,16 +134,16 @@ MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::
                                 Features::off}[choice("features", features, {"auto", "on", "off"})];
   options.scales = scales;
   const LoopOptions loop = loop_of(iterations, on_iteration);
-  std::vector<std::string> notes;
+  std::vector<Problem> warnings;
   const Target read = without_lock(progress, [&](const Progress& to) {
     // As of a file, so that faces come in the same order.
     Target reading = read_target(write_mesh(target.document).bytes, "the target");
-    notes = check_target(reading, "the target", to);
-    for (std::string& note : check_source(document.mesh, reading, "the source"))
-      notes.push_back(std::move(note));
+    warnings = check_target(reading, "the target", to);
+    for (Problem& warning : check_source(document.mesh, reading, "the source"))
+      warnings.push_back(std::move(warning));
     return reading;
   });
-  warn(notes);
+  warn(with_advice(warnings));
   const MorphResult result = without_lock(progress, [&](const Progress& to) {
     Record record;
     return morph(document, read, options, loop, record, to);

@@ -1,6 +1,7 @@
 /// The Python module: the library's functions on meshes whose numbers are NumPy arrays.
 #include <new>
 
+#include "advice.h"
 #include "call.h"
 #include "io/comments.h"
 #include "io/length_basis.h"
@@ -71,17 +72,37 @@ PyObject* add_error(py::module_& module, const char* name, PyObject* own, PyObje
 
 PyObject *usage_error, *input_error, *goal_error, *output_error, *cancelled;
 
+/// The facts that the sentence states.
+py::dict dict_of(const ErrorData& data) {
+  py::dict result;
+  if (!data.faces.empty()) result["faces"] = data.faces;
+  if (data.edge) result["edge"] = py::make_tuple((*data.edge)[0], (*data.edge)[1]);
+  if (const auto& place = data.position)
+    result["position"] = py::make_tuple((*place)[0], (*place)[1], (*place)[2]);
+  if (!data.counts.empty()) result["counts"] = data.counts;
+  if (!data.lengths.empty()) result["lengths"] = data.lengths;
+  if (!data.name.empty()) result["name"] = data.name;
+  return result;
+}
+
+void raise(PyObject* type, const Error& error) {
+  const py::object exception = py::handle(type)(with_advice(error.problem()));
+  exception.attr("kind") = name_of(error.kind());
+  exception.attr("data") = dict_of(error.data());
+  PyErr_SetObject(type, exception.ptr());
+}
+
 void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
   } catch (const UsageError& error) {
-    PyErr_SetString(usage_error, error.what());
+    raise(usage_error, error);
   } catch (const InputError& error) {
-    PyErr_SetString(input_error, error.what());
+    raise(input_error, error);
   } catch (const GoalError& error) {
-    PyErr_SetString(goal_error, error.what());
+    raise(goal_error, error);
   } catch (const OutputError& error) {
-    PyErr_SetString(output_error, error.what());
+    raise(output_error, error);
   } catch (const CancelledError& error) {
     PyErr_SetString(cancelled, error.what());
   }
@@ -91,6 +112,8 @@ void translate(std::exception_ptr pointer) {
 
 void bind_errors(py::module_& module) {
   PyObject* base = add_error(module, "Error", nullptr, PyExc_Exception, "Any refusal.");
+  py::setattr(base, "kind", py::str(name_of(ErrorKind::other)));
+  py::setattr(base, "data", py::dict());
   usage_error = add_error(module, "UsageError", base, PyExc_ValueError,
                           "An argument that makes no sense; programs exit with 2.");
   input_error = add_error(module, "InputError", base, PyExc_ValueError,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "advice.h"
 #include "arguments.h"
 #include "call.h"
 #include "columns_binding.h"
@@ -95,6 +96,10 @@ std::string description(const PythonMesh& self) {
 MeshPointer parse(std::string_view bytes, const std::string& name, bool strict) {
   ReadResult result =
       without_lock(py::none(), [&](const Progress&) { return read_mesh(bytes, name, {strict}); });
+  if (result.soup_note) {
+    std::string& line = result.notes[*result.soup_note];
+    line = with_advice({ErrorKind::not_joined, line});
+  }
   warn(result.notes);
   return mesh_of(std::move(result.document));
 }

@@ -1,7 +1,9 @@
 """Meshes as NumPy arrays: shared memory, checks, columns, files."""
 
 import gc
+import pathlib
 import pickle
+import re
 import sys
 import warnings
 
@@ -155,3 +157,17 @@ def test_references_are_not_leaked():
     for _ in range(100):
         mesh.positions, mesh.vertex_columns, tm.info(mesh)
     assert sys.getrefcount(mesh) == before
+
+
+def test_functions_and_arguments_in_remedies_exist():
+    source = pathlib.Path(__file__).parents[2] / "python" / "source" / "advice.cpp"
+    remedies = [re.sub(r'"\s+"', "", text) for text in re.findall(r'"(?:[^"]|"\s+")*"', source.read_text())]
+    signatures = {name: getattr(tm, name).__doc__ or "" for name in dir(tm) if callable(getattr(tm, name))}
+    functions = {name for text in remedies for name in re.findall(r"(\w+)\(", text)}
+    assert {"fill", "stitch", "clean", "transform"} <= functions <= signatures.keys()
+    for text in remedies:
+        for name, arguments in re.findall(r"(\w+)\(([^)]*)\)", text):
+            for keyword in re.findall(r"(\w+)=", arguments):
+                assert re.search(rf"\b{keyword}[:=]", signatures[name]), text
+        for keyword in re.findall(r"(\w+)=", text):
+            assert any(re.search(rf"\b{keyword}[:=]", signature) for signature in signatures.values()), text

@@ -94,8 +94,10 @@ def test_joins_places(tmp_path):
             result = function(tm.read(path))
         assert same(result, *words, stdin=path.read_bytes())
         assert result.report["joined_vertices"] == len(corners) - len(ball.positions)
-    with pytest.raises(tm.InputError, match="tm-stitch"):
+    with pytest.raises(tm.InputError, match=r"; stitch\(\) joins them$") as refusal:
         tm.displace(soup, normal_speed=0.1)
+    assert refusal.value.kind == "not_joined"
+    assert refusal.value.data["counts"] == [len(corners)]
 
 
 def test_decimate():

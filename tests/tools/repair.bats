@@ -104,7 +104,7 @@ refused() {
     tm-checkmanifold --closed --intersections body.ply
   done
   tm-fill -q --allow-crossings one.off -o filled.off
-  refused "tm-stitch --one-side keeps one side, open" filled.off
+  refused "tm-stitch --one-side keeps one side of a double-sided sheet, open" filled.off
   tm-stitch -q --one-side filled.off | tm-clean -o sheet.off
   [ "$(tm-info --get boundary_loops sheet.off)" -eq 1 ]
 }

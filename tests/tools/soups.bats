@@ -80,7 +80,7 @@ joins() { # FILE PROGRAM OPTION...
   refuses() {
     run --separate-stderr "$@" -o "$work/out.ply"
     assert_status 3
-    [[ $stderr == *"border edges lie upon each other"*"join them with tm-stitch" ]] || fail "$stderr"
+    [[ $stderr == *"border edges lie upon each other"*"tm-stitch joins them" ]] || fail "$stderr"
     [ ! -e "$work/out.ply" ]
   }
   for file in body.ply seam.off; do

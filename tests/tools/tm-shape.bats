@@ -87,13 +87,13 @@ end_header" ] || fail "$output"
   refused "too few" tm-shape genus 8 --faces 500
   refused "'2' is not a number from 0 to 1" tm-shape figure 2
   refused "--radius" tm-shape sphere --radius -1
-  refused "--radius must be positive" tm-shape sphere --radius 0
+  refused "radius must be positive" tm-shape sphere --radius 0
   refused "dumbbell" tm-shape sphere --neck 0.1
   refused "give one of them" tm-shape sphere --faces 100 --edge 0.1
   refused "10^9" tm-shape sphere --edge 1e-7
   refused "x" tm-shape sphere --edge 0.7x
   tm-shape torus -o torus.ply
-  refused "--around" tm-shape torus --around torus.ply
+  refused "around makes a sphere" tm-shape torus --around torus.ply
 }
 
 @test "a file to go around that is missing or empty is bad input" {
@@ -123,12 +123,12 @@ end_header" ] || fail "$output"
     [ ! -e out.ply ]
   }
   for length in 1e308 1e51 1e-51; do
-    refused '--noise must be positive, from 1e-50 to 1e50' sphere --noise $length
-    refused '--edge must be positive' sphere --edge $length
-    refused '--gap must be positive' two-spheres --gap $length
-    refused '--tube must be positive' torus --tube $length
+    refused 'noise must be positive, from 1e-50 to 1e50' sphere --noise $length
+    refused 'edge must be positive' sphere --edge $length
+    refused 'gap must be positive' two-spheres --gap $length
+    refused 'tube must be positive' torus --tube $length
     for kind in sphere torus torus-knot two-spheres tangle folded; do
-      refused '--radius must be positive' $kind --radius $length
+      refused 'radius must be positive' $kind --radius $length
     done
   done
   tm-shape sphere --noise 0 --faces 100 | tm-checkmanifold >/dev/null

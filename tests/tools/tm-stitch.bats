@@ -148,7 +148,7 @@ is_solid() {
   one_line "$stderr"
   case $stderr in
     *"mend it with tm-stitch --orient") tm-stitch -q --orient copies.off -o mended.off ;;
-    *"cannot change that: tm-stitch keeps them apart") tm-stitch -q copies.off -o mended.off ;;
+    *"cannot change that; tm-stitch keeps them apart") tm-stitch -q copies.off -o mended.off ;;
     *) fail "$stderr" ;;
   esac
   tm-clean mended.off -o out.off
@@ -224,7 +224,7 @@ mended() {
   tm-cat "$BATS_TEST_TMPDIR/reverse.ply" "$BATS_TEST_TMPDIR/ball.ply" >"$BATS_TEST_TMPDIR/both.ply"
   run --separate-stderr tm-clean "$BATS_TEST_TMPDIR/both.ply"
   assert_status 4
-  [[ $stderr == *"in double-sided models, of which tm-stitch --one-side keeps one side" ]]
+  [[ $stderr == *"in double-sided models; tm-stitch --one-side keeps one side of a double-sided model" ]]
   pipe "tm-stitch --one-side $BATS_TEST_TMPDIR/both.ply | tm-clean >$BATS_TEST_TMPDIR/out.ply"
   assert_status 0
   [ "$(tm-info --get volume "$BATS_TEST_TMPDIR/out.ply")" = "$(tm-info --get volume "$BATS_TEST_TMPDIR/ball.ply")" ]

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "frame/program.h"
+#include "support/error_prefix.h"
 #include "support/number.h"
 #include "support/suggestion.h"
 #include "transformesh/errors.h"
@@ -18,6 +19,12 @@ Value value_of(const auto& variable) { return variable; }
 template <typename Held>
 Value value_of(const std::optional<Held>& variable) {
   return variable ? Value(*variable) : Value("");
+}
+
+auto* found_in(auto& options, const std::string& option) {
+  const std::size_t begin = std::min(option.find_first_not_of('-'), option.size());
+  const auto found = std::ranges::find(options, option.substr(begin), &Option::name);
+  return found == options.end() ? nullptr : &*found;
 }
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
@@ -212,11 +219,9 @@ Option& Program::reference_edge() {
 
 // --- The command line ----------------------------------------------------------------------------
 
-Option* Program::find(const std::string& option) {
-  const std::size_t begin = std::min(option.find_first_not_of('-'), option.size());
-  const auto found = std::ranges::find(options, option.substr(begin), &Option::name);
-  return found == options.end() ? nullptr : &*found;
-}
+const Option* Program::find(const std::string& option) const { return found_in(options, option); }
+
+Option* Program::find(const std::string& option) { return found_in(options, option); }
 
 std::vector<std::string> Program::parse(const std::vector<std::string>& arguments) {
   std::vector<std::string> others;
@@ -232,8 +237,8 @@ std::vector<std::string> Program::parse(const std::vector<std::string>& argument
     if (text.starts_with("--") && find(text) != nullptr) throw_missing(option.name());
     try {
       option.assign(text);
-    } catch (const UsageError& error) {
-      throw UsageError("--" + option.name() + ": " + error.what());
+    } catch (const UsageError&) {
+      rethrow_with_prefix("--" + option.name() + ": ");
     }
     option.is_given = true;
   }

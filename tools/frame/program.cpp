@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "frame/advice.h"
 #include "frame/completion.h"
 #include "frame/limits.h"
 #include "frame/memory.h"
@@ -58,14 +59,14 @@ bool is_any(const std::exception& error) {
 }
 
 /// Tells why a run has failed, and returns its exit code.
-int tell(const std::exception& error, Terminal& terminal) {
+int tell(const std::exception& error, const Program& program, Terminal& terminal) {
   if (is_any<std::bad_alloc, std::length_error>(error)) {
     terminal.out_of_memory();
     return exit_memory;
   }
-  const bool is_told = is_any<UsageError, InputError, GoalError, OutputError>(error);
-  terminal.error(is_told ? error.what()
-                         : "internal error: please report it together with the input");
+  const auto* own = dynamic_cast<const Error*>(&error);
+  terminal.error(own != nullptr ? with_advice(own->problem(), program)
+                                : "internal error: please report it together with the input");
   return is_any<UsageError>(error)    ? exit_usage
          : is_any<InputError>(error)  ? exit_input
          : is_any<OutputError>(error) ? exit_output
@@ -170,7 +171,7 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
     body(*run);
     return run->finish();
   } catch (const std::exception& error) {
-    const int code = tell(error, terminal);
+    const int code = tell(error, *this, terminal);
     if (run) run->write_kept();
     return code;
   }

@@ -149,6 +149,7 @@ struct Program {
   std::vector<std::string> parse(const std::vector<std::string>& arguments);
   /// Takes a name with or without dashes; null where there is none.
   Option* find(const std::string& option);
+  const Option* find(const std::string& option) const;
 
   bool is_evolution() const { return writes == Writes::evolved_mesh; }
   bool reads_mesh() const {

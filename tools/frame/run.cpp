@@ -8,6 +8,7 @@
 #include <span>
 
 #include "clean/stitch/join_soup.h"
+#include "frame/advice.h"
 #include "io/comments.h"
 #include "io/formats/file_format.h"
 #include "io/length_basis.h"
@@ -16,6 +17,7 @@
 #include "mesh/touching_borders.h"
 #include "support/counted.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 #include "transformesh/measure.h"
 #include "transformesh/mesh_io.h"
@@ -156,8 +158,10 @@ void Run::treat_soup(Mesh& mesh, const std::string& name, bool is_told) {
   } else if (program_.soups == Soups::told && !is_told) {
     const std::size_t count = count_touching_borders(mesh);
     if (count > 0)
-      note(name + ": " + counted(count, "border edge") +
-           " lie upon each other: the faces share no vertices there; tm-stitch joins them");
+      note(with_advice(
+          {ErrorKind::not_joined, name + ": " + counted(count, "border edge") +
+                                      " lie upon each other: the faces share no vertices there"},
+          program_));
   }
 }
 
@@ -165,20 +169,23 @@ Document Run::read(const std::string& path) {
   phases_.begin("read");
   ReadResult result = read_mesh(read_once(path).view(), input_name(path), reading());
   const bool is_mended = program_.soups == Soups::own || program_.soups == Soups::joined;
-  treat_soup(result.document.mesh, input_name(path), note_read(result.notes, is_mended));
+  if (result.soup_note && !is_mended) {
+    std::string& line = result.notes[*result.soup_note];
+    line = with_advice({ErrorKind::not_joined, line}, program_);
+  }
+  note_all(result.notes);
+  treat_soup(result.document.mesh, input_name(path), result.soup_note.has_value());
   detail(input_name(path) + ": " + described(result.document));
   phases_.begin("");
   return std::move(result.document);
 }
 
-bool Run::note_read(const std::vector<std::string>& notes, bool joins_soups) {
-  bool is_told = false;
-  for (const std::string& line : notes) {
-    const std::size_t advice = line.find("; tm-stitch joins them");
-    is_told |= advice != std::string::npos;
-    note(joins_soups ? line.substr(0, advice) : line);
-  }
-  return is_told;
+void Run::note_all(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) note(line);
+}
+
+void Run::note_all(const std::vector<Problem>& warnings) {
+  for (const Problem& warning : warnings) note(with_advice(warning, program_));
 }
 
 // --- Output --------------------------------------------------------------------------------------
@@ -332,8 +339,8 @@ void Run::write_kept() {
     }
   } catch (const std::bad_alloc&) {
     terminal_.out_of_memory();
-  } catch (const std::runtime_error& error) {
-    terminal_.error(error.what());
+  } catch (const Error& error) {
+    terminal_.error(with_advice(error.problem(), program_));
   }
   terminal_.error(kept_->first + "; '" + output() + "' " + outcome);
 }

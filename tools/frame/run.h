@@ -16,6 +16,7 @@
 #include "io/streams/streams.h"
 #include "transformesh/control.h"
 #include "transformesh/document.h"
+#include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
 
 namespace transformesh::tool {
@@ -43,9 +44,6 @@ class Run {
   std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
   /// Returns the options for reading that --strict sets.
   ReadOptions reading() const { return {program_.common.strict}; }
-  /// Notes each line about what was read. Advice to join triangles is left out if the program joins
-  /// them. Returns whether one of the lines says that the mesh is a soup.
-  bool note_read(const std::vector<std::string>& notes, bool joins_soups);
 
   /// Input units. 1% is of the diagonal of the mesh read (or of `set_basis`), 0.7x of the reference
   /// edge: the tm:reference-edge comment, else the mean edge, which is then written as that
@@ -58,6 +56,9 @@ class Run {
 
   /// One line on stderr unless -q.
   void note(const std::string& message) { terminal_.note(message); }
+  /// One line each; warnings with the remedies that this program offers.
+  void note_all(const std::vector<std::string>& lines);
+  void note_all(const std::vector<Problem>& warnings);
   /// One line on stderr with -v.
   void detail(const std::string& message) { terminal_.detail(message); }
   /// Hand this to the library; phases are timed for the report.

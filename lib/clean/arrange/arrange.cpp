@@ -94,9 +94,11 @@ void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, const Co
 void refuse_overflow(const WeldedMesh& welded) {
   for (const Vec3& point : welded.points) {
     if (point.cwiseAbs().maxCoeff() <= largest_coordinate) continue;
-    throw InputError("the coordinates of " + point_text(point) +
-                     " are too large to cut faces there: scale the mesh to below " +
-                     shortest_text(largest_coordinate));
+    throw InputError(ErrorKind::coordinates_too_large,
+                     "the coordinates of " + point_text(point) +
+                         " are too large to cut faces there: scale the mesh to below " +
+                         shortest_text(largest_coordinate),
+                     {.position = position_data(point), .lengths = {largest_coordinate}});
   }
 }
 

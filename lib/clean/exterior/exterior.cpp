@@ -157,28 +157,30 @@ Exterior test_all(const Arrangement& arrangement, int level, const Progress& pro
   return result;
 }
 
-std::string nothing_kept(const Arrangement& arrangement, int level, bool is_open) {
+Problem nothing_enclosed(bool has_pieces) {
+  const std::string what = "the faces enclose nothing: they ";
+  if (!has_pieces) return {ErrorKind::no_area, what + "have no area"};
+  return {ErrorKind::canceling_faces,
+          what +
+              "lie upon each other and cancel out, as in a difference without a remainder, or a "
+              "sheet whose border is filled flat"};
+}
+
+Problem nothing_kept(const Arrangement& arrangement, int level, bool is_open) {
   if (level != 1) {
-    return "no winding number reaches " + std::to_string(level) +
-           ": nothing lies inside that many sheets";
+    return {ErrorKind::no_such_level, "no winding number reaches " + std::to_string(level) +
+                                          ": nothing lies inside that many sheets"};
   }
   if (is_open) {
-    return "every face of this open mesh lies inside once its borders are closed: it is inside "
-           "out; reverse it with tm-stitch --flip";
+    return {ErrorKind::inside_out,
+            "every face of this open mesh lies inside once its borders are closed: it is inside "
+            "out"};
   }
   const auto counts = [](const Piece& piece) { return piece.multiplicity != 0; };
-  if (std::none_of(arrangement.pieces.begin(), arrangement.pieces.end(), counts)) {
-    const std::string why =
-        arrangement.pieces.empty()
-            ? "they have no area"
-            : "they lie upon each other and cancel out, as in a difference without a remainder, or "
-              "a sheet whose border is filled flat; tm-sample and tm-wrap --method alpha go around "
-              "a sheet";
-    return "the faces enclose nothing: " + why +
-           "; a shape that is small or far from the origin needs --double, or to be moved there";
-  }
-  return "no point has a winding number >= 1: a difference without a remainder is empty; a mesh "
-         "that is inside out is reversed by tm-stitch --flip";
+  if (std::none_of(arrangement.pieces.begin(), arrangement.pieces.end(), counts))
+    return nothing_enclosed(!arrangement.pieces.empty());
+  return {ErrorKind::no_positive_winding,
+          "no point has a winding number >= 1: a difference without a remainder is empty"};
 }
 
 // Whether each component of a mesh lies within others: whether w > 0 in front of its first face.
@@ -216,7 +218,7 @@ Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod
                         ? Growth(arrangement, level, closure).grow(progress)
                         : test_all(arrangement, level, progress);
   if (std::find(result.kept.begin(), result.kept.end(), 1) == result.kept.end()) {
-    throw NothingLeftError(nothing_kept(arrangement, level, !closure.empty()));
+    throw GoalError(nothing_kept(arrangement, level, !closure.empty()));
   }
   return result;
 }

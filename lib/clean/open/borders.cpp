@@ -88,7 +88,7 @@ bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& b
          !(has_reversed_patch(welded, mesh) && can_be_oriented(with_joined_vertices(welded, mesh)));
 }
 
-// Whether the mesh that tm-stitch makes of this one, in which such sheets are apart, is accepted.
+// Whether the mesh that stitch() makes of this one, in which such sheets are apart, is accepted.
 bool can_be_stitched(const Mesh& mesh) {
   Mesh stitched{mesh.positions, mesh.faces, {}, {}};
   stitch(stitched);
@@ -97,17 +97,17 @@ bool can_be_stitched(const Mesh& mesh) {
   return borders.is_oriented || ends_at_sheets(welded, stitched, borders);
 }
 
-// Throws InputError, which names what mends the mesh, having tried it.
+// Throws InputError, of the kind that tells what mends the mesh, having tried it.
 [[noreturn]] void refuse_orientation(const WeldedMesh& welded, const Mesh& mesh) {
   Mesh oriented = with_joined_vertices(welded, mesh);
-  const std::string problem = describe_misorientation(oriented);
+  const Problem problem = find_misorientation(oriented);
   orient_faces(oriented);
-  const std::string rest = describe_misorientation(oriented);
-  if (rest.empty()) {
-    throw InputError(problem + ": the mesh is not oriented; mend it with tm-stitch --orient");
-  }
-  throw InputError(rest + ", and turning sheets (tm-stitch --orient) cannot change that: " +
-                   (can_be_stitched(mesh) ? "tm-stitch keeps them apart" : "remove faces there"));
+  const Problem rest = find_misorientation(oriented);
+  if (rest.sentence.empty())
+    throw InputError(problem.kind, problem.sentence + ": the mesh is not oriented", problem.data);
+  const bool are_sheets = can_be_stitched(mesh);
+  throw InputError(are_sheets ? ErrorKind::overlapping_sheets : ErrorKind::not_orientable,
+                   rest.sentence + ", and turning sheets cannot change that", rest.data);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "clean/open/borders.h"
 #include "clean/open/enclosed_sheets.h"
 #include "mesh/adjacency.h"
+#include "support/counted.h"
 #include "support/parallel.h"
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
@@ -21,9 +22,10 @@ namespace {
 
 // In front of a piece of an open mesh the winding number is no integer.
 void refuse_static_test(std::size_t borders) {
-  throw UsageError("--method static needs a closed mesh; this one has " + std::to_string(borders) +
-                   (borders == 1 ? " border" : " borders") +
-                   ": use --method grow, or close it with tm-fill");
+  throw UsageError(
+      ErrorKind::static_test_of_open_mesh,
+      "the static test needs a closed mesh; this one has " + counted(borders, "border"),
+      {.counts = {borders}});
 }
 
 void count_faces(const Mesh& mesh, const Arrangement& arrangement, std::size_t whole_faces,

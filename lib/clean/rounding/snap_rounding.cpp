@@ -56,10 +56,6 @@ Tolerances tolerances(int start, int round) {
   return {3 * coarser, 4 * coarser, coarser, 4 * coarser * coarser, step > 0};
 }
 
-std::string place_of(const Mesh& mesh, Index face) {
-  return point_text(mesh.positions[mesh.faces[face][0]]);
-}
-
 // Expresses what a further pass tells about its input by that of the first pass: which vertices are
 // new, and the sources of faces.
 void inherit(const Assembly& before, Assembly& after) {
@@ -123,7 +119,7 @@ class SnapRounder {
   bool is_extreme_ = false;    ///< so it does where coordinates are extreme in every direction
   int patience_ = 0;           ///< how many vain rounds more are waited for
   bool is_vain_ = false;       ///< whether a start ended for want of it
-  std::string place_;          ///< the first place that was broken
+  std::optional<Vec3> place_;  ///< the first place that was broken
   KnownPairs known_;
   std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
   SnapRoundingResult result_;
@@ -131,15 +127,15 @@ class SnapRounder {
 
 void SnapRounder::give_up() const {
   const bool is_float = options_.coordinate == Scalar::float32;
-  throw GoalError("rounding leaves faces that cross near " + place_ + "; " +
-                  (is_float ? "write doubles (--double), or " : "") +
-                  "merge vertices that lie close together there (tm-stitch --tolerance)");
+  const Vec3 place = place_.value_or(Vec3::Zero());
+  throw GoalError(is_float ? ErrorKind::float_rounding_failed : ErrorKind::double_rounding_failed,
+                  "rounding leaves faces that cross near " + point_text(place),
+                  {.position = position_data(place)});
 }
 
 void SnapRounder::throw_nothing_left() {
-  throw GoalError(
-      "the faces enclose nothing that is thicker than rounding moves it; a shape that is small or "
-      "far from the origin needs --double, or to be moved there");
+  throw GoalError(ErrorKind::thinner_than_rounding,
+                  "the faces enclose nothing that is thicker than rounding moves it");
 }
 
 // Unites what is close around the broken faces, until none is left.
@@ -245,8 +241,8 @@ void SnapRounder::note_broken(const Assembly& assembly, const std::vector<Index>
   is_extreme_ |= spacing_.are_per_axis && is_shattered_;
   if (broken.empty()) return;
   ++result_.repairs;
-  if (!place_.empty()) return;
-  place_ = place_of(assembly.mesh, broken.front());
+  if (place_) return;
+  place_ = assembly.mesh.positions[assembly.mesh.faces[broken.front()][0]];
   result_.places = count_places(assembly.mesh, broken);
 }
 

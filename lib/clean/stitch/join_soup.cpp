@@ -9,10 +9,9 @@ namespace {
 [[noreturn]] void refuse_orientation(Mesh mesh, const std::string& problem) {
   const StitchResult oriented = stitch(mesh, {.orient = true});
   if (oriented.misoriented_edges == 0)
-    throw InputError(problem + ": the mesh is not oriented; mend it with tm-stitch --orient");
-  throw InputError(oriented.misorientation +
-                   ", and turning sheets (tm-stitch --orient) cannot change that: remove faces "
-                   "there");
+    throw InputError(ErrorKind::not_oriented, problem + ": the mesh is not oriented");
+  throw InputError(ErrorKind::not_orientable,
+                   oriented.misorientation + ", and turning sheets cannot change that");
 }
 
 }  // namespace

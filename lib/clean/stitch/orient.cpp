@@ -102,12 +102,15 @@ void Orienter::collect_sheet(Index first) {
 }
 
 void Orienter::refuse(Index halfedge, Index across) const {
-  throw InputError("faces " + std::to_string(std::min(halfedge, across) / 3) + " and " +
-                   std::to_string(std::max(halfedge, across) / 3) + " cannot agree at the " +
-                   edge_text(mesh_, halfedge) +
-                   ", however faces are turned: the surface has one side only, like a Moebius "
-                   "strip; tm-stitch without --orient cuts it open, and tm-fill --allow-crossings "
-                   "closes borders");
+  const Index first = std::min(halfedge, across) / 3, second = std::max(halfedge, across) / 3;
+  ErrorData data = edge_data(mesh_, halfedge);
+  data.faces = {first, second};
+  throw InputError(ErrorKind::one_sided,
+                   "faces " + std::to_string(first) + " and " + std::to_string(second) +
+                       " cannot agree at the " + edge_text(mesh_, halfedge) +
+                       ", however faces are turned: the surface has one side only, like a Moebius "
+                       "strip",
+                   std::move(data));
 }
 
 // Finds by how much sheets that end at the same edges agree there.

@@ -25,7 +25,7 @@ std::string list_text(const std::vector<Index>& faces) {
 }
 
 // Names the faces of an edge that run the way that most of them do.
-std::string edge_problem(const Mesh& mesh, std::span<const Index> halfedges, bool forward) {
+Problem edge_problem(const Mesh& mesh, std::span<const Index> halfedges, bool forward) {
   const auto runs_alike = [&](Index h) { return is_forward(mesh.faces, h) == forward; };
   std::vector<Index> alike;
   for (const Index h : halfedges) {
@@ -33,8 +33,13 @@ std::string edge_problem(const Mesh& mesh, std::span<const Index> halfedges, boo
   }
   const auto first = std::find_if(halfedges.begin(), halfedges.end(), runs_alike);
   const std::size_t against = halfedges.size() - alike.size();
-  return list_text(alike) + " run the same way along the " + edge_text(mesh, *first) +
-         (against == 0 ? "" : ", and only " + std::to_string(against) + " the other way");
+  Problem problem{
+      ErrorKind::not_oriented,
+      list_text(alike) + " run the same way along the " + edge_text(mesh, *first) +
+          (against == 0 ? "" : ", and only " + std::to_string(against) + " the other way"),
+      edge_data(mesh, *first)};
+  problem.data.faces.assign(alike.begin(), alike.end());
+  return problem;
 }
 
 }  // namespace
@@ -45,18 +50,21 @@ int sum_along(std::span<const Face> faces, std::span<const Index> halfedges) {
   return sum;
 }
 
-std::string describe_misorientation(const Mesh& mesh) {
+Problem find_misorientation(const Mesh& mesh) {
   const Edges edges(without_collapsed(mesh.faces), mesh.positions.size());
-  std::string text;
+  Problem problem;
   std::size_t count = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const int sum = sum_along(mesh.faces, edges.halfedges(e));
     if (std::abs(sum) <= 1) continue;
-    if (count == 0) text = edge_problem(mesh, edges.halfedges(e), sum > 0);
+    if (count == 0) problem = edge_problem(mesh, edges.halfedges(e), sum > 0);
     ++count;
   }
-  if (count > 1) text += " (the first of " + std::to_string(count) + " such edges)";
-  return text;
+  if (count > 0) problem.data.counts = {count};
+  if (count > 1) problem.sentence += " (the first of " + std::to_string(count) + " such edges)";
+  return problem;
 }
+
+std::string describe_misorientation(const Mesh& mesh) { return find_misorientation(mesh).sentence; }
 
 }  // namespace transformesh

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "transformesh/errors.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {
@@ -17,8 +18,12 @@ namespace transformesh {
 /// forward ones run from the smaller vertex to the larger.
 int sum_along(std::span<const Face> faces, std::span<const Index> halfedges);
 
-/// The first misoriented edge in words, with its faces and its place; empty where there is none.
-/// A face that names a vertex twice has no say. Cost: O(n log n).
+/// Returns the first misoriented edge, with the faces that run along it the same way, its place and
+/// the number of such edges; an empty sentence if there is none. Ignores faces that name a vertex
+/// twice. Cost: O(n log n).
+Problem find_misorientation(const Mesh& mesh);
+
+/// Returns the sentence of find_misorientation().
 std::string describe_misorientation(const Mesh& mesh);
 
 }  // namespace transformesh

@@ -5,24 +5,12 @@
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/record.h"
 #include "evolution/loop/stages.h"
+#include "support/error_prefix.h"
 #include "transformesh/errors.h"
 #include "transformesh/iteration.h"
 
 namespace transformesh {
 namespace {
-
-// Throws what is being handled again, of the same kind, with more in front.
-[[noreturn]] void rethrow_in(const std::string& where) {
-  try {
-    throw;
-  } catch (const UsageError& error) {
-    throw UsageError(where + error.what());
-  } catch (const InputError& error) {
-    throw InputError(where + error.what());
-  } catch (const GoalError& error) {
-    throw GoalError(where + error.what());
-  }
-}
 
 Memory memory_of(Loop& loop) {
   Memory memory;
@@ -60,7 +48,7 @@ void advance(Loop& loop, Document& document, const LoopOptions& options, Record&
     throw;
   } catch (const std::runtime_error&) {
     if (iteration == 1) record.remove_state();
-    rethrow_in(name + ": ");
+    rethrow_with_prefix(name + ": ");
   }
   record.keep(next, iteration, row_of(loop, iteration).line(), memory_of(loop));
   document = std::move(next);

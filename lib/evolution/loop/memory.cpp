@@ -12,8 +12,7 @@ Memory::Memory(const std::string& text) : restores_(true) {
   for (std::string name, number; words >> name >> number;) {
     const auto value = number_in<double>(number);
     if (!value)
-      throw InputError("a state holds '" + number +
-                       "', which is no number; begin anew with --restart");
+      throw InputError(ErrorKind::bad_state, "a state holds '" + number + "', which is no number");
     values_[name] = *value;
   }
 }
@@ -21,8 +20,8 @@ Memory::Memory(const std::string& text) : restores_(true) {
 double Memory::kept(const std::string& name) const {
   const auto found = values_.find(name);
   if (found != values_.end()) return found->second;
-  throw InputError("the state of the run is that of another loop, as it holds no '" + name +
-                   "'; begin anew with --restart");
+  throw InputError(ErrorKind::bad_state,
+                   "the state of the run is that of another loop, as it holds no '" + name + "'");
 }
 
 std::string Memory::text() const {

@@ -60,15 +60,17 @@ std::optional<SavedState> saved_in(const std::string& folder) {
 
 void check_may_continue(const SavedState& state, const RecordOptions& options) {
   if (state.settings == options.settings) return;
-  throw UsageError("'" + options.state + "' is of a run with other settings (" + state.settings +
-                   "); leave out --resume");
+  throw UsageError(
+      ErrorKind::other_settings,
+      "'" + options.state + "' is of a run with other settings (" + state.settings + ")",
+      {.name = options.state});
 }
 
 void check_may_begin(const SavedState& state, const RecordOptions& options) {
   if (state.is_paused || options.restart) return;
-  throw UsageError("'" + options.state +
-                   "' is the state of an interrupted run: continue it with --resume, or throw it "
-                   "away with --restart");
+  throw UsageError(ErrorKind::interrupted_run,
+                   "'" + options.state + "' is the state of an interrupted run",
+                   {.name = options.state});
 }
 
 /// The header, and the rows of iterations up to the last one.

@@ -142,8 +142,8 @@ RunDescription read_run(const std::string& folder) {
   const std::string name = folder + run_file::description;
   std::ifstream file(name, std::ios::binary);
   if (!file)
-    throw InputError("'" + folder +
-                     "' is no run: it has no run.json, which a loop writes with --run " + folder);
+    throw InputError(ErrorKind::not_a_run, "'" + folder + "' is no run: it has no run.json",
+                     {.name = folder});
   const Json json =
       Json::parse(std::string(std::istreambuf_iterator<char>(file), {}), nullptr, false);
   try {

@@ -43,7 +43,9 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
   try {
     document.mesh = clean(document.mesh, {.level = 2, .outermost = true}, progress).mesh;
   } catch (const GoalError&) {
-    throw GoalError("nothing of '" + name + "' is within the hull of the silhouettes; see --clip");
+    throw GoalError(ErrorKind::outside_hull,
+                    "nothing of '" + name + "' is within the hull of the silhouettes",
+                    {.name = name});
   }
   round_as_written(document);
 }

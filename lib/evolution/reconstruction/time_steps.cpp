@@ -25,15 +25,15 @@ std::string last_part(std::string text) {
 }  // namespace
 
 std::vector<TimeStep> time_steps(const std::string& where) {
-  const std::string option = "--sequence '" + where + "': ";
+  const std::string prefix = "'" + where + "': ";
   std::vector<TimeStep> steps;
   std::set<std::string> names;
   for (const std::string& text : is_file(where) ? lines_of(where) : folders_at(where)) {
     steps.push_back({text, last_part(text)});
     if (!names.insert(steps.back().name).second)
-      throw UsageError(option + "two time steps are called '" + steps.back().name + "'");
+      throw UsageError(prefix + "two time steps are called '" + steps.back().name + "'");
   }
-  if (steps.empty()) throw InputError(option + "there is no time step");
+  if (steps.empty()) throw InputError(prefix + "there is no time step");
   return steps;
 }
 

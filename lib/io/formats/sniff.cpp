@@ -140,8 +140,15 @@ FileKind sniff(const Source& source) {
   if (is_utf16(bytes))
     source.fail("the input is text in UTF-16: convert it with iconv -f UTF-16 -t UTF-8");
   if (const auto kind = kind_of_name(source)) return *kind;
-  source.fail("unknown mesh format, starting with " + quoted(bytes.substr(0, 16)) +
-              ": PLY, OFF, OBJ and STL are read");
+  refuse_unknown_format(source, "");
+}
+
+void refuse_unknown_format(const Source& source, const std::string& further_formats) {
+  throw InputError(ErrorKind::unknown_format,
+                   "unknown mesh format, starting with " + quoted(source.bytes.substr(0, 16)) +
+                       ": PLY, OFF, OBJ and STL are read" + further_formats + " (" + source.name +
+                       ")",
+                   {.name = source.name});
 }
 
 }  // namespace transformesh

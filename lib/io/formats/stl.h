@@ -1,5 +1,5 @@
 /// STL of stereolithography, as text and as bytes: triangles that share nothing, in float. They are
-/// read as what they are, three vertices for each face; tm-stitch joins them. The name in the first
+/// read as what they are, three vertices for each face; stitch() joins them. The name in the first
 /// line or header is a comment; bytes for attributes become the face column `attribute`.
 #pragma once
 

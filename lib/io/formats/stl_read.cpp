@@ -17,10 +17,12 @@ constexpr std::size_t facets_start = 84;
 constexpr std::size_t facet_size = 50;
 constexpr std::size_t most_facets = no_index / 3;
 
-void note_soup(std::size_t faces, std::vector<std::string>& notes) {
+void note_soup(ReadResult& result) {
+  const std::size_t faces = result.document.mesh.faces.size();
   if (faces == 0) return;
-  notes.push_back("stl: " + counted(faces, "face") +
-                  " read as a soup of separate triangles; tm-stitch joins them");
+  result.soup_note = result.notes.size();
+  result.notes.push_back("stl: " + counted(faces, "face") +
+                         " read as a soup of separate triangles");
 }
 
 void note_bad_facets(std::size_t count, std::vector<std::string>& notes) {
@@ -43,7 +45,7 @@ class TextReader {
     style.coordinate = Scalar::float32;
     polygons_.move_into(result_.document.mesh, "stl", result_.notes);
     note_bad_facets(bad_facets_, result_.notes);
-    note_soup(result_.document.mesh.faces.size(), result_.notes);
+    note_soup(result_);
     if (has_no_end_)
       result_.notes.emplace_back("stl: 'endsolid' is missing at the end: the file may be cut off");
     if (solids_ > 1) {
@@ -249,7 +251,7 @@ ReadResult read_stl_binary(const Source& source) {
   const std::string text = header_text(source);
   if (!text.empty()) result.document.style.comments.push_back(text);
   note_bad_facets(count - rows.size(), result.notes);
-  note_soup(mesh.faces.size(), result.notes);
+  note_soup(result);
   const std::size_t rest = source.bytes.size() - facets_start - count * facet_size;
   if (rest > 0)
     result.notes.push_back("stl: " + counted(rest, "byte") + " after the last facet ignored");

@@ -5,15 +5,11 @@
 #include <numeric>
 #include <string>
 
+#include "mesh/location_text.h"
 #include "remesh/halfedges/halfedges.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
-namespace {
-
-constexpr const char* advice = "; mend it with tm-stitch --orient";
-
-}  // namespace
 
 EditableMesh::EditableMesh(const Mesh& mesh) : EditableMesh(mesh, manifold_opposites(mesh)) {}
 
@@ -48,9 +44,13 @@ void EditableMesh::find_outgoing() {
     Index reached = 0;
     for_each_outgoing(v, [&](Index) { ++reached; });
     if (reached == count[v]) continue;
-    throw InputError("vertex " + std::to_string(v) + " joins " + std::to_string(count[v]) +
-                     " faces that are not one fan (face " + std::to_string(outgoing_[v] / 3) +
-                     " is in one of them): the mesh is not an oriented manifold" + advice);
+    throw InputError(ErrorKind::not_manifold,
+                     "vertex " + std::to_string(v) + " joins " + std::to_string(count[v]) +
+                         " faces that are not one fan (face " + std::to_string(outgoing_[v] / 3) +
+                         " is in one of them): the mesh is not an oriented manifold",
+                     {.faces = {outgoing_[v] / 3},
+                      .position = position_data(positions_[v]),
+                      .counts = {count[v]}});
   }
 }
 

@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "mesh/edges.h"
+#include "mesh/location_text.h"
 #include "support/counted.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {
-
-constexpr const char* advice = "; mend it with tm-stitch --orient";
 
 bool has_good_corners(const Mesh& mesh) {
   const std::size_t count = mesh.positions.size();
@@ -35,18 +34,24 @@ void check_corners(const Mesh& mesh) {
   for (Index h = 0; h < halfedges; ++h) {
     const Index vertex = halfedge_source(mesh, h);
     if (vertex == halfedge_target(mesh, h)) {
-      throw InputError("face " + std::to_string(h / 3) + " uses vertex " + std::to_string(vertex) +
-                       " twice" + advice);
+      throw InputError(
+          ErrorKind::not_manifold,
+          "face " + std::to_string(h / 3) + " uses vertex " + std::to_string(vertex) + " twice",
+          {.faces = {h / 3}});
     }
   }
 }
 
 [[noreturn]] void refuse_alike(const Mesh& mesh, Index first, Index second) {
-  throw InputError("faces " + std::to_string(first / 3) + " and " + std::to_string(second / 3) +
-                   " run the same way along the edge from vertex " +
-                   std::to_string(halfedge_source(mesh, first)) + " to vertex " +
-                   std::to_string(halfedge_target(mesh, first)) +
-                   ": the mesh is not an oriented manifold" + advice);
+  ErrorData data = edge_data(mesh, first);
+  data.faces.push_back(second / 3);
+  throw InputError(ErrorKind::not_manifold,
+                   "faces " + std::to_string(first / 3) + " and " + std::to_string(second / 3) +
+                       " run the same way along the edge from vertex " +
+                       std::to_string(halfedge_source(mesh, first)) + " to vertex " +
+                       std::to_string(halfedge_target(mesh, first)) +
+                       ": the mesh is not an oriented manifold",
+                   std::move(data));
 }
 
 /// The opposites of an oriented manifold, found as the halfedges come; nothing where two run alike

@@ -73,9 +73,11 @@ Layout lay_out(const Mesh& mesh, double texel, const AtlasOptions& options) {
     layout.packing = pack_boxes(boxes_of(layout.charts, layout.texel, options.padding));
     if (std::max(layout.packing.width, layout.packing.height) <= options.most_size) return layout;
   }
-  throw GoalError("the texture does not fit in " + std::to_string(options.most_size) +
-                  " texels each way: it has " + std::to_string(layout.charts.size()) +
-                  " charts; remesh the surface, or give a larger --texture-size");
+  throw GoalError(ErrorKind::texture_too_small,
+                  "the texture does not fit in " + std::to_string(options.most_size) +
+                      " texels each way: it has " + std::to_string(layout.charts.size()) +
+                      " charts",
+                  {.counts = {static_cast<std::size_t>(options.most_size), layout.charts.size()}});
 }
 
 /// Corners in texels, of which the first one's center is at 0.

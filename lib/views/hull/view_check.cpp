@@ -240,8 +240,8 @@ void Diagnosis::try_cameras() const {
   for (View& view : views) view.camera = view.camera.mirrored();
   if (agree(views)) {
     throw InputError(
-        "the scene lies behind every camera, as where the world of the cameras is left-handed: "
-        "--mirror takes its mirror image, z for -z");
+        ErrorKind::scene_behind_cameras,
+        "the scene lies behind every camera, as if the world of the cameras is left-handed");
   }
   views = views_;
   for (View& view : views) {
@@ -352,21 +352,23 @@ void Diagnosis::try_exchanges() const {
 }
 
 void Diagnosis::fail_for_bad() const {
+  const std::string& worst = views_[agreement_.worst()].name;
   if (bad_.empty()) {
-    throw InputError("cameras and silhouettes disagree: the hull covers " +
-                     percent(agreement_.least()) + " of the silhouette of " +
-                     quoted(views_[agreement_.worst()].name) +
-                     ", and it is not because of a few views: do they belong together? See "
-                     "--least-agreement");
+    throw InputError(ErrorKind::views_disagree,
+                     "cameras and silhouettes disagree and may not belong together: the hull "
+                     "covers " +
+                         percent(agreement_.least()) + " of the silhouette of " + quoted(worst) +
+                         ", and it is not because of a few views",
+                     {.name = worst});
   }
   std::vector<std::string> names;
   for (const std::size_t i : bad_) names.push_back(views_[i].name);
-  throw InputError((names.size() == 1 ? "the view " : "the views ") + names_of(names) +
-                   (names.size() == 1 ? " disagrees" : " disagree") +
-                   " with the rest: with it, the hull covers " + percent(agreement_.least()) +
-                   " of the silhouette of " + quoted(views_[agreement_.worst()].name) +
-                   ", without all agree; look at camera and mask, or leave out what disagrees with "
-                   "--drop-bad-views");
+  throw InputError(ErrorKind::few_views_disagree,
+                   (names.size() == 1 ? "the view " : "the views ") + names_of(names) +
+                       (names.size() == 1 ? " disagrees" : " disagree") +
+                       " with the rest: with it, the hull covers " + percent(agreement_.least()) +
+                       " of the silhouette of " + quoted(worst) + ", without all agree",
+                   {.name = names[0]});
 }
 
 void check(const ViewCheckOptions& options) {

@@ -119,35 +119,36 @@ TEST_CASE("a cavity of the target, and what floats in it, are no goal") {
   CHECK_FALSE(goal_of(solid).without_those);
 }
 
-TEST_CASE("a fault names what mends it, having measured the target") {
+TEST_CASE("the cause of a fault is found by measuring the target") {
   const auto kind = [](const Mesh& target, double radius) {
     Document document = ball(radius);
     const MorphResult result = morphed(document, make_target(target), {}, 100);
     CHECK(result.stop != MorphStop::converged);
-    return result.remedy.kind;
+    return result.cause.kind;
   };
   const Mesh balls = test::joined(test::icosphere(3), test::moved(test::icosphere(3), {2.1, 0, 0}));
-  CHECK(kind(test::moved(balls, {-1.05, 0, 0}), 2.2) == RemedyKind::edges_at_narrow_places);
+  CHECK(kind(test::moved(balls, {-1.05, 0, 0}), 2.2) == ErrorKind::uniform_edges_too_long);
   const Mesh far = test::joined(test::icosphere(3), test::moved(test::icosphere(3), {10, 0, 0}));
-  CHECK(kind(far, 1.1) == RemedyKind::larger_source);
+  CHECK(kind(far, 1.1) == ErrorKind::source_apart);
   Mesh open = test::icosphere(3);
   open.faces.resize(open.faces.size() * 3 / 4);
-  CHECK(kind(open, 1.1) == RemedyKind::clean_target);
+  CHECK(kind(open, 1.1) == ErrorKind::target_not_solid);
 }
 
 TEST_CASE("a surface that vanishes on a thin plate says so; shorter edges there reach it") {
   const Target plate = make_target(test::cuboid({-1, -1, -0.02}, {1, 1, 0.02}));
   Document document = ball(1.5);
-  MorphRemedy remedy;
   try {
     morphed(document, plate);
     FAIL("the plate is thinner than edges");
-  } catch (const VanishedError& error) {
-    remedy = error.remedy;
-    CHECK(std::string(error.what()).find("shrinks to nothing: the target is 0.04") !=
-          std::string::npos);
+  } catch (const GoalError& error) {
+    const std::string message = error.what();
+    CHECK(message.starts_with("iteration "));
+    CHECK(message.find("shrinks to nothing: the target is 0.04") != std::string::npos);
+    CHECK(error.kind() == ErrorKind::uniform_edges_too_long);
+    CHECK(error.data().lengths.at(0) == doctest::Approx(0.04));
+    CHECK(error.data().position.has_value());
   }
-  CHECK(remedy.kind == RemedyKind::edges_at_narrow_places);
   MorphOptions options;
   options.step.gap_edges = 1.5;
   document = ball(1.5);

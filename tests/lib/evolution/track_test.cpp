@@ -1,5 +1,3 @@
-#include "transformesh/track.h"
-
 #include <doctest/doctest.h>
 
 #include "evolution/loop/record.h"
@@ -9,6 +7,7 @@
 #include "helpers/temporary_folder.h"
 #include "transformesh/measure.h"
 #include "transformesh/mesh_io.h"
+#include "transformesh/morph.h"
 
 using namespace transformesh;
 using test::TemporaryFolder;

@@ -50,25 +50,25 @@ TEST_CASE("targets that do not agree which side is outside, or are inside out, a
     CHECK_THROWS_WITH_AS(check_target(target_of(mesh), "a.ply"),
                          doctest::Contains("the target a.ply is not oriented"), InputError);
     CHECK_THROWS_WITH_AS(check_source(mesh, target_of(test::icosphere(2)), "a.ply"),
-                         doctest::Contains("tm-stitch --orient"), InputError);
+                         doctest::Contains("the source a.ply is not oriented"), InputError);
   }
   const Mesh reversed = soup_of(test::reversed(test::cube()));
-  CHECK_THROWS_WITH_AS(check_target(target_of(reversed), "a.ply"),
-                       doctest::Contains("inside out; reverse it with tm-stitch --flip"),
+  CHECK_THROWS_WITH_AS(check_target(target_of(reversed), "a.ply"), doctest::Contains("inside out"),
                        InputError);
 }
 
 TEST_CASE("an open target and one that crosses itself are told with their numbers") {
   Mesh open = test::icosphere(2);
   open.faces.pop_back();
-  auto lines = check_target(target_of(open), "a.ply");
-  REQUIRE(lines.size() == 1);
-  CHECK(lines[0].starts_with("the target a.ply is open, with 3 border edges: "));
+  auto warnings = check_target(target_of(open), "a.ply");
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].sentence.starts_with("the target a.ply is open, with 3 border edges: "));
+  CHECK(warnings[0].kind == ErrorKind::target_open);
   const Mesh crossing =
       test::joined(test::icosphere(1), moved(test::icosphere(1), {0.9, 0.1, 0.05}));
-  lines = check_target(target_of(crossing), "");
-  REQUIRE(lines.size() == 1);
-  CHECK(lines[0].starts_with("the target crosses itself at "));
+  warnings = check_target(target_of(crossing), "");
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].sentence.starts_with("the target crosses itself at "));
 }
 
 TEST_CASE("a source apart from the target is told, one that touches its box is not") {
@@ -76,7 +76,7 @@ TEST_CASE("a source apart from the target is told, one that touches its box is n
   const double width =
       bounding_box(target.mesh).maximum.x() - bounding_box(target.mesh).minimum.x();
   CHECK(check_source(moved(test::cube(), {width, 0, 0}), target, "b.ply").empty());
-  const auto lines = check_source(moved(test::cube(), {0, 0, 1.01 * width}), target, "b.ply");
-  REQUIRE(lines.size() == 1);
-  CHECK(lines[0].find("tm-shape sphere --around") != std::string::npos);
+  const auto warnings = check_source(moved(test::cube(), {0, 0, 1.01 * width}), target, "b.ply");
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].kind == ErrorKind::source_apart);
 }

@@ -52,7 +52,7 @@ TEST_CASE("a soup attracts as the mesh that it is, beside edges and corners as w
 
 TEST_CASE("nothing, and a closed mesh inside out, are refused; an open one has no inside") {
   CHECK_THROWS_AS(make_target(Mesh()), InputError);
-  CHECK_THROWS_WITH_AS(make_target(test::reversed(test::cube())), doctest::Contains("--flip"),
+  CHECK_THROWS_WITH_AS(make_target(test::reversed(test::cube())), doctest::Contains("inside out"),
                        InputError);
   const Mesh open = test::reversed(test::grid(2));
   CHECK(make_target(open).is_mesh());

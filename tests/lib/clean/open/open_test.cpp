@@ -160,8 +160,8 @@ TEST_CASE("a bowl that passes through itself parts there and keeps its rim") {
 
 TEST_CASE("a scan that looks inwards is told apart from a sheet") {
   const Mesh scan = without_top(test::icosphere(4), 0.9);
-  CHECK_THROWS_WITH_AS(clean(test::reversed(scan)),
-                       doctest::Contains("reverse it with tm-stitch --flip"), GoalError);
+  CHECK_THROWS_WITH_AS(clean(test::reversed(scan)), doctest::Contains("it is inside out"),
+                       GoalError);
 }
 
 TEST_CASE("what is left of sheets that cross at random cleans to itself") {

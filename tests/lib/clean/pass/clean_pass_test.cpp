@@ -77,7 +77,7 @@ TEST_CASE(
   PassOptions options;
   options.method = ExteriorMethod::static_test;
   CHECK_THROWS_WITH_AS(pass_over(test::grid(3), options),
-                       doctest::Contains("--method static needs a closed mesh"), UsageError);
+                       doctest::Contains("the static test needs a closed mesh"), UsageError);
   Mesh rooms = test::cuboid({0, 0, 0}, {2, 1, 1});
   rooms.positions.insert(rooms.positions.end(), {{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}});
   rooms.faces.insert(rooms.faces.end(), {{8, 9, 10}, {8, 10, 11}});

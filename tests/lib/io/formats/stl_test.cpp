@@ -35,8 +35,9 @@ TEST_CASE("stl: binary by hand and back; nothing is joined") {
   CHECK(mesh.face_columns.columns.empty());
   CHECK(result.document.style.coordinate == Scalar::float32);
   CHECK(result.document.style.comments == std::vector<std::string>{"made by hand"});
-  CHECK(result.notes == std::vector<std::string>{"stl: 2 faces read as a soup of separate "
-                                                 "triangles; tm-stitch joins them"});
+  CHECK(result.notes ==
+        std::vector<std::string>{"stl: 2 faces read as a soup of separate triangles"});
+  CHECK(result.soup_note == 0);
   CHECK(write_mesh(result.document).bytes == file.str());
 }
 

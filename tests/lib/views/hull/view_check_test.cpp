@@ -125,7 +125,7 @@ TEST_CASE("silhouettes shifted by one") {
 TEST_CASE("a world that is left-handed, and cameras that look along -z") {
   std::vector<View> views = right_views();
   for (View& view : views) view.camera = view.camera.mirrored();
-  CHECK(has(problem_of(views), "--mirror"));
+  CHECK(has(problem_of(views), "behind every camera"));
   for (View& view : views) view.camera = view.camera.mirrored();
   CHECK(problem_of(views).empty());
   for (View& view : views) {

@@ -1,0 +1,59 @@
+/// Kinds of errors and warnings. A caller chooses the remedy by the kind.
+#pragma once
+
+namespace transformesh {
+
+/// The problem, in terms of the mesh that a function was given.
+enum class ErrorKind {
+  other,                ///< a problem without a special remedy
+  not_closed,           ///< the mesh has borders
+  not_joined,           ///< border edges coincide: the mesh is a soup of triangles
+  not_oriented,         ///< faces run along a common edge in the same direction
+  not_orientable,       ///< no reversal of faces orients the mesh
+  overlapping_sheets,   ///< only splitting coincident sheets orients the mesh
+  one_sided,            ///< the surface has one side only, like a Moebius strip
+  not_manifold,         ///< the mesh is not an oriented manifold
+  inside_out,           ///< faces are oriented inwards
+  double_sided,         ///< most faces of a solid have a coincident reverse
+  double_sided_sheet,   ///< most faces of an open sheet have a coincident reverse
+  canceling_faces,      ///< all faces have a coincident reverse
+  no_area,              ///< no face has an area
+  no_positive_winding,  ///< no point has a positive winding number
+  no_such_level,        ///< no point has a winding number that reaches the level
+  component_too_small,  ///< every component is smaller than the shortest edge
+  surface_vanished,     ///< the surface of an evolution shrinks to nothing
+  thinner_than_rounding,
+  float_rounding_failed,     ///< faces intersect when coordinates are rounded to float
+  double_rounding_failed,    ///< faces intersect when coordinates are rounded to double
+  coordinates_too_large,     ///< intersections are beyond the range of coordinates
+  needs_cleaning,            ///< the mesh would change, which the caller refuses
+  box_in_open_mesh,          ///< only a closed mesh can be cleaned in a box
+  static_test_of_open_mesh,  ///< winding numbers are integers in closed meshes only
+  decimation_stuck,          ///< no further edge can be collapsed
+  meets_keep_out,            ///< the mesh intersects the surface to keep out of
+  bad_reference_edge,        ///< the comment of a mesh holds no positive length
+  unknown_format,            ///< the bytes are in no known mesh format
+  no_segments,               ///< a file holds no line segments
+  no_color_property,         ///< a range of colors is given without a property
+  texture_too_small,         ///< the charts do not fit in the texture
+  target_open,               ///< the target has borders
+  target_intersects_itself,  ///< the target has self-intersections
+  target_not_solid,          ///< the target is open, not manifold, or intersects itself
+  source_apart,              ///< the source does not overlap all of the target
+  edges_too_long,            ///< edges are too long for the target
+  uniform_edges_too_long,    ///< edges are too long at narrow places and have one length
+  surface_explodes,          ///< the surface of a reconstruction explodes
+  outside_hull,              ///< the mesh is outside of the visual hull
+  scene_behind_cameras,      ///< the coordinate system of the cameras is left-handed
+  views_disagree,            ///< many silhouettes do not fit the visual hull
+  few_views_disagree,        ///< a few silhouettes do not fit the visual hull
+  bad_state,                 ///< the state of a run cannot be continued
+  other_settings,            ///< the state is of a run with other settings
+  interrupted_run,           ///< a new run would overwrite the state of an interrupted one
+  not_a_run                  ///< a folder does not hold a run
+};
+
+/// Returns the name of the enumerator, such as "not_oriented".
+const char* name_of(ErrorKind kind);
+
+}  // namespace transformesh

@@ -1,0 +1,20 @@
+/// Remedies for the library's problems, in terms of Python functions and arguments.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "transformesh/errors.h"
+
+namespace transformesh::python {
+
+/// Returns the remedy for problems of that kind; empty if there is none.
+const char* advice_for(ErrorKind kind);
+
+/// Returns "sentence; remedy", or the sentence if there is no remedy.
+std::string with_advice(const Problem& problem);
+
+/// Returns the lines of with_advice().
+std::vector<std::string> with_advice(const std::vector<Problem>& problems);
+
+}  // namespace transformesh::python
