@@ -30,6 +30,17 @@ Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
           {.counts = {reverses, mesh.faces.size()}}};
 }
 
+[[noreturn]] void refuse_changes(const CleanResult& result) {
+  const bool only_joins =
+      result.pairs == 0 && result.removed_faces == 0 && result.copied_vertices == 0;
+  throw GoalError(ErrorKind::needs_cleaning,
+                  "the mesh needs cleaning (" + std::to_string(result.pairs) +
+                      " intersecting face pairs, " + std::to_string(result.removed_faces) +
+                      " faces to remove, " + std::to_string(result.copied_vertices) +
+                      " vertices to duplicate" + (only_joins ? ", but vertices to join)" : ")"),
+                  {.counts = {result.pairs, result.removed_faces, result.copied_vertices}});
+}
+
 CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
   CleanPass pass = run_clean_pass(mesh, {options.level, options.method, true}, progress);
@@ -69,16 +80,7 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
     result.changed |= result.dropped_components > 0;
     if (result.dropped_components > 0) result.connectivity.reset();
   }
-  if (options.refuse && result.changed) {
-    const bool only_joins =
-        result.pairs == 0 && result.removed_faces == 0 && result.copied_vertices == 0;
-    throw GoalError(ErrorKind::needs_cleaning,
-                    "the mesh needs cleaning (" + std::to_string(result.pairs) +
-                        " intersecting face pairs, " + std::to_string(result.removed_faces) +
-                        " faces to remove, " + std::to_string(result.copied_vertices) +
-                        " vertices to duplicate" + (only_joins ? ", but vertices to join)" : ")"),
-                    {.counts = {result.pairs, result.removed_faces, result.copied_vertices}});
-  }
+  if (options.refuse && result.changed) refuse_changes(result);
   return result;
 }
 
