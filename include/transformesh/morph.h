@@ -1,10 +1,9 @@
 /// Evolves a surface until it lies on a target (paper 5.2): morph_step(), clean() and remesh(),
 /// repeatedly. The surface merges and splits, and finds the components of the target it overlaps.
 ///
-/// Converged: movements are at most half the clamp, or nothing improves, and points all over mesh
-/// and target are near the other and the topology is equal. Stalled: nothing improves, and they
-/// differ. Then the mesh is aligned with sharp edges of the target, and cleaned. Columns are
-/// carried. Deterministic for any number of threads.
+/// The morph has converged if nothing improves, and mesh and target are near each other all over
+/// and have the same topology; else it has stalled. Then the mesh is aligned with sharp edges of
+/// the target, and cleaned. Columns are carried. Deterministic for any number of threads.
 #pragma once
 
 #include <functional>
@@ -36,7 +35,7 @@ struct MorphResult {
   std::optional<Topology> expected;  ///< topology of the target without cavities, if known
   std::size_t left_out = 0;          ///< components of the target that are cavities or inside them
   MorphStepResult distances;         ///< distances of the result
-  std::string fault;  ///< disagreement of result and target; empty if there is none
+  std::string fault;                 ///< disagreement of result and target; empty if there is none
   std::optional<double> to_target, from_target;  ///< Hausdorff distances, to a target with faces
   Problem cause;                                 ///< what causes `fault`
   std::size_t aligned = 0;                       ///< vertices on the target's sharp edges
