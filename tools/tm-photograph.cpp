@@ -3,7 +3,7 @@
 
 #include "frame/run.h"
 #include "photograph_files.h"
-#include "picture/spelling.h"
+#include "picture/parse_picture_options.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"

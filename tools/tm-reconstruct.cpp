@@ -1,5 +1,5 @@
 /// tm-reconstruct: from calibrated photographs to a closed, clean mesh, from coarse to fine (paper
-/// 5.3), or to one for each time step of a film.
+/// 5.3), or to one for each time step of a movie.
 #include "evolution/loop/record.h"
 #include "evolution/loop/run_views.h"
 #include "evolution/recorded_loops.h"
@@ -15,7 +15,7 @@ namespace {
 using namespace transformesh;
 
 // The mesh given, or none, with the comments that the result will have.
-Document beginning(const std::string& start, tool::Run& run) {
+Document initial_state(const std::string& start, tool::Run& run) {
   Document document;
   if (!start.empty()) document = run.read(start);
   run.stamp(document);
@@ -29,14 +29,14 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   if (record.resumed()) {
     run.continue_from(record.resumed()->document);
   } else {
-    document = beginning(choices.options.start.name, run);
+    document = initial_state(choices.options.initial.name, run);
   }
   run.progress()("read views");
   std::vector<View> views = tool::checked_views(choices.sources, choices, run);
-  tool::begin_run(choices.loop, record, options.start.is_given ? &document : nullptr, run,
+  tool::begin_run(choices.loop, record, options.initial.is_given ? &document : nullptr, run,
                   run_files_of(views));
   options.spends_views = true;
-  options.on_pass = [&run](const std::string& text) { run.progress_line(text); };
+  options.on_sweep = [&run](const std::string& text) { run.progress_line(text); };
   ReconstructionResult result;
   tool::evolve_or_keep(run, record, "pass", [&] {
     result = reconstruct(document, views, options, record, run.progress());
@@ -57,18 +57,18 @@ std::vector<TimeStep> time_steps_of(const std::string& sequence) {
   }
 }
 
-void reconstruct_film(const tool::ReconstructChoices& choices,
-                      const ReconstructionOptions& reconstruction, tool::Run& run) {
+void reconstruct_movie(const tool::ReconstructChoices& choices,
+                       const ReconstructionOptions& reconstruction, tool::Run& run) {
   SequenceOptions options = tool::sequence_of(choices, reconstruction, run);
   const std::vector<TimeStep> steps = time_steps_of(choices.sequence);
   Record record = tool::open_record(choices.loop, 1, run, options.states);
   const std::string& folder = choices.loop.run;
   if (folder.empty()) run.write_nothing();
 
-  options.comments = beginning("", run).style.comments;
+  options.comments = initial_state("", run).style.comments;
   Document& document = run.document();
-  if (!record.resumed()) document = beginning(choices.options.start.name, run);
-  tool::begin_run(choices.loop, record, reconstruction.start.is_given ? &document : nullptr, run);
+  if (!record.resumed()) document = initial_state(choices.options.initial.name, run);
+  tool::begin_run(choices.loop, record, reconstruction.initial.is_given ? &document : nullptr, run);
   const auto views_of = [&](const TimeStep& step) {
     std::vector<View> views =
         tool::checked_views(tool::sources_of(choices.sources, step), choices, run);
@@ -96,6 +96,6 @@ int main(int argc, char** argv) {
     tool::give_large_blocks_back();
     const ReconstructionOptions options = tool::reconstruction_of(choices, run);
     choices.sequence.empty() ? reconstruct_one(choices, options, run)
-                             : reconstruct_film(choices, options, run);
+                             : reconstruct_movie(choices, options, run);
   });
 }

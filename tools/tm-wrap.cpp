@@ -12,7 +12,7 @@
 #include "transformesh/errors.h"
 #include "transformesh/wrap.h"
 #include "views/wrap/outliers.h"
-#include "views/wrap/unit_scale.h"
+#include "views/wrap/scale_normalization.h"
 
 namespace {
 

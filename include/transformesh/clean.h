@@ -1,6 +1,7 @@
-/// TransforMesh (paper 3): the boundary of { p : w(p) >= level } of a closed oriented mesh, w being
-/// the winding number, as a closed 2-manifold that is oriented outwards. At level 1 this removes
-/// every self-intersection, inverted region and overlap; surfaces merge, split, open and close.
+/// TransforMesh (paper 3): the boundary of { p : w(p) >= winding level } of a closed oriented mesh,
+/// w being the winding number, as a closed 2-manifold that is oriented outwards. At winding level 1
+/// this removes every self-intersection, inverted region and overlap; surfaces merge, split, open
+/// and close.
 ///
 /// Guarantees: every output face is an input face or a piece of one. Faces without intersection
 /// keep their coordinates (unless they are extreme), columns and order. A manifold with nothing to
@@ -9,9 +10,9 @@
 /// without area. Exact; deterministic for any number of threads. Borders stay (paper 4.6).
 ///
 /// Throws InputError (not oriented: faces are left over along an edge that is no border),
-/// UsageError (static_test on an open mesh), GoalError (nothing has w >= level; rounding could not
-/// be repaired; `refuse` is set and there is something to change). Cost: O(n log n + k log k) for k
-/// intersecting pairs on usual meshes; about 250 bytes a face.
+/// UsageError (static_test on an open mesh), GoalError (nothing has w >= winding level; rounding
+/// could not be repaired; `refuse` is set and there is something to change). Cost: O(n log n + k
+/// log k) for k intersecting pairs on usual meshes; about 250 bytes a face.
 #pragma once
 
 #include <optional>
@@ -28,7 +29,7 @@ enum class ExteriorMethod { grow, static_test };
 
 struct CleanOptions {
   ExteriorMethod method = ExteriorMethod::grow;
-  int level = 1;                        ///< 1 is the union, 2 the intersection of two operands
+  int winding_level = 1;                ///< 1 is the union, 2 the intersection of two operands
   bool outermost = false;               ///< drop cavities, and components inside them
   bool refuse = false;                  ///< throw rather than change anything
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written

@@ -21,7 +21,8 @@ enum class SilhouetteMeaning { exact, least };
 
 /// How a silhouette is found in a photograph of a bright object before a dark background.
 struct ThresholdOptions {
-  std::optional<double> level = std::nullopt;  ///< least intensity of the object; default: Otsu's
+  std::optional<double> intensity =
+      std::nullopt;     ///< least intensity of the object; default: Otsu's
   double blur = 1.5;    ///< deviation of a Gaussian that is applied before, pixels; >= 0
   double close = 0.01;  ///< radius of the closing, as a fraction of the larger image side; [0, 1]
 };

@@ -26,7 +26,7 @@ struct DoubtfulPlace {
 };
 
 struct ReconstructionResult {
-  std::size_t passes = 0;  ///< sweeps, with those of earlier runs
+  std::size_t sweeps = 0;  ///< sweeps, with those of earlier runs
   std::string fault;       ///< why the result is not converged; empty if it is
   Topology topology;
   std::size_t crumbs = 0;   ///< components that were dropped at the end

@@ -11,12 +11,12 @@
 namespace transformesh {
 
 /// The surface to begin with.
-struct StartOptions {
+struct InitialMeshOptions {
   bool is_given = false;      ///< begin with the document's mesh instead of the visual hull
   std::string name = {};      ///< of the given mesh, in messages
   bool clips_by_hull = true;  ///< intersect the given mesh with the hull of exact silhouettes
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
-  /// For views without silhouettes. Default: Otsu's level, or no silhouettes if a mesh is given.
+  /// For views without silhouettes. Default: Otsu's scale, or no silhouettes if a mesh is given.
   std::optional<ThresholdOptions> threshold = std::nullopt;
   double keep = 1;               ///< HullOptions::keep
   bool opens_hollows = true;     ///< open the hull by depth maps
@@ -40,12 +40,12 @@ struct WindowRadii {
 };
 
 struct ReconstructionOptions {
-  StartOptions start;
+  InitialMeshOptions start;
   ScaleOptions scales;
   PairOptions pairs;
   WindowRadii windows;
   std::optional<int> iterations = std::nullopt;  ///< steps of a sweep; default: 5, opened hull: 8
-  std::size_t passes = 4;  ///< sweeps at a scale, at most; twice while the topology changes
+  std::size_t sweeps = 4;  ///< sweeps at a scale, at most; twice while the topology changes
   std::optional<double> pull = std::nullopt;  ///< of silhouettes; default: 0.5, far views: 1.5
   double momentum = 0.7;      ///< fraction of the last movement that a step adds; [0, 1)
   PhotoStepOptions step;      ///< of which stiffness, damping and alpha are used
@@ -54,7 +54,7 @@ struct ReconstructionOptions {
   double crumbs = 0.001;      ///< drop components below this fraction of the largest volume; [0, 1]
   double handles = 5;         ///< remove handles of this length in last edges; 0: none
   /// Called with a line after each sweep, with what went wrong, and with details.
-  std::function<void(const std::string&message)> on_pass = {}, on_note = {}, on_detail = {};
+  std::function<void(const std::string&message)> on_sweep = {}, on_note = {}, on_detail = {};
 };
 
 }  // namespace transformesh

@@ -4,12 +4,12 @@
 #include <string>
 
 #include "clean/box/box_submesh.h"
-#include "clean/box/put_in_place.h"
+#include "clean/box/replace_faces.h"
 #include "clean/exterior/exterior_arrangement.h"
 #include "clean/intersect/find_meetings.h"
 #include "clean/rounding/snap_rounding.h"
 #include "clean/stitch/assemble.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -106,7 +106,7 @@ std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
   around.faces = FarFaces(mesh_, is_in_part_, reach.minimum, reach.maximum);
 
   const ExteriorArrangement exterior =
-      arrange_exterior(welded_, meetings_, options_.level, progress_, &around);
+      arrange_exterior(welded_, meetings_, options_.winding_level, progress_, &around);
   counts.rays = exterior.rays;
   const std::vector<char> kept(exterior.arrangement.pieces.size(), 1);
   progress_("stitch");
@@ -130,7 +130,7 @@ CleanedFaces clean_whole(const Mesh& mesh, const CleanBoxOptions& options, Clean
   Column& column = numbered.face_columns.get(source_name, Scalar::uint32, mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
   CleanOptions how;
-  how.level = options.level;
+  how.winding_level = options.winding_level;
   how.coordinate = options.coordinate;
   counts = clean(numbered, how, progress);
   CleanedFaces cleaned{std::move(counts.mesh), {}};
@@ -234,7 +234,7 @@ CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
     if (!cleaned) cleaned = clean_whole(mesh, options, counts, progress);
     count_faces(mesh, is_own, *cleaned, counts);
     finish_counts(options, counts);
-    if (counts.changed) counts.mesh = put_in_place(mesh, is_own, *cleaned);
+    if (counts.changed) counts.mesh = replace_faces(mesh, is_own, *cleaned);
   }
   if (!counts.changed) counts.mesh = mesh;
   drop_stale_columns(counts);

@@ -1,5 +1,6 @@
 /// Whether a mesh agrees with the target of a morph (paper 5.2) all over, and not merely at its
-/// vertices: a bridge over a gap, or a film across a hole, may have all its vertices on the target.
+/// vertices: a bridge over a gap, or a thin sheet across a hole, may have all its vertices on the
+/// target.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace transformesh {
 /// The part of a target that a morph has to reach: the target without its cavities, which a surface
 /// that evolves does not keep, and without components that float in them.
 struct MorphGoal {
-  /// Nothing for points, and for what is open, not manifold, or crosses itself.
+  /// Nothing for points, and for what is open, not manifold, or intersects itself.
   std::optional<Topology> topology;
   std::size_t left_out = 0;             ///< components of the target, 0 where there is no topology
   std::optional<Target> without_those;  ///< if there are any

@@ -17,7 +17,7 @@
 #include "step/local_thickness.h"
 #include "step/morph_step_query.h"
 #include "step/target_query.h"
-#include "support/nothing_left.h"
+#include "support/empty_result_error.h"
 #include "support/number.h"
 #include "transformesh/align_features.h"
 #include "transformesh/errors.h"
@@ -50,9 +50,9 @@ class MorphingLoop : public Loop {
   bool is_done() const override { return result_.stop != MorphStop::iteration_limit; }
   void finish(Document& document, const Progress& progress) override;
 
-  void remember(Memory& memory) override {
-    rule_.remember(memory);
-    memory("stop", result_.stop);
+  void remember(LoopState& loop_state) override {
+    rule_.remember(loop_state);
+    loop_state("stop", result_.stop);
   }
   void measure(CsvRow& row) const override;
   std::string message() const override;

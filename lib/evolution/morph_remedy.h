@@ -5,7 +5,7 @@
 #include <string>
 
 #include "step/target_query.h"
-#include "support/nothing_left.h"
+#include "support/empty_result_error.h"
 #include "transformesh/errors.h"
 #include "transformesh/morph.h"
 
@@ -17,7 +17,7 @@ struct Mismatch {
   double distance = 0;            ///< how far; input units
   double longest_edge = 0;        ///< of the mesh
   bool is_of_topology = false;    ///< components or genus differ
-  bool has_clean_target = true;   ///< a closed manifold that does not cross itself
+  bool has_clean_target = true;   ///< a closed manifold that does not intersect itself
   bool has_uniform_edges = true;  ///< edges are not shorter at narrow places of the target
 };
 

@@ -4,18 +4,18 @@
 #include <limits>
 
 #include "evolution/loop/csv_row.h"
+#include "evolution/loop/image_scales.h"
 #include "evolution/loop/iteration_text.h"
 #include "evolution/loop/loop.h"
 #include "evolution/loop/record.h"
-#include "evolution/loop/scales.h"
 #include "evolution/loop/stages.h"
 #include "evolution/loop/stopwatch.h"
-#include "evolution/reconstruction/beginning.h"
 #include "evolution/reconstruction/convergence.h"
-#include "evolution/reconstruction/level_rule.h"
-#include "evolution/reconstruction/pass_rules.h"
-#include "evolution/reconstruction/start.h"
+#include "evolution/reconstruction/initial_mesh.h"
+#include "evolution/reconstruction/initial_state.h"
+#include "evolution/reconstruction/scale_rule.h"
 #include "evolution/reconstruction/surface_doubt.h"
+#include "evolution/reconstruction/sweep_rules.h"
 #include "evolution/recorded_loops.h"
 #include "io/document/round_as_written.h"
 #include "support/counted.h"
@@ -45,11 +45,11 @@ constexpr double stiffer_scale = 1.99;
 class Photographs {
  public:
   Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
-              const Beginning& beginning);
+              const InitialState& initial_state);
 
   /// The surface is so many times as stiff as the options say.
-  PhotoStepsResult pass(Mesh& mesh, double scale, double loss, double stiffness,
-                        const Progress& progress);
+  PhotoStepsResult sweep(Mesh& mesh, double scale, double loss, double stiffness,
+                         const Progress& progress);
   /// One step in which nothing moves; of pairs in one order, or in both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
   SurfaceDoubt doubt(const Mesh& mesh, double scale, const Progress& progress);
@@ -79,7 +79,7 @@ class Photographs {
 };
 
 Photographs::Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
-                         const Beginning& beginning)
+                         const InitialState& initial_state)
     : views_(views),
       width_(width),
       spends_views_(options.spends_views),
@@ -87,12 +87,12 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       near_pairs_(options.pairs),
       steps_{.step = options.step},
       pull_(options.pull),
-      are_outlines_(beginning.outlined.has_value()),
+      are_outlines_(initial_state.outlined.has_value()),
       windows_(options.windows) {
   near_pairs_.spread = near_spread;
-  steps_.iterations = options.iterations.value_or(beginning.coarsest ? 8 : 5);
+  steps_.iterations = options.iterations.value_or(initial_state.coarsest ? 8 : 5);
   steps_.momentum = options.momentum;
-  steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.start.meaning;
+  steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.initial.meaning;
 }
 
 const PhotoScene& Photographs::at(double scale) {
@@ -114,8 +114,8 @@ PhotoStepsOptions Photographs::steps_at(double scale) {
   return options;
 }
 
-PhotoStepsResult Photographs::pass(Mesh& mesh, double scale, double loss, double stiffness,
-                                   const Progress& progress) {
+PhotoStepsResult Photographs::sweep(Mesh& mesh, double scale, double loss, double stiffness,
+                                    const Progress& progress) {
   PhotoStepsOptions options = steps_at(scale);
   options.alternate = true;
   options.step.photographs.correlation.robust = loss;
@@ -145,7 +145,7 @@ double Photographs::agreement(const Mesh& mesh) {
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
     if (scene.distances[v].empty()) continue;
     GrayImage silhouette = scene.distances[v];
-    for (float& level : silhouette.pixels) level = level < 0 ? 255.0F : 0.0F;
+    for (float& intensity : silhouette.pixels) intensity = intensity < 0 ? 255.0F : 0.0F;
     sum += silhouette_agreement(mesh_silhouette(mesh, scene.views[v]), silhouette);
     ++count;
   }
@@ -153,30 +153,30 @@ double Photographs::agreement(const Mesh& mesh) {
   return are_exact && count > 0 ? sum / static_cast<double>(count) : 1;
 }
 
-ScaleOptions scales_of(const ReconstructionOptions& options, const Beginning& beginning) {
+ScaleOptions scales_of(const ReconstructionOptions& options, const InitialState& initial_state) {
   ScaleOptions scales = options.scales;
-  if (beginning.coarsest) scales.largest = std::min(scales.largest, *beginning.coarsest);
+  if (initial_state.coarsest) scales.largest = std::min(scales.largest, *initial_state.coarsest);
   return scales;
 }
 
 class ReconstructionLoop : public Loop {
  public:
-  ReconstructionLoop(Photographs& photographs, const Beginning& beginning,
+  ReconstructionLoop(Photographs& photographs, const InitialState& initial_state,
                      const ReconstructionOptions& options)
       : photographs_(photographs),
-        start_(beginning.start),
+        initial_(initial_state.document),
         options_(options),
-        levels_(coarse_to_fine(scales_of(options, beginning), photographs.width(),
-                               photographs.pixel())),
-        rule_(options.passes) {}
+        scale_steps_(coarse_to_fine(scales_of(options, initial_state), photographs.width(),
+                                    photographs.pixel())),
+        rule_(options.sweeps) {}
 
   std::string noun() const override { return "pass"; }
   void start(Document& document, const Progress& progress) override;
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
-  bool is_done() const override { return level_ == levels_.size(); }
+  bool is_done() const override { return scale_step_ == scale_steps_.size(); }
   void finish(Document& document, const Progress& progress) override;
 
-  void remember(Memory& memory) override;
+  void remember(LoopState& loop_state) override;
   void measure(CsvRow& row) const override;
   std::string message() const override;
 
@@ -189,64 +189,65 @@ class ReconstructionLoop : public Loop {
   bool drops_handles(Document& document, const Progress& progress);
   void drop_crumbs(Document& document);
   void begin_finer(Document& document, const Progress& progress);
-  bool takes_pass(Document& document, const Progress& progress);
-  void take_pass(Document& document, const Progress& progress);
+  bool takes_sweep(Document& document, const Progress& progress);
+  void take_sweep(Document& document, const Progress& progress);
   bool begin_robust();
-  void begin_next_level(Document& document, const Progress& progress);
+  void begin_next_scale(Document& document, const Progress& progress);
   std::size_t pixels_compared(const Document& document, const Progress& progress) const {
-    return photographs_.look(document.mesh, pass_.level.scale, true, progress).pixels;
+    return photographs_.look(document.mesh, sweep_.scale_step.scale, true, progress).pixels;
   }
 
   Photographs& photographs_;
-  const Document& start_;
+  const Document& initial_;
   const ReconstructionOptions& options_;
-  std::vector<Level> levels_;
+  std::vector<ScaleStep> scale_steps_;
 
-  // What is remembered from pass to pass.
-  std::size_t first_ = 0;  ///< level with which it began
-  std::size_t level_ = 0;  ///< of the next pass
-  LevelRule rule_;
+  // What is remembered from sweep to sweep.
+  std::size_t first_ = 0;       ///< scale with which it began
+  std::size_t scale_step_ = 0;  ///< of the next sweep
+  ScaleRule rule_;
   ReconstructionFaults faults_;
   double loss_ = 0;
   double stiffness_ = 1;     ///< times that of the options
   std::size_t handles_ = 0;  ///< that went
 
-  Pass pass_;  ///< the last one
+  Sweep sweep_;  ///< the last one
   ReconstructionResult result_;
 };
 
 void ReconstructionLoop::start(Document& document, const Progress& progress) {
-  document = start_;
+  document = initial_;
   document.mesh.vertex_columns.erase(doubt_column);
-  coarsen(document, levels_[level_].edge, progress);
+  coarsen(document, scale_steps_[scale_step_].edge, progress);
 }
 
 // Where nothing was done yet but at the first scale, and nobody asked for that one.
 bool ReconstructionLoop::may_begin_finer() const {
-  return !options_.scales.coarsest && level_ == first_ && level_ + 1 < levels_.size();
+  return !options_.scales.coarsest && scale_step_ == first_ &&
+         scale_step_ + 1 < scale_steps_.size();
 }
 
 void ReconstructionLoop::begin_finer(Document& document, const Progress& progress) {
   if (options_.on_detail)
-    options_.on_detail("scale " + fixed(pass_.level.scale, 4) +
+    options_.on_detail("scale " + fixed(sweep_.scale_step.scale, 4) +
                        " is too coarse for this surface: beginning anew at the next");
-  level_ = ++first_;
+  scale_step_ = ++first_;
   faults_.lost_at = 0;
   rule_.begin();
   start(document, progress);
 }
 
-// Where the last pass made the surface explode.
+// Where the last sweep made the surface explode.
 bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
-  if (!is_exploded(pass_, connected_components(start_.mesh).components.size())) return false;
-  const std::string what = "the surface explodes at scale " + fixed(pass_.level.scale, 4);
-  if (pass_.level.scale < stiffer_scale || stiffness_ >= most_stiffness)
+  if (!is_exploded(sweep_, connected_components(initial_.mesh).components.size())) return false;
+  const std::string what = "the surface explodes at scale " + fixed(sweep_.scale_step.scale, 4);
+  if (sweep_.scale_step.scale < stiffer_scale || stiffness_ >= most_stiffness)
     throw GoalError(ErrorKind::surface_explodes,
                     what + ": photographs, cameras and masks may not belong together");
   stiffness_ *= stiffer;
   if (options_.on_note)
     options_.on_note(what + ": beginning anew, " + fixed(stiffness_, 0) + " times as stiff");
-  level_ = first_;
+  scale_step_ = first_;
   faults_ = {};
   rule_.begin();
   start(document, progress);
@@ -256,7 +257,8 @@ bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& prog
 // Whether there were any; then the mesh is to be cleaned again.
 bool ReconstructionLoop::drops_handles(Document& document, const Progress& progress) {
   if (options_.handles == 0) return false;
-  const HandleOptions options{options_.handles * levels_.back().edge, document.style.coordinate};
+  const HandleOptions options{options_.handles * scale_steps_.back().edge,
+                              document.style.coordinate};
   const std::size_t removed = remove_handles(document.mesh, options, progress).removed;
   handles_ += removed;
   return removed > 0;
@@ -278,30 +280,31 @@ void ReconstructionLoop::drop_crumbs(Document& document) {
   result_.topology = {kept.components.size(), kept.genus()};
 }
 
-void ReconstructionLoop::take_pass(Document& document, const Progress& progress) {
+void ReconstructionLoop::take_sweep(Document& document, const Progress& progress) {
   Stopwatch watch;
-  IterationResult& mesh = pass_.mesh;
-  pass_.level = levels_[level_];
-  remesh_to(document, pass_.level.edge, 2, progress);
+  IterationResult& mesh = sweep_.mesh;
+  sweep_.scale_step = scale_steps_[scale_step_];
+  remesh_to(document, sweep_.scale_step.edge, 2, progress);
   mesh.seconds_remesh = watch.lap();
 
   mesh.vertices = document.mesh.positions.size();
-  pass_.steps = photographs_.pass(document.mesh, pass_.level.scale, loss_, stiffness_, progress);
+  sweep_.steps =
+      photographs_.sweep(document.mesh, sweep_.scale_step.scale, loss_, stiffness_, progress);
   round_as_written(document);
   mesh.seconds_step = watch.lap();
 
   const CleanedTopology cleaned = clean_in_place(document, progress);
   mesh.pairs = cleaned.pairs;
   mesh.topology = cleaned.topology;
-  if (is_late_scale(pass_.level.scale) && drops_handles(document, progress))
+  if (is_late_scale(sweep_.scale_step.scale) && drops_handles(document, progress))
     mesh.topology = clean_in_place(document, progress).topology;
   mesh.faces = document.mesh.faces.size();
   mesh.seconds_clean = watch.lap();
 }
 
-bool ReconstructionLoop::takes_pass(Document& document, const Progress& progress) {
+bool ReconstructionLoop::takes_sweep(Document& document, const Progress& progress) {
   try {
-    take_pass(document, progress);
+    take_sweep(document, progress);
     return true;
   } catch (const CancelledError&) {
     throw;
@@ -313,30 +316,31 @@ bool ReconstructionLoop::takes_pass(Document& document, const Progress& progress
 
 void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
                                  const Progress& progress) {
-  while (!takes_pass(document, progress)) begin_finer(document, progress);
+  while (!takes_sweep(document, progress)) begin_finer(document, progress);
   if (begins_stiffer(document, progress)) return;
-  const PassVerdict verdict = rule_.add(pass_);
+  const SweepVerdict verdict = rule_.add(sweep_);
   faults_.is_at_rest = verdict.is_at_rest;
-  if (verdict.is_late && level_ > first_) faults_.late_at = pass_.level.scale;
+  if (verdict.is_late && scale_step_ > first_) faults_.late_at = sweep_.scale_step.scale;
   if (!verdict.is_done) return;
-  if (verdict.is_lost) faults_.lost_at = pass_.level.scale;
-  if (!begin_robust()) begin_next_level(document, progress);
+  if (verdict.is_lost) faults_.lost_at = sweep_.scale_step.scale;
+  if (!begin_robust()) begin_next_scale(document, progress);
 }
 
-// Some more passes of the last level, once. Before, windows that disagree are needed, as they show
+// Some more sweeps of the last scale, once. Before, windows that disagree are needed, as they show
 // where the surface is still far off.
 bool ReconstructionLoop::begin_robust() {
-  if (level_ + 1 < levels_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
+  if (scale_step_ + 1 < scale_steps_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
   loss_ = robust_loss(options_.robust, rule_.dissimilarity());
   if (loss_ > 0) rule_.begin();
   return loss_ > 0;
 }
 
-void ReconstructionLoop::begin_next_level(Document& document, const Progress& progress) {
+void ReconstructionLoop::begin_next_scale(Document& document, const Progress& progress) {
   const bool was_first = may_begin_finer();
-  ++level_;
+  ++scale_step_;
   rule_.begin();
-  if (was_first && is_torn(pixels_compared(start_, progress), pixels_compared(document, progress)))
+  if (was_first &&
+      is_torn(pixels_compared(initial_, progress), pixels_compared(document, progress)))
     begin_finer(document, progress);
 }
 
@@ -348,13 +352,13 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   drop_crumbs(document);
   result_.pixel = photographs_.pixel();
   result_.faces = document.mesh.faces.size();
-  result_.first = photographs_.look(start_.mesh, 1, false, progress);
+  result_.first = photographs_.look(initial_.mesh, 1, false, progress);
   result_.last = photographs_.look(document.mesh, 1, false, progress);
   judge(document, progress);
 }
 
 void ReconstructionLoop::judge(Document& document, const Progress& progress) {
-  SurfaceEvidence evidence{photographs_.agreement(start_.mesh),
+  SurfaceEvidence evidence{photographs_.agreement(initial_.mesh),
                            photographs_.agreement(document.mesh),
                            photographs_.doubt(document.mesh, 1, progress)};
   result_.fault = faults_.in_words(evidence);
@@ -367,16 +371,16 @@ void ReconstructionLoop::judge(Document& document, const Progress& progress) {
   result_.doubtful_places = std::move(evidence.doubt.places);
 }
 
-void ReconstructionLoop::remember(Memory& memory) {
-  rule_.remember(memory);
-  faults_.remember(memory);
-  memory("first", first_)("level", level_)("loss", loss_)("stiffness", stiffness_);
-  memory("handles", handles_);
+void ReconstructionLoop::remember(LoopState& loop_state) {
+  rule_.remember(loop_state);
+  faults_.remember(loop_state);
+  loop_state("first", first_)("level", scale_step_)("loss", loss_)("stiffness", stiffness_);
+  loop_state("handles", handles_);
 }
 
 void ReconstructionLoop::measure(CsvRow& row) const {
-  const auto& [level, mesh, steps] = pass_;
-  row.share("scale", level.scale).number("edge", level.edge, 9);
+  const auto& [scale_step, mesh, steps] = sweep_;
+  row.share("scale", scale_step.scale).number("edge", scale_step.edge, 9);
   measure_mesh(mesh, row);
   row.share("dissimilarity", steps.last.dissimilarity, 6).count("pixels", steps.last.pixels);
   row.share("coverage", steps.last.coverage).share("mean_share", steps.last.mean_share, 5);
@@ -386,9 +390,9 @@ void ReconstructionLoop::measure(CsvRow& row) const {
 }
 
 std::string ReconstructionLoop::message() const {
-  return ", scale " + fixed(pass_.level.scale, 2) + ": " +
-         in_words(pass_.mesh.faces, pass_.mesh.topology) + ", dissimilarity " +
-         fixed(pass_.steps.last.dissimilarity, 4);
+  return ", scale " + fixed(sweep_.scale_step.scale, 2) + ": " +
+         in_words(sweep_.mesh.faces, sweep_.mesh.topology) + ", dissimilarity " +
+         fixed(sweep_.steps.last.dissimilarity, 4);
 }
 
 }  // namespace
@@ -396,21 +400,21 @@ std::string ReconstructionLoop::message() const {
 ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress) {
-  const Beginning beginning =
+  const InitialState initial_state =
       record.resumed()
-          ? found_beginning(record)
-          : begin_reconstruction(document, views, {options.start, options.pairs}, record, progress);
-  if (beginning.coarsest && options.on_detail)
+          ? read_initial_state(record)
+          : make_initial_state(document, views, {options.initial, options.pairs}, record, progress);
+  if (initial_state.coarsest && options.on_detail)
     options.on_detail("photographs see into hollows of the hull: beginning with them open");
-  if (beginning.outlined) outline(views, *beginning.outlined);
+  if (initial_state.outlined) outline(views, *initial_state.outlined);
   const int width = views.front().image.width;
-  if (options.spends_views) crop_views(views, beginning.start.mesh);
-  Photographs photographs(views, width, options, beginning);
-  ReconstructionLoop loop(photographs, beginning, options);
-  const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_pass};
+  if (options.spends_views) crop_views(views, initial_state.document.mesh);
+  Photographs photographs(views, width, options, initial_state);
+  ReconstructionLoop loop(photographs, initial_state, options);
+  const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_sweep};
   run_loop(loop, document, unlimited, record, progress);
   ReconstructionResult result = loop.result();
-  result.passes = record.iteration();
+  result.sweeps = record.iteration();
   return result;
 }
 
@@ -423,7 +427,7 @@ ReconstructionResult reconstruct(Document& document, Views& views,
 }
 
 std::string summary_of(const ReconstructionResult& result) {
-  return counted(result.passes, "pass") + ": " + in_short(result.faces, result.topology) +
+  return counted(result.sweeps, "pass") + ": " + in_short(result.faces, result.topology) +
          "; dissimilarity from " + fixed(result.first.dissimilarity, 4) + " to " +
          fixed(result.last.dissimilarity, 4) + (result.fault.empty() ? "" : "; " + result.fault);
 }

@@ -37,7 +37,7 @@ std::string clamps_in_words(const EvolveResult& result, double alpha);
 /// Returns converged, stalled or iteration_limit.
 const char* name_of(MorphStop stop);
 
-/// Returns "2 passes: 812 faces, components 1, genus 0; ...".
+/// Returns "2 sweeps: 812 faces, components 1, genus 0; ...".
 std::string summary_of(const ReconstructionResult& result);
 
 }  // namespace transformesh

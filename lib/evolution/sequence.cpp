@@ -10,7 +10,7 @@
 #include "evolution/loop/loop.h"
 #include "evolution/loop/record.h"
 #include "evolution/loop/stopwatch.h"
-#include "evolution/reconstruction/start.h"
+#include "evolution/reconstruction/initial_mesh.h"
 #include "evolution/reconstruction/surface_quality.h"
 #include "evolution/recorded_loops.h"
 #include "io/streams/atomic_file.h"
@@ -51,9 +51,10 @@ class SequenceLoop : public Loop {
   bool is_done() const override { return result_.time_steps == time_steps_.size(); }
   void finish(Document& /*document*/, const Progress& /*progress*/) override {}
 
-  void remember(Memory& memory) override {
-    memory("steps", result_.time_steps)("tracked", result_.tracked)("accepted", result_.accepted);
-    reference_.remember(memory);
+  void remember(LoopState& loop_state) override {
+    loop_state("steps", result_.time_steps)("tracked", result_.tracked)("accepted",
+                                                                        result_.accepted);
+    reference_.remember(loop_state);
   }
   void measure(CsvRow& row) const override;
   std::string message() const override;
@@ -100,10 +101,10 @@ void SequenceLoop::start(Document& /*document*/, const Progress& /*progress*/) {
 
 ReconstructionOptions SequenceLoop::options_from(const std::string& start) const {
   ReconstructionOptions options = options_.reconstruction;
-  options.start.is_given = start != from_hull;
-  if (are_outlines_) options.start.meaning = SilhouetteMeaning::least;
+  options.initial.is_given = start != from_hull;
+  if (are_outlines_) options.initial.meaning = SilhouetteMeaning::least;
   if (start == from_before) {
-    options.start.clips_by_hull = false;
+    options.initial.clips_by_hull = false;
     options.scales.coarsest = options_.track;
   }
   return options;
@@ -157,7 +158,7 @@ Surface SequenceLoop::better_of(std::optional<Surface> tracked, const Progress& 
 void SequenceLoop::find_masks(const Progress& progress) {
   are_outlines_ = views_.front().silhouette.empty();
   if (!are_outlines_) return;
-  const Mesh hull = hull_of(views_, options_.reconstruction.start, std::nullopt, progress);
+  const Mesh hull = hull_of(views_, options_.reconstruction.initial, std::nullopt, progress);
   outline(views_, hull);
 }
 
@@ -169,7 +170,7 @@ void SequenceLoop::advance(Document& document, std::size_t iteration, const Prog
   fault_.clear();
   if (iteration > 1) {
     surface_ = better_of(tracked(document, progress), progress);
-  } else if (options_.reconstruction.start.is_given) {
+  } else if (options_.reconstruction.initial.is_given) {
     surface_ = made(from_given, document, progress);
   } else {
     surface_ = made_from_hull(progress);
@@ -209,7 +210,7 @@ void SequenceLoop::measure(CsvRow& row) const {
   row.share("dissimilarity", result.last.dissimilarity, 6);
   row.share("coverage", result.last.coverage).share("silhouette_agreement", surface_.agreement);
   row.share("least_silhouette_agreement", surface_.quality.least_agreement);
-  row.count("passes", result.passes).seconds("seconds", seconds_);
+  row.count("passes", result.sweeps).seconds("seconds", seconds_);
 }
 
 std::string SequenceLoop::message() const {

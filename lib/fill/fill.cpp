@@ -10,7 +10,7 @@
 #include "fill/hole_patch.h"
 #include "geometry/numbers/predicates.h"
 #include "mesh/adjacency.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/surface_columns.h"
 #include "mesh/triangle.h"
 #include "support/error_prefix.h"
@@ -65,11 +65,12 @@ class Filler {
   FillResult& result() { return result_; }
 
  private:
-  bool fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_cross) const;
+  bool fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const;
   bool crosses(const HolePatch& patch, const HoleNeighborhood& part) const;
-  /// Adds the first patch that fits. One that may cross is only looked for unless it is allowed.
+  /// Adds the first patch that fits. One that may intersect is only looked for unless it is
+  /// allowed.
   bool try_patches(const Loop& loop, const HoleNeighborhood& part, const HolePatches& found,
-                   bool may_cross = false);
+                   bool may_intersect = false);
   HolePatches patches_of(const HoleNeighborhood& part, Index border, PatchKind finest,
                          Search search) const;
   void add(const HolePatch& patch, const HoleNeighborhood& part, const Loop& loop);
@@ -109,7 +110,7 @@ std::vector<Index> Filler::vertices_of(const Loop& loop) const {
   return vertices;
 }
 
-/// Whether the patch crosses itself or any face of the mesh that is near.
+/// Whether the patch intersects itself or any face of the mesh that is near.
 bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const {
   const Mesh& local = part.mesh;
   const auto position = [&](Index v) -> const Vec3& {
@@ -137,7 +138,7 @@ bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const
                      [&](const FacePair& pair) { return pair.second >= old_faces; });
 }
 
-bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_cross) const {
+bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const {
   Mesh joined = part.mesh;
   joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
   joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
@@ -147,7 +148,7 @@ bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may
   if (!found.nonmanifold_edges.empty() || !found.misoriented_edges.empty()) return false;
   const std::vector<Index> flat = degenerate_faces(joined);
   if (!flat.empty() && flat.back() >= part.mesh.faces.size()) return false;
-  return may_cross || !crosses(patch, part);
+  return may_intersect || !crosses(patch, part);
 }
 
 void Filler::add(const HolePatch& patch, const HoleNeighborhood& part, const Loop& loop) {
@@ -189,7 +190,7 @@ void Filler::fill(const Loop& loop) {
       try_patches(loop, part, patches_of(part, border, finest, Search::all)))
     return;
   const bool crosses = try_patches(loop, part, found, true);
-  if (crosses && options_.allow_crossings) return;
+  if (crosses && options_.allow_self_intersections) return;
   (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
 }
 
@@ -203,11 +204,11 @@ HolePatches Filler::patches_of(const HoleNeighborhood& part, Index border, Patch
 }
 
 bool Filler::try_patches(const Loop& loop, const HoleNeighborhood& part, const HolePatches& found,
-                         bool may_cross) {
+                         bool may_intersect) {
   for (const HolePatch& patch : found.patches) {
-    if (!fits(patch, part, may_cross)) continue;
-    if (may_cross && !options_.allow_crossings) return true;
-    ++(may_cross                          ? result_.crossed
+    if (!fits(patch, part, may_intersect)) continue;
+    if (may_intersect && !options_.allow_self_intersections) return true;
+    ++(may_intersect                      ? result_.crossed
        : patch.kind == PatchKind::faired  ? result_.faired
        : patch.kind == PatchKind::refined ? result_.refined
                                           : result_.plain);

@@ -1,12 +1,12 @@
 #include "transformesh/mesh_io.h"
 
 #include "io/document/writable.h"
+#include "io/formats/detect_format.h"
 #include "io/formats/file_format.h"
 #include "io/formats/glb.h"
 #include "io/formats/obj.h"
 #include "io/formats/off.h"
 #include "io/formats/ply.h"
-#include "io/formats/sniff.h"
 #include "io/formats/stl.h"
 #include "io/formats/vtp.h"
 #include "io/streams/atomic_file.h"
@@ -26,7 +26,7 @@ std::string_view without_byte_order_mark(std::string_view bytes) {
 
 ReadResult read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
   const Source source{without_byte_order_mark(bytes), name, options.strict};
-  switch (sniff(source)) {
+  switch (detect_format(source)) {
     case FileKind::ply:
       return read_ply(source);
     case FileKind::off:

@@ -4,14 +4,14 @@
 #include <utility>
 
 #include "mesh/edges.h"
-#include "mesh/fans.h"
 #include "mesh/location_text.h"
 #include "mesh/touching_borders.h"
+#include "mesh/umbrellas.h"
 
 namespace transformesh {
 namespace {
 
-/// Lists the edges that have one face, three or more, or two that run alike.
+/// Lists the edges that have one face, three or more, or two that have the same direction.
 void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto halfedges = edges.halfedges(edge);
@@ -28,15 +28,15 @@ void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   std::sort(report.misoriented_edges.begin(), report.misoriented_edges.end());
 }
 
-/// A vertex is bad with more than one fan, and at an edge of three or more faces.
-void check_vertices(const Mesh& mesh, const Fans& fans, ManifoldReport& report) {
+/// A vertex is bad with more than one umbrella, and at an edge of three or more faces.
+void check_vertices(const Mesh& mesh, const Umbrellas& umbrellas, ManifoldReport& report) {
   std::vector<bool> is_bad(mesh.positions.size(), false);
   for (const Index halfedge : report.nonmanifold_edges) {
     is_bad[halfedge_source(mesh, halfedge)] = true;
     is_bad[halfedge_target(mesh, halfedge)] = true;
   }
   std::vector<Index> count(mesh.positions.size(), 0);
-  for (const Index vertex : fans.vertex_of) ++count[vertex];
+  for (const Index vertex : umbrellas.vertex_of) ++count[vertex];
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (count[v] == 0) report.isolated_vertices.push_back(static_cast<Index>(v));
     if (count[v] > 1 || is_bad[v]) report.nonmanifold_vertices.push_back(static_cast<Index>(v));
@@ -84,10 +84,10 @@ ManifoldReport check_manifold(const Mesh& mesh) {
   ManifoldReport report;
   const Edges edges(mesh);
   check_edges(mesh, edges, report);
-  const Fans fans = find_fans(mesh, edges);
-  check_vertices(mesh, fans, report);
+  const Umbrellas umbrellas = find_umbrellas(mesh, edges);
+  check_vertices(mesh, umbrellas, report);
   check_faces(mesh, report);
-  report.boundary_loops = boundary_loops(edges, fans).size();
+  report.boundary_loops = boundary_loops(edges, umbrellas).size();
   report.touching_borders = count_touching_borders(mesh, report.border_halfedges);
   return report;
 }
@@ -105,7 +105,7 @@ Problem manifold_problem(const Mesh& mesh, const ManifoldReport& report, bool cl
         mesh, report.nonmanifold_edges);
   if (const std::vector<Index>& vertices = report.nonmanifold_vertices; !vertices.empty())
     return {ErrorKind::not_manifold,
-            "the faces around " + vertex_text(mesh, vertices[0]) + " are not one fan" +
+            "the faces around " + vertex_text(mesh, vertices[0]) + " do not form one umbrella" +
                 and_more(vertices.size(), "vertices"),
             {.position = position_data(mesh.positions[vertices[0]]), .counts = {vertices.size()}}};
   if (!report.misoriented_edges.empty())

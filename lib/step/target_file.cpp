@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/formats/sniff.h"
+#include "io/formats/detect_format.h"
 #include "step/point_text.h"
 #include "step/prepare_target.h"
 #include "transformesh/errors.h"

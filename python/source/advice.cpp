@@ -47,8 +47,9 @@ constexpr std::array table{
     Advice{Kind::no_color_property, "name it with color_by"},
     Advice{Kind::target_open, "close its holes before with fill()"},
     Advice{Kind::target_intersects_itself, "remove it with clean() before"},
-    Advice{Kind::target_not_solid,
-           "the target is open, no manifold, or crosses itself: clean() it, or fill() its holes"},
+    Advice{
+        Kind::target_not_solid,
+        "the target is open, no manifold, or intersects itself: clean() it, or fill() its holes"},
     Advice{Kind::source_apart, "begin with a source that overlaps all of the target"},
     Advice{Kind::edges_too_long, "begin with shorter edges"},
     Advice{Kind::uniform_edges_too_long,

@@ -22,7 +22,7 @@ Progress progress_to(const py::object& callback) {
   });
 }
 
-std::function<void(const std::string& message)> teller_to(const py::object& callback) {
+std::function<void(const std::string& message)> message_callback(const py::object& callback) {
   if (callback.is_none()) return {};
   return [callback](const std::string& message) {
     const py::gil_scoped_acquire locked;
@@ -136,7 +136,7 @@ PYBIND11_MODULE(_transformesh, module) {
   bind_mesh(module);
   bind_filters(module);
   bind_remeshing(module);
-  bind_everyday(module);
+  bind_editing(module);
   bind_measures(module);
   bind_pictures(module);
   bind_evolutions(module);

@@ -103,7 +103,7 @@ py::dict report_of(const ReconstructionResult& result) {
   py::dict report;
   report["converged"] = result.fault.empty();
   report["fault"] = result.fault;
-  report["passes"] = result.passes;
+  report["passes"] = result.sweeps;
   report["pixel_size"] = result.pixel;
   report["crumbs"] = result.crumbs;
   report["handles"] = result.handles;
@@ -136,23 +136,24 @@ WindowRadii radii_of(const Window& window) {
   return {coarse, fine};
 }
 
-StartOptions start_of(double keep, const std::string& clip, const std::string& hollows,
-                      bool is_exact, double least_agreement) {
-  StartOptions start;
-  start.name = "start";
-  start.keep = keep;
-  start.clips_by_hull = choice("clip", clip, {"hull", "nothing"}) == 0;
-  start.opens_hollows = choice("hollows", hollows, {"auto", "closed"}) == 0;
-  if (!is_exact) start.meaning = SilhouetteMeaning::least;
-  start.least_agreement = least_agreement;
-  return start;
+InitialMeshOptions initial_options_of(double keep, const std::string& clip,
+                                      const std::string& hollows, bool is_exact,
+                                      double least_agreement) {
+  InitialMeshOptions initial;
+  initial.name = "start";
+  initial.keep = keep;
+  initial.clips_by_hull = choice("clip", clip, {"hull", "nothing"}) == 0;
+  initial.opens_hollows = choice("hollows", hollows, {"auto", "closed"}) == 0;
+  if (!is_exact) initial.meaning = SilhouetteMeaning::least;
+  initial.least_agreement = least_agreement;
+  return initial;
 }
 
 MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const Path& silhouettes,
                                 const std::optional<MeshPointer>& start, const std::string& clip,
                                 const std::string& silhouettes_show, double edge,
                                 const std::optional<double>& last_edge,
-                                const std::optional<double>& coarsest, std::size_t passes,
+                                const std::optional<double>& coarsest, std::size_t sweeps,
                                 const std::optional<int>& iterations, double robust,
                                 const std::variant<double, std::string>& keep,
                                 const std::string& hollows, const Window& window, double max_angle,
@@ -161,17 +162,17 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
                                 const py::object& on_pass, const py::object& progress) {
   ReconstructionOptions options;
   const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
-  options.start = start_of(share_of(keep), clip, hollows, is_exact, least_agreement);
-  options.start.is_given = start.has_value();
+  options.initial = initial_options_of(share_of(keep), clip, hollows, is_exact, least_agreement);
+  options.initial.is_given = start.has_value();
   options.windows = radii_of(window);
   options.pairs.maximum_angle_deg = max_angle;
   options.scales = {coarsest, edge, last_edge.value_or(edge)};
-  options.passes = passes;
+  options.sweeps = sweeps;
   options.iterations = iterations;
   options.robust = robust;
   options.crumbs = crumbs;
   options.handles = handles;
-  options.on_pass = teller_to(on_pass);
+  options.on_sweep = message_callback(on_pass);
   std::vector<std::string> notes;
   options.on_note = [&notes](const std::string& note) { notes.push_back(note); };
   std::optional<ViewCheckOptions> check;
@@ -208,7 +209,7 @@ void bind_views(py::module_& module) {
       "reconstruct", &reconstruct_surface, arg("cameras"), arg("images"), arg("silhouettes") = "",
       py::kw_only(), arg("start") = none, arg("clip") = "hull", arg("silhouettes_show") = "exact",
       arg("edge") = ScaleOptions().edge, arg("last_edge") = none, arg("coarsest") = none,
-      arg("passes") = ReconstructionOptions().passes, arg("iterations") = none,
+      arg("passes") = ReconstructionOptions().sweeps, arg("iterations") = none,
       arg("robust") = ReconstructionOptions().robust, arg("keep") = "largest",
       arg("hollows") = "auto", arg("window") = 3,
       arg("max_angle") = PairOptions().maximum_angle_deg,

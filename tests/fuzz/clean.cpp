@@ -1,6 +1,6 @@
-// Cleaning: the result is a manifold without crossings, closed where the input is, its winding
-// numbers are those that it must have, and it is clean already. What may be refused is a mesh that
-// is not oriented, and one that encloses nothing.
+// Cleaning: the result is a manifold without self-intersections, closed where the input is, its
+// winding numbers are those that it must have, and it is clean already. What may be refused is a
+// mesh that is not oriented, and one that encloses nothing.
 #include "transformesh/clean.h"
 
 #include "fuzz/tiny_mesh.h"
@@ -20,7 +20,7 @@ CleanOptions clean_options(Choices& choices) {
   CleanOptions options;
   const unsigned choice = choices.byte();
   if (choice & 1) options.coordinate = Scalar::float32;
-  if (choice & 2) options.level = 2;
+  if (choice & 2) options.winding_level = 2;
   if (choice & 4) options.outermost = true;
   if (choice & 8) options.method = ExteriorMethod::static_test;
   return options;
@@ -30,7 +30,8 @@ CleanOptions clean_options(Choices& choices) {
 /// meshes come to themselves.
 std::string wrong_samples(const Mesh& input, const Mesh& output, const CleanOptions& options) {
   if (options.outermost) return {};
-  const Certificate certificate = certify(input, output, {options.level, options.coordinate, 200});
+  const Certificate certificate =
+      certify(input, output, {options.winding_level, options.coordinate, 200});
   return certificate.wrong > 0 ? certificate.problem : std::string();
 }
 
@@ -52,7 +53,7 @@ void check_result(const Mesh& input, const CleanResult& result, const CleanOptio
 }
 
 void check_again(const Mesh& mesh, CleanOptions options) {
-  options.level = 1;
+  options.winding_level = 1;
   demand(!clean(mesh, options).changed, "what is clean is changed");
 }
 

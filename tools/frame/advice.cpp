@@ -71,7 +71,7 @@ constexpr std::array table{
     Advice{Kind::target_open, "", "close its holes before, or go around it with tm-wrap"},
     Advice{Kind::target_intersects_itself, "", "remove it with tm-clean before"},
     Advice{Kind::target_not_solid, "",
-           "the target is open, no manifold, or crosses itself, so that no surface without "
+           "the target is open, no manifold, or intersects itself, so that no surface without "
            "crossings lies on all of it: clean it with tm-clean, or close its holes with tm-fill"},
     Advice{Kind::source_apart, "",
            "begin with a source that overlaps all of the target, as tm-shape sphere --around makes "

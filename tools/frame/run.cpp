@@ -13,7 +13,7 @@
 #include "io/formats/file_format.h"
 #include "io/length_basis.h"
 #include "io/streams/output_target.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/touching_borders.h"
 #include "support/counted.h"
 #include "support/number.h"
@@ -145,7 +145,7 @@ Bytes Run::read_once(const std::string& path) {
   return read_all(path);
 }
 
-void Run::treat_soup(Mesh& mesh, const std::string& name, bool is_told) {
+void Run::treat_soup(Mesh& mesh, const std::string& name, bool is_reported) {
   if (program_.soups == Soups::joined) {
     const StitchResult result = join_soup(mesh);
     joined_vertices_ += result.joined_vertices;
@@ -155,7 +155,7 @@ void Run::treat_soup(Mesh& mesh, const std::string& name, bool is_told) {
     if (result.dropped_faces > 0)
       note(name + ": " + counted(result.dropped_faces, "face") +
            " with two corners in one place dropped");
-  } else if (program_.soups == Soups::told && !is_told) {
+  } else if (program_.soups == Soups::reported && !is_reported) {
     const std::size_t count = count_touching_borders(mesh);
     if (count > 0)
       note(with_advice(
@@ -200,7 +200,7 @@ void Run::set_style(Document& document, const std::string& path) {
       document.style.coordinate == Scalar::float64 && (values.as_float || holds_floats(format));
   const std::vector<Vec3> before = is_rounded ? document.mesh.positions : std::vector<Vec3>();
   const std::size_t collapsed = set_format(document, format, coordinate);
-  if (is_rounded) note_crossings(document.mesh, before);
+  if (is_rounded) note_self_intersections(document.mesh, before);
   if (collapsed > 0) note(counted(collapsed, "face") + " with two corners in one place as floats");
 }
 
@@ -213,14 +213,14 @@ void Run::set_output_style(Document& document) {
 }
 
 // What is computed stays crossed where it is so, but by rounding nobody means a crossing.
-void Run::note_crossings(Mesh rounded, const std::vector<Vec3>& before) {
-  if (program_.cleans || crossings_are_told_ || rounded.positions == before) return;
+void Run::note_self_intersections(Mesh rounded, const std::vector<Vec3>& before) {
+  if (program_.cleans || are_self_intersections_reported_ || rounded.positions == before) return;
   const std::size_t now = find_intersections(rounded).size();
   if (now == 0) return;
   rounded.positions = before;
   const std::size_t then = find_intersections(rounded).size();
   if (now <= then) return;
-  crossings_are_told_ = true;
+  are_self_intersections_reported_ = true;
   note(counted(now - then, "pair") + " of faces " + (now - then == 1 ? "crosses" : "cross") +
        " only as floats: let tm-clean write the file, or write doubles, in PLY, OFF, OBJ or VTP");
 }
@@ -234,7 +234,7 @@ void Run::check_rounding() {
   if (!(edge_lengths(mesh).mean < steps_to_an_edge * step)) return;
   Mesh rounded = mesh;
   for (Vec3& position : rounded.positions) position = rounded_to(position, Scalar::float32);
-  note_crossings(std::move(rounded), mesh.positions);
+  note_self_intersections(std::move(rounded), mesh.positions);
 }
 
 void Run::stage(const std::string& path, std::string bytes) {
@@ -301,7 +301,7 @@ void Run::check_outputs(const std::vector<std::string>& options) {
 
 void Run::note_once(const std::vector<std::string>& lines) {
   for (const std::string& line : lines)
-    if (told_.insert(line).second) note(line);
+    if (reported_.insert(line).second) note(line);
 }
 
 void Run::stamp(Document& document) {

@@ -113,7 +113,7 @@ class Run {
  private:
   Bytes read_once(const std::string& path);
   /// Joins or tells, as the program says; `is_told` if reading has said that it is a soup.
-  void treat_soup(Mesh& mesh, const std::string& name, bool is_told);
+  void treat_soup(Mesh& mesh, const std::string& name, bool is_reported);
   void refer_to(const Document& document);
   /// Throws UsageError for an output whose name promises a format that is not written.
   void check_ending() const;
@@ -126,7 +126,7 @@ class Run {
   void add_comments(Document& document);
   /// Notes of writing, each one once: several files may have the same.
   void note_once(const std::vector<std::string>& lines);
-  void note_crossings(Mesh rounded, const std::vector<Vec3>& before);
+  void note_self_intersections(Mesh rounded, const std::vector<Vec3>& before);
   void check_rounding();
   void write_mesh();
   std::string report_text() const;
@@ -145,14 +145,14 @@ class Run {
   std::string bytes_;
   std::vector<std::pair<std::string, std::string>> further_files_;
   std::vector<AtomicFile> staged_;
-  std::set<std::string> staged_places_, told_;
+  std::set<std::string> staged_places_, reported_;
   std::optional<std::pair<std::string, std::string>> kept_;
   std::function<void()> when_written_;
   std::size_t joined_vertices_ = 0;
   bool stdin_is_read_ = false;
   bool settings_are_shown_ = false;
   bool is_stamped_ = false;
-  bool crossings_are_told_ = false;
+  bool are_self_intersections_reported_ = false;
   bool writes_nothing_ = false;
   bool answer_ = true;
 };

@@ -7,7 +7,7 @@
 #include "clean/certify/certify_samples.h"
 #include "geometry/numbers/predicates.h"
 #include "geometry/search/closest_point.h"
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 #include "mesh/location_text.h"
 #include "support/number.h"
 #include "support/parallel.h"
@@ -82,9 +82,9 @@ std::vector<FaceSide> choose_sides(const Mesh& input, const FaceMatch& match,
   return sides;
 }
 
-std::string describe(const Judgement& judgement, int level, double unit) {
+std::string describe(const Judgement& judgement, int winding_level, double unit) {
   const WindingSample& sample = *judgement.sample;
-  const bool is_inside = sample.input_winding >= level;
+  const bool is_inside = sample.input_winding >= winding_level;
   return std::string(judgement.face_side.side > 0 ? "in front of" : "behind") + " face " +
          std::to_string(judgement.face_side.face) +
          (judgement.face_side.is_of_input ? " of the input" : "") + ", at " +
@@ -122,7 +122,7 @@ std::vector<Judgement> judge(const Meshes& meshes, const FaceMatch& match,
       const Mesh& mesh = face_side.is_of_input ? input : output;
       const auto sample = finder.find(mesh, face_side.face, face_side.side);
       const auto is_wrong = [&] {
-        return sample->output_winding != (sample->input_winding >= options.level ? 1 : 0);
+        return sample->output_winding != (sample->input_winding >= options.winding_level ? 1 : 0);
       };
       judgements[i] = {face_side, sample, sample && is_wrong()};
     }
@@ -143,7 +143,7 @@ void compare_with_solid_angles(const Mesh& mesh, int WindingSample::*number,
     chosen.push_back(i);
     points.push_back(judgements[i].sample->point);
   }
-  const std::vector<Winding> windings = WindingQuery(mesh)(points);
+  const std::vector<BoundedWindingNumber> windings = SolidAngleWinding(mesh)(points);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     Judgement& judgement = judgements[chosen[i]];
     if (!windings[i].is_decided() || windings[i].rounded() == (*judgement.sample).*number) continue;
@@ -161,7 +161,7 @@ void certify_winding(const Meshes& meshes, const FaceMatch& match, const Certify
     ++(judgement.sample ? certificate.samples : certificate.undecided);
     if (!judgement.is_wrong) continue;
     if (certificate.wrong++ == 0)
-      certificate.problem = describe(judgement, options.level, meshes.unit);
+      certificate.problem = describe(judgement, options.winding_level, meshes.unit);
   }
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "clean/exterior/patches.h"
-#include "clean/exterior/winding_ray.h"
-#include "support/nothing_left.h"
+#include "clean/exterior/ray_cast_front_winding.h"
+#include "support/empty_result_error.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
 
@@ -17,14 +17,14 @@ constexpr int unknown = std::numeric_limits<int>::min();
 constexpr std::size_t tries_per_patch = 8;
 constexpr std::size_t tries_per_seed = 64;
 
-bool is_kept(int front, const Piece& piece, int level) {
-  return front < level && front + piece.multiplicity >= level;
+bool is_kept(int front, const Piece& piece, int winding_level) {
+  return front < winding_level && front + piece.multiplicity >= winding_level;
 }
 
 /// Region growing (paper 3.2): finds the winding number in front of every patch, from seeds on.
 class Growth {
  public:
-  Growth(const Arrangement& arrangement, int level, const BorderClosure& closure);
+  Growth(const Arrangement& arrangement, int winding_level, const BorderClosure& closure);
   Exterior grow(const Progress& progress);
 
  private:
@@ -35,24 +35,25 @@ class Growth {
   void spread(Index seed);
 
   const Arrangement& arrangement_;
-  int level_;
+  int winding_level_;
   bool is_open_;
   Patches patches_;
-  WindingRay ray_;
+  RayCastFrontWinding ray_;
   std::vector<int> front_;  ///< per patch: w in front of it, or unknown
   std::size_t rays_ = 0;
 };
 
-Growth::Growth(const Arrangement& arrangement, int level, const BorderClosure& closure)
+Growth::Growth(const Arrangement& arrangement, int winding_level, const BorderClosure& closure)
     : arrangement_(arrangement),
-      level_(level),
+      winding_level_(winding_level),
       is_open_(!closure.empty()),
       patches_(arrangement),
       ray_(arrangement, closure, (is_open_ ? tries_per_seed : 1) * patches_.size()),
       front_(patches_.size(), unknown) {}
 
 bool Growth::keeps(Index patch) const {
-  return is_kept(front_[patch], arrangement_.pieces[patches_.pieces[patch].front()], level_);
+  return is_kept(front_[patch], arrangement_.pieces[patches_.pieces[patch].front()],
+                 winding_level_);
 }
 
 void Growth::cast_ray(Index patch, std::size_t member) {
@@ -138,20 +139,21 @@ Exterior Growth::grow(const Progress& progress) {
   for (std::size_t p = 0; p < result.kept.size(); ++p) {
     const Index patch = patches_.patch_of[p];
     if (patch == no_index) continue;
-    result.kept[p] = is_kept(front_[patch], arrangement_.pieces[p], level_) ? 1 : 0;
+    result.kept[p] = is_kept(front_[patch], arrangement_.pieces[p], winding_level_) ? 1 : 0;
   }
   return result;
 }
 
-Exterior test_all(const Arrangement& arrangement, int level, const Progress& progress) {
-  const WindingRay ray(arrangement, BorderClosure(), arrangement.pieces.size());
+Exterior test_all(const Arrangement& arrangement, int winding_level, const Progress& progress) {
+  const RayCastFrontWinding ray(arrangement, BorderClosure(), arrangement.pieces.size());
   progress("exterior", 0.1);
   Exterior result;
   result.kept.assign(arrangement.pieces.size(), 0);
   result.rays = arrangement.pieces.size();
   for (std::size_t p = 0; p < result.kept.size(); ++p) {
     const Piece& piece = arrangement.pieces[p];
-    const bool kept = piece.multiplicity != 0 && is_kept(ray.in_front_of(piece), piece, level);
+    const bool kept =
+        piece.multiplicity != 0 && is_kept(ray.in_front_of(piece), piece, winding_level);
     result.kept[p] = kept ? 1 : 0;
   }
   return result;
@@ -166,9 +168,9 @@ Problem nothing_enclosed(bool has_pieces) {
               "sheet whose border is filled flat"};
 }
 
-Problem nothing_kept(const Arrangement& arrangement, int level, bool is_open) {
-  if (level != 1) {
-    return {ErrorKind::no_such_level, "no winding number reaches " + std::to_string(level) +
+Problem nothing_kept(const Arrangement& arrangement, int winding_level, bool is_open) {
+  if (winding_level != 1) {
+    return {ErrorKind::no_such_level, "no winding number reaches " + std::to_string(winding_level) +
                                           ": nothing lies inside that many sheets"};
   }
   if (is_open) {
@@ -187,7 +189,7 @@ Problem nothing_kept(const Arrangement& arrangement, int level, bool is_open) {
 std::vector<char> find_enclosed(const Mesh& mesh, const Components& components) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
   const Arrangement arrangement = arrange(welded, {}, Progress());
-  const WindingRay ray(arrangement, BorderClosure(), components.components.size());
+  const RayCastFrontWinding ray(arrangement, BorderClosure(), components.components.size());
   std::vector<char> enclosed(components.components.size(), 0);
   std::vector<char> seen(components.components.size(), 0);
   for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
@@ -211,14 +213,14 @@ std::size_t drop_components(Mesh& mesh, const Components& components,
 
 }  // namespace
 
-Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod method,
+Exterior find_exterior(const Arrangement& arrangement, int winding_level, ExteriorMethod method,
                        const BorderClosure& closure, const Progress& progress) {
   progress("exterior");
   Exterior result = method == ExteriorMethod::grow
-                        ? Growth(arrangement, level, closure).grow(progress)
-                        : test_all(arrangement, level, progress);
+                        ? Growth(arrangement, winding_level, closure).grow(progress)
+                        : test_all(arrangement, winding_level, progress);
   if (std::find(result.kept.begin(), result.kept.end(), 1) == result.kept.end()) {
-    throw GoalError(nothing_kept(arrangement, level, !closure.empty()));
+    throw GoalError(nothing_kept(arrangement, winding_level, !closure.empty()));
   }
   return result;
 }

@@ -7,26 +7,28 @@
 #include <optional>
 
 #include "clean/arrange/cut_plane.h"
-#include "clean/exterior/bounding_parts.h"
-#include "clean/exterior/corner_windings.h"
+#include "clean/exterior/bounding_subsegments.h"
+#include "clean/exterior/region_growing_winding.h"
 
 namespace transformesh {
 
 class ExteriorCutter {
  public:
-  /// Keeps references. What is exterior has w < level in front and w >= level behind it.
-  ExteriorCutter(const WeldedMesh& welded, const Planes& planes, const WindingSteps& steps,
-                 const CornerWindings& windings, const WindingRay& ray, int level)
+  /// Keeps references. What is exterior has w < winding level in front and w >= winding level
+  /// behind it.
+  ExteriorCutter(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
+                 const RegionGrowingWinding& windings, const RayCastFrontWinding& ray,
+                 int winding_level)
       : welded_(welded),
         planes_(planes),
-        steps_(steps),
+        jumps_(jumps),
         windings_(windings),
         ray_(ray),
-        level_(level),
+        winding_level_(winding_level),
         geometry_(welded.points, welded.faces) {}
 
   /// The exterior facets of the only face of a plane. Nothing where other faces do not merely cross
-  /// it (bounding_parts.h): the plane has to be cut in full.
+  /// it (bounding_subsegments.h): the plane has to be cut in full.
   std::optional<PlaneCut> cut(const Plane& plane);
   std::size_t rays() const { return rays_; }
 
@@ -35,10 +37,10 @@ class ExteriorCutter {
 
   const WeldedMesh& welded_;
   const Planes& planes_;
-  const WindingSteps& steps_;
-  const CornerWindings& windings_;
-  const WindingRay& ray_;
-  int level_;
+  const WindingJumps& jumps_;
+  const RegionGrowingWinding& windings_;
+  const RayCastFrontWinding& ray_;
+  int winding_level_;
   ExactGeometry geometry_;
   std::size_t rays_ = 0;
 };

@@ -29,7 +29,7 @@ int SegmentCrossings::side(Index s, const ExactPoint& of) const {
   if (planes_.empty()) planes_.resize(in_.segments.size());
   std::optional<ExactPlane>& plane = planes_[s];
   if (!plane) plane = geometry_.plane(line.face);
-  return line.step * geometry_.orient3d(*plane, of);
+  return line.jump * geometry_.orient3d(*plane, of);
 }
 
 SegmentCrossings::Box SegmentCrossings::box_of(const ExactPoint& from, const ExactPoint& to) const {
@@ -129,15 +129,15 @@ void SegmentCrossings::file() {
 }
 
 bool SegmentCrossings::sort_along(Index s) {
-  bool is_told = true;
+  bool is_decided = true;
   // Stable: that ends well even where the order is none.
   std::stable_sort(crossings_.begin() + first_[s], crossings_.begin() + first_[s + 1],
                    [&](const Crossing& a, const Crossing& b) {
                      const int order = order_along(s, a, b);
-                     is_told = is_told && order != 0;
+                     is_decided = is_decided && order != 0;
                      return order < 0;
                    });
-  return is_told;
+  return is_decided;
 }
 
 std::optional<int> SegmentCrossings::change_before(const Crossing& crossing) const {
@@ -146,7 +146,7 @@ std::optional<int> SegmentCrossings::change_before(const Crossing& crossing) con
     if (earlier.other == crossing.other) continue;
     const int order = order_along(crossing.segment, earlier, crossing);
     if (order == 0) return std::nullopt;
-    if (order < 0) change += step_over(earlier);
+    if (order < 0) change += jump_over(earlier);
   }
   return change;
 }

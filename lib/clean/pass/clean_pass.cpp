@@ -7,7 +7,7 @@
 #include "clean/arrange/arrange.h"
 #include "clean/exterior/close_borders.h"
 #include "clean/exterior/exterior_arrangement.h"
-#include "clean/exterior/winding_ray.h"
+#include "clean/exterior/ray_cast_front_winding.h"
 #include "clean/intersect/find_meetings.h"
 #include "clean/open/borders.h"
 #include "clean/open/enclosed_sheets.h"
@@ -40,9 +40,9 @@ void count_faces(const Mesh& mesh, const Arrangement& arrangement, std::size_t w
                    is_stitched(mesh, borders);
 }
 
-class Pass {
+class CleanPassRun {
  public:
-  Pass(const Mesh& mesh, const PassOptions& options, const Progress& progress)
+  CleanPassRun(const Mesh& mesh, const CleanPassOptions& options, const Progress& progress)
       : mesh_(mesh),
         options_(options),
         progress_(progress),
@@ -56,7 +56,7 @@ class Pass {
   void arrange_everything(const std::vector<Meeting>& meetings);
 
   const Mesh& mesh_;
-  const PassOptions& options_;
+  const CleanPassOptions& options_;
   const Progress& progress_;
   std::shared_ptr<const WeldedMesh> welded_;
   std::optional<std::vector<Index>> opposites_;  ///< of a closed manifold
@@ -66,7 +66,7 @@ class Pass {
   CleanPass pass_;
 };
 
-void Pass::find_borders_or_none() {
+void CleanPassRun::find_borders_or_none() {
   const bool is_as_given = welded_->points.size() == mesh_.positions.size() &&
                            welded_->faces.size() == mesh_.faces.size();
   if (is_as_given) opposites_ = closed_opposites(mesh_, welded_->opposites);
@@ -77,20 +77,20 @@ void Pass::find_borders_or_none() {
 
 // Where nothing meets in a closed manifold, a ray for each component says whether all of it stays:
 // then nothing need be arranged or stitched. Returns whether that is so.
-bool Pass::find_all_exterior() {
+bool CleanPassRun::find_all_exterior() {
   if (!opposites_) return false;
   progress_("arrange");
   Connectivity connectivity = connect(std::move(*opposites_));
   opposites_.reset();
   const std::size_t count = connectivity.components;
-  const WindingRay ray(*welded_, count);
+  const RayCastFrontWinding ray(*welded_, count);
   const ExactGeometry geometry(welded_->points, welded_->faces);
   std::size_t seen = 0;
   for (Index f = 0; seen < count; ++f) {
     if (connectivity.component_of[f] != seen) continue;
     const auto& [a, b, c] = welded_->faces[f];
     const int w = ray.in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, f);
-    if (w >= options_.level || w + 1 < options_.level) return false;
+    if (w >= options_.winding_level || w + 1 < options_.winding_level) return false;
     ++seen;
   }
   pass_.exterior.rays = count;
@@ -99,8 +99,9 @@ bool Pass::find_all_exterior() {
 }
 
 // Returns whether there is anything.
-bool Pass::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
-  ExteriorArrangement exterior = arrange_exterior(welded_, meetings, options_.level, progress_);
+bool CleanPassRun::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
+  ExteriorArrangement exterior =
+      arrange_exterior(welded_, meetings, options_.winding_level, progress_);
   arrangement_ = std::move(exterior.arrangement);
   whole_faces_ = exterior.whole_faces;
   pass_.exterior.kept.assign(arrangement_.pieces.size(), 1);
@@ -108,24 +109,24 @@ bool Pass::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
   return !arrangement_.pieces.empty();
 }
 
-void Pass::arrange_everything(const std::vector<Meeting>& meetings) {
+void CleanPassRun::arrange_everything(const std::vector<Meeting>& meetings) {
   arrangement_ = arrange(welded_, meetings, progress_);
   whole_faces_ = arrangement_.whole_pieces;
   if (pass_.is_open) {
     pass_.removed_faces =
-        drop_enclosed_sheets(mesh_, options_.level, arrangement_, borders_, progress_);
+        drop_enclosed_sheets(mesh_, options_.winding_level, arrangement_, borders_, progress_);
     welded_ = arrangement_.welded;
     whole_faces_ = arrangement_.whole_pieces;
     if (options_.method == ExteriorMethod::static_test && !borders_.loops.empty())
       refuse_static_test(borders_.loops.size());
   }
-  pass_.exterior = find_exterior(arrangement_, options_.level, options_.method,
+  pass_.exterior = find_exterior(arrangement_, options_.winding_level, options_.method,
                                  close_borders(*welded_, borders_.loops), progress_);
   if (options_.change_kept) options_.change_kept(arrangement_, pass_.exterior.kept);
 }
 
 // Where everything is needed, or nothing is kept and it is to be told why, everything is arranged.
-CleanPass Pass::run() {
+CleanPass CleanPassRun::run() {
   std::vector<Meeting> meetings;
   parallel_invoke([&] { find_borders_or_none(); },
                   [&] { meetings = find_meetings(*welded_, Progress()); });
@@ -149,9 +150,10 @@ CleanPass Pass::run() {
 
 }  // namespace
 
-CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Progress& progress) {
+CleanPass run_clean_pass(const Mesh& mesh, const CleanPassOptions& options,
+                         const Progress& progress) {
   progress("intersect");
-  return Pass(mesh, options, progress).run();
+  return CleanPassRun(mesh, options, progress).run();
 }
 
 }  // namespace transformesh

@@ -9,10 +9,10 @@
 #include "clean/rounding/broken_faces.h"
 #include "clean/rounding/close_vertices.h"
 #include "clean/rounding/contact_splits.h"
-#include "clean/rounding/own_grids.h"
-#include "clean/rounding/push_out.h"
+#include "clean/rounding/push_outwards.h"
 #include "clean/rounding/slivers.h"
 #include "clean/rounding/thin_cells.h"
+#include "clean/rounding/vertex_grids.h"
 #include "mesh/location_text.h"
 #include "support/elementary/exponential.h"
 #include "transformesh/components.h"
@@ -22,13 +22,13 @@ namespace transformesh {
 namespace {
 
 constexpr int most_rounds = 14;
-constexpr int most_starts = 7;
-constexpr int last_given = 3;             // the last start before which thin cells are given away
-constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are too many cells
-constexpr int digits_fewer = 5;           // binary, of what is extreme in every direction
-constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
+constexpr int most_attempts = 7;
+constexpr int last_given = 3;  // the last attempt before which thin cells are given away
+constexpr std::size_t most_intersected = 30;  // pairs per face: with more there are too many cells
+constexpr int digits_fewer = 5;               // binary, of what is extreme in every direction
+constexpr int rounds_ahead = 3;  // every attempt begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before,
-constexpr int patience = 2;      // and so many more where all starts failed, which begin again
+constexpr int patience = 2;      // and so many more where all attempts failed, which begin again
 constexpr std::size_t few_pairs = 1000;
 constexpr std::size_t pairs_to_repair = 4;  // times those of the input
 constexpr std::size_t most_broken_share = 3;
@@ -47,17 +47,17 @@ struct GivenCells {
   std::vector<char> marked_faces = {};  ///< beside these faces only, where there are any
 };
 
-/// How thin the cells of the input are that are given away before a further start, in spacings.
-double given_spacings(int start) { return std::ldexp(32, 3 * start); }
+/// How thin the cells of the input are that are given away before a further attempt, in spacings.
+double given_spacings(int attempt) { return std::ldexp(32, 3 * attempt); }
 
-Tolerances tolerances(int start, int round) {
-  const int step = round + rounds_ahead * start;
+Tolerances tolerances(int attempt, int round) {
+  const int step = round + rounds_ahead * attempt;
   const double coarser = elementary::exp2(step / 4.0);
   return {3 * coarser, 4 * coarser, coarser, 4 * coarser * coarser, step > 0};
 }
 
-// Expresses what a further pass tells about its input by that of the first pass: which vertices are
-// new, and the sources of faces.
+// Expresses what a further clean pass tells about its input by that of the first clean pass: which
+// vertices are new, and the sources of faces.
 void inherit(const Assembly& before, Assembly& after) {
   for (std::size_t v = 0; v < after.input_vertex.size(); ++v) {
     const Index source = after.input_vertex[v];
@@ -89,21 +89,21 @@ class SnapRounder {
   SnapRoundingResult snap_round(const CleanPass& pass);
 
  private:
-  /// Of one start.
+  /// Of one attempt.
   struct Attempts {
     std::size_t fewest = std::numeric_limits<std::size_t>::max();  ///< broken faces until now
     int vain = 0;                                                  ///< rounds without fewer
   };
 
-  bool repair(Assembly& assembly, int start);
+  bool repair(Assembly& assembly, int attempt);
   bool is_in_vain(std::size_t broken, Attempts& attempts);
   void note_broken(const Assembly& assembly, const std::vector<Index>& broken, bool is_first);
-  Assembly begin_anew(const CleanPass& pass, int start);
-  Assembly begin_simpler(const CleanPass& pass, int start);
-  void choose_spacings(int start);
-  int next_start(int start) const;
+  Assembly begin_anew(const CleanPass& pass, int attempt);
+  Assembly begin_simpler(const CleanPass& pass, int attempt);
+  void choose_spacings(int attempt);
+  int next_attempt(int attempt) const;
   void mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most);
-  bool clean_again(Assembly& assembly, const GivenCells& cells, int level = 1);
+  bool clean_again(Assembly& assembly, const GivenCells& cells, int winding_level = 1);
   bool has_changed(const Assembly& before, const Assembly& now) const;
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   [[noreturn]] void give_up() const;
@@ -118,9 +118,9 @@ class SnapRounder {
   bool is_shattered_ = false;  ///< rounding breaks a good part of the faces
   bool is_extreme_ = false;    ///< so it does where coordinates are extreme in every direction
   int patience_ = 0;           ///< how many vain rounds more are waited for
-  bool is_vain_ = false;       ///< whether a start ended for want of it
+  bool is_vain_ = false;       ///< whether a attempt ended for want of it
   std::optional<Vec3> place_;  ///< the first place that was broken
-  KnownPairs known_;
+  IntersectionCache known_;
   std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
   SnapRoundingResult result_;
 };
@@ -129,7 +129,7 @@ void SnapRounder::give_up() const {
   const bool is_float = options_.coordinate == Scalar::float32;
   const Vec3 place = place_.value_or(Vec3::Zero());
   throw GoalError(is_float ? ErrorKind::float_rounding_failed : ErrorKind::double_rounding_failed,
-                  "rounding leaves faces that cross near " + point_text(place),
+                  "rounding leaves faces that intersect near " + point_text(place),
                   {.position = position_data(place)});
 }
 
@@ -154,16 +154,16 @@ void SnapRounder::mend(Assembly& assembly, BrokenFaces broken, const Tolerances&
   if (!broken.faces.empty() && note(flip_slivers(assembly, around(), most.slivers, spacing_)))
     broken = find_broken_faces(assembly, known_);
   if (!broken.faces.empty() &&
-      note(push_out(assembly, broken.faces, {most.push, most.moves_input}, spacing_)))
+      note(push_outwards(assembly, broken.faces, {most.push, most.moves_input}, spacing_)))
     broken = find_broken_faces(assembly, known_);
   if (!broken.faces.empty())
-    note(split_at_contacts(assembly, broken.crossings, most.slivers, spacing_));
+    note(split_at_contacts(assembly, broken.intersections, most.slivers, spacing_));
 }
 
 // Cleans what was rounded, and gives thin cells away. Returns whether nothing is left to be rounded
 // again.
-bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int level) {
-  PassOptions options{level, options_.method, false, {}, most_pairs_};
+bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int winding_level) {
+  CleanPassOptions options{winding_level, options_.method, false, {}, most_pairs_};
   bool is_given = false;
   if (cells.spacings > 0 && !options_.is_open)
     options.change_kept = [&](Arrangement& arrangement, std::vector<char>& kept) {
@@ -187,25 +187,25 @@ bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int l
   return pass.pairs == 0 && !is_given && assembly.split_edges == 0 && !options_.is_open;
 }
 
-// The last starts make simpler what coordinates that are extreme along an axis leave.
-void SnapRounder::choose_spacings(int start) {
-  if (start > last_given) spacing_.are_per_axis = false;
+// The last attempts make simpler what coordinates that are extreme along an axis leave.
+void SnapRounder::choose_spacings(int attempt) {
+  if (attempt > last_given) spacing_.are_per_axis = false;
 }
 
 // Coordinates that are extreme in every direction are better made simpler at once: before thin
 // cells are sought, which takes the complete arrangement.
-int SnapRounder::next_start(int start) const {
+int SnapRounder::next_attempt(int attempt) const {
   constexpr int simpler = last_given + 1;
-  if (!is_extreme_) return start + 1;
-  if (start == 0) return simpler;
-  if (start == simpler) return 1;
-  return start + 1 == simpler ? simpler + 1 : start + 1;
+  if (!is_extreme_) return attempt + 1;
+  if (attempt == 0) return simpler;
+  if (attempt == simpler) return 1;
+  return attempt + 1 == simpler ? simpler + 1 : attempt + 1;
 }
 
 // Rounds, and then mends and cleans what rounding broke, until cleaning changes nothing. What is
 // whole at once need not be cleaned again, unless the mesh is open: then other fans close its
 // borders now. Returns whether it succeeded.
-bool SnapRounder::repair(Assembly& assembly, int start) {
+bool SnapRounder::repair(Assembly& assembly, int attempt) {
   Attempts attempts;
   for (int round = 0; round < most_rounds; ++round) {
     progress_("round");
@@ -214,10 +214,10 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     const bool is_whole = found.faces.empty();
     if (is_whole && round == 0 && !options_.is_open) return true;
     if (is_in_vain(found.faces.size(), attempts)) return false;
-    if (round == 0) choose_spacings(start);
-    const Tolerances most = tolerances(start, round);
-    note_broken(assembly, found.faces, start == 0 && round == 0);
-    if (!is_whole && is_extreme_ && start == 0) return false;
+    if (round == 0) choose_spacings(attempt);
+    const Tolerances most = tolerances(attempt, round);
+    note_broken(assembly, found.faces, attempt == 0 && round == 0);
+    if (!is_whole && is_extreme_ && attempt == 0) return false;
     if (!is_whole) mend(assembly, std::move(found), most);
     if (clean_again(assembly, {is_whole ? 0 : most.cells})) return true;
     if (is_hopeless_) return false;
@@ -287,7 +287,7 @@ void SnapRounder::count_faces(const std::vector<char>& was_whole, const Assembly
     if (was_whole[f] && !is_whole[f]) ++(is_left[f] ? result_.cut_faces : result_.removed_faces);
 }
 
-/// The mesh as if it were the result of a pass that changed nothing.
+/// The mesh as if it were the result of a clean pass that changed nothing.
 Assembly unchanged_assembly(const Mesh& mesh) {
   Assembly assembly;
   assembly.mesh = mesh;
@@ -300,29 +300,30 @@ Assembly unchanged_assembly(const Mesh& mesh) {
   return assembly;
 }
 
-// Where parts are so thin and so nearly parallel that rounding their crossings makes new ones again
-// and again, they are given away in the exact arrangement of the input, before anything is rounded.
-// What that cannot help begins from the result once more, and coarser, as open meshes do, of which
-// it is not known what is inside, and what is so crowded that its complete arrangement is large.
-Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
+// Where parts are so thin and so nearly parallel that rounding their intersections makes new ones
+// again and again, they are given away in the exact arrangement of the input, before anything is
+// rounded. What that cannot help begins from the result once more, and coarser, as open meshes do,
+// of which it is not known what is inside, and what is so crowded that its complete arrangement is
+// large.
+Assembly SnapRounder::begin_anew(const CleanPass& pass, int attempt) {
   result_.displacement = {};
   is_hopeless_ = false;
-  if (is_shattered_ && start > last_given) return begin_simpler(pass, start);
-  const bool is_crowded = pass.pairs > most_crossed * mesh_.faces.size();
-  if (options_.is_open || is_crowded || start > last_given) return pass.assembly;
+  if (is_shattered_ && attempt > last_given) return begin_simpler(pass, attempt);
+  const bool is_crowded = pass.pairs > most_intersected * mesh_.faces.size();
+  if (options_.is_open || is_crowded || attempt > last_given) return pass.assembly;
   Assembly assembly = unchanged_assembly(mesh_);
-  clean_again(assembly, {given_spacings(start), is_broken_}, options_.level);
+  clean_again(assembly, {given_spacings(attempt), is_broken_}, options_.winding_level);
   return assembly;
 }
 
 // Of coordinates that are extreme in every direction only the digits are kept that count where the
-// vertex is, and further starts keep fewer.
-Assembly SnapRounder::begin_simpler(const CleanPass& pass, int start) {
+// vertex is, and further attempts keep fewer.
+Assembly SnapRounder::begin_simpler(const CleanPass& pass, int attempt) {
   most_pairs_ = pairs_to_repair * pass.pairs + few_pairs;
   Assembly assembly = unchanged_assembly(mesh_);
-  result_.displacement = snap_to_own_grids(assembly.mesh, options_.coordinate,
-                                           std::ldexp(1, digits_fewer * (start - last_given - 1)));
-  clean_again(assembly, {0}, options_.level);
+  result_.displacement = snap_to_vertex_grids(
+      assembly.mesh, options_.coordinate, std::ldexp(1, digits_fewer * (attempt - last_given - 1)));
+  clean_again(assembly, {0}, options_.winding_level);
   if (!is_hopeless_) return assembly;
   result_.displacement = {};
   return pass.assembly;
@@ -334,14 +335,14 @@ SnapRoundingResult SnapRounder::snap_round(const CleanPass& pass) {
   most_pairs_ = (spacing_.are_per_axis ? 1 : pairs_to_repair) * pass.pairs + few_pairs;
   is_broken_.assign(mesh_.faces.size(), 0);
   Assembly assembly = pass.assembly;
-  for (int start = 0; !repair(assembly, start);) {
-    start = next_start(start);
-    if (start == most_starts) {
+  for (int attempt = 0; !repair(assembly, attempt);) {
+    attempt = next_attempt(attempt);
+    if (attempt == most_attempts) {
       if (patience_ > 0 || !is_vain_) give_up();
       patience_ = patience;
-      start = 1;
+      attempt = 1;
     }
-    assembly = begin_anew(pass, start);
+    assembly = begin_anew(pass, attempt);
   }
   if (has_changed(pass.assembly, assembly))
     count_faces(whole_faces(mesh_, pass.assembly), assembly);

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "clean/exterior/angular_order.h"
-#include "clean/stitch/copy_layers.h"
+#include "clean/stitch/coincident_sheets.h"
 #include "clean/stitch/orientation_check.h"
-#include "clean/stitch/sheet_links.h"
+#include "clean/stitch/sheet_alignment.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
 #include "mesh/location_text.h"
@@ -19,7 +19,7 @@
 namespace transformesh {
 namespace {
 
-/// Faces connected across edges of two faces, or of copies of two (copy_layers.h).
+/// Faces connected across edges of two faces, or of copies of two (coincident_sheets.h).
 struct Sheet {
   std::vector<Index> faces;
   bool agreed = true;         ///< within itself, and with others at their common edges
@@ -36,7 +36,7 @@ class Orienter {
  private:
   void collect_sheet(Index first);
   [[noreturn]] void refuse(Index halfedge, Index across) const;
-  bool runs_forward(Index halfedge) const;
+  bool points_forward(Index halfedge) const;
   void link_sheets();
   void orient_group(const std::vector<Index>& group);
   void measure_volumes(const std::vector<Index>& group);
@@ -54,7 +54,7 @@ class Orienter {
   std::vector<char> is_reversed_;  ///< per face: it must be, to agree with its sheet's first
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;
-  SheetLinks links_{0};
+  SheetAlignment links_{0};
   DisjointSets copies_{0};  ///< sheets that lie upon each other: if one needs it, all are turned
 };
 
@@ -68,7 +68,7 @@ Orienter::Orienter(const Mesh& mesh)
     if (sheet_of_[first] == no_index) collect_sheet(first);
   }
   sheet_is_reversed_.assign(sheets_.size(), 0);
-  links_ = SheetLinks(sheets_.size());
+  links_ = SheetAlignment(sheets_.size());
   copies_ = DisjointSets(sheets_.size());
   link_sheets();
   for (Index sheet = 0; sheet < sheets_.size(); ++sheet)
@@ -76,7 +76,7 @@ Orienter::Orienter(const Mesh& mesh)
 }
 
 // Whether the halfedge runs forward once its face agrees with the first of its sheet.
-bool Orienter::runs_forward(Index h) const {
+bool Orienter::points_forward(Index h) const {
   return is_forward(mesh_.faces, h) != (is_reversed_[h / 3] != 0);
 }
 
@@ -91,10 +91,10 @@ void Orienter::collect_sheet(Index first) {
       if (across == no_index) continue;
       if (sheet_of_[across / 3] == no_index) {
         sheet_of_[across / 3] = number;
-        is_reversed_[across / 3] = runs_forward(h) == runs_forward(across);
+        is_reversed_[across / 3] = points_forward(h) == points_forward(across);
         if (is_reversed_[across / 3]) sheet.agreed = false;
         sheet.faces.push_back(across / 3);
-      } else if (runs_forward(h) == runs_forward(across)) {
+      } else if (points_forward(h) == points_forward(across)) {
         refuse(h, across);
       }
     }
@@ -124,8 +124,8 @@ void Orienter::link_sheets() {
     std::map<Index, int> sums;
     int sum_before = 0;
     for (const Index h : halfedges) {
-      sums[sheet_of_[h / 3]] += runs_forward(h) ? 1 : -1;
-      sum_before += runs_forward(h) != (is_reversed_[h / 3] != 0) ? 1 : -1;
+      sums[sheet_of_[h / 3]] += points_forward(h) ? 1 : -1;
+      sum_before += points_forward(h) != (is_reversed_[h / 3] != 0) ? 1 : -1;
     }
     links_.add_edge(sums);
     if (std::abs(sum_before) <= 1) continue;

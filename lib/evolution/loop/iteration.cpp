@@ -9,9 +9,9 @@
 #include "io/document/round_as_written.h"
 #include "io/length_basis.h"
 #include "remesh/remesh_connected.h"
-#include "support/beside.h"
 #include "support/counted.h"
 #include "support/parallel.h"
+#include "support/run_concurrently.h"
 #include "transformesh/clean.h"
 #include "transformesh/components.h"
 #include "transformesh/control.h"
@@ -116,7 +116,7 @@ class CleanAndRemesh {
         throw;
       }
     };
-    run_beside(clean_or_cancel, [&] { early.run(); });
+    run_concurrently(clean_or_cancel, [&] { early.run(); });
     return cleaned_.changed ? remesh() : early.take(document_);
   }
 

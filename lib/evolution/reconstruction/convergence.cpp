@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Of the agreement with silhouettes: as much as the edges of the start leave open.
+/// Of the agreement with silhouettes: as much as the edges of the initial mesh leave open.
 constexpr double agreement_lost = 0.005;
 constexpr double most_disagreement = 0.2;
 constexpr double most_doubtful = 0.03;
@@ -19,7 +19,7 @@ std::string in_words_of(const SurfaceDoubt& doubt) {
   const auto thin = std::find_if(doubt.places.begin(), doubt.places.end(),
                                  [](const DoubtfulPlace& place) { return place.is_thin; });
   if (thin != doubt.places.end())
-    return "photographs disagree on a film or fin around " + in_words(*thin);
+    return "photographs disagree on a thin sheet or fin around " + in_words(*thin);
   if (doubt.share > most_doubtful)
     return "photographs disagree on " + fixed(100 * doubt.share, 1) +
            " % of the surface, most around " + in_words(doubt.places.front());
@@ -35,7 +35,7 @@ std::string ReconstructionFaults::in_words(const SurfaceEvidence& evidence) cons
   if (!is_at_rest) return "the surface was not at rest after the last pass";
   if (late_at > 0)
     return "components or holes came or went as late as at scale " + fixed(late_at, 4) +
-           ": maybe films that no photograph shows";
+           ": maybe thin sheets that no photograph shows";
   if (evidence.agreement < evidence.first_agreement - agreement_lost)
     return "the outline agrees with the silhouettes by " + fixed(evidence.agreement, 3) +
            ", that of the start by " + fixed(evidence.first_agreement, 3);

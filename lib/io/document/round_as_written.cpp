@@ -2,7 +2,7 @@
 
 #include "io/document/scalar.h"
 #include "io/document/writable.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {

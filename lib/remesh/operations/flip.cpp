@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "remesh/guards/edge_rules.h"
-#include "remesh/halfedges/star.h"
+#include "remesh/halfedges/triangle_quality.h"
 #include "support/parallel.h"
 
 namespace transformesh {

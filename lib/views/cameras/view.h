@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "transformesh/pinhole_camera.h"
-#include "views/images/held_image.h"
+#include "views/images/packable_image.h"
 
 namespace transformesh {
 
 struct View {
   std::string name;  ///< of the image file, without folder and extension
   PinholeCamera camera;
-  HeldImage image;
-  HeldImage silhouette;  ///< of the image's size, or empty where there is none
+  PackableImage image;
+  PackableImage silhouette;  ///< of the image's size, or empty where there is none
 };
 
 std::vector<PinholeCamera> cameras_of(std::span<const View> views);
@@ -27,7 +27,7 @@ std::vector<PinholeCamera> cameras_of(std::span<const View> views);
 /// left. O(pixels); deterministic.
 GrayImage at_scale(const GrayImage& image, double scale);
 
-/// Image, silhouette (which keeps its levels at scale 1), and the camera of the smaller image:
+/// Image, silhouette (which keeps its intensities at scale 1), and the camera of the smaller image:
 /// PinholeCamera::shrunk, so that the corners of the image stay where they are.
 View at_scale(const View& view, double scale);
 

@@ -102,8 +102,8 @@ std::string and_others(const std::string& path, std::size_t count) {
   return count == 1 ? path : path + " and " + counted(count - 1, "further mask");
 }
 
-void tell_rule(const std::vector<std::string>& paths, const std::vector<MaskRule>& rules,
-               MaskRule rule, const std::string& text, const ViewSources& sources) {
+void note_mask_rule(const std::vector<std::string>& paths, const std::vector<MaskRule>& rules,
+                    MaskRule rule, const std::string& text, const ViewSources& sources) {
   const auto count = std::count(rules.begin(), rules.end(), rule);
   if (count == 0 || !sources.on_note) return;
   const auto first = std::find(rules.begin(), rules.end(), rule) - rules.begin();
@@ -112,7 +112,7 @@ void tell_rule(const std::vector<std::string>& paths, const std::vector<MaskRule
 }
 
 /// Floats are quicker, as long as there is room for them.
-void pack_one_of(std::size_t count, HeldImage& image) {
+void pack_one_of(std::size_t count, PackableImage& image) {
   constexpr double most_pixels = 8e6;
   if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();
 }
@@ -126,21 +126,22 @@ void decode_masks(const std::vector<std::string>& paths, const ViewSources& sour
     pack_one_of(views.size(), views[i].silhouette);
     rules[i] = mask.rule;
   });
-  tell_rule(paths, rules, MaskRule::alpha,
-            ": transparency is the mask: the object is where the picture is opaque", sources);
-  tell_rule(paths, rules, MaskRule::between_levels,
-            ": black and white are not quite that, as noise or JPEG leave them: the object is what "
-            "is brighter than half-way between",
-            sources);
+  note_mask_rule(paths, rules, MaskRule::alpha,
+                 ": transparency is the mask: the object is where the picture is opaque", sources);
+  note_mask_rule(
+      paths, rules, MaskRule::between_intensities,
+      ": black and white are not quite that, as noise or JPEG leave them: the object is what "
+      "is brighter than half-way between",
+      sources);
 }
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
-std::string size_text(const HeldImage& image) { return size_text(image.width, image.height); }
+std::string size_text(const PackableImage& image) { return size_text(image.width, image.height); }
 
-bool is_size_equal(const HeldImage& first, const HeldImage& second) {
+bool is_size_equal(const PackableImage& first, const PackableImage& second) {
   return first.width == second.width && first.height == second.height;
 }
 
@@ -155,7 +156,7 @@ void check_silhouette(const View& view, const std::string& path) {
   throw InputError(path + ": the silhouette is empty: no pixel is inside");
 }
 
-const HeldImage& sized_image(const View& view) {
+const PackableImage& sized_image(const View& view) {
   return view.image.empty() ? view.silhouette : view.image;
 }
 
@@ -195,7 +196,7 @@ void undistort(View& view, const CameraRecord& record) {
   const LensDistortion& distortion = record.distortion;
   if (distortion.is_none()) return;
   const Eigen::Matrix3d& intrinsics = record.camera.intrinsics;
-  for (HeldImage* const image : {&view.image, &view.silhouette}) {
+  for (PackableImage* const image : {&view.image, &view.silhouette}) {
     const bool is_packed = image->is_packed();
     *image = undistorted(image->unpacked(), intrinsics, distortion);
     if (is_packed) image->pack();
@@ -234,7 +235,7 @@ std::vector<View> views_from(const ViewSources& sources) {
   const std::vector<std::string> stems = distinct_stems(leaders);
   std::vector<SizedCamera> sized;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const HeldImage& image = sized_image(views[i]);
+    const PackableImage& image = sized_image(views[i]);
     if (!image.empty()) list.cameras[i].set_size(image.width, image.height, leaders.paths[i]);
     const PinholeCamera& camera = list.cameras[i].camera;
     views[i].camera = sources.mirror ? camera.mirrored() : camera;

@@ -49,7 +49,7 @@ int extent(const GrayImage& silhouette) {
   int left = silhouette.width, right = -1, top = silhouette.height, bottom = -1;
   for (int y = 0; y < silhouette.height; ++y) {
     for (int x = 0; x < silhouette.width; ++x) {
-      if (silhouette.at(x, y) <= contour_level) continue;
+      if (silhouette.at(x, y) <= contour_intensity) continue;
       left = std::min(left, x);
       right = std::max(right, x);
       top = std::min(top, y);
@@ -95,7 +95,7 @@ Agreement agreement_of(const std::vector<View>& views, const Fineness& fineness)
   }
 }
 
-void invert(HeldImage& silhouette) {
+void invert(PackableImage& silhouette) {
   GrayImage image = silhouette;
   for (float& pixel : image.pixels) pixel = 255 - pixel;
   silhouette = std::move(image);
@@ -108,7 +108,7 @@ bool is_border_inside(const GrayImage& silhouette) {
     const bool is_outer_row = y == 0 || y == silhouette.height - 1;
     const int step = is_outer_row ? 1 : std::max(1, silhouette.width - 1);
     for (int x = 0; x < silhouette.width; x += step, ++count)
-      inside += silhouette.at(x, y) > contour_level ? 1 : 0;
+      inside += silhouette.at(x, y) > contour_intensity ? 1 : 0;
   }
   return 2 * inside > count;
 }
@@ -118,7 +118,7 @@ Box viewed_box(const std::vector<View>& views) {
   const Vec3 center = viewed_point(cameras_of(views));
   std::vector<double> reaches;
   for (const View& view : views) {
-    const HeldImage& image = view.silhouette;
+    const PackableImage& image = view.silhouette;
     reaches.push_back((view.camera.center() - center).norm() *
                       Eigen::Vector2d(image.width, image.height).norm() / 2 /
                       view.camera.focal_length());
@@ -135,11 +135,11 @@ enum class Sight { nothing, object, background };
 Sight seen_at(const View& view, const Projection& projection, const Vec3& point) {
   const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
   if (!(q.z() > 0)) return Sight::nothing;
-  const HeldImage& mask = view.silhouette;
+  const PackableImage& mask = view.silhouette;
   const double x = std::floor(q.x() / q.z() + 0.5);
   const double y = std::floor(q.y() / q.z() + 0.5);
   if (!(x >= 0 && y >= 0 && x < mask.width && y < mask.height)) return Sight::nothing;
-  const bool is_inside = mask.at(static_cast<int>(x), static_cast<int>(y)) > contour_level;
+  const bool is_inside = mask.at(static_cast<int>(x), static_cast<int>(y)) > contour_intensity;
   return is_inside ? Sight::object : Sight::background;
 }
 

@@ -107,7 +107,7 @@ class Reader {
     input_.are_warnings_failures = true;
   }
 
-  void read(LevelRows& rows) {
+  void read(IntensityRows& rows) {
     check_kind();
     const int channels = is_gray() ? 1 : 3;
     const bool wants_rows =
@@ -136,8 +136,8 @@ class Reader {
   bool has_alpha() const {
     std::uint16_t count = 0;
     const std::uint16_t* kinds = nullptr;
-    const bool is_told = TIFFGetField(tiff_.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) != 0;
-    return is_told && count == 1 && kinds[0] != EXTRASAMPLE_UNSPECIFIED;
+    const bool is_given = TIFFGetField(tiff_.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) != 0;
+    return is_given && count == 1 && kinds[0] != EXTRASAMPLE_UNSPECIFIED;
   }
 
   bool is_gray() const {
@@ -176,7 +176,7 @@ class Reader {
   }
 
   template <class Sample>
-  void read_bands(LevelRows& rows) {
+  void read_bands(IntensityRows& rows) {
     const std::uint64_t row_size = std::uint64_t{width_} * stride_;
     const std::uint32_t most = rows_per_band();
     const auto band = claimed_samples<Sample>(most * row_size);
@@ -228,6 +228,6 @@ class Reader {
 
 }  // namespace
 
-void decode_tiff(const Source& source, LevelRows& rows) { Reader(source).read(rows); }
+void decode_tiff(const Source& source, IntensityRows& rows) { Reader(source).read(rows); }
 
 }  // namespace transformesh

@@ -24,13 +24,14 @@ Image decode_picture(std::string_view bytes, const std::string& name);
 /// for what only the pixels tell.
 GrayImage decode_size(std::string_view bytes, const std::string& name);
 
-/// Inside is what the levels or the transparency show (mask.h). Throws as decode_photograph does.
+/// Inside is what the intensities or the transparency show (mask.h). Throws as decode_photograph
+/// does.
 Mask decode_mask(std::string_view bytes, const std::string& name);
 
 /// The same without how it was told.
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
 
-/// Levels from 0 to 255, rounded to whole ones and cut off beyond; opaque.
+/// Intensities from 0 to 255, rounded to whole ones and cut off beyond; opaque.
 Image picture_of(const GrayImage& image);
 
 }  // namespace transformesh

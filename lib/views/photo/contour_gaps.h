@@ -10,7 +10,7 @@
 
 #include "transformesh/hull.h"
 #include "views/cameras/view.h"
-#include "views/photo/seen_surface.h"
+#include "views/photo/visible_surface.h"
 
 namespace transformesh {
 
@@ -24,7 +24,7 @@ struct ContourGaps {
 /// `distances` are signed_distance() of the views' silhouettes, empty where there is none. `seen`
 /// is of mesh and views. O(views * vertices); deterministic.
 ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views, const SeenViews& seen,
-                         std::span<const HeldImage> distances,
+                         std::span<const PackableImage> distances,
                          SilhouetteMeaning meaning = SilhouetteMeaning::exact);
 
 }  // namespace transformesh

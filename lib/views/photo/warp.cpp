@@ -27,23 +27,23 @@ Landing land(double a, double b, double c, double depth, const Vec3& shift) {
 }
 
 /// The pixels that places between seen ones need: all of an image that is not packed.
-PixelBox part_of(const HeldImage& image, const PixelBox& seen) {
+PixelBox part_of(const PackableImage& image, const PixelBox& seen) {
   constexpr int around = 2;
   if (!image.is_packed()) return {0, image.width, 0, image.height};
   return {std::max(seen.first_column - around, 0), std::min(seen.end_column + around, image.width),
           std::max(seen.first_row - around, 0), std::min(seen.end_row + around, image.height)};
 }
 
-const GrayImage& unpacked(const HeldImage& image, const PixelBox& part, GrayImage& room) {
+const GrayImage& unpacked(const PackableImage& image, const PixelBox& part, GrayImage& room) {
   if (!image.is_packed()) return image.unpacked(room);
-  image.unpack_part(part.first_column, part.first_row, part.columns(), part.rows(), room);
+  image.unpack_rectangle(part.first_column, part.first_row, part.columns(), part.rows(), room);
   return room;
 }
 
 }  // namespace
 
-Warp::Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
-           const SeenDepths& depths_of_other, double depth_tolerance, WarpRoom& room)
+Warp::Warp(const View& reference, const VisibleSurface& seen_by_reference, const View& other,
+           const VisibleDepths& depths_of_other, double depth_tolerance, WarpRoom& room)
     : reference_(reference.image),
       seen_(seen_by_reference),
       width_(other.image.width),
@@ -68,17 +68,17 @@ void Warp::row(int y, const WarpedRow& out) const {
   const Vec3 step = turn_.col(0);
   const PixelBox& columns = seen_.compared;
   const float* const depths = seen_.depth.row(y - seen_.box.first_row);
-  if (seen_.level.empty()) {
+  if (seen_.intensity.empty()) {
     reference_.read(columns.first_column, y, columns.columns(), out.reference);
   } else {
-    std::copy_n(
-        seen_.level.row(y - seen_.box.first_row) + columns.first_column - seen_.box.first_column,
-        columns.columns(), out.reference);
+    std::copy_n(seen_.intensity.row(y - seen_.box.first_row) + columns.first_column -
+                    seen_.box.first_column,
+                columns.columns(), out.reference);
   }
 
   for (int x = columns.first_column; x < columns.end_column; ++x) {
     const int i = x - columns.first_column;
-    const float level = out.reference[i];
+    const float intensity = out.reference[i];
     out.is_seen[i] = out.reference[i] = out.other[i] = out.slope[i] = 0;
     const float depth = depths[x - seen_.box.first_column];
     if (depth == 0) continue;
@@ -94,8 +94,8 @@ void Warp::row(int y, const WarpedRow& out) const {
                               static_cast<float>(at.x - to_x), static_cast<float>(at.y - to_y),
                               static_cast<float>(at.along_x), static_cast<float>(at.along_y));
     out.is_seen[i] = 1;
-    out.reference[i] = level - middle_level;
-    out.other[i] = found.level - middle_level;
+    out.reference[i] = intensity - middle_intensity;
+    out.other[i] = found.intensity - middle_intensity;
     out.slope[i] = found.slope;
   }
 }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/ray_winding.h"
+#include "geometry/ray_cast_winding.h"
 #include "geometry/search/closest_point.h"
 #include "support/elementary/exponential.h"
 #include "support/number.h"
@@ -18,7 +18,7 @@
 #include "transformesh/length.h"
 #include "transformesh/measure.h"
 #include "transformesh/wrap.h"
-#include "views/wrap/unit_scale.h"
+#include "views/wrap/scale_normalization.h"
 
 namespace transformesh {
 namespace {
@@ -95,7 +95,7 @@ std::string rounded_up(double length) {
 
 /// Throws UsageError for an alpha that is far too small.
 void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal,
-                const UnitScale& scale) {
+                const ScaleNormalization& scale) {
   const double faces = expected_faces(cloud, alpha, offset, diagonal);
   if (faces <= most_faces) return;
   const double least = scale.from_unit(alpha * std::sqrt(faces / most_faces));
@@ -117,7 +117,7 @@ double least_distance(const Mesh& mesh, const Cloud& cloud) {
 
 /// The share of the wrap's area behind which it soon ends.
 double hollow_share(const Mesh& mesh, double offset) {
-  const RayWinding winding(mesh);
+  const RayCastWinding winding(mesh);
   double hollow = 0;
   double all = 0;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -155,7 +155,7 @@ AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& optio
     throw InputError("the points are all in one place: give alpha and the offset as lengths");
   const double finest = options.alpha > 0 ? std::min(options.alpha, offset) : offset;
   const double largest = std::max({diagonal, options.alpha, offset});
-  const UnitScale scale(largest);
+  const ScaleNormalization scale(largest);
   check_detail(points, finest, largest);
 
   const Cloud cloud = cloud_of(scale.to_unit(points));

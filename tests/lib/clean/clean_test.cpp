@@ -8,7 +8,7 @@
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
 #include "mesh/adjacency.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "support/parallel.h"
 #include "transformesh/components.h"
 #include "transformesh/control.h"
@@ -99,20 +99,20 @@ TEST_CASE("a clean result is clean") {
   }
 }
 
-TEST_CASE("level 2 is the intersection, and a flipped operand the difference") {
+TEST_CASE("winding level 2 is the intersection, and a flipped operand the difference") {
   const Mesh a = test::icosphere(3);
   const Mesh b = test::moved(test::icosphere(3), {0.7, 0.21, 0.13});
   CleanOptions twice;
-  twice.level = 2;
+  twice.winding_level = 2;
   const double sum = volume(clean(test::joined(a, b)).mesh);
   const CleanResult common = clean(test::joined(a, b), twice);
   const double difference = volume(clean(test::joined(a, test::reversed(b))).mesh);
   CHECK(sum + volume(common.mesh) == doctest::Approx(volume(a) + volume(b)).epsilon(1e-12));
   CHECK(difference + volume(common.mesh) == doctest::Approx(volume(a)).epsilon(1e-12));
   test::WindingOracleOptions options;
-  options.level = 2;
+  options.winding_level = 2;
   CHECK(test::compare_windings(test::joined(a, b), common.mesh, options).is_right());
-  twice.level = 3;
+  twice.winding_level = 3;
   CHECK_THROWS_AS(clean(test::joined(a, b), twice), GoalError);
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("the same bytes for any number of threads") {
   }
 }
 
-TEST_CASE("float coordinates are free of crossings as floats") {
+TEST_CASE("float coordinates are free of self-intersections as floats") {
   Mesh input = test::workload("many-spheres", 3000, 6);
   for (Vec3& p : input.positions) {
     for (double& value : p) value = round_to_single(value);

@@ -11,7 +11,7 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "lib/remesh/remesh_checks.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/clean.h"
 #include "transformesh/measure.h"
 #include "transformesh/remesh.h"

@@ -9,7 +9,7 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/clean.h"
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
@@ -38,7 +38,7 @@ Mesh in_singles(Mesh mesh) {
   return mesh;
 }
 
-// Closed, manifold, nothing crosses, no face without area.
+// Closed, manifold, nothing intersects, no face without area.
 Mesh check_clean(const Mesh& mesh, Scalar coordinate) {
   CleanOptions options;
   options.coordinate = coordinate;

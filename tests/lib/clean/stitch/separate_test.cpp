@@ -10,7 +10,7 @@
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/clean.h"
 
 namespace transformesh {

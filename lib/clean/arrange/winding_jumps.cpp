@@ -1,0 +1,86 @@
+#include "clean/arrange/winding_jumps.h"
+
+#include <algorithm>
+
+namespace transformesh {
+namespace {
+
+Index corner_after(Index i) { return i == 2 ? 0 : i + 1; }
+
+bool has_same_direction(const Face& face, const Face& copy) {
+  const auto at =
+      static_cast<std::size_t>(std::find(copy.begin(), copy.end(), face[0]) - copy.begin());
+  return copy[(at + 1) % 3] == face[1];
+}
+
+std::vector<int> count_copies(const WeldedMesh& welded) {
+  std::vector<int> multiplicities(welded.faces.size(), 0);
+  bool has_copies = false;
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    const Index first = welded.first_copy[f];
+    has_copies |= first != f;
+    multiplicities[first] += has_same_direction(welded.faces[first], welded.faces[f]) ? 1 : -1;
+  }
+  if (!has_copies) multiplicities.clear();
+  return multiplicities;
+}
+
+// The sign of a coordinate that differs between two points: that of the second less the first.
+int direction(const ExactGeometry& geometry, const ExactPoint& from, const ExactPoint& to,
+              int& coordinate) {
+  (to.center - from.center).cwiseAbs().maxCoeff(&coordinate);
+  for (int i = 0; i < 3; ++i) {
+    const int sign = geometry.compare_coordinate(to, from, coordinate);
+    if (sign != 0) return sign;
+    coordinate = (coordinate + 1) % 3;
+  }
+  return 0;
+}
+
+}  // namespace
+
+WindingJumps::WindingJumps(const WeldedMesh& welded, const Planes& planes)
+    : welded_(welded),
+      planes_(planes),
+      multiplicities_(count_copies(welded)),
+      edge_of_(3 * welded.faces.size(), no_index) {
+  for (std::size_t e = 0; e < welded_.edges.size(); ++e)
+    for (const Index h : welded_.edges.halfedges(e)) edge_of_[h] = static_cast<Index>(e);
+}
+
+// With the normals n of the plane and m of the other face, n x m runs along the segment, and what
+// lies left of it is behind the other face.
+WindingJump WindingJumps::over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
+                                       const ExactPoint& from, const ExactPoint& to) const {
+  const Contacts& contacts = meeting.contacts;
+  const Index here = seen_from_first ? meeting.first : meeting.second;
+  const Index other = seen_from_first ? meeting.second : meeting.first;
+  const auto& sides = seen_from_first ? contacts.second_sides : contacts.first_sides;
+  const int front = reversed ? -1 : 1;
+  const bool reaches_front =
+      std::any_of(sides.begin(), sides.end(), [&](int side) { return side * front > 0; });
+  if (!reaches_front) return {other, 0};
+  int coordinate = 0;
+  const int along = direction({welded_.points, welded_.faces}, from, to, coordinate);
+  const int sine =
+      front * normals_cross(welded_.triangle(here), welded_.triangle(other), coordinate);
+  return {other, -along * sine * multiplicity(other)};
+}
+
+void WindingJumps::over_edge(Index face, Index i, Index plane,
+                             std::vector<WindingJump>& jumps) const {
+  const Index from = welded_.faces[face][i];
+  const Triangle t = welded_.triangle(plane);
+  for (const Index h : welded_.edges.halfedges(edge_of_[3 * face + i])) {
+    const Index other = h / 3;
+    if (welded_.first_copy[other] != other) continue;
+    if (planes_.plane_of(other) == planes_.plane_of(plane)) continue;
+    const Face& corners = welded_.faces[other];
+    const Vec3& apex = welded_.points[corners[corner_after(corner_after(h % 3))]];
+    if (orient3d(t[0], t[1], t[2], apex) <= 0) continue;
+    const int along = corners[h % 3] == from ? 1 : -1;
+    jumps.push_back({other, -along * multiplicity(other)});
+  }
+}
+
+}  // namespace transformesh

@@ -1,0 +1,43 @@
+/// By how much the winding number w changes where one passes through a face, seen from the front of
+/// a plane: w in front of the plane is constant but where a face meets it from the front (paper
+/// 3.2.2). Exact; deterministic.
+#pragma once
+
+#include <vector>
+
+#include "clean/arrange/planes.h"
+#include "mesh/edges.h"
+
+namespace transformesh {
+
+/// A face, and by how much w in front of a plane grows from left to right of a segment in which the
+/// face meets the plane.
+struct WindingJump {
+  Index face;  ///< of copies the first
+  int jump;
+};
+
+class WindingJumps {
+ public:
+  /// Keeps references.
+  WindingJumps(const WeldedMesh& welded, const Planes& planes);
+
+  /// How many copies of a face there are, less those that are reversed.
+  int multiplicity(Index face) const { return multiplicities_.empty() ? 1 : multiplicities_[face]; }
+
+  /// Over the common segment of two faces, seen from the front of one of them (from its back, if
+  /// that is `reversed`). [from, to] is the segment.
+  WindingJump over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
+                           const ExactPoint& from, const ExactPoint& to) const;
+  /// Over edge i of a face in a plane, along the face, the steps of all faces at that edge that
+  /// rise to the front of the plane, which is given by a face.
+  void over_edge(Index face, Index i, Index plane, std::vector<WindingJump>& jumps) const;
+
+ private:
+  const WeldedMesh& welded_;
+  const Planes& planes_;
+  std::vector<int> multiplicities_;  ///< per first copy; empty where there are no copies
+  std::vector<Index> edge_of_;       ///< per halfedge
+};
+
+}  // namespace transformesh

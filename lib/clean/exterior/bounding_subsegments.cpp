@@ -1,0 +1,248 @@
+#include "clean/exterior/bounding_subsegments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace transformesh {
+namespace {
+
+constexpr int unknown = std::numeric_limits<int>::min();
+constexpr Index corner_before(Index i) { return i == 0 ? 2 : i - 1; }
+
+class BoundingSubsegments {
+ public:
+  BoundingSubsegments(const ExactGeometry& geometry, const SegmentsInFace& in,
+                      const std::vector<KnownWinding>& known)
+      : geometry_(geometry),
+        in_(in),
+        known_(known),
+        crossings_(geometry, in),
+        left_(in.segments.size(), unknown) {}
+
+  // Each returns false where crossings alone do not tell the parts.
+  bool join_ends();
+  bool find_crossings() { return crossings_.find(); }
+  bool find_windings();
+  bool find_subsegments(int front, std::vector<Subsegment>& parts);
+
+ private:
+  const PlanarSegment& segment(Index s) const { return in_.segments[s]; }
+  const ExactPoint& point(Index p) const { return in_.points[p]; }
+  int side(Index s, const ExactPoint& of) const { return crossings_.side(s, of); }
+  Index partner_at(Index p, Index s) const {
+    return at_point_[p][0] == s ? at_point_[p][1] : at_point_[p][0];
+  }
+  bool may_reach(Index s, int front) const;
+  std::optional<int> winding_beside(Index s) const;
+  std::optional<int> winding_at_edge(Index p, const KnownWinding& known) const;
+  std::optional<int> winding_at(Index p, const KnownWinding& known) const;
+  bool is_on_left(Index s, Index partner, const ExactPoint& seen_from) const;
+  bool spread(Index seed, int w);
+  bool continue_at(Index p, Index s, int left);
+  bool spread_over(const Crossing& crossing);
+  bool visit(Index s, int left);
+
+  const ExactGeometry& geometry_;
+  const SegmentsInFace& in_;
+  const std::vector<KnownWinding>& known_;
+  SegmentCrossings crossings_;
+  std::vector<std::array<Index, 2>> at_point_;  ///< the segments that end at a point
+  std::vector<int> left_;                       ///< per segment: w in front, left of its start
+  std::vector<Index> stack_;
+};
+
+// Segments make curves that end at the edges and corners of the face only.
+bool BoundingSubsegments::join_ends() {
+  at_point_.assign(in_.points.size(), {no_index, no_index});
+  for (Index s = 0; s < in_.segments.size(); ++s) {
+    for (const Index p : {segment(s).from, segment(s).to}) {
+      if (in_.is_corner(p)) continue;
+      auto& [first, second] = at_point_[p];
+      if (second != no_index) return false;
+      (first == no_index ? first : second) = s;
+    }
+  }
+  for (Index p = 0; p < at_point_.size(); ++p)
+    if ((at_point_[p][1] == no_index) != (in_.edge_of[p] != no_index)) return false;
+  return true;
+}
+
+bool BoundingSubsegments::find_windings() {
+  for (Index s = 0; s < in_.segments.size(); ++s) {
+    if (left_[s] != unknown) continue;
+    const std::optional<int> w = winding_beside(s);
+    if (w && !spread(s, *w)) return false;
+  }
+  return std::find(left_.begin(), left_.end(), unknown) == left_.end();
+}
+
+// w left of the segment's start, from a corner or the point inside at which it is known.
+std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
+  const Index start = segment(s).from, edge = in_.edge_of[start];
+  const Index partner = partner_at(start, s);
+  for (Index i = 0; i < known_.size(); ++i) {
+    const KnownWinding& known = known_[i];
+    if (side(s, known.at) == 0 || (partner != no_index && side(partner, known.at) == 0)) continue;
+    const bool is_at_edge =
+        edge != no_index && known.corner != no_index && known.corner != corner_before(edge);
+    const std::optional<int> w =
+        is_at_edge ? winding_at_edge(start, known) : winding_at(start, known);
+    if (w) return is_on_left(s, partner, known.at) ? *w : *w - segment(s).jump;
+  }
+  return std::nullopt;
+}
+
+// w where one arrives at a point of an edge along that from its corner: over the segments that end
+// between the two.
+std::optional<int> BoundingSubsegments::winding_at_edge(Index p, const KnownWinding& known) const {
+  const ExactPoint& from = known.at;
+  const auto distance = [&](int axis) {
+    return std::abs(point(p).center[axis] - from.center[axis]);
+  };
+  const auto [u, v] = in_.projection;
+  const int axis = distance(u) > distance(v) ? u : v;
+  const int along = geometry_.compare_coordinate(point(p), from, axis);
+  if (along == 0) return std::nullopt;
+  int w = known.w;
+  for (Index q = 0; q < in_.points.size(); ++q) {
+    if (q == p || in_.edge_of[q] != in_.edge_of[p] || in_.is_corner(q)) continue;
+    const int order = geometry_.compare_coordinate(point(q), point(p), axis) * along;
+    if (order == 0) return std::nullopt;
+    if (order > 0) continue;
+    const Index s = at_point_[q][0];
+    w += side(s, from) > 0 ? segment(s).jump : -segment(s).jump;
+  }
+  return w;
+}
+
+// w where the straight way from where it is known arrives at a point.
+std::optional<int> BoundingSubsegments::winding_at(Index p, const KnownWinding& known) const {
+  const ExactPoint &from = known.at, &to = point(p);
+  const SegmentCrossings::Box box = crossings_.box_of(from, to);
+  int w = known.w;
+  for (Index s = 0; s < in_.segments.size(); ++s) {
+    const PlanarSegment& other = segment(s);
+    if (other.from == p || other.to == p || !box.overlaps(crossings_.box(s))) continue;
+    const int a = geometry_.orient2d(from, to, point(other.from), in_.projection);
+    const int b = geometry_.orient2d(from, to, point(other.to), in_.projection);
+    if (a == b && a != 0) continue;
+    const int start = side(s, from), end = side(s, to);
+    if (start == end && start != 0) continue;
+    if (a == 0 || b == 0 || start == 0 || end == 0) return std::nullopt;
+    w += start > 0 ? other.jump : -other.jump;
+  }
+  return w;
+}
+
+// Whether one sees the left of the segment, near its start, from a point, where another one ends as
+// well: between the two, counter-clockwise.
+bool BoundingSubsegments::is_on_left(Index s, Index partner, const ExactPoint& seen_from) const {
+  const bool is_left = side(s, seen_from) > 0;
+  if (partner == no_index) return is_left;
+  const Index start = segment(s).from;
+  const bool leaves = segment(partner).from == start;
+  const ExactPoint& end = point(leaves ? segment(partner).to : segment(partner).from);
+  const bool is_left_of_partner = (side(partner, seen_from) > 0) == leaves;
+  const int turn = side(s, end);
+  if (turn == 0) return is_left;
+  return turn > 0 ? is_left && !is_left_of_partner : is_left || !is_left_of_partner;
+}
+
+// Along the curve of the seed, and over to those that it crosses.
+bool BoundingSubsegments::spread(Index seed, int w) {
+  if (!visit(seed, w)) return false;
+  while (!stack_.empty()) {
+    const Index s = stack_.back();
+    stack_.pop_back();
+    int w_at_end = left_[s];
+    for (const Crossing& crossing : crossings_.of(s)) {
+      w_at_end += crossings_.jump_over(crossing);
+      if (left_[crossing.other] == unknown && !spread_over(crossing)) return false;
+    }
+    if (!continue_at(segment(s).from, s, left_[s]) || !continue_at(segment(s).to, s, w_at_end))
+      return false;
+  }
+  return true;
+}
+
+// To the segment that ends where this one does, given w left of this one there.
+bool BoundingSubsegments::continue_at(Index p, Index s, int left) {
+  const Index next = partner_at(p, s);
+  if (next == no_index) return true;
+  const bool is_turned = (segment(next).from == p) == (segment(s).from == p);
+  if (segment(next).jump != (is_turned ? -segment(s).jump : segment(s).jump)) return false;
+  int there = is_turned ? left - segment(next).jump : left;
+  if (segment(next).from != p)
+    for (const Crossing& crossing : crossings_.of(next)) there -= crossings_.jump_over(crossing);
+  return visit(next, there);
+}
+
+// To the segment that is crossed: around the crossing w is known from this one.
+bool BoundingSubsegments::spread_over(const Crossing& crossing) {
+  const Index s = crossing.segment, other = crossing.other;
+  const auto there = crossings_.of(other);
+  const auto back =
+      std::find_if(there.begin(), there.end(), [&](const Crossing& c) { return c.other == s; });
+  const std::optional<int> here = crossings_.change_before(crossing),
+                           beyond = crossings_.change_before(*back);
+  if (!here || !beyond) return false;
+  int w = left_[s] + *here;                         // left of s, where that comes from
+  if (crossing.side < 0) w -= segment(other).jump;  // left of both
+  if (back->side < 0) w += segment(s).jump;         // left of the other, where that comes from
+  return visit(other, w - *beyond);
+}
+
+bool BoundingSubsegments::visit(Index s, int left) {
+  if (left_[s] != unknown) return left_[s] == left;
+  left_[s] = left;
+  stack_.push_back(s);
+  return true;
+}
+
+// Whether w in front may be `front` somewhere beside the segment.
+bool BoundingSubsegments::may_reach(Index s, int front) const {
+  int least = left_[s], most = left_[s];
+  for (const Crossing& crossing : crossings_.of(s)) {
+    const int jump = crossings_.jump_over(crossing);
+    (jump < 0 ? least : most) += jump;
+  }
+  (segment(s).jump < 0 ? least : most) += segment(s).jump;
+  return least <= front && front <= most;
+}
+
+// What is exterior has that number in front of it.
+bool BoundingSubsegments::find_subsegments(int front, std::vector<Subsegment>& parts) {
+  for (Index s = 0; s < in_.segments.size(); ++s) {
+    if (!may_reach(s, front)) continue;
+    if (!crossings_.sort_along(s)) return false;
+    int left = left_[s];
+    Index from = no_index;
+    const auto end_subsegment = [&](Index to) {
+      const bool is_left = left == front, is_right = left + segment(s).jump == front;
+      if (is_left != is_right) parts.push_back({s, from, to, is_left});
+    };
+    for (const Crossing& crossing : crossings_.of(s)) {
+      end_subsegment(crossing.other);
+      from = crossing.other;
+      left += crossings_.jump_over(crossing);
+    }
+    end_subsegment(no_index);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::vector<Subsegment>> find_bounding_subsegments(
+    const ExactGeometry& geometry, const SegmentsInFace& in, const std::vector<KnownWinding>& known,
+    int winding_level) {
+  BoundingSubsegments bounding(geometry, in, known);
+  if (!bounding.join_ends() || !bounding.find_crossings()) return std::nullopt;
+  std::vector<Subsegment> parts;
+  if (!bounding.find_windings() || !bounding.find_subsegments(winding_level - 1, parts))
+    return std::nullopt;
+  return parts;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,55 @@
+/// Looks over all slots of a mesh that is edited, on all threads.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "remesh/halfedges/editable_mesh.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+
+/// What find(index, found) appends to `found` for all indices below `count`, ascending. It is
+/// called from several threads at once.
+template <class Find>
+std::vector<Index> indices_where_in(Index count, const Find& find) {
+  constexpr std::size_t per_chunk = 4096;
+  std::vector<std::vector<Index>> chunks((count + per_chunk - 1) / per_chunk);
+  parallel_for(chunks.size(), 1, [&](std::size_t from, std::size_t to) {
+    for (std::size_t chunk = from; chunk < to; ++chunk) {
+      const std::size_t last = std::min<std::size_t>(count, (chunk + 1) * per_chunk);
+      std::vector<Index> found;
+      for (std::size_t i = chunk * per_chunk; i < last; ++i) find(static_cast<Index>(i), found);
+      chunks[chunk] = std::move(found);
+    }
+  });
+  std::vector<Index> result;
+  for (const std::vector<Index>& chunk : chunks)
+    result.insert(result.end(), chunk.begin(), chunk.end());
+  return result;
+}
+
+/// The indices below `count` for which is_wanted(index) holds, ascending.
+template <class IsWanted>
+std::vector<Index> indices_where(Index count, const IsWanted& is_wanted) {
+  return indices_where_in(count, [&](Index i, std::vector<Index>& found) {
+    if (is_wanted(i)) found.push_back(i);
+  });
+}
+
+/// The edges, each by its lower halfedge, for whose scaled squared length is_wanted() holds. Faces
+/// are looked at as wholes: three lengths at once cost little more than one.
+template <class IsWanted>
+std::vector<Index> edges_where(const EditableMesh& mesh, const IsWanted& is_wanted) {
+  return indices_where_in(mesh.face_slots(), [&](Index face, std::vector<Index>& found) {
+    if (!mesh.has_face(face)) return;
+    const std::array<double, 3> lengths = mesh.scaled_squared_lengths(face);
+    for (Index i = 0; i < 3; ++i) {
+      const Index h = 3 * face + i;
+      if (is_wanted(lengths[i]) && h < mesh.opposite(h)) found.push_back(h);
+    }
+  });
+}
+
+}  // namespace transformesh
