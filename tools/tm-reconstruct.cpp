@@ -38,7 +38,7 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   options.spends_views = true;
   options.on_sweep = [&run](const std::string& text) { run.progress_line(text); };
   ReconstructionResult result;
-  tool::evolve_or_keep(run, record, "pass", [&] {
+  tool::evolve_or_keep(run, record, "sweep", [&] {
     result = reconstruct(document, views, options, record, run.progress());
   });
   tool::report_reconstruction(result, views.size(), run);

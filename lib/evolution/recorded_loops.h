@@ -30,8 +30,8 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress = Progress());
 
-/// Returns "vertices moved less far than their velocities say in 30 of 30 iterations, at most 87 %
-/// of them: clamped to 0.2 of the mean edge". Pre: there are such iterations.
+/// Returns "vertices moved less far than their velocities prescribe in 30 of 30 iterations, at most
+/// 87 % of them: clamped to 0.2 of the mean edge". Pre: there are such iterations.
 std::string clamps_in_words(const EvolveResult& result, double alpha);
 
 /// Returns converged, stalled or iteration_limit.

@@ -46,6 +46,7 @@ class SequenceLoop : public Loop {
       : time_steps_(time_steps), views_of_(views_of), options_(options) {}
 
   std::string noun() const override { return "time step"; }
+  std::string column() const override { return "step"; }
   void start(Document& document, const Progress& progress) override;
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
   bool is_done() const override { return result_.time_steps == time_steps_.size(); }

@@ -1,4 +1,4 @@
-/// Tells whether a slit that is closed and drawn apart (twin_patches.h) keeps clear of all other
+/// Decides whether a slit that is closed and drawn apart (twin_patches.h) keeps clear of all other
 /// parts of the surface. Between its two patches lies a slab that becomes outside, where a bridge
 /// is cut through, or inside, where a tunnel is closed. A cavity or another body that reaches into
 /// the slab would be opened, joined or swallowed by that, and so would another handle.

@@ -15,7 +15,7 @@
 namespace transformesh {
 
 /// How many more of the halfedges are directed forward than backward. Halfedges are 3 * face +
-/// corner; the forward ones run from the smaller vertex to the larger.
+/// corner; the forward ones go from the smaller vertex to the larger.
 int sum_along(std::span<const Face> faces, std::span<const Index> halfedges);
 
 /// Returns the first misoriented edge, with the faces that run along it the same way, its place and

@@ -1,6 +1,6 @@
 /// Photographs and silhouettes from files, JPEG, PNG, TIFF and PNM (P2, P3, P5, P6), and as
-/// pictures that can be written (picture/png.h). The format is told by the first bytes, not by the
-/// name.
+/// pictures that can be written (picture/png.h). The format is detected by the first bytes, not by
+/// the name.
 ///
 /// Pixels stay where the file has them: a camera is calibrated for those, so that a wish to show
 /// the photograph rotated (Exif) is ignored. Transparency counts in masks only.
@@ -21,14 +21,14 @@ bool is_image(std::string_view bytes);
 Image decode_picture(std::string_view bytes, const std::string& name);
 
 /// Width and height as its header has them, without a pixel. Throws as decode_photograph does, but
-/// for what only the pixels tell.
+/// for errors that only the pixels show.
 GrayImage decode_size(std::string_view bytes, const std::string& name);
 
 /// Inside is what the intensities or the transparency show (mask.h). Throws as decode_photograph
 /// does.
 Mask decode_mask(std::string_view bytes, const std::string& name);
 
-/// The same without how it was told.
+/// The same without the rule that was applied.
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
 
 /// Intensities from 0 to 255, rounded to whole ones and cut off beyond; opaque.
