@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "clean/intersect/intersect.h"
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 
 namespace transformesh {
 namespace {
@@ -115,7 +115,7 @@ bool SlitRoom::is_free(const std::vector<Index>& loop, const SlitSides& sides,
   if (others.empty()) return true;
   if (intersect(others, surface)) return false;
   const Mesh slab = slab_of(slit);
-  const WindingQuery winding(slab);
+  const SolidAngleWinding winding(slab);
   return std::ranges::none_of(others, [&](const Triangle& triangle) {
     return std::abs(winding(triangle[0]).number) > 0.5;
   });

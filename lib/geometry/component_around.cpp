@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "geometry/search/closest_point.h"
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 #include "mesh/components.h"
 #include "mesh/measure.h"
 #include "support/error.h"
@@ -37,7 +37,7 @@ bool contains(const Mesh& mesh, const std::vector<Index>& faces, const Vec3& poi
     for (const Index vertex : mesh.faces[f]) soup.positions.push_back(mesh.positions[vertex]);
     soup.faces.push_back({first, first + 1, first + 2});
   }
-  const Winding winding = WindingQuery(soup)(point);
+  const BoundedWindingNumber winding = SolidAngleWinding(soup)(point);
   const bool is_on_surface = winding.error >= 0.25;
   return is_on_surface || std::abs(winding.number) > 0.5;
 }

@@ -6,7 +6,7 @@
 
 #include "geometry/numbers/predicates.h"
 #include "geometry/search/closest_point.h"
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 #include "mesh/location_text.h"
 #include "support/error.h"
 #include "support/parallel.h"
@@ -181,7 +181,8 @@ bool KeepOut::is_between(Triangles made, Triangles replaced, Triangles sides, In
   add_to(around, made, false);
   add_to(around, sides, false);
   add_to(around, replaced, true);
-  const Winding winding = WindingQuery(around)(surface_->positions[surface_->faces[face][0]]);
+  const BoundedWindingNumber winding =
+      SolidAngleWinding(around)(surface_->positions[surface_->faces[face][0]]);
   return !(winding.error < undecided && std::abs(winding.number) < undecided);
 }
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 #include "helpers/random.h"
 #include "mesh/measure.h"
 #include "support/parallel.h"
@@ -114,13 +114,13 @@ WindingOracleResult compare_windings(const Mesh& input, const Mesh& output,
   const double distance = options.tolerance * largest_coordinate(input);
   const std::vector<char> is_near_input = mark_near(input, points, distance);
   const std::vector<char> is_near_output = mark_near(output, points, distance);
-  const std::vector<Winding> input_windings = WindingQuery(input)(points);
-  const std::vector<Winding> output_windings = WindingQuery(output)(points);
+  const std::vector<BoundedWindingNumber> input_windings = SolidAngleWinding(input)(points);
+  const std::vector<BoundedWindingNumber> output_windings = SolidAngleWinding(output)(points);
 
   WindingOracleResult result;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Winding& in = input_windings[i];
-    const Winding& out = output_windings[i];
+    const BoundedWindingNumber& in = input_windings[i];
+    const BoundedWindingNumber& out = output_windings[i];
     // An output that is not closed has odd fractions: that is wrong, not undecided.
     if (is_near_input[i] || is_near_output[i] || !in.is_decided() || out.error >= 0.25) {
       ++result.undecided;

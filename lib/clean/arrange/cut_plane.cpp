@@ -15,7 +15,7 @@ struct Line {
   bool is_edge;
   Index a;                        ///< the start of the edge, or the face that crosses
   Index b;                        ///< the end of the edge
-  WindingStep step{no_index, 0};  ///< of a face that crosses
+  WindingJump jump{no_index, 0};  ///< of a face that crosses
 };
 
 struct Segment {
@@ -26,7 +26,7 @@ struct Segment {
 
 class PlaneCutter : public PlaneFacets {
  public:
-  PlaneCutter(const WeldedMesh& welded, const Plane& plane, const WindingSteps* steps);
+  PlaneCutter(const WeldedMesh& welded, const Plane& plane, const WindingJumps* jumps);
   void cut();
   PlaneCut collect(const std::vector<char>& chosen);
   std::vector<char> all_covered() const;
@@ -37,7 +37,7 @@ class PlaneCutter : public PlaneFacets {
   Index neighbor(Index facet, Index i) const override {
     return triangulation_.facets()[facet].next[i];
   }
-  int step(Index facet, Index i) const override;
+  int jump(Index facet, Index i) const override;
   std::array<ExactPoint, 3> corners(Index facet) const override;
   Index facet_at_corner(Index i) const override { return corner_facets_[i]; }
 
@@ -55,7 +55,7 @@ class PlaneCutter : public PlaneFacets {
 
   const WeldedMesh& welded_;
   const Plane& plane_;
-  const WindingSteps* steps_;  ///< where they matter
+  const WindingJumps* jumps_;  ///< where they matter
   ExactGeometry geometry_;
   PlaneProjection projection_;
   std::vector<Line> lines_;  ///< of the three edges of each face, then of each meeting
@@ -69,10 +69,10 @@ class PlaneCutter : public PlaneFacets {
   std::array<Index, 3> corner_facets_{};
 };
 
-PlaneCutter::PlaneCutter(const WeldedMesh& welded, const Plane& plane, const WindingSteps* steps)
+PlaneCutter::PlaneCutter(const WeldedMesh& welded, const Plane& plane, const WindingJumps* jumps)
     : welded_(welded),
       plane_(plane),
-      steps_(steps),
+      jumps_(jumps),
       geometry_(welded.points, welded.faces),
       projection_(projection_of(welded.triangle(plane.faces[0]))),
       triangulation_(geometry_, welded.triangle(plane.faces[0]), box()[0], box()[1],
@@ -172,10 +172,10 @@ void PlaneCutter::insert_meeting(const Meeting& meeting) {
   }
   if (meeting.contacts.count < 2) return;
   segments_.push_back({ends[0], ends[1], line});
-  if (steps_ == nullptr) return;
+  if (jumps_ == nullptr) return;
   const auto k = std::lower_bound(plane_.faces.begin(), plane_.faces.end(), here);
-  lines_[line].step =
-      steps_->over_segment(meeting, first_is_here, is_reversed_[k - plane_.faces.begin()] != 0,
+  lines_[line].jump =
+      jumps_->over_segment(meeting, first_is_here, is_reversed_[k - plane_.faces.begin()] != 0,
                            triangulation_.point(ends[0]), triangulation_.point(ends[1]));
 }
 
@@ -222,42 +222,42 @@ void PlaneCutter::cut() {
 int PlaneCutter::multiplicity(Index facet) const {
   int sum = 0;
   for (const PieceSource& source : covers_[facet]) {
-    const int copies = steps_ == nullptr ? 1 : steps_->multiplicity(source.face);
+    const int copies = jumps_ == nullptr ? 1 : jumps_->multiplicity(source.face);
     sum += source.reversed ? -copies : copies;
   }
   return sum;
 }
 
-int PlaneCutter::step(Index facet, Index i) const {
+int PlaneCutter::jump(Index facet, Index i) const {
   const Index first = triangulation_.facets()[facet].line[i];
   if (first == no_index) return 0;
   if (plane_.faces.size() > 1) return step_of_faces(facet, i);
   int sum = 0;
   triangulation_.for_each_line(facet, i, [&](const auto& on) {
-    const int step = lines_[on.line].step.step;
-    sum += on.is_along ? step : -step;
+    const int jump = lines_[on.line].jump.jump;
+    sum += on.is_along ? jump : -jump;
   });
   return sum;
 }
 
 // Where there are several faces, another one may meet two of them in the same segment.
 int PlaneCutter::step_of_faces(Index facet, Index i) const {
-  std::vector<WindingStep> steps;
+  std::vector<WindingJump> jumps;
   triangulation_.for_each_line(facet, i, [&](const auto& on) {
-    const std::size_t before = steps.size();
+    const std::size_t before = jumps.size();
     if (lines_[on.line].is_edge) {
-      steps_->over_edge(plane_.faces[on.line / 3], on.line % 3, plane_.faces[0], steps);
+      jumps_->over_edge(plane_.faces[on.line / 3], on.line % 3, plane_.faces[0], jumps);
     } else {
-      steps.push_back(lines_[on.line].step);
+      jumps.push_back(lines_[on.line].jump);
     }
-    for (std::size_t s = before; s < steps.size() && !on.is_along; ++s)
-      steps[s].step = -steps[s].step;
+    for (std::size_t s = before; s < jumps.size() && !on.is_along; ++s)
+      jumps[s].jump = -jumps[s].jump;
   });
-  std::sort(steps.begin(), steps.end(),
+  std::sort(jumps.begin(), jumps.end(),
             [](const auto& a, const auto& b) { return a.face < b.face; });
   int sum = 0;
-  for (std::size_t s = 0; s < steps.size(); ++s)
-    if (s == 0 || steps[s].face != steps[s - 1].face) sum += steps[s].step;
+  for (std::size_t s = 0; s < jumps.size(); ++s)
+    if (s == 0 || jumps[s].face != jumps[s - 1].face) sum += jumps[s].jump;
   return sum;
 }
 
@@ -292,9 +292,9 @@ PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane) {
   return cutter.collect(cutter.all_covered());
 }
 
-PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane, const WindingSteps& steps,
+PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane, const WindingJumps& jumps,
                    const ChooseFacets& choose) {
-  PlaneCutter cutter(welded, plane, &steps);
+  PlaneCutter cutter(welded, plane, &jumps);
   cutter.cut();
   return cutter.collect(choose(cutter));
 }

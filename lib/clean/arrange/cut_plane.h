@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clean/arrange/planes.h"
-#include "clean/arrange/winding_steps.h"
+#include "clean/arrange/winding_jumps.h"
 #include "geometry/numbers/exact_point.h"
 
 namespace transformesh {
@@ -38,7 +38,7 @@ class PlaneFacets {
   /// The facet across edge i.
   virtual Index neighbor(Index facet, Index i) const = 0;
   /// By how much w in front grows across edge i, where both facets are covered.
-  virtual int step(Index facet, Index i) const = 0;
+  virtual int jump(Index facet, Index i) const = 0;
   virtual std::array<ExactPoint, 3> corners(Index facet) const = 0;
   /// A facet of the first face at its corner i.
   virtual Index facet_at_corner(Index i) const = 0;
@@ -50,7 +50,7 @@ using ChooseFacets = std::function<std::vector<char>(const PlaneFacets&)>;
 /// All covered facets become pieces.
 PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane);
 /// Chosen ones do.
-PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane, const WindingSteps& steps,
+PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane, const WindingJumps& jumps,
                    const ChooseFacets& choose);
 
 }  // namespace transformesh

@@ -7,7 +7,7 @@
 #include "clean/certify/certify_samples.h"
 #include "geometry/numbers/predicates.h"
 #include "geometry/search/closest_point.h"
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 #include "mesh/location_text.h"
 #include "mesh/measure.h"
 #include "support/error.h"
@@ -142,7 +142,7 @@ void compare_with_solid_angles(const Mesh& mesh, int WindingSample::*number,
     chosen.push_back(i);
     points.push_back(judgements[i].sample->point);
   }
-  const std::vector<Winding> windings = WindingQuery(mesh)(points);
+  const std::vector<BoundedWindingNumber> windings = SolidAngleWinding(mesh)(points);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     Judgement& judgement = judgements[chosen[i]];
     if (!windings[i].is_decided() || windings[i].rounded() == (*judgement.sample).*number) continue;

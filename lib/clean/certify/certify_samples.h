@@ -6,7 +6,7 @@
 
 #include "clean/certify/certify_faces.h"
 #include "clean/certify/rounding_zone.h"
-#include "geometry/ray_winding.h"
+#include "geometry/ray_cast_winding.h"
 
 namespace transformesh {
 
@@ -30,8 +30,8 @@ class SampleFinder {
   std::optional<WindingSample> find_above(const Vec3& base, const Vec3& direction,
                                           double height) const;
 
-  RayWinding input_winding_;
-  RayWinding output_winding_;
+  RayCastWinding input_winding_;
+  RayCastWinding output_winding_;
   RoundingZone zone_;
 };
 

@@ -88,7 +88,7 @@ std::optional<int> BoundingParts::winding_beside(Index s) const {
         edge != no_index && known.corner != no_index && known.corner != corner_before(edge);
     const std::optional<int> w =
         is_at_edge ? winding_at_edge(start, known) : winding_at(start, known);
-    if (w) return is_on_left(s, partner, known.at) ? *w : *w - segment(s).step;
+    if (w) return is_on_left(s, partner, known.at) ? *w : *w - segment(s).jump;
   }
   return std::nullopt;
 }
@@ -111,7 +111,7 @@ std::optional<int> BoundingParts::winding_at_edge(Index p, const KnownWinding& k
     if (order == 0) return std::nullopt;
     if (order > 0) continue;
     const Index s = at_point_[q][0];
-    w += side(s, from) > 0 ? segment(s).step : -segment(s).step;
+    w += side(s, from) > 0 ? segment(s).jump : -segment(s).jump;
   }
   return w;
 }
@@ -130,7 +130,7 @@ std::optional<int> BoundingParts::winding_at(Index p, const KnownWinding& known)
     const int start = side(s, from), end = side(s, to);
     if (start == end && start != 0) continue;
     if (a == 0 || b == 0 || start == 0 || end == 0) return std::nullopt;
-    w += start > 0 ? other.step : -other.step;
+    w += start > 0 ? other.jump : -other.jump;
   }
   return w;
 }
@@ -157,7 +157,7 @@ bool BoundingParts::spread(Index seed, int w) {
     stack_.pop_back();
     int w_at_end = left_[s];
     for (const Crossing& crossing : crossings_.of(s)) {
-      w_at_end += crossings_.step_over(crossing);
+      w_at_end += crossings_.jump_over(crossing);
       if (left_[crossing.other] == unknown && !spread_over(crossing)) return false;
     }
     if (!continue_at(segment(s).from, s, left_[s]) || !continue_at(segment(s).to, s, w_at_end))
@@ -171,10 +171,10 @@ bool BoundingParts::continue_at(Index p, Index s, int left) {
   const Index next = partner_at(p, s);
   if (next == no_index) return true;
   const bool is_turned = (segment(next).from == p) == (segment(s).from == p);
-  if (segment(next).step != (is_turned ? -segment(s).step : segment(s).step)) return false;
-  int there = is_turned ? left - segment(next).step : left;
+  if (segment(next).jump != (is_turned ? -segment(s).jump : segment(s).jump)) return false;
+  int there = is_turned ? left - segment(next).jump : left;
   if (segment(next).from != p)
-    for (const Crossing& crossing : crossings_.of(next)) there -= crossings_.step_over(crossing);
+    for (const Crossing& crossing : crossings_.of(next)) there -= crossings_.jump_over(crossing);
   return visit(next, there);
 }
 
@@ -188,8 +188,8 @@ bool BoundingParts::spread_over(const Crossing& crossing) {
                            beyond = crossings_.change_before(*back);
   if (!here || !beyond) return false;
   int w = left_[s] + *here;                         // left of s, where that comes from
-  if (crossing.side < 0) w -= segment(other).step;  // left of both
-  if (back->side < 0) w += segment(s).step;         // left of the other, where that comes from
+  if (crossing.side < 0) w -= segment(other).jump;  // left of both
+  if (back->side < 0) w += segment(s).jump;         // left of the other, where that comes from
   return visit(other, w - *beyond);
 }
 
@@ -204,10 +204,10 @@ bool BoundingParts::visit(Index s, int left) {
 bool BoundingParts::may_reach(Index s, int front) const {
   int least = left_[s], most = left_[s];
   for (const Crossing& crossing : crossings_.of(s)) {
-    const int step = crossings_.step_over(crossing);
-    (step < 0 ? least : most) += step;
+    const int jump = crossings_.jump_over(crossing);
+    (jump < 0 ? least : most) += jump;
   }
-  (segment(s).step < 0 ? least : most) += segment(s).step;
+  (segment(s).jump < 0 ? least : most) += segment(s).jump;
   return least <= front && front <= most;
 }
 
@@ -219,13 +219,13 @@ bool BoundingParts::find_parts(int front, std::vector<SegmentPart>& parts) {
     int left = left_[s];
     Index from = no_index;
     const auto end_part = [&](Index to) {
-      const bool is_left = left == front, is_right = left + segment(s).step == front;
+      const bool is_left = left == front, is_right = left + segment(s).jump == front;
       if (is_left != is_right) parts.push_back({s, from, to, is_left});
     };
     for (const Crossing& crossing : crossings_.of(s)) {
       end_part(crossing.other);
       from = crossing.other;
-      left += crossings_.step_over(crossing);
+      left += crossings_.jump_over(crossing);
     }
     end_part(no_index);
   }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "clean/exterior/patches.h"
-#include "clean/exterior/winding_ray.h"
+#include "clean/exterior/ray_cast_front_winding.h"
 #include "mesh/components.h"
 #include "support/error.h"
 #include "support/nothing_left.h"
@@ -38,7 +38,7 @@ class Growth {
   int level_;
   bool is_open_;
   Patches patches_;
-  WindingRay ray_;
+  RayCastFrontWinding ray_;
   std::vector<int> front_;  ///< per patch: w in front of it, or unknown
   std::size_t rays_ = 0;
 };
@@ -144,7 +144,7 @@ Exterior Growth::grow(const Progress& progress) {
 }
 
 Exterior test_all(const Arrangement& arrangement, int level, const Progress& progress) {
-  const WindingRay ray(arrangement, BorderClosure(), arrangement.pieces.size());
+  const RayCastFrontWinding ray(arrangement, BorderClosure(), arrangement.pieces.size());
   progress("exterior", 0.1);
   Exterior result;
   result.kept.assign(arrangement.pieces.size(), 0);
@@ -185,7 +185,7 @@ std::string nothing_kept(const Arrangement& arrangement, int level, bool is_open
 std::vector<char> find_enclosed(const Mesh& mesh, const Components& components) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
   const Arrangement arrangement = arrange(welded, {}, Progress());
-  const WindingRay ray(arrangement, BorderClosure(), components.components.size());
+  const RayCastFrontWinding ray(arrangement, BorderClosure(), components.components.size());
   std::vector<char> enclosed(components.components.size(), 0);
   std::vector<char> seen(components.components.size(), 0);
   for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {

@@ -3,8 +3,8 @@
 #include <atomic>
 #include <limits>
 
-#include "clean/exterior/corner_windings.h"
 #include "clean/exterior/exterior_cut.h"
+#include "clean/exterior/region_growing_winding.h"
 #include "support/parallel.h"
 
 namespace transformesh {
@@ -19,7 +19,7 @@ bool parts(int front, int behind, int level) { return (front < level) != (behind
 /// Chooses the exterior facets of a plane that is cut in full.
 class FacetChooser {
  public:
-  FacetChooser(const CornerWindings& windings, const WindingRay& ray, int level)
+  FacetChooser(const RegionGrowingWinding& windings, const RayCastFrontWinding& ray, int level)
       : windings_(windings), ray_(ray), level_(level) {}
 
   std::vector<char> choose(const PlaneFacets& facets, Index first_face);
@@ -28,8 +28,8 @@ class FacetChooser {
  private:
   void spread(const PlaneFacets& facets, Index seed, int w);
 
-  const CornerWindings& windings_;
-  const WindingRay& ray_;
+  const RegionGrowingWinding& windings_;
+  const RayCastFrontWinding& ray_;
   int level_;
   std::vector<int> front_;  ///< per facet
   std::vector<Index> stack_;
@@ -65,14 +65,14 @@ void FacetChooser::spread(const PlaneFacets& facets, Index seed, int w) {
     for (Index i = 0; i < 3; ++i) {
       const Index next = facets.neighbor(facet, i);
       if (next == no_index || !facets.is_covered(next) || front_[next] != unknown) continue;
-      front_[next] = front_[facet] + facets.step(facet, i);
+      front_[next] = front_[facet] + facets.jump(facet, i);
       stack_.push_back(next);
     }
   }
 }
 
 /// Marks the planes that are to be cut.
-std::vector<char> find_visible_planes(const Planes& planes, const CornerWindings& windings,
+std::vector<char> find_visible_planes(const Planes& planes, const RegionGrowingWinding& windings,
                                       int level) {
   std::vector<char> is_visible(planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i)
@@ -80,7 +80,7 @@ std::vector<char> find_visible_planes(const Planes& planes, const CornerWindings
   return is_visible;
 }
 
-std::size_t count_without_corner(const Planes& planes, const CornerWindings& windings,
+std::size_t count_without_corner(const Planes& planes, const RegionGrowingWinding& windings,
                                  const std::vector<char>& is_visible) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -99,26 +99,27 @@ ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& we
   progress("arrange");
   if (!meetings.empty()) refuse_overflow(*welded);
   const Planes planes(*welded, meetings);
-  const WindingSteps steps(*welded, planes);
-  const CornerWindings windings(*welded, planes, steps, around);
+  const WindingJumps jumps(*welded, planes);
+  const RegionGrowingWinding windings(*welded, planes, jumps, around);
   progress("arrange", 0.2);
 
   const auto is_complete = [&](Index face) { return !around || around->is_complete[face]; };
   std::vector<char> is_visible = find_visible_planes(planes, windings, level);
   for (std::size_t i = 0; i < planes.size(); ++i)
     if (!is_complete(planes[i].faces[0])) is_visible[i] = 0;
-  const WindingRay ray(*welded, count_without_corner(planes, windings, is_visible), around);
+  const RayCastFrontWinding ray(*welded, count_without_corner(planes, windings, is_visible),
+                                around);
   std::atomic<std::size_t> rays = windings.rays();
   std::vector<PlaneCut> cuts(planes.size());
   parallel_for(cuts.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
-    ExteriorCutter cutter(*welded, planes, steps, windings, ray, level);
+    ExteriorCutter cutter(*welded, planes, jumps, windings, ray, level);
     FacetChooser chooser(windings, ray, level);
     for (std::size_t i = first; i < last; ++i) {
       if (!is_visible[i]) continue;
       const Plane plane = planes[i];
       auto cut = cutter.cut(plane);
       cuts[i] =
-          cut ? std::move(*cut) : cut_plane(*welded, plane, steps, [&](const PlaneFacets& facets) {
+          cut ? std::move(*cut) : cut_plane(*welded, plane, jumps, [&](const PlaneFacets& facets) {
             return chooser.choose(facets, plane.faces[0]);
           });
     }

@@ -2,7 +2,7 @@
 /// (paper 3.2): what is obviously hidden is not even cut, a face that others merely cross is cut
 /// only along what bounds its exterior (exterior_cut.h), and of other planes only the exterior
 /// facets become pieces. w in front is carried over a plane from a corner at which it is known
-/// (corner_windings.h), or from a ray. Exact; parallel; deterministic for any
+/// (region_growing_winding.h), or from a ray. Exact; parallel; deterministic for any
 /// number of threads; throws as `arrange` does. Of a part of a mesh, only complete faces become
 /// pieces, and these are those of the whole mesh.
 #pragma once

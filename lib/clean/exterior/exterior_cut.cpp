@@ -62,7 +62,7 @@ Index ExteriorCutter::FaceCut::number_of(const PointDefinition& definition, Inde
 bool ExteriorCutter::FaceCut::add_segment(const Meeting& meeting) {
   const bool is_first = meeting.first == face_;
   const Index other = is_first ? meeting.second : meeting.first;
-  if (meeting.contacts.count != 2 || cutter_.steps_.multiplicity(other) != 1) return false;
+  if (meeting.contacts.count != 2 || cutter_.jumps_.multiplicity(other) != 1) return false;
   if (cutter_.planes_[cutter_.planes_.plane_of(other)].faces.size() > 1) return false;
   std::array<Index, 2> ends{};
   std::array<bool, 2> at_corner{};
@@ -79,15 +79,15 @@ bool ExteriorCutter::FaceCut::add_segment(const Meeting& meeting) {
   }
   if (at_corner[0] && at_corner[1]) return false;
   if (at_corner[0]) std::swap(ends[0], ends[1]);
-  const WindingStep over = cutter_.steps_.over_segment(meeting, is_first, false,
+  const WindingJump over = cutter_.jumps_.over_segment(meeting, is_first, false,
                                                        in_.points[ends[0]], in_.points[ends[1]]);
-  in_.segments.push_back({ends[0], ends[1], other, over.step});
-  return over.step == 1 || over.step == -1;
+  in_.segments.push_back({ends[0], ends[1], other, over.jump});
+  return over.jump == 1 || over.jump == -1;
 }
 
 bool ExteriorCutter::FaceCut::gather(const Plane& plane) {
   if (plane.faces.size() > 1 || plane.meetings.empty()) return false;
-  if (cutter_.steps_.multiplicity(face_) != 1) return false;
+  if (cutter_.jumps_.multiplicity(face_) != 1) return false;
   in_.face = face_;
   in_.projection = projection_of(cutter_.welded_.triangle(face_));
   return std::all_of(plane.meetings.begin(), plane.meetings.end(),

@@ -8,18 +8,18 @@
 
 #include "clean/arrange/cut_plane.h"
 #include "clean/exterior/bounding_parts.h"
-#include "clean/exterior/corner_windings.h"
+#include "clean/exterior/region_growing_winding.h"
 
 namespace transformesh {
 
 class ExteriorCutter {
  public:
   /// Keeps references. What is exterior has w < level in front and w >= level behind it.
-  ExteriorCutter(const WeldedMesh& welded, const Planes& planes, const WindingSteps& steps,
-                 const CornerWindings& windings, const WindingRay& ray, int level)
+  ExteriorCutter(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
+                 const RegionGrowingWinding& windings, const RayCastFrontWinding& ray, int level)
       : welded_(welded),
         planes_(planes),
-        steps_(steps),
+        jumps_(jumps),
         windings_(windings),
         ray_(ray),
         level_(level),
@@ -35,9 +35,9 @@ class ExteriorCutter {
 
   const WeldedMesh& welded_;
   const Planes& planes_;
-  const WindingSteps& steps_;
-  const CornerWindings& windings_;
-  const WindingRay& ray_;
+  const WindingJumps& jumps_;
+  const RegionGrowingWinding& windings_;
+  const RayCastFrontWinding& ray_;
   int level_;
   ExactGeometry geometry_;
   std::size_t rays_ = 0;

@@ -29,7 +29,7 @@ int SegmentCrossings::side(Index s, const ExactPoint& of) const {
   if (planes_.empty()) planes_.resize(in_.segments.size());
   std::optional<ExactPlane>& plane = planes_[s];
   if (!plane) plane = geometry_.plane(line.face);
-  return line.step * geometry_.orient3d(*plane, of);
+  return line.jump * geometry_.orient3d(*plane, of);
 }
 
 SegmentCrossings::Box SegmentCrossings::box_of(const ExactPoint& from, const ExactPoint& to) const {
@@ -146,7 +146,7 @@ std::optional<int> SegmentCrossings::change_before(const Crossing& crossing) con
     if (earlier.other == crossing.other) continue;
     const int order = order_along(crossing.segment, earlier, crossing);
     if (order == 0) return std::nullopt;
-    if (order < 0) change += step_over(earlier);
+    if (order < 0) change += jump_over(earlier);
   }
   return change;
 }

@@ -16,7 +16,7 @@ namespace transformesh {
 struct PlanarSegment {
   Index from, to;  ///< points; only the second may be a corner of the face
   Index face;      ///< the one that crosses
-  int step;  ///< by how much w in front grows from left to right: +1 or -1, so that its left is
+  int jump;  ///< by how much w in front grows from left to right: +1 or -1, so that its left is
              ///< in front of the face that crosses, or behind it
 };
 
@@ -64,9 +64,9 @@ class SegmentCrossings {
   /// Returns whether that is possible: no three segments meet in one point of it.
   bool sort_along(Index s);
   /// By how much w in front grows along the segment over a crossing.
-  int step_over(const Crossing& crossing) const {
-    const int step = in_.segments[crossing.other].step;
-    return crossing.side > 0 ? step : -step;
+  int jump_over(const Crossing& crossing) const {
+    const int jump = in_.segments[crossing.other].jump;
+    return crossing.side > 0 ? jump : -jump;
   }
   /// By how much from the start of its segment to just before it. Nothing where another segment
   /// crosses there as well.

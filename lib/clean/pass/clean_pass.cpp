@@ -7,7 +7,7 @@
 #include "clean/arrange/arrange.h"
 #include "clean/exterior/close_borders.h"
 #include "clean/exterior/exterior_arrangement.h"
-#include "clean/exterior/winding_ray.h"
+#include "clean/exterior/ray_cast_front_winding.h"
 #include "clean/intersect/intersect.h"
 #include "clean/open/borders.h"
 #include "clean/open/enclosed_sheets.h"
@@ -80,7 +80,7 @@ bool Pass::find_all_exterior() {
   Connectivity connectivity = connect(std::move(*opposites_));
   opposites_.reset();
   const std::size_t count = connectivity.components;
-  const WindingRay ray(*welded_, count);
+  const RayCastFrontWinding ray(*welded_, count);
   const ExactGeometry geometry(welded_->points, welded_->faces);
   std::size_t seen = 0;
   for (Index f = 0; seen < count; ++f) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/ray_winding.h"
+#include "geometry/ray_cast_winding.h"
 #include "geometry/search/closest_point.h"
 #include "mesh/measure.h"
 #include "support/elementary/exponential.h"
@@ -116,7 +116,7 @@ double least_distance(const Mesh& mesh, const Cloud& cloud) {
 
 /// The share of the wrap's area behind which it soon ends.
 double hollow_share(const Mesh& mesh, double offset) {
-  const RayWinding winding(mesh);
+  const RayCastWinding winding(mesh);
   double hollow = 0;
   double all = 0;
   for (Index f = 0; f < mesh.faces.size(); ++f) {

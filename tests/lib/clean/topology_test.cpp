@@ -4,7 +4,7 @@
 
 #include "clean/clean.h"
 #include "clean/intersect/intersect.h"
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 #include "helpers/shapes.h"
 #include "helpers/winding_oracle.h"
 #include "mesh/components.h"
@@ -116,7 +116,7 @@ double volume_by_counting(const Mesh& mesh) {
   constexpr int cells = 32;
   const Box box = bounding_box(mesh);
   const Vec3 cell = (box.maximum - box.minimum) / cells;
-  const WindingQuery winding(mesh);
+  const SolidAngleWinding winding(mesh);
   int inside = 0;
   for (int i = 0; i < cells * cells * cells; ++i) {
     const Vec3 at(i % cells + 0.5, i / cells % cells + 0.5, i / cells / cells + 0.5);

@@ -22,7 +22,7 @@ class Curves {
     in.projection = {0, 1};
   }
 
-  void add_polygon(const Vec3& center, double radius, int corners, int step) {
+  void add_polygon(const Vec3& center, double radius, int corners, int jump) {
     const auto first = static_cast<Index>(in.points.size());
     for (int i = 0; i < corners; ++i) {
       const double angle = 2 * std::acos(-1) * i / corners, r = radius * random_.uniform(0.6, 1);
@@ -32,17 +32,17 @@ class Curves {
       const Index from = first + i, to = first + (i + 1) % static_cast<Index>(corners);
       // Some run backwards, as segments may.
       if (random_.below(2) == 0)
-        add_segment(from, to, step);
+        add_segment(from, to, jump);
       else
-        add_segment(to, from, -step);
+        add_segment(to, from, -jump);
     }
   }
   /// From the first edge to the last.
-  void add_chord(double x, double y, int step) {
+  void add_chord(double x, double y, int jump) {
     const auto first = static_cast<Index>(in.points.size());
     add_point({x, 0, 0}, 0);
     add_point({0, y, 0}, 2);
-    add_segment(first, first + 1, step);
+    add_segment(first, first + 1, jump);
   }
 
   /// w in front of a point, by the crossings of the way there from the corner.
@@ -56,7 +56,7 @@ class Curves {
       const Vec3 origin(1e-9, 1e-9, 0);
       if (turn(origin, p, a) * turn(origin, p, b) > 0) continue;
       if (turn(a, b, origin) * turn(a, b, p) > 0) continue;
-      w += turn(a, b, origin) > 0 ? s.step : -s.step;
+      w += turn(a, b, origin) > 0 ? s.jump : -s.jump;
     }
     return w;
   }
@@ -75,7 +75,7 @@ class Curves {
     in.points.push_back(ExactGeometry::free(p));
     in.edge_of.push_back(edge);
   }
-  void add_segment(Index from, Index to, int step) { in.segments.push_back({from, to, 0, step}); }
+  void add_segment(Index from, Index to, int jump) { in.segments.push_back({from, to, 0, jump}); }
 
   test::Random random_;
 };
@@ -154,7 +154,7 @@ TEST_CASE("nothing is told where no winding number is known, or none that fits")
   const std::vector<Vec3> positions{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
   const std::vector<Face> faces{{0, 1, 2}};
   CHECK_FALSE(find_bounding_parts({positions, faces}, curves.in, {}, 1).has_value());
-  curves.in.segments[2].step *= -1;  // w differs on one side of the polygon only
+  curves.in.segments[2].jump *= -1;  // w differs on one side of the polygon only
   CHECK_FALSE(curves.parts(1).has_value());
 }
 

@@ -21,10 +21,10 @@ Count cut_all(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   const std::vector<Meeting> meetings = find_meetings(welded, Progress());
   const Planes planes(welded, meetings);
-  const WindingSteps steps(welded, planes);
-  const CornerWindings windings(welded, planes, steps);
-  const WindingRay ray(welded, 1);
-  ExteriorCutter cutter(welded, planes, steps, windings, ray, 1);
+  const WindingJumps jumps(welded, planes);
+  const RegionGrowingWinding windings(welded, planes, jumps);
+  const RayCastFrontWinding ray(welded, 1);
+  ExteriorCutter cutter(welded, planes, jumps, windings, ray, 1);
   Count count;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto cut = cutter.cut(planes[i]);

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/search/closest_point.h"
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 #include "helpers/point_clouds.h"
 #include "mesh/components.h"
 #include "support/error.h"
@@ -15,7 +15,7 @@ TEST_CASE("an alpha wrap contains all points, at its offset") {
   const Mesh mesh = alpha_wrap(cloud.points, {.alpha = 0.2, .offset = 0.02}).mesh;
   check_surface(mesh);
   CHECK(connected_components(mesh).components.size() == 1);
-  const WindingQuery winding(mesh);
+  const SolidAngleWinding winding(mesh);
   for (const Vec3& point : cloud.points) CHECK(winding(point).rounded() == 1);
   for (const Vec3& position : mesh.positions) {
     CHECK(position.norm() > 0.95);
@@ -31,7 +31,7 @@ TEST_CASE("vertices lie at the offset, and faces between them come nearer, by as
     const double offset = 0.1;
     const AlphaWrap wrap = alpha_wrap(points, {.alpha = alpha, .offset = offset});
     double least = 1e9;
-    const WindingQuery winding(wrap.mesh);
+    const SolidAngleWinding winding(wrap.mesh);
     for (const Vec3& point : points) {
       CHECK(winding(point).rounded() == 1);
       for (const Face& face : wrap.mesh.faces)

@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "clean/arrange/planes.h"
-#include "clean/arrange/winding_steps.h"
-#include "clean/exterior/winding_ray.h"
+#include "clean/arrange/winding_jumps.h"
+#include "clean/exterior/ray_cast_front_winding.h"
 
 namespace transformesh {
 
-class CornerWindings {
+class RegionGrowingWinding {
  public:
   /// Keeps references.
-  CornerWindings(const WeldedMesh& welded, const Planes& planes, const WindingSteps& steps,
-                 const Surroundings* around = nullptr);
+  RegionGrowingWinding(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
+                       const Surroundings* around = nullptr);
 
   /// w in front of a face near its corner i. Nothing where other faces meet the corner, or where no
   /// whole face is connected with it.
@@ -47,7 +47,7 @@ class CornerWindings {
   void leave_out_incomplete();
   void grow();
   void grow_from_cut_faces();
-  int cast_at_corner(const WindingRay& ray, Index face, Index i) const;
+  int cast_at_corner(const RayCastFrontWinding& ray, Index face, Index i) const;
   Index seed_near(Index face) const;
   void spread(Index face, Index i, int w);
   void visit_corner(Index face, Index i, int w);
@@ -55,7 +55,7 @@ class CornerWindings {
 
   const WeldedMesh& welded_;
   const Planes& planes_;
-  const WindingSteps& steps_;
+  const WindingJumps& jumps_;
   const Surroundings* around_;      ///< null for a whole mesh
   std::vector<CutFace> cut_faces_;  ///< per plane
   std::vector<Index> across_;       ///< per halfedge

@@ -1,4 +1,4 @@
-#include "clean/exterior/winding_ray.h"
+#include "clean/exterior/ray_cast_front_winding.h"
 
 #include <cmath>
 #include <limits>
@@ -58,25 +58,26 @@ std::array<int, 3> weights(int attempt) { return {1, attempt, attempt * attempt}
 
 }  // namespace
 
-WindingRay::WindingRay(const Arrangement& arrangement, const BorderClosure& closure,
-                       std::size_t rays)
+RayCastFrontWinding::RayCastFrontWinding(const Arrangement& arrangement,
+                                         const BorderClosure& closure, std::size_t rays)
     : welded_(*arrangement.welded), arrangement_(&arrangement), closure_(closure.triangles) {
   if (rays > few_rays) bvh_ = build_bvh(welded_, closure_);
   if (!closure.empty()) limit_sheets(closure);
 }
 
-WindingRay::WindingRay(const WeldedMesh& welded, std::size_t rays, const Surroundings* around)
+RayCastFrontWinding::RayCastFrontWinding(const WeldedMesh& welded, std::size_t rays,
+                                         const Surroundings* around)
     : welded_(welded), around_(around) {
   if (rays > few_rays) bvh_ = build_bvh(welded_, closure_);
 }
 
-Triangle WindingRay::triangle(Index i) const {
+Triangle RayCastFrontWinding::triangle(Index i) const {
   const std::size_t faces = welded_.faces.size();
   return i < faces ? welded_.triangle(i) : closure_[i - faces];
 }
 
-void WindingRay::visit_overlaps(const Vec3& low, const Vec3& high,
-                                const std::function<bool(Index)>& visit) const {
+void RayCastFrontWinding::visit_overlaps(const Vec3& low, const Vec3& high,
+                                         const std::function<bool(Index)>& visit) const {
   if (!bvh_.empty()) return bvh_.visit_overlaps(welded_.frame.box(low, high), visit);
   const auto count = static_cast<Index>(welded_.faces.size() + closure_.size());
   for (Index i = 0; i < count; ++i) {
@@ -88,7 +89,7 @@ void WindingRay::visit_overlaps(const Vec3& low, const Vec3& high,
 }
 
 // A sheet counts only for pieces of its own component, as it bounds nothing but what it meets.
-void WindingRay::limit_sheets(const BorderClosure& closure) {
+void RayCastFrontWinding::limit_sheets(const BorderClosure& closure) {
   DisjointSets sets(arrangement_->point_count());
   for (const Piece& piece : arrangement_->pieces) {
     sets.join(piece.corners[0], piece.corners[1]);
@@ -105,32 +106,32 @@ void WindingRay::limit_sheets(const BorderClosure& closure) {
   for (const Index face : closure.face_of) limit(face);
 }
 
-int WindingRay::in_front_of(const Piece& piece) const {
+int RayCastFrontWinding::in_front_of(const Piece& piece) const {
   const Index component = component_of_.empty() ? no_index : component_of_[piece.corners[0]];
   const auto& [a, b, c] = piece.corners;
   return in_front_of({arrangement_->point(a), arrangement_->point(b), arrangement_->point(c)},
                      arrangement_->sources_of(piece).front(), component);
 }
 
-int WindingRay::in_front_of(const std::array<ExactPoint, 3>& part, Index face) const {
+int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part, Index face) const {
   return in_front_of(part, {face, false}, no_index);
 }
 
-std::optional<int> WindingRay::in_front_of(const ExactPoint& point, Index face) const {
+std::optional<int> RayCastFrontWinding::in_front_of(const ExactPoint& point, Index face) const {
   const auto [axis, direction] = axis_and_direction({face, false});
   const Count count = cast(point, axis, direction, no_index);
   return count.grazes ? std::nullopt : std::optional(count.winding);
 }
 
 // A ray runs to the front, along the axis that is nearest to the normal.
-std::pair<int, int> WindingRay::axis_and_direction(const PieceSource& source) const {
+std::pair<int, int> RayCastFrontWinding::axis_and_direction(const PieceSource& source) const {
   const PlaneProjection projection = projection_of(welded_.triangle(source.face));
   const bool even = projection.v == (projection.u + 1) % 3;
   return {3 - projection.u - projection.v, even != source.reversed ? 1 : -1};
 }
 
-int WindingRay::in_front_of(const std::array<ExactPoint, 3>& part, const PieceSource& source,
-                            Index component) const {
+int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
+                                     const PieceSource& source, Index component) const {
   const auto [axis, direction] = axis_and_direction(source);
   const ExactGeometry geometry(welded_.points, welded_.faces);
   // A ray grazes an edge where its origin lies on the projection of that edge to the piece: a
@@ -145,8 +146,8 @@ int WindingRay::in_front_of(const std::array<ExactPoint, 3>& part, const PieceSo
                   ": turn the mesh a little");
 }
 
-WindingRay::Count WindingRay::cast(const ExactPoint& origin, int axis, int direction,
-                                   Index component) const {
+RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin, int axis,
+                                                     int direction, Index component) const {
   const PlaneProjection projection{(axis + 1) % 3, (axis + 2) % 3};
   const ExactGeometry geometry(welded_.points, welded_.faces);
   const SideFilter filter(origin, projection);

@@ -1,5 +1,5 @@
 /// Winding numbers by rays, against sums of solid angles, and by closed forms where rays graze.
-#include "clean/exterior/winding_ray.h"
+#include "clean/exterior/ray_cast_front_winding.h"
 
 #include <doctest/doctest.h>
 
@@ -45,8 +45,8 @@ TEST_CASE("w in front of every piece is that of solid angles, with and without a
     CAPTURE(seed);
     const Mesh mesh = test::random_balls(seed, 4);
     const Arrangement arrangement = test::arranged(mesh);
-    const WindingRay few(arrangement, BorderClosure(), 1);
-    const WindingRay many(arrangement, BorderClosure(), 1000);
+    const RayCastFrontWinding few(arrangement, BorderClosure(), 1);
+    const RayCastFrontWinding many(arrangement, BorderClosure(), 1000);
     for (const Piece& piece : arrangement.pieces) {
       const int winding = many.in_front_of(piece);
       REQUIRE(few.in_front_of(piece) == winding);
@@ -71,7 +71,7 @@ TEST_CASE("rays along a lattice, where corners lie behind corners, count right")
   const Arrangement arrangement = test::arranged(mesh);
   REQUIRE(arrangement.whole_pieces == mesh.faces.size());
   for (const std::size_t rays : {std::size_t{1}, mesh.faces.size()}) {
-    const WindingRay ray(arrangement, BorderClosure(), rays);
+    const RayCastFrontWinding ray(arrangement, BorderClosure(), rays);
     for (std::size_t p = 0; p < expected.size(); ++p)
       CHECK(ray.in_front_of(arrangement.pieces[p]) == expected[p]);
   }
@@ -87,7 +87,7 @@ TEST_CASE("a ray meets what closes the borders") {
   const Arrangement arrangement = test::arranged(mesh);
   const BorderClosure closure = close_borders(*arrangement.welded, {border_loop(bowl)});
   CHECK(closure.triangles.size() == border_loop(bowl).size());
-  const WindingRay ray(arrangement, closure, mesh.faces.size());
+  const RayCastFrontWinding ray(arrangement, closure, mesh.faces.size());
   for (std::size_t p = 0; p < arrangement.pieces.size(); ++p)
     CHECK(ray.in_front_of(arrangement.pieces[p]) == (p < bowl.faces.size() ? 1 : 0));
 
@@ -97,7 +97,7 @@ TEST_CASE("a ray meets what closes the borders") {
   std::vector<Index> loop = border_loop(bowl);
   std::reverse(loop.begin(), loop.end());
   const BorderClosure inner = close_borders(*inwards.welded, {loop});
-  const WindingRay inner_ray(inwards, inner, mesh.faces.size());
+  const RayCastFrontWinding inner_ray(inwards, inner, mesh.faces.size());
   for (std::size_t p = 0; p < bowl.faces.size(); ++p)
     CHECK(inner_ray.in_front_of(inwards.pieces[p]) == 0);
 }

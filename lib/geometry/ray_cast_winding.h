@@ -1,7 +1,8 @@
 /// Winding numbers of a closed oriented mesh at points, by counting the faces that a ray along an
 /// axis crosses. Every crossing is decided by exact predicates, so the number is exact; a ray that
 /// meets an edge, a corner or a face seen edge-on is replaced by one in another direction.
-/// (WindingQuery sums solid angles instead: for any mesh, in O(faces) a point, in floating point.)
+/// (SolidAngleWinding sums solid angles instead: for any mesh, in O(faces) a point, in floating
+/// point.)
 ///
 /// Vertices are the same when their positions are. Faces without area count for nothing. Of a mesh
 /// that is not closed the number depends on the ray: see that it is. Deterministic; safe to call
@@ -17,10 +18,10 @@
 
 namespace transformesh {
 
-class RayWinding {
+class RayCastWinding {
  public:
   /// Keeps a reference to the mesh.
-  explicit RayWinding(const Mesh& mesh);
+  explicit RayCastWinding(const Mesh& mesh);
 
   /// Nothing where the point is on the surface, or where no axis gives a ray that crosses faces in
   /// their insides only.

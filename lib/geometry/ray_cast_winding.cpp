@@ -1,4 +1,4 @@
-#include "geometry/ray_winding.h"
+#include "geometry/ray_cast_winding.h"
 
 #include <limits>
 
@@ -20,7 +20,7 @@ bool has_two_sides(const Triangle& t) { return !collinear(t[0], t[1], t[2]); }
 
 }  // namespace
 
-RayWinding::RayWinding(const Mesh& mesh) : mesh_(&mesh), frame_(mesh.positions) {
+RayCastWinding::RayCastWinding(const Mesh& mesh) : mesh_(&mesh), frame_(mesh.positions) {
   std::vector<FloatBox> boxes;
   boxes.reserve(mesh.faces.size());
   for (const auto& [a, b, c] : mesh.faces) {
@@ -30,7 +30,7 @@ RayWinding::RayWinding(const Mesh& mesh) : mesh_(&mesh), frame_(mesh.positions) 
   bvh_ = Bvh(boxes);
 }
 
-std::optional<int> RayWinding::cast(const Vec3& point, int axis, bool towards_infinity) const {
+std::optional<int> RayCastWinding::cast(const Vec3& point, int axis, bool towards_infinity) const {
   FloatBox ray = frame_.box(point, point);
   const auto along = static_cast<std::size_t>(axis);
   (towards_infinity ? ray.maximum[along] : ray.minimum[along]) =
@@ -59,14 +59,14 @@ std::optional<int> RayWinding::cast(const Vec3& point, int axis, bool towards_in
   return winding;
 }
 
-std::optional<int> RayWinding::operator()(const Vec3& point) const {
+std::optional<int> RayCastWinding::operator()(const Vec3& point) const {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool towards_infinity : {true, false})
       if (const std::optional<int> winding = cast(point, axis, towards_infinity)) return winding;
   return std::nullopt;
 }
 
-bool RayWinding::blocks(const Vec3& from, const Vec3& to) const {
+bool RayCastWinding::blocks(const Vec3& from, const Vec3& to) const {
   bool is_blocked = false;
   bvh_.visit_overlaps(frame_.box(from.cwiseMin(to), from.cwiseMax(to)), [&](Index face) {
     const Triangle t = triangle_of(*mesh_, face);

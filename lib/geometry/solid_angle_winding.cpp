@@ -1,4 +1,4 @@
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -51,12 +51,13 @@ double safe_scale(double largest) {
 
 }  // namespace
 
-WindingQuery::WindingQuery(const Mesh& mesh) : mesh_(&mesh) {
+SolidAngleWinding::SolidAngleWinding(const Mesh& mesh) : mesh_(&mesh) {
   const Box box = bounding_box(mesh);
   largest_coordinate_ = box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).maxCoeff();
 }
 
-Winding WindingQuery::sum(const Vec3& point, std::vector<Vec3>& directions) const {
+BoundedWindingNumber SolidAngleWinding::sum(const Vec3& point,
+                                            std::vector<Vec3>& directions) const {
   // A direction is not a number where the point is at the vertex.
   const double scale = safe_scale(std::max(largest_coordinate_, point.cwiseAbs().maxCoeff()));
   const Vec3 origin = point * scale;
@@ -90,13 +91,14 @@ Winding WindingQuery::sum(const Vec3& point, std::vector<Vec3>& directions) cons
   return {turns.total(), error};
 }
 
-Winding WindingQuery::operator()(const Vec3& point) const {
+BoundedWindingNumber SolidAngleWinding::operator()(const Vec3& point) const {
   std::vector<Vec3> directions;
   return sum(point, directions);
 }
 
-std::vector<Winding> WindingQuery::operator()(std::span<const Vec3> points) const {
-  std::vector<Winding> windings(points.size());
+std::vector<BoundedWindingNumber> SolidAngleWinding::operator()(
+    std::span<const Vec3> points) const {
+  std::vector<BoundedWindingNumber> windings(points.size());
   parallel_for(points.size(), points_per_task, [&](std::size_t first, std::size_t last) {
     std::vector<Vec3> directions;
     for (std::size_t i = first; i < last; ++i) windings[i] = sum(points[i], directions);

@@ -13,15 +13,17 @@
 
 namespace transformesh {
 
-class WindingRay {
+class RayCastFrontWinding {
  public:
   /// Rays meet the faces of the arrangement's mesh and the triangles that close its borders. `rays`
   /// is about how many will be cast: where they are few, each is tested with all faces, which costs
   /// less than building a hierarchy. Keeps a reference to the arrangement.
-  WindingRay(const Arrangement& arrangement, const BorderClosure& closure, std::size_t rays);
+  RayCastFrontWinding(const Arrangement& arrangement, const BorderClosure& closure,
+                      std::size_t rays);
   /// Of a closed mesh, for triangles only. Rays meet the faces around the mesh too, if there are
   /// any. Keeps references.
-  WindingRay(const WeldedMesh& welded, std::size_t rays, const Surroundings* around = nullptr);
+  RayCastFrontWinding(const WeldedMesh& welded, std::size_t rays,
+                      const Surroundings* around = nullptr);
 
   /// The winding number just in front of a piece. A ray that grazes an edge or a corner is replaced
   /// by one from another point of the piece, until one crosses faces in their interiors only.

@@ -1,4 +1,4 @@
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 
 #include <doctest/doctest.h>
 
@@ -13,10 +13,12 @@ using namespace transformesh::test;
 
 namespace {
 
-Winding at(const Mesh& mesh, const Vec3& point) { return WindingQuery(mesh)(point); }
+BoundedWindingNumber at(const Mesh& mesh, const Vec3& point) {
+  return SolidAngleWinding(mesh)(point);
+}
 
 bool has_number(const Mesh& mesh, const Vec3& point, int number) {
-  const Winding winding = at(mesh, point);
+  const BoundedWindingNumber winding = at(mesh, point);
   return winding.is_decided() && winding.rounded() == number;
 }
 
@@ -70,7 +72,7 @@ TEST_CASE("the winding number is the sum of the solid angles, also of an open me
   Mesh open = ring;
   open.faces.resize(open.faces.size() / 3);
   for (const Vec3& point : random_points(200, 3)) {
-    const Winding closed_winding = at(ring, point);
+    const BoundedWindingNumber closed_winding = at(ring, point);
     REQUIRE(closed_winding.is_decided());
     CHECK(std::abs(closed_winding.number - sum_of_solid_angles(ring, point)) < 1e-11);
 
@@ -79,7 +81,7 @@ TEST_CASE("the winding number is the sum of the solid angles, also of an open me
     if (std::abs(distance - 0.7) > 0.05)
       CHECK(closed_winding.rounded() == (distance < 0.7 ? 1 : 0));
 
-    const Winding open_winding = at(open, point);
+    const BoundedWindingNumber open_winding = at(open, point);
     CHECK(std::abs(open_winding.number - sum_of_solid_angles(open, point)) < 1e-11);
     CHECK_FALSE(open_winding.is_decided());
   }
@@ -120,7 +122,7 @@ TEST_CASE("the error bound of the winding number holds in small faces far away a
   for (const Vec3& direction : random_points(50, 1)) {
     const Vec3 unit = direction.normalized();
     for (const double radius : {0.01, 0.9, 0.99, 1.001, 1.01, 10.0, 1e6}) {
-      const Winding winding = at(ball, unit * radius);
+      const BoundedWindingNumber winding = at(ball, unit * radius);
       REQUIRE(winding.is_decided());
       CHECK(winding.error < 1e-6);
       CHECK(winding.rounded() == (radius < 1 ? 1 : 0));
@@ -130,11 +132,11 @@ TEST_CASE("the error bound of the winding number holds in small faces far away a
 
 TEST_CASE("many winding numbers are those of each point, for any number of threads") {
   const Mesh ball = joined(icosphere(3), moved(icosphere(3), {0.5, 0, 0}));
-  const WindingQuery query(ball);
+  const SolidAngleWinding query(ball);
   const std::vector<Vec3> points = random_points(300, 1.5);
-  const std::vector<Winding> windings = query(points);
+  const std::vector<BoundedWindingNumber> windings = query(points);
   const ThreadLimit one(1);
-  const std::vector<Winding> again = query(points);
+  const std::vector<BoundedWindingNumber> again = query(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     CHECK(windings[i].number == query(points[i]).number);
     CHECK(windings[i].number == again[i].number);

@@ -1,8 +1,8 @@
-#include "geometry/ray_winding.h"
+#include "geometry/ray_cast_winding.h"
 
 #include <doctest/doctest.h>
 
-#include "geometry/winding.h"
+#include "geometry/solid_angle_winding.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 
@@ -23,14 +23,14 @@ Mesh nest() {
 
 TEST_CASE("rays count what solid angles sum up to") {
   const Mesh mesh = nest();
-  const RayWinding by_rays(mesh);
-  const WindingQuery by_angles(mesh);
+  const RayCastWinding by_rays(mesh);
+  const SolidAngleWinding by_angles(mesh);
   Random random(3);
   int lowest = 0;
   int highest = 0;
   for (int i = 0; i < 2000; ++i) {
     const Vec3 point = random.point(-3.5, 3.5);
-    const Winding expected = by_angles(point);
+    const BoundedWindingNumber expected = by_angles(point);
     REQUIRE(expected.is_decided());
     REQUIRE(by_rays(point) == expected.rounded());
     lowest = std::min(lowest, expected.rounded());
@@ -42,21 +42,21 @@ TEST_CASE("rays count what solid angles sum up to") {
 
 TEST_CASE("a ray through edges and corners is replaced, and a point on the surface has no number") {
   const Mesh mesh = cuboid({0, 0, 0}, {4, 4, 4});
-  const RayWinding winding(mesh);
+  const RayCastWinding winding(mesh);
   CHECK(winding({1, 2, 3}) == 1);
   // Along x and y the rays of these points run into diagonals of the sides.
   CHECK(winding({1, 1, 3}) == 1);
   CHECK(winding({1, 1, 5}) == 0);
   CHECK(!winding({1, 0, 2}));
   CHECK(!winding({0, 0, 0}));
-  CHECK(RayWinding(Mesh())({1, 2, 3}) == 0);
+  CHECK(RayCastWinding(Mesh())({1, 2, 3}) == 0);
 }
 
 TEST_CASE("rays are exact next to the surface and for extreme coordinates") {
   for (const double size : {1.0, 1e-30, 1e30}) {
     CAPTURE(size);
     const Mesh mesh = cuboid({-size, -size, -size}, {size, size, size});
-    const RayWinding winding(mesh);
+    const RayCastWinding winding(mesh);
     const double inside = std::nextafter(size, 0);
     const double outside = std::nextafter(size, 2 * size);
     CHECK(winding({0.3 * size, 0.2 * size, inside}) == 1);
@@ -71,7 +71,7 @@ TEST_CASE("faces without area count for nothing") {
   mesh.positions.insert(mesh.positions.end(), {{-1, 0.25, 0.5}, {3, 0.25, 0.5}});
   mesh.faces.push_back({8, 9, 8});
   mesh.faces.push_back({8, 8, 8});
-  const RayWinding winding(mesh);
+  const RayCastWinding winding(mesh);
   CHECK(winding({0.5, 0.25, 0.5}) == 1);
   CHECK(winding({1.5, 0.25, 0.5}) == 0);
 }

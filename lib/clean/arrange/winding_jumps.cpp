@@ -1,4 +1,4 @@
-#include "clean/arrange/winding_steps.h"
+#include "clean/arrange/winding_jumps.h"
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ int direction(const ExactGeometry& geometry, const ExactPoint& from, const Exact
 
 }  // namespace
 
-WindingSteps::WindingSteps(const WeldedMesh& welded, const Planes& planes)
+WindingJumps::WindingJumps(const WeldedMesh& welded, const Planes& planes)
     : welded_(welded),
       planes_(planes),
       multiplicities_(count_copies(welded)),
@@ -50,7 +50,7 @@ WindingSteps::WindingSteps(const WeldedMesh& welded, const Planes& planes)
 
 // With the normals n of the plane and m of the other face, n x m runs along the segment, and what
 // lies left of it is behind the other face.
-WindingStep WindingSteps::over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
+WindingJump WindingJumps::over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
                                        const ExactPoint& from, const ExactPoint& to) const {
   const Contacts& contacts = meeting.contacts;
   const Index here = seen_from_first ? meeting.first : meeting.second;
@@ -67,8 +67,8 @@ WindingStep WindingSteps::over_segment(const Meeting& meeting, bool seen_from_fi
   return {other, -along * sine * multiplicity(other)};
 }
 
-void WindingSteps::over_edge(Index face, Index i, Index plane,
-                             std::vector<WindingStep>& steps) const {
+void WindingJumps::over_edge(Index face, Index i, Index plane,
+                             std::vector<WindingJump>& jumps) const {
   const Index from = welded_.faces[face][i];
   const Triangle t = welded_.triangle(plane);
   for (const Index h : welded_.edges.halfedges(edge_of_[3 * face + i])) {
@@ -79,7 +79,7 @@ void WindingSteps::over_edge(Index face, Index i, Index plane,
     const Vec3& apex = welded_.points[corners[corner_after(corner_after(h % 3))]];
     if (orient3d(t[0], t[1], t[2], apex) <= 0) continue;
     const int along = corners[h % 3] == from ? 1 : -1;
-    steps.push_back({other, -along * multiplicity(other)});
+    jumps.push_back({other, -along * multiplicity(other)});
   }
 }
 

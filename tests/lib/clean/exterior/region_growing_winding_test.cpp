@@ -1,5 +1,5 @@
 /// Winding numbers in front of the corners of faces, against sums of solid angles.
-#include "clean/exterior/corner_windings.h"
+#include "clean/exterior/region_growing_winding.h"
 
 #include <doctest/doctest.h>
 
@@ -22,8 +22,8 @@ struct Grown {
   WeldedMesh welded;
   std::vector<Meeting> meetings = find_meetings(welded, Progress());
   Planes planes{welded, meetings};
-  WindingSteps steps{welded, planes};
-  CornerWindings windings{welded, planes, steps};
+  WindingJumps jumps{welded, planes};
+  RegionGrowingWinding windings{welded, planes, jumps};
 };
 
 }  // namespace
@@ -34,7 +34,7 @@ TEST_CASE("w in front of corners agrees with solid angles") {
     CAPTURE(seed);
     const Mesh mesh = test::random_balls(seed, 5);
     const Grown grown(mesh);
-    const auto& [welded, meetings, planes, steps, windings] = grown;
+    const auto& [welded, meetings, planes, jumps, windings] = grown;
     CHECK(windings.rays() <= 5);
     for (Index f = 0; f < welded.faces.size(); ++f) {
       for (Index i = 0; i < 3; ++i) {
@@ -57,7 +57,7 @@ TEST_CASE("a hidden face has no exterior part, and most faces inside are told") 
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Mesh mesh = test::random_balls(seed, 9);
     const Grown grown(mesh);
-    const auto& [welded, meetings, planes, steps, windings] = grown;
+    const auto& [welded, meetings, planes, jumps, windings] = grown;
     test::Random random(seed);
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
       if (!windings.is_hidden(planes[plane], 1)) continue;
@@ -79,7 +79,7 @@ TEST_CASE("nothing is said of corners that other faces meet, nor where no face i
   const Mesh first = test::tetrahedron();
   const Mesh mesh = test::joined(first, test::moved(first, {0.25, 0.25, 0}));
   const Grown grown(mesh);
-  const auto& [welded, meetings, planes, steps, windings] = grown;
+  const auto& [welded, meetings, planes, jumps, windings] = grown;
   for (Index f = 0; f < welded.faces.size(); ++f)
     if (planes.is_whole(f)) CHECK(windings.at(f, 0) == windings.at(f, 1));
   std::size_t unknown = 0;

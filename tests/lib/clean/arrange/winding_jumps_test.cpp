@@ -1,5 +1,5 @@
 /// Steps of the winding number across a face, by a wall and a floor whose sides are known.
-#include "clean/arrange/winding_steps.h"
+#include "clean/arrange/winding_jumps.h"
 
 #include <doctest/doctest.h>
 
@@ -23,12 +23,12 @@ int step_over_wall(const Mesh& mesh, bool reversed) {
   const std::vector<Meeting> meetings = find_meetings(welded, Progress());
   REQUIRE(meetings.size() == 1);
   const Planes planes(welded, meetings);
-  const WindingSteps steps(welded, planes);
+  const WindingJumps jumps(welded, planes);
   const ExactPoint from = ExactGeometry::free({0, -0.5, 0}), to = ExactGeometry::free({0, 0.5, 0});
-  const WindingStep step = steps.over_segment(meetings[0], true, reversed, from, to);
-  CHECK(step.face == 1);
-  CHECK(steps.over_segment(meetings[0], true, reversed, to, from).step == -step.step);
-  return step.step;
+  const WindingJump jump = jumps.over_segment(meetings[0], true, reversed, from, to);
+  CHECK(jump.face == 1);
+  CHECK(jumps.over_segment(meetings[0], true, reversed, to, from).jump == -jump.jump);
+  return jump.jump;
 }
 
 Mesh with_wall_reversed(Mesh mesh) {
@@ -66,13 +66,13 @@ TEST_CASE("at an edge of a face in the plane those faces count that rise from it
   const WeldedMesh welded = weld(mesh);
   const std::vector<Meeting> meetings = find_meetings(welded, Progress());
   const Planes planes(welded, meetings);
-  const WindingSteps steps(welded, planes);
-  std::vector<WindingStep> over;
-  steps.over_edge(0, 0, 0, over);
+  const WindingJumps jumps(welded, planes);
+  std::vector<WindingJump> over;
+  jumps.over_edge(0, 0, 0, over);
   REQUIRE(over.size() == 1);
   CHECK(over[0].face == 1);
   // The fin runs along the edge, so its front is on the right.
-  CHECK(over[0].step == -1);
+  CHECK(over[0].jump == -1);
 }
 
 }  // namespace transformesh

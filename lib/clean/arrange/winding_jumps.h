@@ -12,26 +12,26 @@ namespace transformesh {
 
 /// A face, and by how much w in front of a plane grows from left to right of a segment in which the
 /// face meets the plane.
-struct WindingStep {
+struct WindingJump {
   Index face;  ///< of copies the first
-  int step;
+  int jump;
 };
 
-class WindingSteps {
+class WindingJumps {
  public:
   /// Keeps references.
-  WindingSteps(const WeldedMesh& welded, const Planes& planes);
+  WindingJumps(const WeldedMesh& welded, const Planes& planes);
 
   /// How many copies of a face there are, less those that are reversed.
   int multiplicity(Index face) const { return multiplicities_.empty() ? 1 : multiplicities_[face]; }
 
   /// Over the common segment of two faces, seen from the front of one of them (from its back, if
   /// that is `reversed`). [from, to] is the segment.
-  WindingStep over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
+  WindingJump over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
                            const ExactPoint& from, const ExactPoint& to) const;
   /// Over edge i of a face in a plane, along the face, the steps of all faces at that edge that
   /// rise to the front of the plane, which is given by a face.
-  void over_edge(Index face, Index i, Index plane, std::vector<WindingStep>& steps) const;
+  void over_edge(Index face, Index i, Index plane, std::vector<WindingJump>& jumps) const;
 
  private:
   const WeldedMesh& welded_;

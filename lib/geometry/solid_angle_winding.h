@@ -17,7 +17,7 @@
 
 namespace transformesh {
 
-struct Winding {
+struct BoundedWindingNumber {
   double number = 0;  ///< an integer but for rounding where the mesh is closed
   double error = 0;   ///< at most this far from the exact sum; 1 or more on the surface
 
@@ -27,17 +27,17 @@ struct Winding {
   int rounded() const { return static_cast<int>(std::lround(number)); }
 };
 
-class WindingQuery {
+class SolidAngleWinding {
  public:
   /// Keeps a reference to the mesh.
-  explicit WindingQuery(const Mesh& mesh);
+  explicit SolidAngleWinding(const Mesh& mesh);
 
-  Winding operator()(const Vec3& point) const;
+  BoundedWindingNumber operator()(const Vec3& point) const;
   /// The same for many points, in parallel.
-  std::vector<Winding> operator()(std::span<const Vec3> points) const;
+  std::vector<BoundedWindingNumber> operator()(std::span<const Vec3> points) const;
 
  private:
-  Winding sum(const Vec3& point, std::vector<Vec3>& directions) const;
+  BoundedWindingNumber sum(const Vec3& point, std::vector<Vec3>& directions) const;
 
   const Mesh* mesh_;
   double largest_coordinate_ = 0;

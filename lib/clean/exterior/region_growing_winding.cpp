@@ -1,4 +1,4 @@
-#include "clean/exterior/corner_windings.h"
+#include "clean/exterior/region_growing_winding.h"
 
 #include <algorithm>
 
@@ -28,11 +28,11 @@ std::vector<Index> oriented_neighbors(const WeldedMesh& welded, const Edges& edg
 
 }  // namespace
 
-CornerWindings::CornerWindings(const WeldedMesh& welded, const Planes& planes,
-                               const WindingSteps& steps, const Surroundings* around)
+RegionGrowingWinding::RegionGrowingWinding(const WeldedMesh& welded, const Planes& planes,
+                                           const WindingJumps& jumps, const Surroundings* around)
     : welded_(welded),
       planes_(planes),
-      steps_(steps),
+      jumps_(jumps),
       around_(around),
       cut_faces_(planes.size()),
       across_(oriented_neighbors(welded, welded.edges)),
@@ -46,14 +46,14 @@ CornerWindings::CornerWindings(const WeldedMesh& welded, const Planes& planes,
 }
 
 // What is not known to meet an incomplete face may change w there.
-void CornerWindings::leave_out_incomplete() {
+void RegionGrowingWinding::leave_out_incomplete() {
   for (Index h = 0; h < across_.size(); ++h) {
     if (across_[h] != no_index && (!is_complete(h / 3) || !is_complete(across_[h] / 3)))
       across_[h] = no_index;
   }
 }
 
-CornerWindings::CutFace CornerWindings::trace(const Plane& plane) const {
+RegionGrowingWinding::CutFace RegionGrowingWinding::trace(const Plane& plane) const {
   CutFace cut;
   if (plane.faces.size() > 1) {
     cut.is_met.fill(true);
@@ -65,12 +65,12 @@ CornerWindings::CutFace CornerWindings::trace(const Plane& plane) const {
 
 // A common segment that starts at an edge crosses what lies just inside of that, unless it runs
 // along the edge.
-void CornerWindings::trace_meeting(const Meeting& meeting, Index face, CutFace& cut) const {
+void RegionGrowingWinding::trace_meeting(const Meeting& meeting, Index face, CutFace& cut) const {
   const bool is_first = meeting.first == face;
   const Contacts& contacts = meeting.contacts;
   const auto& sides = is_first ? contacts.first_sides : contacts.second_sides;
   const auto& other_sides = is_first ? contacts.second_sides : contacts.first_sides;
-  const int count = steps_.multiplicity(is_first ? meeting.second : meeting.first);
+  const int count = jumps_.multiplicity(is_first ? meeting.second : meeting.first);
   const bool reaches_front =
       std::any_of(other_sides.begin(), other_sides.end(), [](int side) { return side > 0; });
   for (int i = 0; i < contacts.count; ++i) {
@@ -88,7 +88,7 @@ void CornerWindings::trace_meeting(const Meeting& meeting, Index face, CutFace& 
 // Of a whole face and its whole neighbors, in front of which w is the same, the smallest: where
 // many faces meet in one place, these point there, and small ones lie around it, where rays meet
 // less.
-Index CornerWindings::seed_near(Index face) const {
+Index RegionGrowingWinding::seed_near(Index face) const {
   const auto extent = [&](Index f) {
     const Triangle t = welded_.triangle(f);
     return std::max((t[1] - t[0]).cwiseAbs().maxCoeff(), (t[2] - t[0]).cwiseAbs().maxCoeff());
@@ -103,8 +103,8 @@ Index CornerWindings::seed_near(Index face) const {
 }
 
 // Rays are cast from whole faces only: what is cut is easier to test once it is.
-void CornerWindings::grow() {
-  std::optional<WindingRay> ray;
+void RegionGrowingWinding::grow() {
+  std::optional<RayCastFrontWinding> ray;
   for (Index f = 0; f < welded_.faces.size(); ++f) {
     if (!planes_.is_whole(f) || front_[3 * f] != unknown || !is_complete(f)) continue;
     if (rays_ % few == 0 && rays_ <= few) ray.emplace(welded_, rays_ == 0 ? 1 : many, around_);
@@ -117,8 +117,8 @@ void CornerWindings::grow() {
 }
 
 // In the whole mesh such a face may well be connected with a whole one.
-void CornerWindings::grow_from_cut_faces() {
-  std::optional<WindingRay> ray;
+void RegionGrowingWinding::grow_from_cut_faces() {
+  std::optional<RayCastFrontWinding> ray;
   for (Index f = 0; f < welded_.faces.size(); ++f) {
     if (planes_.is_whole(f) || !is_complete(f) || welded_.first_copy[f] != f) continue;
     const CutFace& cut = cut_faces_[planes_.plane_of(f)];
@@ -132,16 +132,17 @@ void CornerWindings::grow_from_cut_faces() {
 }
 
 // From the part of the face that is at the corner.
-int CornerWindings::cast_at_corner(const WindingRay& ray, Index face, Index i) const {
+int RegionGrowingWinding::cast_at_corner(const RayCastFrontWinding& ray, Index face,
+                                         Index i) const {
   int w = 0;
-  cut_plane(welded_, planes_[planes_.plane_of(face)], steps_, [&](const PlaneFacets& facets) {
+  cut_plane(welded_, planes_[planes_.plane_of(face)], jumps_, [&](const PlaneFacets& facets) {
     w = ray.in_front_of(facets.corners(facets.facet_at_corner(i)), face);
     return std::vector<char>(facets.size(), 0);
   });
   return w;
 }
 
-void CornerWindings::spread(Index face, Index at, int w) {
+void RegionGrowingWinding::spread(Index face, Index at, int w) {
   visit_corner(face, at, w);
   while (!stack_.empty()) {
     const Index corner = stack_.back();
@@ -166,7 +167,7 @@ void CornerWindings::spread(Index face, Index at, int w) {
 }
 
 // A whole face has the same w everywhere.
-void CornerWindings::visit_corner(Index face, Index i, int w) {
+void RegionGrowingWinding::visit_corner(Index face, Index i, int w) {
   if (front_[3 * face + i] != unknown) return;
   if (planes_.is_whole(face)) {
     for (Index k = 0; k < 3; ++k) front_[3 * face + k] = w;
@@ -179,7 +180,7 @@ void CornerWindings::visit_corner(Index face, Index i, int w) {
 }
 
 // To both neighbors at the corner: beside their common edges.
-void CornerWindings::step_across(Index face, Index i, int w) {
+void RegionGrowingWinding::step_across(Index face, Index i, int w) {
   const Index out = across_[3 * face + i];
   if (out != no_index) visit_corner(out / 3, corner_after(out % 3), w);
   const Index in = across_[3 * face + corner_before(i)];
@@ -188,8 +189,8 @@ void CornerWindings::step_across(Index face, Index i, int w) {
 
 // On the straight way from a corner to any point of the face w falls by no more than by the faces
 // that the corner is behind of, and grows by no more than by those that it is in front of.
-bool CornerWindings::is_hidden(const Plane& plane, int level) const {
-  if (plane.faces.size() > 1 || steps_.multiplicity(plane.faces[0]) != 1) return false;
+bool RegionGrowingWinding::is_hidden(const Plane& plane, int level) const {
+  if (plane.faces.size() > 1 || jumps_.multiplicity(plane.faces[0]) != 1) return false;
   const Index face = plane.faces[0];
   for (Index i = 0; i < 3; ++i) {
     const std::optional<int> w = at(face, i);
@@ -199,7 +200,7 @@ bool CornerWindings::is_hidden(const Plane& plane, int level) const {
       const bool is_first = meeting->first == face;
       const Contacts& contacts = meeting->contacts;
       const int side = is_first ? contacts.first_sides[i] : contacts.second_sides[i];
-      const int change = side * steps_.multiplicity(is_first ? meeting->second : meeting->first);
+      const int change = side * jumps_.multiplicity(is_first ? meeting->second : meeting->first);
       (change < 0 ? least : most) += change;
     }
     if (least >= level || most + 1 < level) return true;
