@@ -23,7 +23,7 @@ void check_choices(const CleanChoices& choices) {
 void declare_cleaning(Program& program, CleanChoices& choices) {
   program.choice("method", &choices.method, {"grow", "static"},
                  "grow regions from seeds, or test every piece (slow reference)");
-  program.integer("level", &choices.level, 1, 1000000,
+  program.integer("level", &choices.winding_level, 1, 1000000,
                   "keep the boundary of winding number >= LEVEL; 2 intersects two operands");
   program.flag("outermost", &choices.clean.outermost,
                "drop components that bound cavities and what floats in them");
@@ -44,7 +44,7 @@ CleanOptions clean_options(const CleanChoices& choices, const Document& document
   check_choices(choices);
   CleanOptions options = choices.clean;
   options.method = choices.method == "grow" ? ExteriorMethod::grow : ExteriorMethod::static_test;
-  options.level = static_cast<int>(choices.level);
+  options.winding_level = static_cast<int>(choices.winding_level);
   options.coordinate = document.style.coordinate;
   return options;
 }
@@ -53,7 +53,7 @@ CleanBoxOptions clean_box_options(const CleanChoices& choices, const Document& d
   const CleanOptions whole = clean_options(choices, document);
   const std::vector<double>& b = choices.box;
   CleanBoxOptions options{{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}}, choices.only};
-  options.level = whole.level;
+  options.winding_level = whole.winding_level;
   options.refuse = whole.refuse;
   options.coordinate = whole.coordinate;
   return options;

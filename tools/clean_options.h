@@ -13,7 +13,7 @@ namespace transformesh::tool {
 struct CleanChoices {
   CleanOptions clean;
   std::string method = "grow";
-  long level = 1;
+  long winding_level = 1;
   bool source_faces = false, source_points = false;  ///< to be written
   Length separate;
   std::vector<double> box;

@@ -16,7 +16,7 @@ struct Options {
   bool closed = false;
   bool intersections = false;
   std::string certify;
-  std::optional<long> level;
+  std::optional<long> winding_level;
   bool pass = false;
 };
 
@@ -58,7 +58,7 @@ std::string describe_degenerate(const std::vector<Index>& faces) {
 Certificate certify_document(const Document& document, const Mesh& input, const Options& options,
                              tool::Run& run) {
   CertifyOptions library_options;
-  library_options.level = static_cast<int>(options.level.value_or(1));
+  library_options.winding_level = static_cast<int>(options.winding_level.value_or(1));
   library_options.coordinate = document.style.coordinate;
   Certificate certificate = certify(input, document.mesh, library_options, run.progress());
   run.report("winding", certificate.input_is_closed ? "tested" : "not tested, the input is open");
@@ -73,7 +73,7 @@ Certificate certify_document(const Document& document, const Mesh& input, const 
 void check(const Document& document, const Options& options, tool::Run& run) {
   const Mesh& mesh = document.mesh;
   const bool certifies = !options.certify.empty();
-  if (options.level && !certifies) throw UsageError("--level needs --certify INPUT");
+  if (options.winding_level && !certifies) throw UsageError("--level needs --certify INPUT");
   run.progress()("checking edges and vertices");
   const ManifoldReport found = check_manifold(mesh);
   report_counts(mesh, found, run);
@@ -110,7 +110,8 @@ int main(int argc, char** argv) {
   program.flag("intersections", &options.intersections, "faces that intersect are a problem too");
   program.text("certify", &options.certify, "FILE",
                "the mesh is the boundary of winding number >= LEVEL of FILE, by samples");
-  program.integer("level", &options.level, 1, 1000000, "the level of --certify (default: 1)");
+  program.integer("level", &options.winding_level, 1, 1000000,
+                  "the level of --certify (default: 1)");
   program.flag("pass", &options.pass,
                "pass the mesh on; on a problem write nothing and exit with 1");
   program.writes_mesh_if = [&] { return options.pass; };

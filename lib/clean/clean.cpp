@@ -32,7 +32,7 @@ std::string describe_reverses(const Mesh& mesh, std::size_t reverses) {
 
 CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
-  CleanPass pass = run_clean_pass(mesh, {options.level, options.method, true}, progress);
+  CleanPass pass = run_clean_pass(mesh, {options.winding_level, options.method, true}, progress);
   CleanResult result;
   result.pairs = pass.pairs;
   result.cut_faces = pass.cut_faces;
@@ -43,7 +43,8 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
   if (pass.unchanged) {
     result.mesh = mesh;
   } else {
-    const SnapRoundingOptions how{options.level, options.method, pass.is_open, options.coordinate};
+    const SnapRoundingOptions how{options.winding_level, options.method, pass.is_open,
+                                  options.coordinate};
     SnapRoundingResult rounded = snap_round(mesh, pass, how, progress);
     result.cut_faces += rounded.cut_faces;
     result.removed_faces += rounded.removed_faces;

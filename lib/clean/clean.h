@@ -1,7 +1,7 @@
-/// TransforMesh (paper 3): the boundary of { p : w(p) >= level } of a closed oriented mesh, as an
-/// oriented closed 2-manifold, oriented outwards, w being the winding number. At level 1 this
-/// removes every self-intersection, inverted part and overlap; surfaces merge, split, open and
-/// close.
+/// TransforMesh (paper 3): the boundary of { p : w(p) >= winding level } of a closed oriented mesh,
+/// as an oriented closed 2-manifold, oriented outwards, w being the winding number. At winding
+/// level 1 this removes every self-intersection, inverted part and overlap; surfaces merge, split,
+/// open and close.
 ///
 /// Guarantees: every output face is an input face or a piece of one. What takes part in no
 /// intersection keeps its coordinates (but for extreme ones: snap_rounding.h), columns and order; a
@@ -12,9 +12,9 @@
 ///
 /// Throws InputError (not oriented: two or more faces left over along an edge, but for borders of a
 /// stitched mesh that lie partly upon each other), UsageError (static_test on an open mesh),
-/// GoalError (nothing has w >= level; rounding could not be repaired, with the place; `refuse` and
-/// there is something to change). Cost: O(n log n + k log k) for k intersecting pairs on usual
-/// meshes; about 250 bytes a face.
+/// GoalError (nothing has w >= winding level; rounding could not be repaired, with the place;
+/// `refuse` and there is something to change). Cost: O(n log n + k log k) for k intersecting pairs
+/// on usual meshes; about 250 bytes a face.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ namespace transformesh {
 
 struct CleanOptions {
   ExteriorMethod method = ExteriorMethod::grow;
-  int level = 1;                        ///< 1 is the union, 2 the intersection of two operands
+  int winding_level = 1;                ///< 1 is the union, 2 the intersection of two operands
   bool outermost = false;               ///< drop cavities, and components that float in them
   bool refuse = false;                  ///< throw rather than change anything
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written

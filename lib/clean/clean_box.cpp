@@ -105,7 +105,7 @@ std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
   around.faces = FarFaces(mesh_, is_in_part_, reach.minimum, reach.maximum);
 
   const ExteriorArrangement exterior =
-      arrange_exterior(welded_, meetings_, options_.level, progress_, &around);
+      arrange_exterior(welded_, meetings_, options_.winding_level, progress_, &around);
   counts.rays = exterior.rays;
   const std::vector<char> kept(exterior.arrangement.pieces.size(), 1);
   progress_("stitch");
@@ -129,7 +129,7 @@ CleanedFaces clean_whole(const Mesh& mesh, const CleanBoxOptions& options, Clean
   Column& column = numbered.face_columns.get(source_name, Scalar::uint32, mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
   CleanOptions how;
-  how.level = options.level;
+  how.winding_level = options.winding_level;
   how.coordinate = options.coordinate;
   counts = clean(numbered, how, progress);
   CleanedFaces cleaned{std::move(counts.mesh), {}};

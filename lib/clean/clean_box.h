@@ -28,9 +28,9 @@ namespace transformesh {
 
 struct CleanBoxOptions {
   Box box;
-  bool only = false;    ///< leave out what does not belong to the box; may leave nothing
-  int level = 1;        ///< as in CleanOptions
-  bool refuse = false;  ///< throw rather than change anything in the box
+  bool only = false;      ///< leave out what does not belong to the box; may leave nothing
+  int winding_level = 1;  ///< as in CleanOptions
+  bool refuse = false;    ///< throw rather than change anything in the box
   Scalar coordinate = Scalar::float64;
 };
 

@@ -72,7 +72,7 @@ CleanBoxResult clean_as_asked(const Mesh& mesh, const CleanChoices& choices,
   const CleanOptions& whole = choices.whole;
   if (!choices.box) return {clean(mesh, whole, progress)};
   CleanBoxOptions options{*choices.box, choices.only};
-  options.level = whole.level;
+  options.winding_level = whole.winding_level;
   options.refuse = whole.refuse;
   options.coordinate = whole.coordinate;
   return clean_box(mesh, options, progress);
@@ -107,12 +107,13 @@ Cleaned clean_document(Mesh& mesh, const CleanChoices& choices, const Progress& 
   return cleaned;
 }
 
-MeshPointer clean_mesh(const PythonMesh& mesh, int level, bool outermost, const std::string& method,
-                       const PythonLength& separate_by, const py::object& box, bool only,
-                       bool refuse, bool source, bool source_face, const py::object& progress) {
+MeshPointer clean_mesh(const PythonMesh& mesh, int winding_level, bool outermost,
+                       const std::string& method, const PythonLength& separate_by,
+                       const py::object& box, bool only, bool refuse, bool source, bool source_face,
+                       const py::object& progress) {
   Document document = mesh.document;
   CleanChoices choices;
-  choices.whole.level = level;
+  choices.whole.winding_level = winding_level;
   choices.whole.outermost = outermost;
   choices.whole.refuse = refuse;
   if (choice("method", method, {"grow", "static"}) == 1)

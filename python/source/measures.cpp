@@ -61,10 +61,10 @@ py::dict compare_meshes(const PythonMesh& mesh, const PythonMesh& reference,
   return all;
 }
 
-py::dict certify_mesh(const PythonMesh& mesh, const PythonMesh& input, int level,
+py::dict certify_mesh(const PythonMesh& mesh, const PythonMesh& input, int winding_level,
                       const py::object& progress) {
   CertifyOptions options;
-  options.level = level;
+  options.winding_level = winding_level;
   options.coordinate = mesh.document.style.coordinate;
   const Certificate found = without_lock(progress, [&](const Progress& to) {
     return certify(input.document.mesh, mesh.document.mesh, options, to);

@@ -14,8 +14,8 @@ namespace transformesh::corpus {
 /// What tm-clean must do with an input, because of what that input is.
 enum class Outcome {
   clean,         ///< a result that is certified
-  by_winding,    ///< the same, unless no winding number reaches the level: then exit 4
-  inside_out,    ///< no winding number reaches the level, by construction: exit 4
+  by_winding,    ///< the same, unless no winding number reaches the winding level: then exit 4
+  inside_out,    ///< no winding number reaches the winding level, by construction: exit 4
   not_oriented,  ///< two faces run along an edge the same way: exit 3
 };
 
@@ -24,7 +24,7 @@ struct Case {
   std::string name;  ///< unique within its kind
   std::function<Mesh()> make;
   Outcome outcome = Outcome::clean;
-  int level = 1;
+  int winding_level = 1;
   bool fits_float = true;  ///< in floats it is still what its kind says
   /// Its smallest gap or part, as a share of its largest coordinate. Where only a few numbers lie
   /// in between, many samples of a right result are undecided.

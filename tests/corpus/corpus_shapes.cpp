@@ -67,7 +67,8 @@ bool is_at_limit(const Input& input) {
 
 std::string options_text(const Input& input) {
   std::string options;
-  if (input.shape->level != 1) options += " --level " + std::to_string(input.shape->level);
+  if (input.shape->winding_level != 1)
+    options += " --level " + std::to_string(input.shape->winding_level);
   if (input.form == "to-float") options += " --float";
   return options;
 }

@@ -85,15 +85,16 @@ void add_signed_bodies(Cases& cases) {
                        Outcome::by_winding});
     }
 
-  for (int level = 1; level <= 5; ++level)
+  for (int winding_level = 1; winding_level <= 5; ++winding_level)
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      const std::string name = named("level", level) + "/" + named("seed", static_cast<long>(seed));
+      const std::string name =
+          named("level", winding_level) + "/" + named("seed", static_cast<long>(seed));
       cases.push_back({"levels", name + "/boxes", [=] { return signed_boxes(12, 0, seed); },
-                       Outcome::by_winding, level});
+                       Outcome::by_winding, winding_level});
       cases.push_back({"levels", name + "/signed", [=] { return signed_boxes(16, 3, seed); },
-                       Outcome::by_winding, level});
+                       Outcome::by_winding, winding_level});
       cases.push_back({"levels", name + "/balls", [=] { return signed_balls(8, 3, seed); },
-                       Outcome::by_winding, level});
+                       Outcome::by_winding, winding_level});
     }
 }
 

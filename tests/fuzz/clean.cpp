@@ -19,7 +19,7 @@ CleanOptions clean_options(Choices& choices) {
   CleanOptions options;
   const unsigned choice = choices.byte();
   if (choice & 1) options.coordinate = Scalar::float32;
-  if (choice & 2) options.level = 2;
+  if (choice & 2) options.winding_level = 2;
   if (choice & 4) options.outermost = true;
   if (choice & 8) options.method = ExteriorMethod::static_test;
   return options;
@@ -29,7 +29,8 @@ CleanOptions clean_options(Choices& choices) {
 /// meshes come to themselves.
 std::string wrong_samples(const Mesh& input, const Mesh& output, const CleanOptions& options) {
   if (options.outermost) return {};
-  const Certificate certificate = certify(input, output, {options.level, options.coordinate, 200});
+  const Certificate certificate =
+      certify(input, output, {options.winding_level, options.coordinate, 200});
   return certificate.wrong > 0 ? certificate.problem : std::string();
 }
 
@@ -51,7 +52,7 @@ void check_result(const Mesh& input, const CleanResult& result, const CleanOptio
 }
 
 void check_again(const Mesh& mesh, CleanOptions options) {
-  options.level = 1;
+  options.winding_level = 1;
   demand(!clean(mesh, options).changed, "what is clean is changed");
 }
 

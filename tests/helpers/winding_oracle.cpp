@@ -127,7 +127,7 @@ WindingOracleResult compare_windings(const Mesh& input, const Mesh& output,
       continue;
     }
     ++result.tested;
-    const int expected = in.rounded() >= options.level ? 1 : 0;
+    const int expected = in.rounded() >= options.winding_level ? 1 : 0;
     if (std::abs(out.number - expected) <= out.error) continue;
     if (result.wrong++ > 0) continue;
     result.wrong_point = points[i];

@@ -1,9 +1,9 @@
-/// Whether one mesh is the boundary of { p : w(p) >= level } of another, told by winding numbers at
-/// sample points alone: w(output) must be 1 where w(input) >= level and 0 elsewhere. Shares nothing
-/// with the floor that computes such boundaries.
-/// Samples lie all over the box, and close to faces of both meshes, in front of them and behind,
-/// where mistakes show. Samples on or too near a surface are counted as undecided and not judged.
-/// Deterministic for a seed.
+/// Whether one mesh is the boundary of { p : w(p) >= winding level } of another, told by winding
+/// numbers at sample points alone: w(output) must be 1 where w(input) >= winding level and 0
+/// elsewhere. Shares nothing with the floor that computes such boundaries. Samples lie all over the
+/// box, and close to faces of both meshes, in front of them and behind, where mistakes show.
+/// Samples on or too near a surface are counted as undecided and not judged. Deterministic for a
+/// seed.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace transformesh::test {
 
 struct WindingOracleOptions {
-  int level = 1;
+  int winding_level = 1;
   std::size_t samples = 2000;  ///< half in the box, half near faces
   std::uint64_t seed = 1;
   /// By how much the output may be off because its coordinates are rounded, as a fraction of the

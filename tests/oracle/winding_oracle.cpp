@@ -38,7 +38,7 @@ int judge(int argc, char** argv) {
     const std::string name = argv[i];
     const char* value = argv[i + 1];
     if (name == "--level")
-      options.level = std::atoi(value);
+      options.winding_level = std::atoi(value);
     else if (name == "--samples")
       options.samples = std::strtoull(value, nullptr, 10);
     else if (name == "--seed")

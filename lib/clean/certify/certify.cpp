@@ -81,9 +81,9 @@ std::vector<FaceSide> choose_sides(const Mesh& input, const FaceMatch& match,
   return sides;
 }
 
-std::string describe(const Judgement& judgement, int level, double unit) {
+std::string describe(const Judgement& judgement, int winding_level, double unit) {
   const WindingSample& sample = *judgement.sample;
-  const bool is_inside = sample.input_winding >= level;
+  const bool is_inside = sample.input_winding >= winding_level;
   return std::string(judgement.face_side.side > 0 ? "in front of" : "behind") + " face " +
          std::to_string(judgement.face_side.face) +
          (judgement.face_side.is_of_input ? " of the input" : "") + ", at " +
@@ -121,7 +121,7 @@ std::vector<Judgement> judge(const Meshes& meshes, const FaceMatch& match,
       const Mesh& mesh = face_side.is_of_input ? input : output;
       const auto sample = finder.find(mesh, face_side.face, face_side.side);
       const auto is_wrong = [&] {
-        return sample->output_winding != (sample->input_winding >= options.level ? 1 : 0);
+        return sample->output_winding != (sample->input_winding >= options.winding_level ? 1 : 0);
       };
       judgements[i] = {face_side, sample, sample && is_wrong()};
     }
@@ -160,7 +160,7 @@ void certify_winding(const Meshes& meshes, const FaceMatch& match, const Certify
     ++(judgement.sample ? certificate.samples : certificate.undecided);
     if (!judgement.is_wrong) continue;
     if (certificate.wrong++ == 0)
-      certificate.problem = describe(judgement, options.level, meshes.unit);
+      certificate.problem = describe(judgement, options.winding_level, meshes.unit);
   }
 }
 

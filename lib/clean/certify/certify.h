@@ -1,7 +1,7 @@
-/// Whether one mesh is the boundary of { p : w(p) >= level } of another, told by sample points. At
-/// every sample the winding number of the output must be 1 where that of the input is >= level, and
-/// 0 elsewhere. It is counted along rays, exactly, and compared with the sum of solid angles where
-/// that is affordable: by no code that computes such boundaries.
+/// Whether one mesh is the boundary of { p : w(p) >= winding level } of another, told by sample
+/// points. At every sample the winding number of the output must be 1 where that of the input is >=
+/// winding level, and 0 elsewhere. It is counted along rays, exactly, and compared with the sum of
+/// solid angles where that is affordable: by no code that computes such boundaries.
 ///
 /// Samples lie in front of and behind a face, closer to it than any other face of either mesh. The
 /// faces sampled are all new faces of the output (those that are not faces of the input, corner by
@@ -33,7 +33,7 @@
 namespace transformesh {
 
 struct CertifyOptions {
-  int level = 1;
+  int winding_level = 1;
   Scalar coordinate = Scalar::float64;  ///< the type in which the output's positions were stored
   std::size_t most_faces = 50000;       ///< of each kind; every face is sampled on both sides
 };

@@ -237,11 +237,12 @@ bool BoundingParts::find_parts(int front, std::vector<SegmentPart>& parts) {
 std::optional<std::vector<SegmentPart>> find_bounding_parts(const ExactGeometry& geometry,
                                                             const SegmentsInFace& in,
                                                             const std::vector<KnownWinding>& known,
-                                                            int level) {
+                                                            int winding_level) {
   BoundingParts bounding(geometry, in, known);
   if (!bounding.join_ends() || !bounding.find_crossings()) return std::nullopt;
   std::vector<SegmentPart> parts;
-  if (!bounding.find_windings() || !bounding.find_parts(level - 1, parts)) return std::nullopt;
+  if (!bounding.find_windings() || !bounding.find_parts(winding_level - 1, parts))
+    return std::nullopt;
   return parts;
 }
 

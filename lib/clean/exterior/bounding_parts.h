@@ -27,12 +27,12 @@ struct SegmentPart {
   bool is_left;  ///< whether what is exterior is on its left
 };
 
-/// The parts that have w < level in front and w >= level behind the face on just one side, in the
-/// order of the segments. Nothing where that is not told by crossings alone: where segments touch,
-/// or three meet in one point, or no winding number is known.
+/// The parts that have w < winding level in front and w >= winding level behind the face on just
+/// one side, in the order of the segments. Nothing where that is not told by crossings alone: where
+/// segments touch, or three meet in one point, or no winding number is known.
 std::optional<std::vector<SegmentPart>> find_bounding_parts(const ExactGeometry& geometry,
                                                             const SegmentsInFace& in,
                                                             const std::vector<KnownWinding>& known,
-                                                            int level);
+                                                            int winding_level);
 
 }  // namespace transformesh

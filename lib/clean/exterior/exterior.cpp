@@ -17,14 +17,14 @@ constexpr int unknown = std::numeric_limits<int>::min();
 constexpr std::size_t tries_per_patch = 8;
 constexpr std::size_t tries_per_seed = 64;
 
-bool is_kept(int front, const Piece& piece, int level) {
-  return front < level && front + piece.multiplicity >= level;
+bool is_kept(int front, const Piece& piece, int winding_level) {
+  return front < winding_level && front + piece.multiplicity >= winding_level;
 }
 
 /// Region growing (paper 3.2): finds the winding number in front of every patch, from seeds on.
 class Growth {
  public:
-  Growth(const Arrangement& arrangement, int level, const BorderClosure& closure);
+  Growth(const Arrangement& arrangement, int winding_level, const BorderClosure& closure);
   Exterior grow(const Progress& progress);
 
  private:
@@ -35,7 +35,7 @@ class Growth {
   void spread(Index seed);
 
   const Arrangement& arrangement_;
-  int level_;
+  int winding_level_;
   bool is_open_;
   Patches patches_;
   RayCastFrontWinding ray_;
@@ -43,16 +43,17 @@ class Growth {
   std::size_t rays_ = 0;
 };
 
-Growth::Growth(const Arrangement& arrangement, int level, const BorderClosure& closure)
+Growth::Growth(const Arrangement& arrangement, int winding_level, const BorderClosure& closure)
     : arrangement_(arrangement),
-      level_(level),
+      winding_level_(winding_level),
       is_open_(!closure.empty()),
       patches_(arrangement),
       ray_(arrangement, closure, (is_open_ ? tries_per_seed : 1) * patches_.size()),
       front_(patches_.size(), unknown) {}
 
 bool Growth::keeps(Index patch) const {
-  return is_kept(front_[patch], arrangement_.pieces[patches_.pieces[patch].front()], level_);
+  return is_kept(front_[patch], arrangement_.pieces[patches_.pieces[patch].front()],
+                 winding_level_);
 }
 
 void Growth::cast_ray(Index patch, std::size_t member) {
@@ -138,12 +139,12 @@ Exterior Growth::grow(const Progress& progress) {
   for (std::size_t p = 0; p < result.kept.size(); ++p) {
     const Index patch = patches_.patch_of[p];
     if (patch == no_index) continue;
-    result.kept[p] = is_kept(front_[patch], arrangement_.pieces[p], level_) ? 1 : 0;
+    result.kept[p] = is_kept(front_[patch], arrangement_.pieces[p], winding_level_) ? 1 : 0;
   }
   return result;
 }
 
-Exterior test_all(const Arrangement& arrangement, int level, const Progress& progress) {
+Exterior test_all(const Arrangement& arrangement, int winding_level, const Progress& progress) {
   const RayCastFrontWinding ray(arrangement, BorderClosure(), arrangement.pieces.size());
   progress("exterior", 0.1);
   Exterior result;
@@ -151,15 +152,16 @@ Exterior test_all(const Arrangement& arrangement, int level, const Progress& pro
   result.rays = arrangement.pieces.size();
   for (std::size_t p = 0; p < result.kept.size(); ++p) {
     const Piece& piece = arrangement.pieces[p];
-    const bool kept = piece.multiplicity != 0 && is_kept(ray.in_front_of(piece), piece, level);
+    const bool kept =
+        piece.multiplicity != 0 && is_kept(ray.in_front_of(piece), piece, winding_level);
     result.kept[p] = kept ? 1 : 0;
   }
   return result;
 }
 
-std::string nothing_kept(const Arrangement& arrangement, int level, bool is_open) {
-  if (level != 1) {
-    return "no winding number reaches " + std::to_string(level) +
+std::string nothing_kept(const Arrangement& arrangement, int winding_level, bool is_open) {
+  if (winding_level != 1) {
+    return "no winding number reaches " + std::to_string(winding_level) +
            ": nothing lies inside that many sheets";
   }
   if (is_open) {
@@ -209,14 +211,14 @@ std::size_t drop_components(Mesh& mesh, const Components& components,
 
 }  // namespace
 
-Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod method,
+Exterior find_exterior(const Arrangement& arrangement, int winding_level, ExteriorMethod method,
                        const BorderClosure& closure, const Progress& progress) {
   progress("exterior");
   Exterior result = method == ExteriorMethod::grow
-                        ? Growth(arrangement, level, closure).grow(progress)
-                        : test_all(arrangement, level, progress);
+                        ? Growth(arrangement, winding_level, closure).grow(progress)
+                        : test_all(arrangement, winding_level, progress);
   if (std::find(result.kept.begin(), result.kept.end(), 1) == result.kept.end()) {
-    throw NothingLeftError(nothing_kept(arrangement, level, !closure.empty()));
+    throw NothingLeftError(nothing_kept(arrangement, winding_level, !closure.empty()));
   }
   return result;
 }

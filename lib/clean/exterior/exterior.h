@@ -1,6 +1,6 @@
-/// Which pieces of an arrangement bound the region of points p with w(p) >= level, w being the
-/// winding number of the whole mesh (paper 2 and 3.2). A piece is kept exactly where w < level in
-/// front of it and w >= level behind it.
+/// Which pieces of an arrangement bound the region of points p with w(p) >= winding level, w being
+/// the winding number of the whole mesh (paper 2 and 3.2). A piece is kept exactly where w <
+/// winding level in front of it and w >= winding level behind it.
 ///
 /// `grow` is the paper's region growing. A ray fixes w in front of one seed of each connected set
 /// of patches (3.2.1); w is constant in front of a patch (3.2.2), and around an intersection curve
@@ -28,7 +28,7 @@ struct Exterior {
 };
 
 /// The closure of a closed mesh is empty. Throws GoalError where no piece is kept.
-Exterior find_exterior(const Arrangement& arrangement, int level, ExteriorMethod method,
+Exterior find_exterior(const Arrangement& arrangement, int winding_level, ExteriorMethod method,
                        const BorderClosure& closure, const Progress& progress);
 
 /// Keeps the outermost surface of a clean mesh (paper 2: inner components are usually not

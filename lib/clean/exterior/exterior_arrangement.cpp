@@ -14,13 +14,16 @@ constexpr std::size_t planes_per_task = 4;
 constexpr int unknown = std::numeric_limits<int>::min();
 
 /// Whether the boundary of the region runs between two sides of a surface.
-bool parts(int front, int behind, int level) { return (front < level) != (behind < level); }
+bool parts(int front, int behind, int winding_level) {
+  return (front < winding_level) != (behind < winding_level);
+}
 
 /// Chooses the exterior facets of a plane that is cut in full.
 class FacetChooser {
  public:
-  FacetChooser(const RegionGrowingWinding& windings, const RayCastFrontWinding& ray, int level)
-      : windings_(windings), ray_(ray), level_(level) {}
+  FacetChooser(const RegionGrowingWinding& windings, const RayCastFrontWinding& ray,
+               int winding_level)
+      : windings_(windings), ray_(ray), winding_level_(winding_level) {}
 
   std::vector<char> choose(const PlaneFacets& facets, Index first_face);
   std::size_t rays() const { return rays_; }
@@ -30,7 +33,7 @@ class FacetChooser {
 
   const RegionGrowingWinding& windings_;
   const RayCastFrontWinding& ray_;
-  int level_;
+  int winding_level_;
   std::vector<int> front_;  ///< per facet
   std::vector<Index> stack_;
   std::size_t rays_ = 0;
@@ -50,7 +53,7 @@ std::vector<char> FacetChooser::choose(const PlaneFacets& facets, Index first_fa
       ++rays_;
     }
     chosen[facet] =
-        parts(front_[facet], front_[facet] + facets.multiplicity(facet), level_) ? 1 : 0;
+        parts(front_[facet], front_[facet] + facets.multiplicity(facet), winding_level_) ? 1 : 0;
   }
   return chosen;
 }
@@ -73,10 +76,10 @@ void FacetChooser::spread(const PlaneFacets& facets, Index seed, int w) {
 
 /// Marks the planes that are to be cut.
 std::vector<char> find_visible_planes(const Planes& planes, const RegionGrowingWinding& windings,
-                                      int level) {
+                                      int winding_level) {
   std::vector<char> is_visible(planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i)
-    is_visible[i] = windings.is_hidden(planes[i], level) ? 0 : 1;
+    is_visible[i] = windings.is_hidden(planes[i], winding_level) ? 0 : 1;
   return is_visible;
 }
 
@@ -94,7 +97,7 @@ std::size_t count_without_corner(const Planes& planes, const RegionGrowingWindin
 }  // namespace
 
 ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
-                                     const std::vector<Meeting>& meetings, int level,
+                                     const std::vector<Meeting>& meetings, int winding_level,
                                      const Progress& progress, const Surroundings* around) {
   progress("arrange");
   if (!meetings.empty()) refuse_overflow(*welded);
@@ -104,7 +107,7 @@ ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& we
   progress("arrange", 0.2);
 
   const auto is_complete = [&](Index face) { return !around || around->is_complete[face]; };
-  std::vector<char> is_visible = find_visible_planes(planes, windings, level);
+  std::vector<char> is_visible = find_visible_planes(planes, windings, winding_level);
   for (std::size_t i = 0; i < planes.size(); ++i)
     if (!is_complete(planes[i].faces[0])) is_visible[i] = 0;
   const RayCastFrontWinding ray(*welded, count_without_corner(planes, windings, is_visible),
@@ -112,8 +115,8 @@ ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& we
   std::atomic<std::size_t> rays = windings.rays();
   std::vector<PlaneCut> cuts(planes.size());
   parallel_for(cuts.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
-    ExteriorCutter cutter(*welded, planes, jumps, windings, ray, level);
-    FacetChooser chooser(windings, ray, level);
+    ExteriorCutter cutter(*welded, planes, jumps, windings, ray, winding_level);
+    FacetChooser chooser(windings, ray, winding_level);
     for (std::size_t i = first; i < last; ++i) {
       if (!is_visible[i]) continue;
       const Plane plane = planes[i];
@@ -135,7 +138,7 @@ ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& we
     is_left_out[f] = 1;
     if (!is_complete(f)) continue;
     const int w = *windings.at(f, 0);
-    is_left_out[f] = parts(w, w + 1, level) ? 0 : 1;
+    is_left_out[f] = parts(w, w + 1, winding_level) ? 0 : 1;
   }
   result.rays = rays;
   result.arrangement = join_cuts(welded, planes, cuts, is_left_out);

@@ -1,6 +1,6 @@
-/// The pieces of a closed mesh that bound the region of points p with w(p) >= level, and no others
-/// (paper 3.2): what is obviously hidden is not even cut, a face that others merely cross is cut
-/// only along what bounds its exterior (exterior_cut.h), and of other planes only the exterior
+/// The pieces of a closed mesh that bound the region of points p with w(p) >= winding level, and no
+/// others (paper 3.2): what is obviously hidden is not even cut, a face that others merely cross is
+/// cut only along what bounds its exterior (exterior_cut.h), and of other planes only the exterior
 /// facets become pieces. w in front is carried over a plane from a corner at which it is known
 /// (region_growing_winding.h), or from a ray. Exact; parallel; deterministic for any
 /// number of threads; throws as `arrange` does. Of a part of a mesh, only complete faces become
@@ -21,7 +21,7 @@ struct ExteriorArrangement {
 
 /// `meetings` as for `arrange`.
 ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
-                                     const std::vector<Meeting>& meetings, int level,
+                                     const std::vector<Meeting>& meetings, int winding_level,
                                      const Progress& progress,
                                      const Surroundings* around = nullptr);
 

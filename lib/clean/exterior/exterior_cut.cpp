@@ -167,7 +167,7 @@ std::vector<char> find_exterior(const PlanarTriangulation& triangulation, Index 
 }  // namespace
 
 std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
-  const auto parts = find_bounding_parts(geometry_, in_, known_, cutter_.level_);
+  const auto parts = find_bounding_parts(geometry_, in_, known_, cutter_.winding_level_);
   if (!parts) return std::nullopt;
   if (parts->empty()) return PlaneCut{{}, {}, {0}, {}};
 

@@ -14,15 +14,17 @@ namespace transformesh {
 
 class ExteriorCutter {
  public:
-  /// Keeps references. What is exterior has w < level in front and w >= level behind it.
+  /// Keeps references. What is exterior has w < winding level in front and w >= winding level
+  /// behind it.
   ExteriorCutter(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
-                 const RegionGrowingWinding& windings, const RayCastFrontWinding& ray, int level)
+                 const RegionGrowingWinding& windings, const RayCastFrontWinding& ray,
+                 int winding_level)
       : welded_(welded),
         planes_(planes),
         jumps_(jumps),
         windings_(windings),
         ray_(ray),
-        level_(level),
+        winding_level_(winding_level),
         geometry_(welded.points, welded.faces) {}
 
   /// The exterior facets of the only face of a plane. Nothing where other faces do not merely cross
@@ -38,7 +40,7 @@ class ExteriorCutter {
   const WindingJumps& jumps_;
   const RegionGrowingWinding& windings_;
   const RayCastFrontWinding& ray_;
-  int level_;
+  int winding_level_;
   ExactGeometry geometry_;
   std::size_t rays_ = 0;
 };

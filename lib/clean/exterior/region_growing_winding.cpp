@@ -189,7 +189,7 @@ void RegionGrowingWinding::step_across(Index face, Index i, int w) {
 
 // On the straight way from a corner to any point of the face w falls by no more than by the faces
 // that the corner is behind of, and grows by no more than by those that it is in front of.
-bool RegionGrowingWinding::is_hidden(const Plane& plane, int level) const {
+bool RegionGrowingWinding::is_hidden(const Plane& plane, int winding_level) const {
   if (plane.faces.size() > 1 || jumps_.multiplicity(plane.faces[0]) != 1) return false;
   const Index face = plane.faces[0];
   for (Index i = 0; i < 3; ++i) {
@@ -203,7 +203,7 @@ bool RegionGrowingWinding::is_hidden(const Plane& plane, int level) const {
       const int change = side * jumps_.multiplicity(is_first ? meeting->second : meeting->first);
       (change < 0 ? least : most) += change;
     }
-    if (least >= level || most + 1 < level) return true;
+    if (least >= winding_level || most + 1 < winding_level) return true;
   }
   return false;
 }

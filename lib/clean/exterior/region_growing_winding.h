@@ -28,9 +28,9 @@ class RegionGrowingWinding {
     const int w = front_[3 * face + i];
     return w == unknown ? std::nullopt : std::optional(w);
   }
-  /// Whether the face of a plane has no part with w < level in front and w >= level behind it. May
-  /// be false where that is not obvious.
-  bool is_hidden(const Plane& plane, int level) const;
+  /// Whether the face of a plane has no part with w < winding level in front and w >= winding level
+  /// behind it. May be false where that is not obvious.
+  bool is_hidden(const Plane& plane, int winding_level) const;
   std::size_t rays() const { return rays_; }
 
  private:

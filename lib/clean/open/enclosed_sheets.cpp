@@ -68,7 +68,7 @@ void Sheets::restore_needed(std::vector<char>& marks) const {
 // Marks patches that contradict the cells on both of their sides, which are within the body. Cells
 // that these no longer part become one, in which others may show.
 std::vector<char> find_contradictions(const Arrangement& arrangement, const Patches& patches,
-                                      int level) {
+                                      int winding_level) {
   std::vector<char> contradicts(patches.size(), 0);
   for (bool is_stable = false; !is_stable;) {
     is_stable = true;
@@ -77,7 +77,8 @@ std::vector<char> find_contradictions(const Arrangement& arrangement, const Patc
       const int front = cells.winding_in_front_of(patch);
       const int behind = cells.winding_behind(patch);
       const int step = arrangement.pieces[patches.pieces[patch].front()].multiplicity;
-      if (contradicts[patch] || std::min(front, behind) < level || behind == front + step) continue;
+      if (contradicts[patch] || std::min(front, behind) < winding_level || behind == front + step)
+        continue;
       contradicts[patch] = 1;
       is_stable = false;
     }
@@ -87,10 +88,10 @@ std::vector<char> find_contradictions(const Arrangement& arrangement, const Patc
 
 // Marks the faces of sheets of which all patches contradict their cells. Pieces of multiplicity 0
 // say nothing.
-std::vector<char> mark_contradictions(const Arrangement& arrangement, int level) {
+std::vector<char> mark_contradictions(const Arrangement& arrangement, int winding_level) {
   const WeldedMesh& welded = *arrangement.welded;
   const Patches patches(arrangement);
-  const std::vector<char> contradicts = find_contradictions(arrangement, patches, level);
+  const std::vector<char> contradicts = find_contradictions(arrangement, patches, winding_level);
   const Sheets sheets(welded);
   std::vector<char> seen(welded.faces.size(), 0);
   std::vector<char> agrees(welded.faces.size(), 0);
@@ -136,16 +137,16 @@ Arrangement arrange_without(const WeldedMesh& welded, const std::vector<char>& m
 
 // Marks the faces of enclosed sheets. Where faces lie upon each other, the contradictions of some
 // show only once others are gone.
-std::vector<char> find_enclosed_sheets(const Arrangement& arrangement, int level,
+std::vector<char> find_enclosed_sheets(const Arrangement& arrangement, int winding_level,
                                        const Progress& progress) {
   const WeldedMesh& welded = *arrangement.welded;
   std::vector<char> marks(welded.faces.size(), 0);
-  std::vector<char> found = mark_contradictions(arrangement, level);
+  std::vector<char> found = mark_contradictions(arrangement, winding_level);
   while (any(found)) {
     for (Index f = 0, i = 0; f < marks.size(); ++f) {
       if (!marks[f]) marks[f] = found[i++];
     }
-    found = mark_contradictions(arrange_without(welded, marks, progress), level);
+    found = mark_contradictions(arrange_without(welded, marks, progress), winding_level);
   }
   if (any(marks)) Sheets(welded).restore_needed(marks);
   return marks;
@@ -153,9 +154,9 @@ std::vector<char> find_enclosed_sheets(const Arrangement& arrangement, int level
 
 }  // namespace
 
-std::size_t drop_enclosed_sheets(const Mesh& mesh, int level, Arrangement& arrangement,
+std::size_t drop_enclosed_sheets(const Mesh& mesh, int winding_level, Arrangement& arrangement,
                                  Borders& borders, const Progress& progress) {
-  const std::vector<char> marks = find_enclosed_sheets(arrangement, level, progress);
+  const std::vector<char> marks = find_enclosed_sheets(arrangement, winding_level, progress);
   const auto count = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
   if (count == 0) return 0;
   std::vector<char> left_out(mesh.faces.size(), 0);

@@ -18,8 +18,8 @@
 namespace transformesh {
 
 /// Drops such sheets from the arrangement of a mesh, and finds its borders without them. Within a
-/// body is where the winding number is >= level. Returns how many faces it dropped.
-std::size_t drop_enclosed_sheets(const Mesh& mesh, int level, Arrangement& arrangement,
+/// body is where the winding number is >= winding level. Returns how many faces it dropped.
+std::size_t drop_enclosed_sheets(const Mesh& mesh, int winding_level, Arrangement& arrangement,
                                  Borders& borders, const Progress& progress);
 
 }  // namespace transformesh

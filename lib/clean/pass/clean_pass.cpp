@@ -87,7 +87,7 @@ bool Pass::find_all_exterior() {
     if (connectivity.component_of[f] != seen) continue;
     const auto& [a, b, c] = welded_->faces[f];
     const int w = ray.in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, f);
-    if (w >= options_.level || w + 1 < options_.level) return false;
+    if (w >= options_.winding_level || w + 1 < options_.winding_level) return false;
     ++seen;
   }
   pass_.exterior.rays = count;
@@ -97,7 +97,8 @@ bool Pass::find_all_exterior() {
 
 // Returns whether there is anything.
 bool Pass::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
-  ExteriorArrangement exterior = arrange_exterior(welded_, meetings, options_.level, progress_);
+  ExteriorArrangement exterior =
+      arrange_exterior(welded_, meetings, options_.winding_level, progress_);
   arrangement_ = std::move(exterior.arrangement);
   whole_faces_ = exterior.whole_faces;
   pass_.exterior.kept.assign(arrangement_.pieces.size(), 1);
@@ -110,13 +111,13 @@ void Pass::arrange_everything(const std::vector<Meeting>& meetings) {
   whole_faces_ = arrangement_.whole_pieces;
   if (pass_.is_open) {
     pass_.removed_faces =
-        drop_enclosed_sheets(mesh_, options_.level, arrangement_, borders_, progress_);
+        drop_enclosed_sheets(mesh_, options_.winding_level, arrangement_, borders_, progress_);
     welded_ = arrangement_.welded;
     whole_faces_ = arrangement_.whole_pieces;
     if (options_.method == ExteriorMethod::static_test && !borders_.loops.empty())
       refuse_static_test(borders_.loops.size());
   }
-  pass_.exterior = find_exterior(arrangement_, options_.level, options_.method,
+  pass_.exterior = find_exterior(arrangement_, options_.winding_level, options_.method,
                                  close_borders(*welded_, borders_.loops), progress_);
   if (options_.change_kept) options_.change_kept(arrangement_, pass_.exterior.kept);
 }

@@ -28,7 +28,7 @@ struct CleanPass {
 };
 
 struct PassOptions {
-  int level = 1;
+  int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
   bool check_orientation = true;  ///< refuse a mesh that is not oriented
   /// Changes which pieces are kept, before these are stitched.

@@ -107,7 +107,7 @@ class SnapRounder {
   void choose_spacings(int start);
   int next_start(int start) const;
   void mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most);
-  bool clean_again(Assembly& assembly, const GivenCells& cells, int level = 1);
+  bool clean_again(Assembly& assembly, const GivenCells& cells, int winding_level = 1);
   bool has_changed(const Assembly& before, const Assembly& now) const;
   void count_faces(const std::vector<char>& was_whole, const Assembly& assembly);
   [[noreturn]] void give_up() const;
@@ -166,8 +166,8 @@ void SnapRounder::mend(Assembly& assembly, BrokenFaces broken, const Tolerances&
 
 // Cleans what was rounded, and gives thin cells away. Returns whether nothing is left to be rounded
 // again.
-bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int level) {
-  PassOptions options{level, options_.method, false, {}, most_pairs_};
+bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int winding_level) {
+  PassOptions options{winding_level, options_.method, false, {}, most_pairs_};
   bool is_given = false;
   if (cells.spacings > 0 && !options_.is_open)
     options.change_kept = [&](Arrangement& arrangement, std::vector<char>& kept) {
@@ -315,7 +315,7 @@ Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
   const bool is_crowded = pass.pairs > most_crossed * mesh_.faces.size();
   if (options_.is_open || is_crowded || start > last_given) return pass.assembly;
   Assembly assembly = unchanged_assembly(mesh_);
-  clean_again(assembly, {given_spacings(start), is_broken_}, options_.level);
+  clean_again(assembly, {given_spacings(start), is_broken_}, options_.winding_level);
   return assembly;
 }
 
@@ -326,7 +326,7 @@ Assembly SnapRounder::begin_simpler(const CleanPass& pass, int start) {
   Assembly assembly = unchanged_assembly(mesh_);
   result_.displacement = snap_to_own_grids(assembly.mesh, options_.coordinate,
                                            std::ldexp(1, digits_fewer * (start - last_given - 1)));
-  clean_again(assembly, {0}, options_.level);
+  clean_again(assembly, {0}, options_.winding_level);
   if (!is_hopeless_) return assembly;
   result_.displacement = {};
   return pass.assembly;

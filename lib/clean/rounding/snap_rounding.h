@@ -36,7 +36,7 @@
 namespace transformesh {
 
 struct SnapRoundingOptions {
-  int level = 1;
+  int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
   bool is_open = false;  ///< the mesh has borders; then a result must also clean to itself
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written

@@ -36,7 +36,7 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
   append(document.mesh, hull);
   document.style.coordinate = Scalar::float64;
   try {
-    document.mesh = clean(document.mesh, {.level = 2, .outermost = true}, progress).mesh;
+    document.mesh = clean(document.mesh, {.winding_level = 2, .outermost = true}, progress).mesh;
   } catch (const GoalError&) {
     throw GoalError("nothing of '" + name + "' is within the hull of the silhouettes; see --clip");
   }

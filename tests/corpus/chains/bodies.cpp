@@ -304,9 +304,9 @@ Body assemble(const Parts& parts, Random& random) {
     for (std::size_t j = 0; j < i; ++j)
       body.has_coplanar_contact = body.has_coplanar_contact || touch_in_plane(meshes[i], meshes[j]);
   body.is_single_solid = solids.size() == 1;
-  body.volume_of_solids = volume_at_level(1, solids, reach);
-  body.volume_in_two = volume_at_level(2, solids, reach);
-  body.volume = volume_at_level(1, all, reach) - volume_at_level(1, cutters, reach);
+  body.volume_of_solids = volume_at_winding_level(1, solids, reach);
+  body.volume_in_two = volume_at_winding_level(2, solids, reach);
+  body.volume = volume_at_winding_level(1, all, reach) - volume_at_winding_level(1, cutters, reach);
   return body;
 }
 

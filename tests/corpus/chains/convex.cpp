@@ -61,7 +61,8 @@ double area_of(const std::vector<Point>& polygon, const Point& normal) {
 }
 
 /// Sums volumes over all sets of bodies from `next` on that join the `count` bodies whose
-/// intersection is `common`, each with the coefficient of inclusion and exclusion for the level.
+/// intersection is `common`, each with the coefficient of inclusion and exclusion for the winding
+/// level.
 double alternating_sum(int level, const std::vector<ConvexBody>& bodies, std::size_t next,
                        const ConvexBody& common, int count, double reach) {
   double sum = 0;
@@ -98,7 +99,7 @@ double volume_of(const ConvexBody& body, double reach) {
   return volume;
 }
 
-double volume_at_level(int level, const std::vector<ConvexBody>& bodies, double reach) {
+double volume_at_winding_level(int level, const std::vector<ConvexBody>& bodies, double reach) {
   return alternating_sum(level, bodies, 0, {}, 0, reach);
 }
 

@@ -19,8 +19,8 @@ using ConvexBody = std::vector<HalfSpace>;
 /// Volume of a bounded intersection of half-spaces that lies within `reach` of the origin.
 double volume_of(const ConvexBody& body, double reach);
 
-/// Volume of what lies in at least one of at most about eight bodies (level 1), or in at least two
-/// of them (level 2).
-double volume_at_level(int level, const std::vector<ConvexBody>& bodies, double reach);
+/// Volume of what lies in at least one of at most about eight bodies (winding level 1), or in at
+/// least two of them (winding level 2).
+double volume_at_winding_level(int level, const std::vector<ConvexBody>& bodies, double reach);
 
 }  // namespace chains

@@ -31,9 +31,9 @@ Mesh placed(Mesh mesh, test::Random& random, double shift) {
 }
 
 /// Nothing where no point has that winding number.
-std::optional<Mesh> cleaned(const Mesh& mesh, int level = 1) {
+std::optional<Mesh> cleaned(const Mesh& mesh, int winding_level = 1) {
   CleanOptions options;
-  options.level = level;
+  options.winding_level = winding_level;
   try {
     return clean(mesh, options).mesh;
   } catch (const GoalError&) {

@@ -82,12 +82,12 @@ Mesh rounded_to_floats(Mesh mesh) {
 TEST_CASE("eight boxes have the triangles of the whole") {
   for (const char* kind :
        {"two-spheres", "folded", "tangle", "dumbbell", "many-spheres", "boxes", "pinch"}) {
-    for (const int level : {1, 2}) {
+    for (const int winding_level : {1, 2}) {
       CAPTURE(kind);
-      CAPTURE(level);
+      CAPTURE(winding_level);
       const Mesh input = test::workload(kind, 6000, 3);
       CleanOptions options;
-      options.level = level;
+      options.winding_level = winding_level;
       Mesh expected;
       try {
         expected = clean(input, options).mesh;
@@ -95,7 +95,7 @@ TEST_CASE("eight boxes have the triangles of the whole") {
         continue;
       }
       CleanBoxOptions box_options;
-      box_options.level = level;
+      box_options.winding_level = winding_level;
       std::size_t whole = 0;
       const Mesh boxes = clean_in_boxes(input, box_options, whole);
       CHECK(whole == 0);

@@ -98,20 +98,20 @@ TEST_CASE("a clean result is clean") {
   }
 }
 
-TEST_CASE("level 2 is the intersection, and a flipped operand the difference") {
+TEST_CASE("winding level 2 is the intersection, and a flipped operand the difference") {
   const Mesh a = test::icosphere(3);
   const Mesh b = test::moved(test::icosphere(3), {0.7, 0.21, 0.13});
   CleanOptions twice;
-  twice.level = 2;
+  twice.winding_level = 2;
   const double sum = volume(clean(test::joined(a, b)).mesh);
   const CleanResult common = clean(test::joined(a, b), twice);
   const double difference = volume(clean(test::joined(a, test::reversed(b))).mesh);
   CHECK(sum + volume(common.mesh) == doctest::Approx(volume(a) + volume(b)).epsilon(1e-12));
   CHECK(difference + volume(common.mesh) == doctest::Approx(volume(a)).epsilon(1e-12));
   test::WindingOracleOptions options;
-  options.level = 2;
+  options.winding_level = 2;
   CHECK(test::compare_windings(test::joined(a, b), common.mesh, options).is_right());
-  twice.level = 3;
+  twice.winding_level = 3;
   CHECK_THROWS_AS(clean(test::joined(a, b), twice), GoalError);
 }
 

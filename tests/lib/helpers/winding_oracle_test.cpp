@@ -17,9 +17,9 @@ const Mesh outer = cuboid({-2, -2, -2}, {2, 2, 2});
 const Mesh inner = cuboid({-1, -1, -1}, {1, 1, 1});
 const Mesh beside = cuboid({3, 3, 3}, {4, 4, 4});
 
-bool is_right(const Mesh& input, const Mesh& output, int level = 1) {
+bool is_right(const Mesh& input, const Mesh& output, int winding_level = 1) {
   WindingOracleOptions options;
-  options.level = level;
+  options.winding_level = winding_level;
   return compare_windings(input, output, options).is_right();
 }
 

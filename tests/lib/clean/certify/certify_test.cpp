@@ -80,10 +80,10 @@ TEST_CASE("rotated boxes and moved pinches, whose films rounding closes, are cer
       }
 }
 
-TEST_CASE("an untouched mesh is its own boundary, at level 1 only") {
+TEST_CASE("an untouched mesh is its own boundary, at winding level 1 only") {
   CHECK(certify(icosphere(2), icosphere(2)).holds());
   CertifyOptions twice;
-  twice.level = 2;
+  twice.winding_level = 2;
   CHECK(!certify(icosphere(2), icosphere(2), twice).holds());
   CHECK(certify(joined(icosphere(2), icosphere(2)), icosphere(2), twice).holds());
   CHECK(!certify(joined(icosphere(2), icosphere(2)), Mesh(), twice).holds());
@@ -108,9 +108,9 @@ TEST_CASE("a dropped component and one too many are found") {
 
 TEST_CASE("a wrong sheet is found: the inner one beside or instead of the outer one") {
   const Mesh input = two_balls();
-  CleanOptions level_2;
-  level_2.level = 2;
-  const Mesh inner_sheet = clean(input, level_2).mesh;
+  CleanOptions winding_level_2;
+  winding_level_2.winding_level = 2;
+  const Mesh inner_sheet = clean(input, winding_level_2).mesh;
   check_wrong(input, inner_sheet);
   check_wrong(input, joined(clean(input).mesh, inner_sheet));
   const Mesh nested = joined(icosphere(2), inner_ball());

@@ -61,11 +61,11 @@ class Curves {
     return w;
   }
 
-  std::optional<std::vector<SegmentPart>> parts(int level) const {
+  std::optional<std::vector<SegmentPart>> parts(int winding_level) const {
     const std::vector<Vec3> positions{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
     const std::vector<Face> faces{{0, 1, 2}};
     const ExactGeometry geometry(positions, faces);
-    return find_bounding_parts(geometry, in, {{geometry.given(0), in_corner, 0}}, level);
+    return find_bounding_parts(geometry, in, {{geometry.given(0), in_corner, 0}}, winding_level);
   }
 
   SegmentsInFace in;
@@ -91,8 +91,8 @@ double share(const SegmentsInFace& in, Index s, Index other, double end) {
 }
 
 /// Returns how many parts there are.
-std::size_t compare(const Curves& curves, int level) {
-  const auto parts = curves.parts(level);
+std::size_t compare(const Curves& curves, int winding_level) {
+  const auto parts = curves.parts(winding_level);
   REQUIRE(parts.has_value());
   for (Index s = 0; s < curves.in.segments.size(); ++s) {
     const Vec3& from = curves.in.points[curves.in.segments[s].from].center;
@@ -100,8 +100,8 @@ std::size_t compare(const Curves& curves, int level) {
     const Vec3 left = Vec3(-along.y(), along.x(), 0).normalized() * 1e-7;
     for (double at = 0.0123; at < 1; at += 0.0371) {
       const Vec3 p = from + at * along;
-      const bool is_left = curves.winding(p + left) == level - 1;
-      const bool is_right = curves.winding(p - left) == level - 1;
+      const bool is_left = curves.winding(p + left) == winding_level - 1;
+      const bool is_right = curves.winding(p - left) == winding_level - 1;
       const auto part = std::find_if(parts->begin(), parts->end(), [&](const SegmentPart& each) {
         return each.segment == s && share(curves.in, s, each.from, 0) < at &&
                at < share(curves.in, s, each.to, 1);
@@ -128,7 +128,7 @@ TEST_CASE("parts of curves that cross are those with something exterior on one s
     }
     for (std::uint64_t i = 0; i < seed % 5; ++i)
       curves.add_chord(random.uniform(1, 9), random.uniform(1, 9), random.below(2) == 0 ? 1 : -1);
-    for (const int level : {0, 1, 2, 3, 4}) count += compare(curves, level);
+    for (const int winding_level : {0, 1, 2, 3, 4}) count += compare(curves, winding_level);
   }
   CHECK(count > 2000);
 }

@@ -28,12 +28,12 @@ Facet facet_of(const Arrangement& arrangement, const Piece& piece) {
   return {corners, piece.multiplicity};
 }
 
-std::vector<Facet> expected(const Arrangement& arrangement, int level) {
+std::vector<Facet> expected(const Arrangement& arrangement, int winding_level) {
   std::vector<char> kept(arrangement.pieces.size(), 0);
   try {
-    kept =
-        find_exterior(arrangement, level, ExteriorMethod::static_test, BorderClosure(), Progress())
-            .kept;
+    kept = find_exterior(arrangement, winding_level, ExteriorMethod::static_test, BorderClosure(),
+                         Progress())
+               .kept;
   } catch (const GoalError&) {  // nothing is kept
   }
   std::vector<Facet> facets;
@@ -43,9 +43,9 @@ std::vector<Facet> expected(const Arrangement& arrangement, int level) {
   return facets;
 }
 
-ExteriorArrangement exterior_of(const Mesh& mesh, int level) {
+ExteriorArrangement exterior_of(const Mesh& mesh, int winding_level) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-  return arrange_exterior(welded, find_meetings(*welded, Progress()), level, Progress());
+  return arrange_exterior(welded, find_meetings(*welded, Progress()), winding_level, Progress());
 }
 
 std::vector<Facet> found(const ExteriorArrangement& exterior) {
@@ -60,11 +60,11 @@ std::vector<Facet> found(const ExteriorArrangement& exterior) {
 std::size_t compare(const Mesh& mesh) {
   const Arrangement whole = test::arranged(mesh);
   std::size_t count = 0;
-  for (const int level : {-1, 1, 2, 3}) {
-    CAPTURE(level);
-    const ExteriorArrangement exterior = exterior_of(mesh, level);
+  for (const int winding_level : {-1, 1, 2, 3}) {
+    CAPTURE(winding_level);
+    const ExteriorArrangement exterior = exterior_of(mesh, winding_level);
     const std::vector<Facet> facets = found(exterior);
-    REQUIRE(facets == expected(whole, level));
+    REQUIRE(facets == expected(whole, winding_level));
     CHECK(exterior.whole_faces == whole.whole_pieces);
     count += facets.size();
   }

@@ -12,8 +12,8 @@
 namespace transformesh {
 namespace {
 
-Exterior exterior_of(const Arrangement& arrangement, int level, ExteriorMethod method) {
-  return find_exterior(arrangement, level, method, BorderClosure(), Progress());
+Exterior exterior_of(const Arrangement& arrangement, int winding_level, ExteriorMethod method) {
+  return find_exterior(arrangement, winding_level, method, BorderClosure(), Progress());
 }
 
 Mesh ball(double radius, const Vec3& center = Vec3::Zero()) {
@@ -22,16 +22,18 @@ Mesh ball(double radius, const Vec3& center = Vec3::Zero()) {
 
 }  // namespace
 
-TEST_CASE("a piece is kept where w < level in front of it and w >= level behind it") {
+TEST_CASE(
+    "a piece is kept where w < winding level in front of it and w >= winding level behind it") {
   std::size_t tested = 0, kept = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const Mesh mesh = test::random_balls(seed, 5);
     const Arrangement arrangement = test::arranged(mesh);
-    for (const int level : {1, 2}) {
+    for (const int winding_level : {1, 2}) {
       CAPTURE(seed);
-      CAPTURE(level);
-      const Exterior grown = exterior_of(arrangement, level, ExteriorMethod::grow);
-      const Exterior tested_all = exterior_of(arrangement, level, ExteriorMethod::static_test);
+      CAPTURE(winding_level);
+      const Exterior grown = exterior_of(arrangement, winding_level, ExteriorMethod::grow);
+      const Exterior tested_all =
+          exterior_of(arrangement, winding_level, ExteriorMethod::static_test);
       CHECK(grown.kept == tested_all.kept);
       CHECK(tested_all.rays == arrangement.pieces.size());
       CHECK(grown.rays < 10);
@@ -41,7 +43,7 @@ TEST_CASE("a piece is kept where w < level in front of it and w >= level behind 
         const std::optional<int> behind = test::winding_beside(mesh, t, -1);
         if (!front || !behind) continue;
         REQUIRE(*behind == *front + arrangement.pieces[p].multiplicity);
-        REQUIRE((grown.kept[p] == 1) == (*front < level && *behind >= level));
+        REQUIRE((grown.kept[p] == 1) == (*front < winding_level && *behind >= winding_level));
         ++tested;
         kept += grown.kept[p] == 1 ? 1 : 0;
       }
@@ -69,9 +71,9 @@ TEST_CASE("one ray fixes each connected set of patches") {
 }
 
 TEST_CASE("nothing to keep is told with its cause") {
-  const auto message = [](const Mesh& mesh, int level) {
+  const auto message = [](const Mesh& mesh, int winding_level) {
     try {
-      exterior_of(test::arranged(mesh), level, ExteriorMethod::grow);
+      exterior_of(test::arranged(mesh), winding_level, ExteriorMethod::grow);
     } catch (const GoalError& error) {
       return std::string(error.what());
     }
