@@ -127,7 +127,7 @@ double Photographs::agreement(const Mesh& mesh) {
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
     if (scene.distances[v].empty()) continue;
     GrayImage silhouette = scene.distances[v];
-    for (float& level : silhouette.pixels) level = level < 0 ? 255.0F : 0.0F;
+    for (float& intensity : silhouette.pixels) intensity = intensity < 0 ? 255.0F : 0.0F;
     sum += silhouette_agreement(mesh_silhouette(mesh, scene.views[v]), silhouette);
     ++count;
   }
@@ -148,14 +148,14 @@ class ReconstructionLoop : public Loop {
       : photographs_(photographs),
         start_(beginning.start),
         options_(options),
-        levels_(coarse_to_fine(scales_of(options, beginning), photographs.width(),
-                               photographs.pixel())),
+        scale_steps_(coarse_to_fine(scales_of(options, beginning), photographs.width(),
+                                    photographs.pixel())),
         rule_(options.passes) {}
 
   std::string noun() const override { return "pass"; }
   void start(Document& document, const Progress& progress) override;
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
-  bool is_done() const override { return level_ == levels_.size(); }
+  bool is_done() const override { return scale_step_ == scale_steps_.size(); }
   void finish(Document& document, const Progress& progress) override;
 
   void remember(Memory& memory) override;
@@ -173,20 +173,20 @@ class ReconstructionLoop : public Loop {
   bool takes_pass(Document& document, const Progress& progress);
   void take_pass(Document& document, const Progress& progress);
   bool begin_robust();
-  void begin_next_level(Document& document, const Progress& progress);
+  void begin_next_scale(Document& document, const Progress& progress);
   std::size_t pixels_compared(const Document& document, const Progress& progress) const {
-    return photographs_.look(document.mesh, pass_.level.scale, true, progress).pixels;
+    return photographs_.look(document.mesh, pass_.scale_step.scale, true, progress).pixels;
   }
 
   Photographs& photographs_;
   const Document& start_;
   const ReconstructionOptions& options_;
-  std::vector<Level> levels_;
+  std::vector<ScaleStep> scale_steps_;
 
   // What is remembered from pass to pass.
-  std::size_t first_ = 0;  ///< level with which it began
-  std::size_t level_ = 0;  ///< of the next pass
-  LevelRule rule_;
+  std::size_t first_ = 0;       ///< scale with which it began
+  std::size_t scale_step_ = 0;  ///< of the next pass
+  ScaleRule rule_;
   ReconstructionFaults faults_;
   double loss_ = 0;
   double stiffness_ = 1;     ///< times that of the options
@@ -199,19 +199,20 @@ class ReconstructionLoop : public Loop {
 void ReconstructionLoop::start(Document& document, const Progress& progress) {
   document = start_;
   document.mesh.vertex_columns.erase(doubt_column);
-  coarsen(document, levels_[level_].edge, progress);
+  coarsen(document, scale_steps_[scale_step_].edge, progress);
 }
 
 // Where nothing was done yet but at the first scale, and nobody asked for that one.
 bool ReconstructionLoop::may_begin_finer() const {
-  return !options_.scales.coarsest && level_ == first_ && level_ + 1 < levels_.size();
+  return !options_.scales.coarsest && scale_step_ == first_ &&
+         scale_step_ + 1 < scale_steps_.size();
 }
 
 void ReconstructionLoop::begin_finer(Document& document, const Progress& progress) {
   if (options_.on_detail)
-    options_.on_detail("scale " + fixed(pass_.level.scale, 4) +
+    options_.on_detail("scale " + fixed(pass_.scale_step.scale, 4) +
                        " is too coarse for this surface: beginning anew at the next");
-  level_ = ++first_;
+  scale_step_ = ++first_;
   faults_.lost_at = 0;
   rule_.begin();
   start(document, progress);
@@ -220,14 +221,14 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
 // Where the last pass made the surface explode.
 bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
   if (!is_exploded(pass_, connected_components(start_.mesh).components.size())) return false;
-  const std::string what = "the surface explodes at scale " + fixed(pass_.level.scale, 4);
-  if (pass_.level.scale < stiffer_scale || stiffness_ >= most_stiffness)
+  const std::string what = "the surface explodes at scale " + fixed(pass_.scale_step.scale, 4);
+  if (pass_.scale_step.scale < stiffer_scale || stiffness_ >= most_stiffness)
     throw GoalError(what + ": photographs, cameras and masks may not belong together; see " +
                     "--stiffness, --coarsest and tm-cameras");
   stiffness_ *= stiffer;
   if (options_.on_note)
     options_.on_note(what + ": beginning anew, " + fixed(stiffness_, 0) + " times as stiff");
-  level_ = first_;
+  scale_step_ = first_;
   faults_ = {};
   rule_.begin();
   start(document, progress);
@@ -237,7 +238,8 @@ bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& prog
 // Whether there were any; then the mesh is to be cleaned again.
 bool ReconstructionLoop::drops_handles(Document& document, const Progress& progress) {
   if (options_.handles == 0) return false;
-  const HandleOptions options{options_.handles * levels_.back().edge, document.style.coordinate};
+  const HandleOptions options{options_.handles * scale_steps_.back().edge,
+                              document.style.coordinate};
   const std::size_t removed = remove_handles(document.mesh, options, progress).removed;
   handles_ += removed;
   return removed > 0;
@@ -262,19 +264,20 @@ void ReconstructionLoop::drop_crumbs(Document& document) {
 void ReconstructionLoop::take_pass(Document& document, const Progress& progress) {
   Stopwatch watch;
   IterationResult& mesh = pass_.mesh;
-  pass_.level = levels_[level_];
-  remesh_to(document, pass_.level.edge, 2, progress);
+  pass_.scale_step = scale_steps_[scale_step_];
+  remesh_to(document, pass_.scale_step.edge, 2, progress);
   mesh.seconds_remesh = watch.lap();
 
   mesh.vertices = document.mesh.positions.size();
-  pass_.steps = photographs_.pass(document.mesh, pass_.level.scale, loss_, stiffness_, progress);
+  pass_.steps =
+      photographs_.pass(document.mesh, pass_.scale_step.scale, loss_, stiffness_, progress);
   round_as_written(document);
   mesh.seconds_step = watch.lap();
 
   const CleanedTopology cleaned = clean_in_place(document, progress);
   mesh.pairs = cleaned.pairs;
   mesh.topology = cleaned.topology;
-  if (is_late_scale(pass_.level.scale) && drops_handles(document, progress))
+  if (is_late_scale(pass_.scale_step.scale) && drops_handles(document, progress))
     mesh.topology = clean_in_place(document, progress).topology;
   mesh.faces = document.mesh.faces.size();
   mesh.seconds_clean = watch.lap();
@@ -298,24 +301,24 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
   if (begins_stiffer(document, progress)) return;
   const PassVerdict verdict = rule_.add(pass_);
   faults_.is_at_rest = verdict.is_at_rest;
-  if (verdict.is_late && level_ > first_) faults_.late_at = pass_.level.scale;
+  if (verdict.is_late && scale_step_ > first_) faults_.late_at = pass_.scale_step.scale;
   if (!verdict.is_done) return;
-  if (verdict.is_lost) faults_.lost_at = pass_.level.scale;
-  if (!begin_robust()) begin_next_level(document, progress);
+  if (verdict.is_lost) faults_.lost_at = pass_.scale_step.scale;
+  if (!begin_robust()) begin_next_scale(document, progress);
 }
 
-// Some more passes of the last level, once. Before, windows that disagree are needed, as they show
+// Some more passes of the last scale, once. Before, windows that disagree are needed, as they show
 // where the surface is still far off.
 bool ReconstructionLoop::begin_robust() {
-  if (level_ + 1 < levels_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
+  if (scale_step_ + 1 < scale_steps_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
   loss_ = robust_loss(options_.robust, rule_.dissimilarity());
   if (loss_ > 0) rule_.begin();
   return loss_ > 0;
 }
 
-void ReconstructionLoop::begin_next_level(Document& document, const Progress& progress) {
+void ReconstructionLoop::begin_next_scale(Document& document, const Progress& progress) {
   const bool was_first = may_begin_finer();
-  ++level_;
+  ++scale_step_;
   rule_.begin();
   if (was_first && is_torn(pixels_compared(start_, progress), pixels_compared(document, progress)))
     begin_finer(document, progress);
@@ -340,13 +343,13 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
 void ReconstructionLoop::remember(Memory& memory) {
   rule_.remember(memory);
   faults_.remember(memory);
-  memory("first", first_)("level", level_)("loss", loss_)("stiffness", stiffness_);
+  memory("first", first_)("level", scale_step_)("loss", loss_)("stiffness", stiffness_);
   memory("handles", handles_);
 }
 
 void ReconstructionLoop::measure(CsvRow& row) const {
-  const auto& [level, mesh, steps] = pass_;
-  row.share("scale", level.scale).number("edge", level.edge, 9);
+  const auto& [scale_step, mesh, steps] = pass_;
+  row.share("scale", scale_step.scale).number("edge", scale_step.edge, 9);
   mesh.measure_mesh(row);
   row.share("dissimilarity", steps.last.dissimilarity, 6).count("pixels", steps.last.pixels);
   row.share("coverage", steps.last.coverage).share("mean_share", steps.last.mean_share, 5);
@@ -356,7 +359,7 @@ void ReconstructionLoop::measure(CsvRow& row) const {
 }
 
 std::string ReconstructionLoop::message() const {
-  return ", scale " + fixed(pass_.level.scale, 2) + ": " +
+  return ", scale " + fixed(pass_.scale_step.scale, 2) + ": " +
          in_words(pass_.mesh.faces, pass_.mesh.topology) + ", dissimilarity " +
          fixed(pass_.steps.last.dissimilarity, 4);
 }

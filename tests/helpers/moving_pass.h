@@ -1,13 +1,13 @@
 #pragma once
 
-#include "evolution/reconstruction/level_rule.h"
+#include "evolution/reconstruction/scale_rule.h"
 
 namespace transformesh::test {
 
 /// A surface that moves, agrees better and better, and loses nothing.
 inline Pass moving(double dissimilarity) {
   Pass pass;
-  pass.level.scale = 4;
+  pass.scale_step.scale = 4;
   pass.mesh.vertices = 1000;
   pass.mesh.topology = {1, 0};
   pass.steps.last.mean_share = 0.1;

@@ -18,26 +18,26 @@ constexpr double tolerance = 0.999;
 
 double scale_after(int steps) { return elementary::exp2(steps / 2.0); }
 
-Level rounded(double scale, double edge) {
+ScaleStep rounded(double scale, double edge) {
   return {read_back(fixed(scale, 4)), read_back(significant(edge, 9))};
 }
 
 }  // namespace
 
-std::vector<Level> coarse_to_fine(const ScaleOptions& options, int image_width, double pixel) {
+std::vector<ScaleStep> coarse_to_fine(const ScaleOptions& options, int image_width, double pixel) {
   const double coarsest =
       options.coarsest.value_or(std::min(image_width / coarsest_pixels, options.largest));
   int steps = 0;
   while (scale_after(steps) < coarsest * tolerance) ++steps;
-  std::vector<Level> levels;
+  std::vector<ScaleStep> scale_steps;
   for (; steps >= 0; --steps)
-    levels.push_back(rounded(scale_after(steps), options.edge * scale_after(steps) * pixel));
+    scale_steps.push_back(rounded(scale_after(steps), options.edge * scale_after(steps) * pixel));
   double edge = options.edge / std::numbers::sqrt2;
   while (edge > options.last_edge * tolerance) {
-    levels.push_back(rounded(1, edge * pixel));
+    scale_steps.push_back(rounded(1, edge * pixel));
     edge /= std::numbers::sqrt2;
   }
-  return levels;
+  return scale_steps;
 }
 
 double edge_times(double factor, double edge) { return read_back(significant(factor * edge, 9)); }

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "evolution/reconstruction/level_rule.h"
+#include "evolution/reconstruction/scale_rule.h"
 #include "views/cameras/view_pairs.h"
 
 namespace transformesh {

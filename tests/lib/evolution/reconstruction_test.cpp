@@ -184,7 +184,7 @@ TEST_CASE("with a start, outlines come from a threshold that is given, and from 
     CHECK(views[0].silhouette.empty() != is_given);
     if (outlined) outline(views, *outlined);
     const GrayImage silhouette = views[0].silhouette.unpacked();
-    for (const float level : silhouette.pixels) CHECK((level == 0 || level == 255));
+    for (const float intensity : silhouette.pixels) CHECK((intensity == 0 || intensity == 255));
   }
 }
 

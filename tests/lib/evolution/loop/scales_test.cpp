@@ -15,14 +15,14 @@ ScaleOptions from(double coarsest, double edge = 3) { return {coarsest, edge, ed
 }  // namespace
 
 TEST_CASE("scales go from the coarsest to 1 by the square root of 2, and edges with them") {
-  const std::vector<Level> levels = coarse_to_fine(from(2), 640, 0.5);
-  REQUIRE(levels.size() == 3);
-  CHECK(levels[0].scale == 2);
-  CHECK(levels[1].scale == 1.4142);
-  CHECK(levels[2].scale == 1);
-  CHECK(levels[0].edge == 3);
-  CHECK(levels[1].edge == 2.12132034);
-  CHECK(levels[2].edge == 1.5);
+  const std::vector<ScaleStep> scale_steps = coarse_to_fine(from(2), 640, 0.5);
+  REQUIRE(scale_steps.size() == 3);
+  CHECK(scale_steps[0].scale == 2);
+  CHECK(scale_steps[1].scale == 1.4142);
+  CHECK(scale_steps[2].scale == 1);
+  CHECK(scale_steps[0].edge == 3);
+  CHECK(scale_steps[1].edge == 2.12132034);
+  CHECK(scale_steps[2].edge == 1.5);
 }
 
 TEST_CASE("a coarsest scale between two is rounded up, but for what is hardly more") {
@@ -38,11 +38,11 @@ TEST_CASE("photographs are 28 pixels wide at the scale that nobody asked for, 11
 }
 
 TEST_CASE("at full scale edges become as short as wanted") {
-  const std::vector<Level> levels = coarse_to_fine({1, 4, 2}, 640, 1);
-  REQUIRE(levels.size() == 3);
-  CHECK(levels[1].edge == 2.82842712);
-  CHECK(levels[2].edge == 2);
-  CHECK(levels[2].scale == 1);
+  const std::vector<ScaleStep> scale_steps = coarse_to_fine({1, 4, 2}, 640, 1);
+  REQUIRE(scale_steps.size() == 3);
+  CHECK(scale_steps[1].edge == 2.82842712);
+  CHECK(scale_steps[2].edge == 2);
+  CHECK(scale_steps[2].scale == 1);
 }
 
 TEST_CASE("edges become about as long as wanted, and those that are so stay") {

@@ -1,4 +1,4 @@
-/// When a level of coarse to fine is done (paper 5.3.1): plain values of its passes in, a verdict
+/// When a scale of coarse to fine is done (paper 5.3.1): plain values of its passes in, a verdict
 /// out. What it remembers of them is kept in the record of a run.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace transformesh {
 
 /// A pass that was made.
 struct Pass {
-  Level level;
+  ScaleStep scale_step;
   IterationResult mesh;
   PhotoStepsResult steps;
 };
@@ -22,9 +22,9 @@ struct Pass {
 bool is_late_scale(double scale);
 
 struct PassVerdict {
-  bool is_done = false;     ///< go on with the next level
+  bool is_done = false;     ///< go on with the next scale
   bool is_at_rest = false;  ///< hardly moves, and neither enters silhouettes nor changes topology
-  /// Since the level began the share of pixels that are compared fell by a tenth, or their number
+  /// Since the scale began the share of pixels that are compared fell by a tenth, or their number
   /// by half: a surface that photographs agree on because less of it is compared.
   bool is_lost = false;
   /// Components or holes came or went at a scale below 2: films and necks do, and photographs hold
@@ -32,17 +32,17 @@ struct PassVerdict {
   bool is_late = false;
 };
 
-/// When a level of coarse to fine is done: where vertices move by less than 1.5 % of an edge or
+/// When a scale of coarse to fine is done: where vertices move by less than 1.5 % of an edge or
 /// photographs agree by less than a hundredth better than after the pass before, or after so many
 /// passes; but while vertices come in from outside of silhouettes or the topology changes, not
 /// before twice as many.
-class LevelRule {
+class ScaleRule {
  public:
-  explicit LevelRule(std::size_t passes = 4) : passes_(passes) {}
+  explicit ScaleRule(std::size_t passes = 4) : passes_(passes) {}
 
   PassVerdict add(const Pass& pass);
-  /// A level begins.
-  void begin() { *this = LevelRule(passes_); }
+  /// A scale begins.
+  void begin() { *this = ScaleRule(passes_); }
   /// After the last pass, with the six digits that the rule remembers.
   double dissimilarity() const { return before_.dissimilarity; }
 
@@ -57,7 +57,7 @@ class LevelRule {
     Topology topology;
   };
   LastPass before_;
-  double coverage_ = 0;  ///< that the level began with
+  double coverage_ = 0;  ///< that the scale began with
   std::size_t pixels_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "evolution/reconstruction/level_rule.h"
+#include "evolution/reconstruction/scale_rule.h"
 
 #include "support/number.h"
 
@@ -21,7 +21,7 @@ double real(std::size_t count) { return static_cast<double>(count); }
 
 bool is_late_scale(double scale) { return scale < late_scale; }
 
-PassVerdict LevelRule::add(const Pass& pass) {
+PassVerdict ScaleRule::add(const Pass& pass) {
   const PhotoStepResult& last = pass.steps.last;
   const bool is_first = done_ == 0;
   if (is_first) {
@@ -38,7 +38,7 @@ PassVerdict LevelRule::add(const Pass& pass) {
   const bool is_other = !is_first && pass.mesh.topology != before_.topology;
   const bool changes = enters || is_other;
   verdict.is_at_rest = !verdict.is_lost && is_slow && !changes;
-  verdict.is_late = is_other && is_late_scale(pass.level.scale);
+  verdict.is_late = is_other && is_late_scale(pass.scale_step.scale);
   ++done_;
   verdict.is_done = verdict.is_at_rest || done_ >= (changes ? 2 * passes_ : passes_);
 
@@ -47,7 +47,7 @@ PassVerdict LevelRule::add(const Pass& pass) {
   return verdict;
 }
 
-void LevelRule::remember(Memory& memory) {
+void ScaleRule::remember(Memory& memory) {
   memory("pass", done_)("dissimilarity", before_.dissimilarity)("outside", before_.outside);
   memory("components", before_.topology.components)("genus", before_.topology.genus);
   memory("coverage", coverage_)("pixels", pixels_);

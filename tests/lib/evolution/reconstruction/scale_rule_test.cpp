@@ -1,4 +1,4 @@
-#include "evolution/reconstruction/level_rule.h"
+#include "evolution/reconstruction/scale_rule.h"
 
 #include <doctest/doctest.h>
 
@@ -22,8 +22,8 @@ Pass with_outside(Pass pass, std::size_t outside) {
 
 }  // namespace
 
-TEST_CASE("a level is done where vertices hardly move, or photographs agree hardly better") {
-  LevelRule rule;
+TEST_CASE("a scale is done where vertices hardly move, or photographs agree hardly better") {
+  ScaleRule rule;
   Pass slow = moving(0.5);
   slow.steps.last.mean_share = 0.014;
   CHECK(rule.add(slow).is_done);
@@ -35,16 +35,16 @@ TEST_CASE("a level is done where vertices hardly move, or photographs agree hard
   CHECK(verdict.is_at_rest);
 }
 
-TEST_CASE("a level ends after so many passes, and does not count as at rest") {
-  LevelRule rule(2);
+TEST_CASE("a scale ends after so many passes, and does not count as at rest") {
+  ScaleRule rule(2);
   CHECK_FALSE(rule.add(moving(0.5)).is_done);
   const PassVerdict verdict = rule.add(moving(0.4));
   CHECK(verdict.is_done);
   CHECK_FALSE(verdict.is_at_rest);
 }
 
-TEST_CASE("while the topology changes a level has twice as many passes, and no rest") {
-  LevelRule rule(2);
+TEST_CASE("while the topology changes a scale has twice as many passes, and no rest") {
+  ScaleRule rule(2);
   rule.add(moving(0.5));
   CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 0})).is_done);
   CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 1})).is_done);
@@ -53,8 +53,8 @@ TEST_CASE("while the topology changes a level has twice as many passes, and no r
   CHECK_FALSE(verdict.is_at_rest);
 }
 
-TEST_CASE("while vertices come in from outside of silhouettes a level goes on") {
-  LevelRule rule(2);
+TEST_CASE("while vertices come in from outside of silhouettes a scale goes on") {
+  ScaleRule rule(2);
   CHECK_FALSE(rule.add(with_outside(moving(0.5), 100)).is_done);
   CHECK_FALSE(rule.add(with_outside(moving(0.5), 80)).is_done);
   // Those that stay outside do not come in; and a few are none.
@@ -64,9 +64,9 @@ TEST_CASE("while vertices come in from outside of silhouettes a level goes on") 
   CHECK(rule.add(with_outside(moving(0.5), 2)).is_at_rest);
 }
 
-TEST_CASE("a surface of which less is compared than when the level began is lost, not at rest") {
+TEST_CASE("a surface of which less is compared than when the scale began is lost, not at rest") {
   for (const bool is_share : {true, false}) {
-    LevelRule rule;
+    ScaleRule rule;
     CHECK_FALSE(rule.add(moving(0.5)).is_lost);
     Pass lost = moving(0.5);
     if (is_share) lost.steps.last.coverage = 0.71;
@@ -76,8 +76,8 @@ TEST_CASE("a surface of which less is compared than when the level began is lost
     CHECK_FALSE(verdict.is_at_rest);
     CHECK_FALSE(verdict.is_done);
   }
-  // What the level began with counts, not the pass.
-  LevelRule rule;
+  // What the scale began with counts, not the pass.
+  ScaleRule rule;
   rule.add(moving(0.5));
   Pass later = moving(0.4);
   later.steps.first.coverage = 0.6;
@@ -87,30 +87,30 @@ TEST_CASE("a surface of which less is compared than when the level began is lost
 
 TEST_CASE("a topology that changes within a late scale is told from one that changes before") {
   const auto is_late = [](double scale, Topology before) {
-    LevelRule rule;
+    ScaleRule rule;
     rule.add(with_topology(moving(0.5), before));
     Pass measures = with_topology(moving(0.3), {1, 5});
-    measures.level.scale = scale;
+    measures.scale_step.scale = scale;
     return rule.add(measures).is_late;
   };
   CHECK(is_late(1.4142, {1, 6}));
   CHECK(is_late(1, {2, 5}));
   CHECK_FALSE(is_late(1.4142, {1, 5}));
   CHECK_FALSE(is_late(2, {1, 6}));
-  // From level to level it may change.
-  LevelRule rule;
+  // From scale to scale it may change.
+  ScaleRule rule;
   Pass first = with_topology(moving(0.3), {1, 5});
-  first.level.scale = 1;
+  first.scale_step.scale = 1;
   CHECK_FALSE(rule.add(first).is_late);
 }
 
-TEST_CASE("the rule of a level goes on from its memory as if nothing had happened") {
-  LevelRule whole(6), parts(6);
+TEST_CASE("the rule of a scale goes on from its memory as if nothing had happened") {
+  ScaleRule whole(6), parts(6);
   for (int i = 0; i < 6; ++i) {
     Pass measures = with_outside(moving(0.123456789 / (1 + i)), 100 - 5 * (i / 2));
     measures.steps.last.coverage = 0.8123456789 - 0.03 * i;
     measures.mesh.topology = {1, -i / 3};
-    LevelRule next(6);
+    ScaleRule next(6);
     Memory kept;
     parts.remember(kept);
     Memory memory(kept.text());
