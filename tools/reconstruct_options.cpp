@@ -168,7 +168,8 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   start.clips_by_hull = choices.clip == "hull";
   start.opens_hollows = choices.hollows == "auto";
   if (choices.silhouettes_show == "least") start.meaning = SilhouetteMeaning::least;
-  if (!choices.threshold.empty()) start.threshold = {.level = threshold_level(choices.threshold)};
+  if (!choices.threshold.empty())
+    start.threshold = {.intensity = threshold_intensity(choices.threshold)};
   start.keep = hull_share(choices.keep);
   start.least_agreement = choices.check.least_agreement;
   options.scales.coarsest = number_or_auto("coarsest", choices.coarsest, 1);

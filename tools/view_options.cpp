@@ -4,19 +4,19 @@
 
 #include "picture/png.h"
 #include "support/error.h"
-#include "views/hull/agreed_level.h"
+#include "views/hull/agreed_threshold.h"
 #include "views/hull/silhouette.h"
 #include "views/images/image_file.h"
 
 namespace transformesh::tool {
 
-std::optional<double> threshold_level(const std::string& threshold) {
+std::optional<double> threshold_intensity(const std::string& threshold) {
   if (threshold == "auto") return std::nullopt;
-  const Length level = parse_length(threshold);
-  if (level.unit != Length::Unit::absolute || level.value < 1 || level.value > 254) {
+  const Length intensity = parse_length(threshold);
+  if (intensity.unit != Length::Unit::absolute || intensity.value < 1 || intensity.value > 254) {
     throw UsageError("--threshold: '" + threshold + "' is neither auto nor a number from 1 to 254");
   }
-  return level.value;
+  return intensity.value;
 }
 
 double hull_share(const std::string& keep) {
@@ -66,7 +66,8 @@ void declare_silhouettes(Program& program, SilhouetteOptions& options) {
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run) {
   if (options.sources.silhouettes.empty() == options.sources.images.empty())
     throw UsageError("either --silhouettes or --images is needed");
-  const ThresholdOptions threshold{threshold_level(options.threshold), options.blur, options.close};
+  const ThresholdOptions threshold{threshold_intensity(options.threshold), options.blur,
+                                   options.close};
   ViewSources sources = options.sources;
   sources.on_note = [&run](const std::string& text) { run.note(text); };
   std::vector<View> views = views_from(sources);
@@ -74,7 +75,7 @@ std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& 
     run.report("threshold", threshold_silhouettes(views, threshold, run.progress()));
   for (const View& view : views) {
     if (options.masks.empty()) break;
-    const GrayImage mask = two_levels(view.silhouette);
+    const GrayImage mask = binary_silhouette(view.silhouette);
     run.write_into(options.masks, view.name + ".png", write_png(picture_of(mask)));
   }
   return views;

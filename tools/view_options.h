@@ -40,7 +40,7 @@ void declare_silhouettes(Program& program, SilhouetteOptions& options);
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run);
 
 /// The value of --threshold, none for auto, and of --keep. Throw UsageError for anything else.
-std::optional<double> threshold_level(const std::string& threshold);
+std::optional<double> threshold_intensity(const std::string& threshold);
 double hull_share(const std::string& keep);
 
 /// Writes what the mesh covers in each view, which has a silhouette, to NAME.png in the folder.

@@ -9,12 +9,13 @@ using namespace transformesh::fuzz;
 
 namespace {
 
-void check_levels(const GrayImage& image) {
+void check_intensities(const GrayImage& image) {
   demand(image.width > 0 && image.height > 0, "an image without pixels");
   demand(image.pixels.size() ==
              static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
          "another number of pixels");
-  for (const float level : image.pixels) demand(level >= 0 && level <= 255.001F, "a level beyond");
+  for (const float intensity : image.pixels)
+    demand(intensity >= 0 && intensity <= 255.001F, "a level beyond");
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
   const std::string name = "input.image";
   try {
     const GrayImage image = decode_photograph(bytes, name);
-    check_levels(image);
+    check_intensities(image);
     const GrayImage size = decode_size(bytes, name);
     demand(size.width == image.width && size.height == image.height, "another size");
     const GrayImage silhouette = decode_silhouette(bytes, name);

@@ -11,7 +11,7 @@ namespace transformesh::test {
 inline constexpr int width = 64;
 inline constexpr int height = 48;
 
-/// An image whose levels are those of a function of the place, positive outside, cut off.
+/// An image whose intensities are those of a function of the place, positive outside, cut off.
 template <typename Function>
 GrayImage soft_mask(const Function& distance) {
   GrayImage mask(width, height);

@@ -73,7 +73,7 @@ inline PocketViews pocket_views(int count = 20) {
         const Vec3 ray = view.camera.ray(x, y);
         const double way = way_to_block(eye, ray);
         if (way == 0) continue;
-        image.at(x, y) = texture.level_at(eye + way * ray);
+        image.at(x, y) = texture.intensity_at(eye + way * ray);
         silhouette.at(x, y) = 255;
         depth.at(x, y) = static_cast<float>(way);
       }

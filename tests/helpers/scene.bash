@@ -3,11 +3,11 @@
 # mask FIRST LAST [LEVEL]: an image of 9x9 pixels, black but for a square of LEVEL, from pixel FIRST
 # to LAST each way.
 mask() {
-  awk -v first="$1" -v last="$2" -v level="${3:-255}" 'BEGIN {
+  awk -v first="$1" -v last="$2" -v intensity="${3:-255}" 'BEGIN {
     print "P2 9 9 255"
     for (y = 0; y < 9; ++y) {
       for (x = 0; x < 9; ++x)
-        printf "%d ", (x >= first && x <= last && y >= first && y <= last) ? level : 0
+        printf "%d ", (x >= first && x <= last && y >= first && y <= last) ? intensity : 0
       print ""
     }
   }'
@@ -74,7 +74,7 @@ make_balls() {
   }'
 }
 
-# changed_mask 'AWK EXPRESSION of l, i': reads a mask and writes it with other levels; i counts pixels.
+# changed_mask 'AWK EXPRESSION of l, i': reads a mask and writes it with other intensities; i counts pixels.
 changed_mask() {
   awk -v seed=1 'NR == 1 { print; next } { l = $1; ++i; print int('"$1"') }'
 }

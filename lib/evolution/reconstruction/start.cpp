@@ -11,7 +11,7 @@
 #include "support/error.h"
 #include "support/parallel.h"
 #include "views/cameras/pinhole_camera.h"
-#include "views/hull/agreed_level.h"
+#include "views/hull/agreed_threshold.h"
 #include "views/hull/contour_distance.h"
 #include "views/hull/hull.h"
 #include "views/hull/silhouette.h"
@@ -65,7 +65,7 @@ struct Rectangle {
 void add_silhouette(const HeldImage& silhouette, Rectangle& rectangle) {
   for (int y = 0; y < silhouette.height; ++y)
     for (int x = 0; x < silhouette.width; ++x)
-      if (silhouette.at(x, y) > contour_level) rectangle.add({x, y});
+      if (silhouette.at(x, y) > contour_intensity) rectangle.add({x, y});
 }
 
 /// The part with the mesh and the silhouette, and some room for a surface that moves.

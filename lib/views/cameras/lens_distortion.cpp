@@ -10,7 +10,7 @@ namespace transformesh {
 namespace {
 
 /// Bilinear; a pixel beyond the border counts as the one beside it, half a pixel far.
-float level_at(const GrayImage& image, const Eigen::Vector2d& place) {
+float intensity_at(const GrayImage& image, const Eigen::Vector2d& place) {
   const double right = image.width - 1;
   const double bottom = image.height - 1;
   const bool is_seen = place.x() >= -0.5 && place.y() >= -0.5 && place.x() <= right + 0.5 &&
@@ -53,7 +53,7 @@ GrayImage undistorted(const GrayImage& image, const Eigen::Matrix3d& intrinsics,
                      const Eigen::Vector3d ray = inverse * Eigen::Vector3d(x, y, 1);
                      const Eigen::Vector2d bent = distortion.distorted(ray.x(), ray.y());
                      const Eigen::Vector3d place = intrinsics * bent.homogeneous();
-                     result.at(x, y) = level_at(image, place.head<2>());
+                     result.at(x, y) = intensity_at(image, place.head<2>());
                    }
                  }
                });

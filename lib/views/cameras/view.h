@@ -27,7 +27,7 @@ std::vector<PinholeCamera> cameras_of(std::span<const View> views);
 /// left. O(pixels); deterministic.
 GrayImage at_scale(const GrayImage& image, double scale);
 
-/// Image, silhouette (which keeps its levels at scale 1), and the camera of the smaller image:
+/// Image, silhouette (which keeps its intensities at scale 1), and the camera of the smaller image:
 /// PinholeCamera::shrunk, so that the corners of the image stay where they are.
 View at_scale(const View& view, double scale);
 

@@ -127,7 +127,7 @@ void decode_masks(const std::vector<std::string>& paths, const ViewSources& sour
   });
   tell_rule(paths, rules, MaskRule::alpha,
             ": transparency is the mask: the object is where the picture is opaque", sources);
-  tell_rule(paths, rules, MaskRule::between_levels,
+  tell_rule(paths, rules, MaskRule::between_intensities,
             ": black and white are not quite that, as noise or JPEG leave them: the object is what "
             "is brighter than half-way between",
             sources);

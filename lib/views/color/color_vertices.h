@@ -20,7 +20,7 @@ namespace transformesh {
 
 struct ColorResult {
   std::size_t unseen = 0;  ///< vertices that no view sees
-  /// Mean difference of the colors, in gray levels, from the photographs that see them well.
+  /// Mean difference of the colors, in intensities, from the photographs that see them well.
   double disagreement = 0;
   double largest_gain = 1;  ///< even_exposure.h: by which a photograph was brightened or darkened
 };

@@ -7,12 +7,12 @@
 namespace transformesh {
 namespace {
 
-constexpr double level_variance = 100;
-constexpr float least_level = 8, largest_level = 247;
-constexpr float most_different = 1.5F;  ///< times the other level
+constexpr double intensity_variance = 100;
+constexpr float least_intensity = 8, largest_intensity = 247;
+constexpr float most_different = 1.5F;  ///< times the other intensity
 constexpr double most_gain = 4;
 
-/// Sums of levels over the places that two views see.
+/// Sums of intensities over the places that two views see.
 struct Overlap {
   double first = 0, second = 0;
   double count = 0;
@@ -22,7 +22,7 @@ using ViewPairKey = std::pair<std::size_t, std::size_t>;
 using Overlaps = std::map<ViewPairKey, Overlap>;
 
 bool is_comparable(float a, float b) {
-  return std::min(a, b) >= least_level && std::max(a, b) <= largest_level &&
+  return std::min(a, b) >= least_intensity && std::max(a, b) <= largest_intensity &&
          std::max(a, b) <= most_different * std::min(a, b);
 }
 
@@ -32,8 +32,8 @@ Overlaps overlaps_of(std::span<const Glimpses> seen, int channel) {
     const std::size_t count = glimpses.count_good();
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
-        const float a = glimpses.levels(i)[channel];
-        const float b = glimpses.levels(j)[channel];
+        const float a = glimpses.intensities(i)[channel];
+        const float b = glimpses.intensities(j)[channel];
         if (!is_comparable(a, b)) continue;
         Overlap& overlap = overlaps[{glimpses.view(i), glimpses.view(j)}];
         overlap.first += a;
@@ -58,7 +58,7 @@ class Equations {
   void add(const ViewPairKey& pair, const Overlap& overlap) {
     const auto first = static_cast<Eigen::Index>(pair.first);
     const auto second = static_cast<Eigen::Index>(pair.second);
-    const double weight = 1 / (overlap.count * level_variance);
+    const double weight = 1 / (overlap.count * intensity_variance);
     entries_.emplace_back(first, first, weight * overlap.first * overlap.first + overlap.count);
     entries_.emplace_back(second, second, weight * overlap.second * overlap.second + overlap.count);
     for (const auto& [row, column] : {std::pair(first, second), std::pair(second, first)})

@@ -1,12 +1,11 @@
-/// Evens out exposures: gains of photographs with which they show the same levels where they see
-/// the same places of a surface.
-/// Reference: the gain compensation of Brown & Lowe, "Automatic panoramic image stitching using
-/// invariant features", IJCV 74(1), 2007, section 6; here for each color by itself, so that white
-/// balances are evened out as well.
+/// Evens out exposures: gains of photographs with which they show the same intensities where they
+/// see the same places of a surface. Reference: the gain compensation of Brown & Lowe, "Automatic
+/// panoramic image stitching using invariant features", IJCV 74(1), 2007, section 6; here for each
+/// color by itself, so that white balances are evened out as well.
 ///
 /// Minimized is the sum over all pairs of good glimpses of a place of (g1 a - g2 b)^2 / 100, with
-/// the mean levels a and b of their views where both see something, and of (1 - g)^2 for each of
-/// them. Levels that are nearly black or white, and those that differ by more than half, as
+/// the mean intensities a and b of their views where both see something, and of (1 - g)^2 for each
+/// of them. Intensities that are nearly black or white, and those that differ by more than half, as
 /// highlights do, say nothing.
 #pragma once
 

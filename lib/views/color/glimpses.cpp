@@ -9,7 +9,7 @@ namespace {
 
 /// Of the best quality: views that are as good as this have a vote.
 constexpr float voting_share = 0.6F;
-/// Gray levels by which views differ that see the same.
+/// Gray intensities by which views differ that see the same.
 constexpr float usual_difference = 24;
 
 /// Codes are the leading bits of floats from 2^-16 to 2^16: eleven of the mantissa.
@@ -30,7 +30,7 @@ float quality_of(std::uint16_t code) {
   return std::bit_cast<float>(above + std::bit_cast<std::uint32_t>(least_quality));
 }
 
-// Of the first ones; the others are larger than any level.
+// Of the first ones; the others are larger than any intensity.
 float median_of(std::array<float, 4> values, std::size_t count) {
   std::sort(values.begin(), values.end());
   return (values[(count - 1) / 2] + values[count / 2]) / 2;
@@ -65,7 +65,7 @@ std::size_t Glimpses::count_good() const {
   return count;
 }
 
-Eigen::Array3f Glimpses::levels(std::size_t i) const {
+Eigen::Array3f Glimpses::intensities(std::size_t i) const {
   const auto& color = best_[i].color;
   return {static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2])};
 }

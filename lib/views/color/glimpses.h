@@ -15,7 +15,7 @@ struct Glimpse {
   std::array<std::uint8_t, 3> color{};
 };
 
-/// By which the levels of a photograph are multiplied: those of red, green and blue.
+/// By which the intensities of a photograph are multiplied: those of red, green and blue.
 using Gain = Eigen::Array3f;
 
 /// The four best. Their blend weighs qualities by the 16th power: nearly everywhere it is what the
@@ -30,11 +30,11 @@ class Glimpses {
   /// How many see the place nearly as well as the best one does: the first ones.
   std::size_t count_good() const;
   std::size_t view(std::size_t i) const { return best_[i].view; }
-  Eigen::Array3f levels(std::size_t i) const;
+  Eigen::Array3f intensities(std::size_t i) const;
 
-  /// Levels from 0 to 255, with the gains of all views.
+  /// Intensities from 0 to 255, with the gains of all views.
   Eigen::Array3f blend(std::span<const Gain> gains) const;
-  /// Mean difference of the good ones' levels, with gains, from a color.
+  /// Mean difference of the good ones' intensities, with gains, from a color.
   float difference(const Eigen::Array3f& color, std::span<const Gain> gains) const;
 
  private:
@@ -44,7 +44,7 @@ class Glimpses {
     std::array<std::uint8_t, 3> color{};
   };
   Eigen::Array3f evened(std::size_t i, std::span<const Gain> gains) const {
-    return levels(i) * gains[view(i)];
+    return intensities(i) * gains[view(i)];
   }
   float share(std::size_t i) const;
 

@@ -88,7 +88,7 @@ Image half_of(const Image& image) {
   return half;
 }
 
-Eigen::Array3f levels_at(const Image& image, int x, int y) {
+Eigen::Array3f intensities_at(const Image& image, int x, int y) {
   const Pixel& pixel = image.at(x, y);
   return {static_cast<float>(pixel[0]), static_cast<float>(pixel[1]), static_cast<float>(pixel[2])};
 }
@@ -103,8 +103,10 @@ Eigen::Array3f interpolated(const Image& image, double x, double y) {
   const int bottom = std::min(top + 1, image.height - 1);
   const auto s = static_cast<float>(x - left);
   const auto t = static_cast<float>(y - top);
-  return (1 - t) * ((1 - s) * levels_at(image, left, top) + s * levels_at(image, right, top)) +
-         t * ((1 - s) * levels_at(image, left, bottom) + s * levels_at(image, right, bottom));
+  return (1 - t) *
+             ((1 - s) * intensities_at(image, left, top) + s * intensities_at(image, right, top)) +
+         t * ((1 - s) * intensities_at(image, left, bottom) +
+              s * intensities_at(image, right, bottom));
 }
 
 }  // namespace
@@ -116,26 +118,26 @@ SeenPicture::SeenPicture(const Mesh& mesh, const PinholeCamera& camera, Image pi
       pixel_(pixel),
       depth_(depths(mesh, {projection_, picture.width, picture.height})),
       margin_(margins(depth_, static_cast<float>(focal_))) {
-  levels_.push_back(std::move(picture));
+  pyramid_.push_back(std::move(picture));
   for (int size = 2; size <= most_margin; size *= 2) {
-    if (levels_.back().width < 2 || levels_.back().height < 2) break;
-    levels_.push_back(half_of(levels_.back()));
+    if (pyramid_.back().width < 2 || pyramid_.back().height < 2) break;
+    pyramid_.push_back(half_of(pyramid_.back()));
   }
 }
 
-/// Of the two levels whose pixels are next to the spacing, but not wider than the margin is.
+/// Of the two intensities whose pixels are next to the spacing, but not wider than the margin is.
 Eigen::Array3f SeenPicture::color_at(double x, double y, double spacing, int margin) const {
   const double size = std::min(spacing, static_cast<double>(margin));
-  std::size_t level = 0;
+  std::size_t intensity = 0;
   double side = 1;
-  for (; level + 1 < levels_.size() && 2 * side <= size; side *= 2) ++level;
+  for (; intensity + 1 < pyramid_.size() && 2 * side <= size; side *= 2) ++intensity;
   const auto at = [&](std::size_t i, double pixel) {
-    return interpolated(levels_[i], (x + 0.5) / pixel - 0.5, (y + 0.5) / pixel - 0.5);
+    return interpolated(pyramid_[i], (x + 0.5) / pixel - 0.5, (y + 0.5) / pixel - 0.5);
   };
-  const Eigen::Array3f fine = at(level, side);
+  const Eigen::Array3f fine = at(intensity, side);
   const auto share = static_cast<float>(std::clamp(size / side - 1, 0.0, 1.0));
-  if (share == 0 || level + 1 == levels_.size()) return fine;
-  return (1 - share) * fine + share * at(level + 1, 2 * side);
+  if (share == 0 || intensity + 1 == pyramid_.size()) return fine;
+  return (1 - share) * fine + share * at(intensity + 1, 2 * side);
 }
 
 Glimpse SeenPicture::at(const Place& place) const {

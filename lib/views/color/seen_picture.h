@@ -36,7 +36,7 @@ class SeenPicture {
   Vec3 center_;
   double focal_;
   double pixel_;
-  std::vector<Image> levels_;    ///< each of half the size of the one before
+  std::vector<Image> pyramid_;   ///< each of half the size of the one before
   Raster<float> depth_;          ///< 0: background
   Raster<std::uint8_t> margin_;  ///< pixels to the nearest contour or border
 };

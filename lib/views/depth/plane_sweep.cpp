@@ -182,7 +182,7 @@ void Sweep::fill(const Neighbor& neighbor, double depth, int y, const ComparedRo
   const int end_y = neighbor.image.height - 1 - first;
   const Vec3 start = depth * neighbor.turn * Vec3(left_, top_ + y, 1) + neighbor.shift;
   const Vec3 step = depth * neighbor.turn.col(0);
-  const float* const levels = image_.row(top_ + y) + left_;
+  const float* const intensities = image_.row(top_ + y) + left_;
   for (int x = first_column_; x < end_column_; ++x) {
     if (is_inside_[index(x, y)] == 0) continue;
     const int i = x - first_column_;
@@ -193,12 +193,12 @@ void Sweep::fill(const Neighbor& neighbor, double depth, int y, const ComparedRo
     const int column = static_cast<int>(to_x);
     const int line = static_cast<int>(to_y);
     row.is_seen[i] = 1;
-    row.first[i] = levels[x] - middle_level;
+    row.first[i] = intensities[x] - middle_intensity;
     row.second[i] = sample<Interpolation::bilinear>(neighbor.image, column, line,
                                                     static_cast<float>(to_x - column),
                                                     static_cast<float>(to_y - line), 0, 0)
-                        .level -
-                    middle_level;
+                        .intensity -
+                    middle_intensity;
   }
 }
 

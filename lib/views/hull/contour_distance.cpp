@@ -14,7 +14,7 @@ constexpr std::int32_t no_segment = -1;
 
 using Point = Eigen::Vector2f;
 
-bool is_inside(float level) { return level > contour_level; }
+bool is_inside(float intensity) { return intensity > contour_intensity; }
 
 struct Segment {
   Point start, end;
@@ -58,7 +58,7 @@ class ContourDistance {
       const float a = silhouette_.at(x + ax, y + ay);
       const float b = silhouette_.at(x + bx, y + by);
       if (is_inside(a) == is_inside(b)) continue;
-      const float share = (contour_level - a) / (b - a);
+      const float share = (contour_intensity - a) / (b - a);
       const Point start(static_cast<float>(x + ax), static_cast<float>(y + ay));
       const Point end(static_cast<float>(x + bx), static_cast<float>(y + by));
       crossings[count++] = start + share * (end - start);

@@ -1,9 +1,10 @@
 /// How far each pixel of a silhouette, and each place between pixels, is from its contour.
 ///
-/// In memory a silhouette is above 127.5 inside and below outside; its contour is where the levels,
-/// interpolated between pixel centers, cross 127.5. Masks of two levels thus have it half-way
-/// between pixels, masks with soft edges know it better. Beyond the outermost pixels nothing is
-/// known: there is no contour along the border of an image, even where the object leaves it.
+/// In memory a silhouette is above 127.5 inside and below outside; its contour is where the
+/// intensities, interpolated between pixel centers, cross 127.5. Masks of two intensities thus have
+/// it half-way between pixels, masks with soft edges know it better. Beyond the outermost pixels
+/// nothing is known: there is no contour along the border of an image, even where the object leaves
+/// it.
 #pragma once
 
 #include <limits>
@@ -12,7 +13,7 @@
 
 namespace transformesh {
 
-inline constexpr float contour_level = 127.5F;
+inline constexpr float contour_intensity = 127.5F;
 
 /// The signed distance of every pixel to the contour, in pixels, positive outside. Infinite, with
 /// that sign, where there is no contour. May be too large by a few hundredths of a pixel. No

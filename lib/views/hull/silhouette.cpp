@@ -13,12 +13,12 @@
 namespace transformesh {
 namespace {
 
-bool is_inside(float level) { return level > contour_level; }
+bool is_inside(float intensity) { return intensity > contour_intensity; }
 
 /// The silhouette whose contour is `offset` pixels outside of the one with these distances.
 GrayImage offset_silhouette(GrayImage distances, float offset) {
   for (float& pixel : distances.pixels)
-    pixel = std::clamp(contour_level * (1 + offset - pixel), 0.0F, 255.0F);
+    pixel = std::clamp(contour_intensity * (1 + offset - pixel), 0.0F, 255.0F);
   return distances;
 }
 
@@ -35,52 +35,52 @@ GrayImage closed(const GrayImage& silhouette, float radius) {
   return narrow;
 }
 
-/// How many pixels have each level.
+/// How many pixels have each intensity.
 using Histogram = std::array<std::size_t, 256>;
 
-/// The last dark level: where the variance between dark and bright levels, Otsu's equation 14, is
-/// largest. Shares that a float could not tell from none do not divide anything.
-std::ptrdiff_t otsu_level(const Histogram& counts) {
+/// The last dark intensity: where the variance between dark and bright intensities, Otsu's equation
+/// 14, is largest. Shares that a float could not tell from none do not divide anything.
+std::ptrdiff_t otsu_threshold(const Histogram& counts) {
   const double scale = 1 / std::accumulate(counts.begin(), counts.end(), 0.0);
   double mean = 0;
-  for (std::size_t level = 0; level < counts.size(); ++level)
-    mean += static_cast<double>(level) * static_cast<double>(counts[level]);
+  for (std::size_t intensity = 0; intensity < counts.size(); ++intensity)
+    mean += static_cast<double>(intensity) * static_cast<double>(counts[intensity]);
   mean *= scale;
 
   std::ptrdiff_t best = 0;
   double largest = 0;
   double dark_share = 0;
   double dark_mean = 0;
-  for (std::size_t level = 0; level < counts.size(); ++level) {
-    const double share = static_cast<double>(counts[level]) * scale;
+  for (std::size_t intensity = 0; intensity < counts.size(); ++intensity) {
+    const double share = static_cast<double>(counts[intensity]) * scale;
     dark_mean *= dark_share;
     dark_share += share;
     const double bright_share = 1 - dark_share;
     if (std::min(dark_share, bright_share) < std::numeric_limits<float>::epsilon()) continue;
-    dark_mean = (dark_mean + static_cast<double>(level) * share) / dark_share;
+    dark_mean = (dark_mean + static_cast<double>(intensity) * share) / dark_share;
     const double bright_mean = (mean - dark_share * dark_mean) / bright_share;
     const double apart = dark_mean - bright_mean;
     const double variance = dark_share * bright_share * apart * apart;
     if (variance <= largest) continue;
     largest = variance;
-    best = static_cast<std::ptrdiff_t>(level);
+    best = static_cast<std::ptrdiff_t>(intensity);
   }
   return best;
 }
 
 }  // namespace
 
-double dividing_level(std::span<const GrayImage> images) {
+double dividing_threshold(std::span<const GrayImage> images) {
   Histogram counts{};
   for (const GrayImage& image : images)
-    for (const float level : image.pixels)
-      ++counts[static_cast<std::size_t>(std::clamp(std::lround(level), 0L, 255L))];
+    for (const float intensity : image.pixels)
+      ++counts[static_cast<std::size_t>(std::clamp(std::lround(intensity), 0L, 255L))];
   const auto is_used = [](std::size_t count) { return count > 0; };
-  if (std::none_of(counts.begin(), counts.end(), is_used)) return contour_level;
+  if (std::none_of(counts.begin(), counts.end(), is_used)) return contour_intensity;
 
-  // Otsu's level may be any of those without a pixel that follow the brightest dark one.
+  // Otsu's intensity may be any of those without a pixel that follow the brightest dark one.
   // NOLINTBEGIN(readability-qualified-auto): an iterator of an array is a pointer here only
-  const auto first_bright = counts.begin() + otsu_level(counts) + 1;
+  const auto first_bright = counts.begin() + otsu_threshold(counts) + 1;
   const auto bright = std::find_if(first_bright, counts.end(), is_used);
   // NOLINTEND(readability-qualified-auto)
   const auto dark = std::find_if(std::make_reverse_iterator(first_bright), counts.rend(), is_used);
@@ -90,7 +90,7 @@ double dividing_level(std::span<const GrayImage> images) {
 }
 
 GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options) {
-  if (options.level && !(*options.level > 0 && *options.level < 255))
+  if (options.intensity && !(*options.intensity > 0 && *options.intensity < 255))
     throw UsageError("the level of a silhouette must be between 0 and 255");
   if (!(options.close >= 0 && options.close <= 1))
     throw UsageError("what is closed in a silhouette must be between 0 and 1 of the image");
@@ -99,18 +99,18 @@ GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& o
   if (image.empty()) return silhouette;
 
   if (options.blur > 0) silhouette = gaussian_blur(image, options.blur);
-  // The levels become as steep as the range allows without a cut between dark and bright, which
-  // keeps the place of the contour between two pixels.
-  const auto level =
-      static_cast<float>(options.level ? *options.level : dividing_level({&silhouette, 1}));
-  const float slope = contour_level / std::min(level, 255 - level);
+  // The intensities become as steep as the range allows without a cut between dark and bright,
+  // which keeps the place of the contour between two pixels.
+  const auto intensity = static_cast<float>(
+      options.intensity ? *options.intensity : dividing_threshold({&silhouette, 1}));
+  const float slope = contour_intensity / std::min(intensity, 255 - intensity);
   for (float& pixel : silhouette.pixels)
-    pixel = std::clamp(contour_level + slope * (pixel - level), 0.0F, 255.0F);
+    pixel = std::clamp(contour_intensity + slope * (pixel - intensity), 0.0F, 255.0F);
   const auto radius = static_cast<float>(options.close * std::max(image.width, image.height));
   return radius > 0 ? closed(silhouette, radius) : silhouette;
 }
 
-GrayImage two_levels(const GrayImage& silhouette) {
+GrayImage binary_silhouette(const GrayImage& silhouette) {
   GrayImage mask = silhouette;
   for (float& pixel : mask.pixels) pixel = is_inside(pixel) ? 255.0F : 0.0F;
   return mask;

@@ -1,4 +1,4 @@
-/// Silhouettes: where an image shows the object. See contour_distance.h for their levels.
+/// Silhouettes: where an image shows the object. See contour_distance.h for their intensities.
 #pragma once
 
 #include <optional>
@@ -11,27 +11,27 @@
 namespace transformesh {
 
 struct ThresholdOptions {
-  /// (0, 255): the object is brighter than that. Default: the dividing_level of the image; several
-  /// views together know better (agreed_level.h).
-  std::optional<double> level = std::nullopt;
+  /// (0, 255): the object is brighter than that. Default: the dividing_threshold of the image;
+  /// several views together know better (agreed_threshold.h).
+  std::optional<double> intensity = std::nullopt;
   double blur = 1.5;  ///< >= 0: deviation in pixels of the Gaussian that is applied before
   /// [0, 1]: a radius as a share of the image's larger side; dark marks on the object, and gaps in
   /// it, that are less than twice as wide become part of the object.
   double close = 0.01;
 };
 
-/// The level that best divides the pixels of all images into dark and bright ones (Otsu, "A
+/// The intensity that best divides the pixels of all images into dark and bright ones (Otsu, "A
 /// threshold selection method from gray-level histograms", IEEE Trans. SMC 9, 1979), in the middle
-/// of the levels that no pixel has. From 0.5 to 254.5.
-double dividing_level(std::span<const GrayImage> images);
+/// of the intensities that no pixel has. From 0.5 to 254.5.
+double dividing_threshold(std::span<const GrayImage> images);
 
 /// The silhouette of a bright object before a dark background. Its contour is where the blurred
-/// image crosses the level, except where gaps are closed (dilated and eroded by a disc). Throws
+/// image crosses the intensity, except where gaps are closed (dilated and eroded by a disc). Throws
 /// UsageError for options out of range. O(pixels).
 GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options = {});
 
 /// 255 inside and 0 outside: as masks in files are.
-GrayImage two_levels(const GrayImage& silhouette);
+GrayImage binary_silhouette(const GrayImage& silhouette);
 
 /// Share of the pixels that are inside.
 double inside_share(const GrayImage& silhouette);

@@ -38,7 +38,7 @@ Rectangle bounding_rectangle(const View& view) {
   Rectangle rectangle;
   for (int y = 0; y < view.silhouette.height; ++y) {
     for (int x = 0; x < view.silhouette.width; ++x) {
-      if (view.silhouette.at(x, y) <= contour_level) continue;
+      if (view.silhouette.at(x, y) <= contour_intensity) continue;
       rectangle.columns.add(x);
       rectangle.rows.add(y);
     }

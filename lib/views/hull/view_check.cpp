@@ -46,7 +46,7 @@ int extent(const GrayImage& silhouette) {
   int left = silhouette.width, right = -1, top = silhouette.height, bottom = -1;
   for (int y = 0; y < silhouette.height; ++y) {
     for (int x = 0; x < silhouette.width; ++x) {
-      if (silhouette.at(x, y) <= contour_level) continue;
+      if (silhouette.at(x, y) <= contour_intensity) continue;
       left = std::min(left, x);
       right = std::max(right, x);
       top = std::min(top, y);
@@ -105,7 +105,7 @@ bool is_border_inside(const GrayImage& silhouette) {
     const bool is_outer_row = y == 0 || y == silhouette.height - 1;
     const int step = is_outer_row ? 1 : std::max(1, silhouette.width - 1);
     for (int x = 0; x < silhouette.width; x += step, ++count)
-      inside += silhouette.at(x, y) > contour_level ? 1 : 0;
+      inside += silhouette.at(x, y) > contour_intensity ? 1 : 0;
   }
   return 2 * inside > count;
 }
@@ -136,7 +136,7 @@ Sight seen_at(const View& view, const Projection& projection, const Vec3& point)
   const double x = std::floor(q.x() / q.z() + 0.5);
   const double y = std::floor(q.y() / q.z() + 0.5);
   if (!(x >= 0 && y >= 0 && x < mask.width && y < mask.height)) return Sight::nothing;
-  const bool is_inside = mask.at(static_cast<int>(x), static_cast<int>(y)) > contour_level;
+  const bool is_inside = mask.at(static_cast<int>(x), static_cast<int>(y)) > contour_intensity;
   return is_inside ? Sight::object : Sight::background;
 }
 

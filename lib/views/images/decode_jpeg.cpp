@@ -36,9 +36,9 @@ struct ErrorManager {
 }
 
 /// Warnings tell of damage that libjpeg would fill by a guess, except a few that are about labels.
-void take_message(j_common_ptr jpeg, int level) {
+void take_message(j_common_ptr jpeg, int intensity) {
   constexpr int warning = -1;
-  if (level != warning) return;
+  if (intensity != warning) return;
   switch (jpeg->err->msg_code) {
     case JWRN_ADOBE_XFORM:
     case JWRN_BOGUS_PROGRESSION:
@@ -96,7 +96,7 @@ class Reader {
             jpeg_.output_components, 255};
   }
 
-  void read(LevelRows& rows) {
+  void read(IntensityRows& rows) {
     demand([this] { jpeg_start_decompress(&jpeg_); });
     std::vector<JSAMPLE> row(std::size_t{jpeg_.output_width} *
                              static_cast<std::size_t>(jpeg_.output_components));
@@ -140,7 +140,7 @@ class Reader {
 
 }  // namespace
 
-void decode_jpeg(const Source& source, LevelRows& rows) {
+void decode_jpeg(const Source& source, IntensityRows& rows) {
   Reader reader(source);
   if (rows.start(reader.read_layout())) reader.read(rows);
 }

@@ -86,7 +86,7 @@ class Reader {
             has_alpha};
   }
 
-  void read(const SampleLayout& layout, LevelRows& rows) {
+  void read(const SampleLayout& layout, IntensityRows& rows) {
     const auto height = static_cast<std::size_t>(layout.height);
     const std::size_t row_size = png_get_rowbytes(png_, info_);
     // Interlaced images need room for all rows, none of which is complete before the last pass.
@@ -123,7 +123,7 @@ class Reader {
 
 }  // namespace
 
-void decode_png(const Source& source, LevelRows& rows) {
+void decode_png(const Source& source, IntensityRows& rows) {
   Reader reader(source);
   const SampleLayout layout = reader.read_layout();
   if (rows.start(layout)) reader.read(layout, rows);

@@ -91,7 +91,7 @@ const char* start_of_samples(const Source& source, const char* place, std::size_
 
 }  // namespace
 
-void decode_pnm(const Source& source, LevelRows& rows) {
+void decode_pnm(const Source& source, IntensityRows& rows) {
   const char kind = source.bytes[1];
   Numbers numbers(source);
   const std::uint64_t width = numbers.next("width");

@@ -107,7 +107,7 @@ class Reader {
     input_.are_warnings_failures = true;
   }
 
-  void read(LevelRows& rows) {
+  void read(IntensityRows& rows) {
     check_kind();
     const int channels = is_gray() ? 1 : 3;
     const bool wants_rows =
@@ -176,7 +176,7 @@ class Reader {
   }
 
   template <class Sample>
-  void read_bands(LevelRows& rows) {
+  void read_bands(IntensityRows& rows) {
     const std::uint64_t row_size = std::uint64_t{width_} * stride_;
     const std::uint32_t most = rows_per_band();
     const auto band = claimed_samples<Sample>(most * row_size);
@@ -228,6 +228,6 @@ class Reader {
 
 }  // namespace
 
-void decode_tiff(const Source& source, LevelRows& rows) { Reader(source).read(rows); }
+void decode_tiff(const Source& source, IntensityRows& rows) { Reader(source).read(rows); }
 
 }  // namespace transformesh

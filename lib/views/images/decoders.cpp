@@ -10,17 +10,17 @@ namespace {
 
 template <class Sample, class Value>
 void append(const Sample* pixel, const SampleLayout& layout, const Value& value,
-            std::vector<float>& levels) {
-  const std::size_t start = levels.size();
-  levels.resize(start + static_cast<std::size_t>(layout.width));
-  for (auto level = levels.begin() + static_cast<std::ptrdiff_t>(start); level != levels.end();
-       ++level, pixel += layout.stride)
-    *level = value(pixel);
+            std::vector<float>& intensities) {
+  const std::size_t start = intensities.size();
+  intensities.resize(start + static_cast<std::size_t>(layout.width));
+  for (auto intensity = intensities.begin() + static_cast<std::ptrdiff_t>(start);
+       intensity != intensities.end(); ++intensity, pixel += layout.stride)
+    *intensity = value(pixel);
 }
 
 }  // namespace
 
-bool LevelRows::start(const SampleLayout& layout) {
+bool IntensityRows::start(const SampleLayout& layout) {
   constexpr std::size_t most_at_once = 1 << 24;
   layout_ = layout;
   image_.width = layout.width;
@@ -37,17 +37,17 @@ bool LevelRows::start(const SampleLayout& layout) {
 }
 
 template <class Sample>
-void LevelRows::add_picture_row(const Sample* row) {
+void IntensityRows::add_picture_row(const Sample* row) {
   const double scale = 255 / layout_.maximum;
-  const auto level = [&](const Sample* pixel, int channel) {
+  const auto intensity = [&](const Sample* pixel, int channel) {
     return static_cast<std::uint8_t>(scale * pixel[std::min(channel, layout_.channels - 1)] + 0.5);
   };
   for (int x = 0; x < layout_.width; ++x, row += layout_.stride)
-    picture_.pixels.push_back({level(row, 0), level(row, 1), level(row, 2), 255});
+    picture_.pixels.push_back({intensity(row, 0), intensity(row, 1), intensity(row, 2), 255});
 }
 
 template <class Sample>
-void LevelRows::add_row(const Sample* row) {
+void IntensityRows::add_row(const Sample* row) {
   if (kind_ == Kind::picture) return add_picture_row(row);
   const double scale = 255 / layout_.maximum;
   const auto gray = [&](const Sample* pixel) { return static_cast<float>(scale * pixel[0]); };
@@ -68,8 +68,8 @@ void LevelRows::add_row(const Sample* row) {
                         : append(row, layout_, luma, image_.pixels);
 }
 
-template void LevelRows::add_row(const std::uint8_t* row);
-template void LevelRows::add_row(const std::uint16_t* row);
+template void IntensityRows::add_row(const std::uint8_t* row);
+template void IntensityRows::add_row(const std::uint16_t* row);
 
 void check_size(const Source& source, std::uint64_t width, std::uint64_t height,
                 std::uint64_t pixels_per_byte) {

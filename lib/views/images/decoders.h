@@ -1,4 +1,5 @@
-/// What decodes the formats of image files, each row by row into levels. Internal to image_file.
+/// What decodes the formats of image files, each row by row into intensities. Internal to
+/// image_file.
 ///
 /// Memory is taken only as far as rows are decoded, so a file that claims more than it holds costs
 /// nothing.
@@ -22,13 +23,13 @@ struct SampleLayout {
   bool has_alpha = false;  ///< in the sample that follows the channels
 };
 
-/// Collects the levels of an image, row by row from the top: of a silhouette the largest of each
-/// pixel's channels, of a photograph their luma, of a picture all of them in 8 bits.
-class LevelRows {
+/// Collects the intensities of an image, row by row from the top: of a silhouette the largest of
+/// each pixel's channels, of a photograph their luma, of a picture all of them in 8 bits.
+class IntensityRows {
  public:
   enum class Kind { photograph, silhouette, picture, size };
 
-  explicit LevelRows(Kind kind) : kind_(kind) {}
+  explicit IntensityRows(Kind kind) : kind_(kind) {}
 
   /// Comes before the first row; false where none is wanted, as the size is all that was asked for.
   bool start(const SampleLayout& layout);
@@ -53,14 +54,14 @@ class LevelRows {
 };
 
 /// PNG of any color type and depth, by libpng. These throw InputError.
-void decode_png(const Source& source, LevelRows& rows);
+void decode_png(const Source& source, IntensityRows& rows);
 /// Portable anymaps: P2, P3, P5 and P6.
-void decode_pnm(const Source& source, LevelRows& rows);
+void decode_pnm(const Source& source, IntensityRows& rows);
 /// JPEG, by libjpeg. What its data lost is damage, although libjpeg would go on with a guess.
-void decode_jpeg(const Source& source, LevelRows& rows);
+void decode_jpeg(const Source& source, IntensityRows& rows);
 /// The first image of a TIFF file, by libtiff: gray and color samples of 8 and 16 bits, the
 /// channels of a pixel side by side, in strips or tiles of any compression.
-void decode_tiff(const Source& source, LevelRows& rows);
+void decode_tiff(const Source& source, IntensityRows& rows);
 
 /// Throws InputError unless width and height are at least 1, their product is at most 2^29, and
 /// the bytes could hold so many pixels: at most `pixels_per_byte` in each.

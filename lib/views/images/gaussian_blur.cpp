@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// The levels of a row, with room for whole blocks.
+/// The intensities of a row, with room for whole blocks.
 using Row = std::vector<double>;
 
 /// So many pixels are summed at once, in registers.
@@ -45,9 +45,9 @@ void weigh(const std::vector<double>& weights, const std::vector<const double*>&
   for (std::size_t x = 0; x < static_cast<std::size_t>(width); x += block) {
     std::array<float, block> sums{};
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      const double* levels = rows[i] + x;
+      const double* intensities = rows[i] + x;
       for (std::size_t j = 0; j < block; ++j)
-        sums[j] = static_cast<float>(weights[i] * levels[j] + static_cast<double>(sums[j]));
+        sums[j] = static_cast<float>(weights[i] * intensities[j] + static_cast<double>(sums[j]));
     }
     const std::size_t count = std::min(block, static_cast<std::size_t>(width) - x);
     std::copy_n(sums.begin(), count, result + x);

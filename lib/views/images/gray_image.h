@@ -1,5 +1,5 @@
-/// A gray image: one float a pixel, pixel centers at integers. Photographs hold the gray levels of
-/// their file, 0 to 255, without gamma; silhouettes hold 0 outside and 255 inside, and levels
+/// A gray image: one float a pixel, pixel centers at integers. Photographs hold the intensities of
+/// their file, 0 to 255, without gamma; silhouettes hold 0 outside and 255 inside, and intensities
 /// between along soft edges (contour_distance.h).
 #pragma once
 

@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-constexpr float levels_per_unit = 256;
+constexpr float intensities_per_unit = 256;
 constexpr float distances_per_unit = 64;
 constexpr float no_distance = 32768;  ///< the word that is distance 0
 constexpr std::uint16_t last_word = 65535;
@@ -29,12 +29,14 @@ float distance_of(std::uint16_t word) {
   return (static_cast<float>(word) - no_distance) / distances_per_unit;
 }
 
-float level_of(std::uint16_t word) { return static_cast<float>(word) / levels_per_unit; }
+float intensity_of(std::uint16_t word) { return static_cast<float>(word) / intensities_per_unit; }
 
 constexpr float inside_mask = 255;
 
-bool is_of_mask(float level) { return level == 0 || level == inside_mask; }
-bool is_byte(float level) { return level >= 0 && level <= 255 && level == std::floor(level); }
+bool is_of_mask(float intensity) { return intensity == 0 || intensity == inside_mask; }
+bool is_byte(float intensity) {
+  return intensity >= 0 && intensity <= 255 && intensity == std::floor(intensity);
+}
 
 }  // namespace
 
@@ -48,7 +50,7 @@ void HeldImage::pack(Kind kind) {
   kind_ = kind;
   const std::vector<float> pixels = std::exchange(floats_, GrayImage()).pixels;
   const auto are_all = [&](bool (*is)(float)) {
-    return kind == Kind::levels && std::all_of(pixels.begin(), pixels.end(), is);
+    return kind == Kind::intensities && std::all_of(pixels.begin(), pixels.end(), is);
   };
   if (are_all(is_of_mask)) {
     bits_.resize(pixels.size());
@@ -63,7 +65,7 @@ void HeldImage::pack(Kind kind) {
   Raster<std::uint16_t> words(width, height);
   std::transform(pixels.begin(), pixels.end(), words.pixels.begin(),
                  [&](float value) -> std::uint16_t {
-                   if (kind == Kind::levels) return word_of(levels_per_unit * value);
+                   if (kind == Kind::intensities) return word_of(intensities_per_unit * value);
                    if (kind == Kind::distances) return word_of_distance(value);
                    return word_of_depth(value);
                  });
@@ -90,7 +92,7 @@ std::uint16_t HeldImage::word_of_depth(float depth) const {
 }
 
 void HeldImage::keep(Raster<std::uint16_t> words) {
-  if (kind_ == Kind::levels)
+  if (kind_ == Kind::intensities)
     words_ = std::move(words.pixels);
   else
     tiles_ = TiledWords(words);
@@ -102,14 +104,14 @@ bool HeldImage::blur_when_read(const ThreeTaps& taps) {
   return true;
 }
 
-// Levels are rounded as those of words are.
+// Intensities are rounded as those of words are.
 void HeldImage::read_blurred(int x, int y, int columns, int rows, float* out) const {
   blur_part(bytes_, width, height, *blur_, {x, y}, columns, rows, out);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(columns) * rows;
-  std::transform(out, out + count, out, [](float level) {
-    return static_cast<float>(
-               static_cast<int>(std::clamp(levels_per_unit * level + 0.5F, 0.0F, 65535.0F))) /
-           levels_per_unit;
+  std::transform(out, out + count, out, [](float intensity) {
+    return static_cast<float>(static_cast<int>(
+               std::clamp(intensities_per_unit * intensity + 0.5F, 0.0F, 65535.0F))) /
+           intensities_per_unit;
   });
 }
 
@@ -122,7 +124,7 @@ void HeldImage::read(int x, int y, int count, float* out) const {
   if (!bits_.empty()) return from(bits_, [](bool bit) { return bit ? inside_mask : 0.0F; });
   if (!bytes_.empty())
     return from(bytes_, [](std::uint8_t byte) { return static_cast<float>(byte); });
-  if (!words_.empty() && kind_ == Kind::levels) return from(words_, level_of);
+  if (!words_.empty() && kind_ == Kind::intensities) return from(words_, intensity_of);
   if (!words_.empty()) return from(words_, [&](std::uint16_t word) { return value_of(word); });
   if (tiles_.empty()) return from(floats_.pixels, [](float value) { return value; });
   for (int i = 0; i < count; ++i) out[i] = value_of(tiles_.at(x + i, y));
@@ -140,16 +142,16 @@ const HeldImage& HeldImage::opened(HeldImage& room) const {
 }
 
 float HeldImage::value_of(std::uint16_t word) const {
-  if (kind_ == Kind::levels) return level_of(word);
+  if (kind_ == Kind::intensities) return intensity_of(word);
   return kind_ == Kind::distances ? distance_of(word) : depth_of(word);
 }
 
 float HeldImage::at(int x, int y) const {
   if (!tiles_.empty()) return value_of(tiles_.at(x, y));
   if (blur_) {
-    float level = 0;
-    read_blurred(x, y, 1, 1, &level);
-    return level;
+    float intensity = 0;
+    read_blurred(x, y, 1, 1, &intensity);
+    return intensity;
   }
   const std::size_t i = index(x, y);
   if (!bits_.empty()) return bits_[i] ? inside_mask : 0.0F;
@@ -179,9 +181,9 @@ GrayImage HeldImage::unpacked() const {
 
 HeldImage HeldImage::cropped(int column, int row, int columns, int rows) const {
   if (blur_) {
-    GrayImage levels;
-    unpack_part(column, row, columns, rows, levels);
-    HeldImage packed = std::move(levels);
+    GrayImage intensities;
+    unpack_part(column, row, columns, rows, intensities);
+    HeldImage packed = std::move(intensities);
     packed.pack();
     return packed;
   }

@@ -1,10 +1,10 @@
 /// A gray image as it is held while it is not worked upon: as floats, or packed in 16 bits or less
 /// where many large images are held together.
 ///
-/// Packed are levels, of which those of masks take a bit, other ones of 8 bits a byte, and others
-/// are rounded to 1/256; distances to contours, rounded to 1/64 pixel and cut off at 511 pixels but
-/// for those that are infinite; and depths, rounded up by at most a 65534th of their range. Both
-/// take about a byte (tiled_words.h).
+/// Packed are intensities, of which those of masks take a bit, other ones of 8 bits a byte, and
+/// others are rounded to 1/256; distances to contours, rounded to 1/64 pixel and cut off at 511
+/// pixels but for those that are infinite; and depths, rounded up by at most a 65534th of their
+/// range. Both take about a byte (tiled_words.h).
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace transformesh {
 
 class HeldImage {
  public:
-  enum class Kind { levels, distances, depths };
+  enum class Kind { intensities, distances, depths };
 
   int width = 0;
   int height = 0;
@@ -37,7 +37,7 @@ class HeldImage {
   /// Bytes of memory.
   std::size_t size() const;
 
-  void pack(Kind kind = Kind::levels);
+  void pack(Kind kind = Kind::intensities);
   /// Blurs an image of packed bytes whenever it is read, with the same result as a blurred image
   /// that is packed. False, and nothing is done, where it is none.
   bool blur_when_read(const ThreeTaps& taps);
@@ -79,7 +79,7 @@ class HeldImage {
     return word == 0 ? 0 : offset_ + step_ * static_cast<float>(word - 1);
   }
 
-  Kind kind_ = Kind::levels;
+  Kind kind_ = Kind::intensities;
   GrayImage floats_;  ///< empty where it is packed
   std::vector<bool> bits_;
   std::vector<std::uint8_t> bytes_;

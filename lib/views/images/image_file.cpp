@@ -19,7 +19,7 @@ bool is_pnm(std::string_view bytes) {
 struct Format {
   std::string_view start;
   const char* name;
-  void (*decode)(const Source& source, LevelRows& rows) = nullptr;  ///< null: it is not read
+  void (*decode)(const Source& source, IntensityRows& rows) = nullptr;  ///< null: it is not read
 };
 
 constexpr std::array formats{Format{"\x89PNG\r\n\x1a\n"sv, "PNG", decode_png},
@@ -49,7 +49,7 @@ const Format* format_of(std::string_view bytes) {
   return format == formats.end() ? nullptr : format;
 }
 
-LevelRows decode(std::string_view bytes, const std::string& name, LevelRows::Kind kind) {
+IntensityRows decode(std::string_view bytes, const std::string& name, IntensityRows::Kind kind) {
   const Source source{bytes, name};
   if (bytes.empty()) source.fail("the file is empty: not a single byte of an image");
   const Format* format = format_of(bytes);
@@ -57,7 +57,7 @@ LevelRows decode(std::string_view bytes, const std::string& name, LevelRows::Kin
     source.fail("not an image of a known format, starting with " + quoted(bytes.substr(0, 16)));
   }
   if (format->decode == nullptr) refuse_format(source, format->name);
-  LevelRows rows(kind);
+  IntensityRows rows(kind);
   format->decode(source, rows);
   return rows;
 }
@@ -67,19 +67,19 @@ LevelRows decode(std::string_view bytes, const std::string& name, LevelRows::Kin
 bool is_image(std::string_view bytes) { return format_of(bytes) != nullptr; }
 
 GrayImage decode_photograph(std::string_view bytes, const std::string& name) {
-  return decode(bytes, name, LevelRows::Kind::photograph).take();
+  return decode(bytes, name, IntensityRows::Kind::photograph).take();
 }
 
 Image decode_picture(std::string_view bytes, const std::string& name) {
-  return decode(bytes, name, LevelRows::Kind::picture).take_picture();
+  return decode(bytes, name, IntensityRows::Kind::picture).take_picture();
 }
 
 GrayImage decode_size(std::string_view bytes, const std::string& name) {
-  return decode(bytes, name, LevelRows::Kind::size).take();
+  return decode(bytes, name, IntensityRows::Kind::size).take();
 }
 
 Mask decode_mask(std::string_view bytes, const std::string& name) {
-  LevelRows rows = decode(bytes, name, LevelRows::Kind::silhouette);
+  IntensityRows rows = decode(bytes, name, IntensityRows::Kind::silhouette);
   return mask_of(rows.take(), rows.take_alpha());
 }
 
@@ -90,8 +90,8 @@ GrayImage decode_silhouette(std::string_view bytes, const std::string& name) {
 Image picture_of(const GrayImage& image) {
   Image picture(image.width, image.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const float level = std::clamp(std::round(image.pixels[i]), 0.0F, 255.0F);
-    const auto byte = static_cast<std::uint8_t>(level);
+    const float intensity = std::clamp(std::round(image.pixels[i]), 0.0F, 255.0F);
+    const auto byte = static_cast<std::uint8_t>(intensity);
     picture.pixels[i] = {byte, byte, byte, 255};
   }
   return picture;

@@ -18,9 +18,9 @@ namespace transformesh {
 /// Whether the bytes begin like an image file, be it of a format that is not read.
 bool is_image(std::string_view bytes);
 
-/// Gray levels 0.299 R + 0.587 G + 0.114 B from 0 to 255, without gamma; deeper samples are scaled.
-/// Throws InputError naming the file (`name`) where the bytes are no image, incomplete, damaged or
-/// of a format that is not read, and then says how to convert it.
+/// Gray intensities 0.299 R + 0.587 G + 0.114 B from 0 to 255, without gamma; deeper samples are
+/// scaled. Throws InputError naming the file (`name`) where the bytes are no image, incomplete,
+/// damaged or of a format that is not read, and then says how to convert it.
 GrayImage decode_photograph(std::string_view bytes, const std::string& name);
 
 /// The same in color, 8 bits a channel, opaque.
@@ -30,13 +30,14 @@ Image decode_picture(std::string_view bytes, const std::string& name);
 /// for what only the pixels tell.
 GrayImage decode_size(std::string_view bytes, const std::string& name);
 
-/// Inside is what the levels or the transparency show (mask.h). Throws as decode_photograph does.
+/// Inside is what the intensities or the transparency show (mask.h). Throws as decode_photograph
+/// does.
 Mask decode_mask(std::string_view bytes, const std::string& name);
 
 /// The same without how it was told.
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
 
-/// Levels from 0 to 255, rounded to whole ones and cut off beyond; opaque.
+/// Intensities from 0 to 255, rounded to whole ones and cut off beyond; opaque.
 Image picture_of(const GrayImage& image);
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-/// Levels of an image between its pixels, with the derivatives of the interpolant itself.
+/// Intensities of an image between its pixels, with the derivatives of the interpolant itself.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ enum class Interpolation {
 };
 
 struct Sample {
-  float level = 0;
+  float intensity = 0;
   float slope = 0;  ///< derivative in the given direction
 };
 
@@ -35,9 +35,9 @@ inline Sample sample<Interpolation::bilinear>(const GrayImage& image, int column
   const float* bottom = top + image.width;
   const float top_step = top[1] - top[0];
   const float bottom_step = bottom[1] - bottom[0];
-  const float top_level = top[0] + s * top_step;
-  const float down = bottom[0] + s * bottom_step - top_level;
-  return {top_level + t * down,
+  const float top_intensity = top[0] + s * top_step;
+  const float down = bottom[0] + s * bottom_step - top_intensity;
+  return {top_intensity + t * down,
           along_x * (top_step + t * (bottom_step - top_step)) + along_y * down};
 }
 
@@ -45,14 +45,14 @@ inline Sample sample<Interpolation::bilinear>(const GrayImage& image, int column
 /// Reference: Keys, "Cubic convolution interpolation for digital image processing", IEEE TASSP 29
 /// (1981), with a = -1/2, also known as Catmull-Rom.
 struct CubicWeights {
-  Eigen::Array4f level;
+  Eigen::Array4f intensity;
   Eigen::Array4f slope;
 
   explicit CubicWeights(float t) {
     const Eigen::Array4f c1(-0.5F, 0, 0.5F, 0);
     const Eigen::Array4f c2(1, -2.5F, 2, -0.5F);
     const Eigen::Array4f c3(-0.5F, 1.5F, -1.5F, 0.5F);
-    level = Eigen::Array4f(0, 1, 0, 0) + t * (c1 + t * (c2 + t * c3));
+    intensity = Eigen::Array4f(0, 1, 0, 0) + t * (c1 + t * (c2 + t * c3));
     slope = c1 + t * (2 * c2 + 3 * t * c3);
   }
 };
@@ -62,15 +62,15 @@ inline Sample sample<Interpolation::catmull_rom>(const GrayImage& image, int col
                                                  float s, float t, float along_x, float along_y) {
   const CubicWeights across(s);
   const CubicWeights down(t);
-  Eigen::Array4f level = Eigen::Array4f::Zero();
+  Eigen::Array4f intensity = Eigen::Array4f::Zero();
   Eigen::Array4f slope = Eigen::Array4f::Zero();
   for (int i = 0; i < 4; ++i) {
-    const Eigen::Map<const Eigen::Array4f> levels(image.row(row + i - 1) + column - 1);
-    level += down.level[i] * levels;
-    slope += down.slope[i] * levels;
+    const Eigen::Map<const Eigen::Array4f> intensities(image.row(row + i - 1) + column - 1);
+    intensity += down.intensity[i] * intensities;
+    slope += down.slope[i] * intensities;
   }
-  return {(level * across.level).sum(),
-          (along_x * level * across.slope + along_y * slope * across.level).sum()};
+  return {(intensity * across.intensity).sum(),
+          (along_x * intensity * across.slope + along_y * slope * across.intensity).sum()};
 }
 
 }  // namespace transformesh

@@ -6,57 +6,57 @@
 namespace transformesh {
 namespace {
 
-/// Fewer levels than this between dark and bright are labels.
+/// Fewer intensities than this between dark and bright are labels.
 constexpr float least_range = 64;
-constexpr std::size_t few_dark_levels = 3;
+constexpr std::size_t few_dark_intensities = 3;
 constexpr double most_between = 0.2;
 
 bool varies(const GrayImage& image) {
   return std::any_of(image.pixels.begin(), image.pixels.end(),
-                     [&](float level) { return level != image.pixels.front(); });
+                     [&](float intensity) { return intensity != image.pixels.front(); });
 }
 
-bool is_of_two_noisy_levels(const GrayImage& levels, float darkest, float brightest) {
+bool has_two_noisy_intensities(const GrayImage& intensities, float darkest, float brightest) {
   const float range = brightest - darkest;
   if (range < least_range) return false;
-  std::set<float> dark_levels;
+  std::set<float> dark_intensities;
   std::size_t bright = 0;
   std::size_t between = 0;
-  for (const float level : levels.pixels) {
-    if (level > brightest - range / 4) {
+  for (const float intensity : intensities.pixels) {
+    if (intensity > brightest - range / 4) {
       ++bright;
-    } else if (level > darkest + range / 4) {
+    } else if (intensity > darkest + range / 4) {
       ++between;
-    } else if (level > 0 && dark_levels.size() < few_dark_levels) {
-      dark_levels.insert(level);
+    } else if (intensity > 0 && dark_intensities.size() < few_dark_intensities) {
+      dark_intensities.insert(intensity);
     }
   }
-  const bool is_black_noisy = darkest > 0 || dark_levels.size() == few_dark_levels;
+  const bool is_black_noisy = darkest > 0 || dark_intensities.size() == few_dark_intensities;
   return is_black_noisy &&
          static_cast<double>(between) <= most_between * static_cast<double>(bright + between);
 }
 
-void divide(GrayImage& image, float level) {
-  for (float& pixel : image.pixels) pixel = pixel > level ? 255.0F : 0.0F;
+void divide(GrayImage& image, float intensity) {
+  for (float& pixel : image.pixels) pixel = pixel > intensity ? 255.0F : 0.0F;
 }
 
 }  // namespace
 
-Mask mask_of(GrayImage levels, const GrayImage& alpha) {
+Mask mask_of(GrayImage intensities, const GrayImage& alpha) {
   if (varies(alpha)) {
     Mask mask{alpha, MaskRule::alpha};
     divide(mask.silhouette, 127);
     return mask;
   }
-  Mask mask{std::move(levels), MaskRule::not_black};
+  Mask mask{std::move(intensities), MaskRule::not_black};
   std::vector<float>& pixels = mask.silhouette.pixels;
   const auto [darkest, brightest] = std::minmax_element(pixels.begin(), pixels.end());
-  float level = 0;
-  if (is_of_two_noisy_levels(mask.silhouette, *darkest, *brightest)) {
-    mask.rule = MaskRule::between_levels;
-    level = (*darkest + *brightest) / 2;
+  float intensity = 0;
+  if (has_two_noisy_intensities(mask.silhouette, *darkest, *brightest)) {
+    mask.rule = MaskRule::between_intensities;
+    intensity = (*darkest + *brightest) / 2;
   }
-  divide(mask.silhouette, level);
+  divide(mask.silhouette, intensity);
   return mask;
 }
 

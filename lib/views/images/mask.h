@@ -1,4 +1,4 @@
-/// What the levels of a mask in a file mean.
+/// What the intensities of a mask in a file mean.
 #pragma once
 
 #include "views/images/gray_image.h"
@@ -6,9 +6,10 @@
 namespace transformesh {
 
 enum class MaskRule {
-  not_black,       ///< inside is what is not black, as of masks of few levels
-  alpha,           ///< what is at least half opaque: transparency varies, so it is the mask
-  between_levels,  ///< what is brighter than half-way from the darkest level to the brightest
+  not_black,            ///< inside is what is not black, as of masks of few intensities
+  alpha,                ///< what is at least half opaque: transparency varies, so it is the mask
+  between_intensities,  ///< what is brighter than half-way from the darkest intensity to the
+                        ///< brightest
 };
 
 struct Mask {
@@ -16,11 +17,12 @@ struct Mask {
   MaskRule rule = MaskRule::not_black;
 };
 
-/// Levels are the largest of a pixel's channels, 0 to 255; `alpha` is of their size, or empty.
+/// Intensities are the largest of a pixel's channels, 0 to 255; `alpha` is of their size, or empty.
 ///
 /// Half-way is the rule where nearly all of what is not dark is bright, and black is not quite
-/// black: where there are several dark levels beside 0, as noise and JPEG's ringing leave them, or
-/// no pixel of level 0 at all. Labels, and photographs cut out before black, are not like that.
-Mask mask_of(GrayImage levels, const GrayImage& alpha);
+/// black: where there are several dark intensities beside 0, as noise and JPEG's ringing leave
+/// them, or no pixel of intensity 0 at all. Labels, and photographs cut out before black, are not
+/// like that.
+Mask mask_of(GrayImage intensities, const GrayImage& alpha);
 
 }  // namespace transformesh

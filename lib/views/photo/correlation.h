@@ -5,14 +5,15 @@
 ///
 /// With sums over the seen pixels of a square window: cc = v12 / sqrt(v1 v2), the variances grown
 /// by that of the noise; rho = min(v1, v2) / (min(v1, v2) + contrast); the energy is the sum of
-/// rho (1 - cc) over all seen pixels whose window is more than half seen. Its derivative by a level
-/// of the second image takes rho as constant, and sums over all windows with that pixel.
+/// rho (1 - cc) over all seen pixels whose window is more than half seen. Its derivative by an
+/// intensity of the second image takes rho as constant, and sums over all windows with that pixel.
 ///
 /// With `robust` s above 0, what is differentiated is the sum of rho s e / (s + e), e = 1 - cc: the
 /// loss of Geman & McClure, "Statistical methods for tomographic image reconstruction", Bulletin of
 /// the ISI 52(4), 1987. Windows that disagree pull by (s / (s + e))^2 of what they would. The
 /// gradient is exact; the curvature takes these shares as constant, as reweighted least squares do.
-/// Levels are floats, less a middle level. O(radius) operations a pixel, all on whole rows.
+/// Intensities are floats, less a middle intensity. O(radius) operations a pixel, all on whole
+/// rows.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +23,7 @@ namespace transformesh {
 
 struct CorrelationOptions {
   int radius = 3;              ///< of the window, in pixels; 1 to 5
-  double noise_variance = 25;  ///< added to the variances, in squared gray levels; > 0
+  double noise_variance = 25;  ///< added to the variances, in squared intensities; > 0
   double contrast = 25;        ///< variance at which rho is 1/2; 0: rho is 1
   double robust = 0;  ///< s, 1 - cc at which a window pulls by a quarter; 0.001 to 1000, or
                       ///< 0: the loss is 1 - cc

@@ -135,10 +135,11 @@ std::vector<double> noise_variances(std::span<const View> views, const SeenViews
       const SeenSurface& surface = seen.surface(v, room);
       const PixelBox& box = surface.box;
       GrayImage part;
-      if (surface.level.empty())
+      if (surface.intensity.empty())
         views[v].image.unpack_part(box.first_column, box.first_row, box.columns(), box.rows(),
                                    part);
-      noise[v] = noise_variance(surface.level.empty() ? part : surface.level, surface.depth);
+      noise[v] =
+          noise_variance(surface.intensity.empty() ? part : surface.intensity, surface.depth);
     }
   });
   return noise;

@@ -44,7 +44,7 @@ Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double leas
                           const PhotoconsistencyOptions& options = {},
                           const Progress& progress = {});
 
-/// The variance of the noise in a photograph of scale 1 (at_scale), in squared levels, where
+/// The variance of the noise in a photograph of scale 1 (at_scale), in squared intensities, where
 /// `depth` is above 0; 0 where that is nowhere. It is measured as what the mixed second difference
 /// leaves: texture hardly shows in it unless it is as fine as the pixels. Reference: Immerkaer,
 /// "Fast noise variance estimation", CVIU 64(2), 1996; here by the median. O(pixels).

@@ -20,7 +20,7 @@ struct PhotoScene {
 /// Views at a smaller scale (at_scale), and which of them to compare (choose_pairs). Throws
 /// InputError where there is no such pair, UsageError as at_scale does. O(pixels), in parallel over
 /// views; the same for any number of threads. Of views that are packed, so is the scene: 2 bytes a
-/// pixel, or 3 of photographs with levels between those of 8 bits.
+/// pixel, or 3 of photographs with intensities between those of 8 bits.
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});
 
 /// The same, and images and silhouettes of the views are gone, each as soon as it is not needed.

@@ -59,16 +59,16 @@ class Exposure {
     const int all = options_.samples * options_.samples;
     for (int x = 0; x < photograph_.image.width; ++x) {
       int covered = 0;
-      double level = 0;
+      double intensity = 0;
       for (int sample = 0; sample < all; ++sample) {
         const FacePixel& pixel = faces_.at(options_.samples * x + sample % options_.samples,
                                            options_.samples * y + sample / options_.samples);
         if (pixel.face == no_index) continue;
         ++covered;
-        level += gain_ * texture_.level_at(place(pixel)) + offset_;
+        intensity += gain_ * texture_.intensity_at(place(pixel)) + offset_;
       }
-      level = std::round(level / all + options_.noise * deviate(random));
-      photograph_.image.at(x, y) = static_cast<float>(std::clamp(level, 0.0, 255.0));
+      intensity = std::round(intensity / all + options_.noise * deviate(random));
+      photograph_.image.at(x, y) = static_cast<float>(std::clamp(intensity, 0.0, 255.0));
       photograph_.silhouette.at(x, y) = 2 * covered >= all ? 255.0F : 0.0F;
     }
   }

@@ -11,15 +11,16 @@
 namespace transformesh {
 
 struct PhotographOptions {
-  int samples = 3;           ///< [1, 8] each way in a pixel: pixels are averages, as in a camera
-  double noise = 2;          ///< >= 0: deviation of the sensor's noise, in gray levels
-  double gain_spread = 0;    ///< [0, 1): levels of a photograph are scaled by 1, give or take this
-  double offset_spread = 0;  ///< >= 0: and shifted by at most so many levels
+  int samples = 3;   ///< [1, 8] each way in a pixel: pixels are averages, as in a camera
+  double noise = 2;  ///< >= 0: deviation of the sensor's noise, in intensities
+  double gain_spread =
+      0;  ///< [0, 1): intensities of a photograph are scaled by 1, give or take this
+  double offset_spread = 0;  ///< >= 0: and shifted by at most so many intensities
   std::uint64_t seed = 1;    ///< of noise, gain and offset
 };
 
 struct Photograph {
-  GrayImage image;       ///< whole levels from 0 to 255; the background is black but for noise
+  GrayImage image;       ///< whole intensities from 0 to 255; the background is black but for noise
   GrayImage silhouette;  ///< 255 where at least half of the pixel shows the surface, else 0
 };
 

@@ -16,7 +16,7 @@ struct SeenSurface {
   GrayImage depth;
   /// 1 / (r N) of these, r the pixel's PinholeCamera::ray and N the unit normal of the face: < 0.
   GrayImage inverse_facing;
-  GrayImage level;  ///< of the photograph, where that is packed; else it is empty
+  GrayImage intensity;  ///< of the photograph, where that is packed; else it is empty
   /// That of the compared pixels, within the box above.
   PixelBox compared;
 };

@@ -13,8 +13,8 @@
 namespace transformesh {
 namespace {
 
-constexpr double middle_level = 128;
-/// Standard deviation of the levels.
+constexpr double middle_intensity = 128;
+/// Standard deviation of the intensities.
 constexpr double deviation = 40;
 
 /// Inverse factorials of odd numbers, the last first.
@@ -36,7 +36,7 @@ Vec3 random_direction(Random& random) {
   return {radius * elementary::cos(angle), radius * elementary::sin(angle), height};
 }
 
-/// To 1e-13 and a spacing of numbers at the angle, quicker than to all digits: a level has
+/// To 1e-13 and a spacing of numbers at the angle, quicker than to all digits: an intensity has
 /// 8 bits. By the Taylor series, of the angle less a multiple of pi.
 double quick_sine(double angle) {
   using elementary::inverse;
@@ -69,10 +69,10 @@ SolidTexture::SolidTexture(const TextureOptions& options) {
   amplitude_ = deviation * std::sqrt(2.0 / options.waves);
 }
 
-float SolidTexture::level_at(const Vec3& point) const {
+float SolidTexture::intensity_at(const Vec3& point) const {
   double sum = 0;
   for (const Wave& wave : waves_) sum += quick_sine(wave.frequency.dot(point) + wave.phase);
-  return static_cast<float>(middle_level + amplitude_ * sum);
+  return static_cast<float>(middle_intensity + amplitude_ * sum);
 }
 
 }  // namespace transformesh

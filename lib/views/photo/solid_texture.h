@@ -22,8 +22,8 @@ class SolidTexture {
   /// Throws UsageError for options out of range.
   explicit SolidTexture(const TextureOptions& options);
 
-  /// Gray levels around 128 that rarely leave 20 to 236. O(waves).
-  float level_at(const Vec3& point) const;
+  /// Gray intensities around 128 that rarely leave 20 to 236. O(waves).
+  float intensity_at(const Vec3& point) const;
 
  private:
   struct Wave {

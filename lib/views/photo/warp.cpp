@@ -66,17 +66,17 @@ void Warp::row(int y, const WarpedRow& out) const {
   const Vec3 step = turn_.col(0);
   const PixelBox& columns = seen_.compared;
   const float* const depths = seen_.depth.row(y - seen_.box.first_row);
-  if (seen_.level.empty()) {
+  if (seen_.intensity.empty()) {
     reference_.read(columns.first_column, y, columns.columns(), out.reference);
   } else {
-    std::copy_n(
-        seen_.level.row(y - seen_.box.first_row) + columns.first_column - seen_.box.first_column,
-        columns.columns(), out.reference);
+    std::copy_n(seen_.intensity.row(y - seen_.box.first_row) + columns.first_column -
+                    seen_.box.first_column,
+                columns.columns(), out.reference);
   }
 
   for (int x = columns.first_column; x < columns.end_column; ++x) {
     const int i = x - columns.first_column;
-    const float level = out.reference[i];
+    const float intensity = out.reference[i];
     out.is_seen[i] = out.reference[i] = out.other[i] = out.slope[i] = 0;
     const float depth = depths[x - seen_.box.first_column];
     if (depth == 0) continue;
@@ -92,8 +92,8 @@ void Warp::row(int y, const WarpedRow& out) const {
                               static_cast<float>(at.x - to_x), static_cast<float>(at.y - to_y),
                               static_cast<float>(at.along_x), static_cast<float>(at.along_y));
     out.is_seen[i] = 1;
-    out.reference[i] = level - middle_level;
-    out.other[i] = found.level - middle_level;
+    out.reference[i] = intensity - middle_intensity;
+    out.other[i] = found.intensity - middle_intensity;
     out.slope[i] = found.slope;
   }
 }

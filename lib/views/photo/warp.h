@@ -11,13 +11,13 @@ namespace transformesh {
 /// does not show the point, all are 0.
 struct WarpedRow {
   float* is_seen = nullptr;    ///< 1 or 0
-  float* reference = nullptr;  ///< level of the reference image, less `middle_level`
-  float* other = nullptr;      ///< level of the other image, less `middle_level`
+  float* reference = nullptr;  ///< intensity of the reference image, less `middle_intensity`
+  float* other = nullptr;      ///< intensity of the other image, less `middle_intensity`
   float* slope = nullptr;      ///< derivative of `other` by the depth of the point
 };
 
-/// Levels are less this one, so that sums of their squares keep their digits.
-inline constexpr float middle_level = 128;
+/// Intensities are less this one, so that sums of their squares keep their digits.
+inline constexpr float middle_intensity = 128;
 
 /// For images that are packed.
 struct WarpRoom {

@@ -16,7 +16,7 @@ Eigen::Matrix3d intrinsics() {
 }
 
 /// What the world shows at x, y, 1: smooth, so that interpolation is nearly exact.
-float level(double x, double y) {
+float intensity(double x, double y) {
   return static_cast<float>(120 + 60 * std::sin(9 * x + 1) + 50 * std::cos(7 * y - 4 * x));
 }
 
@@ -51,9 +51,9 @@ TEST_CASE("an image without distortion is what a pinhole sees") {
   for (int y = 0; y < 60; ++y) {
     for (int x = 0; x < 80; ++x) {
       const Eigen::Vector2d ray = (k.inverse() * Eigen::Vector3d(x, y, 1)).head<2>();
-      straight.at(x, y) = level(ray.x(), ray.y());
+      straight.at(x, y) = intensity(ray.x(), ray.y());
       const Eigen::Vector2d seen = before_lens(lens, ray);
-      bent.at(x, y) = level(seen.x(), seen.y());
+      bent.at(x, y) = intensity(seen.x(), seen.y());
     }
   }
   const GrayImage result = undistorted(bent, k, lens);

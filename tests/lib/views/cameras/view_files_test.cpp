@@ -37,11 +37,11 @@ std::string numbered(const std::string& start, int number, const std::string& en
   return start + std::to_string(number) + end;
 }
 
-// A gray image whose pixels all have one level.
-std::string image(int width, int height, int level) {
+// A gray image whose pixels all have one intensity.
+std::string image(int width, int height, int intensity) {
   return "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n" +
          std::string(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
-                     static_cast<char>(level));
+                     static_cast<char>(intensity));
 }
 
 // A 3x4 matrix whose camera has this focal length.

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "helpers/levels.h"
+#include "helpers/intensities.h"
 #include "support/error.h"
 
 using namespace transformesh;
@@ -68,11 +68,13 @@ TEST_CASE("silhouettes are averaged, and constant images stay so up to the borde
     for (int x = 0; x < 21; ++x) view.silhouette.at(x, y) = 255;
   }
   const View half = at_scale(view, 2);
-  for (const float level : test::levels_of(half.image)) CHECK(level == Approx(77).epsilon(1e-5));
+  for (const float intensity : test::intensities_of(half.image))
+    CHECK(intensity == Approx(77).epsilon(1e-5));
   CHECK(half.silhouette.at(7, 5) == Approx(255));
   CHECK(half.silhouette.at(10, 5) == Approx(127.5).epsilon(1e-4));
   CHECK(half.silhouette.at(13, 5) == Approx(0));
-  CHECK(test::levels_of(at_scale(view, 1).silhouette) == test::levels_of(view.silhouette));
+  CHECK(test::intensities_of(at_scale(view, 1).silhouette) ==
+        test::intensities_of(view.silhouette));
 }
 
 TEST_CASE("scales that make no image are refused") {

@@ -8,9 +8,9 @@ using namespace transformesh;
 
 namespace {
 
-std::array<std::uint8_t, 3> levels(double gray) {
-  const auto level = static_cast<std::uint8_t>(std::min(gray + 0.5, 255.0));
-  return {level, level, level};
+std::array<std::uint8_t, 3> intensities(double gray) {
+  const auto intensity = static_cast<std::uint8_t>(std::min(gray + 0.5, 255.0));
+  return {intensity, intensity, intensity};
 }
 
 /// Each place is seen by two neighbors of a ring of views, which show it brighter by a factor.
@@ -22,8 +22,8 @@ std::vector<Glimpses> places(std::span<const double> factors, double highlights)
     const std::size_t first = p % factors.size();
     const std::size_t second = (p + 1) % factors.size();
     const bool shines = static_cast<double>(random() % 1000) < 1000 * highlights;
-    seen[p].add({1, levels(shines ? 3 * gray : factors[first] * gray)}, first);
-    seen[p].add({0.9F, levels(factors[second] * gray)}, second);
+    seen[p].add({1, intensities(shines ? 3 * gray : factors[first] * gray)}, first);
+    seen[p].add({0.9F, intensities(factors[second] * gray)}, second);
   }
   return seen;
 }

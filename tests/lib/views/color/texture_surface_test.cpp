@@ -84,7 +84,7 @@ bool is_inner(const FaceBuffer& faces, int x, int y, double step) {
 }
 
 struct Comparison {
-  double mean = 0;  ///< gray levels
+  double mean = 0;  ///< intensities
   std::size_t pixels = 0;
 };
 
@@ -175,8 +175,8 @@ TEST_CASE("what hides a part of the surface does not stain it") {
     Image picture(view.width, view.height, Pixel{128, 128, 128, 255});
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
       if (faces.pixels[i].face == no_index) continue;
-      const std::uint8_t level = faces.pixels[i].face < first_black ? 250 : 10;
-      picture.pixels[i] = {level, level, level, 255};
+      const std::uint8_t intensity = faces.pixels[i].face < first_black ? 250 : 10;
+      picture.pixels[i] = {intensity, intensity, intensity, 255};
     }
     view.picture = [picture] { return picture; };
   }
@@ -202,8 +202,8 @@ TEST_CASE("a highlight that moves with the eye is left out") {
   }
   color_vertices(mesh, views);
   const Column& red = *mesh.vertex_columns.find("red");
-  const auto bright =
-      std::count_if(red.values.begin(), red.values.end(), [](double level) { return level > 90; });
+  const auto bright = std::count_if(red.values.begin(), red.values.end(),
+                                    [](double intensity) { return intensity > 90; });
   CHECK(static_cast<double>(bright) < 0.01 * static_cast<double>(red.values.size()));
 }
 
@@ -245,13 +245,13 @@ TEST_CASE("photographs of other exposures and white balances give the same color
   Mesh mesh = knot();
   std::vector<PictureView> views = photographed(mesh);
   const ColorResult even = color_vertices(mesh, views);
-  const auto levels_of = [](const Mesh& colored) {
-    std::array<std::vector<double>, 3> levels;
+  const auto intensities_of = [](const Mesh& colored) {
+    std::array<std::vector<double>, 3> intensities;
     for (std::size_t i = 0; i < 3; ++i)
-      levels[i] = colored.vertex_columns.find(std::array{"red", "green", "blue"}[i])->values;
-    return levels;
+      intensities[i] = colored.vertex_columns.find(std::array{"red", "green", "blue"}[i])->values;
+    return intensities;
   };
-  const auto expected = levels_of(mesh);
+  const auto expected = intensities_of(mesh);
   for (std::size_t v = 0; v < views.size(); ++v) {
     const Eigen::Array3d factor =
         Eigen::Array3d(0.8, 0.85, 0.9) + 0.05 * static_cast<double>(v * 5 % 7);
@@ -269,7 +269,7 @@ TEST_CASE("photographs of other exposures and white balances give the same color
   CHECK(uneven.largest_gain > 1.15);
   CHECK(uneven.disagreement < even.disagreement + 0.5);
   // But for one factor of each channel.
-  const auto found = levels_of(mesh);
+  const auto found = intensities_of(mesh);
   for (std::size_t i = 0; i < 3; ++i) {
     const double by = std::accumulate(found[i].begin(), found[i].end(), 0.0) /
                       std::accumulate(expected[i].begin(), expected[i].end(), 0.0);

@@ -22,8 +22,8 @@ TEST_CASE("a soft disc: the distance is that to the circle") {
   CHECK(worst_error(signed_distance(soft_mask(disc)), disc) < 0.05);
 }
 
-TEST_CASE("a disc of two levels: within half a pixel") {
-  const GrayImage distances = signed_distance(two_levels(soft_mask(disc)));
+TEST_CASE("a disc of two intensities: within half a pixel") {
+  const GrayImage distances = signed_distance(binary_silhouette(soft_mask(disc)));
   const double worst = worst_error(distances, disc);
   CHECK(worst < 0.5);
   CHECK(worst > 0.05);  // the stairs are there

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "clean/intersect/intersect.h"
-#include "helpers/levels.h"
+#include "helpers/intensities.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/view_maker.h"
 #include "mesh/components.h"
@@ -132,8 +132,8 @@ TEST_CASE("skipping blocks of cells changes nothing: cells of any size agree abo
     const View small = ball_view(eyes[i], {55, 10, 20}, 4);
     for (int y = 0; y < small.silhouette.height; ++y)
       for (int x = 0; x < small.silhouette.width; ++x) {
-        float& level = views[i].silhouette.at(x, y);
-        level = std::max(level, small.silhouette.at(x, y));
+        float& intensity = views[i].silhouette.at(x, y);
+        intensity = std::max(intensity, small.silhouette.at(x, y));
       }
   }
   const HullResult all = visual_hull(views, {.resolution = 90, .keep = 0});

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "helpers/levels.h"
+#include "helpers/intensities.h"
 #include "helpers/view_maker.h"
 #include "io/streams/source.h"
 #include "support/error.h"
@@ -59,7 +59,7 @@ bool has(const std::string& text, const std::string& part) {
 }
 
 void invert(View& view) {
-  test::change_levels(view.silhouette, [](float level) { return 255 - level; });
+  test::change_intensities(view.silhouette, [](float intensity) { return 255 - intensity; });
 }
 
 /// The object somewhere else in the picture.

@@ -36,8 +36,8 @@ TEST_CASE("JPEG of gray and color, of one scan, several, and with restarts") {
     CHECK(std::abs(static_cast<double>(image.at(5, 3)) - gray(200, 30, 90)) < 2);
     CHECK(std::abs(static_cast<double>(image.at(39, 31)) - gray(10, 220, 60)) < 2);
   }
-  const Rows levels = halves(9, 16, {40}, {230});
-  const GrayImage image = decode_photograph(jpeg_of({1}, 9, 16, levels), "a.jpg");
+  const Rows intensities = halves(9, 16, {40}, {230});
+  const GrayImage image = decode_photograph(jpeg_of({1}, 9, 16, intensities), "a.jpg");
   CHECK(std::abs(image.at(8, 7) - 40) < 2);
   CHECK(std::abs(image.at(0, 8) - 230) < 2);
 }

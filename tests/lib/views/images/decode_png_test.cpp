@@ -11,7 +11,7 @@ TEST_CASE("PNG of every color type, depth and order of rows") {
   constexpr int width = 3;
   for (const bool is_interlaced : {false, true}) {
     CAPTURE(is_interlaced);
-    const auto level = [&](int color_type, int depth, const Rows& row, int x) {
+    const auto intensity = [&](int color_type, int depth, const Rows& row, int x) {
       Rows rows = row;
       rows.insert(rows.end(), row.begin(), row.end());
       const std::string bytes = png_of({color_type, depth, is_interlaced}, width, 2, rows);
@@ -22,19 +22,19 @@ TEST_CASE("PNG of every color type, depth and order of rows") {
       CHECK(image.at(x, 0) == image.at(x, 1));
       return static_cast<double>(image.at(x, 1));
     };
-    CHECK(level(PNG_COLOR_TYPE_GRAY, 1, {0b01000000}, 1) == 255);
-    CHECK(level(PNG_COLOR_TYPE_GRAY, 2, {0b00011000}, 2) == 170);
-    CHECK(level(PNG_COLOR_TYPE_GRAY, 4, {0x0f, 0x30}, 2) == 51);
-    CHECK(level(PNG_COLOR_TYPE_GRAY, 8, {1, 2, 77}, 2) == 77);
-    CHECK(level(PNG_COLOR_TYPE_GRAY, 16, {0, 0, 0x12, 0x34, 0, 0}, 1) ==
+    CHECK(intensity(PNG_COLOR_TYPE_GRAY, 1, {0b01000000}, 1) == 255);
+    CHECK(intensity(PNG_COLOR_TYPE_GRAY, 2, {0b00011000}, 2) == 170);
+    CHECK(intensity(PNG_COLOR_TYPE_GRAY, 4, {0x0f, 0x30}, 2) == 51);
+    CHECK(intensity(PNG_COLOR_TYPE_GRAY, 8, {1, 2, 77}, 2) == 77);
+    CHECK(intensity(PNG_COLOR_TYPE_GRAY, 16, {0, 0, 0x12, 0x34, 0, 0}, 1) ==
           doctest::Approx(0x1234 / 257.0).epsilon(1e-7));
-    CHECK(level(PNG_COLOR_TYPE_PALETTE, 1, {0b01000000}, 1) ==
+    CHECK(intensity(PNG_COLOR_TYPE_PALETTE, 1, {0b01000000}, 1) ==
           doctest::Approx(gray(200, 100, 50)).epsilon(1e-7));
-    CHECK(level(PNG_COLOR_TYPE_RGB, 8, {0, 0, 0, 1, 2, 3, 9, 8, 7}, 1) ==
+    CHECK(intensity(PNG_COLOR_TYPE_RGB, 8, {0, 0, 0, 1, 2, 3, 9, 8, 7}, 1) ==
           doctest::Approx(gray(1, 2, 3)).epsilon(1e-7));
-    CHECK(level(PNG_COLOR_TYPE_RGB_ALPHA, 8, {0, 0, 0, 0, 90, 60, 30, 0, 9, 8, 7, 0}, 1) ==
+    CHECK(intensity(PNG_COLOR_TYPE_RGB_ALPHA, 8, {0, 0, 0, 0, 90, 60, 30, 0, 9, 8, 7, 0}, 1) ==
           doctest::Approx(gray(90, 60, 30)).epsilon(1e-7));
-    CHECK(level(PNG_COLOR_TYPE_GRAY_ALPHA, 8, {0, 0, 90, 0, 9, 0}, 1) == 90);
+    CHECK(intensity(PNG_COLOR_TYPE_GRAY_ALPHA, 8, {0, 0, 90, 0, 9, 0}, 1) == 90);
   }
 }
 

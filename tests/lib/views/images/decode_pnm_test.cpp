@@ -7,15 +7,16 @@ using namespace transformesh;
 using namespace transformesh::test;
 
 TEST_CASE("PNM as text and binary, of 8 and 16 bits, with comments") {
-  const auto level = [](const std::string& bytes, int x, int y) {
+  const auto intensity = [](const std::string& bytes, int x, int y) {
     return static_cast<double>(decode_photograph(bytes, "a.pnm").at(x, y));
   };
-  CHECK(level("P2\n# text\n2 2 # more\n15\n0 5\n 10 15\n", 1, 0) == doctest::Approx(85));
-  CHECK(level("P3 1 1 255 10 20 30", 0, 0) == doctest::Approx(gray(10, 20, 30)));
-  CHECK(level(std::string("P5 2 1 255\n") + '\n' + '\x20', 0, 0) == 10);
-  CHECK(level(std::string("P5 1 1 65535\n\x12\x34", 15), 0, 0) == doctest::Approx(0x1234 / 257.0));
-  CHECK(level(std::string("P6 1 1 255 \x01\x02\x03"), 0, 0) == doctest::Approx(gray(1, 2, 3)));
-  CHECK(level(std::string("P5 1 2 255 \x01\x02"), 0, 1) == 2);
+  CHECK(intensity("P2\n# text\n2 2 # more\n15\n0 5\n 10 15\n", 1, 0) == doctest::Approx(85));
+  CHECK(intensity("P3 1 1 255 10 20 30", 0, 0) == doctest::Approx(gray(10, 20, 30)));
+  CHECK(intensity(std::string("P5 2 1 255\n") + '\n' + '\x20', 0, 0) == 10);
+  CHECK(intensity(std::string("P5 1 1 65535\n\x12\x34", 15), 0, 0) ==
+        doctest::Approx(0x1234 / 257.0));
+  CHECK(intensity(std::string("P6 1 1 255 \x01\x02\x03"), 0, 0) == doctest::Approx(gray(1, 2, 3)));
+  CHECK(intensity(std::string("P5 1 2 255 \x01\x02"), 0, 1) == 2);
 }
 
 TEST_CASE("a PNM that is cut short is refused, and damage does no harm") {

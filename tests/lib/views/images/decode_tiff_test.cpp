@@ -24,23 +24,23 @@ GrayImage decoded(const TiffKind& kind, const Rows& rows) {
   return image;
 }
 
-/// The level of 8 bits or, of the machine's order, 16.
+/// The intensity of 8 bits or, of the machine's order, 16.
 double sample(const Rows& rows, std::size_t index, int bits) {
   if (bits == 8) return rows[index];
   return (rows[2 * index] + 256 * rows[2 * index + 1]) / 257.0;
 }
 
 /// The pixels of an image are the samples of the rows, of which each pixel has so many.
-void check_levels(const GrayImage& image, const Rows& rows, const TiffKind& kind) {
+void check_intensities(const GrayImage& image, const Rows& rows, const TiffKind& kind) {
   double largest = 0;
   for (std::size_t i = 0; i < pixels; ++i) {
     const std::size_t first = i * static_cast<std::size_t>(kind.samples);
-    const double level =
+    const double intensity =
         kind.photometric == PHOTOMETRIC_RGB
             ? gray(sample(rows, first, kind.bits), sample(rows, first + 1, kind.bits),
                    sample(rows, first + 2, kind.bits))
             : sample(rows, first, kind.bits);
-    largest = std::max(largest, std::abs(level - static_cast<double>(image.pixels[i])));
+    largest = std::max(largest, std::abs(intensity - static_cast<double>(image.pixels[i])));
   }
   CHECK(largest < 1e-4);
 }
@@ -89,7 +89,7 @@ TEST_CASE("TIFF of gray and color, of 8 and 16 bits, in strips and tiles, of eve
           CAPTURE(samples);
           CAPTURE(compression);
           CAPTURE(tile);
-          check_levels(decoded(kind, rows), rows, kind);
+          check_intensities(decoded(kind, rows), rows, kind);
         }
       }
     }
@@ -102,11 +102,11 @@ TEST_CASE("TIFF of either byte order, with long offsets, and turned by its label
   for (const char* mode : {"wl", "wb", "w8"}) {
     kind.mode = mode;
     CAPTURE(mode);
-    check_levels(decoded(kind, rows), rows, kind);
+    check_intensities(decoded(kind, rows), rows, kind);
   }
   for (const int orientation : {2, 3, 4, 5, 6, 7, 8}) {
     kind.orientation = orientation;
-    check_levels(decoded(kind, rows), rows, kind);
+    check_intensities(decoded(kind, rows), rows, kind);
   }
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("TIFF of white as 0") {
     const Rows rows = noise(pixels * static_cast<std::size_t>(bits / 8));
     Rows reversed = rows;
     for (auto& byte : reversed) byte = static_cast<std::uint8_t>(~byte);
-    check_levels(decoded(kind, rows), reversed, kind);
+    check_intensities(decoded(kind, rows), reversed, kind);
   }
 }
 

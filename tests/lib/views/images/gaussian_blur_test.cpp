@@ -12,7 +12,7 @@ namespace {
 GrayImage noise(int width, int height) {
   test::Random random(9);
   GrayImage image(width, height);
-  for (float& level : image.pixels) level = static_cast<float>(random.below(256));
+  for (float& intensity : image.pixels) intensity = static_cast<float>(random.below(256));
   return image;
 }
 
@@ -29,8 +29,8 @@ double blurred(const GrayImage& image, double deviation, int x, int y) {
   for (int i = -reach; i <= reach; ++i) {
     for (int j = -reach; j <= reach; ++j) {
       const double weight = std::exp(-(i * i + j * j) / (2 * deviation * deviation));
-      const float level = image.at(mirrored(x + j, image.width), mirrored(y + i, image.height));
-      sum += weight * static_cast<double>(level);
+      const float intensity = image.at(mirrored(x + j, image.width), mirrored(y + i, image.height));
+      sum += weight * static_cast<double>(intensity);
       weights += weight;
     }
   }
@@ -68,20 +68,21 @@ TEST_CASE("sums are rounded to floats one product after the other") {
   for (int i = -6; i <= 6; ++i)
     weights.push_back(static_cast<float>(std::exp(-i * i / (2 * deviation * deviation)) / sum));
   const auto across = [&](int x, int y) {
-    float level = 0;
+    float intensity = 0;
     for (int i = 0; i < 13; ++i)
-      level = std::fma(weights[static_cast<std::size_t>(i)], image.at(mirrored(x + i - 6, 40), y),
-                       level);
-    return level;
+      intensity = std::fma(weights[static_cast<std::size_t>(i)],
+                           image.at(mirrored(x + i - 6, 40), y), intensity);
+    return intensity;
   };
   const GrayImage result = gaussian_blur(image, deviation);
   for (int y = 0; y < 30; ++y) {
     for (int x = 0; x < 40; ++x) {
-      float level = weights[6] * across(x, y);
+      float intensity = weights[6] * across(x, y);
       for (int i = 1; i <= 6; ++i)
-        level = std::fma(weights[static_cast<std::size_t>(6 + i)],
-                         across(x, mirrored(y + i, 30)) + across(x, mirrored(y - i, 30)), level);
-      CHECK(result.at(x, y) == level);
+        intensity =
+            std::fma(weights[static_cast<std::size_t>(6 + i)],
+                     across(x, mirrored(y + i, 30)) + across(x, mirrored(y - i, 30)), intensity);
+      CHECK(result.at(x, y) == intensity);
     }
   }
 }

@@ -23,7 +23,7 @@ GrayImage ramp(float start, float step) {
   return image;
 }
 
-HeldImage packed(const GrayImage& image, HeldImage::Kind kind = HeldImage::Kind::levels) {
+HeldImage packed(const GrayImage& image, HeldImage::Kind kind = HeldImage::Kind::intensities) {
   HeldImage held = image;
   held.pack(kind);
   CHECK(held.is_packed());
@@ -59,10 +59,10 @@ void check_part(const HeldImage& held) {
 
 }  // namespace
 
-TEST_CASE("whole levels take a byte and stay; others take two and are rounded") {
+TEST_CASE("whole intensities take a byte and stay; others take two and are rounded") {
   const GrayImage whole = ramp(0, 1);
   GrayImage bytes = whole;
-  for (float& level : bytes.pixels) level = std::fmod(level, 256.0F);
+  for (float& intensity : bytes.pixels) intensity = std::fmod(intensity, 256.0F);
   CHECK(packed(bytes).size() == bytes.pixels.size());
   CHECK(difference(bytes, packed(bytes)) == 0);
   const GrayImage fine = ramp(0.1F, 0.37F);
@@ -135,7 +135,7 @@ TEST_CASE("a part of an image, packed or not") {
   distances.pack(HeldImage::Kind::distances);
   check_part(distances);
   GrayImage mask = image;
-  for (float& level : mask.pixels) level = std::fmod(level, 2.0F) < 1 ? 0.0F : 255.0F;
+  for (float& intensity : mask.pixels) intensity = std::fmod(intensity, 2.0F) < 1 ? 0.0F : 255.0F;
   check_part(packed(mask));
 }
 
@@ -162,7 +162,8 @@ TEST_CASE("a step by packed photographs is nearly that by floats") {
   CHECK(most < 0.02 * moved);
 }
 
-TEST_CASE("an image of bytes is blurred when it is read, to the levels of one blurred before") {
+TEST_CASE(
+    "an image of bytes is blurred when it is read, to the intensities of one blurred before") {
   for (const auto& [width, height] : {std::pair(30, 20), std::pair(2, 2), std::pair(3, 7)}) {
     GrayImage bytes(width, height);
     for (std::size_t i = 0; i < bytes.pixels.size(); ++i)

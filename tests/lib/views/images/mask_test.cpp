@@ -6,25 +6,25 @@ using namespace transformesh;
 
 namespace {
 
-GrayImage row(std::vector<float> levels) {
-  GrayImage image(static_cast<int>(levels.size()), 1);
-  image.pixels = std::move(levels);
+GrayImage row(std::vector<float> intensities) {
+  GrayImage image(static_cast<int>(intensities.size()), 1);
+  image.pixels = std::move(intensities);
   return image;
 }
 
-using Levels = std::vector<float>;
+using Intensities = std::vector<float>;
 
 }  // namespace
 
-TEST_CASE("a mask of few levels is inside where it is not black") {
-  for (const Levels& levels :
-       {Levels{0, 255, 0, 255}, Levels{0, 1, 0, 2}, Levels{0, 40, 0, 200}, Levels{0, 1, 0, 255}}) {
-    const Mask mask = mask_of(row(levels), {});
+TEST_CASE("a mask of few intensities is inside where it is not black") {
+  for (const Intensities& intensities : {Intensities{0, 255, 0, 255}, Intensities{0, 1, 0, 2},
+                                         Intensities{0, 40, 0, 200}, Intensities{0, 1, 0, 255}}) {
+    const Mask mask = mask_of(row(intensities), {});
     CHECK(mask.rule == MaskRule::not_black);
-    CHECK(mask.silhouette.pixels == Levels{0, 255, 0, 255});
+    CHECK(mask.silhouette.pixels == Intensities{0, 255, 0, 255});
   }
-  CHECK(mask_of(row({7, 7}), {}).silhouette.pixels == Levels{255, 255});
-  CHECK(mask_of(row({0, 0}), {}).silhouette.pixels == Levels{0, 0});
+  CHECK(mask_of(row({7, 7}), {}).silhouette.pixels == Intensities{255, 255});
+  CHECK(mask_of(row({0, 0}), {}).silhouette.pixels == Intensities{0, 0});
 }
 
 TEST_CASE("a photograph before black keeps its dark parts") {
@@ -34,20 +34,21 @@ TEST_CASE("a photograph before black keeps its dark parts") {
 }
 
 TEST_CASE("black that is not quite black is told from white") {
-  for (const Levels& levels :
-       {Levels{5, 250, 5, 250}, Levels{0, 3, 9, 7, 2, 255, 241, 250}, Levels{20, 22, 90, 100}}) {
-    const Mask mask = mask_of(row(levels), {});
-    CHECK(mask.rule == MaskRule::between_levels);
-    for (std::size_t i = 0; i < levels.size(); ++i)
-      CHECK(mask.silhouette.pixels[i] == (levels[i] > 60 ? 255 : 0));
+  for (const Intensities& intensities :
+       {Intensities{5, 250, 5, 250}, Intensities{0, 3, 9, 7, 2, 255, 241, 250},
+        Intensities{20, 22, 90, 100}}) {
+    const Mask mask = mask_of(row(intensities), {});
+    CHECK(mask.rule == MaskRule::between_intensities);
+    for (std::size_t i = 0; i < intensities.size(); ++i)
+      CHECK(mask.silhouette.pixels[i] == (intensities[i] > 60 ? 255 : 0));
   }
 }
 
 TEST_CASE("transparency is the mask where it varies") {
   const Mask mask = mask_of(row({255, 255, 255}), row({0, 255, 100}));
   CHECK(mask.rule == MaskRule::alpha);
-  CHECK(mask.silhouette.pixels == Levels{0, 255, 0});
+  CHECK(mask.silhouette.pixels == Intensities{0, 255, 0});
   const Mask opaque = mask_of(row({0, 255, 9}), row({255, 255, 255}));
   CHECK(opaque.rule == MaskRule::not_black);
-  CHECK(opaque.silhouette.pixels == Levels{0, 255, 255});
+  CHECK(opaque.silhouette.pixels == Intensities{0, 255, 255});
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr int width = 23;
 constexpr int height = 19;
 
-/// Two images with a hole in the mask, levels less the middle one.
+/// Two images with a hole in the mask, intensities less the middle one.
 struct Images {
   std::vector<float> is_seen, first, second, slope;
 
@@ -27,9 +27,9 @@ struct Images {
       for (int x = 0; x < width; ++x) {
         const bool hidden = (x > 9 && x < 13 && y > 5) || (x + y) % 11 == 0;
         is_seen.push_back(hidden ? 0 : 1);
-        const double level = 40 * std::sin(0.5 * x + 0.3 * y) + random.uniform(-8, 8);
-        first.push_back(hidden ? 0 : static_cast<float>(level));
-        second.push_back(hidden ? 0 : static_cast<float>(0.7 * level + random.uniform(-9, 9)));
+        const double intensity = 40 * std::sin(0.5 * x + 0.3 * y) + random.uniform(-8, 8);
+        first.push_back(hidden ? 0 : static_cast<float>(intensity));
+        second.push_back(hidden ? 0 : static_cast<float>(0.7 * intensity + random.uniform(-9, 9)));
         slope.push_back(hidden ? 0 : static_cast<float>(random.uniform(-3, 3)));
       }
     }
@@ -133,12 +133,12 @@ TEST_CASE("the derivative by every pixel is that of the definition") {
     const std::vector<double> rho = direct(images, options, second).rho;
     CHECK(found.is_seen == images.is_seen);
     for (std::size_t i = 0; i < second.size(); ++i) {
-      const double level = second[i];
-      second[i] = level + 1e-3;
+      const double intensity = second[i];
+      second[i] = intensity + 1e-3;
       const double above = direct(images, options, second, &rho).loss;
-      second[i] = level - 1e-3;
+      second[i] = intensity - 1e-3;
       const double below = direct(images, options, second, &rho).loss;
-      second[i] = level;
+      second[i] = intensity;
       const double expected = (above - below) / 2e-3 * images.slope[i];
       CHECK(std::abs(found.gradient[i] - expected) < 1e-5 * (1 + 10 * std::abs(expected)));
       CHECK(found.curvature[i] >= 0);
@@ -155,7 +155,7 @@ TEST_CASE("a robust loss leaves the measure as it is, and hardly minds what disa
   CHECK(plain.loss == plain.energy);
   CHECK(correlate_images(images, {3, 25, 25, 1000}).sums.loss == Approx(plain.loss).epsilon(1e-3));
   // No window can cost more than s.
-  for (float& level : images.second) level = -level;
+  for (float& intensity : images.second) intensity = -intensity;
   const CorrelationSums against = correlate_images(images, {3, 25, 25, 0.1}).sums;
   CHECK(against.energy > 1.5 * against.weight);
   CHECK(against.loss < 0.1 * against.weight);

@@ -20,10 +20,10 @@ constexpr double least_cosine = 0.1;
 GrayImage with_noise(GrayImage image, double deviation, unsigned seed) {
   Random random(seed);
   const double half = deviation * std::sqrt(3.0 / 4);
-  for (float& level : image.pixels) {
+  for (float& intensity : image.pixels) {
     double noise = 0;
     for (int i = 0; i < 4; ++i) noise += random.uniform(-half, half);
-    level += static_cast<float>(noise);
+    intensity += static_cast<float>(noise);
   }
   return image;
 }

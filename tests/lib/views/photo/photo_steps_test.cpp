@@ -5,7 +5,7 @@
 #include <array>
 
 #include "helpers/ball_photographs.h"
-#include "helpers/levels.h"
+#include "helpers/intensities.h"
 #include "support/error.h"
 #include "support/parallel.h"
 
@@ -82,7 +82,7 @@ TEST_CASE("a robust loss minds less what photographs show that is not on the sur
 TEST_CASE("silhouettes bring back what photographs cannot judge") {
   // Without texture there is nothing to compare.
   std::vector<View> views = ring(1, true);
-  for (View& view : views) test::change_levels(view.image, [](float) { return 90.0F; });
+  for (View& view : views) test::change_intensities(view.image, [](float) { return 90.0F; });
   const PhotoScene scene = photo_scene(views, 1);
   for (const double start : {0.95, 1.05}) {
     Mesh mesh = ball(start);

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "helpers/levels.h"
+#include "helpers/intensities.h"
 #include "helpers/random.h"
 #include "picture/rasterize.h"
 #include "support/error.h"
@@ -35,7 +35,7 @@ class Texture {
       phases_.push_back(random.uniform(0, 2 * std::numbers::pi));
     }
   }
-  float level(const Vec3& point) const {
+  float intensity(const Vec3& point) const {
     double sum = 0;
     for (std::size_t i = 0; i < waves_.size(); ++i)
       sum += std::sin(waves_[i].dot(point) + phases_[i]);
@@ -85,7 +85,7 @@ View photograph(const PinholeCamera& camera) {
     for (int x = 0; x < width; ++x) {
       const Vec3 ray = camera.ray(x, y);
       const double depth = -camera.center().z() / ray.z();
-      view.image.at(x, y) = texture.level(camera.center() + depth * ray);
+      view.image.at(x, y) = texture.intensity(camera.center() + depth * ray);
     }
   }
   view.image = at_scale(view.image, 1);
@@ -173,8 +173,9 @@ double product(std::span<const Vec3> a, std::span<const Vec3> b) {
 
 TEST_CASE("the derivative is that of the energy: bumps inside both images") {
   // Quotients are good to a thousandth of the usual derivative: images and sums are floats, and
-  // bilinear levels have kinks. Of rounding to a gradient image, or of the terms that the means and
-  // variances of the windows bring, nothing would be left: those are errors of 4 % and 36 %.
+  // bilinear intensities have kinks. Of rounding to a gradient image, or of the terms that the
+  // means and variances of the windows bring, nothing would be left: those are errors of 4 % and 36
+  // %.
   for (const Interpolation kind : {Interpolation::catmull_rom, Interpolation::bilinear}) {
     Scene scene;
     scene.options.interpolation = kind;
@@ -264,7 +265,8 @@ TEST_CASE("a surface where it belongs is consistent, and a change of light does 
   const Photoconsistency exact = scene.measure();
   CHECK(exact.energy / exact.weight < 2e-3);
   CHECK(exact.weight == exact.pixels);
-  test::change_levels(scene.views[1].image, [](float level) { return 1.3F * level - 40; });
+  test::change_intensities(scene.views[1].image,
+                           [](float intensity) { return 1.3F * intensity - 40; });
   CHECK(scene.measure().energy / exact.weight < 4e-3);
 
   // Off by half a pixel of parallax it is worse, and the gradient leads back.

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "helpers/levels.h"
+#include "helpers/intensities.h"
 #include "helpers/view_maker.h"
 #include "shapes/shapes.h"
 #include "support/error.h"
@@ -60,7 +60,7 @@ TEST_CASE("a pixel shows the texture where its ray meets the surface") {
       if (square < 0.1) continue;
       ++inside;
       const Vec3 hit = eye + (half - std::sqrt(square)) * ray;
-      CHECK(std::abs(photograph.image.at(x, y) - texture.level_at(hit)) < 3);
+      CHECK(std::abs(photograph.image.at(x, y) - texture.intensity_at(hit)) < 3);
       CHECK(photograph.silhouette.at(x, y) == 255);
     }
   }
@@ -72,9 +72,9 @@ TEST_CASE("silhouettes are those of the ball") {
       take_photograph(ball(), test_camera(), coarse_texture(), 0, {.noise = 0});
   const View exact = ball_view(eye, Vec3::Zero(), 0.8, frame);
   int different = 0;
-  const std::vector<float> levels = test::levels_of(exact.silhouette);
-  for (std::size_t i = 0; i < levels.size(); ++i)
-    different += (levels[i] > 127.5F) != (photograph.silhouette.pixels[i] > 0);
+  const std::vector<float> intensities = test::intensities_of(exact.silhouette);
+  for (std::size_t i = 0; i < intensities.size(); ++i)
+    different += (intensities[i] > 127.5F) != (photograph.silhouette.pixels[i] > 0);
   CHECK(different < 8);  // of 150 on the contour
 }
 
@@ -127,17 +127,17 @@ TEST_CASE("gain and offset are one affine map an image") {
 
 TEST_CASE("a texture varies as fast as asked for, and as much") {
   const SolidTexture fine({.waves = 100, .finest = 0.1, .coarsest = 0.2});
-  const Moments levels = moments(200, 200, [&](int x, int y) {
-    return fine.level_at({0.037 * x, 0.041 * y, 0});
+  const Moments intensities = moments(200, 200, [&](int x, int y) {
+    return fine.intensity_at({0.037 * x, 0.041 * y, 0});
   });
-  CHECK(levels.mean == doctest::Approx(128).epsilon(0.05));
-  CHECK(levels.deviation == doctest::Approx(40).epsilon(0.15));
+  CHECK(intensities.mean == doctest::Approx(128).epsilon(0.05));
+  CHECK(intensities.deviation == doctest::Approx(40).epsilon(0.15));
   // Far below the shortest wavelength it hardly changes, at half of it it does.
   const auto change = [&](double step) {
     return moments(100, 100,
                    [&](int x, int y) {
                      const Vec3 place(0.037 * x, 0.041 * y, 0.3);
-                     return fine.level_at(place + Vec3(step, 0, 0)) - fine.level_at(place);
+                     return fine.intensity_at(place + Vec3(step, 0, 0)) - fine.intensity_at(place);
                    })
         .deviation;
   };

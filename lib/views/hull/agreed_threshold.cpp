@@ -1,4 +1,4 @@
-#include "views/hull/agreed_level.h"
+#include "views/hull/agreed_threshold.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,7 +18,7 @@ namespace {
 constexpr double largest_side_px = 320;
 constexpr int hull_resolution = 48;
 constexpr double share_to_keep = 0.1;
-/// Four steps halve the level.
+/// Four steps halve the intensity.
 constexpr int steps_down = 8;
 constexpr double agreement_tolerance = 0.001;
 
@@ -42,14 +42,14 @@ std::vector<SmallView> shrunk(std::span<const View> views) {
   return result;
 }
 
-std::vector<View> views_at(double level, const std::vector<SmallView>& small,
+std::vector<View> views_at(double intensity, const std::vector<SmallView>& small,
                            const ThresholdOptions& options) {
   std::vector<View> views(small.size());
   parallel_for(small.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       views[i] = small[i].view;
       views[i].silhouette = threshold_silhouette(
-          views[i].image, {level, options.blur / small[i].scale, options.close});
+          views[i].image, {intensity, options.blur / small[i].scale, options.close});
     }
   });
   return views;
@@ -70,48 +70,49 @@ std::optional<double> hull_agreement(const std::vector<View>& views) {
 }
 
 struct Candidate {
-  double level = 0;
+  double intensity = 0;
   double agreement = 0;
 };
 
 double highest_of_best(const std::vector<Candidate>& candidates) {
   double best = 0;
   for (const Candidate& candidate : candidates) best = std::max(best, candidate.agreement);
-  double level = 0;
+  double intensity = 0;
   for (const Candidate& candidate : candidates)
-    if (candidate.agreement >= best - agreement_tolerance) level = std::max(level, candidate.level);
-  return level;
+    if (candidate.agreement >= best - agreement_tolerance)
+      intensity = std::max(intensity, candidate.intensity);
+  return intensity;
 }
 
 }  // namespace
 
-double agreed_level(std::span<const View> views, const ThresholdOptions& options,
-                    const Progress& progress) {
+double agreed_threshold(std::span<const View> views, const ThresholdOptions& options,
+                        const Progress& progress) {
   const std::vector<SmallView> small = shrunk(views);
   if (small.empty()) throw UsageError("without photographs there is no level that divides them");
   std::vector<GrayImage> images;
   images.reserve(small.size());
   for (const SmallView& view : small) images.push_back(view.view.image);
-  const double dividing = dividing_level(images);
+  const double dividing = dividing_threshold(images);
 
   std::vector<Candidate> candidates;
   for (int step = 0; step <= steps_down; ++step) {
     progress("level", static_cast<double>(step) / (steps_down + 1));
-    const double level = dividing * elementary::exp2(-step / 4.0);
-    const std::optional<double> agreement = hull_agreement(views_at(level, small, options));
-    if (agreement) candidates.push_back({level, *agreement});
+    const double intensity = dividing * elementary::exp2(-step / 4.0);
+    const std::optional<double> agreement = hull_agreement(views_at(intensity, small, options));
+    if (agreement) candidates.push_back({intensity, *agreement});
   }
   return candidates.empty() ? dividing : highest_of_best(candidates);
 }
 
 double threshold_silhouettes(std::vector<View>& views, ThresholdOptions options,
                              const Progress& progress) {
-  if (!options.level) options.level = agreed_level(views, options, progress);
+  if (!options.intensity) options.intensity = agreed_threshold(views, options, progress);
   for (View& view : views) {
     view.silhouette = threshold_silhouette(view.image, options);
     if (view.image.is_packed()) view.silhouette.pack();
   }
-  return *options.level;
+  return *options.intensity;
 }
 
 }  // namespace transformesh
