@@ -57,11 +57,11 @@ class Offset {
   Offset(const Mesh& source, double distance)
       : source_(source), distance_(distance), query_(source) {}
 
-  /// From every vertex to the level, along the gradient.
+  /// From every vertex to the offset surface, along the gradient.
   std::vector<Vec3> ways(const Mesh& mesh);
   OffsetDeviation deviation(const Mesh& mesh, const Progress& progress) const;
   double rms() const { return rms_; }
-  /// Removes parts that are nowhere near the level. Returns the topology of what is left.
+  /// Removes parts that are nowhere near the offset surface. Returns the topology of what is left.
   Topology drop_shards(Mesh& mesh, double edge, const Topology& known) const;
 
  private:
@@ -105,7 +105,7 @@ OffsetDeviation Offset::deviation(const Mesh& mesh, const Progress& progress) co
   return result;
 }
 
-// Vertices are moved onto the level, so they tell nothing about the surface between them.
+// Vertices are moved onto the offset surface, so they tell nothing about the surface between them.
 void Offset::measure_excess(const Mesh& mesh, OffsetDeviation& result) const {
   const std::vector<Vec3> points = surface_samples(mesh, samples, 1);
   std::vector<double> off(points.size() + mesh.positions.size());
@@ -191,8 +191,9 @@ OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
   iteration.remesh = RemeshOptions();
   iteration.outermost = false;
 
-  Offset level(source, options.distance);
-  const Step step = step_along([&](const Mesh& mesh, const Progress&) { return level.ways(mesh); });
+  Offset offset(source, options.distance);
+  const Step step =
+      step_along([&](const Mesh& mesh, const Progress&) { return offset.ways(mesh); });
   StalledRule stalled(patience);
   OffsetResult result;
   result.edge = iteration.reference_edge;
@@ -201,18 +202,18 @@ OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
     iteration.expects_changes = last.was_cleaned;
     result.topology = last.topology;
     ++result.iterations;
-    const bool is_close = level.rms() <= close_enough * iteration.reference_edge;
-    result.has_arrived = is_close || stalled.add(level.rms());
+    const bool is_close = offset.rms() <= close_enough * iteration.reference_edge;
+    result.has_arrived = is_close || stalled.add(offset.rms());
   }
 
-  // Remeshing slid vertices off the level: one more step without it.
+  // Remeshing slid vertices off the offset surface: one more step without it.
   step(document.mesh, progress);
   round_as_written(document);
   result.topology = clean_in_place(document, progress, false).topology;
   if (result.has_arrived)
-    result.topology = level.drop_shards(document.mesh, result.edge, result.topology);
+    result.topology = offset.drop_shards(document.mesh, result.edge, result.topology);
   if (document.mesh.faces.empty()) throw GoalError("only shards are left");
-  result.deviation = level.deviation(document.mesh, progress);
+  result.deviation = offset.deviation(document.mesh, progress);
   result.has_missed = result.deviation.missed > most_missed * result.edge;
   return result;
 }

@@ -56,12 +56,12 @@ Order order_of_use(const Mesh& mesh) {
   return order;
 }
 
-std::uint32_t level(double value, double low, double high, double levels) {
+std::uint32_t code(double value, double low, double high, double codes) {
   // Halved, so that no difference is beyond a number.
   const double extent = high / 2 - low / 2;
   if (!(extent > 0)) return 0;
   const double share = std::clamp((value / 2 - low / 2) / extent, 0.0, 1.0);
-  return static_cast<std::uint32_t>(std::floor(share * levels + 0.5));
+  return static_cast<std::uint32_t>(std::floor(share * codes + 0.5));
 }
 
 void set_box(const Mesh& mesh, PackedMesh& packed) {
@@ -78,12 +78,12 @@ void set_box(const Mesh& mesh, PackedMesh& packed) {
 
 void add_positions(const Mesh& mesh, const Order& order, const PackedMesh& packed,
                    Streams& streams) {
-  std::vector<std::uint32_t> levels(order.vertices.size());
+  std::vector<std::uint32_t> codes(order.vertices.size());
   for (int axis = 0; axis < 3; ++axis) {
-    std::ranges::transform(order.vertices, levels.begin(), [&](Index vertex) {
-      return level(mesh.positions[vertex][axis], packed.low[axis], packed.high[axis], most);
+    std::ranges::transform(order.vertices, codes.begin(), [&](Index vertex) {
+      return code(mesh.positions[vertex][axis], packed.low[axis], packed.high[axis], most);
     });
-    streams.add_differences(levels, 2);
+    streams.add_differences(codes, 2);
   }
 }
 
@@ -106,12 +106,12 @@ PackedColumn numbers_of(const Column& column, PackedColumn::Of of) {
 
 void add_numbers(const Column& column, const PackedColumn& packed, auto row_of, std::size_t rows,
                  Streams& streams) {
-  std::vector<std::uint32_t> levels(rows);
+  std::vector<std::uint32_t> codes(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     const double value = column.values[row_of(i)];
-    levels[i] = std::isfinite(value) ? level(value, packed.low, packed.high, most - 1) : not_finite;
+    codes[i] = std::isfinite(value) ? code(value, packed.low, packed.high, most - 1) : not_finite;
   }
-  streams.add_differences(std::move(levels), 2);
+  streams.add_differences(std::move(codes), 2);
 }
 
 void add_colors(const Columns& columns, const Order& order, PackedMesh& packed, Streams& streams) {

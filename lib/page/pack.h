@@ -8,9 +8,9 @@
 ///   - Corners of faces, in order: how far the vertex lies below the next new one; 0 is the new one
 ///     itself. Of four bytes, or two where there are at most 65535 vertices. Vertices come in the
 ///     order in which faces use them, then those that no face does.
-///   - x, then y, then z of all vertices: levels 0 to 65535 from `low` to `high`, each as its
+///   - x, then y, then z of all vertices: integers 0 to 65535 from `low` to `high`, each as its
 ///     difference from the one before, modulo 65536.
-///   - Columns likewise, of levels 0 to 65534; 65535 is a number that is not finite. A color is
+///   - Columns likewise, of integers 0 to 65534; 65535 is a number that is not finite. A color is
 ///     three streams of bytes, red, green and blue.
 ///
 /// Lists are left out, and so are normals and velocities (nx ny nz, vx vy vz). Faces keep their

@@ -82,9 +82,10 @@ EyeAxes eye_axes(const Orbit& orbit) {
   const double azimuth = radians(orbit.azimuth_deg);
   const double elevation = radians(orbit.elevation_deg);
   const Vec3 right = elementary::cos(azimuth) * front.right - elementary::sin(azimuth) * front.back;
-  const Vec3 level_back =
+  const Vec3 horizontal_back =
       elementary::sin(azimuth) * front.right + elementary::cos(azimuth) * front.back;
-  const Vec3 back = elementary::cos(elevation) * level_back + elementary::sin(elevation) * front.up;
+  const Vec3 back =
+      elementary::cos(elevation) * horizontal_back + elementary::sin(elevation) * front.up;
   return {right, back.cross(right), back};
 }
 

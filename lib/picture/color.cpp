@@ -11,14 +11,14 @@ namespace {
 
 constexpr int steps = 4096;
 
-/// sRGB levels of evenly spaced square roots of light, where the curve is nearly straight.
-std::array<float, steps + 1> make_levels() {
-  std::array<float, steps + 1> levels{};
+/// sRGB values of evenly spaced square roots of light, where the curve is nearly straight.
+std::array<float, steps + 1> make_bytes() {
+  std::array<float, steps + 1> bytes{};
   for (int i = 0; i <= steps; ++i) {
     const float root = static_cast<float>(i) / steps;
-    levels[static_cast<std::size_t>(i)] = static_cast<float>(255 * srgb_of_light(root * root));
+    bytes[static_cast<std::size_t>(i)] = static_cast<float>(255 * srgb_of_light(root * root));
   }
-  return levels;
+  return bytes;
 }
 
 }  // namespace
@@ -39,10 +39,10 @@ Color color_of_srgb(double red, double green, double blue) {
 }
 
 std::uint8_t srgb_byte(float light) {
-  static const std::array<float, steps + 1> levels = make_levels();
+  static const std::array<float, steps + 1> bytes = make_bytes();
   const float place = std::sqrt(std::clamp(light, 0.0F, 1.0F)) * steps;
   // NOLINTNEXTLINE(bugprone-incorrect-roundings): nothing here is negative
-  return static_cast<std::uint8_t>(levels[static_cast<std::size_t>(place + 0.5F)] + 0.5F);
+  return static_cast<std::uint8_t>(bytes[static_cast<std::size_t>(place + 0.5F)] + 0.5F);
 }
 
 }  // namespace transformesh

@@ -14,7 +14,7 @@ float light_of_srgb(double channel);
 double srgb_of_light(float light);
 
 Color color_of_srgb(double red, double green, double blue);
-/// The nearest of 256 levels.
+/// The nearest of the bytes 0 to 255.
 std::uint8_t srgb_byte(float light);
 
 /// What shows where the surface does not: one color from the top row to the bottom row.

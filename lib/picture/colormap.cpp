@@ -43,15 +43,15 @@ constexpr std::array<Stop, 11> blue_to_red{{{5, 48, 97},
                                             {178, 24, 43},
                                             {103, 0, 31}}};
 
-constexpr std::size_t levels = 1020;  // a multiple of the steps of both tables
+constexpr std::size_t intervals = 1020;  // a multiple of the steps of both tables
 const Color not_finite = color_of_srgb(0.5, 0.5, 0.5);
 
 /// The colors at evenly spaced places, as light.
 template <std::size_t Stops>
 std::vector<Color> make_table(const std::array<Stop, Stops>& stops) {
   std::vector<Color> table;
-  for (std::size_t i = 0; i <= levels; ++i) {
-    const double place = static_cast<double>(i * (Stops - 1)) / levels;
+  for (std::size_t i = 0; i <= intervals; ++i) {
+    const double place = static_cast<double>(i * (Stops - 1)) / intervals;
     const std::size_t before = std::min(static_cast<std::size_t>(place), Stops - 2);
     const double share = place - static_cast<double>(before);
     const auto channel = [&](std::size_t c) {
@@ -94,8 +94,8 @@ Color ColorScale::at(double value) const {
   const double farthest = std::max(-low, high);
   const double place =
       is_diverging() ? place_between(-farthest, farthest, value) : place_between(low, high, value);
-  const auto level = static_cast<std::size_t>(std::floor(place * levels + 0.5));
-  return (is_diverging() ? diverging : sequential)[level];
+  const auto entry = static_cast<std::size_t>(std::floor(place * intervals + 0.5));
+  return (is_diverging() ? diverging : sequential)[entry];
 }
 
 const Column* number_column_of_faces(const Mesh& mesh, const std::string& name) {

@@ -13,7 +13,7 @@ bool is_number_column(const Column* column) {
   return column != nullptr && !column->list_count_type;
 }
 
-double full_level(Scalar type) {
+double full_intensity(Scalar type) {
   switch (type) {
     case Scalar::float32:
     case Scalar::float64:
@@ -35,7 +35,7 @@ std::vector<Color> colors_of(const Columns& columns, std::size_t rows) {
   for (std::size_t row = 0; row < rows; ++row)
     for (int i = 0; i < 3; ++i) {
       const Column& channel = *channels[static_cast<std::size_t>(i)];
-      colors[row][i] = light_of_srgb(channel.values[row] / full_level(channel.type));
+      colors[row][i] = light_of_srgb(channel.values[row] / full_intensity(channel.type));
     }
   return colors;
 }

@@ -79,10 +79,10 @@ class Unpacker {
   void read_positions(Unpacked& result) {
     result.mesh.positions.resize(result.header["vertices"]);
     for (int axis = 0; axis < 3; ++axis) {
-      const auto levels = sums(result.mesh.positions.size(), 2);
+      const auto codes = sums(result.mesh.positions.size(), 2);
       const double low = result.header["low"][axis], high = result.header["high"][axis];
-      for (std::size_t i = 0; i < levels.size(); ++i)
-        result.mesh.positions[i][axis] = low + (high - low) * levels[i] / 65535;
+      for (std::size_t i = 0; i < codes.size(); ++i)
+        result.mesh.positions[i][axis] = low + (high - low) * codes[i] / 65535;
     }
   }
 
@@ -92,9 +92,9 @@ class Unpacker {
     const double low = column["low"], high = column["high"];
     for (int channel = 0; channel < (is_color ? 3 : 1); ++channel) {
       std::vector<double>& values = result.columns.emplace_back();
-      for (const std::uint32_t level : sums(rows, is_color ? 1 : 2)) {
-        const bool is_none = !is_color && level == 65535;
-        values.push_back(is_color ? level : is_none ? NAN : low + (high - low) * level / 65534);
+      for (const std::uint32_t code : sums(rows, is_color ? 1 : 2)) {
+        const bool is_none = !is_color && code == 65535;
+        values.push_back(is_color ? code : is_none ? NAN : low + (high - low) * code / 65534);
       }
     }
   }

@@ -31,14 +31,14 @@ export class Colors {
     const factor = scale.high > scale.low ? last / (scale.high - scale.low) : 0;
     const light = new Float32Array(3 * values.length);
     for (let i = 0; i < values.length; ++i) {
-      const level = Math.round(Math.min(Math.max((values[i] - scale.low) * factor, 0), last));
+      const code = Math.round(Math.min(Math.max((values[i] - scale.low) * factor, 0), last));
       for (let c = 0; c < 3; ++c)
-        light[3 * i + c] = Number.isNaN(level) ? gray[c] : table[3 * level + c];
+        light[3 * i + c] = Number.isNaN(code) ? gray[c] : table[3 * code + c];
     }
     return light;
   }
 
-  // 16 levels between two colors of the table, in light.
+  // 16 codes between two colors of the table, in light.
   #lights(scale) {
     const colors = this.table(scale);
     const fine = new Float32Array(3 * (16 * (colors.length - 1) + 1));

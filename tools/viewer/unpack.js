@@ -53,10 +53,10 @@ function positionsOf(streams, header, {middle, radius}) {
   const count = header.vertices;
   const positions = new Float32Array(3 * count);
   for (let axis = 0; axis < 3; ++axis) {
-    const levels = streams.sums(count, 2);
+    const codes = streams.sums(count, 2);
     const low = (header.low[axis] - middle[axis]) / radius;
     const step = ((header.high[axis] - middle[axis]) / radius - low) / 65535;
-    for (let i = 0; i < count; ++i) positions[3 * i + axis] = low + step * levels[i];
+    for (let i = 0; i < count; ++i) positions[3 * i + axis] = low + step * codes[i];
   }
   return positions;
 }
@@ -65,11 +65,11 @@ function columnOf(streams, column, header) {
   const rows = column.of === 'face' ? header.faces : header.vertices;
   if (column.of === 'color')
     return {...column, channels: [0, 1, 2].map(() => streams.sums(rows, 1))};
-  const levels = streams.sums(rows, 2);
+  const codes = streams.sums(rows, 2);
   const step = (column.high - column.low) / 65534;
   const values = new Float32Array(rows);
   for (let i = 0; i < rows; ++i)
-    values[i] = levels[i] === 65535 ? NaN : column.low + step * levels[i];
+    values[i] = codes[i] === 65535 ? NaN : column.low + step * codes[i];
   return {...column, values};
 }
 

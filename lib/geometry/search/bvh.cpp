@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t quads_per_task = 1024;
 
-/// More than can wait at once: each level leaves at most three quads waiting.
+/// More than can wait at once: each layer leaves at most three quads waiting.
 constexpr std::size_t stack_size = 64;
 
 FloatBox united(const BoxQuad& quad) {
@@ -41,11 +41,11 @@ std::vector<BoxQuad> pack(std::size_t count, const BoxOf& box_of) {
 
 Bvh::Bvh(std::span<const FloatBox> boxes) : order_(hilbert_order(boxes)) {
   if (boxes.empty()) return;
-  levels_.push_back(pack(boxes.size(), [&](std::size_t i) { return boxes[order_[i]]; }));
-  while (levels_.back().size() > 1) {
-    const std::vector<BoxQuad>& below = levels_.back();
-    auto level = pack(below.size(), [&](std::size_t i) { return united(below[i]); });
-    levels_.push_back(std::move(level));
+  layers_.push_back(pack(boxes.size(), [&](std::size_t i) { return boxes[order_[i]]; }));
+  while (layers_.back().size() > 1) {
+    const std::vector<BoxQuad>& below = layers_.back();
+    auto layer = pack(below.size(), [&](std::size_t i) { return united(below[i]); });
+    layers_.push_back(std::move(layer));
   }
 }
 
@@ -61,7 +61,7 @@ void Bvh::add_links(const Links& links, std::span<const Index> faces) {
   std::vector<Index> rows;
   rows.reserve(order_.size());
   for (const Index box : order_) rows.push_back(links.row_of[faces[box]]);
-  for (std::size_t level = 0; level < levels_.size(); ++level) {
+  for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
     std::vector<Index> above;
     for (std::size_t i = 0; i < rows.size(); i += 4)
       above.push_back(
@@ -84,8 +84,8 @@ void Bvh::set_groups(std::span<const Index> group_of_box) {
   groups_.clear();
   std::vector<Index> groups(order_.size());
   for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = group_of_box[order_[i]];
-  for (const auto& level : levels_) {
-    std::vector<GroupQuad> quads(level.size());
+  for (const auto& layer : layers_) {
+    std::vector<GroupQuad> quads(layer.size());
     std::vector<Index> above(quads.size());
     for (std::size_t q = 0; q < quads.size(); ++q) {
       std::array<Index, 4>& group = quads[q].group;
@@ -99,8 +99,8 @@ void Bvh::set_groups(std::span<const Index> group_of_box) {
   }
 }
 
-const LinkBoxes* Bvh::links_of(std::size_t level, std::size_t place) const {
-  const Index row = link_rows_.empty() ? no_index : link_rows_[level][place];
+const LinkBoxes* Bvh::links_of(std::size_t layer, std::size_t place) const {
+  const Index row = link_rows_.empty() ? no_index : link_rows_[layer][place];
   return row == no_index ? nullptr : &links_[row];
 }
 
@@ -108,19 +108,19 @@ void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& 
                          const LinkBoxes* links) const {
   if (empty()) return;
   struct Node {
-    std::size_t level;
+    std::size_t layer;
     std::size_t quad;
   };
   std::array<Node, stack_size> stack;
   std::size_t waiting = 0;
-  stack[waiting++] = {levels_.size() - 1, 0};
+  stack[waiting++] = {layers_.size() - 1, 0};
   while (waiting > 0) {
-    const auto [level, quad] = stack[--waiting];
-    for (unsigned mask = overlap_mask(levels_[level][quad], box); mask != 0; mask &= mask - 1) {
+    const auto [layer, quad] = stack[--waiting];
+    for (unsigned mask = overlap_mask(layers_[layer][quad], box); mask != 0; mask &= mask - 1) {
       const std::size_t below = 4 * quad + static_cast<std::size_t>(std::countr_zero(mask));
-      if (are_apart(links, links_of(level, below))) continue;
-      if (level > 0) {
-        stack[waiting++] = {level - 1, below};
+      if (are_apart(links, links_of(layer, below))) continue;
+      if (layer > 0) {
+        stack[waiting++] = {layer - 1, below};
       } else if (!visit(order_[below])) {
         return;
       }

@@ -1,7 +1,7 @@
 /// A bounding volume hierarchy that finds overlapping boxes; touching counts as overlap. Boxes are
-/// packed four by four in the order of a Hilbert curve, level upon level, and four are tested at
+/// packed four by four in the order of a Hilbert curve, layer upon layer, and four are tested at
 /// once. Building and pair searches run on all allowed threads;
-/// results do not depend on their number. Every level is as shallow as counting allows, whatever
+/// results do not depend on their number. Every layer is as shallow as counting allows, whatever
 /// the boxes: many equal boxes cost pairs, not depth. (MedianTree serves nearest queries.)
 /// Cost: O(n) to build for boxes in distinct places, 40 bytes per box.
 /// Reference: Kamel & Faloutsos, "On packing R-trees", CIKM 1993.
@@ -58,11 +58,11 @@ class Bvh {
   std::vector<Pair> collect_pairs(const PairSearch& search, const Accept& accept) const;
   void add_links(const Links& links, std::span<const Index> faces);
   Index add_common_links(std::span<const Index> rows);
-  /// Of box `place` of a level.
-  const LinkBoxes* links_of(std::size_t level, std::size_t place) const;
+  /// Of box `place` of a layer.
+  const LinkBoxes* links_of(std::size_t layer, std::size_t place) const;
 
-  std::vector<Index> order_;                  ///< box ids, four for each quad of level 0
-  std::vector<std::vector<BoxQuad>> levels_;  ///< below box c of quad q lies quad 4q + c
+  std::vector<Index> order_;                  ///< box ids, four for each quad of layer 0
+  std::vector<std::vector<BoxQuad>> layers_;  ///< below box c of quad q lies quad 4q + c
   /// What the faces below each box have in common: rows of links_, or no_index; empty for no links.
   std::vector<std::vector<Index>> link_rows_;
   std::vector<LinkBoxes> links_;

@@ -10,21 +10,21 @@ namespace transformesh {
 namespace {
 
 using Pair = Bvh::Pair;
-using Level = std::vector<BoxQuad>;
+using Layer = std::vector<BoxQuad>;
 
 /// Enough tasks to keep all threads busy to the end. Their number does not depend on the threads.
 constexpr std::size_t task_count = 1024;
 constexpr std::size_t pairs_at_once = 1024;
 constexpr std::size_t most_of_quads = 16;
 
-/// Two quads of one level whose pairs are wanted. For the pairs inside a quad it is named twice.
+/// Two quads of one layer whose pairs are wanted. For the pairs inside a quad it is named twice.
 struct Task {
-  std::size_t level;
+  std::size_t layer;
   Index first;
   Index second;
 };
 
-/// Two places of a level as one number, so that adding to both is one step.
+/// Two places of a layer as one number, so that adding to both is one step.
 using PlacePair = std::uint64_t;
 constexpr int place_bits = 32;
 constexpr PlacePair place_pair(Index first, Index second) {
@@ -70,7 +70,7 @@ PlacePair* list_overlaps(const BoxQuad& first, const BoxQuad& second, PlacePair 
   return to;
 }
 
-/// Pairs of boxes by their places in level 0, until there are enough to be looked at.
+/// Pairs of boxes by their places in layer 0, until there are enough to be looked at.
 class PlacePairs {
  public:
   PlacePairs() : places_(pairs_at_once + most_of_quads), end_(places_.data()) {}
@@ -90,7 +90,7 @@ class PlacePairs {
 
 }  // namespace
 
-/// Descends two trees at once, level by level. The trees may be one and the same.
+/// Descends two trees at once, layer by layer. The trees may be one and the same.
 class Bvh::PairSearch {
  public:
   PairSearch(const Bvh& here, const Bvh& there)
@@ -102,7 +102,7 @@ class Bvh::PairSearch {
 
   void run(const Prepare& prepare, const VisitPairs& visit) const {
     std::vector<Task> tasks = first_tasks();
-    while (!tasks.empty() && tasks.size() < task_count && tasks[0].level > 0)
+    while (!tasks.empty() && tasks.size() < task_count && tasks[0].layer > 0)
       tasks = refined(tasks);
     prepare(tasks.size());
     parallel_for(tasks.size(), 1, [&](std::size_t first, std::size_t last) {
@@ -120,44 +120,44 @@ class Bvh::PairSearch {
   }
 
  private:
-  /// Pairs of the roots. Of a higher tree the quads on the level of the other's root are taken.
+  /// Pairs of the roots. Of a higher tree the quads on the layer of the other's root are taken.
   std::vector<Task> first_tasks() const {
     if (here_.empty() || there_.empty()) return {};
-    const std::size_t level = std::min(here_.levels_.size(), there_.levels_.size()) - 1;
+    const std::size_t layer = std::min(here_.layers_.size(), there_.layers_.size()) - 1;
     std::vector<Task> tasks;
-    for (Index i = 0; i < here_.levels_[level].size(); ++i)
-      for (Index j = 0; j < there_.levels_[level].size(); ++j) tasks.push_back({level, i, j});
+    for (Index i = 0; i < here_.layers_[layer].size(); ++i)
+      for (Index j = 0; j < there_.layers_[layer].size(); ++j) tasks.push_back({layer, i, j});
     return tasks;
   }
 
   /// Returns whether any pairs are left.
   bool leave_out_groups(const Task& task, std::array<unsigned, 4>& counting) const {
-    const std::vector<GroupQuad>& groups = here_.groups_[task.level];
+    const std::vector<GroupQuad>& groups = here_.groups_[task.layer];
     const auto same = turned_group_masks(groups[task.first], groups[task.second]);
     for (std::size_t turn = 0; turn < 4; ++turn) counting[turn] &= ~same[turn];
     return (counting[0] | counting[1] | counting[2] | counting[3]) != 0;
   }
 
-  /// Writes the overlaps of a task as places in its level, and returns their end.
+  /// Writes the overlaps of a task as places in its layer, and returns their end.
   PlacePair* list_overlaps_of(const Task& task, PlacePair* to) const {
     const bool is_same = is_self_ && task.first == task.second;
-    auto counting = !is_same ? all_pairs : task.level == 0 ? different_inside : pairs_inside;
+    auto counting = !is_same ? all_pairs : task.layer == 0 ? different_inside : pairs_inside;
     if (has_groups_ && !leave_out_groups(task, counting)) return to;
-    PlacePair* end = list_overlaps(here_.levels_[task.level][task.first],
-                                   there_.levels_[task.level][task.second],
+    PlacePair* end = list_overlaps(here_.layers_[task.layer][task.first],
+                                   there_.layers_[task.layer][task.second],
                                    place_pair(4 * task.first, 4 * task.second), counting, to);
     if (!has_links_) return end;
     return std::remove_if(to, end, [&](PlacePair places) {
-      return are_apart(here_.links_of(task.level, first_of(places)),
-                       there_.links_of(task.level, second_of(places)));
+      return are_apart(here_.links_of(task.layer, first_of(places)),
+                       there_.links_of(task.layer, second_of(places)));
     });
   }
 
-  /// The task of two places in the level above.
-  Task task_below(std::size_t level, PlacePair places) const {
+  /// The task of two places in the layer above.
+  Task task_below(std::size_t layer, PlacePair places) const {
     const Index i = first_of(places), j = second_of(places);
-    if (is_self_) return {level - 1, std::min(i, j), std::max(i, j)};
-    return {level - 1, i, j};
+    if (is_self_) return {layer - 1, std::min(i, j), std::max(i, j)};
+    return {layer - 1, i, j};
   }
 
   std::vector<Task> refined(const std::vector<Task>& tasks) const {
@@ -166,7 +166,7 @@ class Bvh::PairSearch {
     for (const Task& task : tasks) {
       const PlacePair* end = list_overlaps_of(task, overlaps.data());
       for (const PlacePair* places = overlaps.data(); places != end; ++places)
-        result.push_back(task_below(task.level, *places));
+        result.push_back(task_below(task.layer, *places));
     }
     return result;
   }
@@ -174,7 +174,7 @@ class Bvh::PairSearch {
   // Calls flush when enough pairs have come together.
   template <class Flush>
   void descend(const Task& task, PlacePairs& found, const Flush& flush) const {
-    if (task.level == 0) {
+    if (task.layer == 0) {
       found.set_end(list_overlaps_of(task, found.end()));
       if (found.is_full()) flush();
       return;
@@ -182,7 +182,7 @@ class Bvh::PairSearch {
     std::array<PlacePair, most_of_quads> overlaps;
     const PlacePair* end = list_overlaps_of(task, overlaps.data());
     for (const PlacePair* places = overlaps.data(); places != end; ++places)
-      descend(task_below(task.level, *places), found, flush);
+      descend(task_below(task.layer, *places), found, flush);
   }
 
   /// The boxes at these places; of one tree the smaller number first.

@@ -34,12 +34,12 @@ TEST_CASE("a cube measures what a cube measures") {
 TEST_CASE("spheres and tori converge with the square of the edge length") {
   double last_area = 0;
   double last_volume = 0;
-  for (int level = 2; level <= 5; ++level) {
-    const Mesh sphere = test::icosphere(level);
+  for (int subdivision = 2; subdivision <= 5; ++subdivision) {
+    const Mesh sphere = test::icosphere(subdivision);
     const double area_error = 4 * pi - surface_area(sphere);
     const double volume_error = 4 * pi / 3 - volume(sphere);
     CHECK(area_error > 0);
-    if (level > 2) {
+    if (subdivision > 2) {
       CHECK(last_area / area_error == Approx(4).epsilon(0.05));
       CHECK(last_volume / volume_error == Approx(4).epsilon(0.05));
     }

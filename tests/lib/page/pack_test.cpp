@@ -13,7 +13,7 @@ namespace {
 
 using test::unpacked;
 
-/// Faces in order, corner by corner, are where they were but for the levels.
+/// Faces in order, corner by corner, are where they were but for the quantization.
 void check_same_place(const Mesh& mesh, const Mesh& back, const PackedMesh& packed) {
   REQUIRE(back.faces.size() == mesh.faces.size());
   REQUIRE(back.positions.size() == mesh.positions.size());
@@ -30,7 +30,7 @@ void check_same_place(const Mesh& mesh, const Mesh& back, const PackedMesh& pack
 
 }  // namespace
 
-TEST_CASE("meshes come back but for half a level, also far away, tiny and large") {
+TEST_CASE("meshes come back but for half a quantization step, also far away, tiny and large") {
   for (const double size : {1.0, 1e-200, 1e200}) {
     for (const double shift : {0.0, 1e6 * size}) {
       CAPTURE(size);

@@ -15,13 +15,13 @@ TEST_CASE("sRGB has the values of its standard") {
   CHECK(light_of_srgb(7) == 1);
 }
 
-TEST_CASE("each of the 256 levels comes back from its light") {
-  for (int level = 0; level < 256; ++level) CHECK(srgb_byte(light_of_srgb(level / 255.0)) == level);
+TEST_CASE("each of the 256 bytes comes back from its light") {
+  for (int byte = 0; byte < 256; ++byte) CHECK(srgb_byte(light_of_srgb(byte / 255.0)) == byte);
   CHECK(srgb_byte(-1) == 0);
   CHECK(srgb_byte(2) == 255);
 }
 
-TEST_CASE("bytes are the nearest level of the exact curve") {
+TEST_CASE("bytes are the nearest value of the exact curve") {
   for (int i = 0; i <= 10000; ++i) {
     const float light = static_cast<float>(i) / 10000;
     CHECK(std::abs(255 * srgb_of_light(light) - srgb_byte(light)) < 0.56);
