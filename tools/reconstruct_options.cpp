@@ -49,7 +49,7 @@ void declare_scales(Program& program, ReconstructChoices& choices) {
   program.text("last-edge", &choices.last_edge, "NUMBER",
                "then shorten them to this in steps of the square root of 2, at full scale "
                "(default: as --edge)");
-  program.integer("passes", &choices.options.passes, 1, no_limit, "at most so many at each scale");
+  program.integer("passes", &choices.options.sweeps, 1, no_limit, "at most so many at each scale");
   program.text("iterations", &choices.iterations, "auto|N",
                "steps between two cleanings; auto: 5, but 8 from open hollows");
 }

@@ -21,7 +21,7 @@ inline std::string texts_of(const std::vector<DoubtfulPlace>& places) {
 inline void report_reconstruction(const ReconstructionResult& result, std::size_t views, Run& run) {
   run.report("views", views);
   run.report("pixel_size", result.pixel);
-  run.report("passes", result.passes);
+  run.report("passes", result.sweeps);
   run.report("converged", result.fault.empty());
   run.report("fault", result.fault);
   run.report("crumbs", result.crumbs);

@@ -31,7 +31,7 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   tool::begin_run(choices.loop, record, options.start.is_given ? &document : nullptr, run,
                   run_files_of(views));
   options.spends_views = true;
-  options.on_pass = [&run](const std::string& text) { run.progress_line(text); };
+  options.on_sweep = [&run](const std::string& text) { run.progress_line(text); };
   ReconstructionResult result;
   tool::evolve_or_keep(run, record, "pass", [&] {
     result = reconstruct(document, views, options, record, run.progress());

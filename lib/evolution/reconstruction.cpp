@@ -30,8 +30,8 @@ class Photographs {
               const Beginning& beginning);
 
   /// The surface is so many times as stiff as the options say.
-  PhotoStepsResult pass(Mesh& mesh, double scale, double loss, double stiffness,
-                        const Progress& progress);
+  PhotoStepsResult sweep(Mesh& mesh, double scale, double loss, double stiffness,
+                         const Progress& progress);
   /// One step in which nothing moves; of pairs in one order, or in both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
   SurfaceDoubt doubt(const Mesh& mesh, double scale, const Progress& progress);
@@ -96,8 +96,8 @@ PhotoStepsOptions Photographs::steps_at(double scale) {
   return options;
 }
 
-PhotoStepsResult Photographs::pass(Mesh& mesh, double scale, double loss, double stiffness,
-                                   const Progress& progress) {
+PhotoStepsResult Photographs::sweep(Mesh& mesh, double scale, double loss, double stiffness,
+                                    const Progress& progress) {
   PhotoStepsOptions options = steps_at(scale);
   options.alternate = true;
   options.step.photographs.correlation.robust = loss;
@@ -150,7 +150,7 @@ class ReconstructionLoop : public Loop {
         options_(options),
         scale_steps_(coarse_to_fine(scales_of(options, beginning), photographs.width(),
                                     photographs.pixel())),
-        rule_(options.passes) {}
+        rule_(options.sweeps) {}
 
   std::string noun() const override { return "pass"; }
   void start(Document& document, const Progress& progress) override;
@@ -170,12 +170,12 @@ class ReconstructionLoop : public Loop {
   bool drops_handles(Document& document, const Progress& progress);
   void drop_crumbs(Document& document);
   void begin_finer(Document& document, const Progress& progress);
-  bool takes_pass(Document& document, const Progress& progress);
-  void take_pass(Document& document, const Progress& progress);
+  bool takes_sweep(Document& document, const Progress& progress);
+  void take_sweep(Document& document, const Progress& progress);
   bool begin_robust();
   void begin_next_scale(Document& document, const Progress& progress);
   std::size_t pixels_compared(const Document& document, const Progress& progress) const {
-    return photographs_.look(document.mesh, pass_.scale_step.scale, true, progress).pixels;
+    return photographs_.look(document.mesh, sweep_.scale_step.scale, true, progress).pixels;
   }
 
   Photographs& photographs_;
@@ -183,16 +183,16 @@ class ReconstructionLoop : public Loop {
   const ReconstructionOptions& options_;
   std::vector<ScaleStep> scale_steps_;
 
-  // What is remembered from pass to pass.
+  // What is remembered from sweep to sweep.
   std::size_t first_ = 0;       ///< scale with which it began
-  std::size_t scale_step_ = 0;  ///< of the next pass
+  std::size_t scale_step_ = 0;  ///< of the next sweep
   ScaleRule rule_;
   ReconstructionFaults faults_;
   double loss_ = 0;
   double stiffness_ = 1;     ///< times that of the options
   std::size_t handles_ = 0;  ///< that went
 
-  Pass pass_;  ///< the last one
+  Sweep sweep_;  ///< the last one
   ReconstructionResult result_;
 };
 
@@ -210,7 +210,7 @@ bool ReconstructionLoop::may_begin_finer() const {
 
 void ReconstructionLoop::begin_finer(Document& document, const Progress& progress) {
   if (options_.on_detail)
-    options_.on_detail("scale " + fixed(pass_.scale_step.scale, 4) +
+    options_.on_detail("scale " + fixed(sweep_.scale_step.scale, 4) +
                        " is too coarse for this surface: beginning anew at the next");
   scale_step_ = ++first_;
   faults_.lost_at = 0;
@@ -218,11 +218,11 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
   start(document, progress);
 }
 
-// Where the last pass made the surface explode.
+// Where the last sweep made the surface explode.
 bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
-  if (!is_exploded(pass_, connected_components(start_.mesh).components.size())) return false;
-  const std::string what = "the surface explodes at scale " + fixed(pass_.scale_step.scale, 4);
-  if (pass_.scale_step.scale < stiffer_scale || stiffness_ >= most_stiffness)
+  if (!is_exploded(sweep_, connected_components(start_.mesh).components.size())) return false;
+  const std::string what = "the surface explodes at scale " + fixed(sweep_.scale_step.scale, 4);
+  if (sweep_.scale_step.scale < stiffer_scale || stiffness_ >= most_stiffness)
     throw GoalError(what + ": photographs, cameras and masks may not belong together; see " +
                     "--stiffness, --coarsest and tm-cameras");
   stiffness_ *= stiffer;
@@ -261,31 +261,31 @@ void ReconstructionLoop::drop_crumbs(Document& document) {
   result_.topology = {kept.components.size(), kept.genus()};
 }
 
-void ReconstructionLoop::take_pass(Document& document, const Progress& progress) {
+void ReconstructionLoop::take_sweep(Document& document, const Progress& progress) {
   Stopwatch watch;
-  IterationResult& mesh = pass_.mesh;
-  pass_.scale_step = scale_steps_[scale_step_];
-  remesh_to(document, pass_.scale_step.edge, 2, progress);
+  IterationResult& mesh = sweep_.mesh;
+  sweep_.scale_step = scale_steps_[scale_step_];
+  remesh_to(document, sweep_.scale_step.edge, 2, progress);
   mesh.seconds_remesh = watch.lap();
 
   mesh.vertices = document.mesh.positions.size();
-  pass_.steps =
-      photographs_.pass(document.mesh, pass_.scale_step.scale, loss_, stiffness_, progress);
+  sweep_.steps =
+      photographs_.sweep(document.mesh, sweep_.scale_step.scale, loss_, stiffness_, progress);
   round_as_written(document);
   mesh.seconds_step = watch.lap();
 
   const CleanedTopology cleaned = clean_in_place(document, progress);
   mesh.pairs = cleaned.pairs;
   mesh.topology = cleaned.topology;
-  if (is_late_scale(pass_.scale_step.scale) && drops_handles(document, progress))
+  if (is_late_scale(sweep_.scale_step.scale) && drops_handles(document, progress))
     mesh.topology = clean_in_place(document, progress).topology;
   mesh.faces = document.mesh.faces.size();
   mesh.seconds_clean = watch.lap();
 }
 
-bool ReconstructionLoop::takes_pass(Document& document, const Progress& progress) {
+bool ReconstructionLoop::takes_sweep(Document& document, const Progress& progress) {
   try {
-    take_pass(document, progress);
+    take_sweep(document, progress);
     return true;
   } catch (const CancelledError&) {
     throw;
@@ -297,17 +297,17 @@ bool ReconstructionLoop::takes_pass(Document& document, const Progress& progress
 
 void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
                                  const Progress& progress) {
-  while (!takes_pass(document, progress)) begin_finer(document, progress);
+  while (!takes_sweep(document, progress)) begin_finer(document, progress);
   if (begins_stiffer(document, progress)) return;
-  const PassVerdict verdict = rule_.add(pass_);
+  const SweepVerdict verdict = rule_.add(sweep_);
   faults_.is_at_rest = verdict.is_at_rest;
-  if (verdict.is_late && scale_step_ > first_) faults_.late_at = pass_.scale_step.scale;
+  if (verdict.is_late && scale_step_ > first_) faults_.late_at = sweep_.scale_step.scale;
   if (!verdict.is_done) return;
-  if (verdict.is_lost) faults_.lost_at = pass_.scale_step.scale;
+  if (verdict.is_lost) faults_.lost_at = sweep_.scale_step.scale;
   if (!begin_robust()) begin_next_scale(document, progress);
 }
 
-// Some more passes of the last scale, once. Before, windows that disagree are needed, as they show
+// Some more sweeps of the last scale, once. Before, windows that disagree are needed, as they show
 // where the surface is still far off.
 bool ReconstructionLoop::begin_robust() {
   if (scale_step_ + 1 < scale_steps_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
@@ -348,7 +348,7 @@ void ReconstructionLoop::remember(Memory& memory) {
 }
 
 void ReconstructionLoop::measure(CsvRow& row) const {
-  const auto& [scale_step, mesh, steps] = pass_;
+  const auto& [scale_step, mesh, steps] = sweep_;
   row.share("scale", scale_step.scale).number("edge", scale_step.edge, 9);
   mesh.measure_mesh(row);
   row.share("dissimilarity", steps.last.dissimilarity, 6).count("pixels", steps.last.pixels);
@@ -359,9 +359,9 @@ void ReconstructionLoop::measure(CsvRow& row) const {
 }
 
 std::string ReconstructionLoop::message() const {
-  return ", scale " + fixed(pass_.scale_step.scale, 2) + ": " +
-         in_words(pass_.mesh.faces, pass_.mesh.topology) + ", dissimilarity " +
-         fixed(pass_.steps.last.dissimilarity, 4);
+  return ", scale " + fixed(sweep_.scale_step.scale, 2) + ": " +
+         in_words(sweep_.mesh.faces, sweep_.mesh.topology) + ", dissimilarity " +
+         fixed(sweep_.steps.last.dissimilarity, 4);
 }
 
 }  // namespace
@@ -380,15 +380,15 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
   if (options.spends_views) crop_views(views, beginning.start.mesh);
   Photographs photographs(views, width, options, beginning);
   ReconstructionLoop loop(photographs, beginning, options);
-  const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_pass};
+  const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_sweep};
   run_loop(loop, document, unlimited, record, progress);
   ReconstructionResult result = loop.result();
-  result.passes = record.iteration();
+  result.sweeps = record.iteration();
   return result;
 }
 
 std::string summary_of(const ReconstructionResult& result) {
-  return counted(result.passes, "pass") + ": " + in_short(result.faces, result.topology) +
+  return counted(result.sweeps, "pass") + ": " + in_short(result.faces, result.topology) +
          "; dissimilarity from " + fixed(result.first.dissimilarity, 4) + " to " +
          fixed(result.last.dissimilarity, 4) + (result.fault.empty() ? "" : "; " + result.fault);
 }

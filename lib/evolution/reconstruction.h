@@ -1,6 +1,6 @@
 /// From calibrated photographs to a closed surface without self-intersection (paper 5.3): from the
 /// visual hull, opened where photographs see into it, or a mesh given, towards agreement of the
-/// photographs, from coarse to fine. A pass is remesh(), photo_steps(), clean(). Its topology is
+/// photographs, from coarse to fine. A sweep is remesh(), photo_steps(), clean(). Its topology is
 /// what the photographs show: what the hull joins comes apart.
 ///
 /// A coarse scale sees large errors, but its edges are long: where the first one fails or tears
@@ -11,7 +11,7 @@
 /// The result is converged where it has no fault (reconstruction/convergence.h); the vertex column
 /// `doubt` says where photographs disagree (surface_doubt.h). Deterministic for any number of
 /// threads; the record of a run that was ended in any way continues to the same bytes.
-/// Throws what the stages throw, a failure of a pass with its number; the document is then that of
+/// Throws what the stages throw, a failure of a sweep with its number; the document is then that of
 /// the last good one.
 #pragma once
 
@@ -24,8 +24,8 @@
 #include "evolution/loop/loop.h"
 #include "evolution/loop/scales.h"
 #include "evolution/reconstruction/convergence.h"
-#include "evolution/reconstruction/pass_rules.h"
 #include "evolution/reconstruction/start.h"
+#include "evolution/reconstruction/sweep_rules.h"
 #include "views/photo/photo_steps.h"
 
 namespace transformesh {
@@ -36,8 +36,8 @@ struct ReconstructionOptions {
   PairOptions pairs;
   WindowRadii windows;
   std::optional<int> iterations =
-      std::nullopt;        ///< of a pass. Nothing: 5, but 8 from an opened hull
-  std::size_t passes = 4;  ///< at a scale, at most; twice while the topology changes
+      std::nullopt;        ///< of a sweep. Nothing: 5, but 8 from an opened hull
+  std::size_t sweeps = 4;  ///< at a scale, at most; twice while the topology changes
   /// Of masks; outlines of the hull, which are as if only the least was shown, pull by a fifth of
   /// it. Nothing: 0.5, or 1.5 where photographs say little as they are far apart (is_wide).
   std::optional<double> pull = std::nullopt;
@@ -46,20 +46,20 @@ struct ReconstructionOptions {
   /// The views may be cropped to the object, where they are packed (HeldImage), and lose their
   /// images in the end: for less memory, where they are not needed any more.
   bool spends_views = false;
-  double robust = 1;  ///< the factor of robust_loss, for the last passes
+  double robust = 1;  ///< the factor of robust_loss, for the last sweeps
   /// [0, 1]: at last, components of less than this share of the largest one's volume go.
   double crumbs = 0.001;
   /// At late scales handles go that a loop of so many of the last edges goes around (handles.h):
   /// meshes of such edges hold none, and what looks like one is a web between near parts. 0: all
   /// stay.
   double handles = 5;
-  std::function<void(const std::string& message)> on_pass = {};
+  std::function<void(const std::string& message)> on_sweep = {};
   std::function<void(const std::string& message)> on_note = {};  ///< of what went wrong
   std::function<void(const std::string& message)> on_detail = {};
 };
 
 struct ReconstructionResult {
-  std::size_t passes = 0;  ///< earlier runs included
+  std::size_t sweeps = 0;  ///< earlier runs included
   std::string fault;       ///< why it is not converged; empty where it is
   Topology topology;
   std::size_t crumbs = 0;   ///< components that went at last
@@ -77,7 +77,7 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress = Progress());
 
-/// For the log: "2 passes: 812 faces, components 1, genus 0; ...".
+/// For the log: "2 sweeps: 812 faces, components 1, genus 0; ...".
 std::string summary_of(const ReconstructionResult& result);
 
 }  // namespace transformesh

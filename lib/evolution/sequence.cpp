@@ -200,7 +200,7 @@ void SequenceLoop::measure(CsvRow& row) const {
   row.share("dissimilarity", result.last.dissimilarity, 6);
   row.share("coverage", result.last.coverage).share("silhouette_agreement", surface_.agreement);
   row.share("least_silhouette_agreement", surface_.quality.least_agreement);
-  row.count("passes", result.passes).seconds("seconds", seconds_);
+  row.count("passes", result.sweeps).seconds("seconds", seconds_);
 }
 
 std::string SequenceLoop::message() const {

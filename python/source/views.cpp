@@ -98,7 +98,7 @@ py::dict report_of(const ReconstructionResult& result) {
   py::dict report;
   report["converged"] = result.fault.empty();
   report["fault"] = result.fault;
-  report["passes"] = result.passes;
+  report["passes"] = result.sweeps;
   report["pixel_size"] = result.pixel;
   report["crumbs"] = result.crumbs;
   report["handles"] = result.handles;
@@ -147,7 +147,7 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
                                 const std::optional<MeshPointer>& start, const std::string& clip,
                                 const std::string& silhouettes_show, double edge,
                                 const std::optional<double>& last_edge,
-                                const std::optional<double>& coarsest, std::size_t passes,
+                                const std::optional<double>& coarsest, std::size_t sweeps,
                                 const std::optional<int>& iterations, double robust,
                                 const std::variant<double, std::string>& keep,
                                 const std::string& hollows, const Window& window, double max_angle,
@@ -161,12 +161,12 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
   options.windows = radii_of(window);
   options.pairs.maximum_angle_deg = max_angle;
   options.scales = {coarsest, edge, last_edge.value_or(edge)};
-  options.passes = passes;
+  options.sweeps = sweeps;
   options.iterations = iterations;
   options.robust = robust;
   options.crumbs = crumbs;
   options.handles = handles;
-  options.on_pass = teller_to(on_pass);
+  options.on_sweep = teller_to(on_pass);
   std::vector<std::string> notes;
   options.on_note = [&notes](const std::string& note) { notes.push_back(note); };
   std::optional<ViewCheckOptions> check;
@@ -203,7 +203,7 @@ void bind_views(py::module_& module) {
       "reconstruct", &reconstruct_surface, arg("cameras"), arg("images"), arg("silhouettes") = "",
       py::kw_only(), arg("start") = none, arg("clip") = "hull", arg("silhouettes_show") = "exact",
       arg("edge") = ScaleOptions().edge, arg("last_edge") = none, arg("coarsest") = none,
-      arg("passes") = ReconstructionOptions().passes, arg("iterations") = none,
+      arg("passes") = ReconstructionOptions().sweeps, arg("iterations") = none,
       arg("robust") = ReconstructionOptions().robust, arg("keep") = "largest",
       arg("hollows") = "auto", arg("window") = 3,
       arg("max_angle") = PairOptions().maximum_angle_deg,

@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-/// What the end of a reconstruction is judged by, beside its passes.
+/// What the end of a reconstruction is judged by, beside its sweeps.
 struct SurfaceEvidence {
   double first_agreement = 1;  ///< with exact masks, of the start, as the mean over the views
   double agreement = 1;        ///< of the result

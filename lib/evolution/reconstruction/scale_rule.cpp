@@ -21,29 +21,29 @@ double real(std::size_t count) { return static_cast<double>(count); }
 
 bool is_late_scale(double scale) { return scale < late_scale; }
 
-PassVerdict ScaleRule::add(const Pass& pass) {
-  const PhotoStepResult& last = pass.steps.last;
+SweepVerdict ScaleRule::add(const Sweep& sweep) {
+  const PhotoStepResult& last = sweep.steps.last;
   const bool is_first = done_ == 0;
   if (is_first) {
-    coverage_ = pass.steps.first.coverage;
-    pixels_ = pass.steps.first.pixels;
+    coverage_ = sweep.steps.first.coverage;
+    pixels_ = sweep.steps.first.pixels;
   }
-  PassVerdict verdict;
+  SweepVerdict verdict;
   verdict.is_lost = last.coverage < least_coverage_kept * coverage_ ||
                     real(last.pixels) < least_pixels_kept * real(pixels_);
   const bool is_slow = last.mean_share < share_at_rest ||
                        (!is_first && last.dissimilarity > improvement * before_.dissimilarity);
-  const bool enters = real(last.outside) > outside_share * real(pass.mesh.vertices) &&
+  const bool enters = real(last.outside) > outside_share * real(sweep.mesh.vertices) &&
                       (is_first || real(last.outside) < entering_share * real(before_.outside));
-  const bool is_other = !is_first && pass.mesh.topology != before_.topology;
+  const bool is_other = !is_first && sweep.mesh.topology != before_.topology;
   const bool changes = enters || is_other;
   verdict.is_at_rest = !verdict.is_lost && is_slow && !changes;
-  verdict.is_late = is_other && is_late_scale(pass.scale_step.scale);
+  verdict.is_late = is_other && is_late_scale(sweep.scale_step.scale);
   ++done_;
-  verdict.is_done = verdict.is_at_rest || done_ >= (changes ? 2 * passes_ : passes_);
+  verdict.is_done = verdict.is_at_rest || done_ >= (changes ? 2 * sweeps_ : sweeps_);
 
   coverage_ = read_back(significant(coverage_, 6));
-  before_ = {read_back(significant(last.dissimilarity, 6)), last.outside, pass.mesh.topology};
+  before_ = {read_back(significant(last.dissimilarity, 6)), last.outside, sweep.mesh.topology};
   return verdict;
 }
 

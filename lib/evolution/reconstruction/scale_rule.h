@@ -1,4 +1,4 @@
-/// When a scale of coarse to fine is done (paper 5.3.1): plain values of its passes in, a verdict
+/// When a scale of coarse to fine is done (paper 5.3.1): plain values of its sweeps in, a verdict
 /// out. What it remembers of them is kept in the record of a run.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace transformesh {
 
-/// A pass that was made.
-struct Pass {
+/// A sweep that was made.
+struct Sweep {
   ScaleStep scale_step;
   IterationResult mesh;
   PhotoStepsResult steps;
@@ -21,7 +21,7 @@ struct Pass {
 /// Below 2: where the topology should be found, and photographs show what is thin.
 bool is_late_scale(double scale);
 
-struct PassVerdict {
+struct SweepVerdict {
   bool is_done = false;     ///< go on with the next scale
   bool is_at_rest = false;  ///< hardly moves, and neither enters silhouettes nor changes topology
   /// Since the scale began the share of pixels that are compared fell by a tenth, or their number
@@ -33,30 +33,30 @@ struct PassVerdict {
 };
 
 /// When a scale of coarse to fine is done: where vertices move by less than 1.5 % of an edge or
-/// photographs agree by less than a hundredth better than after the pass before, or after so many
-/// passes; but while vertices come in from outside of silhouettes or the topology changes, not
+/// photographs agree by less than a hundredth better than after the sweep before, or after so many
+/// sweeps; but while vertices come in from outside of silhouettes or the topology changes, not
 /// before twice as many.
 class ScaleRule {
  public:
-  explicit ScaleRule(std::size_t passes = 4) : passes_(passes) {}
+  explicit ScaleRule(std::size_t sweeps = 4) : sweeps_(sweeps) {}
 
-  PassVerdict add(const Pass& pass);
+  SweepVerdict add(const Sweep& sweep);
   /// A scale begins.
-  void begin() { *this = ScaleRule(passes_); }
-  /// After the last pass, with the six digits that the rule remembers.
+  void begin() { *this = ScaleRule(sweeps_); }
+  /// After the last sweep, with the six digits that the rule remembers.
   double dissimilarity() const { return before_.dissimilarity; }
 
   void remember(Memory& memory);
 
  private:
-  std::size_t passes_;
+  std::size_t sweeps_;
   std::size_t done_ = 0;
-  struct LastPass {
+  struct LastSweep {
     double dissimilarity = 0;
     std::size_t outside = 0;
     Topology topology;
   };
-  LastPass before_;
+  LastSweep before_;
   double coverage_ = 0;  ///< that the scale began with
   std::size_t pixels_ = 0;
 };

@@ -30,10 +30,10 @@ const std::vector<View>& dented_views() {
   return views;
 }
 
-ReconstructionOptions few_passes() {
+ReconstructionOptions few_sweeps() {
   ReconstructionOptions options;
   options.scales = {2, 4, 4};
-  options.passes = 2;
+  options.sweeps = 2;
   options.iterations = 3;
   return options;
 }
@@ -74,27 +74,27 @@ TEST_CASE("a dent that the hull does not show is found; the surface is closed") 
   std::vector<View> views = dented_views();
   const Mesh hull = hull_of(views, {}, 0.1);
   std::vector<std::string> messages;
-  ReconstructionOptions options = few_passes();
-  options.on_pass = [&](const std::string& text) { messages.push_back(text); };
+  ReconstructionOptions options = few_sweeps();
+  options.on_sweep = [&](const std::string& text) { messages.push_back(text); };
   const Run run = run_of(options);
   const ManifoldReport found = check_manifold(run.document.mesh);
   CHECK((found.is_manifold() && found.is_closed() && found.is_oriented()));
   CHECK(largest_distance(run.document.mesh) < 0.4 * largest_distance(hull));
   CHECK(run.result.last.dissimilarity < 0.75 * run.result.first.dissimilarity);
   CHECK(run.result.topology == Topology{1, 0});
-  CHECK(messages.size() == run.result.passes);
+  CHECK(messages.size() == run.result.sweeps);
   CHECK(messages[0].find("pass 1, scale 2.00: ") == 0);
   CHECK(summary_of(run.result).find("components 1, genus 0; dissimilarity from ") !=
         std::string::npos);
-  // The last, robust passes go on towards the truth, where all windows agree a little less.
+  // The last, robust sweeps go on towards the truth, where all windows agree a little less.
   options.robust = 0;
   const Run plain = run_of(options);
   CHECK(plain.result.last.dissimilarity < 0.7 * plain.result.first.dissimilarity);
   CHECK(largest_distance(run.document.mesh) < largest_distance(plain.document.mesh));
 }
 
-TEST_CASE("a run that was ended continues to the same bytes, from any pass") {
-  ReconstructionOptions options = few_passes();
+TEST_CASE("a run that was ended continues to the same bytes, from any sweep") {
+  ReconstructionOptions options = few_sweeps();
   const std::string whole = write_mesh(run_of(options).document).bytes;
   // Without masks the hull's outlines have to be found again.
   const std::string outlined =
@@ -108,10 +108,10 @@ TEST_CASE("a run that was ended continues to the same bytes, from any pass") {
     kept.state = folder / "state";
     kept.csv = folder / "log.csv";
     kept.resume = true;
-    options.on_pass = [](const std::string&) { throw CancelledError("the power fails"); };
-    std::size_t passes = 0;
+    options.on_sweep = [](const std::string&) { throw CancelledError("the power fails"); };
+    std::size_t sweeps = 0;
     Run run{{}, {}, views};
-    for (bool is_ended = false; !is_ended && passes < 20; ++passes) {
+    for (bool is_ended = false; !is_ended && sweeps < 20; ++sweeps) {
       try {
         run = run_of(options, {}, views, kept);
         is_ended = true;
@@ -119,17 +119,17 @@ TEST_CASE("a run that was ended continues to the same bytes, from any pass") {
       }
     }
     CHECK(write_mesh(run.document).bytes == (has_masks ? whole : outlined));
-    CHECK(run.result.passes == passes - 1);
+    CHECK(run.result.sweeps == sweeps - 1);
     CHECK_FALSE(std::filesystem::exists(folder / "state"));
     const std::string csv = test::content_of(folder / "log.csv");
-    CHECK(std::count(csv.begin(), csv.end(), '\n') == static_cast<std::ptrdiff_t>(passes));
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == static_cast<std::ptrdiff_t>(sweeps));
   }
 }
 
 TEST_CASE("the result does not depend on the number of threads") {
-  ReconstructionOptions options = few_passes();
+  ReconstructionOptions options = few_sweeps();
   options.scales = {1, 5, 5};
-  options.passes = 1;
+  options.sweeps = 1;
   const std::string many = write_mesh(run_of(options).document).bytes;
   const ThreadLimit limit(1);
   CHECK(write_mesh(run_of(options).document).bytes == many);
@@ -146,9 +146,9 @@ TEST_CASE("a start is clipped by the hull of exact masks, and only by that") {
     for (int column = 1; column < 12; ++column) row = row.substr(row.find(',') + 1);
     return std::stoi(row);
   };
-  ReconstructionOptions options = few_passes();
+  ReconstructionOptions options = few_sweeps();
   options.scales = {4, 3, 3};
-  options.passes = 1;
+  options.sweeps = 1;
   options.iterations = 1;
   CHECK(outside(options) < 10);
   options.start.clips_by_hull = false;
@@ -167,14 +167,14 @@ TEST_CASE("a start of which nothing is within the hull is no start, and leaves n
   RecordOptions kept;
   kept.state = folder / "state";
   const Document elsewhere = ball_of(0.1, Vec3(20, 0, 0));
-  CHECK_THROWS_WITH_AS(run_of(from_given(few_passes()), elsewhere, dented_views(), kept),
+  CHECK_THROWS_WITH_AS(run_of(from_given(few_sweeps()), elsewhere, dented_views(), kept),
                        "nothing of 'start.ply' is within the hull of the silhouettes; see --clip",
                        GoalError);
   CHECK(folder.is_empty());
 }
 
 TEST_CASE("with a start, outlines come from a threshold that is given, and from nothing else") {
-  ReconstructionOptions options = from_given(few_passes());
+  ReconstructionOptions options = from_given(few_sweeps());
   for (const bool is_given : {false, true}) {
     std::vector<View> views = test::without_masks(dented_views());
     Document document = ball_of(1.1);
@@ -192,9 +192,9 @@ TEST_CASE(
     "a first scale at which nothing is left of the surface is passed over, unless asked for") {
   // A ball of a few pixels, between edges that are longer than it is wide.
   const std::vector<View> views = test::photographed(test::scaled(test::icosphere(4), 0.2));
-  ReconstructionOptions options = few_passes();
+  ReconstructionOptions options = few_sweeps();
   options.scales = {};
-  options.passes = 1;
+  options.sweeps = 1;
   options.iterations = 1;
   std::vector<std::string> details;
   options.on_detail = [&](const std::string& text) { details.push_back(text); };
@@ -212,9 +212,9 @@ TEST_CASE("comments of the document are those of the result, and its columns are
   start.style.comments = {"made by hand"};
   start.style.coordinate = Scalar::float32;
   start.mesh.vertex_columns.get("heat", Scalar::float32, start.mesh.positions.size());
-  ReconstructionOptions options = from_given(few_passes());
+  ReconstructionOptions options = from_given(few_sweeps());
   options.scales = {2, 6, 6};
-  options.passes = 1;
+  options.sweeps = 1;
   options.iterations = 1;
   options.start.clips_by_hull = false;
   const Document result = run_of(options, start).document;
@@ -235,7 +235,7 @@ TEST_CASE(
   options.iterations = 30;
   options.pull = 0;
   options.steps.step.stiffness = 1e-4;
-  options.passes = 6;
+  options.sweeps = 6;
   std::vector<std::string> notes;
   options.on_note = [&](const std::string& text) { notes.push_back(text); };
   CHECK_THROWS_AS(run_of(options, {}, views), GoalError);
@@ -253,9 +253,9 @@ TEST_CASE("components that are small beside the largest go at last") {
   for (const auto& [a, b, c] : moon.faces)
     mesh.faces.push_back({a + offset, b + offset, c + offset});
   const std::vector<View> views = test::photographed(mesh);
-  ReconstructionOptions options = few_passes();
+  ReconstructionOptions options = few_sweeps();
   options.start.keep = 0;
-  options.passes = 1;
+  options.sweeps = 1;
   for (const double crumbs : {0.0, 0.2}) {
     options.crumbs = crumbs;
     const Run run = run_of(options, {}, views);
@@ -266,7 +266,7 @@ TEST_CASE("components that are small beside the largest go at last") {
 }
 
 TEST_CASE("the result says where photographs disagree, and does not converge where they do") {
-  ReconstructionOptions options = few_passes();
+  ReconstructionOptions options = few_sweeps();
   const Run good = run_of(options);
   const Column* doubt = good.document.mesh.vertex_columns.find("doubt");
   REQUIRE(doubt != nullptr);

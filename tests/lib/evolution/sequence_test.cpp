@@ -25,7 +25,7 @@ std::vector<View> views_of(const TimeStep& step) {
 SequenceOptions options_in(const TemporaryFolder& folder) {
   SequenceOptions options;
   options.reconstruction.scales = {2, 4, 4};
-  options.reconstruction.passes = 1;
+  options.reconstruction.sweeps = 1;
   options.reconstruction.iterations = 3;
   options.track = 2;
   options.comments = {"tm-reconstruct 0.1.0"};
@@ -85,11 +85,11 @@ TEST_CASE(
   CHECK(messages[1].find("time step 2 of 3, 9, from before: ") == 0);
   CHECK_FALSE(std::filesystem::exists(whole / "out/.state"));
 
-  // Ended after each pass and each time step.
+  // Ended after each sweep and each time step.
   const TemporaryFolder parts;
   options = options_in(parts);
   const auto power_fails = [](const std::string&) { throw CancelledError("the power fails"); };
-  options.reconstruction.on_pass = options.on_step = power_fails;
+  options.reconstruction.on_sweep = options.on_step = power_fails;
   RecordOptions kept = kept_in(parts);
   kept.resume = true;
   int runs = 1;
@@ -110,17 +110,17 @@ TEST_CASE(
 TEST_CASE("an interrupted time step is thrown away where the sequence is begun anew") {
   const TemporaryFolder folder;
   SequenceOptions options = options_in(folder);
-  options.reconstruction.on_pass = [](const std::string&) {
+  options.reconstruction.on_sweep = [](const std::string&) {
     throw CancelledError("the power fails");
   };
   CHECK_THROWS_AS(run_of(options, kept_in(folder)), CancelledError);
   CHECK(std::filesystem::exists(folder / "out/.state/hull/mesh.ply"));
   CHECK_THROWS_AS(run_of(options, kept_in(folder)), UsageError);
 
-  // Other options; what is left of the first pass would not go with them.
+  // Other options; what is left of the first sweep would not go with them.
   RecordOptions kept = kept_in(folder);
   kept.restart = true;
-  options.reconstruction.on_pass = {};
+  options.reconstruction.on_sweep = {};
   options.reconstruction.scales = {1, 6, 6};
   options.track = 1;
   options.format = Format::off;

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "helpers/moving_pass.h"
+#include "helpers/moving_sweep.h"
 
 using namespace transformesh;
 
@@ -10,45 +10,45 @@ namespace {
 
 using test::moving;
 
-Pass with_topology(Pass pass, Topology topology) {
-  pass.mesh.topology = topology;
-  return pass;
+Sweep with_topology(Sweep sweep, Topology topology) {
+  sweep.mesh.topology = topology;
+  return sweep;
 }
 
-Pass with_outside(Pass pass, std::size_t outside) {
-  pass.steps.last.outside = outside;
-  return pass;
+Sweep with_outside(Sweep sweep, std::size_t outside) {
+  sweep.steps.last.outside = outside;
+  return sweep;
 }
 
 }  // namespace
 
 TEST_CASE("a scale is done where vertices hardly move, or photographs agree hardly better") {
   ScaleRule rule;
-  Pass slow = moving(0.5);
+  Sweep slow = moving(0.5);
   slow.steps.last.mean_share = 0.014;
   CHECK(rule.add(slow).is_done);
   rule.begin();
   CHECK_FALSE(rule.add(moving(0.5)).is_done);
   CHECK_FALSE(rule.add(moving(0.49)).is_done);
-  const PassVerdict verdict = rule.add(moving(0.486));
+  const SweepVerdict verdict = rule.add(moving(0.486));
   CHECK(verdict.is_done);
   CHECK(verdict.is_at_rest);
 }
 
-TEST_CASE("a scale ends after so many passes, and does not count as at rest") {
+TEST_CASE("a scale ends after so many sweeps, and does not count as at rest") {
   ScaleRule rule(2);
   CHECK_FALSE(rule.add(moving(0.5)).is_done);
-  const PassVerdict verdict = rule.add(moving(0.4));
+  const SweepVerdict verdict = rule.add(moving(0.4));
   CHECK(verdict.is_done);
   CHECK_FALSE(verdict.is_at_rest);
 }
 
-TEST_CASE("while the topology changes a scale has twice as many passes, and no rest") {
+TEST_CASE("while the topology changes a scale has twice as many sweeps, and no rest") {
   ScaleRule rule(2);
   rule.add(moving(0.5));
   CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 0})).is_done);
   CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 1})).is_done);
-  const PassVerdict verdict = rule.add(with_topology(moving(0.5), {1, 1}));
+  const SweepVerdict verdict = rule.add(with_topology(moving(0.5), {1, 1}));
   CHECK(verdict.is_done);
   CHECK_FALSE(verdict.is_at_rest);
 }
@@ -68,18 +68,18 @@ TEST_CASE("a surface of which less is compared than when the scale began is lost
   for (const bool is_share : {true, false}) {
     ScaleRule rule;
     CHECK_FALSE(rule.add(moving(0.5)).is_lost);
-    Pass lost = moving(0.5);
+    Sweep lost = moving(0.5);
     if (is_share) lost.steps.last.coverage = 0.71;
     if (!is_share) lost.steps.last.pixels = 449;
-    const PassVerdict verdict = rule.add(lost);
+    const SweepVerdict verdict = rule.add(lost);
     CHECK(verdict.is_lost);
     CHECK_FALSE(verdict.is_at_rest);
     CHECK_FALSE(verdict.is_done);
   }
-  // What the scale began with counts, not the pass.
+  // What the scale began with counts, not the sweep.
   ScaleRule rule;
   rule.add(moving(0.5));
-  Pass later = moving(0.4);
+  Sweep later = moving(0.4);
   later.steps.first.coverage = 0.6;
   later.steps.last.coverage = 0.6;
   CHECK(rule.add(later).is_lost);
@@ -89,7 +89,7 @@ TEST_CASE("a topology that changes within a late scale is told from one that cha
   const auto is_late = [](double scale, Topology before) {
     ScaleRule rule;
     rule.add(with_topology(moving(0.5), before));
-    Pass measures = with_topology(moving(0.3), {1, 5});
+    Sweep measures = with_topology(moving(0.3), {1, 5});
     measures.scale_step.scale = scale;
     return rule.add(measures).is_late;
   };
@@ -99,7 +99,7 @@ TEST_CASE("a topology that changes within a late scale is told from one that cha
   CHECK_FALSE(is_late(2, {1, 6}));
   // From scale to scale it may change.
   ScaleRule rule;
-  Pass first = with_topology(moving(0.3), {1, 5});
+  Sweep first = with_topology(moving(0.3), {1, 5});
   first.scale_step.scale = 1;
   CHECK_FALSE(rule.add(first).is_late);
 }
@@ -107,7 +107,7 @@ TEST_CASE("a topology that changes within a late scale is told from one that cha
 TEST_CASE("the rule of a scale goes on from its memory as if nothing had happened") {
   ScaleRule whole(6), parts(6);
   for (int i = 0; i < 6; ++i) {
-    Pass measures = with_outside(moving(0.123456789 / (1 + i)), 100 - 5 * (i / 2));
+    Sweep measures = with_outside(moving(0.123456789 / (1 + i)), 100 - 5 * (i / 2));
     measures.steps.last.coverage = 0.8123456789 - 0.03 * i;
     measures.mesh.topology = {1, -i / 3};
     ScaleRule next(6);
@@ -116,8 +116,8 @@ TEST_CASE("the rule of a scale goes on from its memory as if nothing had happene
     Memory memory(kept.text());
     next.remember(memory);
     parts = next;
-    const PassVerdict expected = whole.add(measures);
-    const PassVerdict found = parts.add(measures);
+    const SweepVerdict expected = whole.add(measures);
+    const SweepVerdict found = parts.add(measures);
     CHECK(expected.is_done == found.is_done);
     CHECK(expected.is_lost == found.is_lost);
     CHECK(expected.is_at_rest == found.is_at_rest);

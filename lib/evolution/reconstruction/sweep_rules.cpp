@@ -1,4 +1,4 @@
-#include "evolution/reconstruction/pass_rules.h"
+#include "evolution/reconstruction/sweep_rules.h"
 
 #include <algorithm>
 
@@ -34,12 +34,12 @@ bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now) {
   return real(pixels_now) < 0.95 * real(pixels_of_start);
 }
 
-bool is_exploded(const Pass& pass, std::size_t components_of_start) {
-  const PhotoStepResult& first = pass.steps.first;
-  const PhotoStepResult& last = pass.steps.last;
-  const std::size_t components = pass.mesh.topology.components;
+bool is_exploded(const Sweep& sweep, std::size_t components_of_start) {
+  const PhotoStepResult& first = sweep.steps.first;
+  const PhotoStepResult& last = sweep.steps.last;
+  const std::size_t components = sweep.mesh.topology.components;
   if (components > exploded_components && components > 10 * components_of_start) return true;
-  if (real(last.outside) > exploded_share * real(pass.mesh.vertices) &&
+  if (real(last.outside) > exploded_share * real(sweep.mesh.vertices) &&
       last.outside > first.outside)
     return true;
   return last.coverage < exploded_share && last.coverage < first.coverage / 2;

@@ -1,4 +1,4 @@
-/// What a reconstruction decides around a pass (paper 5.3): plain values in, a choice or a verdict
+/// What a reconstruction decides around a sweep (paper 5.3): plain values in, a choice or a verdict
 /// out.
 #pragma once
 
@@ -26,11 +26,11 @@ bool is_wide(std::span<const ViewPair> pairs);
 /// twentieth of the pixels that are compared. A start that was only too large loses fewer.
 bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now);
 
-/// Whether the surface flies apart in a pass: more than 100 components, ten times those of the
-/// start; or three tenths of the vertices outside of silhouettes, more than when the pass began; or
-/// less than three tenths of the pixels compared, half the share that it was. Such a surface never
-/// comes back.
-bool is_exploded(const Pass& pass, std::size_t components_of_start);
+/// Whether the surface flies apart in a sweep: more than 100 components, ten times those of the
+/// start; or three tenths of the vertices outside of silhouettes, more than when the sweep began;
+/// or less than three tenths of the pixels compared, half the share that it was. Such a surface
+/// never comes back.
+bool is_exploded(const Sweep& sweep, std::size_t components_of_start);
 
 /// Disagreement at which windows pull by a quarter, at last: `factor` times the mean, which is
 /// the dissimilarity. 0: all pull alike.

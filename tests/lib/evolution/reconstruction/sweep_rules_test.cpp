@@ -1,8 +1,8 @@
-#include "evolution/reconstruction/pass_rules.h"
+#include "evolution/reconstruction/sweep_rules.h"
 
 #include <doctest/doctest.h>
 
-#include "helpers/moving_pass.h"
+#include "helpers/moving_sweep.h"
 
 using namespace transformesh;
 
@@ -24,23 +24,23 @@ TEST_CASE("a start is torn where a twentieth of what is compared is gone") {
 TEST_CASE(
     "a surface explodes where it goes to pieces, leaves the silhouettes or is hardly compared") {
   const auto explodes = [](const auto& change) {
-    Pass pass = moving(0.5);
-    change(pass);
-    return is_exploded(pass, 2);
+    Sweep sweep = moving(0.5);
+    change(sweep);
+    return is_exploded(sweep, 2);
   };
-  CHECK_FALSE(explodes([](Pass&) {}));
-  CHECK(explodes([](Pass& pass) { pass.mesh.topology.components = 101; }));
-  CHECK_FALSE(explodes([](Pass& pass) { pass.mesh.topology.components = 100; }));
-  CHECK(explodes([](Pass& pass) { pass.steps.last.outside = 301; }));
-  CHECK_FALSE(explodes([](Pass& pass) { pass.steps.last.outside = 300; }));
+  CHECK_FALSE(explodes([](Sweep&) {}));
+  CHECK(explodes([](Sweep& sweep) { sweep.mesh.topology.components = 101; }));
+  CHECK_FALSE(explodes([](Sweep& sweep) { sweep.mesh.topology.components = 100; }));
+  CHECK(explodes([](Sweep& sweep) { sweep.steps.last.outside = 301; }));
+  CHECK_FALSE(explodes([](Sweep& sweep) { sweep.steps.last.outside = 300; }));
   // A start that was outside comes in; one that was hardly compared is no worse.
   CHECK_FALSE(
-      explodes([](Pass& pass) { pass.steps.first.outside = pass.steps.last.outside = 600; }));
-  CHECK(explodes([](Pass& pass) { pass.steps.last.coverage = 0.29; }));
+      explodes([](Sweep& sweep) { sweep.steps.first.outside = sweep.steps.last.outside = 600; }));
+  CHECK(explodes([](Sweep& sweep) { sweep.steps.last.coverage = 0.29; }));
   CHECK_FALSE(
-      explodes([](Pass& pass) { pass.steps.first.coverage = pass.steps.last.coverage = 0.2; }));
+      explodes([](Sweep& sweep) { sweep.steps.first.coverage = sweep.steps.last.coverage = 0.2; }));
   // Hundreds of objects are none that one went to pieces into.
-  Pass many = moving(0.5);
+  Sweep many = moving(0.5);
   many.mesh.topology.components = 500;
   CHECK_FALSE(is_exploded(many, 50));
 }
