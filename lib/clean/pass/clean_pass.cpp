@@ -37,9 +37,9 @@ void count_faces(const Mesh& mesh, const Arrangement& arrangement, std::size_t w
                    is_stitched(mesh, borders);
 }
 
-class Pass {
+class CleanPassRun {
  public:
-  Pass(const Mesh& mesh, const PassOptions& options, const Progress& progress)
+  CleanPassRun(const Mesh& mesh, const CleanPassOptions& options, const Progress& progress)
       : mesh_(mesh),
         options_(options),
         progress_(progress),
@@ -53,7 +53,7 @@ class Pass {
   void arrange_everything(const std::vector<Meeting>& meetings);
 
   const Mesh& mesh_;
-  const PassOptions& options_;
+  const CleanPassOptions& options_;
   const Progress& progress_;
   std::shared_ptr<const WeldedMesh> welded_;
   std::optional<std::vector<Index>> opposites_;  ///< of a closed manifold
@@ -63,7 +63,7 @@ class Pass {
   CleanPass pass_;
 };
 
-void Pass::find_borders_or_none() {
+void CleanPassRun::find_borders_or_none() {
   const bool is_as_given = welded_->points.size() == mesh_.positions.size() &&
                            welded_->faces.size() == mesh_.faces.size();
   if (is_as_given) opposites_ = closed_opposites(mesh_, welded_->opposites);
@@ -74,7 +74,7 @@ void Pass::find_borders_or_none() {
 
 // Where nothing meets in a closed manifold, a ray for each component says whether all of it stays:
 // then nothing need be arranged or stitched. Returns whether that is so.
-bool Pass::find_all_exterior() {
+bool CleanPassRun::find_all_exterior() {
   if (!opposites_) return false;
   progress_("arrange");
   Connectivity connectivity = connect(std::move(*opposites_));
@@ -96,7 +96,7 @@ bool Pass::find_all_exterior() {
 }
 
 // Returns whether there is anything.
-bool Pass::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
+bool CleanPassRun::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
   ExteriorArrangement exterior =
       arrange_exterior(welded_, meetings, options_.winding_level, progress_);
   arrangement_ = std::move(exterior.arrangement);
@@ -106,7 +106,7 @@ bool Pass::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
   return !arrangement_.pieces.empty();
 }
 
-void Pass::arrange_everything(const std::vector<Meeting>& meetings) {
+void CleanPassRun::arrange_everything(const std::vector<Meeting>& meetings) {
   arrangement_ = arrange(welded_, meetings, progress_);
   whole_faces_ = arrangement_.whole_pieces;
   if (pass_.is_open) {
@@ -123,7 +123,7 @@ void Pass::arrange_everything(const std::vector<Meeting>& meetings) {
 }
 
 // Where everything is needed, or nothing is kept and it is to be told why, everything is arranged.
-CleanPass Pass::run() {
+CleanPass CleanPassRun::run() {
   std::vector<Meeting> meetings;
   parallel_invoke([&] { find_borders_or_none(); },
                   [&] { meetings = find_meetings(*welded_, Progress()); });
@@ -147,9 +147,10 @@ CleanPass Pass::run() {
 
 }  // namespace
 
-CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Progress& progress) {
+CleanPass run_clean_pass(const Mesh& mesh, const CleanPassOptions& options,
+                         const Progress& progress) {
   progress("intersect");
-  return Pass(mesh, options, progress).run();
+  return CleanPassRun(mesh, options, progress).run();
 }
 
 }  // namespace transformesh

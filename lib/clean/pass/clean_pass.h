@@ -1,7 +1,7 @@
-/// One pass of TransforMesh (paper 3, Fig. 3): weld, intersect (3.1), arrange (3.2.3), find the
-/// exterior (3.2), stitch (3.3). Of a closed mesh only what is exterior is arranged, unless all is
-/// asked for. Exact but for the positions of new vertices, which are in doubles.
-/// Throws as clean.h says.
+/// One clean pass of TransforMesh (paper 3, Fig. 3): weld, intersect (3.1), arrange (3.2.3), find
+/// the exterior (3.2), stitch (3.3). Of a closed mesh only what is exterior is arranged, unless all
+/// is asked for. Exact but for the positions of new vertices, which are in doubles. Throws as
+/// clean.h says.
 #pragma once
 
 #include <functional>
@@ -27,16 +27,17 @@ struct CleanPass {
   Assembly assembly;  ///< empty where unchanged
 };
 
-struct PassOptions {
+struct CleanPassOptions {
   int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
   bool check_orientation = true;  ///< refuse a mesh that is not oriented
   /// Changes which pieces are kept, before these are stitched.
   std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
-  /// Where more pairs intersect, the pass ends there.
+  /// Where more pairs intersect, the clean pass ends there.
   std::size_t most_pairs = std::numeric_limits<std::size_t>::max();
 };
 
-CleanPass run_clean_pass(const Mesh& mesh, const PassOptions& options, const Progress& progress);
+CleanPass run_clean_pass(const Mesh& mesh, const CleanPassOptions& options,
+                         const Progress& progress);
 
 }  // namespace transformesh

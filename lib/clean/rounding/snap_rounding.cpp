@@ -60,8 +60,8 @@ std::string place_of(const Mesh& mesh, Index face) {
   return point_text(mesh.positions[mesh.faces[face][0]]);
 }
 
-// Expresses what a further pass tells about its input by that of the first pass: which vertices are
-// new, and the sources of faces.
+// Expresses what a further clean pass tells about its input by that of the first clean pass: which
+// vertices are new, and the sources of faces.
 void inherit(const Assembly& before, Assembly& after) {
   for (std::size_t v = 0; v < after.input_vertex.size(); ++v) {
     const Index source = after.input_vertex[v];
@@ -167,7 +167,7 @@ void SnapRounder::mend(Assembly& assembly, BrokenFaces broken, const Tolerances&
 // Cleans what was rounded, and gives thin cells away. Returns whether nothing is left to be rounded
 // again.
 bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int winding_level) {
-  PassOptions options{winding_level, options_.method, false, {}, most_pairs_};
+  CleanPassOptions options{winding_level, options_.method, false, {}, most_pairs_};
   bool is_given = false;
   if (cells.spacings > 0 && !options_.is_open)
     options.change_kept = [&](Arrangement& arrangement, std::vector<char>& kept) {
@@ -291,7 +291,7 @@ void SnapRounder::count_faces(const std::vector<char>& was_whole, const Assembly
     if (was_whole[f] && !is_whole[f]) ++(is_left[f] ? result_.cut_faces : result_.removed_faces);
 }
 
-/// The mesh as if it were the result of a pass that changed nothing.
+/// The mesh as if it were the result of a clean pass that changed nothing.
 Assembly unchanged_assembly(const Mesh& mesh) {
   Assembly assembly;
   assembly.mesh = mesh;

@@ -1,6 +1,6 @@
-/// Snap rounding: the mesh as it will be written (paper 4.3). Rounds the new vertices of a pass,
-/// and repairs what rounding broke, until no face crosses another or has no area in the coordinates
-/// as stored.
+/// Snap rounding: the mesh as it will be written (paper 4.3). Rounds the new vertices of a clean
+/// pass, and repairs what rounding broke, until no face crosses another or has no area in the
+/// coordinates as stored.
 ///
 /// Every new vertex takes the nearest numbers, or the position of a vertex less than a spacing
 /// away. That is all where nothing breaks. Around broken faces, in rounds: close vertices merge
@@ -23,10 +23,10 @@
 /// it was, so winding numbers farther than that from the surface are those of the input (a homotopy
 /// that does not meet a point keeps its winding number). Nothing moves that takes no part in an
 /// intersection, but around broken faces, and to own grids. That repair ends well is measured, not
-/// proven; its work is bounded by a multiple of that of the first pass. Deterministic. References:
-/// Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002; Valque &
-/// Lazard, "Removing self-intersections in 3D meshes while preserving floating-point coordinates",
-/// 2025, where every round snaps to one grid.
+/// proven; its work is bounded by a multiple of that of the first clean pass. Deterministic.
+/// References: Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002;
+/// Valque & Lazard, "Removing self-intersections in 3D meshes while preserving floating-point
+/// coordinates", 2025, where every round snaps to one grid.
 #pragma once
 
 #include "clean/pass/clean_pass.h"

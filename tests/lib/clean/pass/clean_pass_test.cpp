@@ -14,7 +14,7 @@
 namespace transformesh {
 namespace {
 
-CleanPass pass_over(const Mesh& mesh, const PassOptions& options = {}) {
+CleanPass pass_over(const Mesh& mesh, const CleanPassOptions& options = {}) {
   return run_clean_pass(mesh, options, Progress());
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("a mesh with nothing to clean is unchanged, and one to be stitched is 
 
 TEST_CASE("with too many pairs nothing but their number is found") {
   const std::size_t pairs = find_intersections(two_balls()).size();
-  PassOptions options;
+  CleanPassOptions options;
   options.most_pairs = pairs - 1;
   const CleanPass pass = pass_over(two_balls(), options);
   CHECK(pass.pairs == pairs);
@@ -74,7 +74,7 @@ TEST_CASE("with too many pairs nothing but their number is found") {
 TEST_CASE(
     "an open mesh is told, and static refuses it unless enclosed sheets were all of its borders") {
   CHECK(pass_over(test::grid(3)).is_open);
-  PassOptions options;
+  CleanPassOptions options;
   options.method = ExteriorMethod::static_test;
   CHECK_THROWS_WITH_AS(pass_over(test::grid(3), options),
                        doctest::Contains("--method static needs a closed mesh"), UsageError);
@@ -91,7 +91,7 @@ TEST_CASE("a mesh that is not oriented is refused, unless that is not to be chec
   Mesh mesh = test::icosphere(1);
   std::swap(mesh.faces[3][0], mesh.faces[3][1]);
   CHECK_THROWS_AS(pass_over(mesh), InputError);
-  PassOptions options;
+  CleanPassOptions options;
   options.check_orientation = false;
   CHECK_NOTHROW(pass_over(mesh, options));
 }
