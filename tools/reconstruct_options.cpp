@@ -21,12 +21,12 @@ void declare_places(Program& program, ReconstructChoices& choices) {
                "with --start, none)");
 }
 
-void declare_start(Program& program, ReconstructChoices& choices) {
+void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
   program.numbers("box", &choices.box, "X,Y,Z,X,Y,Z",
                   "where the object is: two corners; what photographs show beside it is forgotten");
   program.text("keep", &choices.keep, "largest|all|SHARE",
                "components of the hull: of at least this share of the largest one's volume");
-  program.text("start", &choices.options.start.name, "FILE",
+  program.text("start", &choices.options.initial.name, "FILE",
                "begin with this mesh, not with the visual hull");
   program.choice("clip", &choices.clip, {"hull", "nothing"},
                  "of that mesh, keep what is within the hull of exact silhouettes, or all");
@@ -120,7 +120,7 @@ void refuse_standard_input(const ReconstructChoices& choices) {
   refuse("cameras", choices.sources.cameras);
   refuse("images", choices.sources.images);
   refuse("silhouettes", choices.sources.silhouettes);
-  refuse("start", choices.options.start.name);
+  refuse("start", choices.options.initial.name);
   refuse("sequence", choices.sequence);
 }
 
@@ -150,7 +150,7 @@ void check_color(const ReconstructChoices& choices, const Run& run) {
 
 void declare_reconstruction(Program& program, ReconstructChoices& choices) {
   declare_places(program, choices);
-  declare_start(program, choices);
+  declare_initial_mesh(program, choices);
   declare_view_check(program, choices.check, choices.sources);
   declare_scales(program, choices);
   declare_steps(program, choices);
@@ -163,15 +163,15 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   refuse_standard_input(choices);
   check_color(choices, run);
   ReconstructionOptions options = choices.options;
-  StartOptions& start = options.start;
-  start.is_given = !start.name.empty();
-  start.clips_by_hull = choices.clip == "hull";
-  start.opens_hollows = choices.hollows == "auto";
-  if (choices.silhouettes_show == "least") start.meaning = SilhouetteMeaning::least;
+  InitialMeshOptions& initial = options.initial;
+  initial.is_given = !initial.name.empty();
+  initial.clips_by_hull = choices.clip == "hull";
+  initial.opens_hollows = choices.hollows == "auto";
+  if (choices.silhouettes_show == "least") initial.meaning = SilhouetteMeaning::least;
   if (!choices.threshold.empty())
-    start.threshold = {.intensity = threshold_intensity(choices.threshold)};
-  start.keep = hull_share(choices.keep);
-  start.least_agreement = choices.check.least_agreement;
+    initial.threshold = {.intensity = threshold_intensity(choices.threshold)};
+  initial.keep = hull_share(choices.keep);
+  initial.least_agreement = choices.check.least_agreement;
   options.scales.coarsest = number_or_auto("coarsest", choices.coarsest, 1);
   options.scales.last_edge = choices.last_edge.empty()
                                  ? options.scales.edge

@@ -10,7 +10,7 @@ namespace {
 using namespace transformesh;
 
 // The mesh given, or none, with the comments that the result will have.
-Document beginning(const std::string& start, tool::Run& run) {
+Document initial_state(const std::string& start, tool::Run& run) {
   Document document;
   if (!start.empty()) document = run.read(start);
   run.stamp(document);
@@ -24,11 +24,11 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   if (record.resumed()) {
     run.continue_from(record.resumed()->document);
   } else {
-    document = beginning(choices.options.start.name, run);
+    document = initial_state(choices.options.initial.name, run);
   }
   run.progress()("read views");
   std::vector<View> views = tool::checked_views(choices.sources, choices, run);
-  tool::begin_run(choices.loop, record, options.start.is_given ? &document : nullptr, run,
+  tool::begin_run(choices.loop, record, options.initial.is_given ? &document : nullptr, run,
                   run_files_of(views));
   options.spends_views = true;
   options.on_sweep = [&run](const std::string& text) { run.progress_line(text); };
@@ -52,9 +52,9 @@ void reconstruct_film(const tool::ReconstructChoices& choices,
   const std::string& folder = choices.loop.run;
   if (folder.empty()) run.write_nothing();
 
-  options.comments = beginning("", run).style.comments;
+  options.comments = initial_state("", run).style.comments;
   Document& document = run.document();
-  if (!record.resumed()) document = beginning(choices.options.start.name, run);
+  if (!record.resumed()) document = initial_state(choices.options.initial.name, run);
   tool::begin_run(choices.loop, record, reconstruction.start.is_given ? &document : nullptr, run);
   const auto views_of = [&](const TimeStep& step) {
     std::vector<View> views =

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "evolution/loop/stopwatch.h"
-#include "evolution/reconstruction/beginning.h"
+#include "evolution/reconstruction/initial_state.h"
 #include "fill/handles.h"
 #include "io/mesh_io.h"
 #include "mesh/components.h"
@@ -27,7 +27,7 @@ constexpr double stiffer_scale = 1.99;
 class Photographs {
  public:
   Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
-              const Beginning& beginning);
+              const InitialState& initial_state);
 
   /// The surface is so many times as stiff as the options say.
   PhotoStepsResult sweep(Mesh& mesh, double scale, double loss, double stiffness,
@@ -61,7 +61,7 @@ class Photographs {
 };
 
 Photographs::Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
-                         const Beginning& beginning)
+                         const InitialState& initial_state)
     : views_(views),
       width_(width),
       spends_views_(options.spends_views),
@@ -69,12 +69,12 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       near_pairs_(options.pairs),
       steps_(options.steps),
       pull_(options.pull),
-      are_outlines_(beginning.outlined.has_value()),
+      are_outlines_(initial_state.outlined.has_value()),
       windows_(options.windows) {
   near_pairs_.spread = near_spread;
-  steps_.iterations = options.iterations.value_or(beginning.coarsest ? 8 : 5);
+  steps_.iterations = options.iterations.value_or(initial_state.coarsest ? 8 : 5);
   steps_.momentum = options.momentum;
-  steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.start.meaning;
+  steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.initial.meaning;
 }
 
 const PhotoScene& Photographs::at(double scale) {
@@ -135,20 +135,20 @@ double Photographs::agreement(const Mesh& mesh) {
   return are_exact && count > 0 ? sum / static_cast<double>(count) : 1;
 }
 
-ScaleOptions scales_of(const ReconstructionOptions& options, const Beginning& beginning) {
+ScaleOptions scales_of(const ReconstructionOptions& options, const InitialState& initial_state) {
   ScaleOptions scales = options.scales;
-  if (beginning.coarsest) scales.largest = std::min(scales.largest, *beginning.coarsest);
+  if (initial_state.coarsest) scales.largest = std::min(scales.largest, *initial_state.coarsest);
   return scales;
 }
 
 class ReconstructionLoop : public Loop {
  public:
-  ReconstructionLoop(Photographs& photographs, const Beginning& beginning,
+  ReconstructionLoop(Photographs& photographs, const InitialState& initial_state,
                      const ReconstructionOptions& options)
       : photographs_(photographs),
-        start_(beginning.start),
+        initial_(initial_state.document),
         options_(options),
-        scale_steps_(coarse_to_fine(scales_of(options, beginning), photographs.width(),
+        scale_steps_(coarse_to_fine(scales_of(options, initial_state), photographs.width(),
                                     photographs.pixel())),
         rule_(options.sweeps) {}
 
@@ -179,7 +179,7 @@ class ReconstructionLoop : public Loop {
   }
 
   Photographs& photographs_;
-  const Document& start_;
+  const Document& initial_;
   const ReconstructionOptions& options_;
   std::vector<ScaleStep> scale_steps_;
 
@@ -197,7 +197,7 @@ class ReconstructionLoop : public Loop {
 };
 
 void ReconstructionLoop::start(Document& document, const Progress& progress) {
-  document = start_;
+  document = initial_;
   document.mesh.vertex_columns.erase(doubt_column);
   coarsen(document, scale_steps_[scale_step_].edge, progress);
 }
@@ -220,7 +220,7 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
 
 // Where the last sweep made the surface explode.
 bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
-  if (!is_exploded(sweep_, connected_components(start_.mesh).components.size())) return false;
+  if (!is_exploded(sweep_, connected_components(initial_.mesh).components.size())) return false;
   const std::string what = "the surface explodes at scale " + fixed(sweep_.scale_step.scale, 4);
   if (sweep_.scale_step.scale < stiffer_scale || stiffness_ >= most_stiffness)
     throw GoalError(what + ": photographs, cameras and masks may not belong together; see " +
@@ -320,7 +320,8 @@ void ReconstructionLoop::begin_next_scale(Document& document, const Progress& pr
   const bool was_first = may_begin_finer();
   ++scale_step_;
   rule_.begin();
-  if (was_first && is_torn(pixels_compared(start_, progress), pixels_compared(document, progress)))
+  if (was_first &&
+      is_torn(pixels_compared(initial_, progress), pixels_compared(document, progress)))
     begin_finer(document, progress);
 }
 
@@ -332,9 +333,9 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   drop_crumbs(document);
   result_.pixel = photographs_.pixel();
   result_.faces = document.mesh.faces.size();
-  result_.first = photographs_.look(start_.mesh, 1, false, progress);
+  result_.first = photographs_.look(initial_.mesh, 1, false, progress);
   result_.last = photographs_.look(document.mesh, 1, false, progress);
-  result_.evidence = {photographs_.agreement(start_.mesh), photographs_.agreement(document.mesh),
+  result_.evidence = {photographs_.agreement(initial_.mesh), photographs_.agreement(document.mesh),
                       photographs_.doubt(document.mesh, 1, progress)};
   result_.fault = faults_.in_words(result_.evidence);
   set_doubt_column(document.mesh, result_.evidence.doubt);
@@ -369,17 +370,17 @@ std::string ReconstructionLoop::message() const {
 ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress) {
-  const Beginning beginning =
+  const InitialState initial_state =
       record.resumed()
-          ? found_beginning(record)
-          : begin_reconstruction(document, views, {options.start, options.pairs}, record, progress);
-  if (beginning.coarsest && options.on_detail)
+          ? read_initial_state(record)
+          : make_initial_state(document, views, {options.initial, options.pairs}, record, progress);
+  if (initial_state.coarsest && options.on_detail)
     options.on_detail("photographs see into hollows of the hull: beginning with them open");
-  if (beginning.outlined) outline(views, *beginning.outlined);
+  if (initial_state.outlined) outline(views, *initial_state.outlined);
   const int width = views.front().image.width;
-  if (options.spends_views) crop_views(views, beginning.start.mesh);
-  Photographs photographs(views, width, options, beginning);
-  ReconstructionLoop loop(photographs, beginning, options);
+  if (options.spends_views) crop_views(views, initial_state.document.mesh);
+  Photographs photographs(views, width, options, initial_state);
+  ReconstructionLoop loop(photographs, initial_state, options);
   const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_sweep};
   run_loop(loop, document, unlimited, record, progress);
   ReconstructionResult result = loop.result();

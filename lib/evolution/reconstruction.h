@@ -24,14 +24,14 @@
 #include "evolution/loop/loop.h"
 #include "evolution/loop/scales.h"
 #include "evolution/reconstruction/convergence.h"
-#include "evolution/reconstruction/start.h"
+#include "evolution/reconstruction/initial_mesh.h"
 #include "evolution/reconstruction/sweep_rules.h"
 #include "views/photo/photo_steps.h"
 
 namespace transformesh {
 
 struct ReconstructionOptions {
-  StartOptions start;
+  InitialMeshOptions initial;
   ScaleOptions scales;
   PairOptions pairs;
   WindowRadii windows;
@@ -42,7 +42,7 @@ struct ReconstructionOptions {
   /// it. Nothing: 0.5, or 1.5 where photographs say little as they are far apart (is_wide).
   std::optional<double> pull = std::nullopt;
   double momentum = 0.7;    ///< of the steps
-  PhotoStepsOptions steps;  ///< but for what is said above and in `start`
+  PhotoStepsOptions steps;  ///< but for what is said above and in `initial`
   /// The views may be cropped to the object, where they are packed (HeldImage), and lose their
   /// images in the end: for less memory, where they are not needed any more.
   bool spends_views = false;
@@ -66,13 +66,14 @@ struct ReconstructionResult {
   std::size_t handles = 0;  ///< that went on the way and at last
   double pixel = 0;         ///< length of a pixel's side where the cameras look
   std::size_t faces = 0;
-  PhotoStepResult first, last;  ///< of the start and of the result, at full scale; nothing moved
+  PhotoStepResult first,
+      last;  ///< of the initial mesh and of the result, at full scale; nothing moved
   SurfaceEvidence evidence;
 };
 
 /// `views` have photographs and, where there are masks, silhouettes; else they get some, but for
-/// StartOptions. Of a document without a mesh given the comments count. In the record's folder
-/// `start.ply` and `hull.ply` are kept as well.
+/// InitialMeshOptions. Of a document without a mesh given the comments count. In the record's
+/// folder `start.ply` and `hull.ply` are kept as well.
 ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress = Progress());

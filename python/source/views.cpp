@@ -131,16 +131,17 @@ WindowRadii radii_of(const Window& window) {
   return {coarse, fine};
 }
 
-StartOptions start_of(double keep, const std::string& clip, const std::string& hollows,
-                      bool is_exact, double least_agreement) {
-  StartOptions start;
-  start.name = "start";
-  start.keep = keep;
-  start.clips_by_hull = choice("clip", clip, {"hull", "nothing"}) == 0;
-  start.opens_hollows = choice("hollows", hollows, {"auto", "closed"}) == 0;
-  if (!is_exact) start.meaning = SilhouetteMeaning::least;
-  start.least_agreement = least_agreement;
-  return start;
+InitialMeshOptions initial_options_of(double keep, const std::string& clip,
+                                      const std::string& hollows, bool is_exact,
+                                      double least_agreement) {
+  InitialMeshOptions initial;
+  initial.name = "start";
+  initial.keep = keep;
+  initial.clips_by_hull = choice("clip", clip, {"hull", "nothing"}) == 0;
+  initial.opens_hollows = choice("hollows", hollows, {"auto", "closed"}) == 0;
+  if (!is_exact) initial.meaning = SilhouetteMeaning::least;
+  initial.least_agreement = least_agreement;
+  return initial;
 }
 
 MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const Path& silhouettes,
@@ -156,8 +157,8 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
                                 const py::object& on_pass, const py::object& progress) {
   ReconstructionOptions options;
   const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
-  options.start = start_of(share_of(keep), clip, hollows, is_exact, least_agreement);
-  options.start.is_given = start.has_value();
+  options.initial = initial_options_of(share_of(keep), clip, hollows, is_exact, least_agreement);
+  options.initial.is_given = start.has_value();
   options.windows = radii_of(window);
   options.pairs.maximum_angle_deg = max_angle;
   options.scales = {coarsest, edge, last_edge.value_or(edge)};

@@ -22,13 +22,13 @@ namespace transformesh {
 namespace {
 
 constexpr int most_rounds = 14;
-constexpr int most_starts = 7;
-constexpr int last_given = 3;             // the last start before which thin cells are given away
+constexpr int most_attempts = 7;
+constexpr int last_given = 3;             // the last attempt before which thin cells are given away
 constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are too many cells
 constexpr int digits_fewer = 5;           // binary, of what is extreme in every direction
-constexpr int rounds_ahead = 3;  // every start begins as coarse as that round of the one before
+constexpr int rounds_ahead = 3;  // every attempt begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before,
-constexpr int patience = 2;      // and so many more where all starts failed, which begin again
+constexpr int patience = 2;      // and so many more where all attempts failed, which begin again
 constexpr std::size_t few_pairs = 1000;
 constexpr std::size_t pairs_to_repair = 4;  // times those of the input
 constexpr std::size_t most_broken_share = 3;
@@ -47,11 +47,11 @@ struct GivenCells {
   std::vector<char> marked_faces = {};  ///< beside these faces only, where there are any
 };
 
-/// How thin the cells of the input are that are given away before a further start, in spacings.
-double given_spacings(int start) { return std::ldexp(32, 3 * start); }
+/// How thin the cells of the input are that are given away before a further attempt, in spacings.
+double given_spacings(int attempt) { return std::ldexp(32, 3 * attempt); }
 
-Tolerances tolerances(int start, int round) {
-  const int step = round + rounds_ahead * start;
+Tolerances tolerances(int attempt, int round) {
+  const int step = round + rounds_ahead * attempt;
   const double coarser = elementary::exp2(step / 4.0);
   return {3 * coarser, 4 * coarser, coarser, 4 * coarser * coarser, step > 0};
 }
@@ -93,19 +93,19 @@ class SnapRounder {
   SnapRoundingResult snap_round(const CleanPass& pass);
 
  private:
-  /// Of one start.
+  /// Of one attempt.
   struct Attempts {
     std::size_t fewest = std::numeric_limits<std::size_t>::max();  ///< broken faces until now
     int vain = 0;                                                  ///< rounds without fewer
   };
 
-  bool repair(Assembly& assembly, int start);
+  bool repair(Assembly& assembly, int attempt);
   bool is_in_vain(std::size_t broken, Attempts& attempts);
   void note_broken(const Assembly& assembly, const std::vector<Index>& broken, bool is_first);
-  Assembly begin_anew(const CleanPass& pass, int start);
-  Assembly begin_simpler(const CleanPass& pass, int start);
-  void choose_spacings(int start);
-  int next_start(int start) const;
+  Assembly begin_anew(const CleanPass& pass, int attempt);
+  Assembly begin_simpler(const CleanPass& pass, int attempt);
+  void choose_spacings(int attempt);
+  int next_attempt(int attempt) const;
   void mend(Assembly& assembly, BrokenFaces broken, const Tolerances& most);
   bool clean_again(Assembly& assembly, const GivenCells& cells, int winding_level = 1);
   bool has_changed(const Assembly& before, const Assembly& now) const;
@@ -122,7 +122,7 @@ class SnapRounder {
   bool is_shattered_ = false;  ///< rounding breaks a good part of the faces
   bool is_extreme_ = false;    ///< so it does where coordinates are extreme in every direction
   int patience_ = 0;           ///< how many vain rounds more are waited for
-  bool is_vain_ = false;       ///< whether a start ended for want of it
+  bool is_vain_ = false;       ///< whether a attempt ended for want of it
   std::string place_;          ///< the first place that was broken
   KnownPairs known_;
   std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
@@ -191,25 +191,25 @@ bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int w
   return pass.pairs == 0 && !is_given && assembly.split_edges == 0 && !options_.is_open;
 }
 
-// The last starts make simpler what coordinates that are extreme along an axis leave.
-void SnapRounder::choose_spacings(int start) {
-  if (start > last_given) spacing_.are_per_axis = false;
+// The last attempts make simpler what coordinates that are extreme along an axis leave.
+void SnapRounder::choose_spacings(int attempt) {
+  if (attempt > last_given) spacing_.are_per_axis = false;
 }
 
 // Coordinates that are extreme in every direction are better made simpler at once: before thin
 // cells are sought, which takes the complete arrangement.
-int SnapRounder::next_start(int start) const {
+int SnapRounder::next_attempt(int attempt) const {
   constexpr int simpler = last_given + 1;
-  if (!is_extreme_) return start + 1;
-  if (start == 0) return simpler;
-  if (start == simpler) return 1;
-  return start + 1 == simpler ? simpler + 1 : start + 1;
+  if (!is_extreme_) return attempt + 1;
+  if (attempt == 0) return simpler;
+  if (attempt == simpler) return 1;
+  return attempt + 1 == simpler ? simpler + 1 : attempt + 1;
 }
 
 // Rounds, and then mends and cleans what rounding broke, until cleaning changes nothing. What is
 // whole at once need not be cleaned again, unless the mesh is open: then other fans close its
 // borders now. Returns whether it succeeded.
-bool SnapRounder::repair(Assembly& assembly, int start) {
+bool SnapRounder::repair(Assembly& assembly, int attempt) {
   Attempts attempts;
   for (int round = 0; round < most_rounds; ++round) {
     progress_("round");
@@ -218,10 +218,10 @@ bool SnapRounder::repair(Assembly& assembly, int start) {
     const bool is_whole = found.faces.empty();
     if (is_whole && round == 0 && !options_.is_open) return true;
     if (is_in_vain(found.faces.size(), attempts)) return false;
-    if (round == 0) choose_spacings(start);
-    const Tolerances most = tolerances(start, round);
-    note_broken(assembly, found.faces, start == 0 && round == 0);
-    if (!is_whole && is_extreme_ && start == 0) return false;
+    if (round == 0) choose_spacings(attempt);
+    const Tolerances most = tolerances(attempt, round);
+    note_broken(assembly, found.faces, attempt == 0 && round == 0);
+    if (!is_whole && is_extreme_ && attempt == 0) return false;
     if (!is_whole) mend(assembly, std::move(found), most);
     if (clean_again(assembly, {is_whole ? 0 : most.cells})) return true;
     if (is_hopeless_) return false;
@@ -308,24 +308,24 @@ Assembly unchanged_assembly(const Mesh& mesh) {
 // and again, they are given away in the exact arrangement of the input, before anything is rounded.
 // What that cannot help begins from the result once more, and coarser, as open meshes do, of which
 // it is not known what is inside, and what is so crowded that its complete arrangement is large.
-Assembly SnapRounder::begin_anew(const CleanPass& pass, int start) {
+Assembly SnapRounder::begin_anew(const CleanPass& pass, int attempt) {
   result_.displacement = {};
   is_hopeless_ = false;
-  if (is_shattered_ && start > last_given) return begin_simpler(pass, start);
+  if (is_shattered_ && attempt > last_given) return begin_simpler(pass, attempt);
   const bool is_crowded = pass.pairs > most_crossed * mesh_.faces.size();
-  if (options_.is_open || is_crowded || start > last_given) return pass.assembly;
+  if (options_.is_open || is_crowded || attempt > last_given) return pass.assembly;
   Assembly assembly = unchanged_assembly(mesh_);
-  clean_again(assembly, {given_spacings(start), is_broken_}, options_.winding_level);
+  clean_again(assembly, {given_spacings(attempt), is_broken_}, options_.winding_level);
   return assembly;
 }
 
 // Of coordinates that are extreme in every direction only the digits are kept that count where the
-// vertex is, and further starts keep fewer.
-Assembly SnapRounder::begin_simpler(const CleanPass& pass, int start) {
+// vertex is, and further attempts keep fewer.
+Assembly SnapRounder::begin_simpler(const CleanPass& pass, int attempt) {
   most_pairs_ = pairs_to_repair * pass.pairs + few_pairs;
   Assembly assembly = unchanged_assembly(mesh_);
-  result_.displacement = snap_to_own_grids(assembly.mesh, options_.coordinate,
-                                           std::ldexp(1, digits_fewer * (start - last_given - 1)));
+  result_.displacement = snap_to_own_grids(
+      assembly.mesh, options_.coordinate, std::ldexp(1, digits_fewer * (attempt - last_given - 1)));
   clean_again(assembly, {0}, options_.winding_level);
   if (!is_hopeless_) return assembly;
   result_.displacement = {};
@@ -338,14 +338,14 @@ SnapRoundingResult SnapRounder::snap_round(const CleanPass& pass) {
   most_pairs_ = (spacing_.are_per_axis ? 1 : pairs_to_repair) * pass.pairs + few_pairs;
   is_broken_.assign(mesh_.faces.size(), 0);
   Assembly assembly = pass.assembly;
-  for (int start = 0; !repair(assembly, start);) {
-    start = next_start(start);
-    if (start == most_starts) {
+  for (int attempt = 0; !repair(assembly, attempt);) {
+    attempt = next_attempt(attempt);
+    if (attempt == most_attempts) {
       if (patience_ > 0 || !is_vain_) give_up();
       patience_ = patience;
-      start = 1;
+      attempt = 1;
     }
-    assembly = begin_anew(pass, start);
+    assembly = begin_anew(pass, attempt);
   }
   if (has_changed(pass.assembly, assembly))
     count_faces(whole_faces(mesh_, pass.assembly), assembly);

@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-/// Of the agreement with silhouettes: as much as the edges of the start leave open.
+/// Of the agreement with silhouettes: as much as the edges of the initial mesh leave open.
 constexpr double agreement_lost = 0.005;
 constexpr double most_disagreement = 0.2;
 constexpr double most_doubtful = 0.03;

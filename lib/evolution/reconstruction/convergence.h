@@ -10,8 +10,9 @@ namespace transformesh {
 
 /// What the end of a reconstruction is judged by, beside its sweeps.
 struct SurfaceEvidence {
-  double first_agreement = 1;  ///< with exact masks, of the start, as the mean over the views
-  double agreement = 1;        ///< of the result
+  double first_agreement =
+      1;                 ///< with exact masks, of the initial mesh, as the mean over the views
+  double agreement = 1;  ///< of the result
   SurfaceDoubt doubt;
 };
 
@@ -22,8 +23,8 @@ struct ReconstructionFaults {
   bool is_at_rest = false;
 
   /// The first one, empty where there is none. Beside the above: the outline agrees with masks by
-  /// 0.005 less than that of the start, photographs disagree by more than 0.2 beyond their noise or
-  /// on more than 3 % of what is seen, or a thin place is doubtful.
+  /// 0.005 less than that of the initial mesh, photographs disagree by more than 0.2 beyond their
+  /// noise or on more than 3 % of what is seen, or a thin place is doubtful.
   std::string in_words(const SurfaceEvidence& evidence) const;
   void remember(Memory& memory) { memory("lost", lost_at)("late", late_at)("rest", is_at_rest); }
 };

@@ -30,15 +30,15 @@ bool is_wide(std::span<const ViewPair> pairs) {
   return sum > wide_deg * views;
 }
 
-bool is_torn(std::size_t pixels_of_start, std::size_t pixels_now) {
-  return real(pixels_now) < 0.95 * real(pixels_of_start);
+bool is_torn(std::size_t initial_pixels, std::size_t pixels_now) {
+  return real(pixels_now) < 0.95 * real(initial_pixels);
 }
 
-bool is_exploded(const Sweep& sweep, std::size_t components_of_start) {
+bool is_exploded(const Sweep& sweep, std::size_t initial_components) {
   const PhotoStepResult& first = sweep.steps.first;
   const PhotoStepResult& last = sweep.steps.last;
   const std::size_t components = sweep.mesh.topology.components;
-  if (components > exploded_components && components > 10 * components_of_start) return true;
+  if (components > exploded_components && components > 10 * initial_components) return true;
   if (real(last.outside) > exploded_share * real(sweep.mesh.vertices) &&
       last.outside > first.outside)
     return true;

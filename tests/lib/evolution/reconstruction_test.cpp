@@ -63,8 +63,8 @@ Document ball_of(double radius, const Vec3& center = Vec3::Zero()) {
 }
 
 ReconstructionOptions from_given(ReconstructionOptions options) {
-  options.start.is_given = true;
-  options.start.name = "start.ply";
+  options.initial.is_given = true;
+  options.initial.name = "start.ply";
   return options;
 }
 
@@ -151,14 +151,14 @@ TEST_CASE("a start is clipped by the hull of exact masks, and only by that") {
   options.sweeps = 1;
   options.iterations = 1;
   CHECK(outside(options) < 10);
-  options.start.clips_by_hull = false;
+  options.initial.clips_by_hull = false;
   CHECK(outside(options) > 50);
   // Masks that show only some of the object clip nothing, and nothing counts as outside of them.
-  options.start.clips_by_hull = true;
-  options.start.meaning = SilhouetteMeaning::least;
+  options.initial.clips_by_hull = true;
+  options.initial.meaning = SilhouetteMeaning::least;
   std::vector<View> views = dented_views();
   Document whole = ball_of(1.3);
-  begin_surface(whole, views, from_given(options).start, 0.03);
+  make_initial_mesh(whole, views, from_given(options).start, 0.03);
   CHECK(whole.mesh.faces.size() == ball_of(1).mesh.faces.size());
 }
 
@@ -178,8 +178,8 @@ TEST_CASE("with a start, outlines come from a threshold that is given, and from 
   for (const bool is_given : {false, true}) {
     std::vector<View> views = test::without_masks(dented_views());
     Document document = ball_of(1.1);
-    if (is_given) options.start.threshold = ThresholdOptions();
-    const auto outlined = begin_surface(document, views, options.start, 0.03);
+    if (is_given) options.initial.threshold = ThresholdOptions();
+    const auto outlined = make_initial_mesh(document, views, options.initial, 0.03);
     CHECK(outlined.has_value() == is_given);
     CHECK(views[0].silhouette.empty() != is_given);
     if (outlined) outline(views, *outlined);
@@ -216,7 +216,7 @@ TEST_CASE("comments of the document are those of the result, and its columns are
   options.scales = {2, 6, 6};
   options.sweeps = 1;
   options.iterations = 1;
-  options.start.clips_by_hull = false;
+  options.initial.clips_by_hull = false;
   const Document result = run_of(options, start).document;
   CHECK(result.style.comments == start.style.comments);
   CHECK(result.style.coordinate == Scalar::float32);
@@ -254,7 +254,7 @@ TEST_CASE("components that are small beside the largest go at last") {
     mesh.faces.push_back({a + offset, b + offset, c + offset});
   const std::vector<View> views = test::photographed(mesh);
   ReconstructionOptions options = few_sweeps();
-  options.start.keep = 0;
+  options.initial.keep = 0;
   options.sweeps = 1;
   for (const double crumbs : {0.0, 0.2}) {
     options.crumbs = crumbs;

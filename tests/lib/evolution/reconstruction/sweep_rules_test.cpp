@@ -33,7 +33,7 @@ TEST_CASE(
   CHECK_FALSE(explodes([](Sweep& sweep) { sweep.mesh.topology.components = 100; }));
   CHECK(explodes([](Sweep& sweep) { sweep.steps.last.outside = 301; }));
   CHECK_FALSE(explodes([](Sweep& sweep) { sweep.steps.last.outside = 300; }));
-  // A start that was outside comes in; one that was hardly compared is no worse.
+  // An initial mesh that was outside comes in; one that was hardly compared is no worse.
   CHECK_FALSE(
       explodes([](Sweep& sweep) { sweep.steps.first.outside = sweep.steps.last.outside = 600; }));
   CHECK(explodes([](Sweep& sweep) { sweep.steps.last.coverage = 0.29; }));

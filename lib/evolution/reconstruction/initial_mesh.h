@@ -14,7 +14,7 @@
 
 namespace transformesh {
 
-struct StartOptions {
+struct InitialMeshOptions {
   bool is_given = false;                                 ///< the mesh, which is else the hull
   std::string name = {};                                 ///< of the one given, in messages
   bool clips_by_hull = true;                             ///< the one given, where masks are exact
@@ -31,14 +31,14 @@ struct StartOptions {
 /// masks get silhouettes where there is a threshold; then returns their hull, whose outlines are to
 /// take the place of masks. Edges of a hull are three `pixel` long. Throws as visual_hull() and
 /// clean() do, and GoalError where nothing of the mesh given is within the hull.
-std::optional<Mesh> begin_surface(Document& document, std::vector<View>& views,
-                                  const StartOptions& options, double pixel,
-                                  const Progress& progress = Progress());
+std::optional<Mesh> make_initial_mesh(Document& document, std::vector<View>& views,
+                                      const InitialMeshOptions& options, double pixel,
+                                      const Progress& progress = Progress());
 
 /// The hull of the views' masks; or else of what is brighter than the threshold, which becomes the
 /// silhouettes of the views and must agree (check_views). `edge` is HullOptions::edge.
-Mesh hull_of(std::vector<View>& views, const StartOptions& options, std::optional<double> edge,
-             const Progress& progress = Progress());
+Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
+             std::optional<double> edge, const Progress& progress = Progress());
 
 /// What the mesh covers becomes the silhouette of each view. Throws InputError, with the name of
 /// the view, where that is nothing.

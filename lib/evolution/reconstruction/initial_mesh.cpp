@@ -1,4 +1,4 @@
-#include "evolution/reconstruction/start.h"
+#include "evolution/reconstruction/initial_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -43,7 +43,8 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
   round_as_written(document);
 }
 
-/// Cells of that size, or larger where there were very many: a start is made coarser anyway.
+/// Cells of that size, or larger where there were very many: an initial mesh is made coarser
+/// anyway.
 double affordable(double edge, const Box& box) {
   constexpr double most_cells = 1 << 26;
   const Vec3 size = box.maximum - box.minimum;
@@ -100,8 +101,8 @@ double pixel_size(const std::vector<View>& views) {
   return pixel_size(cameras, viewed_point(cameras));
 }
 
-Mesh hull_of(std::vector<View>& views, const StartOptions& options, std::optional<double> edge,
-             const Progress& progress) {
+Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
+             std::optional<double> edge, const Progress& progress) {
   if (!has_masks(views)) {
     threshold_silhouettes(views, options.threshold.value_or(ThresholdOptions()), progress);
     check_views(views, {.least_agreement = options.least_agreement}, progress);
@@ -123,9 +124,9 @@ void outline(std::vector<View>& views, const Mesh& mesh) {
   }
 }
 
-std::optional<Mesh> begin_surface(Document& document, std::vector<View>& views,
-                                  const StartOptions& options, double pixel,
-                                  const Progress& progress) {
+std::optional<Mesh> make_initial_mesh(Document& document, std::vector<View>& views,
+                                      const InitialMeshOptions& options, double pixel,
+                                      const Progress& progress) {
   const bool are_masks = has_masks(views);
   const double edge = edge_times(3, pixel);
   if (!options.is_given) {
@@ -135,7 +136,7 @@ std::optional<Mesh> begin_surface(Document& document, std::vector<View>& views,
   document.style.format = Format::ply_little;
   clean_in_place(document, progress);
   if (are_masks && options.meaning == SilhouetteMeaning::exact && options.clips_by_hull) {
-    StartOptions all = options;
+    InitialMeshOptions all = options;
     all.keep = 0;
     clip(document, hull_of(views, all, edge, progress), options.name, progress);
   }

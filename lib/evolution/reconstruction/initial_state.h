@@ -5,31 +5,31 @@
 #include <vector>
 
 #include "evolution/loop/record.h"
-#include "evolution/reconstruction/start.h"
+#include "evolution/reconstruction/initial_mesh.h"
 #include "views/cameras/view_pairs.h"
 
 namespace transformesh {
 
-struct Beginning {
-  Document start;
+struct InitialState {
+  Document document;
   std::optional<Mesh> outlined;  ///< the hull whose outlines take the place of masks
   /// Of a hull that was opened: the scale of the photographs that did. Longer edges than those of
   /// that scale would close hollows.
   std::optional<double> coarsest;
 };
 
-struct BeginningOptions {
-  StartOptions start;
+struct InitialStateOptions {
+  InitialMeshOptions initial;
   PairOptions pairs;
 };
 
-/// As begin_surface(), and the hull is opened where that is wanted and photographs see into hollows
-/// (opened_hull.h). Of a document without a mesh given the comments count.
-Beginning begin_reconstruction(const Document& document, std::vector<View>& views,
-                               const BeginningOptions& options, Record& record,
-                               const Progress& progress = Progress());
+/// As make_initial_mesh(), and the hull is opened where that is wanted and photographs see into
+/// hollows (opened_hull.h). Of a document without a mesh given the comments count.
+InitialState make_initial_state(const Document& document, std::vector<View>& views,
+                                const InitialStateOptions& options, Record& record,
+                                const Progress& progress = Progress());
 
 /// In the record of a run that goes on. Throws InputError where it is not there.
-Beginning found_beginning(const Record& record);
+InitialState read_initial_state(const Record& record);
 
 }  // namespace transformesh
