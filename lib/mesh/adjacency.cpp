@@ -14,12 +14,12 @@ void for_each_distinct_corner(const Face& face, const Visit& visit) {
 }
 
 /// Whether the faces at each vertex go around it once. Pre: every halfedge has an opposite.
-bool has_single_fans(const Mesh& mesh, std::span<const Index> opposites) {
+bool has_single_umbrellas(const Mesh& mesh, std::span<const Index> opposites) {
   std::vector<char> is_reached(opposites.size(), 0);  // per halfedge, by the vertex it leaves
-  std::vector<char> has_fan(mesh.positions.size(), 0);
+  std::vector<char> has_umbrella(mesh.positions.size(), 0);
   for (Index first = 0; first < opposites.size(); ++first) {
     if (is_reached[first]) continue;
-    char& is_second = has_fan[halfedge_source(mesh, first)];
+    char& is_second = has_umbrella[halfedge_source(mesh, first)];
     if (is_second) return false;
     is_second = 1;
     for (Index h = first; !is_reached[h]; h = opposites[previous_halfedge(h)]) is_reached[h] = 1;
@@ -31,7 +31,7 @@ bool has_single_fans(const Mesh& mesh, std::span<const Index> opposites) {
 
 std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, std::vector<Index> opposites) {
   const bool is_closed = std::find(opposites.begin(), opposites.end(), no_index) == opposites.end();
-  if (!is_closed || !has_single_fans(mesh, opposites)) return std::nullopt;
+  if (!is_closed || !has_single_umbrellas(mesh, opposites)) return std::nullopt;
   return opposites;
 }
 

@@ -4,8 +4,8 @@
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
-#include "mesh/fans.h"
 #include "mesh/measure.h"
+#include "mesh/umbrellas.h"
 
 namespace transformesh {
 namespace {
@@ -88,7 +88,7 @@ Components connected_components(const Mesh& mesh) {
     is_closed = is_closed && halfedges.size() != 1;
   }
   if (is_closed) return result;
-  for (const Index halfedge : boundary_loops(edges, find_fans(mesh, edges)))
+  for (const Index halfedge : boundary_loops(edges, find_umbrellas(mesh, edges)))
     ++component_of(halfedge).boundary_loops;
   return result;
 }

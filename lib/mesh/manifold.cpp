@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "mesh/edges.h"
-#include "mesh/fans.h"
 #include "mesh/location_text.h"
 #include "mesh/touching_borders.h"
+#include "mesh/umbrellas.h"
 
 namespace transformesh {
 namespace {
@@ -27,15 +27,15 @@ void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   std::sort(report.misoriented_edges.begin(), report.misoriented_edges.end());
 }
 
-/// A vertex is bad with more than one fan, and at an edge of three or more faces.
-void check_vertices(const Mesh& mesh, const Fans& fans, ManifoldReport& report) {
+/// A vertex is bad with more than one umbrella, and at an edge of three or more faces.
+void check_vertices(const Mesh& mesh, const Umbrellas& umbrellas, ManifoldReport& report) {
   std::vector<bool> is_bad(mesh.positions.size(), false);
   for (const Index halfedge : report.nonmanifold_edges) {
     is_bad[halfedge_source(mesh, halfedge)] = true;
     is_bad[halfedge_target(mesh, halfedge)] = true;
   }
   std::vector<Index> count(mesh.positions.size(), 0);
-  for (const Index vertex : fans.vertex_of) ++count[vertex];
+  for (const Index vertex : umbrellas.vertex_of) ++count[vertex];
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (count[v] == 0) report.isolated_vertices.push_back(static_cast<Index>(v));
     if (count[v] > 1 || is_bad[v]) report.nonmanifold_vertices.push_back(static_cast<Index>(v));
@@ -69,10 +69,10 @@ ManifoldReport check_manifold(const Mesh& mesh) {
   ManifoldReport report;
   const Edges edges(mesh);
   check_edges(mesh, edges, report);
-  const Fans fans = find_fans(mesh, edges);
-  check_vertices(mesh, fans, report);
+  const Umbrellas umbrellas = find_umbrellas(mesh, edges);
+  check_vertices(mesh, umbrellas, report);
   check_faces(mesh, report);
-  report.boundary_loops = boundary_loops(edges, fans).size();
+  report.boundary_loops = boundary_loops(edges, umbrellas).size();
   report.touching_borders = count_touching_borders(mesh, report.border_halfedges);
   return report;
 }
@@ -86,7 +86,7 @@ std::string describe_problem(const Mesh& mesh, const ManifoldReport& report, boo
            and_more(report.nonmanifold_edges.size(), "edges");
   if (!report.nonmanifold_vertices.empty())
     return "the faces around " + vertex_text(mesh, report.nonmanifold_vertices[0]) +
-           " are not one fan" + and_more(report.nonmanifold_vertices.size(), "vertices");
+           " do not form one umbrella" + and_more(report.nonmanifold_vertices.size(), "vertices");
   if (!report.misoriented_edges.empty())
     return "both faces of the " + face_edge_text(mesh, report.misoriented_edges[0]) +
            " run along it the same way" + and_more(report.misoriented_edges.size(), "edges");

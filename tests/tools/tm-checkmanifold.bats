@@ -35,7 +35,7 @@ genus: 0" ]]
   printf "OFF\n5 2 0\n${points}3 0 1 2\n3 0 3 4\n" >vertex.off
   run tm-checkmanifold vertex.off
   assert_status 1
-  [[ $output == *"nonmanifold_vertices: 1"*"vertex 0 at (0, 0, 0) are not one fan"* ]]
+  [[ $output == *"nonmanifold_vertices: 1"*"vertex 0 at (0, 0, 0) do not form one umbrella"* ]]
 
   printf "OFF\n5 2 0\n${points}3 0 1 2\n3 0 1 3\n" >alike.off
   run tm-checkmanifold alike.off

@@ -6,7 +6,7 @@
 #include "clean/exterior/angular_order.h"
 #include "clean/stitch/pair_across_inside.h"
 #include "clean/stitch/split_singular_edges.h"
-#include "mesh/fans.h"
+#include "mesh/umbrellas.h"
 
 namespace transformesh {
 namespace {
@@ -19,7 +19,7 @@ class Assembler {
  private:
   void choose_old_vertices();
   void number_vertices();
-  void add_vertex_row(Index fan);
+  void add_vertex_row(Index umbrella);
   Index piece_face(const Piece& piece) const;
   void add_faces();
   void split_edges();
@@ -31,10 +31,10 @@ class Assembler {
   std::vector<Face> faces_;  ///< corners of kept pieces as points
   std::vector<Index> opposite_;
   bool has_singular_edges_ = false;
-  Fans fans_;
-  std::vector<Index> old_vertex_;  ///< per fan: the input vertex that it keeps
-  std::vector<Index> example_;     ///< per fan: a halfedge that starts there
-  std::vector<Index> vertex_of_;   ///< per fan: the output vertex
+  Umbrellas umbrellas_;
+  std::vector<Index> old_vertex_;  ///< per umbrella: the input vertex that it keeps
+  std::vector<Index> example_;     ///< per umbrella: a halfedge that starts there
+  std::vector<Index> vertex_of_;   ///< per umbrella: the output vertex
   std::vector<RowBlend> vertex_rows_;
   std::vector<Index> face_rows_;
   std::vector<Index> output_opposite_;
@@ -54,7 +54,7 @@ Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
   opposite_ = pair_across_inside(faces_, edges, [&](std::span<const Index> halfedges) {
     return sort_around_edge(arrangement, halfedges);
   });
-  fans_ = find_fans(faces_, opposite_, kept);
+  umbrellas_ = find_umbrellas(faces_, opposite_, kept);
 }
 
 // The input face that a piece is cut from, and by which it is oriented.
@@ -65,20 +65,21 @@ Index Assembler::piece_face(const Piece& piece) const {
   return arrangement_.welded->face_of[arrangement_.sources_of(piece).front().face];
 }
 
-// Every fan keeps the smallest input vertex among its corners, unless a fan before it keeps that.
+// Every umbrella keeps the smallest input vertex among its corners, unless an umbrella before it
+// keeps that.
 void Assembler::choose_old_vertices() {
   const WeldedMesh& welded = *arrangement_.welded;
-  old_vertex_.assign(fans_.vertex_of.size(), no_index);
-  example_.assign(fans_.vertex_of.size(), no_index);
-  for (Index h = 0; h < fans_.of_corner.size(); ++h) {
-    const Index fan = fans_.of_corner[h];
-    if (fan == no_index) continue;
-    if (example_[fan] == no_index) example_[fan] = h;
-    const Index point = fans_.vertex_of[fan];
+  old_vertex_.assign(umbrellas_.vertex_of.size(), no_index);
+  example_.assign(umbrellas_.vertex_of.size(), no_index);
+  for (Index h = 0; h < umbrellas_.of_corner.size(); ++h) {
+    const Index umbrella = umbrellas_.of_corner[h];
+    if (umbrella == no_index) continue;
+    if (example_[umbrella] == no_index) example_[umbrella] = h;
+    const Index point = umbrellas_.vertex_of[umbrella];
     if (point >= welded.points.size()) continue;
     for (const Index vertex : input_.faces[piece_face(arrangement_.pieces[h / 3])]) {
       if (welded.point_of[vertex] == point) {
-        old_vertex_[fan] = std::min(old_vertex_[fan], vertex);
+        old_vertex_[umbrella] = std::min(old_vertex_[umbrella], vertex);
       }
     }
   }
@@ -91,19 +92,19 @@ void Assembler::choose_old_vertices() {
 }
 
 // Numbers the input vertices that are kept first, in their order; then others in that of their
-// fans.
+// umbrellas.
 void Assembler::number_vertices() {
   choose_old_vertices();
-  std::vector<Index> fan_of(input_.positions.size(), no_index);
+  std::vector<Index> umbrella_of(input_.positions.size(), no_index);
   for (Index u = 0; u < old_vertex_.size(); ++u) {
-    if (old_vertex_[u] != no_index) fan_of[old_vertex_[u]] = u;
+    if (old_vertex_[u] != no_index) umbrella_of[old_vertex_[u]] = u;
   }
   vertex_of_.assign(old_vertex_.size(), no_index);
   result_.mesh.positions.reserve(old_vertex_.size());
   result_.vertex_is_new.reserve(old_vertex_.size());
   result_.input_vertex.reserve(old_vertex_.size());
   vertex_rows_.reserve(old_vertex_.size());
-  for (const Index u : fan_of) {
+  for (const Index u : umbrella_of) {
     if (u != no_index) add_vertex_row(u);
   }
   for (Index u = 0; u < old_vertex_.size(); ++u) {
@@ -111,21 +112,21 @@ void Assembler::number_vertices() {
   }
 }
 
-void Assembler::add_vertex_row(Index fan) {
+void Assembler::add_vertex_row(Index umbrella) {
   const WeldedMesh& welded = *arrangement_.welded;
-  const Index point = fans_.vertex_of[fan];
+  const Index point = umbrellas_.vertex_of[umbrella];
   const bool is_new = point >= welded.points.size();
-  vertex_of_[fan] = static_cast<Index>(result_.mesh.positions.size());
+  vertex_of_[umbrella] = static_cast<Index>(result_.mesh.positions.size());
   result_.vertex_is_new.push_back(is_new ? 1 : 0);
   result_.input_vertex.push_back(is_new ? no_index : welded.vertex_of[point]);
-  if (old_vertex_[fan] != no_index) {
-    result_.mesh.positions.push_back(input_.positions[old_vertex_[fan]]);
-    vertex_rows_.push_back({{old_vertex_[fan], 0, 0}, {1, 0, 0}});
+  if (old_vertex_[umbrella] != no_index) {
+    result_.mesh.positions.push_back(input_.positions[old_vertex_[umbrella]]);
+    vertex_rows_.push_back({{old_vertex_[umbrella], 0, 0}, {1, 0, 0}});
     return;
   }
   const Vec3 position = arrangement_.position(point);
   result_.mesh.positions.push_back(position);
-  const Index face = piece_face(arrangement_.pieces[example_[fan] / 3]);
+  const Index face = piece_face(arrangement_.pieces[example_[umbrella] / 3]);
   vertex_rows_.push_back(row_on_face(input_, face, position));
   if (!is_new) ++result_.copies;
 }
@@ -143,7 +144,7 @@ void Assembler::add_faces() {
     const bool is_whole = p < arrangement_.whole_pieces;
     output_face[p] = static_cast<Index>(result_.mesh.faces.size());
     Face face;
-    for (Index i = 0; i < 3; ++i) face[i] = vertex_of_[fans_.of_corner[3 * p + i]];
+    for (Index i = 0; i < 3; ++i) face[i] = vertex_of_[umbrellas_.of_corner[3 * p + i]];
     result_.mesh.faces.push_back(face);
     result_.face_is_new.push_back(is_whole ? 0 : 1);
     face_rows_.push_back(piece_face(piece));

@@ -1,6 +1,6 @@
 /// Which pieces continue each other across an edge (paper 3.3). Pieces know their corners only as
-/// points; the fans that they form when they are paired are the vertices. At a singular edge (paper
-/// 3.3.2) more than two pieces meet.
+/// points; the umbrellas that they form when they are paired are the vertices. At a singular edge
+/// (paper 3.3.2) more than two pieces meet.
 #pragma once
 
 #include <functional>

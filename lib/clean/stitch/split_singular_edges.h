@@ -1,7 +1,7 @@
 /// The last step of stitching (paper 3.3.2): copies of its ends do not take a singular edge apart
-/// where the faces around both ends hang together in one fan, which the paper does not consider.
-/// There every sheet gets a vertex of its own in the middle of the edge, and its faces there are
-/// cut in two. Cost: O(n log n). Deterministic.
+/// where the faces around both ends hang together in one umbrella, which the paper does not
+/// consider. There every sheet gets a vertex of its own in the middle of the edge, and its faces
+/// there are cut in two. Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>

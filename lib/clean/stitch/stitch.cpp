@@ -9,8 +9,8 @@
 #include "clean/stitch/pair_across_inside.h"
 #include "clean/stitch/split_singular_edges.h"
 #include "clean/stitch/weld.h"
-#include "mesh/fans.h"
 #include "mesh/surface_columns.h"
+#include "mesh/umbrellas.h"
 
 namespace transformesh {
 namespace {
@@ -74,11 +74,11 @@ void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
   }
 }
 
-// Gives each fan a vertex of its own (paper 3.3.1): the first at a vertex keeps it, and others get
-// copies, which are numbered behind all vertices. Returns the number of copies.
-std::size_t separate_fans(Mesh& mesh, const Fans& fans) {
+// Gives each umbrella a vertex of its own (paper 3.3.1): the first at a vertex keeps it, and others
+// get copies, which are numbered behind all vertices. Returns the number of copies.
+std::size_t separate_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
   std::vector<char> is_taken(mesh.positions.size(), 0);
-  std::vector<Index> vertex_of = fans.vertex_of;
+  std::vector<Index> vertex_of = umbrellas.vertex_of;
   std::vector<Index> copies;
   for (Index& v : vertex_of) {
     if (!is_taken[v]) {
@@ -88,8 +88,8 @@ std::size_t separate_fans(Mesh& mesh, const Fans& fans) {
     copies.push_back(v);
     v = static_cast<Index>(mesh.positions.size() + copies.size() - 1);
   }
-  for (Index h = 0; h < fans.of_corner.size(); ++h) {
-    mesh.faces[h / 3][h % 3] = vertex_of[fans.of_corner[h]];
+  for (Index h = 0; h < umbrellas.of_corner.size(); ++h) {
+    mesh.faces[h / 3][h % 3] = vertex_of[umbrellas.of_corner[h]];
   }
   drop_unused_vertices(mesh, copies);
   return copies.size();
@@ -136,7 +136,7 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
     result.misorientation = describe_misorientation(all);
     result.can_be_oriented = can_be_oriented(all);
   }
-  result.copied_vertices = separate_fans(mesh, find_fans(mesh.faces, opposite));
+  result.copied_vertices = separate_umbrellas(mesh, find_umbrellas(mesh.faces, opposite));
   result.split_edges = split_edges(mesh, opposite);
   if (options.one_side) result.reversed_faces += turn_outwards(mesh);
   if (options.flip) reverse_faces(mesh);

@@ -16,11 +16,11 @@ constexpr double thin_px = 6;
 /// How often sums of windows spread to neighbors, so that no single window decides.
 constexpr int rings = 2;
 
-std::vector<WindowSums> spread(std::vector<WindowSums> sums, const Umbrella& umbrella) {
+std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian) {
   for (int ring = 0; ring < rings; ++ring) {
     const std::vector<WindowSums> before = sums;
     for (Index v = 0; v < sums.size(); ++v)
-      for (const Index neighbor : umbrella.neighbors(v)) sums[v] += before[neighbor];
+      for (const Index neighbor : laplacian.neighbors(v)) sums[v] += before[neighbor];
   }
   return sums;
 }
@@ -35,8 +35,8 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
 /// Sets of vertices that hang together, among those that are doubtful.
 class Places {
  public:
-  Places(const Mesh& mesh, const Umbrella& umbrella, std::vector<bool> is_doubtful)
-      : mesh_(mesh), umbrella_(umbrella), is_open_(std::move(is_doubtful)) {}
+  Places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vector<bool> is_doubtful)
+      : mesh_(mesh), laplacian_(laplacian), is_open_(std::move(is_doubtful)) {}
 
   std::vector<std::vector<Index>> find() {
     std::vector<std::vector<Index>> places;
@@ -50,7 +50,7 @@ class Places {
     std::vector<Index> place{first};
     is_open_[first] = false;
     for (std::size_t next = 0; next < place.size(); ++next) {
-      for (const Index neighbor : umbrella_.neighbors(place[next])) {
+      for (const Index neighbor : laplacian_.neighbors(place[next])) {
         if (is_open_[neighbor]) place.push_back(neighbor);
         is_open_[neighbor] = false;
       }
@@ -59,7 +59,7 @@ class Places {
   }
 
   const Mesh& mesh_;
-  const Umbrella& umbrella_;
+  const UniformLaplacian& laplacian_;
   std::vector<bool> is_open_;
 };
 
@@ -83,11 +83,12 @@ bool is_thin(const std::vector<Index>& vertices, const std::vector<double>& thic
   return 2 * static_cast<std::size_t>(thin) > vertices.size();
 }
 
-void find_places(const Mesh& mesh, const Umbrella& umbrella, std::vector<bool> is_doubtful,
+void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vector<bool> is_doubtful,
                  double pixel, SurfaceDoubt& doubt, const Progress& progress) {
   const std::vector<double> areas = vertex_areas(mesh);
   std::vector<double> thickness;
-  for (const std::vector<Index>& vertices : Places(mesh, umbrella, std::move(is_doubtful)).find()) {
+  for (const std::vector<Index>& vertices :
+       Places(mesh, laplacian, std::move(is_doubtful)).find()) {
     DoubtfulPlace place = measured(mesh, vertices, areas, pixel);
     if (place.area < least_area_px) continue;
     if (thickness.empty())
@@ -108,15 +109,15 @@ SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double lea
   doubt.disagreement = found.all.excess();
   doubt.floor = found.all.mean_floor();
 
-  const Umbrella umbrella(mesh);
-  const std::vector<WindowSums> around = spread(found.of_vertex, umbrella);
+  const UniformLaplacian laplacian(mesh);
+  const std::vector<WindowSums> around = spread(found.of_vertex, laplacian);
   std::vector<bool> is_doubtful(around.size());
   for (std::size_t v = 0; v < around.size(); ++v) {
     const bool is_seen = around[v].weight > 0;
     doubt.of_vertex.push_back(is_seen ? read_back(significant(around[v].excess(), 6)) : 1);
     is_doubtful[v] = is_seen && around[v].excess() > doubtful;
   }
-  find_places(mesh, umbrella, is_doubtful, scene.pixel, doubt, progress);
+  find_places(mesh, laplacian, is_doubtful, scene.pixel, doubt, progress);
 
   double seen = 0;
   const std::vector<double> areas = vertex_areas(mesh);

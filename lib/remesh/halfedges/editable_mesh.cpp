@@ -49,7 +49,8 @@ void EditableMesh::find_outgoing() {
     for_each_outgoing(v, [&](Index) { ++reached; });
     if (reached == count[v]) continue;
     throw InputError("vertex " + std::to_string(v) + " joins " + std::to_string(count[v]) +
-                     " faces that are not one fan (face " + std::to_string(outgoing_[v] / 3) +
+                     " faces that do not form one umbrella (face " +
+                     std::to_string(outgoing_[v] / 3) +
                      " is in one of them): the mesh is not an oriented manifold" + advice);
   }
 }
@@ -209,7 +210,7 @@ bool EditableMesh::can_collapse(Index halfedge) const {
   const bool border_edge = o == no_index;
   if (is_border_vertex(from) && is_border_vertex(to) && !border_edge) return false;
 
-  // Each face that vanishes must leave an apex that still has a fan.
+  // Each face that vanishes must leave an apex that still has an umbrella.
   for (const Index h : {halfedge, o}) {
     if (h == no_index) continue;
     const Index n = opposites_[next_halfedge(h)];

@@ -50,7 +50,7 @@ double usual_curvature(const Photoconsistency& measured, std::span<const double>
   return *middle;
 }
 
-std::vector<double> newton_movements(const Mesh& mesh, const Umbrella& umbrella,
+std::vector<double> newton_movements(const Mesh& mesh, const UniformLaplacian& laplacian,
                                      std::vector<Vec3> normals, const Photoconsistency& measured,
                                      const ContourGaps& gaps, double pixel,
                                      const PhotoStepOptions& options) {
@@ -67,7 +67,7 @@ std::vector<double> newton_movements(const Mesh& mesh, const Umbrella& umbrella,
         measured.gradient[v].dot(problem.normals[v]) + pull * (gaps.outside[v] - gaps.inside[v]);
     problem.curvature[v] += pull * ((is_outside ? 1 : 0) + gaps.rims[v]);
   }
-  return thin_plate_step(mesh, umbrella, problem);
+  return thin_plate_step(mesh, laplacian, problem);
 }
 
 /// A third of the area of the faces around each vertex.
@@ -92,8 +92,8 @@ std::vector<double> gradient_movements(const Mesh& mesh, std::span<const Vec3> n
   return movements;
 }
 
-double mean_edge(const Mesh& mesh, const Umbrella& umbrella, Index vertex) {
-  const std::span<const Index> around = umbrella.neighbors(vertex);
+double mean_edge(const Mesh& mesh, const UniformLaplacian& laplacian, Index vertex) {
+  const std::span<const Index> around = laplacian.neighbors(vertex);
   double sum = 0;
   for (const Index neighbor : around)
     sum += (mesh.positions[neighbor] - mesh.positions[vertex]).norm();
@@ -101,11 +101,11 @@ double mean_edge(const Mesh& mesh, const Umbrella& umbrella, Index vertex) {
 }
 
 /// The mean movement as a fraction of the local mean edge before it.
-double mean_share(const Mesh& before, const Mesh& after, const Umbrella& umbrella) {
+double mean_share(const Mesh& before, const Mesh& after, const UniformLaplacian& laplacian) {
   double sum = 0;
   std::size_t count = 0;
   for (Index v = 0; v < before.positions.size(); ++v) {
-    const double edge = mean_edge(before, umbrella, v);
+    const double edge = mean_edge(before, laplacian, v);
     if (!(edge > 0)) continue;
     sum += (after.positions[v] - before.positions[v]).norm() / edge;
     ++count;
@@ -113,9 +113,9 @@ double mean_share(const Mesh& before, const Mesh& after, const Umbrella& umbrell
   return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
-void smooth(Mesh& mesh, const Umbrella& umbrella, double factor) {
+void smooth(Mesh& mesh, const UniformLaplacian& laplacian, double factor) {
   std::vector<Vec3> ways;
-  umbrella.apply(mesh.positions, ways);
+  laplacian.apply(mesh.positions, ways);
   for (std::size_t v = 0; v < ways.size(); ++v) mesh.positions[v] += factor * ways[v];
 }
 
@@ -134,19 +134,20 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
   const ContourGaps gaps = contour_gaps(mesh, scene.views, seen, scene.distances, options.meaning);
 
   // Vertices move along their normals; displace() clamps.
-  const Umbrella umbrella(mesh);
+  const UniformLaplacian laplacian(mesh);
   const std::vector<Vec3> normals = vertex_normals(mesh);
   const bool is_gradient = options.rule == PhotoStepRule::gradient;
   const std::vector<double> movements =
-      is_gradient ? gradient_movements(mesh, normals, measured, gaps, options)
-                  : newton_movements(mesh, umbrella, normals, measured, gaps, scene.pixel, options);
+      is_gradient
+          ? gradient_movements(mesh, normals, measured, gaps, options)
+          : newton_movements(mesh, laplacian, normals, measured, gaps, scene.pixel, options);
   std::vector<Vec3> ways(normals.size());
   for (std::size_t v = 0; v < ways.size(); ++v) ways[v] = movements[v] * normals[v];
   const Mesh before{mesh.positions, {}, {}, {}};
   PhotoStepResult result;
   result.displaced = displace(mesh, ways, {1, options.alpha});
-  result.mean_share = mean_share(before, mesh, umbrella);
-  if (is_gradient) smooth(mesh, umbrella, options.smoothing);
+  result.mean_share = mean_share(before, mesh, laplacian);
+  if (is_gradient) smooth(mesh, laplacian, options.smoothing);
 
   result.energy = measured.energy;
   result.dissimilarity = measured.weight > 0 ? measured.energy / measured.weight : 0;

@@ -26,15 +26,15 @@ double dot(std::span<const double> a, std::span<const double> b) {
 /// The matrix H + stiffness N^T L^T L N, with H the diagonal of the curvatures and N the normals.
 class Plate {
  public:
-  Plate(const Umbrella& umbrella, const ThinPlateProblem& problem)
-      : umbrella_(umbrella),
+  Plate(const UniformLaplacian& laplacian, const ThinPlateProblem& problem)
+      : laplacian_(laplacian),
         problem_(problem),
         moved_(problem.normals.size()),
         bent_(problem.normals.size()) {}
 
   void apply(std::span<const double> steps, std::vector<double>& result) {
     for (std::size_t v = 0; v < steps.size(); ++v) moved_[v] = steps[v] * problem_.normals[v];
-    umbrella_.apply_bending(moved_, bent_);
+    laplacian_.apply_bending(moved_, bent_);
     for (std::size_t v = 0; v < steps.size(); ++v) {
       result[v] =
           problem_.curvature[v] * steps[v] + problem_.stiffness * problem_.normals[v].dot(bent_[v]);
@@ -43,7 +43,7 @@ class Plate {
 
   /// The negative derivative of the energy by the movements, where they are 0.
   std::vector<double> force(std::span<const Vec3> positions) {
-    umbrella_.apply_bending(positions, bent_);
+    laplacian_.apply_bending(positions, bent_);
     std::vector<double> result(positions.size());
     for (std::size_t v = 0; v < result.size(); ++v) {
       result[v] = -problem_.gradient[v] - problem_.stiffness * problem_.normals[v].dot(bent_[v]);
@@ -58,7 +58,7 @@ class Plate {
   }
 
  private:
-  const Umbrella& umbrella_;
+  const UniformLaplacian& laplacian_;
   const ThinPlateProblem& problem_;
   std::vector<Vec3> moved_;
   std::vector<Vec3> bent_;
@@ -66,7 +66,7 @@ class Plate {
 
 }  // namespace
 
-Umbrella::Umbrella(const Mesh& mesh) : offsets_(mesh.positions.size() + 1, 0) {
+UniformLaplacian::UniformLaplacian(const Mesh& mesh) : offsets_(mesh.positions.size() + 1, 0) {
   // Each edge makes its ends neighbors of each other.
   const Edges edges(mesh);
   std::vector<char> is_border(mesh.positions.size(), 0);
@@ -96,7 +96,7 @@ Umbrella::Umbrella(const Mesh& mesh) : offsets_(mesh.positions.size() + 1, 0) {
   }
 }
 
-void Umbrella::apply(std::span<const Vec3> values, std::vector<Vec3>& result) const {
+void UniformLaplacian::apply(std::span<const Vec3> values, std::vector<Vec3>& result) const {
   result.resize(values.size());
   for_vertices(values.size(), [&](std::size_t v) {
     Vec3 sum = Vec3::Zero();
@@ -106,7 +106,8 @@ void Umbrella::apply(std::span<const Vec3> values, std::vector<Vec3>& result) co
   });
 }
 
-void Umbrella::apply_bending(std::span<const Vec3> values, std::vector<Vec3>& result) const {
+void UniformLaplacian::apply_bending(std::span<const Vec3> values,
+                                     std::vector<Vec3>& result) const {
   std::vector<Vec3> bend;
   apply(values, bend);
   for_vertices(values.size(), [&](std::size_t v) {
@@ -121,10 +122,10 @@ void Umbrella::apply_bending(std::span<const Vec3> values, std::vector<Vec3>& re
   });
 }
 
-std::vector<double> thin_plate_step(const Mesh& mesh, const Umbrella& umbrella,
+std::vector<double> thin_plate_step(const Mesh& mesh, const UniformLaplacian& laplacian,
                                     const ThinPlateProblem& problem) {
   const std::size_t count = mesh.positions.size();
-  Plate plate(umbrella, problem);
+  Plate plate(laplacian, problem);
   std::vector<double> residual = plate.force(mesh.positions);
   std::vector<double> steps(count, 0);
   std::vector<double> scaled(count, 0);

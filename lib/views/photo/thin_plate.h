@@ -15,9 +15,9 @@
 namespace transformesh {
 
 /// The neighbors of every vertex along edges, and the umbrella over them.
-class Umbrella {
+class UniformLaplacian {
  public:
-  explicit Umbrella(const Mesh& mesh);
+  explicit UniformLaplacian(const Mesh& mesh);
 
   /// The way to the mean of the neighbors; 0 at vertices without any.
   void apply(std::span<const Vec3> values, std::vector<Vec3>& result) const;
@@ -44,7 +44,7 @@ struct ThinPlateProblem {
 /// iterations, fewer where the residual falls to 5 %; what is left is for the next step of an
 /// evolution. With stiffness 0 exactly -g / h. Vertices with h = 0 that no plate moves have d = 0.
 /// O(n); deterministic.
-std::vector<double> thin_plate_step(const Mesh& mesh, const Umbrella& umbrella,
+std::vector<double> thin_plate_step(const Mesh& mesh, const UniformLaplacian& laplacian,
                                     const ThinPlateProblem& problem);
 
 }  // namespace transformesh

@@ -154,7 +154,7 @@ std::size_t count_roots(const std::vector<std::uint32_t>& parents, const std::ve
 
 /// Corners of faces are united across edges: the corners at a vertex then are one set if its faces
 /// are one fan.
-void count_fans(const TriangleMesh& mesh, MeshFacts& facts) {
+void count_umbrellas(const TriangleMesh& mesh, MeshFacts& facts) {
   std::vector<std::uint32_t> parents(3 * mesh.faces.size());
   std::iota(parents.begin(), parents.end(), 0U);
   std::map<Edge, std::uint32_t> halfedges;
@@ -169,10 +169,10 @@ void count_fans(const TriangleMesh& mesh, MeshFacts& facts) {
     unite(parents, from, corner(other / 3, other % 3 + 1));
     unite(parents, corner(from / 3, from % 3 + 1), other);
   }
-  std::vector<std::size_t> fans(mesh.points.size());
+  std::vector<std::size_t> umbrellas(mesh.points.size());
   for (std::uint32_t c = 0; c < parents.size(); ++c)
-    if (parents[c] == c) ++fans[mesh.faces[c / 3][c % 3]];
-  for (const std::size_t count : fans) facts.bad_vertices += count > 1 ? 1 : 0;
+    if (parents[c] == c) ++umbrellas[mesh.faces[c / 3][c % 3]];
+  for (const std::size_t count : umbrellas) facts.bad_vertices += count > 1 ? 1 : 0;
 }
 
 void count_components(const TriangleMesh& mesh, MeshFacts& facts) {
@@ -219,7 +219,7 @@ MeshFacts judge(const TriangleMesh& mesh) {
   if (!facts.is_valid()) return facts;
   count_edges(mesh, facts);
   count_unpaired_places(mesh, facts);
-  count_fans(mesh, facts);
+  count_umbrellas(mesh, facts);
   count_components(mesh, facts);
   count_meetings(mesh, facts);
   measure(mesh, facts);

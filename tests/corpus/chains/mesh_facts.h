@@ -17,7 +17,7 @@ struct MeshFacts {
   /// Directed edges, by place, that no edge in the other direction answers. 0 for a closed soup.
   std::size_t unpaired_places = 0;
   std::size_t bad_edges = 0;     ///< edges run along twice in one direction
-  std::size_t bad_vertices = 0;  ///< vertices whose faces are not one fan
+  std::size_t bad_vertices = 0;  ///< vertices whose faces do not form one umbrella
   std::size_t no_area = 0;       ///< faces whose corners lie on one line, exactly
   /// Pairs of faces that meet beyond corners and edges at equal coordinates, as tm-checkmanifold(1)
   /// defines it: a pair with three equal corners counts. Faces without area take no part.

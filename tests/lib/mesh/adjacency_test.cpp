@@ -68,10 +68,10 @@ TEST_CASE("opposite halfedges agree with a search, on soups too") {
 }
 
 TEST_CASE("a vertex of high valence is sorted like any other") {
-  Mesh fan;
-  fan.positions.assign(1002, Vec3::Zero());
-  for (Index i = 1000; i > 0; --i) fan.faces.push_back({0, i, i + 1});
-  CHECK(opposite_halfedges(fan) == opposites_by_search(fan));
+  Mesh umbrella;
+  umbrella.positions.assign(1002, Vec3::Zero());
+  for (Index i = 1000; i > 0; --i) umbrella.faces.push_back({0, i, i + 1});
+  CHECK(opposite_halfedges(umbrella) == opposites_by_search(umbrella));
 }
 
 TEST_CASE("vertex faces ascend and name each face once") {

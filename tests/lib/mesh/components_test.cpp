@@ -65,7 +65,7 @@ TEST_CASE("boundary loops count as caps") {
 
 TEST_CASE("holes that touch at a vertex are counted apart") {
   // The grid without two cells that meet in a corner: outer border and, through the umbrellas of
-  // the middle vertex, two fans between two holes.
+  // the middle vertex, two umbrellas between two holes.
   Mesh mesh = test::grid(4);
   std::vector<bool> keep(mesh.faces.size(), true);
   for (const int cell : {5, 10}) keep[2 * cell] = keep[2 * cell + 1] = false;

@@ -61,7 +61,7 @@ TEST_CASE("two cones that meet in their tips share a singular vertex") {
   CHECK(report.nonmanifold_vertices == std::vector<Index>{0});
   CHECK(report.boundary_loops == 2);
   CHECK(describe_problem(mesh, report, false) ==
-        "the faces around vertex 0 at (0, 0, 0) are not one fan");
+        "the faces around vertex 0 at (0, 0, 0) do not form one umbrella");
 }
 
 TEST_CASE("faces that run alike are a matter of orientation only") {

@@ -86,7 +86,7 @@ void check_box(const Mesh& mesh, const Eigen::Matrix3d& back) {
   CHECK(sharp.corners() == 8);
 }
 
-/// A prism of n sides that stands for a cylinder of radius 1 and height 2, its caps fans.
+/// A prism of n sides that stands for a cylinder of radius 1 and height 2, its caps umbrellas.
 Mesh cylinder(Index n) {
   Mesh mesh;
   for (Index i = 0; i < n; ++i) {

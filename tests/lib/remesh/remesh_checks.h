@@ -12,7 +12,7 @@
 
 namespace transformesh::test {
 
-/// Every directed edge once, and the faces at every vertex one fan: an oriented manifold.
+/// Every directed edge once, and the faces at every vertex one umbrella: an oriented manifold.
 inline bool is_oriented_manifold(const Mesh& mesh) {
   std::set<std::pair<Index, Index>> directed;
   std::vector<std::map<Index, Index>> links(mesh.positions.size());  // from each corner to the next

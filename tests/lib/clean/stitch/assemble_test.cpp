@@ -106,7 +106,7 @@ TEST_CASE("touching cubes come apart: a copy for a vertex, two for an edge") {
   }
 }
 
-TEST_CASE("where both ends of a singular edge are one fan, each sheet gets a midpoint") {
+TEST_CASE("where both ends of a singular edge are one umbrella, each sheet gets a midpoint") {
   // Two cubes on a diagonal between two plates: the edge in which they touch ends in both plates.
   Mesh mesh = test::joined(test::cuboid({0, 0, 0}, {2, 2, 1}), test::cuboid({0, 0, 2}, {2, 2, 3}));
   mesh = test::joined(mesh, test::cuboid({0, 0, 1}, {1, 1, 2}));

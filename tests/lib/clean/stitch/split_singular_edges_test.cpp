@@ -9,7 +9,7 @@
 #include "clean/stitch/pair_across_inside.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
-#include "mesh/fans.h"
+#include "mesh/umbrellas.h"
 
 namespace transformesh {
 namespace {
@@ -56,7 +56,7 @@ Mesh boundary_of(const std::vector<char>& filled) {
   return mesh;
 }
 
-/// With a vertex for each fan, as stitching leaves it before edges are split.
+/// With a vertex for each umbrella, as stitching leaves it before edges are split.
 struct Parted {
   Mesh mesh;
   std::vector<Index> opposite;
@@ -66,10 +66,11 @@ struct Parted {
     opposite = pair_across_inside(mesh.faces, edges, [&](std::span<const Index> halfedges) {
       return sort_around_edge(whole, halfedges);
     });
-    const Fans fans = find_fans(mesh.faces, opposite);
+    const Umbrellas umbrellas = find_umbrellas(mesh.faces, opposite);
     mesh.positions.clear();
-    for (const Index v : fans.vertex_of) mesh.positions.push_back(whole.positions[v]);
-    for (Index h = 0; h < fans.of_corner.size(); ++h) mesh.faces[h / 3][h % 3] = fans.of_corner[h];
+    for (const Index v : umbrellas.vertex_of) mesh.positions.push_back(whole.positions[v]);
+    for (Index h = 0; h < umbrellas.of_corner.size(); ++h)
+      mesh.faces[h / 3][h % 3] = umbrellas.of_corner[h];
   }
 };
 

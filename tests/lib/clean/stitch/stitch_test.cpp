@@ -28,8 +28,8 @@ bool is_closed_manifold(const Mesh& mesh) {
   return count.is_closed_and_oriented && count.is_manifold;
 }
 
-/// Whether the faces around every vertex are one fan, by walking them; where they are oriented no
-/// halfedge comes twice.
+/// Whether the faces around every vertex are one umbrella, by walking them; where they are oriented
+/// no halfedge comes twice.
 bool is_manifold_with_border(const Mesh& mesh, bool is_oriented) {
   std::map<std::pair<Index, Index>, int> halfedges;
   std::map<std::pair<Index, Index>, int> edges;

@@ -14,7 +14,7 @@ using doctest::Approx;
 namespace {
 
 /// The umbrella as a matrix, row by row from the faces.
-Eigen::MatrixXd umbrella_matrix(const Mesh& mesh) {
+Eigen::MatrixXd laplacian_matrix(const Mesh& mesh) {
   const auto count = static_cast<Eigen::Index>(mesh.positions.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
   for (const Face& face : mesh.faces) {
@@ -46,7 +46,7 @@ ThinPlateProblem random_problem(const Mesh& mesh, double stiffness) {
 /// The minimum by a dense solver.
 Eigen::VectorXd dense_step(const Mesh& mesh, const ThinPlateProblem& problem) {
   const auto count = static_cast<Eigen::Index>(mesh.positions.size());
-  const Eigen::MatrixXd bend = umbrella_matrix(mesh);
+  const Eigen::MatrixXd bend = laplacian_matrix(mesh);
   const Eigen::MatrixXd energy = problem.stiffness * bend.transpose() * bend;
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd force(count);
@@ -66,10 +66,10 @@ Eigen::VectorXd dense_step(const Mesh& mesh, const ThinPlateProblem& problem) {
 
 TEST_CASE("the umbrella is the way to the mean of the neighbors, one for each edge") {
   const Mesh mesh = test::icosphere(1);
-  const Umbrella umbrella(mesh);
+  const UniformLaplacian laplacian(mesh);
   std::vector<Vec3> ways;
-  umbrella.apply(mesh.positions, ways);
-  const Eigen::MatrixXd matrix = umbrella_matrix(mesh);
+  laplacian.apply(mesh.positions, ways);
+  const Eigen::MatrixXd matrix = laplacian_matrix(mesh);
   for (std::size_t v = 0; v < ways.size(); ++v) {
     Vec3 expected = Vec3::Zero();
     for (std::size_t w = 0; w < ways.size(); ++w)
@@ -81,10 +81,10 @@ TEST_CASE("the umbrella is the way to the mean of the neighbors, one for each ed
 
 TEST_CASE("the step comes to within the residual of the minimum") {
   const Mesh mesh = test::icosphere(2);
-  const Umbrella umbrella(mesh);
+  const UniformLaplacian laplacian(mesh);
   for (const double stiffness : {0.0, 0.5, 3.0}) {
     const ThinPlateProblem problem = random_problem(mesh, stiffness);
-    const std::vector<double> steps = thin_plate_step(mesh, umbrella, problem);
+    const std::vector<double> steps = thin_plate_step(mesh, laplacian, problem);
     const Eigen::VectorXd exact = dense_step(mesh, problem);
     const Eigen::Map<const Eigen::VectorXd> found(steps.data(), exact.size());
     CHECK((found - exact).norm() < (stiffness == 0 ? 1e-14 : 0.1) * exact.norm());
@@ -94,12 +94,12 @@ TEST_CASE("the step comes to within the residual of the minimum") {
 TEST_CASE("a dent that no data hold goes, data hold theirs") {
   Mesh mesh = test::icosphere(3);
   mesh.positions[100] *= 0.9;
-  const Umbrella umbrella(mesh);
+  const UniformLaplacian laplacian(mesh);
   ThinPlateProblem problem{vertex_normals(mesh), std::vector<double>(mesh.positions.size(), 0),
                            std::vector<double>(mesh.positions.size(), 0), 1};
   // The whole sphere shrinks as well: what counts is how the vertex moves against the others.
   const auto out_of_dent = [&] {
-    const std::vector<double> steps = thin_plate_step(mesh, umbrella, problem);
+    const std::vector<double> steps = thin_plate_step(mesh, laplacian, problem);
     return steps[100] - steps[300];
   };
   const double free = out_of_dent();
@@ -120,11 +120,11 @@ TEST_CASE("borders are free, and vertices without faces stay") {
     }
   }
   mesh.positions.emplace_back(9, 9, 9);
-  const Umbrella umbrella(mesh);
+  const UniformLaplacian laplacian(mesh);
   const std::vector<double> none(mesh.positions.size(), 0);
   const ThinPlateProblem problem{vertex_normals(mesh), none, none, 1};
-  for (const double step : thin_plate_step(mesh, umbrella, problem)) CHECK(step == 0);
+  for (const double step : thin_plate_step(mesh, laplacian, problem)) CHECK(step == 0);
   std::vector<Vec3> bent;
-  umbrella.apply_bending(mesh.positions, bent);
+  laplacian.apply_bending(mesh.positions, bent);
   for (const Vec3& b : bent) CHECK(b.norm() < 1e-14);
 }

@@ -1,4 +1,4 @@
-#include "mesh/fans.h"
+#include "mesh/umbrellas.h"
 
 #include <algorithm>
 
@@ -6,8 +6,8 @@
 
 namespace transformesh {
 
-Fans find_fans(std::span<const Face> faces, std::span<const Index> across,
-               std::span<const char> included) {
+Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> across,
+                         std::span<const char> included) {
   // Two halfedges that start at the same vertex join their corners there, others their opposite
   // ends.
   DisjointSets corners(3 * faces.size());
@@ -19,43 +19,43 @@ Fans find_fans(std::span<const Face> faces, std::span<const Index> across,
     corners.join(next_halfedge(h), run_alike ? next_halfedge(other) : other);
   }
 
-  // Fans are numbered by their first corners.
-  Fans fans;
-  fans.of_corner.assign(3 * faces.size(), no_index);
-  for (Index corner = 0; corner < fans.of_corner.size(); ++corner) {
+  // Umbrellas are numbered by their first corners.
+  Umbrellas umbrellas;
+  umbrellas.of_corner.assign(3 * faces.size(), no_index);
+  for (Index corner = 0; corner < umbrellas.of_corner.size(); ++corner) {
     if (!included.empty() && !included[corner / 3]) continue;
     const Index first = corners.find(corner);
     if (first == corner) {
-      fans.of_corner[corner] = static_cast<Index>(fans.vertex_of.size());
-      fans.vertex_of.push_back(faces[corner / 3][corner % 3]);
+      umbrellas.of_corner[corner] = static_cast<Index>(umbrellas.vertex_of.size());
+      umbrellas.vertex_of.push_back(faces[corner / 3][corner % 3]);
     } else {
-      fans.of_corner[corner] = fans.of_corner[first];
+      umbrellas.of_corner[corner] = umbrellas.of_corner[first];
     }
   }
-  return fans;
+  return umbrellas;
 }
 
-Fans find_fans(const Mesh& mesh, const Edges& edges) {
-  return find_fans(mesh.faces, neighbors_across(edges, mesh.faces.size()));
+Umbrellas find_umbrellas(const Mesh& mesh, const Edges& edges) {
+  return find_umbrellas(mesh.faces, neighbors_across(edges, mesh.faces.size()));
 }
 
-std::vector<Index> boundary_loops(const Edges& edges, const Fans& fans) {
-  // Border edges that share a fan belong to one loop.
+std::vector<Index> boundary_loops(const Edges& edges, const Umbrellas& umbrellas) {
+  // Border edges that share an umbrella belong to one loop.
   std::vector<Index> border;
-  DisjointSets loops(fans.vertex_of.size());
+  DisjointSets loops(umbrellas.vertex_of.size());
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     if (edges.halfedges(edge).size() != 1) continue;
     const Index h = edges.halfedges(edge)[0];
     border.push_back(h);
-    loops.join(fans.of_corner[h], fans.of_corner[next_halfedge(h)]);
+    loops.join(umbrellas.of_corner[h], umbrellas.of_corner[next_halfedge(h)]);
   }
 
   // The lowest halfedge of each set stands for its loop.
   std::sort(border.begin(), border.end());
   std::vector<Index> firsts;
-  std::vector<bool> is_counted(fans.vertex_of.size(), false);
+  std::vector<bool> is_counted(umbrellas.vertex_of.size(), false);
   for (const Index halfedge : border) {
-    const Index loop = loops.find(fans.of_corner[halfedge]);
+    const Index loop = loops.find(umbrellas.of_corner[halfedge]);
     if (!is_counted[loop]) firsts.push_back(halfedge);
     is_counted[loop] = true;
   }
