@@ -23,7 +23,7 @@ class LeastTriangulation {
       : border_(border),
         weigher_(border),
         size_(border.points.size()),
-        parts_(size_ * size_),
+        subpolygons_(size_ * size_),
         angles_(size_ * size_, HoleWeight().angle),
         angles_before_(angles_) {
     for (std::size_t i = 0; i + 1 < size_; ++i) set(i, i + 1, {{0, 0}, no_index});
@@ -33,38 +33,40 @@ class LeastTriangulation {
     for (std::size_t length = 2; length < size_; ++length)
       for (std::size_t i = 0; i + length < size_; ++i)
         if (!is_chord(border_, i, i + length)) set(i, i + length, best_between(i, i + length));
-    if (size_ < 3 || !part(0, size_ - 1).weight.is_there()) return {};
-    return triangles_below(size_, [&](Index i, Index k) { return part(i, k).apex; });
+    if (size_ < 3 || !subpolygon(0, size_ - 1).weight.is_there()) return {};
+    return triangles_below(size_, [&](Index i, Index k) { return subpolygon(i, k).apex; });
   }
 
  private:
-  const HolePart& part(std::size_t i, std::size_t k) const { return parts_[i * size_ + k]; }
-  void set(std::size_t i, std::size_t k, const HolePart& part) {
-    parts_[i * size_ + k] = part;
-    angles_[i * size_ + k] = angles_before_[k * size_ + i] = part.weight.angle;
+  const HoleSubpolygon& subpolygon(std::size_t i, std::size_t k) const {
+    return subpolygons_[i * size_ + k];
   }
-  HolePart best_between(std::size_t i, std::size_t k) const;
+  void set(std::size_t i, std::size_t k, const HoleSubpolygon& subpolygon) {
+    subpolygons_[i * size_ + k] = subpolygon;
+    angles_[i * size_ + k] = angles_before_[k * size_ + i] = subpolygon.weight.angle;
+  }
+  HoleSubpolygon best_between(std::size_t i, std::size_t k) const;
 
   const HoleBorder& border_;
   HoleWeigher weigher_;
   std::size_t size_;
-  std::vector<HolePart> parts_;  ///< By first and then by second point.
+  std::vector<HoleSubpolygon> subpolygons_;  ///< By first and then by second point.
   /// The angles of the parts once more, which are looked through: in the same order, and by second
   /// and then by first point.
   std::vector<double> angles_, angles_before_;
 };
 
-HolePart LeastTriangulation::best_between(std::size_t i, std::size_t k) const {
+HoleSubpolygon LeastTriangulation::best_between(std::size_t i, std::size_t k) const {
   const double* left = angles_.data() + i * size_;
   const double* right = angles_before_.data() + k * size_;
-  HolePart best;
+  HoleSubpolygon best;
   const auto attempt = [&](std::size_t m) {
-    const HolePart &first = part(i, m), &second = part(m, k);
+    const HoleSubpolygon &first = subpolygon(i, m), &second = subpolygon(m, k);
     if (m != best.apex && first.weight.is_there() && second.weight.is_there())
       weigher_.improve(i, m, k, first, second, best);
   };
   // The apexes of shorter pairs are often good, and good ones spare most of the others.
-  for (const Index m : {part(i, k - 1).apex, part(i + 1, k).apex})
+  for (const Index m : {subpolygon(i, k - 1).apex, subpolygon(i + 1, k).apex})
     if (m != no_index) attempt(m);
   for (std::size_t m = i + 1; m < k; ++m)
     if (std::max(left[m], right[m]) <= best.weight.angle) attempt(m);
@@ -100,10 +102,11 @@ class SparseTriangulation {
 
   std::vector<HoleTriangle> run() {
     for (const auto& [i, k] : edges_) {
-      const HolePart part = k == i + 1 ? HolePart{{0, 0}, no_index} : best_between(i, k);
-      if (!part.weight.is_there()) continue;
-      to_[i].emplace_back(k, part);
-      from_[k].emplace_back(i, part);
+      const HoleSubpolygon subpolygon =
+          k == i + 1 ? HoleSubpolygon{{0, 0}, no_index} : best_between(i, k);
+      if (!subpolygon.weight.is_there()) continue;
+      to_[i].emplace_back(k, subpolygon);
+      from_[k].emplace_back(i, subpolygon);
     }
     if (size_ < 3 || edges_.back() != Edge(0, size_ - 1) || to_[0].back().first != size_ - 1)
       return {};
@@ -116,19 +119,19 @@ class SparseTriangulation {
 
  private:
   using Edge = std::pair<Index, Index>;
-  using PartsTo = std::vector<std::pair<Index, HolePart>>;
-  HolePart best_between(Index i, Index k) const;
+  using SubpolygonsTo = std::vector<std::pair<Index, HoleSubpolygon>>;
+  HoleSubpolygon best_between(Index i, Index k) const;
 
   const HoleBorder& border_;
   HoleWeigher weigher_;
   Index size_;
   std::vector<Edge> edges_;
-  std::vector<PartsTo> to_;    ///< Per first point, by ascending second point.
-  std::vector<PartsTo> from_;  ///< Per second point, by descending first point.
+  std::vector<SubpolygonsTo> to_;    ///< Per first point, by ascending second point.
+  std::vector<SubpolygonsTo> from_;  ///< Per second point, by descending first point.
 };
 
-HolePart SparseTriangulation::best_between(Index i, Index k) const {
-  HolePart best;
+HoleSubpolygon SparseTriangulation::best_between(Index i, Index k) const {
+  HoleSubpolygon best;
   auto right = from_[k].rbegin();
   for (const auto& [m, left] : to_[i]) {
     while (right != from_[k].rend() && right->first < m) ++right;

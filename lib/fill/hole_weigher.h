@@ -25,7 +25,7 @@ struct HoleWeight {
 
 /// The best triangulation found between two points: its weight, and the third corner of its
 /// triangle at the edge between them. The edge to the next point has no triangle.
-struct HolePart {
+struct HoleSubpolygon {
   HoleWeight weight;
   Index apex = no_index;
 };
@@ -40,8 +40,8 @@ class HoleWeigher {
 
   /// Puts the triangle i, m, k on top of two parts where that makes a better part than `best`, or
   /// as good a one with a lower apex. What decides most often is computed first.
-  void improve(std::size_t i, std::size_t m, std::size_t k, const HolePart& left,
-               const HolePart& right, HolePart& best) const {
+  void improve(std::size_t i, std::size_t m, std::size_t k, const HoleSubpolygon& left,
+               const HoleSubpolygon& right, HoleSubpolygon& best) const {
     HoleWeight weight{std::max(left.weight.angle, right.weight.angle),
                       left.weight.area + right.weight.area};
     weight.area += std::sqrt(CGAL::squared_area(points_[i], points_[m], points_[k]));
@@ -59,8 +59,8 @@ class HoleWeigher {
   }
 
  private:
-  const Point& beyond(std::size_t from, const HolePart& part) const {
-    return part.apex == no_index ? across_[from] : points_[part.apex];
+  const Point& beyond(std::size_t from, const HoleSubpolygon& subpolygon) const {
+    return subpolygon.apex == no_index ? across_[from] : points_[subpolygon.apex];
   }
   double angle(std::size_t i, std::size_t k, std::size_t corner, const Point& beyond) const {
     return 180 - std::abs(CGAL::approximate_dihedral_angle(points_[i], points_[k], points_[corner],

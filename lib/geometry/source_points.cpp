@@ -112,7 +112,7 @@ SourcePoint source_point_on(const Mesh& source, Index face, const Vec3& point) {
                                     source.positions[third]};
   const TrianglePoint nearest =
       closest_point_of_triangle(point, corners[0], corners[1], corners[2]);
-  if (nearest.part == TrianglePart::inside)
+  if (nearest.part == TriangleSimplex::inside)
     return inside(face, nearest.point, corners[0], corners[1], corners[2]);
   const auto part = static_cast<int>(nearest.part);
   if (part < 3) return on_edge(face, part, 0);

@@ -167,7 +167,7 @@ std::vector<char> find_exterior(const PlanarTriangulation& triangulation, Index 
 }  // namespace
 
 std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
-  const auto parts = find_bounding_parts(geometry_, in_, known_, cutter_.winding_level_);
+  const auto parts = find_bounding_subsegments(geometry_, in_, known_, cutter_.winding_level_);
   if (!parts) return std::nullopt;
   if (parts->empty()) return PlaneCut{{}, {}, {0}, {}};
 
@@ -180,7 +180,7 @@ std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
     return std::nullopt;
   for (Index i = 0; i < 3; ++i) inserted_.insert(corners_[i].definition, first_corner + i);
   std::vector<std::array<Index, 2>> ends;
-  for (const SegmentPart& part : *parts) {
+  for (const Subsegment& part : *parts) {
     const PlanarSegment& s = in_.segments[part.segment];
     ends.push_back({insert_end(triangulation, part.segment, part.from, s.from),
                     insert_end(triangulation, part.segment, part.to, s.to)});
@@ -188,7 +188,7 @@ std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
   for (std::size_t i = 0; i < ends.size(); ++i)
     triangulation.constrain(ends[i][0], ends[i][1], edges + (*parts)[i].segment);
 
-  const SegmentPart& first = parts->front();
+  const Subsegment& first = parts->front();
   auto [from, to] = ends.front();
   if (!first.is_left) std::swap(from, to);
   const auto chain = triangulation.chain(from, to, {edges + first.segment, first.is_left});

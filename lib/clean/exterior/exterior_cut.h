@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "clean/arrange/cut_plane.h"
-#include "clean/exterior/bounding_parts.h"
+#include "clean/exterior/bounding_subsegments.h"
 #include "clean/exterior/region_growing_winding.h"
 
 namespace transformesh {
@@ -28,7 +28,7 @@ class ExteriorCutter {
         geometry_(welded.points, welded.faces) {}
 
   /// The exterior facets of the only face of a plane. Nothing where other faces do not merely cross
-  /// it (bounding_parts.h): the plane has to be cut in full.
+  /// it (bounding_subsegments.h): the plane has to be cut in full.
   std::optional<PlaneCut> cut(const Plane& plane);
   std::size_t rays() const { return rays_; }
 

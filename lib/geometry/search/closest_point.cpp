@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t bucket_size = 2;
 
-TrianglePart corner_part(int corner) { return static_cast<TrianglePart>(corner % 3); }
-TrianglePart edge_part(int edge) { return static_cast<TrianglePart>(3 + edge); }
+TriangleSimplex corner_simplex(int corner) { return static_cast<TriangleSimplex>(corner % 3); }
+TriangleSimplex edge_simplex(int edge) { return static_cast<TriangleSimplex>(3 + edge); }
 
 /// The closest point of the segment from corner `edge` of the triangle to the next.
 inline TrianglePoint closest_point_of_edge(const Vec3& query, const Vec3& from, const Vec3& to,
@@ -21,9 +21,9 @@ inline TrianglePoint closest_point_of_edge(const Vec3& query, const Vec3& from, 
   const Vec3 direction = to - from;
   const double along = direction.dot(query - from);
   const double length_squared = direction.squaredNorm();
-  if (!(along > 0)) return {from, corner_part(edge)};
-  if (!(along < length_squared)) return {to, corner_part(edge + 1)};
-  return {from + along / length_squared * direction, edge_part(edge)};
+  if (!(along > 0)) return {from, corner_simplex(edge)};
+  if (!(along < length_squared)) return {to, corner_simplex(edge + 1)};
+  return {from + along / length_squared * direction, edge_simplex(edge)};
 }
 
 double squared_distance(const Vec3& a, const Vec3& b) {
@@ -52,7 +52,7 @@ TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const 
   const double weight_c = normal.dot(to_a.cross(to_b));
   if (weight_a > 0 && weight_b > 0 && weight_c > 0) {
     const double sum = weight_a + weight_b + weight_c;
-    return {a + weight_b / sum * (b - a) + weight_c / sum * (c - a), TrianglePart::inside};
+    return {a + weight_b / sum * (b - a) + weight_c / sum * (c - a), TriangleSimplex::inside};
   }
 
   // Else the closest point lies on the boundary; of equally close ones the first is taken.
@@ -170,9 +170,9 @@ ClosestPoint ClosestPointQuery::described(const Vec3& query, const Hit& best) co
   return result;
 }
 
-Vec3 ClosestPointQuery::pseudonormal(Index face, TrianglePart part) const {
+Vec3 ClosestPointQuery::pseudonormal(Index face, TriangleSimplex part) const {
   Vec3 normal = face_normal(*mesh_, face).stableNormalized();
-  if (part == TrianglePart::inside) return normal;
+  if (part == TriangleSimplex::inside) return normal;
   const auto number = static_cast<int>(part);
   const Face& corners = mesh_->faces[face];
   if (number < 3) return vertex_normal(*mesh_, corners[number], faces_at_[corners[number]]);

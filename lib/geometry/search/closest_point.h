@@ -20,11 +20,11 @@ namespace transformesh {
 
 /// The part of a triangle on which a point lies: corner i, the edge from corner i to the next, or
 /// the inside.
-enum class TrianglePart { corner_0, corner_1, corner_2, edge_0, edge_1, edge_2, inside };
+enum class TriangleSimplex { corner_0, corner_1, corner_2, edge_0, edge_1, edge_2, inside };
 
 struct TrianglePoint {
   Vec3 point = Vec3::Zero();
-  TrianglePart part = TrianglePart::inside;
+  TriangleSimplex part = TriangleSimplex::inside;
 };
 
 /// The point of triangle abc closest to the query. Triangles without area are segments or points.
@@ -71,7 +71,7 @@ class ClosestPointQuery {
   Hit search(const Vec3& query, double shrink, const Condition& accept, Index hint = no_index,
              double squared_bound = std::numeric_limits<double>::infinity()) const;
   ClosestPoint described(const Vec3& query, const Hit& best) const;
-  Vec3 pseudonormal(Index face, TrianglePart part) const;
+  Vec3 pseudonormal(Index face, TriangleSimplex part) const;
   /// no_index on a border, where more than two faces meet and where both run the same way.
   Index face_across(Index face, Index from, Index to) const;
 

@@ -75,13 +75,13 @@ Vec3 sum_of(const std::vector<Vec3>& vectors) {
 }
 
 double longest_edge_of(const EditableMesh& mesh) {
-  constexpr std::size_t per_part = 2048;
-  std::vector<double> longest((mesh.face_slots() + per_part - 1) / per_part, 0);
+  constexpr std::size_t per_chunk = 2048;
+  std::vector<double> longest((mesh.face_slots() + per_chunk - 1) / per_chunk, 0);
   parallel_for(longest.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t part = from; part < to; ++part) {
-      const auto last = std::min<std::size_t>(mesh.face_slots(), (part + 1) * per_part);
+      const auto last = std::min<std::size_t>(mesh.face_slots(), (part + 1) * per_chunk);
       double most = 0;
-      for (auto face = static_cast<Index>(part * per_part); face < last; ++face) {
+      for (auto face = static_cast<Index>(part * per_chunk); face < last; ++face) {
         if (!mesh.has_face(face)) continue;
         const auto [a, b, c] = mesh.triangle(face);
         most =

@@ -21,24 +21,24 @@ void find_ring(const EditableMesh& mesh, Index vertex, std::vector<Index>& ring)
   append_ring(mesh, vertex, ring);
 }
 
-VertexRings::Part VertexRings::part_of(const EditableMesh& mesh, Index first, Index last) {
-  Part part;
-  part.neighbors.reserve((usual_valence + 1) * (last - first));
-  part.ends.reserve(last - first + 1);
-  part.ends.push_back(0);
+VertexRings::Chunk VertexRings::chunk_of(const EditableMesh& mesh, Index first, Index last) {
+  Chunk chunk;
+  chunk.neighbors.reserve((usual_valence + 1) * (last - first));
+  chunk.ends.reserve(last - first + 1);
+  chunk.ends.push_back(0);
   for (Index v = first; v < last; ++v) {
-    if (mesh.has_vertex(v)) append_ring(mesh, v, part.neighbors);
-    part.ends.push_back(static_cast<Index>(part.neighbors.size()));
+    if (mesh.has_vertex(v)) append_ring(mesh, v, chunk.neighbors);
+    chunk.ends.push_back(static_cast<Index>(chunk.neighbors.size()));
   }
-  return part;
+  return chunk;
 }
 
 VertexRings::VertexRings(const EditableMesh& mesh)
-    : parts_((mesh.vertex_slots() + part_size - 1) / part_size) {
-  parallel_for(parts_.size(), 1, [&](std::size_t from, std::size_t to) {
+    : chunks_((mesh.vertex_slots() + chunk_size - 1) / chunk_size) {
+  parallel_for(chunks_.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
-      const Index first = static_cast<Index>(i) * part_size;
-      parts_[i] = part_of(mesh, first, std::min(first + part_size, mesh.vertex_slots()));
+      const Index first = static_cast<Index>(i) * chunk_size;
+      chunks_[i] = chunk_of(mesh, first, std::min(first + chunk_size, mesh.vertex_slots()));
     }
   });
 }

@@ -17,21 +17,21 @@ class VertexRings {
   /// The neighbors of a living vertex, counter-clockwise, from the target of outgoing(); the first
   /// of them again at the end, unless the vertex lies on a border.
   std::span<const Index> operator[](Index vertex) const {
-    const Part& part = parts_[vertex / part_size];
-    const Index* end = part.ends.data() + vertex % part_size;
-    return {part.neighbors.data() + end[0], part.neighbors.data() + end[1]};
+    const Chunk& chunk = chunks_[vertex / chunk_size];
+    const Index* end = chunk.ends.data() + vertex % chunk_size;
+    return {chunk.neighbors.data() + end[0], chunk.neighbors.data() + end[1]};
   }
 
  private:
-  static constexpr Index part_size = 1024;
+  static constexpr Index chunk_size = 1024;
   /// Vertices one after the other.
-  struct Part {
+  struct Chunk {
     std::vector<Index> neighbors;
     std::vector<Index> ends;  ///< where those of each vertex begin, and where the last ones end
   };
-  static Part part_of(const EditableMesh& mesh, Index first, Index last);
+  static Chunk chunk_of(const EditableMesh& mesh, Index first, Index last);
 
-  std::vector<Part> parts_;
+  std::vector<Chunk> chunks_;
 };
 
 /// Replaces what is in `ring` by the neighbors of one vertex.

@@ -14,19 +14,19 @@ namespace transformesh {
 /// called from several threads at once.
 template <class Find>
 std::vector<Index> indices_where_in(Index count, const Find& find) {
-  constexpr std::size_t per_part = 4096;
-  std::vector<std::vector<Index>> parts((count + per_part - 1) / per_part);
-  parallel_for(parts.size(), 1, [&](std::size_t from, std::size_t to) {
-    for (std::size_t part = from; part < to; ++part) {
-      const std::size_t last = std::min<std::size_t>(count, (part + 1) * per_part);
+  constexpr std::size_t per_chunk = 4096;
+  std::vector<std::vector<Index>> chunks((count + per_chunk - 1) / per_chunk);
+  parallel_for(chunks.size(), 1, [&](std::size_t from, std::size_t to) {
+    for (std::size_t chunk = from; chunk < to; ++chunk) {
+      const std::size_t last = std::min<std::size_t>(count, (chunk + 1) * per_chunk);
       std::vector<Index> found;
-      for (std::size_t i = part * per_part; i < last; ++i) find(static_cast<Index>(i), found);
-      parts[part] = std::move(found);
+      for (std::size_t i = chunk * per_chunk; i < last; ++i) find(static_cast<Index>(i), found);
+      chunks[chunk] = std::move(found);
     }
   });
   std::vector<Index> result;
-  for (const std::vector<Index>& part : parts)
-    result.insert(result.end(), part.begin(), part.end());
+  for (const std::vector<Index>& chunk : chunks)
+    result.insert(result.end(), chunk.begin(), chunk.end());
   return result;
 }
 

@@ -42,7 +42,7 @@ std::optional<CameraFormat> format_of_program(std::string_view beginning) {
 
 /// The format of a file by its first row, where the number of numbers in that does not tell.
 std::optional<CameraFormat> format_of_words(TextRows rows) {
-  if (colmap_part(rows) != ColmapPart::none) return CameraFormat::colmap;
+  if (colmap_section(rows) != ColmapSection::none) return CameraFormat::colmap;
   if (rows.peek() == "CONTOUR") return CameraFormat::matrices;
   if (rows.words_left() < 20) return {};
   // Middlebury's parameters without the number of cameras are its format too: their reader says
@@ -150,7 +150,7 @@ CameraFormat known_format(const Source& source) {
 }
 
 /// Whether the file is one of the two that COLMAP needs together.
-bool is_colmap_part(const std::string& path) {
+bool is_colmap_section(const std::string& path) {
   const std::string name = std::filesystem::path(path).filename().string();
   return name == "cameras.txt" || name == "images.txt" || name == "cameras.bin" ||
          name == "images.bin";
@@ -246,7 +246,7 @@ CameraList cameras_from(const std::string& where) {
   const std::filesystem::path folder =
       is_folder(where) ? std::filesystem::path(where) : std::filesystem::path(where).parent_path();
   CameraList list;
-  const bool may_be_colmap = is_folder(where) || is_colmap_part(where);
+  const bool may_be_colmap = is_folder(where) || is_colmap_section(where);
   const std::string extension = may_be_colmap ? colmap_extension(folder, where) : std::string();
   if (!extension.empty()) {
     list = read_colmap_folder(folder, extension);

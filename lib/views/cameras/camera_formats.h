@@ -26,8 +26,8 @@ CameraList read_colmap(const Source& cameras, const Source& images);
 CameraList read_colmap_binary(const Source& cameras, const Source& images);
 
 /// Which of COLMAP's files has such a row.
-enum class ColmapPart { none, cameras, images };
-ColmapPart colmap_part(TextRows rows);
+enum class ColmapSection { none, cameras, images };
+ColmapSection colmap_section(TextRows rows);
 
 std::string write_middlebury(const CameraList& list);
 std::string write_matrix(const CameraRecord& record);

@@ -153,7 +153,7 @@ CameraList read_images(TextRows& rows, const Source& source, const Lenses& lense
 }
 
 /// Whether the row that rows is at describes a camera.
-bool at_lens(const TextRows& rows) { return colmap_part(rows) == ColmapPart::cameras; }
+bool at_lens(const TextRows& rows) { return colmap_section(rows) == ColmapSection::cameras; }
 
 [[noreturn]] void fail_without_images(const TextRows& rows) {
   rows.fail("there is no image in COLMAP's images.txt, so that no camera has a place");
@@ -168,17 +168,17 @@ Lenses read_lenses(const Source& source) {
 
 }  // namespace
 
-ColmapPart colmap_part(TextRows rows) {
+ColmapSection colmap_section(TextRows rows) {
   rows.word();
   if (is_model(rows.peek())) {
     rows.word();
     const bool has_size = is_number(rows.word()) && is_number(rows.word());
-    return has_size ? ColmapPart::cameras : ColmapPart::none;
+    return has_size ? ColmapSection::cameras : ColmapSection::none;
   }
   for (int i = 1; i < 9; ++i) {
-    if (!is_number(rows.word())) return ColmapPart::none;
+    if (!is_number(rows.word())) return ColmapSection::none;
   }
-  return rows.has_more() && !is_number(rows.word()) ? ColmapPart::images : ColmapPart::none;
+  return rows.has_more() && !is_number(rows.word()) ? ColmapSection::images : ColmapSection::none;
 }
 
 CameraList read_colmap(const Source& cameras, const Source& images) {

@@ -106,7 +106,7 @@ bool HeldImage::blur_when_read(const ThreeTaps& taps) {
 
 // Intensities are rounded as those of words are.
 void HeldImage::read_blurred(int x, int y, int columns, int rows, float* out) const {
-  blur_part(bytes_, width, height, *blur_, {x, y}, columns, rows, out);
+  blur_rectangle(bytes_, width, height, *blur_, {x, y}, columns, rows, out);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(columns) * rows;
   std::transform(out, out + count, out, [](float intensity) {
     return static_cast<float>(static_cast<int>(
@@ -160,7 +160,8 @@ float HeldImage::at(int x, int y) const {
   return value_of(words_[i]);
 }
 
-void HeldImage::unpack_part(int column, int row, int columns, int rows, GrayImage& part) const {
+void HeldImage::unpack_rectangle(int column, int row, int columns, int rows,
+                                 GrayImage& part) const {
   part.width = columns;
   part.height = rows;
   part.pixels.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
@@ -170,7 +171,7 @@ void HeldImage::unpack_part(int column, int row, int columns, int rows, GrayImag
 
 const GrayImage& HeldImage::unpacked(GrayImage& room) const {
   if (!is_packed()) return floats_;
-  unpack_part(0, 0, width, height, room);
+  unpack_rectangle(0, 0, width, height, room);
   return room;
 }
 
@@ -182,7 +183,7 @@ GrayImage HeldImage::unpacked() const {
 HeldImage HeldImage::cropped(int column, int row, int columns, int rows) const {
   if (blur_) {
     GrayImage intensities;
-    unpack_part(column, row, columns, rows, intensities);
+    unpack_rectangle(column, row, columns, rows, intensities);
     HeldImage packed = std::move(intensities);
     packed.pack();
     return packed;

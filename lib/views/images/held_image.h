@@ -46,7 +46,7 @@ class HeldImage {
   const GrayImage& unpacked(GrayImage& room) const;
   /// Part of it, which must be inside.
   HeldImage cropped(int column, int row, int columns, int rows) const;
-  void unpack_part(int column, int row, int columns, int rows, GrayImage& part) const;
+  void unpack_rectangle(int column, int row, int columns, int rows, GrayImage& part) const;
   /// `count` pixels of a row, from (x, y) on.
   void read(int x, int y, int count, float* out) const;
 

@@ -44,8 +44,9 @@ void blend(const float* a, const float* b, const float* c, const std::array<floa
 
 }  // namespace
 
-void blur_part(const std::vector<std::uint8_t>& bytes, int width, int height, const ThreeTaps& taps,
-               const std::array<int, 2>& start, int columns, int rows, float* out) {
+void blur_rectangle(const std::vector<std::uint8_t>& bytes, int width, int height,
+                    const ThreeTaps& taps, const std::array<int, 2>& start, int columns, int rows,
+                    float* out) {
   const auto [column, row] = start;
   const int first = std::max(column - 1, 0);
   const int count = std::min(column + columns + 1, width) - first;

@@ -17,7 +17,8 @@ struct ThreeTaps {
 /// Writes the part of the blurred image that begins at (column, row), `columns` wide, one row after
 /// the other; sums go from the lower to the higher pixel. The image is two pixels wide and high at
 /// least.
-void blur_part(const std::vector<std::uint8_t>& bytes, int width, int height, const ThreeTaps& taps,
-               const std::array<int, 2>& start, int columns, int rows, float* out);
+void blur_rectangle(const std::vector<std::uint8_t>& bytes, int width, int height,
+                    const ThreeTaps& taps, const std::array<int, 2>& start, int columns, int rows,
+                    float* out);
 
 }  // namespace transformesh

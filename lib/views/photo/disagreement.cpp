@@ -136,8 +136,8 @@ std::vector<double> noise_variances(std::span<const View> views, const SeenViews
       const PixelBox& box = surface.box;
       GrayImage part;
       if (surface.intensity.empty())
-        views[v].image.unpack_part(box.first_column, box.first_row, box.columns(), box.rows(),
-                                   part);
+        views[v].image.unpack_rectangle(box.first_column, box.first_row, box.columns(), box.rows(),
+                                        part);
       noise[v] =
           noise_variance(surface.intensity.empty() ? part : surface.intensity, surface.depth);
     }

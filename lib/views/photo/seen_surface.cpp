@@ -152,7 +152,8 @@ void SeenViews::see(std::size_t view, SeenSurface& seen) const {
   });
   const HeldImage& image = views_[view].image;
   if (image.is_packed())
-    image.unpack_part(box.first_column, box.first_row, box.columns(), box.rows(), seen.intensity);
+    image.unpack_rectangle(box.first_column, box.first_row, box.columns(), box.rows(),
+                           seen.intensity);
   seen.compared = {camera.width, 0, camera.height, 0};
   for (int y = box.first_row; y < box.end_row; ++y)
     compare_row(seen, normals_, views_[view].camera, static_cast<float>(least_cosine_), y);

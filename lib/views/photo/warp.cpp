@@ -34,7 +34,7 @@ PixelBox part_of(const HeldImage& image, const PixelBox& seen) {
 
 const GrayImage& unpacked(const HeldImage& image, const PixelBox& part, GrayImage& room) {
   if (!image.is_packed()) return image.unpacked(room);
-  image.unpack_part(part.first_column, part.first_row, part.columns(), part.rows(), room);
+  image.unpack_rectangle(part.first_column, part.first_row, part.columns(), part.rows(), room);
   return room;
 }
 

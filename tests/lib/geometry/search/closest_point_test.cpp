@@ -96,13 +96,13 @@ TEST_CASE("the part of the triangle is named") {
   const auto part = [&](double x, double y, double z) {
     return closest_point_of_triangle({x, y, z}, a, b, c).part;
   };
-  CHECK(part(0.2, 0.2, 3) == TrianglePart::inside);
-  CHECK(part(-1, -1, 1) == TrianglePart::corner_0);
-  CHECK(part(5, -1, 1) == TrianglePart::corner_1);
-  CHECK(part(-1, 5, 0) == TrianglePart::corner_2);
-  CHECK(part(0.5, -1, 1) == TrianglePart::edge_0);
-  CHECK(part(1, 1, 0) == TrianglePart::edge_1);
-  CHECK(part(-1, 0.5, 0) == TrianglePart::edge_2);
+  CHECK(part(0.2, 0.2, 3) == TriangleSimplex::inside);
+  CHECK(part(-1, -1, 1) == TriangleSimplex::corner_0);
+  CHECK(part(5, -1, 1) == TriangleSimplex::corner_1);
+  CHECK(part(-1, 5, 0) == TriangleSimplex::corner_2);
+  CHECK(part(0.5, -1, 1) == TriangleSimplex::edge_0);
+  CHECK(part(1, 1, 0) == TriangleSimplex::edge_1);
+  CHECK(part(-1, 0.5, 0) == TriangleSimplex::edge_2);
 }
 
 TEST_CASE("signed distances to a cube agree with the closed form") {

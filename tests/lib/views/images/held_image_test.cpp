@@ -45,7 +45,7 @@ float difference(const GrayImage& first, const HeldImage& second) {
 void check_part(const HeldImage& held) {
   const HeldImage part = held.cropped(3, 4, 10, 5);
   GrayImage unpacked;
-  held.unpack_part(3, 4, 10, 5, unpacked);
+  held.unpack_rectangle(3, 4, 10, 5, unpacked);
   CHECK(part.width == 10);
   CHECK(part.height == 5);
   CHECK(part.is_packed() == held.is_packed());
@@ -180,8 +180,8 @@ TEST_CASE(
     for (const auto& [x, y] :
          {std::pair(0, 0), std::pair(1, 1), std::pair(width - 1, height - 1)}) {
       GrayImage part, expected;
-      held.unpack_part(x, y, width - x, height - y, part);
-      blurred.unpack_part(x, y, width - x, height - y, expected);
+      held.unpack_rectangle(x, y, width - x, height - y, part);
+      blurred.unpack_rectangle(x, y, width - x, height - y, expected);
       CHECK(part.pixels == expected.pixels);
     }
     const HeldImage cropped = held.cropped(1, 0, width - 1, height - 1);

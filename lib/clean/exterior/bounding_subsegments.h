@@ -21,7 +21,7 @@ struct KnownWinding {
 
 /// The part of a segment between two points: those where other segments cross it, or its own ends
 /// where they are no_index.
-struct SegmentPart {
+struct Subsegment {
   Index segment;
   Index from, to;
   bool is_left;  ///< whether what is exterior is on its left
@@ -30,9 +30,8 @@ struct SegmentPart {
 /// The parts that have w < winding level in front and w >= winding level behind the face on just
 /// one side, in the order of the segments. Nothing where that is not told by crossings alone: where
 /// segments touch, or three meet in one point, or no winding number is known.
-std::optional<std::vector<SegmentPart>> find_bounding_parts(const ExactGeometry& geometry,
-                                                            const SegmentsInFace& in,
-                                                            const std::vector<KnownWinding>& known,
-                                                            int winding_level);
+std::optional<std::vector<Subsegment>> find_bounding_subsegments(
+    const ExactGeometry& geometry, const SegmentsInFace& in, const std::vector<KnownWinding>& known,
+    int winding_level);
 
 }  // namespace transformesh

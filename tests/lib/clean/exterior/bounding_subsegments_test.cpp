@@ -1,5 +1,5 @@
 /// Parts of random curves in a triangle, against winding numbers counted at points beside them.
-#include "clean/exterior/bounding_parts.h"
+#include "clean/exterior/bounding_subsegments.h"
 
 #include <doctest/doctest.h>
 
@@ -61,11 +61,12 @@ class Curves {
     return w;
   }
 
-  std::optional<std::vector<SegmentPart>> parts(int winding_level) const {
+  std::optional<std::vector<Subsegment>> parts(int winding_level) const {
     const std::vector<Vec3> positions{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
     const std::vector<Face> faces{{0, 1, 2}};
     const ExactGeometry geometry(positions, faces);
-    return find_bounding_parts(geometry, in, {{geometry.given(0), in_corner, 0}}, winding_level);
+    return find_bounding_subsegments(geometry, in, {{geometry.given(0), in_corner, 0}},
+                                     winding_level);
   }
 
   SegmentsInFace in;
@@ -102,7 +103,7 @@ std::size_t compare(const Curves& curves, int winding_level) {
       const Vec3 p = from + at * along;
       const bool is_left = curves.winding(p + left) == winding_level - 1;
       const bool is_right = curves.winding(p - left) == winding_level - 1;
-      const auto part = std::find_if(parts->begin(), parts->end(), [&](const SegmentPart& each) {
+      const auto part = std::find_if(parts->begin(), parts->end(), [&](const Subsegment& each) {
         return each.segment == s && share(curves.in, s, each.from, 0) < at &&
                at < share(curves.in, s, each.to, 1);
       });
@@ -153,7 +154,7 @@ TEST_CASE("nothing is told where no winding number is known, or none that fits")
   curves.add_polygon({3, 3, 0}, 1, 5, 1);
   const std::vector<Vec3> positions{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
   const std::vector<Face> faces{{0, 1, 2}};
-  CHECK_FALSE(find_bounding_parts({positions, faces}, curves.in, {}, 1).has_value());
+  CHECK_FALSE(find_bounding_subsegments({positions, faces}, curves.in, {}, 1).has_value());
   curves.in.segments[2].jump *= -1;  // w differs on one side of the polygon only
   CHECK_FALSE(curves.parts(1).has_value());
 }

@@ -1,4 +1,4 @@
-#include "clean/exterior/bounding_parts.h"
+#include "clean/exterior/bounding_subsegments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@ namespace {
 constexpr int unknown = std::numeric_limits<int>::min();
 constexpr Index corner_before(Index i) { return i == 0 ? 2 : i - 1; }
 
-class BoundingParts {
+class BoundingSubsegments {
  public:
-  BoundingParts(const ExactGeometry& geometry, const SegmentsInFace& in,
-                const std::vector<KnownWinding>& known)
+  BoundingSubsegments(const ExactGeometry& geometry, const SegmentsInFace& in,
+                      const std::vector<KnownWinding>& known)
       : geometry_(geometry),
         in_(in),
         known_(known),
@@ -24,7 +24,7 @@ class BoundingParts {
   bool join_ends();
   bool find_crossings() { return crossings_.find(); }
   bool find_windings();
-  bool find_parts(int front, std::vector<SegmentPart>& parts);
+  bool find_subsegments(int front, std::vector<Subsegment>& parts);
 
  private:
   const PlanarSegment& segment(Index s) const { return in_.segments[s]; }
@@ -53,7 +53,7 @@ class BoundingParts {
 };
 
 // Segments make curves that end at the edges and corners of the face only.
-bool BoundingParts::join_ends() {
+bool BoundingSubsegments::join_ends() {
   at_point_.assign(in_.points.size(), {no_index, no_index});
   for (Index s = 0; s < in_.segments.size(); ++s) {
     for (const Index p : {segment(s).from, segment(s).to}) {
@@ -68,7 +68,7 @@ bool BoundingParts::join_ends() {
   return true;
 }
 
-bool BoundingParts::find_windings() {
+bool BoundingSubsegments::find_windings() {
   for (Index s = 0; s < in_.segments.size(); ++s) {
     if (left_[s] != unknown) continue;
     const std::optional<int> w = winding_beside(s);
@@ -78,7 +78,7 @@ bool BoundingParts::find_windings() {
 }
 
 // w left of the segment's start, from a corner or the point inside at which it is known.
-std::optional<int> BoundingParts::winding_beside(Index s) const {
+std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
   const Index start = segment(s).from, edge = in_.edge_of[start];
   const Index partner = partner_at(start, s);
   for (Index i = 0; i < known_.size(); ++i) {
@@ -95,7 +95,7 @@ std::optional<int> BoundingParts::winding_beside(Index s) const {
 
 // w where one arrives at a point of an edge along that from its corner: over the segments that end
 // between the two.
-std::optional<int> BoundingParts::winding_at_edge(Index p, const KnownWinding& known) const {
+std::optional<int> BoundingSubsegments::winding_at_edge(Index p, const KnownWinding& known) const {
   const ExactPoint& from = known.at;
   const auto distance = [&](int axis) {
     return std::abs(point(p).center[axis] - from.center[axis]);
@@ -117,7 +117,7 @@ std::optional<int> BoundingParts::winding_at_edge(Index p, const KnownWinding& k
 }
 
 // w where the straight way from where it is known arrives at a point.
-std::optional<int> BoundingParts::winding_at(Index p, const KnownWinding& known) const {
+std::optional<int> BoundingSubsegments::winding_at(Index p, const KnownWinding& known) const {
   const ExactPoint &from = known.at, &to = point(p);
   const SegmentCrossings::Box box = crossings_.box_of(from, to);
   int w = known.w;
@@ -137,7 +137,7 @@ std::optional<int> BoundingParts::winding_at(Index p, const KnownWinding& known)
 
 // Whether one sees the left of the segment, near its start, from a point, where another one ends as
 // well: between the two, counter-clockwise.
-bool BoundingParts::is_on_left(Index s, Index partner, const ExactPoint& seen_from) const {
+bool BoundingSubsegments::is_on_left(Index s, Index partner, const ExactPoint& seen_from) const {
   const bool is_left = side(s, seen_from) > 0;
   if (partner == no_index) return is_left;
   const Index start = segment(s).from;
@@ -150,7 +150,7 @@ bool BoundingParts::is_on_left(Index s, Index partner, const ExactPoint& seen_fr
 }
 
 // Along the curve of the seed, and over to those that it crosses.
-bool BoundingParts::spread(Index seed, int w) {
+bool BoundingSubsegments::spread(Index seed, int w) {
   if (!visit(seed, w)) return false;
   while (!stack_.empty()) {
     const Index s = stack_.back();
@@ -167,7 +167,7 @@ bool BoundingParts::spread(Index seed, int w) {
 }
 
 // To the segment that ends where this one does, given w left of this one there.
-bool BoundingParts::continue_at(Index p, Index s, int left) {
+bool BoundingSubsegments::continue_at(Index p, Index s, int left) {
   const Index next = partner_at(p, s);
   if (next == no_index) return true;
   const bool is_turned = (segment(next).from == p) == (segment(s).from == p);
@@ -179,7 +179,7 @@ bool BoundingParts::continue_at(Index p, Index s, int left) {
 }
 
 // To the segment that is crossed: around the crossing w is known from this one.
-bool BoundingParts::spread_over(const Crossing& crossing) {
+bool BoundingSubsegments::spread_over(const Crossing& crossing) {
   const Index s = crossing.segment, other = crossing.other;
   const auto there = crossings_.of(other);
   const auto back =
@@ -193,7 +193,7 @@ bool BoundingParts::spread_over(const Crossing& crossing) {
   return visit(other, w - *beyond);
 }
 
-bool BoundingParts::visit(Index s, int left) {
+bool BoundingSubsegments::visit(Index s, int left) {
   if (left_[s] != unknown) return left_[s] == left;
   left_[s] = left;
   stack_.push_back(s);
@@ -201,7 +201,7 @@ bool BoundingParts::visit(Index s, int left) {
 }
 
 // Whether w in front may be `front` somewhere beside the segment.
-bool BoundingParts::may_reach(Index s, int front) const {
+bool BoundingSubsegments::may_reach(Index s, int front) const {
   int least = left_[s], most = left_[s];
   for (const Crossing& crossing : crossings_.of(s)) {
     const int jump = crossings_.jump_over(crossing);
@@ -212,36 +212,35 @@ bool BoundingParts::may_reach(Index s, int front) const {
 }
 
 // What is exterior has that number in front of it.
-bool BoundingParts::find_parts(int front, std::vector<SegmentPart>& parts) {
+bool BoundingSubsegments::find_subsegments(int front, std::vector<Subsegment>& parts) {
   for (Index s = 0; s < in_.segments.size(); ++s) {
     if (!may_reach(s, front)) continue;
     if (!crossings_.sort_along(s)) return false;
     int left = left_[s];
     Index from = no_index;
-    const auto end_part = [&](Index to) {
+    const auto end_subsegment = [&](Index to) {
       const bool is_left = left == front, is_right = left + segment(s).jump == front;
       if (is_left != is_right) parts.push_back({s, from, to, is_left});
     };
     for (const Crossing& crossing : crossings_.of(s)) {
-      end_part(crossing.other);
+      end_subsegment(crossing.other);
       from = crossing.other;
       left += crossings_.jump_over(crossing);
     }
-    end_part(no_index);
+    end_subsegment(no_index);
   }
   return true;
 }
 
 }  // namespace
 
-std::optional<std::vector<SegmentPart>> find_bounding_parts(const ExactGeometry& geometry,
-                                                            const SegmentsInFace& in,
-                                                            const std::vector<KnownWinding>& known,
-                                                            int winding_level) {
-  BoundingParts bounding(geometry, in, known);
+std::optional<std::vector<Subsegment>> find_bounding_subsegments(
+    const ExactGeometry& geometry, const SegmentsInFace& in, const std::vector<KnownWinding>& known,
+    int winding_level) {
+  BoundingSubsegments bounding(geometry, in, known);
   if (!bounding.join_ends() || !bounding.find_crossings()) return std::nullopt;
-  std::vector<SegmentPart> parts;
-  if (!bounding.find_windings() || !bounding.find_parts(winding_level - 1, parts))
+  std::vector<Subsegment> parts;
+  if (!bounding.find_windings() || !bounding.find_subsegments(winding_level - 1, parts))
     return std::nullopt;
   return parts;
 }
