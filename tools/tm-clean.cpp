@@ -31,7 +31,7 @@ SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, t
   if (result.refused_vertices > 0) {
     run.note(counted(result.refused_vertices, "vertex") +
              (result.refused_vertices == 1 ? " stays" : " stay") +
-             " in the place of another: on a border, or faces would cross");
+             " in the place of another: on a border, or faces would intersect");
   }
   return result;
 }

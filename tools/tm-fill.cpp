@@ -15,7 +15,7 @@ struct Choices {
   std::optional<long> max_edges;
   bool no_refine = false;
   bool no_fair = false;
-  bool allow_crossings = false;
+  bool allow_self_intersections = false;
 };
 
 std::string described(const std::vector<OpenHole>& holes, const Mesh& mesh, const char* why) {
@@ -38,8 +38,8 @@ void report(const FillResult& result, const Mesh& mesh, tool::Run& run) {
   run.report("new_vertices", result.new_vertices);
   run.report("new_faces", result.new_faces);
   if (!result.crossing.empty())
-    run.note(described(result.crossing, mesh, "as every patch would cross") +
-             "; close what would cross with --allow-crossings, for tm-clean");
+    run.note(described(result.crossing, mesh, "as every patch would intersect the mesh") +
+             "; close these holes with --allow-crossings, for tm-clean");
   if (!result.flat.empty())
     run.note(described(result.flat, mesh,
                        "as every patch would have a face without area, or an edge that has two "
@@ -54,7 +54,7 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
   if (choices.max_diameter) options.max_diameter = run.length(*choices.max_diameter);
   options.refine = !choices.no_refine;
   options.fair = !choices.no_fair;
-  options.allow_crossings = choices.allow_crossings;
+  options.allow_self_intersections = choices.allow_self_intersections;
   options.coordinate = document.style.coordinate;
   const FillResult result = fill_holes(document.mesh, options, run.progress());
   tool::note_dropped_sources(result.dropped_source_points, tool::closest_places, run);
@@ -66,7 +66,7 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-fill", "[OPTION]... [INPUT]",
-                        "Closes holes by smooth patches, never into a crossing"};
+                        "Closes holes by smooth patches, never into a self-intersection"};
   program.soups = tool::Soups::joined;
   program.integer("max-edges", &choices.max_edges, 3, 1000000000,
                   "leave holes with more edges open (default: none)");
@@ -74,8 +74,8 @@ int main(int argc, char** argv) {
                  "leave holes open whose box has a longer diagonal (default: none)");
   program.flag("no-fair", &choices.no_fair, "do not make patches continue smoothly what is around");
   program.flag("no-refine", &choices.no_refine, "add no vertices: flat patches of large triangles");
-  program.flag("allow-crossings", &choices.allow_crossings,
-               "close also where every patch crosses, for tm-clean afterwards");
+  program.flag("allow-crossings", &choices.allow_self_intersections,
+               "close also where every patch intersects the mesh, for tm-clean afterwards");
   return program.run(argc, argv,
                      [&](tool::Run& run) { fill_document(run.document(), choices, run); });
 }

@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   program.text("around", &options.around, "FILE", "a sphere around the bounding box of that mesh");
   program.epilog =
       "Kinds: sphere, dented, ellipsoid A B C, box A B C, torus, genus N, torus-knot P Q,\n"
-      "two-spheres, tori, dumbbell, bowl, figure T; crossing themselves: folded\n"
+      "two-spheres, tori, dumbbell, bowl, figure T; intersecting themselves: folded\n"
       "sphere|torus, tangle P Q, many-spheres, boxes, pinch. Every parameter has a default.";
   return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

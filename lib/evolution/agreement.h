@@ -15,7 +15,7 @@ namespace transformesh {
 /// The part of a target that a morph has to reach: the target without its cavities, which a surface
 /// that evolves does not keep, and without components that float in them.
 struct MorphGoal {
-  /// Nothing for points, and for what is open, not manifold, or crosses itself.
+  /// Nothing for points, and for what is open, not manifold, or intersects itself.
   std::optional<Topology> topology;
   std::size_t left_out = 0;             ///< components of the target, 0 where there is no topology
   std::optional<Target> without_those;  ///< if there are any

@@ -13,7 +13,7 @@ namespace transformesh {
 
 enum class RemedyKind {
   none,
-  clean_target,            ///< it is open, not manifold, or crosses itself
+  clean_target,            ///< it is open, not manifold, or intersects itself
   edges_at_narrow_places,  ///< shorter ones where the target is narrow
   larger_source,           ///< one that overlaps all of the target
   shorter_edges
@@ -33,7 +33,7 @@ struct Mismatch {
   double distance = 0;           ///< how far; input units
   double longest_edge = 0;       ///< of the mesh
   bool is_of_topology = false;   ///< components or genus differ
-  bool has_clean_target = true;  ///< a closed manifold that does not cross itself
+  bool has_clean_target = true;  ///< a closed manifold that does not intersect itself
 };
 
 /// For a target with faces. Cost: that of local_thickness() at most.

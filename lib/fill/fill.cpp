@@ -64,11 +64,12 @@ class Filler {
   FillResult& result() { return result_; }
 
  private:
-  bool fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const;
+  bool fits(const HolePatch& patch, const MeshPart& part, bool may_intersect) const;
   bool crosses(const HolePatch& patch, const MeshPart& part) const;
-  /// Adds the first patch that fits. One that may cross is only looked for unless it is allowed.
+  /// Adds the first patch that fits. One that may intersect is only looked for unless it is
+  /// allowed.
   bool try_patches(const Loop& loop, const MeshPart& part, const HolePatches& found,
-                   bool may_cross = false);
+                   bool may_intersect = false);
   HolePatches patches_of(const MeshPart& part, Index border, PatchKind finest, Search search) const;
   void add(const HolePatch& patch, const MeshPart& part, const Loop& loop);
   OpenHole open_hole(const Loop& loop) const;
@@ -107,7 +108,7 @@ std::vector<Index> Filler::vertices_of(const Loop& loop) const {
   return vertices;
 }
 
-/// Whether the patch crosses itself or any face of the mesh that is near.
+/// Whether the patch intersects itself or any face of the mesh that is near.
 bool Filler::crosses(const HolePatch& patch, const MeshPart& part) const {
   const Mesh& local = part.mesh;
   const auto position = [&](Index v) -> const Vec3& {
@@ -135,7 +136,7 @@ bool Filler::crosses(const HolePatch& patch, const MeshPart& part) const {
                      [&](const FacePair& pair) { return pair.second >= old_faces; });
 }
 
-bool Filler::fits(const HolePatch& patch, const MeshPart& part, bool may_cross) const {
+bool Filler::fits(const HolePatch& patch, const MeshPart& part, bool may_intersect) const {
   Mesh joined = part.mesh;
   joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
   joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
@@ -145,7 +146,7 @@ bool Filler::fits(const HolePatch& patch, const MeshPart& part, bool may_cross) 
   if (!found.nonmanifold_edges.empty() || !found.misoriented_edges.empty()) return false;
   const std::vector<Index> flat = degenerate_faces(joined);
   if (!flat.empty() && flat.back() >= part.mesh.faces.size()) return false;
-  return may_cross || !crosses(patch, part);
+  return may_intersect || !crosses(patch, part);
 }
 
 void Filler::add(const HolePatch& patch, const MeshPart& part, const Loop& loop) {
@@ -187,7 +188,7 @@ void Filler::fill(const Loop& loop) {
       try_patches(loop, part, patches_of(part, border, finest, Search::all)))
     return;
   const bool crosses = try_patches(loop, part, found, true);
-  if (crosses && options_.allow_crossings) return;
+  if (crosses && options_.allow_self_intersections) return;
   (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
 }
 
@@ -201,11 +202,11 @@ HolePatches Filler::patches_of(const MeshPart& part, Index border, PatchKind fin
 }
 
 bool Filler::try_patches(const Loop& loop, const MeshPart& part, const HolePatches& found,
-                         bool may_cross) {
+                         bool may_intersect) {
   for (const HolePatch& patch : found.patches) {
-    if (!fits(patch, part, may_cross)) continue;
-    if (may_cross && !options_.allow_crossings) return true;
-    ++(may_cross                          ? result_.crossed
+    if (!fits(patch, part, may_intersect)) continue;
+    if (may_intersect && !options_.allow_self_intersections) return true;
+    ++(may_intersect                      ? result_.crossed
        : patch.kind == PatchKind::faired  ? result_.faired
        : patch.kind == PatchKind::refined ? result_.refined
                                           : result_.plain);

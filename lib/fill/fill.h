@@ -1,9 +1,10 @@
-/// Closes the holes of a mesh, but never into a crossing unless that is asked for. Each border loop
-/// gets a patch that is triangulated, refined and faired (hole_patch.h). One that would cross the
-/// mesh, an earlier patch or itself, or has a face without area, is tried again without fairing,
-/// then unrefined, then in the same order with another triangulation (up to 200 edges); if nothing
-/// helps the hole stays open. Crossings are decided exactly, in coordinates as they will be
-/// written, for pairs that involve a new face: what crosses already is no obstacle.
+/// Closes the holes of a mesh, but never into a self-intersection unless that is asked for. Each
+/// border loop gets a patch that is triangulated, refined and faired (hole_patch.h). One that would
+/// intersect the mesh, an earlier patch or itself, or has a face without area, is tried again
+/// without fairing, then unrefined, then in the same order with another triangulation (up to 200
+/// edges); if nothing helps the hole stays open. Intersections are decided exactly, in coordinates
+/// as they will be written, for pairs that involve a new face: what intersects already is no
+/// obstacle.
 ///
 /// Guarantees: vertices and faces that were there stay, with order and columns; new ones follow.
 /// The result is an oriented manifold. Number columns of new vertices are the mean of the three
@@ -26,9 +27,10 @@ namespace transformesh {
 struct FillOptions {
   std::size_t max_edges = std::numeric_limits<std::size_t>::max();  ///< of a hole; at least 3
   double max_diameter = std::numeric_limits<double>::infinity();  ///< of its box; input units; > 0
-  bool refine = true;                   ///< add vertices, as dense as those around
-  bool fair = true;                     ///< continue what is around smoothly; needs `refine`
-  bool allow_crossings = false;         ///< close what is left all the same, for clean() afterwards
+  bool refine = true;  ///< add vertices, as dense as those around
+  bool fair = true;    ///< continue what is around smoothly; needs `refine`
+  bool allow_self_intersections =
+      false;                            ///< close what is left all the same, for clean() afterwards
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
 };
 
@@ -44,11 +46,12 @@ struct FillResult {
   std::size_t faired = 0;   ///< closed by a faired patch
   std::size_t refined = 0;  ///< closed by one that is refined, not faired
   std::size_t plain = 0;    ///< closed by one without new vertices
-  std::size_t crossed = 0;  ///< closed by one that crosses, by `allow_crossings`
+  std::size_t crossed = 0;  ///< closed by one that intersects, by `allow_self_intersections`
   std::size_t new_vertices = 0, new_faces = 0;
   bool dropped_source_points = false;  ///< as patches come from no face (source_points.h)
   std::vector<OpenHole> too_large;     ///< beyond the limits
-  std::vector<OpenHole> crossing;      ///< every patch would cross; none with `allow_crossings`
+  std::vector<OpenHole>
+      crossing;  ///< every patch would intersect; none with `allow_self_intersections`
   /// Every patch would have a face without area, or an edge that has two faces already.
   std::vector<OpenHole> flat;
   std::size_t filled() const { return faired + refined + plain + crossed; }

@@ -8,10 +8,10 @@
 /// Guarantees: the result is a closed oriented manifold with as many components; every handle
 /// removed lowers the genus by one. Vertices and faces that were there stay, with order and
 /// columns, but for the vertices of the loop, which move; new ones follow, with columns as in
-/// fill.h. The surface may cross itself where it was slit: clean() resolves that. No patch meets
-/// another component, or the same one farther than two rings from the loop, and none of them lies
-/// between the patches: cavities stay sealed, and clean() keeps the components. Deterministic for
-/// any number of threads.
+/// fill.h. The surface may intersect itself where it was slit: clean() resolves that. No patch
+/// meets another component, or the same one farther than two rings from the loop, and none of them
+/// lies between the patches: cavities stay sealed, and clean() keeps the components. Deterministic
+/// for any number of threads.
 ///
 /// Throws InputError for a mesh that is no closed oriented manifold, UsageError for a length that
 /// is not greater than 0. Cost: that of short_loops() for each round, and O(n) for each handle.

@@ -8,8 +8,8 @@
 /// (As in Kobbelt, Botsch, Schwanecke & Seidel, "Feature sensitive surface extraction from volume
 /// data", SIGGRAPH 2001, but for vertices that exist.)
 ///
-/// Guarantees what remesh() does: an oriented manifold of the same topology, no crossing made
-/// (embedding_guard.h), poor triangles not made poorer by moves, attributes blended. Not
+/// Guarantees what remesh() does: an oriented manifold of the same topology, no self-intersection
+/// made (embedding_guard.h), poor triangles not made poorer by moves, attributes blended. Not
 /// guaranteed: that all sharp edges are met; where a step would break a guarantee they stay cut
 /// off. Sharp edges nearer to each other than the mesh's edges are merged at best. Deterministic;
 /// O(n log n).

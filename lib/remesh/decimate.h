@@ -1,9 +1,9 @@
 /// Fewer faces: collapses the edges whose collapse changes the surface least, by the squared
 /// distances from the planes of the input's faces, until as many faces are left as are wanted.
 /// Reference: Garland & Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH
-/// 1997; every collapse keeps what remesh.h promises: the topology, an embedding without crossings
-/// (embedding_guard.h), attributes blended.
-/// Deterministic; O(n log n) for n faces; about 300 bytes per face.
+/// 1997; every collapse keeps what remesh.h promises: the topology, an embedding without
+/// self-intersections (embedding_guard.h), attributes blended. Deterministic; O(n log n) for n
+/// faces; about 300 bytes per face.
 #pragma once
 
 #include "geometry/keep_out_options.h"
@@ -31,7 +31,7 @@ struct DecimateResult {
 
 /// Throws UsageError for options out of range, InputError for what is no oriented manifold (with
 /// face ids) or has no faces, GoalError where more than 1 % more than wanted are left, because
-/// further collapses would change the topology or make a crossing.
+/// further collapses would change the topology or make a self-intersection.
 DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progress& progress = {});
 
 }  // namespace transformesh

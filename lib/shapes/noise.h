@@ -15,7 +15,7 @@ double smooth_noise(const Vec3& point, std::uint64_t seed);
 
 /// Moves the vertices along the normals of the surface as it moves, by up to about `amplitude`
 /// there and back, with bumps about `wavelength` wide. In several steps, so that what bulges bulges
-/// on, and overhangs and crosses itself where the amplitude is large enough.
+/// on, and overhangs and intersects itself where the amplitude is large enough.
 void add_noise(Mesh& mesh, double amplitude, double wavelength, std::uint64_t seed,
                const Progress& progress);
 

@@ -27,7 +27,7 @@ class PinchBuilder {
 
  private:
   // The lower half is a drop: half a lemniscate turned about the axis, which ends above at the
-  // origin. Its last ring stays away from there by the length of the faces that cross.
+  // origin. Its last ring stays away from there by the length of the faces that intersect.
   void add_lower_half() {
     mesh_.positions.emplace_back(0, 0, -1.2);
     for (std::size_t ring = 1; ring <= rings_below_; ++ring) {

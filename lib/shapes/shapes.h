@@ -2,8 +2,8 @@
 /// one is closed, consistently oriented, without isolated vertices or columns, and its signed
 /// volume is positive. Lengths are in the units of the mesh. Most shapes are about 2.4 wide.
 ///
-/// sphere dented ellipsoid box torus genus torus-knot bowl figure are free of crossings; so are
-/// dumbbell for neck > 0, two-spheres and tori for gap > 0. The others cross themselves:
+/// sphere dented ellipsoid box torus genus torus-knot bowl figure are free of self-intersections;
+/// so are dumbbell for neck > 0, two-spheres and tori for gap > 0. The others intersect themselves:
 /// two-spheres folded tangle many-spheres, tori and dumbbell (gap, neck < 0) in general position,
 /// boxes and pinch as degenerately as they can. Deterministic: the same options give the same bytes
 /// for any number of threads.

@@ -60,7 +60,8 @@ std::vector<std::string> check_target(const Target& target, const std::string& n
   }
   const std::size_t pairs = find_intersections(target.mesh, progress).size();
   if (pairs > 0) {
-    warnings.push_back(named("the target", name) + " crosses itself at " + counted(pairs, "pair") +
+    warnings.push_back(named("the target", name) + " intersects itself at " +
+                       counted(pairs, "pair") +
                        " of faces: what lies inside is no goal; remove it with tm-clean before");
   }
   return warnings;

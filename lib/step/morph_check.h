@@ -15,7 +15,7 @@ namespace transformesh {
 
 /// Throws InputError for a target whose faces do not agree which side is outside, and for a closed
 /// one that is inside out. Returns what makes a result doubtful, one line each: an open target, and
-/// one that crosses itself. Points are not checked.
+/// one that intersects itself. Points are not checked.
 std::vector<std::string> check_target(const Target& target, const std::string& name,
                                       const Progress& progress = Progress());
 

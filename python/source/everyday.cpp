@@ -21,7 +21,7 @@ namespace {
 
 MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& max_edges,
                       const std::optional<PythonLength>& max_diameter, bool refine, bool fair,
-                      bool allow_crossings, const py::object& progress) {
+                      bool allow_self_intersections, const py::object& progress) {
   Document document = mesh.document;
   const std::size_t joined = join_places(document.mesh);
   FillOptions options;
@@ -30,7 +30,7 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
   options.max_diameter = Lengths(document)(max_diameter, options.max_diameter);
   options.refine = refine;
   options.fair = fair;
-  options.allow_crossings = allow_crossings;
+  options.allow_self_intersections = allow_self_intersections;
   options.coordinate = document.style.coordinate;
   const FillResult result = without_lock(
       progress, [&](const Progress& to) { return fill_holes(document.mesh, options, to); });
@@ -247,7 +247,8 @@ void bind_everyday(py::module_& module) {
   module.def("fill", &fill_mesh, arg("mesh"), py::kw_only(), arg("max_edges") = none,
              arg("max_diameter") = none, arg("refine") = true, arg("fair") = true,
              arg("allow_crossings") = false, arg("progress") = none,
-             "Closes holes by smooth patches, never into a crossing unless `allow_crossings` says "
+             "Closes holes by smooth patches, never into a self-intersection unless "
+             "`allow_crossings` says "
              "so; the report has what stays open. See tm-fill(1).");
   module.def(
       "handles", &remove_handles_of, arg("mesh"), py::kw_only(), arg("max_length") = "5x",

@@ -101,7 +101,8 @@ std::optional<MorphDistance> distance_of(const std::string& name) {
 const char* remedy_text(RemedyKind kind) {
   switch (kind) {
     case RemedyKind::clean_target:
-      return "the target is open, no manifold, or crosses itself: clean() it, or fill() its holes";
+      return "the target is open, no manifold, or intersects itself: clean() it, or fill() its "
+             "holes";
     case RemedyKind::edges_at_narrow_places:
       return "shorten edges at narrow places with gap_edges=1.5, or begin with shorter edges";
     case RemedyKind::larger_source:

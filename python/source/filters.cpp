@@ -288,7 +288,7 @@ void bind_filters(py::module_& module) {
       arg("only") = false, arg("refuse") = false, arg("source") = false, arg("source_face") = false,
       arg("progress") = none,
       "Removes self-intersections: the boundary of winding number at least `level`, exactly, "
-      "closed, manifold, without a crossing in the numbers as written. 2 intersects two "
+      "closed, manifold, without a self-intersection in the numbers as written. 2 intersects two "
       "bodies. `outermost` drops cavities and what floats in them. In a `box` ((x, y, z), "
       "(x, y, z)) what crosses there is resolved and all else left, or with `only` left "
       "out. `source` writes where on the input each vertex comes from, for carry(), "

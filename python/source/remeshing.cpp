@@ -181,25 +181,27 @@ MeshPointer decimate_mesh(const PythonMesh& mesh, std::size_t faces, double feat
 void bind_remeshing(py::module_& module) {
   using py::arg;
   const py::object none = py::none();
-  module.def("remesh", &remesh_mesh, arg("mesh"), py::kw_only(), arg("min_edge") = none,
-             arg("max_edge") = none, arg("adaptive") = none, arg("size_field") = "",
-             arg("iterations") = 1, arg("smooth") = "tangential", arg("flip") = "valence",
-             arg("only") = "all", arg("feature_angle") = "auto", arg("keep_border") = false,
-             arg("project") = false, arg("align") = none, arg("keep_out") = none, arg("gap") = none,
-             arg("source") = false, arg("progress") = none,
-             "Keeps edges between two lengths ('0.7x' to '1.5x' of the reference edge) and "
-             "triangles round, without making a crossing. `smooth` is 'tangential', 'none', the "
-             "factor of the Laplace-Beltrami operator, or two where it is used twice. With "
-             "`align` it moves vertices and turns edges onto the sharp edges of that mesh, which "
-             "lies near, and does nothing else. Nothing comes nearer than `gap` to the mesh "
-             "`keep_out`. `source` writes where on the input each vertex comes from, for carry(). "
-             "See tm-remesh(1).");
-  module.def("decimate", &decimate_mesh, arg("mesh"), arg("faces"), py::kw_only(),
-             arg("feature_angle") = 180.0, arg("keep_border") = false, arg("keep_out") = none,
-             arg("gap") = none, arg("source") = false, arg("progress") = none,
-             "Collapses edges where the surface changes least until so many faces are left, "
-             "without making a crossing. `keep_out`, `gap` and `source` are as of remesh(). See "
-             "tm-remesh(1).");
+  module.def(
+      "remesh", &remesh_mesh, arg("mesh"), py::kw_only(), arg("min_edge") = none,
+      arg("max_edge") = none, arg("adaptive") = none, arg("size_field") = "", arg("iterations") = 1,
+      arg("smooth") = "tangential", arg("flip") = "valence", arg("only") = "all",
+      arg("feature_angle") = "auto", arg("keep_border") = false, arg("project") = false,
+      arg("align") = none, arg("keep_out") = none, arg("gap") = none, arg("source") = false,
+      arg("progress") = none,
+      "Keeps edges between two lengths ('0.7x' to '1.5x' of the reference edge) and "
+      "triangles round, without making a self-intersection. `smooth` is 'tangential', 'none', the "
+      "factor of the Laplace-Beltrami operator, or two where it is used twice. With "
+      "`align` it moves vertices and turns edges onto the sharp edges of that mesh, which "
+      "lies near, and does nothing else. Nothing comes nearer than `gap` to the mesh "
+      "`keep_out`. `source` writes where on the input each vertex comes from, for carry(). "
+      "See tm-remesh(1).");
+  module.def(
+      "decimate", &decimate_mesh, arg("mesh"), arg("faces"), py::kw_only(),
+      arg("feature_angle") = 180.0, arg("keep_border") = false, arg("keep_out") = none,
+      arg("gap") = none, arg("source") = false, arg("progress") = none,
+      "Collapses edges where the surface changes least until so many faces are left, "
+      "without making a self-intersection. `keep_out`, `gap` and `source` are as of remesh(). See "
+      "tm-remesh(1).");
 }
 
 }  // namespace transformesh::python

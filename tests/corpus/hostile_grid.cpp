@@ -3,9 +3,9 @@
 //   hostile_grid [--seeds N] [--first N] [--jobs N] [--seconds S] [--megabytes M] [FAMILY...]
 //   hostile_grid --write FAMILY SEED double|float
 //     writes one of the meshes as PLY
-// A mesh passes where the result is a closed oriented manifold without crossings and area-less
-// faces, its winding numbers are right at every sample (hostile_oracle.h), and time and memory stay
-// below the limits; or where nothing is enclosed. Exit code 1 where one does not pass.
+// A mesh passes where the result is a closed oriented manifold without self-intersections and
+// area-less faces, its winding numbers are right at every sample (hostile_oracle.h), and time and
+// memory stay below the limits; or where nothing is enclosed. Exit code 1 where one does not pass.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
-// Cleaning: the result is a manifold without crossings, closed where the input is, its winding
-// numbers are those that it must have, and it is clean already. What may be refused is a mesh that
-// is not oriented, and one that encloses nothing.
+// Cleaning: the result is a manifold without self-intersections, closed where the input is, its
+// winding numbers are those that it must have, and it is clean already. What may be refused is a
+// mesh that is not oriented, and one that encloses nothing.
 #include "clean/clean.h"
 
 #include "clean/certify/certify.h"

@@ -94,7 +94,7 @@ void add_mesh_files(const Mesh& mesh, Seeds& seeds) {
 }
 
 /// Adds files that the library's writers do not make: polygons that are concave, have bridges,
-/// cross themselves or go around twice, values that are not finite, unknown statements and
+/// intersect themselves or go around twice, values that are not finite, unknown statements and
 /// elements.
 void add_odd_mesh_files(Seeds& seeds) {
   const std::string square = "0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 1 0\n3 1 0\n3 3 0\n1 3 0\n";

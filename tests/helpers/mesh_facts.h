@@ -129,9 +129,9 @@ struct Crossings {
   double flattest = 1e300;  // the least volume of a test between two faces with a common point
 };
 
-class CrossingCounter {
+class IntersectionCounter {
  public:
-  explicit CrossingCounter(const Mesh& mesh) : mesh_(mesh) {}
+  explicit IntersectionCounter(const Mesh& mesh) : mesh_(mesh) {}
 
   Crossings all() {
     struct Interval {
@@ -205,7 +205,7 @@ class CrossingCounter {
   Crossings result_;
 };
 
-inline Crossings crossings(const Mesh& mesh) { return CrossingCounter(mesh).all(); }
+inline Crossings crossings(const Mesh& mesh) { return IntersectionCounter(mesh).all(); }
 
 inline double mean_edge(const Mesh& mesh) {
   double sum = 0;

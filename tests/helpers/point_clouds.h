@@ -46,7 +46,7 @@ inline std::vector<Vec3> ring_points(int count) {
   return ring;
 }
 
-/// A wrap is a closed, oriented manifold around some volume, without a crossing.
+/// A wrap is a closed, oriented manifold around some volume, without a self-intersection.
 inline void check_surface(const Mesh& mesh) {
   const Count facts = count(mesh);
   CHECK(facts.is_closed_and_oriented);

@@ -28,7 +28,7 @@ inline ShapeOptions with_neck(ShapeOptions options, double neck) {
   return options;
 }
 
-/// A workload that crosses itself, the dumbbell with a neck turned inside out.
+/// A workload that intersects itself, the dumbbell with a neck turned inside out.
 inline Mesh workload(const std::string& kind, std::size_t faces, std::uint64_t seed = 1) {
   ShapeOptions options = shape(kind, faces);
   options.seed = seed;

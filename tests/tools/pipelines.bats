@@ -49,10 +49,10 @@ expect() { # EXPRESSION NUMBER...
     <(cd "$tm_root" && ls tools/tm-*.cpp | sed 's|.*/||; s/\.cpp$//' | sort)
 }
 
-@test "every result is a closed manifold without a crossing" {
+@test "every result is a closed manifold without a self-intersection" {
   for mesh in union intersection difference body result now twisted repaired; do
     tm-checkmanifold --closed "$mesh.ply" >/dev/null || fail "$mesh.ply is not closed and manifold"
-    tm-intersect --check "$mesh.ply" >/dev/null || fail "$mesh.ply crosses itself"
+    tm-intersect --check "$mesh.ply" >/dev/null || fail "$mesh.ply intersects itself"
   done
 }
 

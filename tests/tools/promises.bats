@@ -71,7 +71,7 @@ sentences() {
   tm-info --get volume union.ply | awk '{ exit !(($1 - 1 - 0.5 * 0.5 * 0.75) ^ 2 < 1e-30) }'
 }
 
-@test "tm-clean: guaranteed for every input: closed, no crossing, and what moved stayed within rounding_displacement" {
+@test "tm-clean: guaranteed for every input: closed, no self-intersection, and what moved stayed within rounding_displacement" {
   local turn type moved size
   for turn in 17 34 51 68 85; do
     for type in --float --double; do
@@ -143,7 +143,7 @@ turned_boxes() { # DEGREES
   done
 }
 
-@test "tm-remesh: with --faces the topology stays, and no crossing appears" {
+@test "tm-remesh: with --faces the topology stays, and no self-intersection appears" {
   local shape
   for shape in 'genus 3' tori bowl; do
     # shellcheck disable=SC2086
@@ -155,7 +155,7 @@ turned_boxes() { # DEGREES
   done
 }
 
-@test "tm-fill: never into a crossing" {
+@test "tm-fill: never into a self-intersection" {
   # Holes whose flat patches would meet what stands in the hole, and those of a soup full of holes.
   tm-shape sphere --faces 2000 | tm-select --invert --box=-9,-9,0.5,9,9,9 >cap.ply
   tm-shape box 0.2 0.2 0.8 --faces 300 --center 0,0,0.5 | tm-cat cap.ply - >pin.ply

@@ -27,7 +27,7 @@ row() {
   grep -F "$1" "$tm_root/man/tm-repair.7.md" | grep -qF "**${2/--/\\--}** |" || fail "no row: $1 | $2"
 }
 
-# is_solid FILE VOLUME: closed, oriented, free of crossings, and of that volume.
+# is_solid FILE VOLUME: closed, oriented, free of self-intersections, and of that volume.
 is_solid() {
   tm-checkmanifold --closed --intersections "$1" || fail "$1 is no solid"
   awk -v is="$(tm-info --get volume "$1")" -v is_to_be="$2" \
@@ -177,6 +177,6 @@ cracked() {
   has_volume 2
 }
 
-@test "a knot that crosses itself: knot-1000" {
+@test "a knot that intersects itself: knot-1000" {
   repaired "" transformesh/knot-1000.off
 }

@@ -89,12 +89,12 @@ facts() {
   done
 }
 
-@test "an outline that crosses itself is named with the first face" {
+@test "an outline that intersects itself is named with the first face" {
   printf 'v %s\n' '0 0 0' '1 1 0' '1 0 0' '0 1 0' >bow.obj
   printf 'f 1 3 2\nf 1 2 3 4\nf 1 2 3 4\n' >>bow.obj
   run --separate-stderr tm-convert bow.obj --format off
   assert_status 0
-  [[ $stderr == *'2 polygons cut with folds, as the outline crosses itself; the first is face 2'* ]]
+  [[ $stderr == *'2 polygons cut with folds, as the outline intersects itself; the first is face 2'* ]]
 }
 
 @test "100,000 corners of one polygon are cut in little time" {

@@ -51,7 +51,7 @@ setup() {
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >face.off
   run --separate-stderr tm-fill face.off -o still.off
   assert_status 0
-  [[ $stderr == *"1 hole stays open, as every patch would cross: "*"; close what would cross with --allow-crossings, for tm-clean" ]]
+  [[ $stderr == *"1 hole stays open, as every patch would intersect the mesh: "*"; close these holes with --allow-crossings, for tm-clean" ]]
   run --separate-stderr tm-fill --allow-crossings face.off -o still.off
   [[ $stderr != *--allow-crossings* ]]
 }

@@ -14,7 +14,7 @@ refused() {
   for word in "$@"; do [[ $stderr == *"$word"* ]] || fail "no '$word' in: $stderr"; done
 }
 
-@test "the hull of three squares is nearly a cube, closed and without a crossing" {
+@test "the hull of three squares is nearly a cube, closed and without a self-intersection" {
   run --separate-stderr tm-hull --cameras par.txt --silhouettes masks --resolution 40 -o hull.ply
   assert_status 0
   [ -z "$stderr" ]

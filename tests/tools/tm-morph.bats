@@ -37,7 +37,7 @@ wait_for_rows() { # COUNT
   while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt "$1" ]; do sleep 0.01; done
 }
 
-@test "a sphere becomes a torus: right topology, on the target, closed, without a crossing" {
+@test "a sphere becomes a torus: right topology, on the target, closed, without a self-intersection" {
   run --separate-stderr tm-morph "$sphere" --target "$torus" -o out.ply --report r.json
   assert_status 0
   one_line "$stderr"
@@ -541,7 +541,7 @@ LINES
   tm-shape folded --faces 500 -o folded.ply
   run --separate-stderr tm-morph-step large.ply --target folded.ply -o out.ply
   assert_status 0
-  [[ $stderr == *"target folded.ply crosses itself at "*"tm-clean"* ]]
+  [[ $stderr == *"target folded.ply intersects itself at "*"tm-clean"* ]]
   tm-shape sphere --center 9,0,0 --faces 500 -o apart.ply
   run --separate-stderr tm-morph-step apart.ply --target ball.ply -o out.ply
   assert_status 0

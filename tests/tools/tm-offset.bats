@@ -12,7 +12,7 @@ load ../helpers/common
   jq -e '.hausdorff < 0.03' "$BATS_TEST_TMPDIR/distance.json"
 }
 
-@test "a torus loses its hole, and the result has no crossing" {
+@test "a torus loses its hole, and the result has no self-intersection" {
   tm-shape torus --faces 3000 -o "$BATS_TEST_TMPDIR/torus.ply"
   hole=$(tm-info --get genus "$BATS_TEST_TMPDIR/torus.ply")
   [ "$hole" -eq 1 ]

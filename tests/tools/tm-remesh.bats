@@ -84,7 +84,7 @@ MESH
   [ "$output" -eq 3 ]
 }
 
-@test "real meshes come out manifold, without crossings" {
+@test "real meshes come out manifold, without self-intersections" {
   needs_shared meshes/cgal/elephant-with-holes.off
   pipe "tm-remesh --iterations 3 $shared_file | tm-intersect --check --report $BATS_TEST_TMPDIR/r.json"
   assert_status 0
@@ -298,7 +298,7 @@ border() {
   [[ $stderr == *"the only component is smaller"* ]]
 }
 
-@test "--faces decimates to that number, keeps the shape and makes no crossing" {
+@test "--faces decimates to that number, keeps the shape and makes no self-intersection" {
   tm-shape genus 3 --faces 20000 -o "$BATS_TEST_TMPDIR/in.ply"
   pipe "tm-remesh --faces 1500 <$BATS_TEST_TMPDIR/in.ply >$BATS_TEST_TMPDIR/out.ply"
   assert_status 0
@@ -376,7 +376,7 @@ far_pairs() {
     # shellcheck disable=SC2086 # two words
     run --separate-stderr timeout 60 tm-remesh $output far.ply
     assert_status 0
-    [[ $stderr == *"$count pairs of faces cross only as floats: let tm-clean write the file"* ]]
+    [[ $stderr == *"$count pairs of faces intersect only as floats: let tm-clean write the file"* ]]
   done
   tm-remesh far.ply | tm-clean -q -o out.stl
   tm-intersect -q --check out.stl

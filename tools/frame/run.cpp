@@ -190,7 +190,7 @@ void Run::set_style(Document& document, const std::string& path) {
       document.style.coordinate == Scalar::float64 && (values.as_float || holds_floats(format));
   const std::vector<Vec3> before = is_rounded ? document.mesh.positions : std::vector<Vec3>();
   const std::size_t collapsed = set_format(document, format, coordinate);
-  if (is_rounded) note_crossings(document.mesh, before);
+  if (is_rounded) note_self_intersections(document.mesh, before);
   if (collapsed > 0) note(counted(collapsed, "face") + " with two corners in one place as floats");
 }
 
@@ -203,14 +203,14 @@ void Run::set_output_style(Document& document) {
 }
 
 // What is computed stays crossed where it is so, but by rounding nobody means a crossing.
-void Run::note_crossings(Mesh rounded, const std::vector<Vec3>& before) {
-  if (program_.cleans || crossings_are_told_ || rounded.positions == before) return;
+void Run::note_self_intersections(Mesh rounded, const std::vector<Vec3>& before) {
+  if (program_.cleans || are_self_intersections_reported_ || rounded.positions == before) return;
   const std::size_t now = find_intersections(rounded).size();
   if (now == 0) return;
   rounded.positions = before;
   const std::size_t then = find_intersections(rounded).size();
   if (now <= then) return;
-  crossings_are_told_ = true;
+  are_self_intersections_reported_ = true;
   note(counted(now - then, "pair") + " of faces " + (now - then == 1 ? "crosses" : "cross") +
        " only as floats: let tm-clean write the file, or write doubles, in PLY, OFF, OBJ or VTP");
 }
@@ -224,7 +224,7 @@ void Run::check_rounding() {
   if (!(edge_lengths(mesh).mean < steps_to_an_edge * step)) return;
   Mesh rounded = mesh;
   for (Vec3& position : rounded.positions) position = rounded_to(position, Scalar::float32);
-  note_crossings(std::move(rounded), mesh.positions);
+  note_self_intersections(std::move(rounded), mesh.positions);
 }
 
 void Run::stage(const std::string& path, std::string bytes) {

@@ -124,7 +124,7 @@ class Run {
   void add_comments(Document& document);
   /// Notes of writing, each one once: several files may have the same.
   void note_once(const std::vector<std::string>& lines);
-  void note_crossings(Mesh rounded, const std::vector<Vec3>& before);
+  void note_self_intersections(Mesh rounded, const std::vector<Vec3>& before);
   void check_rounding();
   void write_mesh();
   std::string report_text() const;
@@ -150,7 +150,7 @@ class Run {
   bool stdin_is_read_ = false;
   bool settings_are_shown_ = false;
   bool is_stamped_ = false;
-  bool crossings_are_told_ = false;
+  bool are_self_intersections_reported_ = false;
   bool writes_nothing_ = false;
   bool answer_ = true;
 };

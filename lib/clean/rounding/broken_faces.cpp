@@ -22,7 +22,7 @@ struct NewFaces {
   Bvh bvh;
 };
 
-// The new faces of an assembly, and whatever lies at them, as nothing else can cross one.
+// The new faces of an assembly, and whatever lies at them, as nothing else can intersect one.
 struct Surroundings {
   Mesh mesh;
   std::vector<Index> face_of;  // in the assembly
@@ -103,14 +103,14 @@ void visit_faces_without_area(const Surroundings& part, const WeldedMesh& welded
     if (!has_area[f]) visit(part.face_of[f]);
 }
 
-// The crossings of which one face is new, by faces of the part; sorted.
+// The intersections of which one face is new, by faces of the part; sorted.
 std::vector<FacePair> search(const Surroundings& part, const WeldedMesh& welded,
                              const KnownPairs& known) {
-  std::vector<FacePair> crossings;
+  std::vector<FacePair> intersections;
   const NewFaces news = collect_new_faces(part, welded);
-  if (news.faces.empty()) return crossings;
+  if (news.faces.empty()) return intersections;
   const auto add = [&](Index f, Index g) {
-    crossings.push_back(std::minmax({welded.face_of[f], welded.face_of[g]}));
+    intersections.push_back(std::minmax({welded.face_of[f], welded.face_of[g]}));
   };
   const std::vector<char> is_embedded = find_embedded_stars(welded);
   const auto meet = [&](Index f, Index g) {
@@ -129,8 +129,8 @@ std::vector<FacePair> search(const Surroundings& part, const WeldedMesh& welded,
     };
     news.bvh.visit_overlaps(welded.box(f), visit_new, news.links.of(f));
   }
-  std::sort(crossings.begin(), crossings.end());
-  return crossings;
+  std::sort(intersections.begin(), intersections.end());
+  return intersections;
 }
 
 std::vector<Index> marked(const std::vector<char>& marks) {
@@ -208,17 +208,17 @@ BrokenFaces find_broken_faces(const Assembly& assembly, KnownPairs& known) {
   Surroundings part = surroundings_of_new_faces(assembly);
   const WeldedMesh welded = weld(part.mesh);
   known.begin(part.mesh);
-  std::vector<FacePair> crossings = search(part, welded, known);
+  std::vector<FacePair> intersections = search(part, welded, known);
 
   std::vector<char> is_broken(assembly.mesh.faces.size(), 0);
   BrokenFaces result;
   visit_faces_without_area(part, welded, [&](Index f) { is_broken[f] = 1; });
-  for (const auto& [f, g] : crossings) {
-    result.crossings.emplace_back(part.face_of[f], part.face_of[g]);
+  for (const auto& [f, g] : intersections) {
+    result.intersections.emplace_back(part.face_of[f], part.face_of[g]);
     is_broken[part.face_of[f]] = is_broken[part.face_of[g]] = 1;
   }
   result.faces = marked(is_broken);
-  known.end(part.mesh, std::move(part.is_new), std::move(crossings));
+  known.end(part.mesh, std::move(part.is_new), std::move(intersections));
   return result;
 }
 

@@ -11,8 +11,8 @@ namespace transformesh {
 
 /// In the coordinates as they are.
 struct BrokenFaces {
-  std::vector<Index> faces;         ///< that intersect a new face, or have no area; ascending
-  std::vector<FacePair> crossings;  ///< pairs, of which one is new; sorted
+  std::vector<Index> faces;             ///< that intersect a new face, or have no area; ascending
+  std::vector<FacePair> intersections;  ///< pairs, of which one is new; sorted
 };
 
 /// Whole input faces are known not to intersect each other. Of a series of searches each takes less

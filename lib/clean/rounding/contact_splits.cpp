@@ -16,7 +16,7 @@ namespace {
 class ContactSplitter {
  public:
   ContactSplitter(Assembly& assembly, double spacings, const Spacings& spacing);
-  Displacement split(const std::vector<FacePair>& crossings);
+  Displacement split(const std::vector<FacePair>& intersections);
 
  private:
   using Ends = std::array<Index, 2>;
@@ -195,13 +195,13 @@ bool ContactSplitter::split_edges(const Ends& first, const Ends& second) {
   return split_edge(first, vertex) && split_edge(second, vertex);
 }
 
-Displacement ContactSplitter::split(const std::vector<FacePair>& crossings) {
+Displacement ContactSplitter::split(const std::vector<FacePair>& intersections) {
   std::vector<Index> crossed;
-  for (const auto& [face, other] : crossings) crossed.insert(crossed.end(), {face, other});
+  for (const auto& [face, other] : intersections) crossed.insert(crossed.end(), {face, other});
   for (const Index face : with_faces_around(mesh_, crossed))
     for (std::size_t i = 0; i < 3; ++i) face_at_[edge(face, i)] = face;
 
-  for (const auto& [face, other] : crossings) {
+  for (const auto& [face, other] : intersections) {
     if (is_split_[face] || is_split_[other]) continue;
     bool is_done = split_at_corners(other, face) || split_at_corners(face, other);
     for (std::size_t i = 0; i < 9 && !is_done; ++i)
@@ -218,9 +218,9 @@ Displacement ContactSplitter::split(const std::vector<FacePair>& crossings) {
 
 }  // namespace
 
-Displacement split_at_contacts(Assembly& assembly, const std::vector<FacePair>& crossings,
+Displacement split_at_contacts(Assembly& assembly, const std::vector<FacePair>& intersections,
                                double spacings, const Spacings& spacing) {
-  return ContactSplitter(assembly, spacings, spacing).split(crossings);
+  return ContactSplitter(assembly, spacings, spacing).split(intersections);
 }
 
 }  // namespace transformesh

@@ -48,15 +48,16 @@ std::optional<bool> KnownPairs::cross(Index f, Index g) const {
   const auto [first, second] = std::minmax(before_[f], before_[g]);
   if (second == no_index || first == second) return std::nullopt;
   if (!is_new_[first] && !is_new_[second]) return std::nullopt;
-  return std::binary_search(crossings_.begin(), crossings_.end(), std::pair(first, second));
+  return std::binary_search(intersections_.begin(), intersections_.end(), std::pair(first, second));
 }
 
-void KnownPairs::end(const Mesh& mesh, std::vector<char> is_new, std::vector<FacePair> crossings) {
+void KnownPairs::end(const Mesh& mesh, std::vector<char> is_new,
+                     std::vector<FacePair> intersections) {
   triangles_.clear();
-  if (crossings.empty()) return;  // as a rule that was the last search
+  if (intersections.empty()) return;  // as a rule that was the last search
   for (Index f = 0; f < mesh.faces.size(); ++f) triangles_.push_back(triangle_of(mesh, f));
   is_new_ = std::move(is_new);
-  crossings_ = std::move(crossings);
+  intersections_ = std::move(intersections);
 }
 
 }  // namespace transformesh

@@ -1,6 +1,6 @@
 /// A grid for every vertex: that of the numbers at its largest coordinate (paper 4.3). What lies
 /// below says nothing at the place of the vertex, but where magnitudes are extreme in every
-/// direction it makes slivers that cross anew after every rounding.
+/// direction it makes slivers that intersect anew after every rounding.
 #pragma once
 
 #include "clean/rounding/displacement.h"

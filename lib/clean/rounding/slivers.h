@@ -1,5 +1,5 @@
 /// Flips slivers away (paper 4.3): triangles that are lower than a few spacings of numbers turn
-/// over at the least rounding, and cross what is beside them. The longest edge of a sliver is
+/// over at the least rounding, and intersect what is beside them. The longest edge of a sliver is
 /// replaced by the other diagonal of it and its neighbor, so that its apex splits that neighbor;
 /// the surface moves by no more than the sliver's height. Two slivers that are each other's
 /// neighbors along two edges vanish. No vertex moves; what is closed stays closed; pieces take

@@ -23,9 +23,9 @@ namespace {
 
 constexpr int most_rounds = 14;
 constexpr int most_attempts = 7;
-constexpr int last_given = 3;             // the last attempt before which thin cells are given away
-constexpr std::size_t most_crossed = 30;  // pairs per face: with more there are too many cells
-constexpr int digits_fewer = 5;           // binary, of what is extreme in every direction
+constexpr int last_given = 3;  // the last attempt before which thin cells are given away
+constexpr std::size_t most_intersected = 30;  // pairs per face: with more there are too many cells
+constexpr int digits_fewer = 5;               // binary, of what is extreme in every direction
 constexpr int rounds_ahead = 3;  // every attempt begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before,
 constexpr int patience = 2;      // and so many more where all attempts failed, which begin again
@@ -131,7 +131,7 @@ class SnapRounder {
 
 void SnapRounder::give_up() const {
   const bool is_float = options_.coordinate == Scalar::float32;
-  throw GoalError("rounding leaves faces that cross near " + place_ + "; " +
+  throw GoalError("rounding leaves faces that intersect near " + place_ + "; " +
                   (is_float ? "write doubles (--double), or " : "") +
                   "merge vertices that lie close together there (tm-stitch --tolerance)");
 }
@@ -161,7 +161,7 @@ void SnapRounder::mend(Assembly& assembly, BrokenFaces broken, const Tolerances&
       note(push_out(assembly, broken.faces, {most.push, most.moves_input}, spacing_)))
     broken = find_broken_faces(assembly, known_);
   if (!broken.faces.empty())
-    note(split_at_contacts(assembly, broken.crossings, most.slivers, spacing_));
+    note(split_at_contacts(assembly, broken.intersections, most.slivers, spacing_));
 }
 
 // Cleans what was rounded, and gives thin cells away. Returns whether nothing is left to be rounded
@@ -304,15 +304,16 @@ Assembly unchanged_assembly(const Mesh& mesh) {
   return assembly;
 }
 
-// Where parts are so thin and so nearly parallel that rounding their crossings makes new ones again
-// and again, they are given away in the exact arrangement of the input, before anything is rounded.
-// What that cannot help begins from the result once more, and coarser, as open meshes do, of which
-// it is not known what is inside, and what is so crowded that its complete arrangement is large.
+// Where parts are so thin and so nearly parallel that rounding their intersections makes new ones
+// again and again, they are given away in the exact arrangement of the input, before anything is
+// rounded. What that cannot help begins from the result once more, and coarser, as open meshes do,
+// of which it is not known what is inside, and what is so crowded that its complete arrangement is
+// large.
 Assembly SnapRounder::begin_anew(const CleanPass& pass, int attempt) {
   result_.displacement = {};
   is_hopeless_ = false;
   if (is_shattered_ && attempt > last_given) return begin_simpler(pass, attempt);
-  const bool is_crowded = pass.pairs > most_crossed * mesh_.faces.size();
+  const bool is_crowded = pass.pairs > most_intersected * mesh_.faces.size();
   if (options_.is_open || is_crowded || attempt > last_given) return pass.assembly;
   Assembly assembly = unchanged_assembly(mesh_);
   clean_again(assembly, {given_spacings(attempt), is_broken_}, options_.winding_level);

@@ -1,7 +1,7 @@
 /// Triangulates a polygon in space without new vertices. The polygon is projected along the
 /// coordinate axis nearest to its normal (Newell), so that the coordinates stay the doubles that
 /// they are and all predicates are exact; the normal itself and the other axes are tried if the
-/// projection crosses itself. Guarantees:
+/// projection intersects itself. Guarantees:
 /// - Together the triangles have the oriented boundary of the polygon.
 /// - A polygon whose first projection meets itself in points and along bridges only is triangulated
 ///   without overlaps, by triangles of one orientation and of positive area, unless an edge of it

@@ -203,7 +203,7 @@ TriangleMesh other_solids(Body body, const Situation& now, double share, Random&
   return other;
 }
 
-/// A body of a single solid: a target that does not cross itself.
+/// A body of a single solid: a target that does not intersect itself.
 Body random_solid(Random& random) {
   for (;;) {
     Body body = random_body(random);
@@ -257,7 +257,7 @@ Step choose(const std::vector<Choice>& choices, const Situation& now, Random& ra
   return choices.back().make(now, random);
 }
 
-const std::vector<Choice> after_crossing = {
+const std::vector<Choice> after_self_intersection = {
     {8, clean}, {2, transform}, {1.5, convert}, {0.5, stitch}, {0.5, intersect}};
 const std::vector<Choice> after_sound = {
     {9, remesh},   {1.5, decimate}, {0.7, offset},  {1, handles}, {2, displace},
@@ -295,11 +295,11 @@ Step next_step(const Situation& now, Random& random) {
   if (now.is_soup)
     return random.chance(is_last ? 0 : 0.5) ? stitch(now, random) : clean(now, random);
   if (!now.facts.is_sound())
-    return is_last ? plain_clean(now, random) : choose(after_crossing, now, random);
+    return is_last ? plain_clean(now, random) : choose(after_self_intersection, now, random);
   if (!now.facts.is_closed()) return choose(after_open, now, random);
   if (!now.is_cut && !is_last && now.previous.starts_with("clean")) return cat_cutter(now, random);
   // A chain begins with what its body needs.
-  if (now.previous == "cat") return choose(after_crossing, now, random);
+  if (now.previous == "cat") return choose(after_self_intersection, now, random);
   if (!is_last && random.chance(0.02)) return sample(now, random);
   return choose(after_sound, now, random);
 }

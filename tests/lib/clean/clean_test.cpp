@@ -162,7 +162,7 @@ TEST_CASE("the same bytes for any number of threads") {
   }
 }
 
-TEST_CASE("float coordinates are free of crossings as floats") {
+TEST_CASE("float coordinates are free of self-intersections as floats") {
   Mesh input = test::workload("many-spheres", 3000, 6);
   for (Vec3& p : input.positions) {
     for (double& value : p) value = round_to_single(value);

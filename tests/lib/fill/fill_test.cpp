@@ -76,7 +76,7 @@ TEST_CASE("holes beyond the limits stay open") {
   CHECK(fill_holes(mesh, {.max_edges = 4, .max_diameter = 1.5}).filled() == 1);
 }
 
-TEST_CASE("a patch that would cross stays out") {
+TEST_CASE("a patch that would intersect stays out") {
   // A spike through the missing lid of the box.
   Mesh mesh =
       test::joined(opened(test::cube(), 0.5), test::cuboid({0.4, 0.4, 0.5}, {0.6, 0.6, 1.5}));
@@ -95,7 +95,7 @@ TEST_CASE("a slit, which has only flat patches, is no hole that a crossing close
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
       if (mesh.faces[f] == Face{0, 1, 4}) mesh.faces[f] = {0, 8, 4};
     mesh.faces.push_back({8, 1, 4});
-    const FillResult result = fill_holes(mesh, {.allow_crossings = allows});
+    const FillResult result = fill_holes(mesh, {.allow_self_intersections = allows});
     CHECK(result.holes == 1);
     CHECK(result.flat.size() == 1);
     CHECK(result.crossing.empty());

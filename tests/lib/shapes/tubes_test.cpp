@@ -59,11 +59,12 @@ TEST_CASE("a knot's tube is round: all vertices are its radius from the curve") 
   }
 }
 
-TEST_CASE("the thickness of a knot goes with its size, and a tube of it does not cross itself") {
+TEST_CASE(
+    "the thickness of a knot goes with its size, and a tube of it does not intersect itself") {
   const double thickness = shapes::torus_knot_thickness(2, 3, 1);
   CHECK(shapes::torus_knot_thickness(2, 3, 2) == doctest::Approx(2 * thickness).epsilon(1e-12));
   CHECK(crossings(shapes::torus_knot(2, 3, 1, 0.95 * thickness, 1500)).pairs == 0);
   CHECK(crossings(shapes::torus_knot(2, 3, 1, 1.3 * thickness, 1500)).pairs > 0);
-  // A curve that winds once and never crosses itself is held back by its own bend alone.
+  // A curve that winds once and never intersects itself is held back by its own bend alone.
   CHECK(shapes::torus_knot_thickness(1, 1, 1) > thickness);
 }

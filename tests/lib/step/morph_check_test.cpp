@@ -58,7 +58,7 @@ TEST_CASE("targets that do not agree which side is outside, or are inside out, a
                        InputError);
 }
 
-TEST_CASE("an open target and one that crosses itself are told with their numbers") {
+TEST_CASE("an open target and one that intersects itself are told with their numbers") {
   Mesh open = test::icosphere(2);
   open.faces.pop_back();
   auto lines = check_target(target_of(open), "a.ply");
@@ -68,7 +68,7 @@ TEST_CASE("an open target and one that crosses itself are told with their number
       test::joined(test::icosphere(1), moved(test::icosphere(1), {0.9, 0.1, 0.05}));
   lines = check_target(target_of(crossing), "");
   REQUIRE(lines.size() == 1);
-  CHECK(lines[0].starts_with("the target crosses itself at "));
+  CHECK(lines[0].starts_with("the target intersects itself at "));
 }
 
 TEST_CASE("a source apart from the target is told, one that touches its box is not") {

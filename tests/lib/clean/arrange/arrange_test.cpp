@@ -47,7 +47,7 @@ Arrangement arrange_mesh(const Mesh& mesh) {
 }
 
 /// The corners, the points in which edges cross faces and other edges, and those in which three
-/// faces cross.
+/// faces intersect.
 std::set<RationalPoint> expected_points(const Mesh& mesh) {
   std::vector<RationalTriangle> t;
   for (Index f = 0; f < mesh.faces.size(); ++f) t.push_back(test::exact_triangle(mesh, f));

@@ -9,13 +9,13 @@
 
 namespace transformesh {
 
-TEST_CASE("crossing faces are broken where one of them is new, and faces without area always") {
+TEST_CASE("intersecting faces are broken where one of them is new, and faces without area always") {
   Assembly assembly =
       test::assembly_of(test::joined(test::cube(), test::moved(test::cube(), {0.5, 0.4, 0.3})));
-  const auto [all, crossings] = find_broken_faces(assembly);
+  const auto [all, intersections] = find_broken_faces(assembly);
   CHECK(all.size() > 6);
-  CHECK(!crossings.empty());
-  for (const auto& [face, other] : crossings) {
+  CHECK(!intersections.empty());
+  for (const auto& [face, other] : intersections) {
     CHECK(face < 12);
     CHECK(other >= 12);
   }

@@ -1,4 +1,4 @@
-/// Faces that cross by a few spacings come to share corners; those that cross deeply stay.
+/// Faces that intersect by a few spacings come to share corners; those that intersect deeply stay.
 #include "clean/rounding/contact_splits.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,8 @@ Mesh pricked_cube(double depth) {
 }
 
 Displacement split(Assembly& assembly) {
-  return split_at_contacts(assembly, find_broken_faces(assembly).crossings, 4, {Scalar::float64});
+  return split_at_contacts(assembly, find_broken_faces(assembly).intersections, 4,
+                           {Scalar::float64});
 }
 
 }  // namespace
@@ -43,7 +44,7 @@ TEST_CASE("a corner that is deep in a face does not") {
 }
 
 TEST_CASE("edges that pass each other closely are both split at one position") {
-  // Two roofs, the lower one upside down; their ridges cross at a right angle.
+  // Two roofs, the lower one upside down; their ridges intersect at a right angle.
   Mesh lower = test::tetrahedron(), upper = lower;
   lower.positions = {{-1, 0, 0}, {1, 0, 0}, {0, -0.5, -1}, {0, 0.5, -1}};
   upper.positions = {{0, -1, -0x1p-53}, {0, 1, -0x1p-53}, {-0.5, 0, 1}, {0.5, 0, 1}};

@@ -20,13 +20,13 @@ TEST_CASE("a series of searches with a memory finds what each finds without one"
         test::joined(test::icosphere(1), test::moved(test::icosphere(1), {0.3, 0.2, 0.1})));
     for (char& is_new : assembly.face_is_new) is_new = random.below(3) != 0 ? 1 : 0;
     KnownPairs known;
-    std::size_t crossings = 0;
+    std::size_t intersections = 0;
     for (int round = 0; round < 6; ++round) {
       const BrokenFaces with = find_broken_faces(assembly, known);
       const BrokenFaces without = find_broken_faces(assembly);
       REQUIRE(with.faces == without.faces);
-      REQUIRE(with.crossings == without.crossings);
-      crossings += with.crossings.size();
+      REQUIRE(with.intersections == without.intersections);
+      intersections += with.intersections.size();
 
       // Some vertices move, some faces turn, some go.
       Mesh& mesh = assembly.mesh;
@@ -40,7 +40,7 @@ TEST_CASE("a series of searches with a memory finds what each finds without one"
       mesh.faces.pop_back();
       assembly.face_is_new.pop_back();
     }
-    CHECK(crossings > 100);
+    CHECK(intersections > 100);
   }
 }
 

@@ -38,7 +38,7 @@ Mesh in_singles(Mesh mesh) {
   return mesh;
 }
 
-// Closed, manifold, nothing crosses, no face without area.
+// Closed, manifold, nothing intersects, no face without area.
 Mesh check_clean(const Mesh& mesh, Scalar coordinate) {
   CleanOptions options;
   options.coordinate = coordinate;

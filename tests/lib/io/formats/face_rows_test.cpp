@@ -58,6 +58,6 @@ TEST_CASE("notes count what was cut, what folds and what was dropped") {
   CHECK(result.notes ==
         std::vector<std::string>{
             "off: 2 polygons cut into 4 triangles",
-            "off: 1 polygon cut with folds, as the outline crosses itself; the first is face 3",
+            "off: 1 polygon cut with folds, as the outline intersects itself; the first is face 3",
             "off: 1 face with fewer than three corners dropped"});
 }

@@ -173,10 +173,10 @@ TEST_CASE("repeated corners and spikes go") {
   CHECK(cut({points, {0, 1}}).triangles.empty());
 }
 
-TEST_CASE("an outline that crosses itself has folds, and the boundary of its polygon") {
+TEST_CASE("an outline that intersects itself has folds, and the boundary of its polygon") {
   CHECK(cut(crossed_square()).folds == 1);
   CHECK(cut(crossed_square()).triangles.size() == 2);
-  // Seen from above it crosses itself, from the front it does not.
+  // Seen from above it intersects itself, from the front it does not.
   CHECK(cut({{0, 0, 0}, {1, 1, 1}, {1, 0, 3}, {0, 1, 2}}).folds == 0);
   // Two loops that meet in a corner and turn in opposite directions.
   const TestPolygon eight{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, -2, 0}, {-1, 0, 0}},

@@ -51,7 +51,7 @@ TEST_CASE("a ball: on the sphere, oriented outwards, of the right size") {
   CHECK(volume(mesh) == doctest::Approx(4.0 / 3 * 3.14159265 * 0.512).epsilon(0.005));
 }
 
-TEST_CASE("values at random: still closed, oriented, manifold, without a crossing") {
+TEST_CASE("values at random: still closed, oriented, manifold, without a self-intersection") {
   test::Random random(5);
   for (int round = 0; round < 3; ++round) {
     const ValueGrid grid = sampled(12, [&](const Vec3& point) {

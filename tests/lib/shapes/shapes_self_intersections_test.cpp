@@ -1,4 +1,4 @@
-/// Which shapes cross themselves, how, and which do not.
+/// Which shapes intersect themselves, how, and which do not.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -13,7 +13,7 @@
 using namespace transformesh;
 using namespace transformesh::test;
 
-TEST_CASE("plain kinds do not cross themselves") {
+TEST_CASE("plain kinds do not intersect themselves") {
   std::vector<ShapeOptions> plain;
   for (const std::size_t faces : {500, 6000}) {
     for (const char* kind : {"sphere", "dented", "ellipsoid", "box", "torus", "genus", "torus-knot",
@@ -31,7 +31,7 @@ TEST_CASE("plain kinds do not cross themselves") {
   }
 }
 
-TEST_CASE("workloads cross themselves, in general position") {
+TEST_CASE("workloads intersect themselves, in general position") {
   for (const std::size_t faces : {500, 6000})
     for (const std::uint64_t seed : {1, 2, 3}) {
       std::vector<ShapeOptions> workloads = {shape("two-spheres", faces),
