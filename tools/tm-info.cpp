@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-info", "[OPTION]... [INPUT]",
                         "Describes a mesh: counts, topology, sizes, triangle quality",
                         tool::Reads::mesh, tool::Writes::report};
-  program.soups = tool::Soups::told;
+  program.soups = tool::Soups::reported;
   program.choice("get", &key,
                  {"vertices", "faces", "edges", "components", "genus", "boundary_loops", "area",
                   "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min", "edge_max",

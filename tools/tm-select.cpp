@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-select", "[OPTION]... [INPUT]",
                         "Keeps the components or faces of a mesh that meet all conditions"};
-  program.soups = tool::Soups::told;
+  program.soups = tool::Soups::reported;
   program.integer("largest", &choices.largest, 1, 1000000000, "the N largest components");
   program.number("at-least", &choices.all.at_least, 0, 1e300, "components at least so large");
   program.choice("by", &choices.by, {"faces", "area", "volume"}, "what makes a component large");

@@ -25,7 +25,7 @@ extern int threads;
 Progress progress_to(const py::object& callback);
 
 /// A callable of a line of text, or none.
-std::function<void(const std::string& message)> teller_to(const py::object& callback);
+std::function<void(const std::string& message)> message_callback(const py::object& callback);
 
 /// Calls `body(progress)` without the interpreter's lock, on as many threads as are set.
 template <typename Body>

@@ -32,7 +32,7 @@ IterationOptions iteration_of(const PythonLength& min_edge, const PythonLength& 
 
 LoopOptions loop_of(std::size_t iterations, const py::object& on_iteration) {
   LoopOptions loop{iterations};
-  loop.on_iteration = teller_to(on_iteration);
+  loop.on_iteration = message_callback(on_iteration);
   return loop;
 }
 

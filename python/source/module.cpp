@@ -21,7 +21,7 @@ Progress progress_to(const py::object& callback) {
   });
 }
 
-std::function<void(const std::string& message)> teller_to(const py::object& callback) {
+std::function<void(const std::string& message)> message_callback(const py::object& callback) {
   if (callback.is_none()) return {};
   return [callback](const std::string& message) {
     const py::gil_scoped_acquire locked;

@@ -167,7 +167,7 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
   options.robust = robust;
   options.crumbs = crumbs;
   options.handles = handles;
-  options.on_sweep = teller_to(on_pass);
+  options.on_sweep = message_callback(on_pass);
   std::vector<std::string> notes;
   options.on_note = [&notes](const std::string& note) { notes.push_back(note); };
   std::optional<ViewCheckOptions> check;

@@ -108,18 +108,18 @@ closed_pipe_is_silent() {
   for_each filter predicate picture source converter loop lister reporter viewer -- closed_pipe_is_silent
 }
 
-failed_output_is_told() {
+failed_output_is_reported() {
   [[ $kind == @(source|lister|reporter) ]] || arguments+=("$binary")
   code=0
   "$program" "${arguments[@]}" 2>stderr || code=$?
   [ "$code" -eq 5 ] || fail "exit code $code, $(cat stderr)"
   one_line "$(cat stderr)"
 }
-full_disk_is_told() { failed_output_is_told >/dev/full; }
-closed_stdout_is_told() { failed_output_is_told >&-; }
+full_disk_is_reported() { failed_output_is_reported >/dev/full; }
+closed_stdout_is_reported() { failed_output_is_reported >&-; }
 @test "9: a full disk and a closed stdout are exit 5 and told" {
-  for_each filter predicate picture source converter loop lister reporter viewer -- full_disk_is_told
-  for_each filter predicate picture source converter loop lister reporter viewer -- closed_stdout_is_told
+  for_each filter predicate picture source converter loop lister reporter viewer -- full_disk_is_reported
+  for_each filter predicate picture source converter loop lister reporter viewer -- closed_stdout_is_reported
 }
 
 header_survives() {

@@ -101,7 +101,7 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   // The folder of a run is made with the state in it.
   choices.run.empty() ? run.check_outputs(files) : check_run_folder(choices.run);
   const std::string& name = run.program().name;
-  tell_interruption(name, is_continuable ? "; --resume continues" : "");
+  report_interruption(name, is_continuable ? "; --resume continues" : "");
   if (state.empty() && is_continuable) state = name_beside(run.output(), "", '.' + name);
   options.state = std::move(state);
   options.settings = settings_of(run);

@@ -115,8 +115,8 @@ bool is_in_provenance(const Option& option) {
   for (const char* file : {"FILE", "FOLDER", "WHERE"})
     if (option.placeholder.find(file) != std::string::npos) return false;
   const std::string name = option.name();
-  const bool says_what = name == "float" || name == "double" || name == "reference-edge";
-  return option.is_given && option.affects_result && (!option.is_common || says_what);
+  const bool changes_meaning = name == "float" || name == "double" || name == "reference-edge";
+  return option.is_given && option.affects_result && (!option.is_common || changes_meaning);
 }
 
 // A word as a shell would need it; control characters could end the comment's line.

@@ -62,9 +62,9 @@ int tell(const std::exception& error, Terminal& terminal) {
     terminal.out_of_memory();
     return exit_memory;
   }
-  const bool is_told = is_any<UsageError, InputError, GoalError, OutputError>(error);
-  terminal.error(is_told ? error.what()
-                         : "internal error: please report it together with the input");
+  const bool is_reported = is_any<UsageError, InputError, GoalError, OutputError>(error);
+  terminal.error(is_reported ? error.what()
+                             : "internal error: please report it together with the input");
   return is_any<UsageError>(error)    ? exit_usage
          : is_any<InputError>(error)  ? exit_input
          : is_any<OutputError>(error) ? exit_output

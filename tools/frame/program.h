@@ -41,10 +41,10 @@ enum class Reads {
 /// The treatment of faces that meet but share no vertices, as in a soup of triangles
 /// (touching_borders.h).
 enum class Soups {
-  kept,    ///< the mesh is read as it is; only of STL it is said that tm-stitch joins them
-  own,     ///< the same, and nobody is told to use tm-stitch: the program joins them itself
-  joined,  ///< equal places are joined when a mesh is read, which is said
-  told     ///< the mesh is read as it is, and of any file it is said that tm-stitch joins them
+  kept,     ///< the mesh is read as it is; only of STL it is said that tm-stitch joins them
+  own,      ///< the same, and nobody is told to use tm-stitch: the program joins them itself
+  joined,   ///< equal places are joined when a mesh is read, which is said
+  reported  ///< the mesh is read as it is, and of any file it is said that tm-stitch joins them
 };
 
 /// What goes to -o, which is stdout by default.

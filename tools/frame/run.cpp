@@ -140,7 +140,7 @@ Bytes Run::read_once(const std::string& path) {
   return read_all(path);
 }
 
-void Run::treat_soup(Mesh& mesh, const std::string& name, bool is_told) {
+void Run::treat_soup(Mesh& mesh, const std::string& name, bool is_reported) {
   if (program_.soups == Soups::joined) {
     const StitchResult result = join_soup(mesh);
     joined_vertices_ += result.joined_vertices;
@@ -150,7 +150,7 @@ void Run::treat_soup(Mesh& mesh, const std::string& name, bool is_told) {
     if (result.dropped_faces > 0)
       note(name + ": " + counted(result.dropped_faces, "face") +
            " with two corners in one place dropped");
-  } else if (program_.soups == Soups::told && !is_told) {
+  } else if (program_.soups == Soups::reported && !is_reported) {
     const std::size_t count = count_touching_borders(mesh);
     if (count > 0)
       note(name + ": " + counted(count, "border edge") +
@@ -169,13 +169,13 @@ Document Run::read(const std::string& path) {
 }
 
 bool Run::note_read(const std::vector<std::string>& notes, bool joins_soups) {
-  bool is_told = false;
+  bool is_reported = false;
   for (const std::string& line : notes) {
     const std::size_t advice = line.find("; tm-stitch joins them");
-    is_told |= advice != std::string::npos;
+    is_reported |= advice != std::string::npos;
     note(joins_soups ? line.substr(0, advice) : line);
   }
-  return is_told;
+  return is_reported;
 }
 
 // --- Output --------------------------------------------------------------------------------------
@@ -291,7 +291,7 @@ void Run::check_outputs(const std::vector<std::string>& options) {
 
 void Run::note_once(const std::vector<std::string>& lines) {
   for (const std::string& line : lines)
-    if (told_.insert(line).second) note(line);
+    if (reported_.insert(line).second) note(line);
 }
 
 void Run::stamp(Document& document) {

@@ -111,7 +111,7 @@ class Run {
  private:
   Bytes read_once(const std::string& path);
   /// Joins or tells, as the program says; `is_told` if reading has said that it is a soup.
-  void treat_soup(Mesh& mesh, const std::string& name, bool is_told);
+  void treat_soup(Mesh& mesh, const std::string& name, bool is_reported);
   void refer_to(const Document& document);
   /// Throws UsageError for an output whose name promises a format that is not written.
   void check_ending() const;
@@ -143,7 +143,7 @@ class Run {
   std::string bytes_;
   std::vector<std::pair<std::string, std::string>> further_files_;
   std::vector<AtomicFile> staged_;
-  std::set<std::string> staged_places_, told_;
+  std::set<std::string> staged_places_, reported_;
   std::optional<std::pair<std::string, std::string>> kept_;
   std::function<void()> when_written_;
   std::size_t joined_vertices_ = 0;

@@ -120,7 +120,7 @@ void release_time() {
   setitimer(ITIMER_REAL, &none, nullptr);
 }
 
-void tell_interruption(const std::string& program, const std::string& advice) {
+void report_interruption(const std::string& program, const std::string& advice) {
   const auto message = [&](const char* name) {
     return program + ": interrupted by " + name + advice + '\n';
   };

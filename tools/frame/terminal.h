@@ -16,7 +16,7 @@ namespace transformesh::tool {
 void prepare_streams_and_signals();
 
 /// From now on SIGINT, SIGTERM and SIGHUP are told: `tm-x: interrupted by SIGINT` and the advice.
-void tell_interruption(const std::string& program, const std::string& advice);
+void report_interruption(const std::string& program, const std::string& advice);
 
 /// The process ends with exit code 4 after so many seconds, as by a signal and with a message of
 /// that kind, unless release_time() comes first.

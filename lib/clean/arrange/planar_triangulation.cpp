@@ -317,7 +317,7 @@ bool PlanarTriangulation::is_convex(Index edge) const {
 }
 
 // Of two diagonals that are equally good the one at the least point stays, if that is asked for.
-bool PlanarTriangulation::wants_flip(Index edge, bool tells_equal) const {
+bool PlanarTriangulation::wants_flip(Index edge, bool breaks_ties) const {
   const Facet& facet = facets_[edge / 3];
   if (facet.line[edge % 3] != no_index || facet.next[edge % 3] == no_index) return false;
   const Index back = opposite(edge);
@@ -326,10 +326,10 @@ bool PlanarTriangulation::wants_flip(Index edge, bool tells_equal) const {
   const Index d = facets_[back / 3].v[previous_corner(back % 3)];
   int sign = ExactGeometry::quick_delaunay_sign(points_[a], points_[b], points_[c], points_[d],
                                                 projection_);
-  if (sign == 0 && tells_equal)
+  if (sign == 0 && breaks_ties)
     sign = geometry_.delaunay_sign(points_[a], points_[b], points_[c], points_[d], projection_);
   const auto least = [&](Index p, Index q) { return is_before(p, q) ? p : q; };
-  if (sign == 0 && tells_equal && is_before(least(c, d), least(a, b))) sign = -1;
+  if (sign == 0 && breaks_ties && is_before(least(c, d), least(a, b))) sign = -1;
   if (sign >= 0) return false;
   return is_convex(edge);
 }

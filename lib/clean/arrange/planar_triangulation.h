@@ -117,7 +117,7 @@ class PlanarTriangulation {
   void add_lines_of_edge(Index edge, Index point);
   Index flip(Index edge);
   bool is_convex(Index edge) const;
-  bool wants_flip(Index edge, bool tells_equal) const;
+  bool wants_flip(Index edge, bool breaks_ties) const;
   bool is_before(Index a, Index b) const { return points_[a].definition < points_[b].definition; }
   void legalize(Index point);
   Index edge_between(Index from, Index to) const;

@@ -129,15 +129,15 @@ void SegmentCrossings::file() {
 }
 
 bool SegmentCrossings::sort_along(Index s) {
-  bool is_told = true;
+  bool is_decided = true;
   // Stable: that ends well even where the order is none.
   std::stable_sort(crossings_.begin() + first_[s], crossings_.begin() + first_[s + 1],
                    [&](const Crossing& a, const Crossing& b) {
                      const int order = order_along(s, a, b);
-                     is_told = is_told && order != 0;
+                     is_decided = is_decided && order != 0;
                      return order < 0;
                    });
-  return is_told;
+  return is_decided;
 }
 
 std::optional<int> SegmentCrossings::change_before(const Crossing& crossing) const {

@@ -101,8 +101,8 @@ std::string and_others(const std::string& path, std::size_t count) {
   return count == 1 ? path : path + " and " + counted(count - 1, "further mask");
 }
 
-void tell_rule(const std::vector<std::string>& paths, const std::vector<MaskRule>& rules,
-               MaskRule rule, const std::string& text, const ViewSources& sources) {
+void note_mask_rule(const std::vector<std::string>& paths, const std::vector<MaskRule>& rules,
+                    MaskRule rule, const std::string& text, const ViewSources& sources) {
   const auto count = std::count(rules.begin(), rules.end(), rule);
   if (count == 0 || !sources.on_note) return;
   const auto first = std::find(rules.begin(), rules.end(), rule) - rules.begin();
@@ -125,12 +125,13 @@ void decode_masks(const std::vector<std::string>& paths, const ViewSources& sour
     pack_one_of(views.size(), views[i].silhouette);
     rules[i] = mask.rule;
   });
-  tell_rule(paths, rules, MaskRule::alpha,
-            ": transparency is the mask: the object is where the picture is opaque", sources);
-  tell_rule(paths, rules, MaskRule::between_intensities,
-            ": black and white are not quite that, as noise or JPEG leave them: the object is what "
-            "is brighter than half-way between",
-            sources);
+  note_mask_rule(paths, rules, MaskRule::alpha,
+                 ": transparency is the mask: the object is where the picture is opaque", sources);
+  note_mask_rule(
+      paths, rules, MaskRule::between_intensities,
+      ": black and white are not quite that, as noise or JPEG leave them: the object is what "
+      "is brighter than half-way between",
+      sources);
 }
 
 std::string size_text(int width, int height) {

@@ -136,8 +136,8 @@ class Reader {
   bool has_alpha() const {
     std::uint16_t count = 0;
     const std::uint16_t* kinds = nullptr;
-    const bool is_told = TIFFGetField(tiff_.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) != 0;
-    return is_told && count == 1 && kinds[0] != EXTRASAMPLE_UNSPECIFIED;
+    const bool is_given = TIFFGetField(tiff_.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) != 0;
+    return is_given && count == 1 && kinds[0] != EXTRASAMPLE_UNSPECIFIED;
   }
 
   bool is_gray() const {

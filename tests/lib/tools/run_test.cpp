@@ -186,7 +186,7 @@ TEST_CASE("outputs of one place and outputs that cannot be written are refused e
 TEST_CASE("a signal is told with the advice to continue") {
   Place place;
   const auto body = [](Run& run) {
-    tell_interruption(run.program().name, run.output() == "-" ? "" : "; --resume continues");
+    report_interruption(run.program().name, run.output() == "-" ? "" : "; --resume continues");
     raise(SIGTERM);
   };
   CHECK(place.evolve({"t.ply", "-o", "out.ply"}, body) == 143);
