@@ -1,4 +1,4 @@
-/// The undirected edges of a mesh, each with the halfedges that run along it. Vertices are the same
+/// The undirected edges of a mesh, each with the halfedges along it. Vertices are the same
 /// when their indices are. A halfedge from a vertex to itself (a face that names a vertex twice) is
 /// no edge and appears nowhere.
 /// Edges are sorted by their smaller vertex, then by their larger one; the halfedges of an edge

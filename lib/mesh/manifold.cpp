@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// Lists the edges that have one face, three or more, or two that run alike.
+/// Lists the edges that have one face, three or more, or two that have the same direction.
 void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto halfedges = edges.halfedges(edge);

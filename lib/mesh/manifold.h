@@ -11,8 +11,9 @@
 namespace transformesh {
 
 struct ManifoldReport {
-  std::vector<Index> nonmanifold_edges;     ///< a halfedge of each edge with three or more faces
-  std::vector<Index> misoriented_edges;     ///< a halfedge of each edge whose two faces run alike
+  std::vector<Index> nonmanifold_edges;  ///< a halfedge of each edge with three or more faces
+  std::vector<Index> misoriented_edges;  ///< a halfedge of each edge whose two faces traverse it in
+                                         ///< the same direction
   std::vector<Index> nonmanifold_vertices;  ///< vertices whose faces are not one umbrella or disk
   std::vector<Index> collapsed_faces;       ///< faces that name a vertex twice: no triangles
   std::vector<Index> border_halfedges;      ///< halfedges without a face across

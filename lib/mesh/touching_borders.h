@@ -1,6 +1,6 @@
-/// Border edges that lie upon each other and run opposite ways: faces that meet there in space but
-/// share no vertices, as in a file of separate triangles (a soup) or along a seam. To what follows
-/// indices such a mesh has holes there, and what moves vertices tears it open.
+/// Border edges that lie upon each other and have opposite directions: faces that meet there in
+/// space but share no vertices, as in a file of separate triangles (a soup) or along a seam. To
+/// what follows indices such a mesh has holes there, and what moves vertices tears it open.
 /// Positions are compared exactly. Deterministic.
 #pragma once
 

@@ -14,9 +14,9 @@ Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> acr
   for (Index h = 0; h < across.size(); ++h) {
     const Index other = across[h];
     if (other == no_index || other < h) continue;
-    const bool run_alike = faces[h / 3][h % 3] == faces[other / 3][other % 3];
-    corners.join(h, run_alike ? other : next_halfedge(other));
-    corners.join(next_halfedge(h), run_alike ? next_halfedge(other) : other);
+    const bool have_same_direction = faces[h / 3][h % 3] == faces[other / 3][other % 3];
+    corners.join(h, have_same_direction ? other : next_halfedge(other));
+    corners.join(next_halfedge(h), have_same_direction ? next_halfedge(other) : other);
   }
 
   // Umbrellas are numbered by their first corners.

@@ -7,7 +7,7 @@ namespace {
 
 Index corner_after(Index i) { return i == 2 ? 0 : i + 1; }
 
-bool runs_alike(const Face& face, const Face& copy) {
+bool has_same_direction(const Face& face, const Face& copy) {
   const auto at =
       static_cast<std::size_t>(std::find(copy.begin(), copy.end(), face[0]) - copy.begin());
   return copy[(at + 1) % 3] == face[1];
@@ -19,7 +19,7 @@ std::vector<int> count_copies(const WeldedMesh& welded) {
   for (Index f = 0; f < welded.faces.size(); ++f) {
     const Index first = welded.first_copy[f];
     has_copies |= first != f;
-    multiplicities[first] += runs_alike(welded.faces[first], welded.faces[f]) ? 1 : -1;
+    multiplicities[first] += has_same_direction(welded.faces[first], welded.faces[f]) ? 1 : -1;
   }
   if (!has_copies) multiplicities.clear();
   return multiplicities;

@@ -1,7 +1,7 @@
 /// Where the surface of a mesh ends, and whether it has an outside at all: what open and
 /// misoriented input needs before it can be cleaned (paper 4.6). Along an edge counts the sum of
-/// the faces that run one way, less those that run the other (stitch/orientation_check.h). Cost:
-/// O(n log n). Deterministic.
+/// the faces that traverse it in one direction, less those that run the other
+/// (stitch/orientation_check.h). Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>

@@ -19,7 +19,8 @@ class Sheets {
   explicit Sheets(const WeldedMesh& welded);
 
   std::vector<Index> sheet_of;  ///< per face: the first face of its sheet
-  /// How many more faces run forward than backward along an edge, the marked ones left out.
+  /// How many more faces are directed forward than backward along an edge, the marked ones left
+  /// out.
   int sum_along(std::size_t edge, const std::vector<char>& left_out) const;
   /// Unmarks sheets until those that are still marked leave no border where they were.
   void restore_needed(std::vector<char>& marks) const;
@@ -31,9 +32,9 @@ class Sheets {
 Sheets::Sheets(const WeldedMesh& welded) : welded_(welded) {
   DisjointSets sets(welded.faces.size());
   const std::vector<Index> across = neighbors_across(welded_.edges, welded.faces.size());
-  const auto runs_forward = [&](Index h) { return is_forward(welded.faces, h); };
+  const auto points_forward = [&](Index h) { return is_forward(welded.faces, h); };
   for (Index h = 0; h < across.size(); ++h) {
-    if (across[h] != no_index && runs_forward(h) != runs_forward(across[h]))
+    if (across[h] != no_index && points_forward(h) != points_forward(across[h]))
       sets.join(h / 3, across[h] / 3);
   }
   for (Index f = 0; f < welded.faces.size(); ++f) sheet_of.push_back(sets.find(f));

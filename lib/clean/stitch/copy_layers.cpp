@@ -31,7 +31,7 @@ class Layers {
   void collect_joints();
   void grow(Index first);
   void order_layers(const Joint& joint, Index from, Index to);
-  bool runs_forward(Index face, Index edge) const;
+  bool points_forward(Index face, Index edge) const;
   Index halfedge_of(Index face, Index edge) const;
   bool is_turned(const Joint& joint) const;
 
@@ -97,26 +97,26 @@ Index Layers::halfedge_of(Index face, Index edge) const {
   return *std::ranges::lower_bound(halfedges, 3 * face);
 }
 
-bool Layers::runs_forward(Index face, Index edge) const {
+bool Layers::points_forward(Index face, Index edge) const {
   return is_forward(mesh_.faces, halfedge_of(face, edge));
 }
 
 // Whether the lowest faces of the two bundles run the same way along the edge.
 bool Layers::is_turned(const Joint& joint) const {
   const auto lowest = [&](Index bundle) { return *std::ranges::min_element(bundles_[bundle]); };
-  return runs_forward(lowest(joint.first), joint.edge) ==
-         runs_forward(lowest(joint.second), joint.edge);
+  return points_forward(lowest(joint.first), joint.edge) ==
+         points_forward(lowest(joint.second), joint.edge);
 }
 
 void Layers::order_layers(const Joint& joint, Index from, Index to) {
   std::array<std::vector<Index>, 2> left;  // backward and forward ones, the lowest last
   for (const Index face : std::views::reverse(bundles_[to]))
-    left[runs_forward(face, joint.edge) ? 1 : 0].push_back(face);
+    left[points_forward(face, joint.edge) ? 1 : 0].push_back(face);
   std::vector<Index> ordered(bundles_[to].size(), no_index);
   for (const bool agrees : {true, false})
     for (std::size_t layer = 0; layer < ordered.size(); ++layer) {
       if (ordered[layer] != no_index) continue;
-      const bool forward = runs_forward(bundles_[from][layer], joint.edge);
+      const bool forward = points_forward(bundles_[from][layer], joint.edge);
       std::vector<Index>& faces = left[forward == agrees ? 0 : 1];
       if (faces.empty()) continue;
       ordered[layer] = faces.back();

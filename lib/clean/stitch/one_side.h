@@ -1,6 +1,6 @@
 /// Double-sided models, in which faces come with their reverses, so that they enclose nothing:
 /// usual in graphics, where only the front of a face is drawn. Faces are each other's reverse where
-/// their corners are at equal positions and run the other way. Deterministic; O(n log n).
+/// their corners are at equal positions and have the opposite direction. Deterministic; O(n log n).
 #pragma once
 
 #include <cstddef>

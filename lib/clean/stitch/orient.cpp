@@ -36,7 +36,7 @@ class Orienter {
  private:
   void collect_sheet(Index first);
   [[noreturn]] void refuse(Index halfedge, Index across) const;
-  bool runs_forward(Index halfedge) const;
+  bool points_forward(Index halfedge) const;
   void link_sheets();
   void orient_group(const std::vector<Index>& group);
   void measure_volumes(const std::vector<Index>& group);
@@ -76,7 +76,7 @@ Orienter::Orienter(const Mesh& mesh)
 }
 
 // Whether the halfedge runs forward once its face agrees with the first of its sheet.
-bool Orienter::runs_forward(Index h) const {
+bool Orienter::points_forward(Index h) const {
   return is_forward(mesh_.faces, h) != (is_reversed_[h / 3] != 0);
 }
 
@@ -91,10 +91,10 @@ void Orienter::collect_sheet(Index first) {
       if (across == no_index) continue;
       if (sheet_of_[across / 3] == no_index) {
         sheet_of_[across / 3] = number;
-        is_reversed_[across / 3] = runs_forward(h) == runs_forward(across);
+        is_reversed_[across / 3] = points_forward(h) == points_forward(across);
         if (is_reversed_[across / 3]) sheet.agreed = false;
         sheet.faces.push_back(across / 3);
-      } else if (runs_forward(h) == runs_forward(across)) {
+      } else if (points_forward(h) == points_forward(across)) {
         refuse(h, across);
       }
     }
@@ -121,8 +121,8 @@ void Orienter::link_sheets() {
     std::map<Index, int> sums;
     int sum_before = 0;
     for (const Index h : halfedges) {
-      sums[sheet_of_[h / 3]] += runs_forward(h) ? 1 : -1;
-      sum_before += runs_forward(h) != (is_reversed_[h / 3] != 0) ? 1 : -1;
+      sums[sheet_of_[h / 3]] += points_forward(h) ? 1 : -1;
+      sum_before += points_forward(h) != (is_reversed_[h / 3] != 0) ? 1 : -1;
     }
     links_.add_edge(sums);
     if (std::abs(sum_before) <= 1) continue;

@@ -3,7 +3,7 @@
 /// Faces that hang together across edges of two faces are a sheet, and so are those of each copy of
 /// it where copies lie upon each other (copy_layers.h); they are reversed until they run
 /// opposite ways along those edges. Sheets that end at edges of more faces are reversed as a whole,
-/// until as many faces run one way along such an edge as the other, or one more, as far as
+/// until as many faces have one direction along such an edge as the other, or one more, as far as
 /// possible: solids that share edges or faces get their insides back. Where that leaves a choice,
 /// the larger volume decides. Sheets that are linked by such edges are a group. If a group did not
 /// agree before, it then looks outwards where none of its edges has one face only, and the way most

@@ -26,12 +26,12 @@ std::string list_text(const std::vector<Index>& faces) {
 
 // Names the faces of an edge that run the way that most of them do.
 std::string edge_problem(const Mesh& mesh, std::span<const Index> halfedges, bool forward) {
-  const auto runs_alike = [&](Index h) { return is_forward(mesh.faces, h) == forward; };
+  const auto points_alike = [&](Index h) { return is_forward(mesh.faces, h) == forward; };
   std::vector<Index> alike;
   for (const Index h : halfedges) {
-    if (runs_alike(h)) alike.push_back(h / 3);
+    if (points_alike(h)) alike.push_back(h / 3);
   }
-  const auto first = std::find_if(halfedges.begin(), halfedges.end(), runs_alike);
+  const auto first = std::find_if(halfedges.begin(), halfedges.end(), points_alike);
   const std::size_t against = halfedges.size() - alike.size();
   return list_text(alike) + " run the same way along the " + edge_text(mesh, *first) +
          (against == 0 ? "" : ", and only " + std::to_string(against) + " the other way");

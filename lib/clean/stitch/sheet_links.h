@@ -1,8 +1,8 @@
 /// The edges at which more than two sheets end, and how the sheets agree there (orient.h).
 ///
-/// The sum of a sheet at an edge is how many more of its faces run forward than backward. Two
-/// sheets agree by the sum, over their common edges, of the product of their sums, negated: the
-/// pairs of their faces that run opposite ways less the pairs that run alike.
+/// The sum of a sheet at an edge is how many more of its faces are directed forward than backward.
+/// Two sheets agree by the sum, over their common edges, of the product of their sums, negated: the
+/// pairs of their faces that have opposite directions less the pairs that have the same direction.
 ///
 /// Sheets with the same sums at the same edges are one kind: n copies of a face, or n faces at one
 /// edge. Kinds are linked, not sheets, so that n sheets of a few kinds cost O(n log n).

@@ -188,9 +188,9 @@ Index ClosestPointQuery::face_across(Index face, Index from, Index to) const {
     const Face& corners = mesh_->faces[other];
     for (int i = 0; i < 3; ++i) {
       const Index next = corners[(i + 1) % 3];
-      const bool runs_alike = corners[i] == from && next == to;
-      if (runs_alike || (corners[i] == to && next == from)) {
-        if (runs_alike || across != no_index) return no_index;
+      const bool has_same_direction = corners[i] == from && next == to;
+      if (has_same_direction || (corners[i] == to && next == from)) {
+        if (has_same_direction || across != no_index) return no_index;
         across = other;
       }
     }

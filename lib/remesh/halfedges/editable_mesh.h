@@ -16,8 +16,8 @@ namespace transformesh {
 class EditableMesh {
  public:
   /// Throws InputError with face ids where the mesh is not an oriented manifold: an index out of
-  /// range, a corner repeated, an edge with three faces or two that run alike, a vertex with more
-  /// than one umbrella. O(n).
+  /// range, a corner repeated, an edge with three faces or two that have the same direction, a
+  /// vertex with more than one umbrella. O(n).
   explicit EditableMesh(const Mesh& mesh);
   /// With its manifold_opposites() (halfedges.h), which are known already.
   EditableMesh(const Mesh& mesh, std::vector<Index> opposites);
