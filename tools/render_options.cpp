@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "film.h"
+#include "movie.h"
 #include "picture/spelling.h"
 #include "support/error.h"
 
@@ -22,7 +22,7 @@ void declare_picture(Program& program, RenderOptions& options) {
   program.integer("views", &picture.views, 1, 1000,
                   "draw each mesh so many times, seen from all around in equal steps");
   program.integer("frames", &options.frames, 0, 10000,
-                  "write a film of so many pictures, in which the eye goes around once; 0: none");
+                  "write a movie of so many pictures, in which the eye goes around once; 0: none");
   program.integer("columns", &options.columns, 0, 10000,
                   "panels in a row; 0 is all, with --views what fits best");
   program.text("color", &options.color, "COLOR",

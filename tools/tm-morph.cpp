@@ -1,4 +1,4 @@
-/// tm-morph: evolves a mesh until it lies on a target, or follows a film of them (paper 5.2).
+/// tm-morph: evolves a mesh until it lies on a target, or follows a movie of them (paper 5.2).
 #include "evolution/loop/run_folder.h"
 #include "evolution/tracking.h"
 #include "io/streams/streams.h"

@@ -1,5 +1,5 @@
 /// tm-reconstruct: from calibrated photographs to a closed, clean mesh, from coarse to fine (paper
-/// 5.3), or to one for each time step of a film.
+/// 5.3), or to one for each time step of a movie.
 #include "evolution/loop/run_views.h"
 #include "frame/memory.h"
 #include "reconstruct_options.h"
@@ -44,8 +44,8 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   tool::conclude(run, choices.loop, record, {true, result.fault.empty(), summary_of(result)});
 }
 
-void reconstruct_film(const tool::ReconstructChoices& choices,
-                      const ReconstructionOptions& reconstruction, tool::Run& run) {
+void reconstruct_movie(const tool::ReconstructChoices& choices,
+                       const ReconstructionOptions& reconstruction, tool::Run& run) {
   SequenceOptions options = tool::sequence_of(choices, reconstruction, run);
   const std::vector<TimeStep> steps = time_steps(choices.sequence);
   Record record = tool::open_record(choices.loop, 1, run, options.states);
@@ -83,6 +83,6 @@ int main(int argc, char** argv) {
     tool::give_large_blocks_back();
     const ReconstructionOptions options = tool::reconstruction_of(choices, run);
     choices.sequence.empty() ? reconstruct_one(choices, options, run)
-                             : reconstruct_film(choices, options, run);
+                             : reconstruct_movie(choices, options, run);
   });
 }

@@ -1,6 +1,6 @@
 /// tm-render: a picture of meshes without a display.
-#include "film.h"
 #include "io/segments.h"
+#include "movie.h"
 #include "picture/line_drawing.h"
 #include "picture/openness.h"
 #include "picture/png.h"
@@ -13,8 +13,8 @@ using namespace transformesh;
 void render(const tool::RenderOptions& options, tool::Run& run) {
   PictureOptions picture = tool::picture_of(options);
   const bool is_lines = tool::draws_lines(run);
-  tool::check_film(options.frames, picture.width, picture.height,
-                   picture.shade.background.is_transparent, run);
+  tool::check_movie(options.frames, picture.width, picture.height,
+                    picture.shade.background.is_transparent, run);
 
   const Mesh around = options.around.empty() ? Mesh{} : run.read(options.around).mesh;
   if (!options.around.empty()) picture.around = &around;
@@ -43,7 +43,7 @@ void render(const tool::RenderOptions& options, tool::Run& run) {
 int main(int argc, char** argv) {
   tool::RenderOptions options;
   tool::Program program{"tm-render", "[OPTION]... [INPUT]...",
-                        "Draws meshes as a PNG picture, an SVG line drawing or a film",
+                        "Draws meshes as a PNG picture, an SVG line drawing or a movie",
                         tool::Reads::meshes, tool::Writes::picture};
   tool::declare_picture(program, options);
   program.picture_endings = {".png", ".svg", ".mp4", ".gif"};

@@ -1,5 +1,6 @@
 /// Whether a mesh agrees with the target of a morph (paper 5.2) all over, and not merely at its
-/// vertices: a bridge over a gap, or a film across a hole, may have all its vertices on the target.
+/// vertices: a bridge over a gap, or a thin sheet across a hole, may have all its vertices on the
+/// target.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-/// Reconstruction of a film (paper 5.3.3): time steps one after the other, each from the surface
+/// Reconstruction of a movie (paper 5.3.3): time steps one after the other, each from the surface
 /// before. It is made anew from its visual hull where the result is not as good as the last surface
 /// that was not tracked, and the better of both is taken (tracking_faults).
 ///

@@ -1,5 +1,5 @@
-/// Follows a target that moves (paper 5.2.3, Fig. 11): a film of meshes, to each of which the
-/// surface of the frame before is morphed (morphing.h). Edges keep their length over the film, as
+/// Follows a target that moves (paper 5.2.3, Fig. 11): a movie of meshes, to each of which the
+/// surface of the frame before is morphed (morphing.h). Edges keep their length over the movie, as
 /// the reference edge stays that of the start; columns are carried from frame to frame. Where limbs
 /// touch and part, components and genus follow the target's, or the fault of the frame names the
 /// place where they cannot. A frame that does not converge is tried again with short edges in the

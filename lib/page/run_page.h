@@ -16,7 +16,7 @@ struct RunPageOptions {
 
 /// With the result as the last mesh, unless that is the last frame. Where there is a target,
 /// vertices get the column `distance`, from its faces, or from its points where it has none; a
-/// column of that name gives way. Of a film, the targets and views of the meshes shown. Throws
+/// column of that name gives way. Of a movie, the targets and views of the meshes shown. Throws
 /// InputError where the folder is no run, or where it has neither frames nor a result.
 PageRun read_run_page(const std::string& folder, const RunPageOptions& options = {},
                       const Progress& progress = {});

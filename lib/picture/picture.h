@@ -25,9 +25,9 @@ struct PictureOptions {
   int columns = 0;
   /// Panels of each mesh: from `orbit` on, the eye goes around it to its right, once in all.
   int views = 1;   ///< >= 1
-  int frames = 1;  ///< >= 1: of a film in which it goes around once, this is number `frame`
+  int frames = 1;  ///< >= 1: of a movie in which it goes around once, this is number `frame`
   int frame = 0;
-  const Mesh* around = nullptr;  ///< frames this mesh in every panel instead: a film keeps still
+  const Mesh* around = nullptr;  ///< frames this mesh in every panel instead: a movie keeps still
   ShadeOptions shade;  ///< of its scale, see `range`; the floor is set to where meshes end
   /// The numbers at the ends of the colors where shade.color.by is set; without it those of the
   /// finite values of all meshes.

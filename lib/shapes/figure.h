@@ -1,4 +1,4 @@
-/// A little figure of tubes that crosses its arms and lets go: the frames of a film.
+/// A little figure of tubes that crosses its arms and lets go: the frames of a movie.
 #pragma once
 
 #include "mesh/mesh.h"

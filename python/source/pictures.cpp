@@ -23,12 +23,12 @@ Axis axis_of(const std::string& name) {
 
 // --- render --------------------------------------------------------------------------------------
 
-/// The pictures of a film, or one.
-py::array array_of(const std::vector<Image>& images, bool is_film) {
+/// The pictures of a movie, or one.
+py::array array_of(const std::vector<Image>& images, bool is_movie) {
   const Image& first = images[0];
   std::vector<std::size_t> shape{static_cast<std::size_t>(first.height),
                                  static_cast<std::size_t>(first.width), 4};
-  if (is_film) shape.insert(shape.begin(), images.size());
+  if (is_movie) shape.insert(shape.begin(), images.size());
   py::array_t<std::uint8_t> array(shape);
   std::uint8_t* place = array.mutable_data();
   for (const Image& image : images)
@@ -175,7 +175,7 @@ void bind_pictures(py::module_& module) {
              arg("crease_angle") = 40.0, arg("ambient_occlusion") = false, arg("edges") = false,
              arg("progress") = none,
              "A picture of meshes side by side as an array (height, width, 4) of red, green, blue, "
-             "alpha. `views` draws each mesh from so many sides, `frames` makes a film around "
+             "alpha. `views` draws each mesh from so many sides, `frames` makes a movie around "
              "them, (frames, height, width, 4). `color_by` names a column that colors stand for, "
              "`range` the numbers at their ends; `segments` are lines (k, 2, 3). See "
              "tm-render(1).");

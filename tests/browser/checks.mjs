@@ -247,7 +247,7 @@ const checks = {
     }
   },
 
-  // Of a film that was reconstructed: cameras and photographs are those of the time step shown.
+  // Of a movie that was reconstructed: cameras and photographs are those of the time step shown.
   async film(address) {
     for (const size of widths) {
       await withPage(address, size, async (page, browser) => {
@@ -270,7 +270,7 @@ const checks = {
     }
   },
 
-  // Of a film that was followed: the ghost is the target of the frame shown.
+  // Of a movie that was followed: the ghost is the target of the frame shown.
   async targets(address) {
     await withPage(address, {}, async (page) => {
       const shown = [];

@@ -80,11 +80,11 @@ setup() {
   check photographs seen.html
 }
 
-@test "a film shows cameras and photographs of the time step that the slider is at" {
+@test "a movie shows cameras and photographs of the time step that the slider is at" {
   check film grows.html
 }
 
-@test "a film shows the target of the frame that the slider is at" {
+@test "a movie shows the target of the frame that the slider is at" {
   check targets follows.html
 }
 

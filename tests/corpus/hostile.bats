@@ -13,7 +13,7 @@ load ../helpers/common
   [[ $output == *"all "*" 72 "*" 72 "* ]]
 }
 
-@test "hostile: films between the same few points, which rounding would cut anew for ever" {
+@test "hostile: thin sheets between the same few points, which rounding would cut anew for ever" {
   run "$tm_build/bin-test/hostile_grid" --first 139 --seeds 1 --seconds 60 near-vertices
   assert_status 0
 }

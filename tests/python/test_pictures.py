@@ -56,14 +56,14 @@ def test_render_around_a_mesh_with_segments(dented, tmp_path):
         tm.render(dented, segments=ends[0])
 
 
-def test_render_a_film(dented, tmp_path):
-    film = tm.render(dented, size=(40, 30), frames=3)
-    assert film.shape == (3, 30, 40, 4)
-    run("tm-render", "--size", "40x30", "--frames", 3, "-o", tmp_path / "film.png", stdin=dented.to_bytes())
-    files = sorted(tmp_path.glob("film*.png"))
+def test_render_a_movie(dented, tmp_path):
+    movie = tm.render(dented, size=(40, 30), frames=3)
+    assert movie.shape == (3, 30, 40, 4)
+    run("tm-render", "--size", "40x30", "--frames", 3, "-o", tmp_path / "movie.png", stdin=dented.to_bytes())
+    files = sorted(tmp_path.glob("movie*.png"))
     assert len(files) == 3
-    assert all(is_picture(film[i], file.read_bytes()) for i, file in enumerate(files))
-    assert not np.array_equal(film[0], film[1])
+    assert all(is_picture(movie[i], file.read_bytes()) for i, file in enumerate(files))
+    assert not np.array_equal(movie[0], movie[1])
 
 
 @pytest.fixture(scope="module")

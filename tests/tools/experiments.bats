@@ -171,7 +171,7 @@ TABLE
   awk -F, 'NR > 1 && $2 > 8000 { exit 1 }' breathing/log.csv
 }
 
-@test "a figure is followed through a film while its arms join, cross and let go" {
+@test "a figure is followed through a movie while its arms join, cross and let go" {
   FACES=3000 TM_BUILD=$tm_build "$tm_root/scripts/experiments/film" out 20 >line
   grep -q '^20 frames, ' line
   [ "$(tail -n +2 out/log.csv | cut -d, -f7 | uniq | tr '\n' ' ')" = "0 1 0 " ]
@@ -200,7 +200,7 @@ TABLE
   [ "$status" -ne 0 ]
 }
 
-@test "a film is photographed, reconstructed time step by time step and judged by its truth" {
+@test "a movie is photographed, reconstructed time step by time step and judged by its truth" {
   SIZE=160x120 TM_BUILD=$tm_build "$tm_root/scripts/experiments/sequence" out >table
   # Two balls meet and part; only the third one is made from its hull.
   [ "$(cut -d, -f2 out/table.csv | tail -n +2 | tr '\n' ' ')" = \

@@ -97,7 +97,7 @@ run_line() {
   done
 }
 
-@test "films are films" {
+@test "movies are movies" {
   if is_there convert; then [ "$(head -c 4 film.gif)" = GIF8 ]; fi
   if is_there ffmpeg; then [ "$(head -c 8 film.mp4 | tail -c 4)" = ftyp ]; fi
 }

@@ -170,7 +170,7 @@ FILES
   cmp alone.ply seen/result.ply
 }
 
-@test "a film that is followed keeps each frame's target, and none of an earlier film" {
+@test "a movie that is followed keeps each frame's target, and none of an earlier movie" {
   tm-transform -q --scale 1.1 torus.ply -o large.ply
   tm-morph -q "a sphere.ply" --sequence torus.ply large.ply torus.ply --iterations 2 --run film
   [ "$(files_of film/targets | xargs)" = "00001.ply 00002.ply 00003.ply" ]
@@ -200,7 +200,7 @@ reconstruct_steps() {
     --track 1 --passes 2 --iterations 1 --robust 0 --sequence 'steps/*' "$@"
 }
 
-@test "a reconstruction of a film keeps surfaces and photographs of each time step" {
+@test "a reconstruction of a movie keeps surfaces and photographs of each time step" {
   steps 2
   reconstruct_steps --run seen
   files_of seen | grep -v photographs | diff - <(printf '%s\n' frames/frame-00001.ply \
@@ -215,7 +215,7 @@ reconstruct_steps() {
   cmp surfaces/2.ply seen/result.ply
 }
 
-@test "a reconstruction of a film that is killed is continued, to the same bytes" {
+@test "a reconstruction of a movie that is killed is continued, to the same bytes" {
   steps 3
   reconstruct_steps -o surfaces
   tm-reconstruct -q --cameras cameras.txt --images '{}/photos' --silhouettes '{}/masks' --coarsest 1 \

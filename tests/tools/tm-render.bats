@@ -74,7 +74,7 @@ differ() {
   cmp one-005.png turn-005.png
 }
 
-@test "films are encoded by ffmpeg" {
+@test "movies are encoded by ffmpeg" {
   needs_command ffmpeg
   needs_command ffprobe
   tm-shape box 1 2 3 --faces 100 -o box.ply
@@ -93,7 +93,7 @@ differ() {
   sed 's/.*All:\([0-9.]*\).*/\1/' log | awk '$1 < 0.9 { exit 1 }' || fail "$(cat log)"
 }
 
-@test "a film that cannot be is refused before it is drawn" {
+@test "a movie that cannot be is refused before it is drawn" {
   tetrahedron >a.ply
   refused() { # CODE WORDS OPTION...
     run --separate-stderr env PATH="$film_path" "$tm_build/bin/tm-render" "${@:3}" a.ply
@@ -126,7 +126,7 @@ differ() {
   [ -z "$(grep -o ' d="[^"]*"' edges.svg | tr -d 'd"=' | tr -s 'ML ' '\n' | grep -vE '^([0-9]+\.[0-9]{2})?$')" ]
 }
 
-@test "an SVG is of lines and their options alone, and films of them are numbered" {
+@test "an SVG is of lines and their options alone, and movies of them are numbered" {
   tm-shape two-spheres --gap=-0.3 --faces 2000 -o crossing.ply
   tm-intersect --segments lines.ply -o marked.ply crossing.ply
   tm-render --views 2 --segments lines.ply -o lines.svg marked.ply

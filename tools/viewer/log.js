@@ -5,7 +5,7 @@ function fieldsOf(line) {
     quoted === undefined ? plain : quoted.replaceAll('""', '"'));
 }
 
-// Of the frames or time steps of a film: their names, by number.
+// Of the frames or time steps of a movie: their names, by number.
 function stepNamesOf(header, rows) {
   const place = header.indexOf('name');
   return new Map(place < 0 ? [] : rows.map((row) => [Number(row[0]), row[place]]));

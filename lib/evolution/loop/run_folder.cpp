@@ -36,11 +36,11 @@ RunPaths numbered(const std::string& folder, std::string_view prefix, const char
   return found;
 }
 
-/// Those of a film, or else the one that has no number.
-RunPaths numbered_or(const RunPaths& of_film, const std::string& file, const std::string& path) {
+/// Those of a movie, or else the one that has no number.
+RunPaths numbered_or(const RunPaths& of_movie, const std::string& file, const std::string& path) {
   std::error_code ignored;
-  if (of_film.empty() && fs::exists(file, ignored)) return {{0, path}};
-  return of_film;
+  if (of_movie.empty() && fs::exists(file, ignored)) return {{0, path}};
+  return of_movie;
 }
 
 void write_description(const std::string& folder, const RunDescription& description) {
@@ -165,11 +165,11 @@ RunPaths run_targets(const std::string& folder) {
 }
 
 RunPaths run_views(const std::string& folder) {
-  RunPaths of_film = numbered(folder + run_file::views, "", "");
+  RunPaths of_movie = numbered(folder + run_file::views, "", "");
   // The cameras come last.
-  std::erase_if(of_film,
+  std::erase_if(of_movie,
                 [](const auto& one) { return !fs::exists(one.second + run_file::cameras); });
-  return numbered_or(of_film, folder + run_file::cameras, folder);
+  return numbered_or(of_movie, folder + run_file::cameras, folder);
 }
 
 }  // namespace transformesh

@@ -2,10 +2,10 @@
 ///
 ///     run.json              which program with which command lines, see RunDescription
 ///     start.ply             the mesh given, where one is
-///     target.ply            what a morph moves towards; of a film targets/00001.ply and so on
+///     target.ply            what a morph moves towards; of a movie targets/00001.ply and so on
 ///     cameras.txt, photographs/                     the views of a reconstruction (run_views.h);
 ///     of
-///                           a film those in views/00001 and so on
+///                           a movie those in views/00001 and so on
 ///     frames/frame-00000.ply and so on, log.csv     as the loop goes on (record.h)
 ///     result.ply, report.json                       at the end
 ///
@@ -49,7 +49,7 @@ void continue_run(const std::string& folder, const std::string& command);
 /// Throws InputError where the folder is no run, or is one of a later layout.
 RunDescription read_run(const std::string& folder);
 
-/// What is there. Targets and views of a film, whose paths are those of their folders, have the
+/// What is there. Targets and views of a movie, whose paths are those of their folders, have the
 /// numbers of their frames; those of other runs have the number 0.
 RunPaths run_frames(const std::string& folder);
 RunPaths run_targets(const std::string& folder);

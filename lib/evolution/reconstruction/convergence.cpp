@@ -18,7 +18,7 @@ std::string in_words_of(const SurfaceDoubt& doubt) {
   const auto thin = std::find_if(doubt.places.begin(), doubt.places.end(),
                                  [](const DoubtfulPlace& place) { return place.is_thin; });
   if (thin != doubt.places.end())
-    return "photographs disagree on a film or fin around " + in_words(*thin);
+    return "photographs disagree on a thin sheet or fin around " + in_words(*thin);
   if (doubt.share > most_doubtful)
     return "photographs disagree on " + fixed(100 * doubt.share, 1) +
            " % of the surface, most around " + in_words(doubt.places.front());
@@ -34,7 +34,7 @@ std::string ReconstructionFaults::in_words(const SurfaceEvidence& evidence) cons
   if (!is_at_rest) return "the surface was not at rest after the last pass";
   if (late_at > 0)
     return "components or holes came or went as late as at scale " + fixed(late_at, 4) +
-           ": maybe films that no photograph shows";
+           ": maybe thin sheets that no photograph shows";
   if (evidence.agreement < evidence.first_agreement - agreement_lost)
     return "the outline agrees with the silhouettes by " + fixed(evidence.agreement, 3) +
            ", that of the start by " + fixed(evidence.first_agreement, 3);

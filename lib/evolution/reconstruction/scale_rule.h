@@ -27,8 +27,8 @@ struct SweepVerdict {
   /// Since the scale began the share of pixels that are compared fell by a tenth, or their number
   /// by half: a surface that photographs agree on because less of it is compared.
   bool is_lost = false;
-  /// Components or holes came or went at a scale below 2: films and necks do, and photographs hold
-  /// none.
+  /// Components or holes came or went at a scale below 2: thin sheets and necks do, and photographs
+  /// hold none.
   bool is_late = false;
 };
 

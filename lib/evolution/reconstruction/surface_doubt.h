@@ -2,8 +2,8 @@
 ///
 /// The doubt of a vertex is how much photographs disagree around it beyond their noise
 /// (WindowSums::excess of disagreement.h): from 0 to 1, and 1 where no two views see it. A place is
-/// where neighbors have more than one half, and are seen. It is a thin one, a film or a fin, where
-/// most of it has another side of the surface within six pixels (local_thickness.h).
+/// where neighbors have more than one half, and are seen. It is a thin one, a thin sheet or a fin,
+/// where most of it has another side of the surface within six pixels (local_thickness.h).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-/// Whether a surface that was tracked through a film is as good as one that was made anew.
+/// Whether a surface that was tracked through a movie is as good as one that was made anew.
 #pragma once
 
 #include <string>

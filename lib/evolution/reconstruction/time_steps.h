@@ -1,4 +1,4 @@
-/// The time steps of a film, as a command line names them.
+/// The time steps of a movie, as a command line names them.
 #pragma once
 
 #include <string>

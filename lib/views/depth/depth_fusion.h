@@ -6,7 +6,7 @@
 /// A node before the depth of a view is free there by that distance, one closely behind it solid,
 /// and of one farther behind the view says nothing. The mean over the views, cut off at a few
 /// cells, counts by how many they are. So a few wrong depths among many nodes open nothing, and no
-/// films are left between rays. Into what no view sees the values around it diffuse (Davis,
+/// thin sheets are left between rays. Into what no view sees the values around it diffuse (Davis,
 /// Marschner, Garr & Levoy, "Filling holes in complex surfaces using volumetric diffusion", 3DPVT
 /// 2002): behind surfaces it is solid, and where a surface has a gap, it goes on smoothly.
 #pragma once

@@ -14,7 +14,7 @@ using test::TemporaryFolder;
 
 namespace {
 
-const std::vector<TimeStep> film{{"first/8", "8"}, {"second/9", "9"}, {"third/10", "10"}};
+const std::vector<TimeStep> movie{{"first/8", "8"}, {"second/9", "9"}, {"third/10", "10"}};
 
 /// A ball that moves on, and then is somewhere else.
 std::vector<View> views_of(const TimeStep& step) {
@@ -44,7 +44,7 @@ RecordOptions kept_in(const TemporaryFolder& folder) {
 SequenceResult run_of(const SequenceOptions& options, const RecordOptions& kept) {
   Document document;
   Record record(kept);
-  return reconstruct_sequence(document, film, views_of, options, record);
+  return reconstruct_sequence(document, movie, views_of, options, record);
 }
 
 /// The first four columns of each row.
@@ -101,7 +101,7 @@ TEST_CASE(
     }
   }
   CHECK(runs > 10);
-  for (const auto& [text, name] : film)
+  for (const auto& [text, name] : movie)
     CHECK(test::content_of(parts / ("out/" + name + ".ply")) ==
           test::content_of(whole / ("out/" + name + ".ply")));
   CHECK(without_seconds(test::content_of(parts / "log.csv")) == without_seconds(csv));
@@ -132,17 +132,17 @@ TEST_CASE("an interrupted time step is thrown away where the sequence is begun a
 TEST_CASE(
     "time steps are the lines of a file, the folders in a folder, or what a pattern matches") {
   const TemporaryFolder folder;
-  for (const char* name : {"film/9", "film/10", "film/.git"})
+  for (const char* name : {"movie/9", "movie/10", "movie/.git"})
     std::filesystem::create_directories(folder / name);
-  std::ofstream(folder / "film/readme") << "no folder\n";
+  std::ofstream(folder / "movie/readme") << "no folder\n";
   const auto names_at = [](const std::string& where) {
     std::string text;
     for (const TimeStep& step : time_steps(where)) text += step.name + ' ';
     return text;
   };
-  CHECK(names_at(folder / "film") == "9 10 ");
-  CHECK(names_at(folder / "film/[0-9]*") == "9 10 ");
-  CHECK(time_steps(folder / "film")[1].text == folder / "film/10");
+  CHECK(names_at(folder / "movie") == "9 10 ");
+  CHECK(names_at(folder / "movie/[0-9]*") == "9 10 ");
+  CHECK(time_steps(folder / "movie")[1].text == folder / "movie/10");
   std::ofstream(folder / "names") << "b/second/\n  \na/first\n";
   CHECK(names_at(folder / "names") == "second first ");
   CHECK(place_of("x/{}/{}.txt", {"a/b", "b"}) == "x/a/b/a/b.txt");

@@ -81,7 +81,7 @@ TEST_CASE("a run that begins anew has other meshes, and a broken frame waits") {
   CHECK(numbers_of(live) == std::vector<std::size_t>{0, 3});
 }
 
-TEST_CASE("of a film targets and views come with their frames") {
+TEST_CASE("of a movie targets and views come with their frames") {
   const TemporaryFolder above;
   const std::string folder = above / "run";
   begin_run(folder, {"tm-morph", "1", {}}, {});

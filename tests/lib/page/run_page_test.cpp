@@ -68,7 +68,7 @@ TEST_CASE("of frames every few are taken, and the result where it is no frame") 
   CHECK(run.meshes.back().label == "result");
 }
 
-TEST_CASE("meshes of a film are shown with their own targets, the first one with the next") {
+TEST_CASE("meshes of a movie are shown with their own targets, the first one with the next") {
   const TemporaryFolder above;
   const std::string folder = make_run(above, 4);
   make_folder(folder + run_file::targets);

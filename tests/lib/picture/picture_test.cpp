@@ -61,7 +61,7 @@ TEST_CASE("the same place keeps positions comparable") {
   CHECK(covered(image, 300, 400) > 10 * covered(image, 200, 300));
 }
 
-TEST_CASE("a film keeps still around another mesh") {
+TEST_CASE("a movie keeps still around another mesh") {
   PictureOptions options = silhouettes(120, 120);
   options.around = &ball;
   const double whole = covered(draw({&ball}, options), 0, 120);
@@ -105,7 +105,7 @@ TEST_CASE("views go around: each is the first of a turn that begins there") {
   }
 }
 
-TEST_CASE("frames of a film are views of the same distance") {
+TEST_CASE("frames of a movie are views of the same distance") {
   const Mesh box = cuboid({0, 0, 0}, {1, 2, 3});
   PictureOptions options = silhouettes(120, 60);
   options.views = 2;

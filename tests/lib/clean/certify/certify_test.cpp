@@ -56,7 +56,7 @@ TEST_CASE("what clean makes of the seven workloads is certified, in doubles and 
     }
 }
 
-TEST_CASE("rotated boxes and moved pinches, whose films rounding closes, are certified") {
+TEST_CASE("rotated boxes and moved pinches, whose thin sheets rounding closes, are certified") {
   for (const char* kind : {"boxes", "pinch"})
     for (const double angle : {0.4, 1.3})
       for (const Scalar coordinate : {Scalar::float64, Scalar::float32}) {

@@ -1,4 +1,4 @@
-/// Thin cells go to the side that leaves less surface: gaps close, films vanish, and what is
+/// Thin cells go to the side that leaves less surface: gaps close, thin sheets vanish, and what is
 /// thicker stays as it is.
 #include "clean/rounding/thin_cells.h"
 
@@ -74,32 +74,33 @@ TEST_CASE("a slit inside a box closes, a wide one stays") {
   CHECK(wide.volume() == doctest::Approx(0.9 * 0.9 * 0.9 - 0.025));
 }
 
-TEST_CASE("a film beside a body vanishes, and the body stays") {
+TEST_CASE("a thin sheet beside a body vanishes, and the body stays") {
   Cells cells(
       joined(cuboid({1, 1, 1}, {1.5, 1.5, 1.5}), cuboid({1.6, 1, 1}, {1.9, 1.5, 1 + 3 * spacing})));
   REQUIRE(cells.give(16).has_value());
   CHECK(cells.volume() == doctest::Approx(0.125).epsilon(1e-14));
 }
 
-TEST_CASE("of two films only that one vanishes of which a face is marked") {
+TEST_CASE("of two thin sheets only that one vanishes of which a face is marked") {
   const double thickness = 3 * spacing;
-  const Mesh film = cuboid({1.6, 1, 1}, {1.9, 1.5, 1 + thickness});
+  const Mesh thin_sheet = cuboid({1.6, 1, 1}, {1.9, 1.5, 1 + thickness});
   const Mesh other = cuboid({1, 1.6, 1}, {1.5, 1.8, 1 + thickness});
-  const Mesh both = joined(film, other);
+  const Mesh both = joined(thin_sheet, other);
   Cells cells(both);
   std::vector<char> marked(both.faces.size(), 0);
   CHECK(!cells.give(16, marked).has_value());
-  marked[film.faces.size() + 5] = 1;
+  marked[thin_sheet.faces.size() + 5] = 1;
   CHECK(cells.give(16, marked).has_value());
   CHECK(cells.volume() == doctest::Approx(0.3 * 0.5 * thickness).epsilon(1e-6));
   CHECK(cells.give(16).has_value());
   CHECK(cells.volume() == 0);
 }
 
-TEST_CASE("thickness counts in spacings of the place: the same film is thick near the origin") {
-  const Mesh film =
+TEST_CASE(
+    "thickness counts in spacings of the place: the same thin sheet is thick near the origin") {
+  const Mesh thin_sheet =
       cuboid({0x1p-30, 0x1p-30, 0x1p-30}, {0x1p-29, 0x1p-29, 0x1p-30 + spacing / 512});
-  Cells cells(joined(cuboid({1, 1, 1}, {1.5, 1.5, 1.5}), film));
+  Cells cells(joined(cuboid({1, 1, 1}, {1.5, 1.5, 1.5}), thin_sheet));
   CHECK(!cells.give(16).has_value());
 }
 

@@ -30,7 +30,7 @@ TEST_CASE("a surface at rest is not converged where masks or photographs speak a
         "photographs disagree on 3.1 % of the surface, most around 1,2,3 (400 square pixels)");
   evidence.doubt.places[1].is_thin = true;
   CHECK(at_rest.in_words(evidence) ==
-        "photographs disagree on a film or fin around 4,5,6e+04 (30 square pixels, thin)");
+        "photographs disagree on a thin sheet or fin around 4,5,6e+04 (30 square pixels, thin)");
   evidence.doubt.disagreement = 0.21;
   CHECK(at_rest.in_words(evidence) == "photographs disagree by 0.21 beyond their noise");
 }

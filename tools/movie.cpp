@@ -1,4 +1,4 @@
-#include "film.h"
+#include "movie.h"
 
 #include <unistd.h>
 
@@ -25,7 +25,7 @@ const std::string write_mp4 = "-pix_fmt yuv420p -movflags +faststart -f mp4 /dev
 const std::string write_gif =
     "-filter_complex 'split[a][b];[a]palettegen[p];[b][p]paletteuse' -loop 0 -f gif /dev/stdout";
 
-bool is_film(const std::string& path) {
+bool is_movie(const std::string& path) {
   const std::string ending = ending_of(path);
   return ending == ".mp4" || ending == ".gif";
 }
@@ -57,23 +57,24 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-void check_film(int frames, int width, int height, bool is_transparent, const Run& run) {
+void check_movie(int frames, int width, int height, bool is_transparent, const Run& run) {
   const std::string& path = run.output();
-  if (frames == 0 && is_film(path))
-    throw UsageError("--output: '" + path + "' is a film: say of how many pictures with --frames");
+  if (frames == 0 && is_movie(path))
+    throw UsageError("--output: '" + path + "' is a movie: say of how many pictures with --frames");
   if (frames > 0 && path == "-")
     throw UsageError(
-        "--frames needs a name: -o orbit.mp4 or orbit.gif for a film, orbit.png for numbered "
+        "--frames needs a name: -o orbit.mp4 or orbit.gif for a movie, orbit.png for numbered "
         "pictures");
-  if (!is_film(path)) return;
+  if (!is_movie(path)) return;
   const bool is_mp4 = ending_of(path) == ".mp4";
   if (is_mp4 && (width % 2 != 0 || height % 2 != 0))
-    throw UsageError("--size: width and height of an MP4 film are even: add a pixel");
+    throw UsageError("--size: width and height of an MP4 movie are even: add a pixel");
   if (is_mp4 && is_transparent)
-    throw UsageError("--background: nothing in an MP4 film is transparent; take a color, or a GIF");
+    throw UsageError(
+        "--background: nothing in an MP4 movie is transparent; take a color, or a GIF");
   if (!is_installed("ffmpeg"))
     throw GoalError(
-        "films are encoded by ffmpeg, which is not installed: install it (Debian: "
+        "movies are encoded by ffmpeg, which is not installed: install it (Debian: "
         "apt-get install ffmpeg), or write numbered pictures with -o NAME.png");
 }
 
@@ -82,13 +83,13 @@ void write_frames(int frames, const DrawFrame& draw, Run& run) {
   std::string pictures;
   for (int frame = 0; frame < frames; ++frame) {
     run.progress()("draw", static_cast<double>(frame) / frames);
-    if (is_film(path))
+    if (is_movie(path))
       pictures += draw(frame);
     else
       run.write(numbered(path, frame, frames), draw(frame));
   }
   run.report("frames", static_cast<std::size_t>(frames));
-  if (!is_film(path)) return run.write_nothing();
+  if (!is_movie(path)) return run.write_nothing();
   run.progress()("encode");
   const std::string& write = ending_of(path) == ".mp4" ? write_mp4 : write_gif;
   run.write_output(run_filter(read_pictures + write, pictures, FilterOutput::file));
