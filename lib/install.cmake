@@ -12,7 +12,7 @@ set(public_headers
   geometry/source_points.h
   io/comments.h io/concatenate.h io/length_basis.h io/mesh_io.h
   mesh/components.h mesh/manifold.h mesh/measure.h mesh/mesh.h mesh/transform.h
-  picture/line_drawing.h picture/openness.h picture/picture.h picture/png.h
+  picture/line_drawing.h picture/ambient_occlusion.h picture/picture.h picture/png.h
   remesh/align_features.h remesh/decimate.h remesh/remesh.h
   shapes/shapes.h
   step/displace.h step/morph_step.h step/target.h step/target_file.h step/velocity.h

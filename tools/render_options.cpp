@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "movie.h"
-#include "picture/spelling.h"
+#include "picture/parse_picture_options.h"
 #include "support/error.h"
 
 namespace transformesh::tool {

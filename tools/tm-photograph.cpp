@@ -4,7 +4,7 @@
 #include "frame/run.h"
 #include "mesh/measure.h"
 #include "photograph_files.h"
-#include "picture/spelling.h"
+#include "picture/parse_picture_options.h"
 #include "support/error.h"
 
 namespace {

@@ -1,8 +1,8 @@
 /// tm-render: a picture of meshes without a display.
 #include "io/segments.h"
 #include "movie.h"
+#include "picture/ambient_occlusion.h"
 #include "picture/line_drawing.h"
-#include "picture/openness.h"
 #include "picture/png.h"
 #include "render_options.h"
 

@@ -10,7 +10,7 @@
 #include "support/counted.h"
 #include "support/error.h"
 #include "views/wrap/outliers.h"
-#include "views/wrap/unit_scale.h"
+#include "views/wrap/scale_normalization.h"
 #include "views/wrap/wrap.h"
 
 namespace {

@@ -6,9 +6,9 @@
 
 #include "clean/pass/clean_pass.h"
 #include "clean/rounding/snap_rounding.h"
-#include "clean/stitch/one_side.h"
+#include "clean/stitch/double_sided.h"
 #include "mesh/surface_columns.h"
-#include "support/nothing_left.h"
+#include "support/empty_result_error.h"
 
 namespace transformesh {
 namespace {
@@ -92,7 +92,7 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
     const auto faces = static_cast<double>(mesh.faces.size());
     const std::size_t both = options.refuse ? 0 : count_double_sided(mesh);
     if (static_cast<double>(both) < std::max(1.0, double_sided_share * faces)) throw;
-    throw NothingLeftError(describe_reverses(mesh, both));
+    throw EmptyResultError(describe_reverses(mesh, both));
   }
 }
 

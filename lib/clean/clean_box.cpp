@@ -4,13 +4,13 @@
 #include <string>
 
 #include "clean/box/mesh_part.h"
-#include "clean/box/put_in_place.h"
+#include "clean/box/replace_faces.h"
 #include "clean/exterior/exterior_arrangement.h"
 #include "clean/intersect/intersect.h"
 #include "clean/rounding/snap_rounding.h"
 #include "clean/stitch/assemble.h"
 #include "mesh/components.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/surface_columns.h"
 #include "support/error.h"
 
@@ -233,7 +233,7 @@ CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
     if (!cleaned) cleaned = clean_whole(mesh, options, counts, progress);
     count_faces(mesh, is_own, *cleaned, counts);
     finish_counts(options, counts);
-    if (counts.changed) counts.mesh = put_in_place(mesh, is_own, *cleaned);
+    if (counts.changed) counts.mesh = replace_faces(mesh, is_own, *cleaned);
   }
   if (!counts.changed) counts.mesh = mesh;
   drop_stale_columns(counts);

@@ -25,10 +25,10 @@ class EvolveLoop : public Loop {
                    : last_.displaced.max_displacement < until_.least_movement;
   }
   bool is_done() const override { return is_done_; }
-  void remember(Memory& memory) override {
-    stalled_.remember(memory);
-    memory("done", is_done_);
-    memory("clamped_iterations", clamped_iterations_)("clamped_share", clamped_share_);
+  void remember(LoopState& loop_state) override {
+    stalled_.remember(loop_state);
+    loop_state("done", is_done_);
+    loop_state("clamped_iterations", clamped_iterations_)("clamped_share", clamped_share_);
   }
 
   void measure(CsvRow& row) const override {

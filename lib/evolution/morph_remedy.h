@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "step/target_query.h"
-#include "support/nothing_left.h"
+#include "support/empty_result_error.h"
 
 namespace transformesh {
 
@@ -51,9 +51,9 @@ std::string at_place(const Vec3& place);
 std::string reason_of(const MorphRemedy& remedy);
 
 /// The surface of a morph has vanished.
-struct VanishedError : NothingLeftError {
+struct VanishedError : EmptyResultError {
   VanishedError(const std::string& what, MorphRemedy what_mends)
-      : NothingLeftError(what), remedy(std::move(what_mends)) {}
+      : EmptyResultError(what), remedy(std::move(what_mends)) {}
   MorphRemedy remedy;
 };
 

@@ -9,7 +9,7 @@
 #include "mesh/measure.h"
 #include "remesh/align_features.h"
 #include "step/local_thickness.h"
-#include "support/nothing_left.h"
+#include "support/empty_result_error.h"
 
 namespace transformesh {
 namespace {
@@ -37,9 +37,9 @@ class MorphingLoop : public Loop {
   bool is_done() const override { return result_.stop != MorphingStop::iteration_limit; }
   void finish(Document& document, const Progress& progress) override;
 
-  void remember(Memory& memory) override {
-    rule_.remember(memory);
-    memory("stop", result_.stop);
+  void remember(LoopState& loop_state) override {
+    rule_.remember(loop_state);
+    loop_state("stop", result_.stop);
   }
   void measure(CsvRow& row) const override;
   std::string message() const override;
@@ -97,7 +97,7 @@ bool MorphingLoop::takes_iteration(Document& document, bool remeshes_first,
     if (remeshes_first) remesh_in_place(document, iteration, progress);
     last_ = iterate(document, step, iteration, progress);
     return true;
-  } catch (const NothingLeftError&) {
+  } catch (const EmptyResultError&) {
     if (is_last) vanish(document.mesh);
     return false;
   } catch (const GoalError&) {
@@ -109,7 +109,7 @@ bool MorphingLoop::takes_iteration(Document& document, bool remeshes_first,
 void MorphingLoop::vanish(const Mesh& mesh) {
   remedy_ = remedy_for_vanished(target_, edge_lengths(mesh).maximum);
   const std::string reason = reason_of(*remedy_);
-  throw NothingLeftError("the surface shrinks to nothing" + (reason.empty() ? "" : ": " + reason));
+  throw EmptyResultError("the surface shrinks to nothing" + (reason.empty() ? "" : ": " + reason));
 }
 
 // A coarse scale may have no edges for what is left, or steps so long that they turn it inside out.
@@ -193,7 +193,7 @@ void MorphingLoop::conclude(Document& document, const Progress& progress) {
   CleanedTopology cleaned;
   try {
     cleaned = clean_in_place(document, progress);
-  } catch (const NothingLeftError&) {
+  } catch (const EmptyResultError&) {
     vanish(document.mesh);
   }
   result_.topology = cleaned.topology;

@@ -158,7 +158,7 @@ class ReconstructionLoop : public Loop {
   bool is_done() const override { return scale_step_ == scale_steps_.size(); }
   void finish(Document& document, const Progress& progress) override;
 
-  void remember(Memory& memory) override;
+  void remember(LoopState& loop_state) override;
   void measure(CsvRow& row) const override;
   std::string message() const override;
 
@@ -341,11 +341,11 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   set_doubt_column(document.mesh, result_.evidence.doubt);
 }
 
-void ReconstructionLoop::remember(Memory& memory) {
-  rule_.remember(memory);
-  faults_.remember(memory);
-  memory("first", first_)("level", scale_step_)("loss", loss_)("stiffness", stiffness_);
-  memory("handles", handles_);
+void ReconstructionLoop::remember(LoopState& loop_state) {
+  rule_.remember(loop_state);
+  faults_.remember(loop_state);
+  loop_state("first", first_)("level", scale_step_)("loss", loss_)("stiffness", stiffness_);
+  loop_state("handles", handles_);
 }
 
 void ReconstructionLoop::measure(CsvRow& row) const {

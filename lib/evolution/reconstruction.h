@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
+#include "evolution/loop/image_scales.h"
 #include "evolution/loop/iteration.h"
 #include "evolution/loop/loop.h"
-#include "evolution/loop/scales.h"
 #include "evolution/reconstruction/convergence.h"
 #include "evolution/reconstruction/initial_mesh.h"
 #include "evolution/reconstruction/sweep_rules.h"
@@ -43,7 +43,7 @@ struct ReconstructionOptions {
   std::optional<double> pull = std::nullopt;
   double momentum = 0.7;    ///< of the steps
   PhotoStepsOptions steps;  ///< but for what is said above and in `initial`
-  /// The views may be cropped to the object, where they are packed (HeldImage), and lose their
+  /// The views may be cropped to the object, where they are packed (PackableImage), and lose their
   /// images in the end: for less memory, where they are not needed any more.
   bool spends_views = false;
   double robust = 1;  ///< the factor of robust_loss, for the last sweeps

@@ -42,9 +42,10 @@ class SequenceLoop : public Loop {
   bool is_done() const override { return result_.time_steps == time_steps_.size(); }
   void finish(Document& /*document*/, const Progress& /*progress*/) override {}
 
-  void remember(Memory& memory) override {
-    memory("steps", result_.time_steps)("tracked", result_.tracked)("accepted", result_.accepted);
-    reference_.remember(memory);
+  void remember(LoopState& loop_state) override {
+    loop_state("steps", result_.time_steps)("tracked", result_.tracked)("accepted",
+                                                                        result_.accepted);
+    reference_.remember(loop_state);
   }
   void measure(CsvRow& row) const override;
   std::string message() const override;

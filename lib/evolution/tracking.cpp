@@ -29,8 +29,8 @@ class TrackingLoop : public Loop {
   bool is_done() const override { return result_.frames == names_.size(); }
   void finish(Document& /*document*/, const Progress& /*progress*/) override {}
 
-  void remember(Memory& memory) override {
-    memory("done", result_.frames)("converged", result_.converged);
+  void remember(LoopState& loop_state) override {
+    loop_state("done", result_.frames)("converged", result_.converged);
   }
   void measure(CsvRow& row) const override;
   std::string message() const override;

@@ -11,7 +11,7 @@
 #include "fill/mesh_part.h"
 #include "geometry/numbers/predicates.h"
 #include "mesh/adjacency.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/manifold.h"
 #include "mesh/measure.h"
 #include "mesh/surface_columns.h"

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "fill/hole_triangulation.h"
-#include "fill/hole_weigher.h"
+#include "fill/hole_weights.h"
 #include "geometry/numbers/predicates.h"
 
 namespace transformesh {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fill/short_loops.h"
-#include "fill/slit_room.h"
+#include "fill/slit_clearance.h"
 #include "mesh/adjacency.h"
 #include "mesh/manifold.h"
 #include "mesh/surface_columns.h"
@@ -42,7 +42,7 @@ class Round {
   Mesh& mesh_;
   const HandleOptions& options_;
   HalfedgeStars stars_;
-  SlitRoom room_;
+  SlitClearance room_;
   std::vector<char> is_near_;  ///< per vertex: of a loop that was slit, or next to one
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fill/hole_weigher.h"
+#include "fill/hole_weights.h"
 #include "geometry/search/kd_tree.h"
 
 namespace transformesh {
@@ -48,7 +48,7 @@ class LeastTriangulation {
   HoleSubpolygon best_between(std::size_t i, std::size_t k) const;
 
   const HoleBorder& border_;
-  HoleWeigher weigher_;
+  HoleWeights weigher_;
   std::size_t size_;
   std::vector<HoleSubpolygon> subpolygons_;  ///< By first and then by second point.
   /// The angles of the parts once more, which are looked through: in the same order, and by second
@@ -123,7 +123,7 @@ class SparseTriangulation {
   HoleSubpolygon best_between(Index i, Index k) const;
 
   const HoleBorder& border_;
-  HoleWeigher weigher_;
+  HoleWeights weigher_;
   Index size_;
   std::vector<Edge> edges_;
   std::vector<SubpolygonsTo> to_;    ///< Per first point, by ascending second point.

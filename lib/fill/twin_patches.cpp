@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fill/mesh_part.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 
 namespace transformesh {
 namespace {

@@ -4,16 +4,16 @@
 #include <utility>
 
 #include "io/document/scalar.h"
+#include "io/formats/detect_format.h"
 #include "io/formats/glb.h"
 #include "io/formats/obj.h"
 #include "io/formats/off.h"
 #include "io/formats/ply.h"
-#include "io/formats/sniff.h"
 #include "io/formats/stl.h"
 #include "io/formats/vtp.h"
 #include "io/streams/atomic_file.h"
 #include "io/streams/streams.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "support/error.h"
 
 namespace transformesh {
@@ -93,7 +93,7 @@ std::string extension_of(std::string_view name) {
 
 ReadResult read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
   const Source source{without_byte_order_mark(bytes), name, options.strict};
-  switch (sniff(source)) {
+  switch (detect_format(source)) {
     case FileKind::ply:
       return read_ply(source);
     case FileKind::off:

@@ -9,10 +9,10 @@
 
 #include "geometry/search/closest_point.h"
 #include "geometry/search/kd_tree.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/edges.h"
 #include "mesh/measure.h"
-#include "remesh/halfedges/star.h"
+#include "remesh/halfedges/triangle_quality.h"
 #include "remesh/operations/collapse.h"
 #include "remesh/operations/exact_split.h"
 #include "remesh/operations/flip.h"

@@ -9,19 +9,19 @@
 #include "remesh/guards/edge_rules.h"
 #include "remesh/halfedges/halfedges.h"
 #include "remesh/halfedges/sharpness.h"
+#include "remesh/operations/bilaplacian_smoothing.h"
 #include "remesh/operations/collapse.h"
 #include "remesh/operations/degenerate.h"
-#include "remesh/operations/even_out.h"
 #include "remesh/operations/flip.h"
+#include "remesh/operations/high_valence_collapse.h"
 #include "remesh/operations/safe_split.h"
 #include "remesh/operations/slivers.h"
 #include "remesh/operations/smooth.h"
-#include "remesh/operations/thin_stars.h"
 #include "remesh/sizing.h"
 #include "remesh/small_components.h"
 #include "support/counted.h"
+#include "support/empty_result_error.h"
 #include "support/length.h"
-#include "support/nothing_left.h"
 
 namespace transformesh {
 namespace {
@@ -194,7 +194,7 @@ class Iteration {
 
   void finish() {
     if (task_.options.smoothing == Smoothing::tangential && task_.surface == nullptr)
-      even_out(mesh_, guard_, roles_, task_.progress);
+      smooth_bilaplacian(mesh_, guard_, roles_, task_.progress);
   }
 
  private:
@@ -370,7 +370,8 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& prog
   remove_small(task);
   if (has_degenerate) treat_slivers(task);
   if (options.iterations > 0 && !options.only_smooth && !keep_out)
-    result.collapses += thin_crowded_stars(editable, options.keep_border, limits, progress);
+    result.collapses +=
+        collapse_high_valence_stars(editable, options.keep_border, limits, progress);
   if (options.iterations > 1) editable.set_components(closed_components(editable));
   for (int i = 0; i < options.iterations; ++i)
     iterate(task, i == 0, i + 1 == options.iterations && i + 1 >= iterations_anew);
@@ -380,7 +381,7 @@ RemeshResult remesh(Mesh& mesh, const RemeshOptions& given, const Progress& prog
     const std::size_t count = result.components_removed.count;
     const std::string all =
         count == 1 ? "the only component is" : "all " + counted(count, "component") + " are";
-    throw NothingLeftError(all + " smaller than the shortest edge " +
+    throw EmptyResultError(all + " smaller than the shortest edge " +
                            shortest_text(options.min_edge) +
                            ", so nothing would be left; use a smaller --min-edge");
   }

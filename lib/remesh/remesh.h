@@ -35,7 +35,8 @@ struct RemeshOptions {
   /// > 0: between e1 and e2, edges of 0.55 to 0.95 of what curvature takes to keep this near
   /// (sizing.h)
   double adaptive_error = 0;
-  int iterations = 1;  ///< >= 0; 0: only small components, degenerate faces; 3 or more: even_out.h
+  int iterations =
+      1;  ///< >= 0; 0: only small components, degenerate faces; 3 or more: bilaplacian_smoothing.h
   bool only_smooth = false;  ///< no splits, collapses and flips
   FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< the Laplacians slide vertices as well

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "remesh/halfedges/where.h"
+#include "remesh/halfedges/select_slots.h"
 #include "support/elementary/exponential.h"
 
 namespace transformesh {

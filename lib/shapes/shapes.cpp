@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/measure.h"
 #include "shapes/assembly.h"
 #include "shapes/kinds.h"

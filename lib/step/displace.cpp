@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/location_text.h"
 #include "mesh/surface_columns.h"
-#include "step/hold_back.h"
+#include "step/limit_movements.h"
 #include "support/error.h"
 #include "support/parallel.h"
 
@@ -59,16 +59,17 @@ void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
 }
 
 /// Per vertex.
-struct Ways {
+struct AxisDirections {
   std::vector<double> limits;
   std::vector<Vec3> displacements;
   std::vector<char> is_clamped;
 };
 
-Ways clamped_ways(std::span<const Vec3> velocities, const HalfedgeLengths& edges,
-                  const DisplaceOptions& options) {
+AxisDirections clamped_ways(std::span<const Vec3> velocities, const HalfedgeLengths& edges,
+                            const DisplaceOptions& options) {
   const std::size_t count = velocities.size();
-  Ways ways{std::vector<double>(count), std::vector<Vec3>(count), std::vector<char>(count, 0)};
+  AxisDirections ways{std::vector<double>(count), std::vector<Vec3>(count),
+                      std::vector<char>(count, 0)};
   parallel_for(count, vertices_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       ways.limits[v] = options.alpha * edges.vertex_mean[v];
@@ -94,7 +95,8 @@ std::vector<char> move(Mesh& mesh, const std::vector<Vec3>& displacements, Scala
 }
 
 /// Sums up in the order of the vertices.
-void summarize(const Ways& ways, const std::vector<char>& is_moved, DisplaceResult& result) {
+void summarize(const AxisDirections& ways, const std::vector<char>& is_moved,
+               DisplaceResult& result) {
   double squares = 0;
   for (std::size_t v = 0; v < is_moved.size(); ++v) {
     const double length = ways.displacements[v].norm();
@@ -119,12 +121,13 @@ DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
 DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
                         const DisplaceOptions& options, const HalfedgeLengths& edges) {
   check(mesh, velocities, options);
-  Ways ways = clamped_ways(velocities, edges, options);
+  AxisDirections ways = clamped_ways(velocities, edges, options);
   DisplaceResult result;
   Scalar coordinate = Scalar::float64;
   if (options.keep_out.surface != nullptr) {
     coordinate = options.coordinate;
-    const HoldBackResult held = hold_back(mesh, options.keep_out, coordinate, ways.displacements);
+    const LimitedMovements held =
+        limit_movements(mesh, options.keep_out, coordinate, ways.displacements);
     result.held_back = held.held_back;
     result.near_keep_out = held.near;
   }

@@ -21,7 +21,7 @@ namespace transformesh {
 struct DisplaceOptions {
   double time_step = 1;  ///< t; finite, either sign
   double alpha = 0.2;    ///< clamp as a fraction of e_avg(p); >= 0, the paper has 0.1 to 0.3
-  KeepOutOptions keep_out = {};         ///< no face comes nearer to it than its gap (hold_back.h)
+  KeepOutOptions keep_out = {};  ///< no face comes nearer to it than its gap (limit_movements.h)
   Scalar coordinate = Scalar::float64;  ///< positions near it are rounded to this type
 };
 

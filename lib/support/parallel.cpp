@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "support/beside.h"
+#include "support/run_concurrently.h"
 
 namespace transformesh {
 namespace {
@@ -121,7 +121,7 @@ void parallel_for(std::size_t count, std::size_t grain,
   loop.rethrow();
 }
 
-void run_beside(const std::function<void()>& own, const std::function<void()>& other) {
+void run_concurrently(const std::function<void()>& own, const std::function<void()>& other) {
   std::jthread helper;
   if (take_thread()) {
     try {

@@ -113,7 +113,7 @@ PYBIND11_MODULE(_transformesh, module) {
   bind_mesh(module);
   bind_filters(module);
   bind_remeshing(module);
-  bind_everyday(module);
+  bind_editing(module);
   bind_measures(module);
   bind_pictures(module);
   bind_evolutions(module);

@@ -8,9 +8,9 @@
 #include "arguments.h"
 #include "call.h"
 #include "page/run_page.h"
-#include "picture/openness.h"
+#include "picture/ambient_occlusion.h"
+#include "picture/parse_picture_options.h"
 #include "picture/picture.h"
-#include "picture/spelling.h"
 #include "python_mesh.h"
 #include "support/error.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "corpus/build.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 
 namespace transformesh::corpus {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "corpus/build.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 
 namespace transformesh::corpus {
 namespace {

@@ -12,7 +12,7 @@
 #include "io/comments.h"
 #include "io/mesh_io.h"
 #include "io/streams/output_target.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/measure.h"
 #include "mesh/touching_borders.h"
 #include "support/counted.h"

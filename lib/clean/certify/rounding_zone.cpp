@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "geometry/search/closest_point.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "support/parallel.h"
 
 namespace transformesh {

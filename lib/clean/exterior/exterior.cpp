@@ -7,8 +7,8 @@
 #include "clean/exterior/patches.h"
 #include "clean/exterior/ray_cast_front_winding.h"
 #include "mesh/components.h"
+#include "support/empty_result_error.h"
 #include "support/error.h"
-#include "support/nothing_left.h"
 
 namespace transformesh {
 namespace {
@@ -218,7 +218,7 @@ Exterior find_exterior(const Arrangement& arrangement, int winding_level, Exteri
                         ? Growth(arrangement, winding_level, closure).grow(progress)
                         : test_all(arrangement, winding_level, progress);
   if (std::find(result.kept.begin(), result.kept.end(), 1) == result.kept.end()) {
-    throw NothingLeftError(nothing_kept(arrangement, winding_level, !closure.empty()));
+    throw EmptyResultError(nothing_kept(arrangement, winding_level, !closure.empty()));
   }
   return result;
 }

@@ -8,14 +8,16 @@ namespace {
 
 // Per wanted point, the ways that all its faces look; none where it has an edge without two faces
 // that run along it in opposite directions.
-std::vector<Ways> find_common_ways(const WeldedMesh& welded, std::span<const char> is_wanted) {
-  std::vector<Ways> common(welded.points.size());
-  for (std::size_t p = 0; p < common.size(); ++p) common[p] = is_wanted[p] ? all_ways : 0;
+std::vector<AxisDirections> find_common_directions(const WeldedMesh& welded,
+                                                   std::span<const char> is_wanted) {
+  std::vector<AxisDirections> common(welded.points.size());
+  for (std::size_t p = 0; p < common.size(); ++p)
+    common[p] = is_wanted[p] ? all_axis_directions : 0;
   for (std::size_t f = 0; f < welded.faces.size(); ++f) {
     const Face& face = welded.faces[f];
     if ((common[face[0]] | common[face[1]] | common[face[2]]) == 0) continue;
     for (std::size_t i = 0; i < 3; ++i) {
-      common[face[i]] &= welded.ways[f].looks;
+      common[face[i]] &= welded.directions[f].looks;
       if (welded.opposites[3 * f + i] == no_index) common[face[i]] = common[face[(i + 1) % 3]] = 0;
     }
   }
@@ -28,10 +30,10 @@ std::vector<Ways> find_common_ways(const WeldedMesh& welded, std::span<const cha
 // these edges, which are closed polygons, go around it as often as they cross the ray to its right,
 // upwards.
 std::vector<char> find_embedded_stars(const WeldedMesh& welded, std::span<const char> is_wanted) {
-  const std::vector<Ways> ways = find_common_ways(welded, is_wanted);
+  const std::vector<AxisDirections> directions = find_common_directions(welded, is_wanted);
   std::vector<char> turns(welded.points.size(), 0);
   const auto cross_ray = [&](Index point, Index from, Index to) {
-    const int way = std::countr_zero(ways[point]);
+    const int way = std::countr_zero(directions[point]);
     if (way % 2 == 1) std::swap(from, to);
     const int up = (way / 2 + 2) % 3;
     const double height = welded.points[point][up];
@@ -39,11 +41,12 @@ std::vector<char> find_embedded_stars(const WeldedMesh& welded, std::span<const 
     turns[point] = static_cast<char>(std::min(2, turns[point] + (crosses ? 1 : 0)));
   };
   for (const auto& [a, b, c] : welded.faces) {
-    if (ways[a] != 0) cross_ray(a, b, c);
-    if (ways[b] != 0) cross_ray(b, c, a);
-    if (ways[c] != 0) cross_ray(c, a, b);
+    if (directions[a] != 0) cross_ray(a, b, c);
+    if (directions[b] != 0) cross_ray(b, c, a);
+    if (directions[c] != 0) cross_ray(c, a, b);
   }
-  for (std::size_t p = 0; p < turns.size(); ++p) turns[p] = ways[p] != 0 && turns[p] == 1 ? 1 : 0;
+  for (std::size_t p = 0; p < turns.size(); ++p)
+    turns[p] = directions[p] != 0 && turns[p] == 1 ? 1 : 0;
   return turns;
 }
 

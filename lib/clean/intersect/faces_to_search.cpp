@@ -10,7 +10,7 @@ namespace {
 /// There are about as many cells as faces, and large faces may take up so many times that.
 constexpr std::size_t most_cells_per_face = 16;
 constexpr unsigned most_cells_per_axis = 253;
-constexpr Index several = no_index - 1;  ///< zones
+constexpr Index several = no_index - 1;  ///< regions
 
 std::vector<Index> first_copies(const WeldedMesh& welded) {
   std::vector<Index> firsts;
@@ -35,12 +35,12 @@ bool is_usual(const CellRange& range) {
   return most <= 1;
 }
 
-/// The zones of faces in the cells of a grid. A usual face is entered into its lowest cell only:
+/// The regions of faces in the cells of a grid. A usual face is entered into its lowest cell only:
 /// where two have a cell in common, these are the same or next to each other.
-class ZoneGrid {
+class RegionGrid {
  public:
-  explicit ZoneGrid(unsigned per_axis)
-      : side_(per_axis + 2), zone_at_(std::size_t{side_} * side_ * side_, no_index) {}
+  explicit RegionGrid(unsigned per_axis)
+      : side_(per_axis + 2), region_at_(std::size_t{side_} * side_ * side_, no_index) {}
 
   Index cell(std::size_t x, std::size_t y, std::size_t z) const {
     return static_cast<Index>(((x + 1) * side_ + y + 1) * side_ + z + 1);
@@ -49,10 +49,10 @@ class ZoneGrid {
     return cell(range.low[0], range.low[1], range.low[2]);
   }
 
-  void enter(Index cell, Index zone) {
-    Index& at = zone_at_[cell];
+  void enter(Index cell, Index region) {
+    Index& at = region_at_[cell];
     if (at == no_index) occupied_.push_back(cell);
-    at = at == no_index || at == zone ? zone : several;
+    at = at == no_index || at == region ? region : several;
   }
   void enter_large(const CellRange& range) {
     for (std::size_t x = range.low[0]; x <= range.high[0]; ++x)
@@ -60,16 +60,16 @@ class ZoneGrid {
         for (std::size_t z = range.low[2]; z <= range.high[2]; ++z) enter(cell(x, y, z), several);
   }
 
-  /// Marks the cells in which, or next to which, there are faces of several zones.
+  /// Marks the cells in which, or next to which, there are faces of several regions.
   std::vector<char> find_crowded() const {
-    std::vector<char> is_crowded(zone_at_.size(), 0);
+    std::vector<char> is_crowded(region_at_.size(), 0);
     for (const Index cell : occupied_) {
-      const Index zone = zone_at_[cell];
-      bool found = zone == several;
+      const Index region = region_at_[cell];
+      bool found = region == several;
       for (const std::size_t x : {cell - side_ * side_, cell + 0U, cell + side_ * side_})
         for (const std::size_t y : {x - side_, x, x + side_})
           for (const std::size_t z : {y - 1, y, y + 1})
-            found |= zone_at_[z] != no_index && zone_at_[z] != zone;
+            found |= region_at_[z] != no_index && region_at_[z] != region;
       is_crowded[cell] = found ? 1 : 0;
     }
     return is_crowded;
@@ -77,28 +77,28 @@ class ZoneGrid {
 
  private:
   Index side_;  ///< with a margin
-  std::vector<Index> zone_at_;
+  std::vector<Index> region_at_;
   std::vector<Index> occupied_;
 };
 
 }  // namespace
 
-std::vector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> zones) {
+std::vector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> regions) {
   std::vector<Index> faces = first_copies(welded);
-  const auto count = static_cast<std::size_t>(std::count(zones.begin(), zones.end(), no_index));
-  if (count > zones.size() / 2) return faces;
+  const auto count = static_cast<std::size_t>(std::count(regions.begin(), regions.end(), no_index));
+  if (count > regions.size() / 2) return faces;
   const unsigned per_axis = cells_per_axis(faces.size());
   const CornerCells cells(welded.points, per_axis);
   if (!cells.is_usable()) return faces;
 
-  ZoneGrid grid(per_axis);
+  RegionGrid grid(per_axis);
   std::vector<Index> cell_of(faces.size(), no_index);  // of usual ones
   std::size_t cells_left = most_cells_per_face * faces.size();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const CellRange range = cells.around(welded.faces[faces[i]]);
     if (is_usual(range)) {
       cell_of[i] = grid.lowest_cell(range);
-      grid.enter(cell_of[i], zones[faces[i]] == no_index ? several : zones[faces[i]]);
+      grid.enter(cell_of[i], regions[faces[i]] == no_index ? several : regions[faces[i]]);
     } else {
       if (range.size() > cells_left) return faces;
       cells_left -= range.size();

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "clean/intersect/contacts.h"
-#include "clean/intersect/crowded_stars.h"
 #include "clean/intersect/embedded_stars.h"
 #include "clean/intersect/faces_to_search.h"
-#include "clean/intersect/zones.h"
+#include "clean/intersect/high_valence_stars.h"
+#include "clean/intersect/intersection_free_regions.h"
 #include "geometry/search/bvh.h"
 #include "geometry/search/sort_pairs.h"
 #include "support/parallel.h"
@@ -77,10 +77,10 @@ std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<Face
 
 namespace {
 
-std::vector<Index> zones_of(std::span<const Index> faces, std::span<const Index> zones) {
+std::vector<Index> regions_of(std::span<const Index> faces, std::span<const Index> regions) {
   std::vector<Index> result;
   result.reserve(faces.size());
-  for (const Index f : faces) result.push_back(zones[f]);
+  for (const Index f : faces) result.push_back(regions[f]);
   return result;
 }
 
@@ -112,14 +112,15 @@ void add_meetings(const WeldedMesh& welded, std::span<const FacePair> pairs,
 }
 
 // The meetings of faces of crowded stars.
-std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded, const CrowdedStars& stars,
+std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded,
+                                                const HighValenceStars& stars,
                                                 const std::vector<Index>& others,
                                                 const std::vector<char>& is_embedded,
-                                                const std::vector<Index>& zones) {
+                                                const std::vector<Index>& regions) {
   std::vector<FacePair> pairs = stars.find_pairs(others);
   std::erase_if(pairs, [&](const FacePair& pair) {
     const auto [f, g] = pair;
-    return (zones[f] != no_index && zones[f] == zones[g]) ||
+    return (regions[f] != no_index && regions[f] == regions[g]) ||
            share_embedded_star(welded.faces[f], welded.faces[g], is_embedded);
   });
   std::vector<std::vector<Meeting>> lists(pairs.size() / faces_per_task + 1);
@@ -134,19 +135,19 @@ std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded, const 
 
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
-  Zones zones = find_zones(welded);
-  std::vector<Index> faces = find_faces_to_search(welded, zones.of_face);
-  const Links links = find_links(welded.points, welded.faces);
-  const std::vector<char> is_crowded = CrowdedStars::crowded_points(welded, links);
-  for (std::size_t p = 0; p < is_crowded.size(); ++p) zones.is_seam[p] |= is_crowded[p];
+  IntersectionFreeRegions regions = find_intersection_free_regions(welded);
+  std::vector<Index> faces = find_faces_to_search(welded, regions.of_face);
+  const SimplexLinks links = find_simplex_links(welded.points, welded.faces);
+  const std::vector<char> is_crowded = HighValenceStars::crowded_points(welded, links);
+  for (std::size_t p = 0; p < is_crowded.size(); ++p) regions.is_seam[p] |= is_crowded[p];
   std::vector<char> is_embedded;
-  CrowdedStars stars;
+  HighValenceStars stars;
   Bvh bvh;
   const auto fill_bvh = [&] { bvh = Bvh(boxes_of(welded, faces), links, faces); };
   parallel_invoke(
       [&] {
-        is_embedded = find_embedded_stars(welded, zones.is_seam);
-        stars = CrowdedStars(welded, is_embedded, is_crowded);
+        is_embedded = find_embedded_stars(welded, regions.is_seam);
+        stars = HighValenceStars(welded, is_embedded, is_crowded);
       },
       [&] {
         if (is_crowded.empty()) fill_bvh();
@@ -155,9 +156,9 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
     std::erase_if(faces, [&](Index f) { return stars.has(f); });
     fill_bvh();
   }
-  bvh.set_groups(zones_of(faces, zones.of_face));
+  bvh.set_groups(regions_of(faces, regions.of_face));
   std::vector<std::vector<Meeting>> lists;
-  if (!stars.empty()) lists = star_meetings(welded, stars, faces, is_embedded, zones.of_face);
+  if (!stars.empty()) lists = star_meetings(welded, stars, faces, is_embedded, regions.of_face);
   const std::size_t known = lists.size();
   bvh.visit_pairs([&](std::size_t count) { lists.resize(known + count); },
                   [&](std::size_t list, std::span<const Bvh::Pair> pairs) {

@@ -2,8 +2,8 @@
 /// that they share. Sharing means equal coordinates, not equal indices. Touching counts: a corner
 /// on a face or an edge, two edges that cross or overlap, coplanar overlaps, coincident faces.
 /// Faces without area take no part. Exact for any finite coordinates. Where the paper sweeps boxes
-/// and perturbs what touches (4.3), this leaves out what cannot meet (zones.h, faces_to_search.h),
-/// searches a bounding volume hierarchy of the rest, and perturbs nothing.
+/// and perturbs what touches (4.3), this leaves out what cannot meet (intersection_free_regions.h,
+/// faces_to_search.h), searches a bounding volume hierarchy of the rest, and perturbs nothing.
 /// Cost: O(n log n + k) for k pairs on usual meshes; parallel; the result is sorted and does not
 /// depend on the number of threads.
 #pragma once

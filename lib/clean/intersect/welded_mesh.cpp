@@ -169,8 +169,8 @@ void find_copies(WeldedMesh& welded) {
 }
 
 // A face that looks any way for certain has an area.
-bool is_degenerate(const WeldedMesh& welded, const Face& face, FaceWays ways) {
-  return ways.looks == 0 &&
+bool is_degenerate(const WeldedMesh& welded, const Face& face, FaceDirections directions) {
+  return directions.looks == 0 &&
          (is_collapsed(face) ||
           collinear(welded.points[face[0]], welded.points[face[1]], welded.points[face[2]]));
 }
@@ -191,15 +191,15 @@ WeldedMesh weld(const Mesh& mesh) {
   welded.frame = BoxFrame(welded.points);
   std::vector<Face> by_points(mesh.faces.size());
   std::vector<char> has_area(mesh.faces.size());
-  welded.ways.resize(mesh.faces.size());
+  welded.directions.resize(mesh.faces.size());
   parallel_for(mesh.faces.size(), things_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) {
       const auto& [a, b, c] = mesh.faces[f];
       const Face face{welded.point_of[a], welded.point_of[b], welded.point_of[c]};
       by_points[f] = face;
-      welded.ways[f] =
-          ways_of_face(welded.points[face[0]], welded.points[face[1]], welded.points[face[2]]);
-      has_area[f] = is_degenerate(welded, face, welded.ways[f]) ? 0 : 1;
+      welded.directions[f] = directions_of_face(welded.points[face[0]], welded.points[face[1]],
+                                                welded.points[face[2]]);
+      has_area[f] = is_degenerate(welded, face, welded.directions[f]) ? 0 : 1;
     }
   });
   welded.faces = std::move(by_points);
@@ -208,7 +208,7 @@ WeldedMesh weld(const Mesh& mesh) {
   if (std::count(has_area.begin(), has_area.end(), 0) > 0) {
     keep_marked(has_area, welded.faces);
     keep_marked(has_area, welded.face_of);
-    keep_marked(has_area, welded.ways);
+    keep_marked(has_area, welded.directions);
   }
   index_faces(welded);
   return welded;

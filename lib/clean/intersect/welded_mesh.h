@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "clean/intersect/face_ways.h"
+#include "clean/intersect/face_directions.h"
 #include "geometry/numbers/predicates.h"
 #include "geometry/search/float_box.h"
 #include "mesh/edges.h"
@@ -13,12 +13,12 @@
 namespace transformesh {
 
 struct WeldedMesh {
-  std::vector<Vec3> points;       ///< all different
-  std::vector<Index> vertex_of;   ///< the first mesh vertex at each point
-  std::vector<Index> point_of;    ///< the point of each mesh vertex
-  std::vector<Face> faces;        ///< corners as points; none is degenerate
-  std::vector<Index> face_of;     ///< the mesh face of each face; ascending
-  std::vector<FaceWays> ways;     ///< that each face looks
+  std::vector<Vec3> points;                ///< all different
+  std::vector<Index> vertex_of;            ///< the first mesh vertex at each point
+  std::vector<Index> point_of;             ///< the point of each mesh vertex
+  std::vector<Face> faces;                 ///< corners as points; none is degenerate
+  std::vector<Index> face_of;              ///< the mesh face of each face; ascending
+  std::vector<FaceDirections> directions;  ///< that each face looks
   std::vector<Index> first_copy;  ///< per face: the first with the same three points, in any order
   Edges edges;                    ///< of the faces
   /// Per halfedge, the one that runs the other way along its edge where that has no others; else

@@ -119,12 +119,12 @@ WeldedMesh without_faces(const WeldedMesh& welded, const std::vector<char>& mark
   WeldedMesh rest = welded;
   rest.faces.clear();
   rest.face_of.clear();
-  rest.ways.clear();
+  rest.directions.clear();
   for (Index f = 0; f < welded.faces.size(); ++f) {
     if (marks[f]) continue;
     rest.faces.push_back(welded.faces[f]);
     rest.face_of.push_back(welded.face_of[f]);
-    rest.ways.push_back(welded.ways[f]);
+    rest.directions.push_back(welded.directions[f]);
   }
   index_faces(rest);
   return rest;

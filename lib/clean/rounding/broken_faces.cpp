@@ -18,7 +18,7 @@ constexpr std::size_t faces_per_task = 4096;
 // New faces, and a hierarchy over them.
 struct NewFaces {
   std::vector<Index> faces;
-  Links links;  // of all faces
+  SimplexLinks links;  // of all faces
   Bvh bvh;
 };
 
@@ -88,7 +88,7 @@ NewFaces collect_new_faces(const Surroundings& part, const WeldedMesh& welded) {
     boxes.push_back(welded.box(f));
   }
   if (result.faces.empty()) return result;
-  result.links = find_links(welded.points, welded.faces);
+  result.links = find_simplex_links(welded.points, welded.faces);
   result.bvh = Bvh(boxes, result.links, result.faces);
   return result;
 }
@@ -105,7 +105,7 @@ void visit_faces_without_area(const Surroundings& part, const WeldedMesh& welded
 
 // The intersections of which one face is new, by faces of the part; sorted.
 std::vector<FacePair> search(const Surroundings& part, const WeldedMesh& welded,
-                             const KnownPairs& known) {
+                             const IntersectionCache& known) {
   std::vector<FacePair> intersections;
   const NewFaces news = collect_new_faces(part, welded);
   if (news.faces.empty()) return intersections;
@@ -204,7 +204,7 @@ void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
 
 }  // namespace
 
-BrokenFaces find_broken_faces(const Assembly& assembly, KnownPairs& known) {
+BrokenFaces find_broken_faces(const Assembly& assembly, IntersectionCache& known) {
   Surroundings part = surroundings_of_new_faces(assembly);
   const WeldedMesh welded = weld(part.mesh);
   known.begin(part.mesh);
@@ -223,7 +223,7 @@ BrokenFaces find_broken_faces(const Assembly& assembly, KnownPairs& known) {
 }
 
 BrokenFaces find_broken_faces(const Assembly& assembly) {
-  KnownPairs known;
+  IntersectionCache known;
   return find_broken_faces(assembly, known);
 }
 

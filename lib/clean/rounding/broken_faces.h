@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "clean/rounding/known_pairs.h"
+#include "clean/rounding/intersection_cache.h"
 #include "clean/stitch/assemble.h"
 
 namespace transformesh {
@@ -18,7 +18,7 @@ struct BrokenFaces {
 /// Whole input faces are known not to intersect each other. Of a series of searches each takes less
 /// time where it passes on what is known of pairs.
 BrokenFaces find_broken_faces(const Assembly& assembly);
-BrokenFaces find_broken_faces(const Assembly& assembly, KnownPairs& known);
+BrokenFaces find_broken_faces(const Assembly& assembly, IntersectionCache& known);
 
 /// The faces that are no whole faces of the input; ascending.
 std::vector<Index> find_new_faces(const Assembly& assembly);

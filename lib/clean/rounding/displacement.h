@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 
 namespace transformesh {
 

@@ -3,7 +3,7 @@
 /// numbers lose. In doubles; no product overflows.
 #pragma once
 
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/triangle.h"
 
 namespace transformesh {

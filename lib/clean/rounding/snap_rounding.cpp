@@ -9,10 +9,10 @@
 #include "clean/rounding/broken_faces.h"
 #include "clean/rounding/close_vertices.h"
 #include "clean/rounding/contact_splits.h"
-#include "clean/rounding/own_grids.h"
-#include "clean/rounding/push_out.h"
+#include "clean/rounding/push_outwards.h"
 #include "clean/rounding/slivers.h"
 #include "clean/rounding/thin_cells.h"
+#include "clean/rounding/vertex_grids.h"
 #include "mesh/components.h"
 #include "mesh/location_text.h"
 #include "support/elementary/exponential.h"
@@ -124,7 +124,7 @@ class SnapRounder {
   int patience_ = 0;           ///< how many vain rounds more are waited for
   bool is_vain_ = false;       ///< whether a attempt ended for want of it
   std::string place_;          ///< the first place that was broken
-  KnownPairs known_;
+  IntersectionCache known_;
   std::vector<char> is_broken_;  ///< per face of the mesh: whether rounding broke a part of it
   SnapRoundingResult result_;
 };
@@ -158,7 +158,7 @@ void SnapRounder::mend(Assembly& assembly, BrokenFaces broken, const Tolerances&
   if (!broken.faces.empty() && note(flip_slivers(assembly, around(), most.slivers, spacing_)))
     broken = find_broken_faces(assembly, known_);
   if (!broken.faces.empty() &&
-      note(push_out(assembly, broken.faces, {most.push, most.moves_input}, spacing_)))
+      note(push_outwards(assembly, broken.faces, {most.push, most.moves_input}, spacing_)))
     broken = find_broken_faces(assembly, known_);
   if (!broken.faces.empty())
     note(split_at_contacts(assembly, broken.intersections, most.slivers, spacing_));
@@ -325,7 +325,7 @@ Assembly SnapRounder::begin_anew(const CleanPass& pass, int attempt) {
 Assembly SnapRounder::begin_simpler(const CleanPass& pass, int attempt) {
   most_pairs_ = pairs_to_repair * pass.pairs + few_pairs;
   Assembly assembly = unchanged_assembly(mesh_);
-  result_.displacement = snap_to_own_grids(
+  result_.displacement = snap_to_vertex_grids(
       assembly.mesh, options_.coordinate, std::ldexp(1, digits_fewer * (attempt - last_given - 1)));
   clean_again(assembly, {0}, options_.winding_level);
   if (!is_hopeless_) return assembly;

@@ -4,20 +4,20 @@
 ///
 /// Every new vertex takes the nearest numbers, or the position of a vertex less than a spacing
 /// away. That is all where nothing breaks. Around broken faces, in rounds: close vertices merge
-/// (close_vertices.h), slivers are flipped away (slivers.h), thin sheets come apart (push_out.h),
-/// what intersects barely comes to share corners (contact_splits.h), and the surface is cleaned
-/// again, where cells too thin to matter go to the side that leaves less surface (thin_cells.h).
-/// What counts as close and thin is 3 and 4 spacings at first, and grows by 2^(1/4) and 2^(1/2)
-/// from round to round. Spacings are those at the largest coordinate of a vertex; where a mesh
-/// reaches 2^40 times farther than half of its vertices, those along each axis (local_distance.h).
-/// Where two rounds in a row leave no fewer faces broken, all starts over, three rounds ahead; the
-/// first three times from the input's exact arrangement, in which cells beside the broken faces are
-/// given away that are thinner than 256, 2048 and 16384 spacings: sheets that intersect at tiny
-/// angles would be crossed anew by every rounding. Where rounding breaks more than a third of the
-/// faces, the last starts, and of a mesh that reaches far already the second, first put all
-/// vertices on their own grids (own_grids.h), within .87 spacings, then 32 times coarser from start
-/// to start. (Not so open meshes, and those whose faces meet more than 60 others on average: their
-/// arrangement is too large.)
+/// (close_vertices.h), slivers are flipped away (slivers.h), thin sheets come apart
+/// (push_outwards.h), what intersects barely comes to share corners (contact_splits.h), and the
+/// surface is cleaned again, where cells too thin to matter go to the side that leaves less surface
+/// (thin_cells.h). What counts as close and thin is 3 and 4 spacings at first, and grows by 2^(1/4)
+/// and 2^(1/2) from round to round. Spacings are those at the largest coordinate of a vertex; where
+/// a mesh reaches 2^40 times farther than half of its vertices, those along each axis
+/// (local_distance.h). Where two rounds in a row leave no fewer faces broken, all starts over,
+/// three rounds ahead; the first three times from the input's exact arrangement, in which cells
+/// beside the broken faces are given away that are thinner than 256, 2048 and 16384 spacings:
+/// sheets that intersect at tiny angles would be crossed anew by every rounding. Where rounding
+/// breaks more than a third of the faces, the last starts, and of a mesh that reaches far already
+/// the second, first put all vertices on their own grids (vertex_grids.h), within .87 spacings,
+/// then 32 times coarser from start to start. (Not so open meshes, and those whose faces meet more
+/// than 60 others on average: their arrangement is too large.)
 ///
 /// Guaranteed: the result has no self-intersection. All that moves or goes is within `displacement`
 /// of where it was, so winding numbers farther than that from the surface are those of the input (a

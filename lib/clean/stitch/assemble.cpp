@@ -4,7 +4,7 @@
 
 #include "clean/arrange/refine.h"
 #include "clean/exterior/angular_order.h"
-#include "clean/stitch/pair_across_inside.h"
+#include "clean/stitch/pair_halfedges.h"
 #include "clean/stitch/split_singular_edges.h"
 #include "mesh/umbrellas.h"
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "clean/exterior/angular_order.h"
-#include "clean/stitch/copy_layers.h"
+#include "clean/stitch/coincident_sheets.h"
 #include "clean/stitch/orientation_check.h"
-#include "clean/stitch/sheet_links.h"
+#include "clean/stitch/sheet_alignment.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
 #include "mesh/location_text.h"
@@ -19,7 +19,7 @@
 namespace transformesh {
 namespace {
 
-/// Faces connected across edges of two faces, or of copies of two (copy_layers.h).
+/// Faces connected across edges of two faces, or of copies of two (coincident_sheets.h).
 struct Sheet {
   std::vector<Index> faces;
   bool agreed = true;         ///< within itself, and with others at their common edges
@@ -54,7 +54,7 @@ class Orienter {
   std::vector<char> is_reversed_;  ///< per face: it must be, to agree with its sheet's first
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;
-  SheetLinks links_{0};
+  SheetAlignment links_{0};
   DisjointSets copies_{0};  ///< sheets that lie upon each other: if one needs it, all are turned
 };
 
@@ -68,7 +68,7 @@ Orienter::Orienter(const Mesh& mesh)
     if (sheet_of_[first] == no_index) collect_sheet(first);
   }
   sheet_is_reversed_.assign(sheets_.size(), 0);
-  links_ = SheetLinks(sheets_.size());
+  links_ = SheetAlignment(sheets_.size());
   copies_ = DisjointSets(sheets_.size());
   link_sheets();
   for (Index sheet = 0; sheet < sheets_.size(); ++sheet)

@@ -1,7 +1,7 @@
 /// Reverses faces so that neighbors agree which side is outside.
 ///
 /// Faces that hang together across edges of two faces are a sheet, and so are those of each copy of
-/// it where copies lie upon each other (copy_layers.h); they are reversed until they run
+/// it where copies lie upon each other (coincident_sheets.h); they are reversed until they run
 /// opposite ways along those edges. Sheets that end at edges of more faces are reversed as a whole,
 /// until as many faces have one direction along such an edge as the other, or one more, as far as
 /// possible: solids that share edges or faces get their insides back. Where that leaves a choice,

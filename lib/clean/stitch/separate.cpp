@@ -6,7 +6,7 @@
 #include "clean/intersect/contacts.h"
 #include "geometry/search/bvh.h"
 #include "mesh/adjacency.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "support/elementary/arctangent.h"
 
 namespace transformesh {

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "clean/exterior/angular_order.h"
-#include "clean/stitch/one_side.h"
+#include "clean/stitch/double_sided.h"
 #include "clean/stitch/orient.h"
 #include "clean/stitch/orientation_check.h"
-#include "clean/stitch/pair_across_inside.h"
+#include "clean/stitch/pair_halfedges.h"
 #include "clean/stitch/split_singular_edges.h"
 #include "clean/stitch/weld.h"
 #include "mesh/surface_columns.h"

@@ -23,7 +23,7 @@ struct StitchOptions {
   double tolerance = 0;  ///< join positions within this distance, input units; 0: only equal ones
   bool orient = false;  ///< reverse faces so that neighbors agree; closed parts that needed it then
                         ///< look outwards, open ones the way most of their faces did
-  bool one_side = false;  ///< drop faces whose reverse is there (one_side.h), orient, and turn
+  bool one_side = false;  ///< drop faces whose reverse is there (double_sided.h), orient, and turn
                           ///< closed parts outwards
   bool flip = false;      ///< reverse all faces, at the end
 };

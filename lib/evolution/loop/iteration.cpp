@@ -9,9 +9,9 @@
 #include "io/mesh_io.h"
 #include "mesh/components.h"
 #include "mesh/measure.h"
-#include "support/beside.h"
 #include "support/counted.h"
 #include "support/parallel.h"
+#include "support/run_concurrently.h"
 
 namespace transformesh {
 namespace {
@@ -111,7 +111,7 @@ class CleanAndRemesh {
         throw;
       }
     };
-    run_beside(clean_or_cancel, [&] { early.run(); });
+    run_concurrently(clean_or_cancel, [&] { early.run(); });
     return cleaned_.changed ? remesh() : early.take(document_);
   }
 

@@ -21,10 +21,10 @@ namespace {
   }
 }
 
-Memory memory_of(Loop& loop) {
-  Memory memory;
-  loop.remember(memory);
-  return memory;
+LoopState loop_state_of(Loop& loop) {
+  LoopState loop_state;
+  loop.remember(loop_state);
+  return loop_state;
 }
 
 CsvRow row_of(const Loop& loop, std::size_t iteration) {
@@ -38,12 +38,12 @@ CsvRow row_of(const Loop& loop, std::size_t iteration) {
 void begin(Loop& loop, Document& document, Record& record, const Progress& progress) {
   if (record.resumed()) {
     document = record.resumed()->document;
-    Memory memory = record.resumed()->memory;
-    loop.remember(memory);
+    LoopState loop_state = record.resumed()->loop_state;
+    loop.remember(loop_state);
   } else {
     loop.start(document, progress);
   }
-  record.begin(document, row_of(loop, 0).header(), memory_of(loop));
+  record.begin(document, row_of(loop, 0).header(), loop_state_of(loop));
 }
 
 void advance(Loop& loop, Document& document, const LoopOptions& options, Record& record,
@@ -59,7 +59,7 @@ void advance(Loop& loop, Document& document, const LoopOptions& options, Record&
     if (iteration == 1) record.remove_state();
     rethrow_in(name + ": ");
   }
-  record.keep(next, iteration, row_of(loop, iteration).line(), memory_of(loop));
+  record.keep(next, iteration, row_of(loop, iteration).line(), loop_state_of(loop));
   document = std::move(next);
   if (options.on_iteration) options.on_iteration(name + loop.message());
 }
@@ -80,7 +80,7 @@ void run_loop(Loop& loop, Document& document, const LoopOptions& options, Record
   while (!loop.is_done() && record.iteration() < options.iterations)
     advance(loop, document, options, record, progress);
   const bool is_done = loop.is_done();
-  if (!is_done) record.pause(document, memory_of(loop));
+  if (!is_done) record.pause(document, loop_state_of(loop));
   loop.finish(document, progress);
   if (is_done) record.end();
 }

@@ -27,7 +27,7 @@ class Loop {
   virtual void finish(Document& document, const Progress& progress);
 
   /// All that it needs to go on as if nothing had happened.
-  virtual void remember(Memory& memory) = 0;
+  virtual void remember(LoopState& loop_state) = 0;
   /// Of the last iteration: the further columns of the CSV file, and what follows its number in the
   /// line of progress. The columns are asked for before the first iteration as well.
   virtual void measure(CsvRow& row) const = 0;

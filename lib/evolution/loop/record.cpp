@@ -53,8 +53,8 @@ std::optional<SavedState> saved_in(const std::string& folder) {
   state.document = read_mesh(*bytes, file).document;
   std::vector<std::string>& comments = state.document.style.comments;
   state.settings = taken(comments, settings_key, file);
-  state.memory = Memory(taken(comments, memory_key, file));
-  state.memory("iteration", state.iteration)("paused", state.is_paused);
+  state.loop_state = LoopState(taken(comments, memory_key, file));
+  state.loop_state("iteration", state.iteration)("paused", state.is_paused);
   return state;
 }
 
@@ -131,7 +131,8 @@ void Record::forget_earlier_state() const {
   if (!resumed_ && !options_.state.empty()) remove_files_in(options_.state);
 }
 
-void Record::begin(const Document& document, const std::string& csv_header, const Memory& memory) {
+void Record::begin(const Document& document, const std::string& csv_header,
+                   const LoopState& loop_state) {
   iteration_ = resumed_ ? resumed_->iteration : 0;
   if (!options_.csv.empty())
     rows_ = std::make_shared<LineFile>(
@@ -145,26 +146,26 @@ void Record::begin(const Document& document, const std::string& csv_header, cons
       write_file(options_.state + '/' + name, bytes);
   }
   keep_frame(document, 0);
-  save(document, 0, memory);
+  save(document, 0, loop_state);
 }
 
 void Record::keep(const Document& document, std::size_t iteration, const std::string& row,
-                  const Memory& memory) {
+                  const LoopState& loop_state) {
   if (rows_) rows_->append(row);
   keep_frame(document, iteration);
-  save(document, iteration, memory);
+  save(document, iteration, loop_state);
   iteration_ = iteration;
 }
 
-void Record::save(const Document& document, std::size_t iteration, Memory memory,
+void Record::save(const Document& document, std::size_t iteration, LoopState loop_state,
                   bool is_paused) const {
   if (options_.state.empty()) return;
-  memory("iteration", iteration)("paused", is_paused);
+  loop_state("iteration", iteration)("paused", is_paused);
   Document written = document;
   written.style.format = Format::ply_little;
   std::vector<std::string>& comments = written.style.comments;
   comments.push_back(std::string(settings_key) + options_.settings);
-  comments.push_back(std::string(memory_key) + memory.text());
+  comments.push_back(std::string(memory_key) + loop_state.text());
   make_folder(options_.state);
   write_file(options_.state + mesh_name, write_mesh(written).bytes);
 }

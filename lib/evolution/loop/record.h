@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "evolution/loop/folder_lock.h"
-#include "evolution/loop/memory.h"
+#include "evolution/loop/loop_state.h"
 #include "io/document/document.h"
 #include "io/streams/line_file.h"
 
@@ -40,7 +40,7 @@ struct SavedState {
   std::string settings;  ///< in one line
   std::size_t iteration = 0;
   bool is_paused = false;  ///< stopped by its limit of iterations, not interrupted
-  Memory memory;
+  LoopState loop_state;
 };
 
 /// Removes the folder of a state and its files, which are all the run's own.
@@ -70,12 +70,12 @@ class Record {
 
   /// To be called once, before the first iteration, with the header of the CSV file and the memory
   /// of iteration 0. Where the run continues, the document and the memory are not looked at.
-  void begin(const Document& document, const std::string& csv_header, const Memory& memory);
+  void begin(const Document& document, const std::string& csv_header, const LoopState& loop_state);
   void keep(const Document& document, std::size_t iteration, const std::string& row,
-            const Memory& memory);
+            const LoopState& loop_state);
   /// The limit of iterations was reached: the state stays, and is not that of an interrupted run.
-  void pause(const Document& document, const Memory& memory) const {
-    save(document, iteration_, memory, true);
+  void pause(const Document& document, const LoopState& loop_state) const {
+    save(document, iteration_, loop_state, true);
   }
   /// The loop has come to its end.
   void end() const {
@@ -85,7 +85,7 @@ class Record {
 
  private:
   void keep_frame(const Document& document, std::size_t iteration) const;
-  void save(const Document& document, std::size_t iteration, Memory memory,
+  void save(const Document& document, std::size_t iteration, LoopState loop_state,
             bool is_paused = false) const;
 
   RecordOptions options_;

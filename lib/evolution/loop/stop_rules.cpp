@@ -64,11 +64,11 @@ MorphVerdict MorphRule::add(const MorphStepResult& step, std::size_t vertices) {
   return result;
 }
 
-void MorphRule::remember(Memory& memory) {
-  memory("scale", scale_)("idle", idle_)("age", age_)("unexamined", unexamined_);
-  memory("rms_to_target", rms_to_target_.value)("max_to_target", max_to_target_.value);
-  memory("rms_from_target", rms_from_target_.value)("max_from_target", max_from_target_.value);
-  memory("max_clamp_share", max_clamp_share_.value);
+void MorphRule::remember(LoopState& loop_state) {
+  loop_state("scale", scale_)("idle", idle_)("age", age_)("unexamined", unexamined_);
+  loop_state("rms_to_target", rms_to_target_.value)("max_to_target", max_to_target_.value);
+  loop_state("rms_from_target", rms_from_target_.value)("max_from_target", max_from_target_.value);
+  loop_state("max_clamp_share", max_clamp_share_.value);
 }
 
 }  // namespace transformesh

@@ -1,10 +1,10 @@
 /// When an evolution has come to its end (paper 5.2): plain values in, a verdict out. Rules
-/// remember what was best so far (memory.h).
+/// remember what was best so far (loop_state.h).
 #pragma once
 
 #include <cstddef>
 
-#include "evolution/loop/memory.h"
+#include "evolution/loop/loop_state.h"
 #include "step/morph_step.h"
 
 namespace transformesh {
@@ -22,7 +22,7 @@ class StalledRule {
   explicit StalledRule(std::size_t patience = 20) : patience_(patience) {}
   /// With the value that is to become small; true: stalled.
   bool add(double value);
-  void remember(Memory& memory) { memory("best", best_.value)("idle", idle_); }
+  void remember(LoopState& loop_state) { loop_state("best", best_.value)("idle", idle_); }
 
  private:
   std::size_t patience_;
@@ -58,7 +58,7 @@ class MorphRule {
   MorphVerdict add(const MorphStepResult& step, std::size_t vertices);
   /// Where a coarse scale has no edges for what is left: goes on as before with the next finer one.
   void skip_scale() { --scale_; }
-  void remember(Memory& memory);
+  void remember(LoopState& loop_state);
 
  private:
   bool has_improved(const MorphStepResult& step);

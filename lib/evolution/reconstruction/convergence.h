@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "evolution/loop/memory.h"
+#include "evolution/loop/loop_state.h"
 #include "evolution/reconstruction/surface_doubt.h"
 
 namespace transformesh {
@@ -26,7 +26,9 @@ struct ReconstructionFaults {
   /// 0.005 less than that of the initial mesh, photographs disagree by more than 0.2 beyond their
   /// noise or on more than 3 % of what is seen, or a thin place is doubtful.
   std::string in_words(const SurfaceEvidence& evidence) const;
-  void remember(Memory& memory) { memory("lost", lost_at)("late", late_at)("rest", is_at_rest); }
+  void remember(LoopState& loop_state) {
+    loop_state("lost", lost_at)("late", late_at)("rest", is_at_rest);
+  }
 };
 
 }  // namespace transformesh

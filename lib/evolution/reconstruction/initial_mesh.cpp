@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "clean/clean.h"
+#include "evolution/loop/image_scales.h"
 #include "evolution/loop/iteration.h"
-#include "evolution/loop/scales.h"
 #include "io/mesh_io.h"
 #include "support/error.h"
 #include "support/parallel.h"
@@ -63,7 +63,7 @@ struct Rectangle {
   }
 };
 
-void add_silhouette(const HeldImage& silhouette, Rectangle& rectangle) {
+void add_silhouette(const PackableImage& silhouette, Rectangle& rectangle) {
   for (int y = 0; y < silhouette.height; ++y)
     for (int x = 0; x < silhouette.width; ++x)
       if (silhouette.at(x, y) > contour_intensity) rectangle.add({x, y});

@@ -47,10 +47,10 @@ SweepVerdict ScaleRule::add(const Sweep& sweep) {
   return verdict;
 }
 
-void ScaleRule::remember(Memory& memory) {
-  memory("pass", done_)("dissimilarity", before_.dissimilarity)("outside", before_.outside);
-  memory("components", before_.topology.components)("genus", before_.topology.genus);
-  memory("coverage", coverage_)("pixels", pixels_);
+void ScaleRule::remember(LoopState& loop_state) {
+  loop_state("pass", done_)("dissimilarity", before_.dissimilarity)("outside", before_.outside);
+  loop_state("components", before_.topology.components)("genus", before_.topology.genus);
+  loop_state("coverage", coverage_)("pixels", pixels_);
 }
 
 }  // namespace transformesh

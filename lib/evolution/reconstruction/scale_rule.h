@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
+#include "evolution/loop/image_scales.h"
 #include "evolution/loop/iteration.h"
-#include "evolution/loop/memory.h"
-#include "evolution/loop/scales.h"
+#include "evolution/loop/loop_state.h"
 #include "views/photo/photo_steps.h"
 
 namespace transformesh {
@@ -46,7 +46,7 @@ class ScaleRule {
   /// After the last sweep, with the six digits that the rule remembers.
   double dissimilarity() const { return before_.dissimilarity; }
 
-  void remember(Memory& memory);
+  void remember(LoopState& loop_state);
 
  private:
   std::size_t sweeps_;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "evolution/loop/memory.h"
+#include "evolution/loop/loop_state.h"
 
 namespace transformesh {
 
@@ -13,8 +13,8 @@ struct SurfaceQuality {
   double coverage = 0;
   double least_agreement = 0;  ///< with a silhouette, over the views
 
-  void remember(Memory& memory) {
-    memory("dissimilarity", dissimilarity)("coverage", coverage)("agreement", least_agreement);
+  void remember(LoopState& loop_state) {
+    loop_state("dissimilarity", dissimilarity)("coverage", coverage)("agreement", least_agreement);
   }
 };
 

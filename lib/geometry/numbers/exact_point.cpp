@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "geometry/numbers/double_double_ball.h"
 #include "geometry/numbers/homogeneous.h"
-#include "geometry/numbers/long_ball.h"
+#include "geometry/numbers/multiprecision_ball.h"
 #include "geometry/numbers/number_vector.h"
-#include "geometry/numbers/precise_ball.h"
-#include "geometry/numbers/wide_ball.h"
+#include "geometry/numbers/wide_exponent_ball.h"
 
 namespace transformesh {
 
@@ -25,14 +25,14 @@ struct ExactCoordinates : HomogeneousPoint<CGAL::Mpzf> {};
 /// so far apart that numbers become long and digits are lost, balls of homogeneous coordinates tell
 /// more, of positive weight; each kind is there once it was needed.
 struct PreciseCoordinates {
-  NumberVector<PreciseBall> x;
+  NumberVector<DoubleDoubleBall> x;
   bool is_spread = false;
-  std::shared_ptr<const HomogeneousPoint<WideBall>> wide;
-  std::shared_ptr<const HomogeneousPoint<LongBall>> longer;
+  std::shared_ptr<const HomogeneousPoint<WideExponentBall>> wide;
+  std::shared_ptr<const HomogeneousPoint<MultiprecisionBall>> longer;
 };
 
 struct PreciseNormal {
-  NumberVector<PreciseBall> normal;
+  NumberVector<DoubleDoubleBall> normal;
 };
 struct ExactPlaneCoordinates : HomogeneousPlane<CGAL::Mpzf> {};
 
@@ -125,9 +125,11 @@ void set_ball(ExactPoint& point, int i, double low, double high) {
 }
 
 bool has_sign(const Interval& number) { return !number.do_overlap(Interval(0)); }
-bool has_sign(const WideBall& number) { return number.sign() != 0; }
+bool has_sign(const WideExponentBall& number) { return number.sign() != 0; }
 std::array<double, 2> ends_of(const Interval& number) { return {number.inf(), number.sup()}; }
-std::array<double, 2> ends_of(const WideBall& number) { return {number.low(), number.high()}; }
+std::array<double, 2> ends_of(const WideExponentBall& number) {
+  return {number.low(), number.high()};
+}
 
 // The ball from the fraction, cut down to the box that is known to hold the point. Returns whether
 // the fraction told anything.
@@ -163,7 +165,7 @@ void set_balls(ExactPoint& point, const FractionIn& fraction_in, double size, co
                const Vec3& high) {
   const CGAL::Protect_FPU_rounding<true> upward;
   if (size < large && set_balls(point, fraction_in(Interval(0)), low, high)) return;
-  set_balls(point, fraction_in(WideBall(0)), low, high);
+  set_balls(point, fraction_in(WideExponentBall(0)), low, high);
 }
 
 double size_of(std::initializer_list<Vec3> points) {
@@ -179,16 +181,16 @@ Vector<BoundedNumber> bounded(const ExactPoint& point) {
   return {bounded(point, 0), bounded(point, 1), bounded(point, 2)};
 }
 
-Vector<WideBall> wide_difference(const ExactPoint& a, const ExactPoint& b) {
+Vector<WideExponentBall> wide_difference(const ExactPoint& a, const ExactPoint& b) {
   const auto minus = [&](int i) {
-    return WideBall(a.center[i], a.radius[i]) - WideBall(b.center[i], b.radius[i]);
+    return WideExponentBall(a.center[i], a.radius[i]) - WideExponentBall(b.center[i], b.radius[i]);
   };
   return {minus(0), minus(1), minus(2)};
 }
 
 int wide_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                   PlaneProjection p) {
-  const Vector<WideBall> ab = wide_difference(b, a), ac = wide_difference(c, a);
+  const Vector<WideExponentBall> ab = wide_difference(b, a), ac = wide_difference(c, a);
   const auto u = static_cast<std::size_t>(p.u), v = static_cast<std::size_t>(p.v);
   return (ab[u] * ac[v] - ab[v] * ac[u]).sign();
 }
@@ -306,12 +308,12 @@ Fraction<Number> fraction_of(const PointDefinition& definition, std::span<const 
   }
 }
 
-Vector<PreciseBall> precise_coordinates(const Fraction<PreciseBall>& fraction) {
-  Vector<PreciseBall> result;
+Vector<DoubleDoubleBall> precise_coordinates(const Fraction<DoubleDoubleBall>& fraction) {
+  Vector<DoubleDoubleBall> result;
   for (std::size_t i = 0; i < 3; ++i) {
     result[i] = fraction.denominator.sign() == 0
-                    ? PreciseBall::unknown()
-                    : PreciseBall(fraction.origin[static_cast<int>(i)]) +
+                    ? DoubleDoubleBall::unknown()
+                    : DoubleDoubleBall(fraction.origin[static_cast<int>(i)]) +
                           fraction.numerator[i] / fraction.denominator;
   }
   return result;
@@ -399,14 +401,14 @@ const PreciseCoordinates& ExactGeometry::precise(const ExactPoint& point) const 
   const Vec3& p = point.center;
   PreciseCoordinates coordinates;
   if (is_exact(point)) {
-    coordinates.x = {PreciseBall(p[0]), PreciseBall(p[1]), PreciseBall(p[2])};
+    coordinates.x = {DoubleDoubleBall(p[0]), DoubleDoubleBall(p[1]), DoubleDoubleBall(p[2])};
   } else if (!point.definition.is_known()) {
-    coordinates.x.fill(PreciseBall::unknown());
+    coordinates.x.fill(DoubleDoubleBall::unknown());
   } else {
     coordinates.x =
-        precise_coordinates(fraction_of<PreciseBall>(point.definition, positions_, faces_));
+        precise_coordinates(fraction_of<DoubleDoubleBall>(point.definition, positions_, faces_));
     for (int i = 0; i < 3; ++i)
-      if (point.radius[i] == 0) coordinates.x[static_cast<std::size_t>(i)] = PreciseBall(p[i]);
+      if (point.radius[i] == 0) coordinates.x[static_cast<std::size_t>(i)] = DoubleDoubleBall(p[i]);
     coordinates.is_spread = is_spread(point.definition, positions_, faces_);
   }
   point.precise = std::make_shared<const PreciseCoordinates>(std::move(coordinates));
@@ -415,7 +417,7 @@ const PreciseCoordinates& ExactGeometry::precise(const ExactPoint& point) const 
 
 template <class Ball, class Coordinates>
 auto& balls_of(Coordinates& known) {
-  if constexpr (std::is_same_v<Ball, WideBall>)
+  if constexpr (std::is_same_v<Ball, WideExponentBall>)
     return known.wide;
   else
     return known.longer;
@@ -438,8 +440,8 @@ const HomogeneousPoint<Ball>& ExactGeometry::spread(const ExactPoint& point) con
 template <class Compute, class... Point>
 int ExactGeometry::homogeneous_sign(const Compute& compute, const Point&... points) const {
   if ((precise(points).is_spread || ...)) {
-    int sign = compute(spread<WideBall>(points)...).sign();
-    if (sign == 0) sign = compute(spread<LongBall>(points)...).sign();
+    int sign = compute(spread<WideExponentBall>(points)...).sign();
+    if (sign == 0) sign = compute(spread<MultiprecisionBall>(points)...).sign();
     if (sign != 0) return sign;
   }
   return exact_sign(compute(exact(points)...));
@@ -507,7 +509,7 @@ int ExactGeometry::delaunay_sign(const ExactPoint& a, const ExactPoint& b, const
                                  const ExactPoint& d, PlaneProjection p) const {
   const int sign = quick_delaunay_sign(a, b, c, d, p);
   if (sign != 0) return sign;
-  const PreciseBall balls =
+  const DoubleDoubleBall balls =
       delaunay_turn_of(precise(a).x, precise(b).x, precise(c).x, precise(d).x, p);
   if (balls.sign() != 0 || balls.is_zero()) return balls.sign();
   const auto turn = [&](const auto&... points) { return delaunay_turn_of(points..., p); };
@@ -528,8 +530,9 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
   }
   const auto i = static_cast<std::size_t>(p.u);
   const auto j = static_cast<std::size_t>(p.v);
-  const Vector<PreciseBall>&pa = precise(a).x, &pb = precise(b).x, &pc = precise(c).x;
-  const PreciseBall turn = (pb[i] - pa[i]) * (pc[j] - pa[j]) - (pb[j] - pa[j]) * (pc[i] - pa[i]);
+  const Vector<DoubleDoubleBall>&pa = precise(a).x, &pb = precise(b).x, &pc = precise(c).x;
+  const DoubleDoubleBall turn =
+      (pb[i] - pa[i]) * (pc[j] - pa[j]) - (pb[j] - pa[j]) * (pc[i] - pa[i]);
   if (turn.sign() != 0 || turn.is_zero()) return turn.sign();
 
   // Expand the determinant of the rows (x, y, w) along the weights.
@@ -546,8 +549,8 @@ namespace {
 
 const PreciseNormal& precise(const ExactPlane& plane) {
   if (!plane.precise)
-    plane.precise =
-        std::make_shared<const PreciseNormal>(PreciseNormal{normal<PreciseBall>(plane.triangle)});
+    plane.precise = std::make_shared<const PreciseNormal>(
+        PreciseNormal{normal<DoubleDoubleBall>(plane.triangle)});
   return *plane.precise;
 }
 
@@ -581,12 +584,13 @@ int ExactGeometry::orient3d(const ExactPlane& plane, const ExactPoint& point) co
   if (value > bound) return 1;
   if (value < -bound) return -1;
   if (leaves_double_range(size * d.norm())) {
-    const int sign = dot(normal<WideBall>(t), wide_difference(point, free(t[0]))).sign();
+    const int sign = dot(normal<WideExponentBall>(t), wide_difference(point, free(t[0]))).sign();
     if (sign != 0) return sign;
   }
 
-  Vector<PreciseBall> step = precise(point).x;
-  for (std::size_t i = 0; i < 3; ++i) step[i] = step[i] - PreciseBall(t[0][static_cast<int>(i)]);
+  Vector<DoubleDoubleBall> step = precise(point).x;
+  for (std::size_t i = 0; i < 3; ++i)
+    step[i] = step[i] - DoubleDoubleBall(t[0][static_cast<int>(i)]);
   const int sign = dot(transformesh::precise(plane).normal, step).sign();
   if (sign != 0) return sign;
 

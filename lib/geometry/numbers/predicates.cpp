@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/numbers/double_double_ball.h"
 #include "geometry/numbers/fixed_integer.h"
 #include "geometry/numbers/homogeneous.h"
-#include "geometry/numbers/long_ball.h"
 #include "geometry/numbers/monomial_sum.h"
+#include "geometry/numbers/multiprecision_ball.h"
 #include "geometry/numbers/number_vector.h"
-#include "geometry/numbers/precise_ball.h"
-#include "geometry/numbers/wide_ball.h"
+#include "geometry/numbers/wide_exponent_ball.h"
 #include "geometry/numbers/word_determinant.h"
 #include "support/elementary/double_double.h"
 #include "support/parallel.h"
@@ -263,10 +263,10 @@ int sign_by_normals(const Triangle& first, const Triangle& second, const Compute
   };
   int sign = 0;
   if (is_moderate(first) && is_moderate(second)) {
-    sign = compute(normal<PreciseBall>(first), normal<PreciseBall>(second)).sign();
+    sign = compute(normal<DoubleDoubleBall>(first), normal<DoubleDoubleBall>(second)).sign();
   } else {
-    sign = by_coordinates(WideBall());
-    if (sign == 0) sign = by_coordinates(LongBall());
+    sign = by_coordinates(WideExponentBall());
+    if (sign == 0) sign = by_coordinates(MultiprecisionBall());
   }
   return sign != 0 ? sign : sign_of(compute(normal<Exact>(first), normal<Exact>(second)));
 }

@@ -51,12 +51,12 @@ Bvh::Bvh(std::span<const FloatBox> boxes) : order_(hilbert_order(boxes)) {
 
 Bvh::Bvh(const Mesh& mesh) : Bvh(face_boxes(mesh)) {}
 
-Bvh::Bvh(std::span<const FloatBox> boxes, const Links& links, std::span<const Index> faces)
+Bvh::Bvh(std::span<const FloatBox> boxes, const SimplexLinks& links, std::span<const Index> faces)
     : Bvh(boxes) {
   if (!links.empty()) add_links(links, faces);
 }
 
-void Bvh::add_links(const Links& links, std::span<const Index> faces) {
+void Bvh::add_links(const SimplexLinks& links, std::span<const Index> faces) {
   links_ = links.boxes;
   std::vector<Index> rows;
   rows.reserve(order_.size());

@@ -14,7 +14,7 @@
 
 #include "geometry/search/box_quad.h"
 #include "geometry/search/float_box.h"
-#include "geometry/search/links.h"
+#include "geometry/search/simplex_links.h"
 #include "mesh/mesh.h"
 
 namespace transformesh {
@@ -25,7 +25,7 @@ class Bvh {
   explicit Bvh(std::span<const FloatBox> boxes);
   /// Box i is that of a face with the links of face faces[i]: boxes of faces that are apart in a
   /// link that they have in common count as apart from now on.
-  Bvh(std::span<const FloatBox> boxes, const Links& links, std::span<const Index> faces);
+  Bvh(std::span<const FloatBox> boxes, const SimplexLinks& links, std::span<const Index> faces);
   /// Box i is that of face i.
   explicit Bvh(const Mesh& mesh);
 
@@ -56,7 +56,7 @@ class Bvh {
  private:
   class PairSearch;
   std::vector<Pair> collect_pairs(const PairSearch& search, const Accept& accept) const;
-  void add_links(const Links& links, std::span<const Index> faces);
+  void add_links(const SimplexLinks& links, std::span<const Index> faces);
   Index add_common_links(std::span<const Index> rows);
   /// Of box `place` of a layer.
   const LinkBoxes* links_of(std::size_t layer, std::size_t place) const;

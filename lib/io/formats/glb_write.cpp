@@ -12,7 +12,7 @@
 #include "io/formats/column_groups.h"
 #include "io/formats/glb.h"
 #include "io/streams/source.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "support/error.h"
 
 namespace transformesh {

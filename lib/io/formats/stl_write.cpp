@@ -7,7 +7,7 @@
 #include "io/formats/stl.h"
 #include "io/streams/source.h"
 #include "io/streams/text_buffer.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/measure.h"
 #include "support/counted.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/polygons/outline.h"
+#include "io/polygons/polygon_outline.h"
 
 namespace transformesh {
 namespace {
@@ -172,7 +172,7 @@ PolygonTriangles triangulate_along(const Projection& projected, std::span<const 
   std::vector<Point> points;
   points.reserve(positions.size());
   for (const Vec3& position : positions) points.push_back(projected(position));
-  Outline outline(positions, vertices, points);
+  PolygonOutline outline(positions, vertices, points);
   PlanarTriangles rest;
   for (std::size_t length = 1; !rest.is_complete; length *= growth) {
     outline.remove_coincident();

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/triangle.h"
 
 namespace transformesh {

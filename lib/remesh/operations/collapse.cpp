@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "remesh/halfedges/where.h"
+#include "remesh/halfedges/select_slots.h"
 #include "remesh/operations/edge_collapser.h"
 #include "remesh/operations/edge_queue.h"
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "remesh/halfedges/where.h"
+#include "remesh/halfedges/select_slots.h"
 
 namespace transformesh {
 namespace {

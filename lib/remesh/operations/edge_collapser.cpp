@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "remesh/halfedges/star.h"
+#include "remesh/halfedges/triangle_quality.h"
 
 namespace transformesh {
 namespace {

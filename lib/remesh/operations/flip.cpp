@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "remesh/halfedges/star.h"
+#include "remesh/halfedges/triangle_quality.h"
 #include "support/parallel.h"
 
 namespace transformesh {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "geometry/numbers/predicates.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "remesh/guards/exact_guard.h"
-#include "remesh/halfedges/where.h"
+#include "remesh/halfedges/select_slots.h"
 #include "remesh/operations/degenerate.h"
 
 namespace transformesh {

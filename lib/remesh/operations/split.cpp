@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/digits.h"
-#include "remesh/halfedges/where.h"
+#include "mesh/coordinate_spacing.h"
+#include "remesh/halfedges/select_slots.h"
 #include "remesh/operations/edge_queue.h"
 #include "remesh/operations/exact_split.h"
 #include "remesh/operations/vertex_mover.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "remesh/guards/embedding_guard.h"
-#include "remesh/halfedges/star.h"
+#include "remesh/halfedges/triangle_quality.h"
 #include "remesh/halfedges/vertex_rings.h"
 #include "remesh/halfedges/vertex_star.h"
 

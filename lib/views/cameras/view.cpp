@@ -99,14 +99,14 @@ GrayImage resampled(const GrayImage& image, double scale, double deviation) {
 }
 
 /// The blur of scale 1, which reaches a pixel to either side.
-ThreeTaps taps_at_scale_one() {
+ThreeTapBlur taps_at_scale_one() {
   const Kernel kernel(1, blur_at_scale_one);
   constexpr int size = 3;
   const auto weights = [&]<std::size_t count>(int place, std::array<float, count>& taps) {
     const Blend blend = blend_at(place, size, kernel);
     std::copy_n(blend.weights.begin(), count, taps.begin());
   };
-  ThreeTaps taps;
+  ThreeTapBlur taps;
   weights(0, taps.first);
   weights(1, taps.inside);
   weights(2, taps.last);
@@ -114,8 +114,8 @@ ThreeTaps taps_at_scale_one() {
 }
 
 /// As at_scale(), and packed where it was.
-HeldImage held_at_scale(const HeldImage& image, double scale) {
-  HeldImage result = scale == 1 ? image : HeldImage();
+PackableImage held_at_scale(const PackableImage& image, double scale) {
+  PackableImage result = scale == 1 ? image : PackableImage();
   if (scale == 1 && result.blur_when_read(taps_at_scale_one())) return result;
   result = at_scale(image.unpacked(), scale);
   if (image.is_packed()) result.pack();

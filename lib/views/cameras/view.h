@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "views/cameras/pinhole_camera.h"
-#include "views/images/held_image.h"
+#include "views/images/packable_image.h"
 
 namespace transformesh {
 
 struct View {
   std::string name;  ///< of the image file, without folder and extension
   PinholeCamera camera;
-  HeldImage image;
-  HeldImage silhouette;  ///< of the image's size, or empty where there is none
+  PackableImage image;
+  PackableImage silhouette;  ///< of the image's size, or empty where there is none
 };
 
 std::vector<PinholeCamera> cameras_of(std::span<const View> views);

@@ -111,7 +111,7 @@ void note_mask_rule(const std::vector<std::string>& paths, const std::vector<Mas
 }
 
 /// Floats are quicker, as long as there is room for them.
-void pack_one_of(std::size_t count, HeldImage& image) {
+void pack_one_of(std::size_t count, PackableImage& image) {
   constexpr double most_pixels = 8e6;
   if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();
 }
@@ -138,9 +138,9 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
-std::string size_text(const HeldImage& image) { return size_text(image.width, image.height); }
+std::string size_text(const PackableImage& image) { return size_text(image.width, image.height); }
 
-bool is_size_equal(const HeldImage& first, const HeldImage& second) {
+bool is_size_equal(const PackableImage& first, const PackableImage& second) {
   return first.width == second.width && first.height == second.height;
 }
 
@@ -155,7 +155,7 @@ void check_silhouette(const View& view, const std::string& path) {
   throw InputError(path + ": the silhouette is empty: no pixel is inside");
 }
 
-const HeldImage& sized_image(const View& view) {
+const PackableImage& sized_image(const View& view) {
   return view.image.empty() ? view.silhouette : view.image;
 }
 
@@ -195,7 +195,7 @@ void undistort(View& view, const CameraRecord& record) {
   const LensDistortion& distortion = record.distortion;
   if (distortion.is_none()) return;
   const Eigen::Matrix3d& intrinsics = record.camera.intrinsics;
-  for (HeldImage* const image : {&view.image, &view.silhouette}) {
+  for (PackableImage* const image : {&view.image, &view.silhouette}) {
     const bool is_packed = image->is_packed();
     *image = undistorted(image->unpacked(), intrinsics, distortion);
     if (is_packed) image->pack();
@@ -234,7 +234,7 @@ std::vector<View> views_from(const ViewSources& sources) {
   const std::vector<std::string> stems = distinct_stems(leaders);
   std::vector<SizedCamera> sized;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const HeldImage& image = sized_image(views[i]);
+    const PackableImage& image = sized_image(views[i]);
     if (!image.empty()) list.cameras[i].set_size(image.width, image.height, leaders.paths[i]);
     const PinholeCamera& camera = list.cameras[i].camera;
     views[i].camera = sources.mirror ? camera.mirrored() : camera;

@@ -8,8 +8,8 @@
 #include "support/counted.h"
 #include "support/error.h"
 #include "support/parallel.h"
-#include "views/color/even_exposure.h"
-#include "views/color/surface_looks.h"
+#include "views/color/exposure_compensation.h"
+#include "views/color/surface_color_samples.h"
 
 namespace transformesh {
 namespace {
@@ -63,7 +63,7 @@ double usual_pixel(const Mesh& mesh, std::span<const PictureView> views) {
   return pixel_size(cameras, (box.minimum + box.maximum) / 2);
 }
 
-Looks looks_at_vertices(const Mesh& mesh, std::span<const Vec3> normals) {
+ColorSamples vertex_color_samples(const Mesh& mesh, std::span<const Vec3> normals) {
   const std::vector<double> edges = halfedge_lengths(mesh).vertex_mean;
   return {mesh.positions.size(),
           [&mesh, edges, normals](std::size_t v) {
@@ -72,13 +72,13 @@ Looks looks_at_vertices(const Mesh& mesh, std::span<const Vec3> normals) {
           {}};
 }
 
-void look(const Mesh& mesh, std::span<const PictureView> views, double pixel,
-          std::span<Looks* const> looks, const Progress& progress) {
-  for (Looks* const kind : looks) kind->seen.resize(kind->count);
+void sample_colors(const Mesh& mesh, std::span<const PictureView> views, double pixel,
+                   std::span<ColorSamples* const> samples, const Progress& progress) {
+  for (ColorSamples* const kind : samples) kind->seen.resize(kind->count);
   for (std::size_t i = 0; i < views.size(); ++i) {
     progress("look at photographs", static_cast<double>(i) / static_cast<double>(views.size()));
-    const SeenPicture picture(mesh, views[i].camera, views[i].picture(), pixel);
-    for (Looks* const kind : looks) {
+    const PhotographSampler picture(mesh, views[i].camera, views[i].picture(), pixel);
+    for (ColorSamples* const kind : samples) {
       parallel_for(kind->count, places_per_task, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) kind->seen[k].add(picture.at(kind->place(k)), i);
       });
@@ -86,15 +86,15 @@ void look(const Mesh& mesh, std::span<const PictureView> views, double pixel,
   }
 }
 
-std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const Looks& looks,
+std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const ColorSamples& samples,
                                           std::span<const Gain> gains, ColorResult& result) {
-  std::vector<Eigen::Array3f> colors(looks.count, middle_gray);
-  std::vector<char> is_known(looks.count, 0);
+  std::vector<Eigen::Array3f> colors(samples.count, middle_gray);
+  std::vector<char> is_known(samples.count, 0);
   double differences = 0;
-  for (std::size_t v = 0; v < looks.count; ++v) {
-    if (!looks.seen[v].is_seen()) continue;
-    colors[v] = looks.seen[v].blend(gains);
-    differences += looks.seen[v].difference(colors[v], gains);
+  for (std::size_t v = 0; v < samples.count; ++v) {
+    if (!samples.seen[v].is_seen()) continue;
+    colors[v] = samples.seen[v].blend(gains);
+    differences += samples.seen[v].difference(colors[v], gains);
     is_known[v] = 1;
   }
   const auto seen = static_cast<std::size_t>(std::count(is_known.begin(), is_known.end(), 1));
@@ -102,7 +102,7 @@ std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const Looks& looks,
     throw InputError(
         "no view sees any of the mesh: are cameras, photographs and mesh of one "
         "scene, in the same units?");
-  result.unseen = looks.count - seen;
+  result.unseen = samples.count - seen;
   result.largest_gain = largest_gain(gains);
   result.disagreement = differences / static_cast<double>(seen);
   fill_unseen(mesh, is_known, colors);
@@ -112,11 +112,11 @@ std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const Looks& looks,
 ColorResult color_vertices(Mesh& mesh, std::span<const PictureView> views,
                            const Progress& progress) {
   const std::vector<Vec3> normals = vertex_normals(mesh);
-  Looks vertices = looks_at_vertices(mesh, normals);
-  const std::array<Looks*, 1> looks{&vertices};
-  look(mesh, views, usual_pixel(mesh, views), looks, progress);
+  ColorSamples vertices = vertex_color_samples(mesh, normals);
+  const std::array<ColorSamples*, 1> samples{&vertices};
+  sample_colors(mesh, views, usual_pixel(mesh, views), samples, progress);
   ColorResult result;
-  const std::vector<Gain> gains = even_exposure(vertices.seen, views.size());
+  const std::vector<Gain> gains = compensate_exposure(vertices.seen, views.size());
   const std::vector<Eigen::Array3f> colors = vertex_colors(mesh, vertices, gains, result);
   constexpr std::array names{"red", "green", "blue"};
   for (int channel = 0; channel < 3; ++channel) {

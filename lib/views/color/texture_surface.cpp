@@ -8,8 +8,8 @@
 #include "support/parallel.h"
 #include "views/color/chart_packing.h"
 #include "views/color/charts.h"
-#include "views/color/even_exposure.h"
-#include "views/color/surface_looks.h"
+#include "views/color/exposure_compensation.h"
+#include "views/color/surface_color_samples.h"
 #include "views/color/texels.h"
 
 namespace transformesh {
@@ -171,8 +171,8 @@ void fill_rest(Image& picture) {
     if (pixel[3] == 0) pixel = mean;
 }
 
-Looks looks_at_texels(const Mesh& mesh, const std::vector<Vec3>& normals,
-                      const Raster<Texel>& texels, double spacing) {
+ColorSamples looks_at_texels(const Mesh& mesh, const std::vector<Vec3>& normals,
+                             const Raster<Texel>& texels, double spacing) {
   return {texels.pixels.size(),
           [&mesh, &normals, &texels, spacing](std::size_t i) {
             const Texel& texel = texels.pixels[i];
@@ -195,12 +195,12 @@ Atlas texture_surface(Mesh& mesh, std::span<const PictureView> views, const Atla
 
   // Vertices have colors too, for what no view sees.
   const std::vector<Vec3> normals = vertex_normals(mesh);
-  Looks at_vertices = looks_at_vertices(mesh, normals);
-  Looks at_texels = looks_at_texels(mesh, normals, texels, layout.texel);
-  const std::array<Looks*, 2> looks{&at_vertices, &at_texels};
-  look(mesh, views, pixel, looks, progress);
+  ColorSamples at_vertices = vertex_color_samples(mesh, normals);
+  ColorSamples at_texels = looks_at_texels(mesh, normals, texels, layout.texel);
+  const std::array<ColorSamples*, 2> samples{&at_vertices, &at_texels};
+  sample_colors(mesh, views, pixel, samples, progress);
   Atlas atlas{Image(texels.width, texels.height, Pixel{}), layout.charts.size(), layout.texel, {}};
-  const std::vector<Gain> gains = even_exposure(at_vertices.seen, views.size());
+  const std::vector<Gain> gains = compensate_exposure(at_vertices.seen, views.size());
   const std::vector<Eigen::Array3f> colors = vertex_colors(mesh, at_vertices, gains, atlas.color);
 
   progress("paint");
@@ -208,7 +208,7 @@ Atlas texture_surface(Mesh& mesh, std::span<const PictureView> views, const Atla
     for (std::size_t i = first; i < last; ++i) {
       const Texel& texel = texels.pixels[i];
       if (texel.face == no_index) continue;
-      const Glimpses& seen = at_texels.seen[i];
+      const BestViewColors& seen = at_texels.seen[i];
       atlas.picture.pixels[i] =
           pixel_of(seen.is_seen() ? seen.blend(gains) : texel.mean_of(mesh, colors));
     }

@@ -14,7 +14,7 @@ std::vector<View> shrunk(std::span<const View> views, double scale) {
   std::vector<View> result(views.size());
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      View view{views[i].name, views[i].camera, views[i].image, HeldImage()};
+      View view{views[i].name, views[i].camera, views[i].image, PackableImage()};
       result[i] = at_scale(view, scale);
     }
   });

@@ -5,7 +5,7 @@
 /// them the photograph is compared with its neighbors in windows (correlation.h), of which only
 /// what is in the hull counts; of the neighbors the two that agree best, as others may not see the
 /// place. The cost of a plane is 1 less their mean correlation; costs are added up along paths
-/// (semiglobal.h), and the depth of a pixel is where the sum is least, between planes by a
+/// (semiglobal_matching.h), and the depth of a pixel is where the sum is least, between planes by a
 /// parabola. Where they do not agree there it is not known; else it may still be wrong: see
 /// depth_maps.h.
 #pragma once
@@ -13,7 +13,7 @@
 #include <span>
 
 #include "views/cameras/view.h"
-#include "views/depth/semiglobal.h"
+#include "views/depth/semiglobal_matching.h"
 #include "views/hull/marching_tetrahedra.h"
 #include "views/photo/correlation.h"
 

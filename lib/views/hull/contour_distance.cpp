@@ -153,7 +153,7 @@ float distance_at(const GrayImage& distances, double x, double y) {
   return interpolated(distances, x, y);
 }
 
-float distance_at(const HeldImage& distances, double x, double y) {
+float distance_at(const PackableImage& distances, double x, double y) {
   return interpolated(distances, x, y);
 }
 

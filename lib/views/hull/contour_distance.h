@@ -9,7 +9,7 @@
 
 #include <limits>
 
-#include "views/images/held_image.h"
+#include "views/images/packable_image.h"
 
 namespace transformesh {
 
@@ -29,6 +29,6 @@ inline constexpr float unknown_distance = std::numeric_limits<float>::quiet_NaN(
 /// The distance at a place between pixels, bilinear; unknown_distance more than half a pixel beyond
 /// the outermost pixel centers.
 float distance_at(const GrayImage& distances, double x, double y);
-float distance_at(const HeldImage& distances, double x, double y);
+float distance_at(const PackableImage& distances, double x, double y);
 
 }  // namespace transformesh

@@ -26,7 +26,7 @@ constexpr double distance_slack_px = 1;
 struct Carver {
   Projection projection;
   double focal_length = 1;
-  HeldImage distances;
+  PackableImage distances;
 
   struct Reading {
     double distance_px = 0;
@@ -53,7 +53,8 @@ std::vector<Carver> make_carvers(std::span<const View> views) {
       const PinholeCamera& camera = usable[i]->camera;
       carvers[i] = {camera.projection(), camera.focal_length(),
                     signed_distance(usable[i]->silhouette)};
-      if (usable[i]->silhouette.is_packed()) carvers[i].distances.pack(HeldImage::Kind::distances);
+      if (usable[i]->silhouette.is_packed())
+        carvers[i].distances.pack(PackableImage::Kind::distances);
     }
   });
   return carvers;
@@ -90,11 +91,11 @@ struct Footprint {
   }
 
   double reach() const { return (high - low).norm() / 2; }
-  bool is_in(const HeldImage& image) const {
+  bool is_in(const PackableImage& image) const {
     return low.minCoeff() >= -0.5 && high.x() <= image.width - 0.5 &&
            high.y() <= image.height - 0.5;
   }
-  bool is_beside(const HeldImage& image) const {
+  bool is_beside(const PackableImage& image) const {
     return high.x() < -0.5 || high.y() < -0.5 || low.x() > image.width - 0.5 ||
            low.y() > image.height - 0.5;
   }

@@ -19,7 +19,7 @@ bool is_near(const GrayImage& silhouette, int x, int y) {
 }
 
 /// Beside the silhouette of the box.
-void blacken(HeldImage& held, const GrayImage& box) {
+void blacken(PackableImage& held, const GrayImage& box) {
   if (held.empty()) return;
   const bool is_packed = held.is_packed();
   GrayImage image = held;

@@ -146,7 +146,7 @@ GrayImage mesh_silhouette(const Mesh& mesh, const Camera& camera) {
 }
 
 GrayImage mesh_silhouette(const Mesh& mesh, const View& view) {
-  const HeldImage& image = view.image.empty() ? view.silhouette : view.image;
+  const PackableImage& image = view.image.empty() ? view.silhouette : view.image;
   return mesh_silhouette(mesh, {view.camera.projection(), image.width, image.height});
 }
 

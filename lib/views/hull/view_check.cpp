@@ -92,7 +92,7 @@ Agreement agreement_of(const std::vector<View>& views, const Fineness& fineness)
   }
 }
 
-void invert(HeldImage& silhouette) {
+void invert(PackableImage& silhouette) {
   GrayImage image = silhouette;
   for (float& pixel : image.pixels) pixel = 255 - pixel;
   silhouette = std::move(image);
@@ -115,7 +115,7 @@ Box viewed_box(const std::vector<View>& views) {
   const Vec3 center = viewed_point(cameras_of(views));
   std::vector<double> reaches;
   for (const View& view : views) {
-    const HeldImage& image = view.silhouette;
+    const PackableImage& image = view.silhouette;
     reaches.push_back((view.camera.center() - center).norm() *
                       Eigen::Vector2d(image.width, image.height).norm() / 2 /
                       view.camera.focal_length());
@@ -132,7 +132,7 @@ enum class Sight { nothing, object, background };
 Sight seen_at(const View& view, const Projection& projection, const Vec3& point) {
   const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
   if (!(q.z() > 0)) return Sight::nothing;
-  const HeldImage& mask = view.silhouette;
+  const PackableImage& mask = view.silhouette;
   const double x = std::floor(q.x() / q.z() + 0.5);
   const double y = std::floor(q.y() / q.z() + 0.5);
   if (!(x >= 0 && y >= 0 && x < mask.width && y < mask.height)) return Sight::nothing;

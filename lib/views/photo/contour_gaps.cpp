@@ -29,8 +29,8 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
 /// Whether a pixel beside the place shows background, and no other part of the surface lies so much
 /// nearer to the eye that it is that part which borders on it. Where a surface meets the background
 /// it curves away from the eye, by `pixels_of_curvature` at most.
-bool borders_on_background(const SeenDepths& depths, const HeldImage& image, double x, double y,
-                           double depth, double pixel) {
+bool borders_on_background(const VisibleDepths& depths, const PackableImage& image, double x,
+                           double y, double depth, double pixel) {
   const int column = static_cast<int>(std::lround(x));
   const int row = static_cast<int>(std::lround(y));
   bool has_background = false;
@@ -45,8 +45,8 @@ bool borders_on_background(const SeenDepths& depths, const HeldImage& image, dou
   return has_background && farthest > depth - pixels_of_curvature * pixel;
 }
 
-void add_view(const Mesh& mesh, const View& view, const SeenDepths& depths,
-              const HeldImage& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
+void add_view(const Mesh& mesh, const View& view, const VisibleDepths& depths,
+              const PackableImage& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
   const Projection projection = view.camera.projection();
   const double focal = view.camera.focal_length();
   const std::vector<char> facing = facings(mesh, view.camera.center());
@@ -72,7 +72,7 @@ void add_view(const Mesh& mesh, const View& view, const SeenDepths& depths,
 }  // namespace
 
 ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views, const SeenViews& seen,
-                         std::span<const HeldImage> distances, SilhouetteMeaning meaning) {
+                         std::span<const PackableImage> distances, SilhouetteMeaning meaning) {
   const std::size_t count = mesh.positions.size();
   ContourGaps gaps{std::vector<double>(count, 0), std::vector<double>(count, 0),
                    std::vector<Index>(count, 0)};

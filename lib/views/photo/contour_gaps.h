@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "views/photo/seen_surface.h"
+#include "views/photo/visible_surface.h"
 
 namespace transformesh {
 
@@ -27,7 +27,7 @@ struct ContourGaps {
 /// `distances` are signed_distance() of the views' silhouettes, empty where there is none. `seen`
 /// is of mesh and views. O(views * vertices); deterministic.
 ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views, const SeenViews& seen,
-                         std::span<const HeldImage> distances,
+                         std::span<const PackableImage> distances,
                          SilhouetteMeaning meaning = SilhouetteMeaning::exact);
 
 }  // namespace transformesh

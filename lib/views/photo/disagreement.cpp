@@ -68,7 +68,7 @@ bool is_inside(const GrayImage& depth, int x, int y) {
   return true;
 }
 
-void add_pair(const Warp& warp, const SeenSurface& seen, double noise,
+void add_pair(const Warp& warp, const VisibleSurface& seen, double noise,
               const PhotoconsistencyOptions& options, BestWindows& best) {
   const auto excess = static_cast<float>(options.correlation.noise_variance + noise);
   correlate(
@@ -87,16 +87,16 @@ void add_pair(const Warp& warp, const SeenSurface& seen, double noise,
 
 /// A view as it sees the surface, and how well others agree with it.
 struct Compared {
-  SeenSurface room;
+  VisibleSurface room;
   WarpRoom warp_room;
-  const SeenSurface* seen = nullptr;
+  const VisibleSurface* seen = nullptr;
   BestWindows best;
 };
 
 void compare_with_others(std::size_t reference, const PhotoScene& scene, const SeenViews& seen,
                          std::span<const double> noise, const PhotoconsistencyOptions& options,
                          Compared& result) {
-  const SeenSurface& from = seen.surface(reference, result.room);
+  const VisibleSurface& from = seen.surface(reference, result.room);
   result.seen = &from;
   result.best.begin(std::max(from.compared.columns(), 0), std::max(from.compared.rows(), 0));
   if (from.compared.rows() <= 0) return;
@@ -109,7 +109,7 @@ void compare_with_others(std::size_t reference, const PhotoScene& scene, const S
 }
 
 void add_to_vertices(const Mesh& mesh, const Compared& view, Disagreement& result) {
-  const SeenSurface& seen = *view.seen;
+  const VisibleSurface& seen = *view.seen;
   const PixelBox& box = seen.compared;
   for (int y = box.first_row; y < box.end_row; ++y) {
     for (int x = box.first_column; x < box.end_column; ++x) {
@@ -130,9 +130,9 @@ void add_to_vertices(const Mesh& mesh, const Compared& view, Disagreement& resul
 std::vector<double> noise_variances(std::span<const View> views, const SeenViews& seen) {
   std::vector<double> noise(views.size());
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
-    SeenSurface room;
+    VisibleSurface room;
     for (std::size_t v = first; v < last; ++v) {
-      const SeenSurface& surface = seen.surface(v, room);
+      const VisibleSurface& surface = seen.surface(v, room);
       const PixelBox& box = surface.box;
       GrayImage part;
       if (surface.intensity.empty())

@@ -18,9 +18,9 @@ using AddView = std::function<void(std::size_t i, PhotoScene& scene)>;
 
 void add_view(const View& view, std::size_t i, double scale, PhotoScene& scene) {
   scene.views[i] = at_scale(view, scale);
-  HeldImage silhouette = std::exchange(scene.views[i].silhouette, HeldImage());
+  PackableImage silhouette = std::exchange(scene.views[i].silhouette, PackableImage());
   if (!silhouette.empty()) scene.distances[i] = signed_distance(silhouette);
-  if (view.image.is_packed()) scene.distances[i].pack(HeldImage::Kind::distances);
+  if (view.image.is_packed()) scene.distances[i].pack(PackableImage::Kind::distances);
 }
 
 PhotoScene make_scene(std::span<const View> views, double scale, const PairOptions& pairs,
@@ -52,7 +52,7 @@ PhotoScene photo_scene(std::span<const View> views, double scale, const PairOpti
 PhotoScene take_photo_scene(std::span<View> views, double scale, const PairOptions& pairs) {
   return make_scene(views, scale, pairs, [&](std::size_t i, PhotoScene& scene) {
     add_view(views[i], i, scale, scene);
-    views[i].image = views[i].silhouette = HeldImage();
+    views[i].image = views[i].silhouette = PackableImage();
   });
 }
 

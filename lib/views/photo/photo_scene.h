@@ -11,8 +11,8 @@
 namespace transformesh {
 
 struct PhotoScene {
-  std::vector<View> views;           ///< without silhouettes
-  std::vector<HeldImage> distances;  ///< to the silhouettes; empty where there is none
+  std::vector<View> views;               ///< without silhouettes
+  std::vector<PackableImage> distances;  ///< to the silhouettes; empty where there is none
   std::vector<ViewPair> pairs;
   double pixel = 0;  ///< length of a pixel's side where the cameras look
 };

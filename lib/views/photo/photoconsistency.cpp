@@ -14,17 +14,17 @@ namespace {
 
 /// Sums over the pairs with the same reference view, per pixel of its box.
 struct ReferenceSums {
-  SeenSurface room;
+  VisibleSurface room;
   WarpRoom warp_room;
-  const SeenSurface* seen = nullptr;  ///< null where the view is compared with none
-  GrayImage gradient;                 ///< derivative of the energy by the depth of the pixel
+  const VisibleSurface* seen = nullptr;  ///< null where the view is compared with none
+  GrayImage gradient;                    ///< derivative of the energy by the depth of the pixel
   GrayImage curvature;
   GrayImage count;  ///< pairs that see the pixel
   CorrelationSums sums;
   std::size_t visible = 0;
 
   /// For the next view, in the same memory.
-  void begin(const SeenSurface& surface) {
+  void begin(const VisibleSurface& surface) {
     seen = &surface;
     for (GrayImage* const image : {&gradient, &curvature, &count}) {
       image->width = surface.compared.columns();
@@ -63,12 +63,12 @@ void add_row(const CorrelationRow& row, int y, ReferenceSums& sums) {
   for (int x = 0; x < width; ++x) count[x] += row.is_seen[x];
 }
 
-std::size_t count_visible(const SeenSurface& seen) {
+std::size_t count_visible(const VisibleSurface& seen) {
   return static_cast<std::size_t>(std::count_if(seen.depth.pixels.begin(), seen.depth.pixels.end(),
                                                 [](float depth) { return depth > 0; }));
 }
 
-void add_pair(const Warp& warp, const SeenSurface& seen, const PhotoconsistencyOptions& options,
+void add_pair(const Warp& warp, const VisibleSurface& seen, const PhotoconsistencyOptions& options,
               ReferenceSums& sums) {
   const CorrelationSums pair = correlate(
       sums.gradient.width, seen.compared.first_row, seen.compared.end_row, options.correlation,
@@ -90,7 +90,7 @@ void compare_with_others(std::size_t reference, std::span<const View> views, con
   sums.sums = {};
   sums.visible = 0;
   if (std::none_of(pairs.begin(), pairs.end(), is_of_reference)) return;
-  const SeenSurface& from = seen.surface(reference, sums.room);
+  const VisibleSurface& from = seen.surface(reference, sums.room);
   if (from.compared.first_row >= from.compared.end_row) return;
   sums.begin(from);
   const std::size_t visible = count_visible(from);
@@ -106,7 +106,7 @@ void compare_with_others(std::size_t reference, std::span<const View> views, con
 /// Adds the sums of each pixel to those of the corners of its face.
 void add_to_faces(const ReferenceSums& sums, std::vector<FaceSums>& faces) {
   if (sums.seen == nullptr) return;
-  const SeenSurface& seen = *sums.seen;
+  const VisibleSurface& seen = *sums.seen;
   const int left = seen.compared.first_column - seen.box.first_column;
   const int top = seen.compared.first_row - seen.box.first_row;
   for (int y = 0; y < sums.count.height; ++y) {

@@ -21,7 +21,7 @@
 #include "views/cameras/view_pairs.h"
 #include "views/images/interpolation.h"
 #include "views/photo/correlation.h"
-#include "views/photo/seen_surface.h"
+#include "views/photo/visible_surface.h"
 
 namespace transformesh {
 

@@ -25,14 +25,14 @@ Landing land(double a, double b, double c, double depth, const Vec3& shift) {
 }
 
 /// The pixels that places between seen ones need: all of an image that is not packed.
-PixelBox part_of(const HeldImage& image, const PixelBox& seen) {
+PixelBox part_of(const PackableImage& image, const PixelBox& seen) {
   constexpr int around = 2;
   if (!image.is_packed()) return {0, image.width, 0, image.height};
   return {std::max(seen.first_column - around, 0), std::min(seen.end_column + around, image.width),
           std::max(seen.first_row - around, 0), std::min(seen.end_row + around, image.height)};
 }
 
-const GrayImage& unpacked(const HeldImage& image, const PixelBox& part, GrayImage& room) {
+const GrayImage& unpacked(const PackableImage& image, const PixelBox& part, GrayImage& room) {
   if (!image.is_packed()) return image.unpacked(room);
   image.unpack_rectangle(part.first_column, part.first_row, part.columns(), part.rows(), room);
   return room;
@@ -40,8 +40,8 @@ const GrayImage& unpacked(const HeldImage& image, const PixelBox& part, GrayImag
 
 }  // namespace
 
-Warp::Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
-           const SeenDepths& depths_of_other, double depth_tolerance, WarpRoom& room)
+Warp::Warp(const View& reference, const VisibleSurface& seen_by_reference, const View& other,
+           const VisibleDepths& depths_of_other, double depth_tolerance, WarpRoom& room)
     : reference_(reference.image),
       seen_(seen_by_reference),
       width_(other.image.width),

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "views/images/interpolation.h"
-#include "views/photo/seen_surface.h"
+#include "views/photo/visible_surface.h"
 
 namespace transformesh {
 
@@ -22,7 +22,7 @@ inline constexpr float middle_intensity = 128;
 /// For images that are packed.
 struct WarpRoom {
   GrayImage image;
-  SeenDepths depths;
+  VisibleDepths depths;
 };
 
 class Warp {
@@ -30,8 +30,8 @@ class Warp {
   /// A point is hidden where it is farther than the surface by more than `depth_tolerance` of its
   /// depth. What is passed must outlive the warp; `room` takes 6 bytes a pixel of
   /// what is seen of an image that is packed.
-  Warp(const View& reference, const SeenSurface& seen_by_reference, const View& other,
-       const SeenDepths& depths_of_other, double depth_tolerance, WarpRoom& room);
+  Warp(const View& reference, const VisibleSurface& seen_by_reference, const View& other,
+       const VisibleDepths& depths_of_other, double depth_tolerance, WarpRoom& room);
   Warp(const Warp&) = delete;
   Warp& operator=(const Warp&) = delete;
   ~Warp() = default;
@@ -42,12 +42,12 @@ class Warp {
   template <Interpolation interpolation>
   void row(int y, const WarpedRow& out) const;
 
-  const HeldImage& reference_;
-  const SeenSurface& seen_;
+  const PackableImage& reference_;
+  const VisibleSurface& seen_;
   int width_, height_;  ///< of the other view
   PixelBox part_;       ///< of it, that is in `other_`
   const GrayImage& other_;
-  const SeenDepths& depths_;
+  const VisibleDepths& depths_;
   Eigen::Matrix3d turn_;  ///< from pixels of the reference to rays in pixels of the other
   Vec3 shift_;            ///< the reference's center in pixels of the other
   double nearer_;

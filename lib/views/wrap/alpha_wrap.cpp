@@ -16,7 +16,7 @@
 #include "support/error.h"
 #include "support/length.h"
 #include "support/parallel.h"
-#include "views/wrap/unit_scale.h"
+#include "views/wrap/scale_normalization.h"
 #include "views/wrap/wrap.h"
 
 namespace transformesh {
@@ -94,7 +94,7 @@ std::string rounded_up(double length) {
 
 /// Throws UsageError for an alpha that is far too small.
 void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal,
-                const UnitScale& scale) {
+                const ScaleNormalization& scale) {
   const double faces = expected_faces(cloud, alpha, offset, diagonal);
   if (faces <= most_faces) return;
   const double least = scale.from_unit(alpha * std::sqrt(faces / most_faces));
@@ -154,7 +154,7 @@ AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& optio
     throw InputError("the points are all in one place: give alpha and the offset as lengths");
   const double finest = options.alpha > 0 ? std::min(options.alpha, offset) : offset;
   const double largest = std::max({diagonal, options.alpha, offset});
-  const UnitScale scale(largest);
+  const ScaleNormalization scale(largest);
   check_detail(points, finest, largest);
 
   const Cloud cloud = cloud_of(scale.to_unit(points));

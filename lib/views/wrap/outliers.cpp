@@ -5,7 +5,7 @@
 
 #include "geometry/search/kd_tree.h"
 #include "support/parallel.h"
-#include "views/wrap/unit_scale.h"
+#include "views/wrap/scale_normalization.h"
 
 namespace transformesh {
 namespace {
@@ -52,7 +52,7 @@ std::vector<Index> find_outliers(std::span<const Vec3> points) {
   }
   if (distinct.size() < least_points) return outliers;
   const std::vector<double> distances =
-      distances_to_neighbors(UnitScale(diagonal_of(points)).to_unit(distinct));
+      distances_to_neighbors(ScaleNormalization(diagonal_of(points)).to_unit(distinct));
   const double least = least_distance(distances);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (distances[place[first[i]]] >= least) outliers.push_back(static_cast<Index>(i));

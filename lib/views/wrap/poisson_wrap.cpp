@@ -14,7 +14,7 @@
 #include "support/error.h"
 #include "support/random.h"
 #include "views/hull/marching_tetrahedra.h"
-#include "views/wrap/unit_scale.h"
+#include "views/wrap/scale_normalization.h"
 #include "views/wrap/wrap.h"
 
 namespace transformesh {
@@ -174,7 +174,7 @@ Mesh poisson_wrap(std::span<const Vec3> points, std::span<const Vec3> normals) {
   if (given.size() < 4) throw InputError("fewer than four points have normals");
   if (is_in_plane(given)) throw InputError("all points lie in one plane");
   const double diagonal = diagonal_of(positions_of(given));
-  const UnitScale scale(diagonal);
+  const ScaleNormalization scale(diagonal);
   check_detail(positions_of(given), diagonal / most_cells, diagonal);
   Mesh mesh = unit_wrap(oriented_points(scale.to_unit(points), normals));
   check_wrap(mesh);

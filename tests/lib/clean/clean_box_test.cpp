@@ -12,7 +12,7 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/manifold.h"
 #include "mesh/transform.h"
 #include "support/error.h"

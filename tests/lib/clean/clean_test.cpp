@@ -10,7 +10,7 @@
 #include "helpers/winding_oracle.h"
 #include "mesh/adjacency.h"
 #include "mesh/components.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/manifold.h"
 #include "mesh/measure.h"
 #include "support/parallel.h"

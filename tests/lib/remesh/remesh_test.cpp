@@ -9,7 +9,7 @@
 #include "helpers/shapes.h"
 #include "lib/remesh/remesh_checks.h"
 #include "mesh/components.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/measure.h"
 #include "support/error.h"
 

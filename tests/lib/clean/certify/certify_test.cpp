@@ -9,7 +9,7 @@
 #include "geometry/numbers/predicates.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "support/parallel.h"
 
 using namespace transformesh;

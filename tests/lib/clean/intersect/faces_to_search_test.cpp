@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "clean/intersect/contacts.h"
-#include "clean/intersect/zones.h"
+#include "clean/intersect/intersection_free_regions.h"
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
@@ -17,7 +17,8 @@ namespace {
 /// How many faces need be searched; what is left out meets nothing.
 std::size_t count_to_search(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
-  const std::vector<Index> faces = find_faces_to_search(welded, find_zones(welded).of_face);
+  const std::vector<Index> faces =
+      find_faces_to_search(welded, find_intersection_free_regions(welded).of_face);
   CHECK(std::is_sorted(faces.begin(), faces.end()));
   std::size_t meetings = 0;
   std::vector<char> is_searched(welded.faces.size(), 0);

@@ -11,7 +11,7 @@
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 
 namespace transformesh {
 namespace {

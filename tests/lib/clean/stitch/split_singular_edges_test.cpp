@@ -6,7 +6,7 @@
 #include <map>
 
 #include "clean/exterior/angular_order.h"
-#include "clean/stitch/pair_across_inside.h"
+#include "clean/stitch/pair_halfedges.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "mesh/umbrellas.h"

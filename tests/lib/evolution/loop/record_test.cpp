@@ -31,15 +31,15 @@ RecordOptions options_in(const TemporaryFolder& folder) {
   return options;
 }
 
-Memory with_best(double best) {
-  Memory memory;
-  memory("best", best);
-  return memory;
+LoopState with_best(double best) {
+  LoopState loop_state;
+  loop_state("best", best);
+  return loop_state;
 }
 
-double best_of(Memory memory) {
+double best_of(LoopState loop_state) {
   double best = 0;
-  memory("best", best);
+  loop_state("best", best);
   return best;
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("an interrupted run continues with its mesh, comments, columns and val
   const Record second(options);
   REQUIRE(second.resumed());
   CHECK(second.resumed()->iteration == 3);
-  CHECK(best_of(second.resumed()->memory) == 1.0 / 3);
+  CHECK(best_of(second.resumed()->loop_state) == 1.0 / 3);
   CHECK(second.find("target.ply") == "bytes");
   CHECK(write_mesh(second.resumed()->document).bytes == write_mesh(document).bytes);
 }

@@ -33,10 +33,10 @@ std::size_t iterations_until_verdict(MorphRule& rule, const MorphStepResult& ste
 
 template <typename Rule>
 Rule restored(Rule& rule, Rule blank) {
-  Memory kept;
+  LoopState kept;
   rule.remember(kept);
-  Memory memory(kept.text());
-  blank.remember(memory);
+  LoopState loop_state(kept.text());
+  blank.remember(loop_state);
   return blank;
 }
 

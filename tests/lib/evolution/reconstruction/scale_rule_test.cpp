@@ -111,10 +111,10 @@ TEST_CASE("the rule of a scale goes on from its memory as if nothing had happene
     measures.steps.last.coverage = 0.8123456789 - 0.03 * i;
     measures.mesh.topology = {1, -i / 3};
     ScaleRule next(6);
-    Memory kept;
+    LoopState kept;
     parts.remember(kept);
-    Memory memory(kept.text());
-    next.remember(memory);
+    LoopState loop_state(kept.text());
+    next.remember(loop_state);
     parts = next;
     const SweepVerdict expected = whole.add(measures);
     const SweepVerdict found = parts.add(measures);

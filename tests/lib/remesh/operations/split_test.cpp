@@ -8,7 +8,7 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "lib/remesh/remesh_checks.h"
-#include "mesh/digits.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/measure.h"
 #include "remesh/remesh.h"
 

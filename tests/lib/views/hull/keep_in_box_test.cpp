@@ -35,7 +35,7 @@ TEST_CASE("what a view shows beside the box becomes background, but for a pixel 
     for (int y = 0; y < 48; ++y) {
       for (int x = 0; x < 64; ++x) {
         const bool is_kept = x >= 20 - 1 && x <= 57 + 1 && y >= 18 - 1 && y <= 36 + 1;
-        const HeldImage& image = views[0].image;
+        const PackableImage& image = views[0].image;
         CHECK(image.at(x, y) == (is_kept ? 200 : 0));
         CHECK(GrayImage(views[0].silhouette).at(x, y) == (is_kept ? 200 : 0));
       }
@@ -45,7 +45,7 @@ TEST_CASE("what a view shows beside the box becomes background, but for a pixel 
 
 TEST_CASE("from within the box all is kept, and what there is not stays so") {
   std::vector<View> views{bright_view(false)};
-  views[0].silhouette = HeldImage();
+  views[0].silhouette = PackableImage();
   keep_in_box(views, {Vec3(-9, -9, -9), Vec3(9, 9, 9)});
   CHECK(views[0].silhouette.empty());
   const GrayImage image = views[0].image;

@@ -34,7 +34,7 @@ View view_of_disk(double radius, double shift = 0) {
 
 ContourGaps gaps_of(const Mesh& mesh, const std::vector<View>& views,
                     SilhouetteMeaning meaning = SilhouetteMeaning::exact) {
-  std::vector<HeldImage> distances;
+  std::vector<PackableImage> distances;
   for (const View& view : views)
     distances.push_back(view.silhouette.empty() ? GrayImage() : signed_distance(view.silhouette));
   return contour_gaps(mesh, views, SeenViews(mesh, views, 0.1), distances, meaning);

@@ -1,0 +1,110 @@
+#include "clean/stitch/double_sided.h"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "clean/stitch/weld.h"
+#include "mesh/components.h"
+#include "mesh/edges.h"
+#include "mesh/surface_columns.h"
+
+namespace transformesh {
+namespace {
+
+/// A face by its corners in ascending order.
+struct SortedFace {
+  Face corners;
+  Index face;
+  bool is_odd;  ///< the corners ran the other way
+
+  auto key() const { return std::tie(corners, face); }
+};
+
+SortedFace sorted_face(const Face& v, Index face) {
+  SortedFace sorted{v, face, false};
+  std::sort(sorted.corners.begin(), sorted.corners.end());
+  const auto at = std::find(v.begin(), v.end(), sorted.corners[0]) - v.begin();
+  sorted.is_odd = v[static_cast<std::size_t>(at + 1) % 3] != sorted.corners[1];
+  return sorted;
+}
+
+// Calls visit(first, last) for the faces that lie upon each other, where some are reversed.
+template <class Visit>
+void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
+  std::vector<SortedFace> sorted;
+  for (Index f = 0; f < faces.size(); ++f)
+    if (!is_collapsed(faces[f])) sorted.push_back(sorted_face(faces[f], f));
+  std::sort(sorted.begin(), sorted.end(),
+            [](const SortedFace& a, const SortedFace& b) { return a.key() < b.key(); });
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto last = std::find_if(first, sorted.end(), [&](const SortedFace& other) {
+      return other.corners != first->corners;
+    });
+    const bool is_double = std::any_of(
+        first, last, [&](const SortedFace& other) { return other.is_odd != first->is_odd; });
+    if (is_double) visit(first, last);
+    first = last;
+  }
+}
+
+// The faces with one vertex for all that have one position.
+std::vector<Face> welded_faces(const Mesh& mesh) {
+  const std::vector<Index> joined = weld_positions(mesh.positions, 0);
+  std::vector<Face> faces = mesh.faces;
+  for (Face& face : faces)
+    for (Index& v : face) v = joined[v];
+  return faces;
+}
+
+}  // namespace
+
+std::size_t count_double_sided(const Mesh& mesh) {
+  const std::vector<Face> faces = welded_faces(mesh);
+  std::size_t count = 0;
+  visit_double_sided(
+      faces, [&](auto first, auto last) { count += static_cast<std::size_t>(last - first); });
+  return count;
+}
+
+bool one_side_is_open(const Mesh& mesh) {
+  Mesh one{mesh.positions, welded_faces(mesh), {}, {}};
+  drop_reverses(one);
+  const Edges edges(without_collapsed(one.faces), one.positions.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges.halfedges(e).size() == 1) return true;
+  return false;
+}
+
+std::size_t drop_reverses(Mesh& mesh) {
+  std::vector<char> is_dropped(mesh.faces.size(), 0);
+  visit_double_sided(mesh.faces, [&](auto first, auto last) {
+    for (auto other = first + 1; other != last; ++other) is_dropped[other->face] = 1;
+  });
+  std::vector<Face> faces;
+  std::vector<Index> rows;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (is_dropped[f]) continue;
+    faces.push_back(mesh.faces[f]);
+    rows.push_back(f);
+  }
+  const std::size_t dropped = mesh.faces.size() - faces.size();
+  if (dropped > 0) mesh.face_columns = mesh.face_columns.select(rows);
+  mesh.faces = std::move(faces);
+  return dropped;
+}
+
+std::size_t turn_outwards(Mesh& mesh) {
+  const Components all = connected_components(mesh);
+  std::size_t turned = 0;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const Component& component = all.components[all.of_face[f]];
+    if (component.boundary_loops > 0 || component.volume >= 0) continue;
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    reverse_corner_lists(mesh, static_cast<Index>(f));
+    ++turned;
+  }
+  return turned;
+}
+
+}  // namespace transformesh

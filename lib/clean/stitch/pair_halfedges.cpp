@@ -1,0 +1,44 @@
+#include "clean/stitch/pair_halfedges.h"
+
+#include "clean/exterior/angular_order.h"
+
+namespace transformesh {
+namespace {
+
+// Between a backward piece and a forward one that follows lies the inside, behind both. So pieces
+// pair as brackets do, cyclically.
+void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& sorted,
+                        std::vector<Index>& opposite) {
+  std::vector<Index> open;
+  for (std::size_t i = 0; i < 2 * sorted.size(); ++i) {
+    const Index h = sorted[i % sorted.size()];
+    if (opposite[h] != no_index) continue;
+    if (!is_forward(faces, h)) {
+      if (i < sorted.size()) open.push_back(h);
+    } else if (!open.empty()) {
+      opposite[h] = open.back();
+      opposite[open.back()] = h;
+      open.pop_back();
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& edges,
+                                      const AngularSort& sort) {
+  std::vector<Index> opposite(3 * faces.size(), no_index);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    if (halfedges.size() > 2) {
+      pair_singular_edge(faces, sort(halfedges), opposite);
+    } else if (halfedges.size() == 2 &&
+               is_forward(faces, halfedges[0]) != is_forward(faces, halfedges[1])) {
+      opposite[halfedges[0]] = halfedges[1];
+      opposite[halfedges[1]] = halfedges[0];
+    }
+  }
+  return opposite;
+}
+
+}  // namespace transformesh

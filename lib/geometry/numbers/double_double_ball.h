@@ -1,0 +1,78 @@
+/// A real number known up to an error, with twice the digits of a double: what decides a sign where
+/// doubles leave it open, and costs a tenth of exact arithmetic. Rounding is to nearest. Numbers
+/// beyond 2^480 are not known at all, products below 2^-900 are not told from 0.
+/// Reference: van der Hoeven, "Ball arithmetic", 2009.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "support/elementary/double_double.h"
+
+namespace transformesh {
+
+class DoubleDoubleBall {
+ public:
+  DoubleDoubleBall() = default;  ///< 0
+  explicit DoubleDoubleBall(double number) : value_{number, 0} {}
+
+  /// All numbers.
+  static DoubleDoubleBall unknown() {
+    DoubleDoubleBall ball;
+    ball.error_ = std::numeric_limits<double>::infinity();
+    return ball;
+  }
+
+  /// +1 or -1 where all numbers of the ball are of that sign, else 0.
+  int sign() const {
+    const double bound = error_ * slack;
+    return value_.high > bound ? 1 : value_.high < -bound ? -1 : 0;
+  }
+
+  /// Whether it is 0, and known to be.
+  bool is_zero() const { return value_.high == 0 && error_ == 0; }
+
+  friend DoubleDoubleBall operator-(const DoubleDoubleBall& a) { return {-a.value_, a.error_}; }
+  friend DoubleDoubleBall operator+(const DoubleDoubleBall& a, const DoubleDoubleBall& b) {
+    const double size = std::abs(a.value_.high) + std::abs(b.value_.high);
+    return {a.value_ + b.value_, a.error_ + b.error_ + epsilon * size};
+  }
+  friend DoubleDoubleBall operator-(const DoubleDoubleBall& a, const DoubleDoubleBall& b) {
+    const bool is_same = a.value_.high == b.value_.high && a.value_.low == b.value_.low;
+    return is_same && a.error_ == 0 && b.error_ == 0 ? DoubleDoubleBall() : a + -b;
+  }
+  friend DoubleDoubleBall operator*(const DoubleDoubleBall& a, const DoubleDoubleBall& b) {
+    if (a.is_zero() || b.is_zero()) return {};
+    const double size_a = std::abs(a.value_.high), size_b = std::abs(b.value_.high);
+    if (!(size_a < largest && size_b < largest)) return unknown();
+    const double error = size_a * b.error_ + (size_b + b.error_) * a.error_;
+    return {a.value_ * b.value_, error + epsilon * size_a * size_b + underflow};
+  }
+  /// The divisor has a sign.
+  friend DoubleDoubleBall operator/(const DoubleDoubleBall& a, const DoubleDoubleBall& b) {
+    const double size_b = std::abs(b.value_.high);
+    if (!(std::abs(a.value_.high) < largest && size_b < largest && size_b > 1 / largest))
+      return unknown();
+    const elementary::DoubleDouble quotient = a.value_ / b.value_;
+    const double size = std::abs(quotient.high);
+    if (!(size < largest)) return unknown();
+    const double error = (a.error_ + size * b.error_) / (size_b - b.error_) * slack;
+    return {quotient, error + epsilon * size + underflow};
+  }
+
+ private:
+  static constexpr double epsilon = 0x1p-98;
+  static constexpr double slack = 1 + 0x1p-40;  // for what is rounded in errors
+  static constexpr double largest = 0x1p480;
+  static constexpr double underflow = 0x1p-900;
+
+  DoubleDoubleBall(const elementary::DoubleDouble& value, double error)
+      : value_(value), error_(error * slack) {
+    if (!std::isfinite(value_.high) || !std::isfinite(error_)) *this = unknown();
+  }
+
+  elementary::DoubleDouble value_;
+  double error_ = 0;
+};
+
+}  // namespace transformesh

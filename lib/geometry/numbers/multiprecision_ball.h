@@ -1,0 +1,114 @@
+/// A real number known up to an error, with many digits and an exponent that neither overflows nor
+/// underflows: what decides a sign where coordinates of one mesh differ by hundreds of orders of
+/// magnitude, and costs a fraction of exact arithmetic there. Sums and products in integers, so in
+/// any rounding mode. Reference: van der Hoeven, "Ball arithmetic", 2009.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/numbers/binary_exponent.h"
+
+namespace transformesh {
+
+/// A bound from above, of any size: number times two to the exponent.
+class WideBound {
+ public:
+  WideBound() = default;  ///< 0
+  WideBound(double number, std::int64_t exponent) {
+    if (number == 0) return;
+    const int shift = binary_exponent(number);
+    number_ = number * power_of_two(-shift) * slack;
+    exponent_ = exponent + shift;
+  }
+  static WideBound power(std::int64_t exponent) { return {1, exponent}; }
+  static WideBound infinite() {
+    WideBound bound;
+    bound.number_ = std::numeric_limits<double>::infinity();
+    return bound;
+  }
+
+  bool is_below_power(std::int64_t exponent) const {
+    return number_ == 0 || (is_finite() && exponent_ + 1 < exponent);
+  }
+
+  friend WideBound operator+(const WideBound& a, const WideBound& b) {
+    if (a.number_ == 0 || !b.is_finite()) return b;
+    if (b.number_ == 0 || !a.is_finite()) return a;
+    if (a.exponent_ < b.exponent_) return b + a;
+    const auto shift = std::max<std::int64_t>(b.exponent_ - a.exponent_, -100);
+    return {a.number_ + b.number_ * power_of_two(static_cast<int>(shift)), a.exponent_};
+  }
+  friend WideBound operator*(const WideBound& a, const WideBound& b) {
+    if (a.number_ == 0 || b.number_ == 0) return {};
+    if (!a.is_finite() || !b.is_finite()) return infinite();
+    return {a.number_ * b.number_, a.exponent_ + b.exponent_};
+  }
+
+ private:
+  static constexpr double slack = 1 + 0x1p-50;  // for what is rounded here, and shifted too little
+
+  bool is_finite() const { return number_ < 4; }
+
+  double number_ = 0;  ///< 0, infinite, or in [1, 2) times slack
+  std::int64_t exponent_ = 0;
+};
+
+class MultiprecisionBall {
+ public:
+  MultiprecisionBall() = default;  ///< 0
+  explicit MultiprecisionBall(double number) {
+    if (number == 0) return;
+    if (!std::isfinite(number)) {
+      error_ = WideBound::infinite();
+      return;
+    }
+    int exponent = 0;
+    const double fraction = std::frexp(std::abs(number), &exponent);
+    digits_.back() = static_cast<std::uint64_t>(std::ldexp(fraction, 64));
+    exponent_ = exponent;
+    sign_ = number < 0 ? -1 : 1;
+  }
+
+  /// All numbers.
+  static MultiprecisionBall unknown() {
+    MultiprecisionBall ball;
+    ball.error_ = WideBound::infinite();
+    return ball;
+  }
+
+  /// +1 or -1 where all numbers of the ball are of that sign, else 0.
+  int sign() const { return error_.is_below_power(exponent_ - 1) ? sign_ : 0; }
+
+  friend MultiprecisionBall operator-(MultiprecisionBall a) {
+    a.sign_ = -a.sign_;
+    return a;
+  }
+  friend MultiprecisionBall operator+(const MultiprecisionBall& a, const MultiprecisionBall& b);
+  friend MultiprecisionBall operator-(const MultiprecisionBall& a, const MultiprecisionBall& b) {
+    return a + -b;
+  }
+  friend MultiprecisionBall operator*(const MultiprecisionBall& a, const MultiprecisionBall& b);
+
+ private:
+  static constexpr std::size_t length = 8;
+  static constexpr std::int64_t bits = 64 * length;
+  using Digits = std::array<std::uint64_t, length>;  ///< least significant first
+
+  WideBound size() const { return sign_ == 0 ? WideBound() : WideBound::power(exponent_); }
+  void add_digits(const MultiprecisionBall& other, bool is_sum);
+  void shift_right(std::int64_t count);
+  void normalize();
+
+  /// sign times 0.digits times two to the exponent; the first digit is not 0 where the sign is not.
+  Digits digits_{};
+  int sign_ = 0;
+  std::int64_t exponent_ = 0;
+  WideBound error_;
+};
+
+}  // namespace transformesh

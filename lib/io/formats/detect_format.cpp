@@ -1,0 +1,147 @@
+#include "io/formats/detect_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "io/document/scalar_bytes.h"
+#include "io/formats/off.h"
+#include "io/formats/text_rows.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t stl_header_size = 84;
+constexpr std::size_t stl_facet_size = 50;
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
+}
+
+bool has_extension(const Source& source, std::string_view extension) {
+  const std::string name = lower_case(source.name);
+  return name.size() >= extension.size() &&
+         std::string_view(name).substr(name.size() - extension.size()) == extension;
+}
+
+/// The first word outside of comments, which begin with #.
+std::string_view first_word(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n\v\f";
+  std::size_t first = text.find_first_not_of(blanks);
+  while (first != std::string_view::npos && text[first] == '#') {
+    first = text.find_first_of("\r\n", first);
+    first = text.find_first_not_of(blanks, first);
+  }
+  if (first == std::string_view::npos) return text.substr(text.size());
+  const std::size_t last = text.find_first_of(" \t\r\n\v\f#", first);
+  return text.substr(first, last - first);
+}
+
+/// Whether `ply` stands alone on the first line.
+bool is_ply_start(std::string_view bytes) {
+  if (bytes.substr(0, 3) != "ply") return false;
+  const std::size_t next = bytes.find_first_not_of(" \t", 3);
+  return next == std::string_view::npos || bytes[next] == '\r' || bytes[next] == '\n';
+}
+
+/// Many binary files start with `solid` too: only text goes on with `facet` or `endsolid`.
+bool is_ascii_stl(std::string_view bytes) {
+  const std::string start = lower_case(bytes.substr(0, 2000));
+  if (first_word(start) != "solid" || start.find('\0') != std::string::npos) return false;
+  const std::size_t word = start.find("solid");
+  const std::size_t line_end = std::min(start.find_first_of("\r\n", word), start.size());
+  const std::string_view next = first_word(std::string_view(start).substr(line_end));
+  return next == "facet" || next == "endsolid" || next.empty();
+}
+
+bool is_obj_start(std::string_view bytes, std::string_view word) {
+  constexpr std::array<std::string_view, 10> keywords{"v", "vn", "vt", "vp",     "f",
+                                                      "o", "g",  "s",  "mtllib", "usemtl"};
+  const auto end = static_cast<std::size_t>(word.data() + word.size() - bytes.data());
+  const bool has_values = end < bytes.size() && (bytes[end] == ' ' || bytes[end] == '\t');
+  return has_values && std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+/// Whether a line near the start is `v` and three numbers, behind lines that OBJ does not have.
+bool has_obj_vertex(std::string_view bytes) {
+  constexpr std::size_t searched = 4096;
+  const Source start{bytes.substr(0, searched), ""};
+  TextRows rows(start, 0, {'#', true});
+  while (rows.next_row()) {
+    if (rows.word() != "v" || rows.words_left() < 3) continue;
+    const std::string_view word = rows.word();
+    const char* first = word.data();
+    double value = 0;
+    if (parse_number(first, word.data() + word.size(), value) == Parsed::ok) return true;
+  }
+  return false;
+}
+
+/// Whether every second of the first bytes is 0 and the others are ASCII, or there is a byte order
+/// mark of UTF-16.
+bool is_utf16(std::string_view bytes) {
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return true;
+  constexpr std::size_t looked_at = 16;
+  if (bytes.size() < looked_at) return false;
+  std::array<std::size_t, 2> zeros{}, letters{};
+  for (std::size_t i = 0; i < looked_at; ++i) {
+    if (bytes[i] == '\0') ++zeros[i % 2];
+    if (bytes[i] >= '\t' && bytes[i] <= '~') ++letters[i % 2];
+  }
+  constexpr std::size_t half = looked_at / 2;
+  return (zeros[0] == half && letters[1] == half) || (zeros[1] == half && letters[0] == half);
+}
+
+std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
+  const std::string_view word = first_word(bytes);
+  if (is_ply_start(bytes)) return FileKind::ply;
+  // No text has the size that its characters would mean.
+  if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
+  if (is_off_keyword(word)) return FileKind::off;
+  if (is_ascii_stl(bytes)) return FileKind::stl_ascii;
+  if (is_obj_start(bytes, word) || has_obj_vertex(bytes)) return FileKind::obj;
+  return {};
+}
+
+std::optional<FileKind> kind_of_name(const Source& source) {
+  if (has_extension(source, ".ply")) return FileKind::ply;
+  if (has_extension(source, ".off")) return FileKind::off;
+  if (has_extension(source, ".obj")) return FileKind::obj;
+  if (has_extension(source, ".stl")) return FileKind::stl_binary;
+  return {};
+}
+
+}  // namespace
+
+bool is_binary_stl_by_size(std::string_view bytes) {
+  if (bytes.size() < stl_header_size) return false;
+  const bool swapped = !host_is_little;
+  const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, swapped);
+  const std::size_t rest = bytes.size() - stl_header_size;
+  // Programs that write while they compute may leave 0, which no text has there.
+  const bool is_left_open = facets == 0 && rest % stl_facet_size == 0;
+  return rest == stl_facet_size * facets || is_left_open;
+}
+
+FileKind detect_format(const Source& source) {
+  const std::string_view bytes = source.bytes;
+  if (bytes.empty()) source.fail("the input is empty: not a single byte of a mesh");
+  if (const auto kind = kind_of_bytes(bytes)) return *kind;
+  if (bytes.substr(0, 2) == "\x1f\x8b")
+    source.fail("the input is compressed: unpack it with gzip -dc");
+  if (bytes.starts_with("glTF") || bytes.substr(0, 200).find("<VTKFile") != std::string_view::npos)
+    source.fail("GLB and VTP are written, not read: PLY, OFF, OBJ and STL are read");
+  if (is_utf16(bytes))
+    source.fail("the input is text in UTF-16: convert it with iconv -f UTF-16 -t UTF-8");
+  if (const auto kind = kind_of_name(source)) return *kind;
+  source.fail("unknown mesh format, starting with " + quoted(bytes.substr(0, 16)) +
+              ": PLY, OFF, OBJ and STL are read");
+}
+
+}  // namespace transformesh

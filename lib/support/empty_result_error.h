@@ -1,0 +1,13 @@
+/// The refusal of operations that would leave no surface, which loops tell from other ones.
+#pragma once
+
+#include "support/error.h"
+
+namespace transformesh {
+
+/// The goal cannot be reached because no face of the surface would be left.
+struct EmptyResultError : GoalError {
+  using GoalError::GoalError;
+};
+
+}  // namespace transformesh

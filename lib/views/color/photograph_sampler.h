@@ -1,0 +1,44 @@
+/// A photograph of a surface: what color it shows at a place of the surface, and how well.
+/// Reference: Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending: mapping dense
+/// photographic data set on high-resolution sampled 3D models", Computers & Graphics 32(4), 2008:
+/// quality falls to nothing towards contours and borders, so that blends have no seams there.
+#pragma once
+
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "picture/image.h"
+#include "views/cameras/pinhole_camera.h"
+#include "views/color/best_view_colors.h"
+
+namespace transformesh {
+
+struct Place {
+  Vec3 point;
+  Vec3 normal;         ///< of unit length
+  double spacing = 0;  ///< of the places: finer detail is averaged
+};
+
+class PhotographSampler {
+ public:
+  /// `pixel` is the length of a pixel's side by which qualities are measured. 11 bytes a pixel.
+  PhotographSampler(const Mesh& mesh, const PinholeCamera& camera, Image picture, double pixel);
+
+  /// Nothing where the surface hides the place, is seen from inside or too flatly along it, or
+  /// where its contour or the picture's border is so near that the pixel shows something else too.
+  /// Safe to call from several threads.
+  ViewColor at(const Place& place) const;
+
+ private:
+  Eigen::Array3f color_at(double x, double y, double spacing, int margin) const;
+
+  Projection projection_;
+  Vec3 center_;
+  double focal_;
+  double pixel_;
+  std::vector<Image> pyramid_;   ///< each of half the size of the one before
+  Raster<float> depth_;          ///< 0: background
+  Raster<std::uint8_t> margin_;  ///< pixels to the nearest contour or border
+};
+
+}  // namespace transformesh

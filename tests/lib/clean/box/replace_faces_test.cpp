@@ -1,0 +1,33 @@
+#include "clean/box/replace_faces.h"
+
+#include <doctest/doctest.h>
+
+#include "helpers/shapes.h"
+
+namespace transformesh {
+
+TEST_CASE("a face that was cut goes behind all, and its pieces share what they had") {
+  const Mesh input = test::tetrahedron();
+  // Face 1 has corners 0, 1, 3; it is cut from corner 0 to the middle of the edge across.
+  CleanedFaces cleaned;
+  cleaned.mesh.positions = {
+      input.positions[3], {.5, 0, .5}, input.positions[0], input.positions[1]};
+  cleaned.mesh.faces = {{2, 3, 1}, {2, 1, 0}};
+  cleaned.source_face = {1, 1};
+  CHECK(find_uncut(input, cleaned) == std::vector<bool>{false, false});
+  const Mesh result = replace_faces(input, {false, true, false, false}, cleaned);
+  CHECK(result.positions.size() == 5);
+  CHECK(result.faces == std::vector<Face>{{0, 2, 1}, {0, 3, 2}, {1, 2, 3}, {0, 1, 4}, {0, 4, 3}});
+}
+
+TEST_CASE("faces that are gone take their vertices along, uncut ones stay in their place") {
+  const Mesh input = test::joined(test::tetrahedron(), test::moved(test::tetrahedron(), {5, 0, 0}));
+  CleanedFaces cleaned;
+  cleaned.mesh = test::moved(test::tetrahedron(), {5, 0, 0});
+  cleaned.source_face = {4, 5, 6, 7};
+  const Mesh result = replace_faces(input, std::vector<bool>(8, true), cleaned);
+  CHECK(result.positions == cleaned.mesh.positions);
+  CHECK(result.faces == cleaned.mesh.faces);
+}
+
+}  // namespace transformesh

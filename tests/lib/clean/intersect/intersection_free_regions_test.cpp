@@ -1,0 +1,93 @@
+#include "clean/intersect/intersection_free_regions.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "clean/intersect/contacts.h"
+#include "helpers/random.h"
+#include "helpers/shape_options.h"
+#include "helpers/shapes.h"
+
+// The oracle is the exact test of two faces.
+namespace transformesh {
+namespace {
+
+/// How many faces have a region; in none of them two faces meet, and inside no point is a seam.
+std::size_t count_in_regions(const Mesh& mesh) {
+  const WeldedMesh welded = weld(mesh);
+  const IntersectionFreeRegions regions = find_intersection_free_regions(welded);
+  std::vector<Index> region_at(welded.points.size(), no_index);
+  std::size_t count = 0, meetings = 0;
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    const Index region = regions.of_face[f];
+    for (const Index point : welded.faces[f]) {
+      if (regions.is_seam[point]) continue;
+      REQUIRE(region != no_index);
+      CHECK((region_at[point] == no_index || region_at[point] == region));
+      region_at[point] = region;
+    }
+    if (region == no_index) continue;
+    ++count;
+    for (Index g = 0; g < f; ++g)
+      meetings += regions.of_face[g] == region && find_contacts(welded, f, g).meet ? 1 : 0;
+  }
+  CHECK(meetings == 0);
+  return count;
+}
+
+/// A strip of two triangles a step that climbs around the axis, with a border on both sides.
+Mesh stairs(int turns, double rise) {
+  constexpr Index steps = 24;
+  Mesh mesh;
+  for (Index i = 0; i <= steps * static_cast<Index>(turns); ++i) {
+    const double angle = 6.283185307179586 * i / steps, height = rise * i / steps;
+    for (const double radius : {1.0, 2.0})
+      mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+    if (i == 0) continue;
+    const Index a = 2 * i - 2, b = 2 * i - 1, c = 2 * i, d = 2 * i + 1;
+    mesh.faces.push_back({a, b, c});
+    mesh.faces.push_back({c, b, d});
+  }
+  return mesh;
+}
+
+TEST_CASE("a smooth surface consists of few regions") {
+  const Mesh sphere = test::icosphere(3);
+  CHECK(count_in_regions(sphere) > sphere.faces.size() * 9 / 10);
+  const WeldedMesh welded = weld(sphere);
+  std::vector<Index> regions = find_intersection_free_regions(welded).of_face;
+  std::sort(regions.begin(), regions.end());
+  CHECK(std::unique(regions.begin(), regions.end()) - regions.begin() < 60);
+}
+
+TEST_CASE("what lies over itself is no region, though all of it looks one way") {
+  CHECK(count_in_regions(stairs(1, 0.2)) == 48);
+  CHECK(count_in_regions(stairs(2, 0.2)) == 0);
+}
+
+TEST_CASE("whatever the surface, faces of a region do not meet") {
+  std::size_t in_regions = 0, faces = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    test::Random random(seed);
+    for (const double noise : {0.02, 0.1, 0.4}) {
+      Mesh mesh = test::icosphere(2);
+      for (Vec3& p : mesh.positions) p += random.point(-noise, noise);
+      in_regions += count_in_regions(mesh);
+      faces += mesh.faces.size();
+    }
+    Mesh lattice = test::icosphere(1);
+    for (Vec3& p : lattice.positions)
+      p = Vec3(static_cast<double>(random.below(4)), static_cast<double>(random.below(4)),
+               static_cast<double>(random.below(4)));
+    count_in_regions(lattice);
+  }
+  for (const char* kind : {"two-spheres", "folded", "tangle", "boxes", "pinch"})
+    count_in_regions(test::workload(kind, 800));
+  CHECK(in_regions > faces / 4);
+  CHECK(in_regions < faces);
+}
+
+}  // namespace
+}  // namespace transformesh

@@ -1,0 +1,73 @@
+/// Double-sided shapes against the shapes that they were made of.
+#include "clean/stitch/double_sided.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "clean/clean.h"
+#include "clean/stitch/stitch.h"
+#include "helpers/random.h"
+#include "helpers/shapes.h"
+#include "mesh/components.h"
+#include "mesh/measure.h"
+#include "support/error.h"
+
+namespace transformesh {
+namespace {
+
+/// Every face and its reverse, one after the other, in any order of the two, with no common vertex.
+Mesh double_sided(const Mesh& mesh, std::uint64_t seed) {
+  test::Random random(seed);
+  Mesh both;
+  for (const Face& face : mesh.faces) {
+    Face reverse{face[1], face[0], face[2]};
+    const bool is_first = random.below(2) == 0;
+    both.faces.push_back(is_first ? face : reverse);
+    both.faces.push_back(is_first ? reverse : face);
+  }
+  both.positions = mesh.positions;
+  return test::soup_of(both);
+}
+
+}  // namespace
+
+TEST_CASE("one side of a double-sided solid is the solid") {
+  const Mesh ball = test::icosphere(2);
+  Mesh solids = test::joined(ball, test::reversed(test::moved(ball, {3, 0, 0})));
+  Mesh mesh = double_sided(solids, 1);
+  CHECK(count_double_sided(mesh) == mesh.faces.size());
+  StitchOptions options;
+  options.one_side = true;
+  const StitchResult result = stitch(mesh, options);
+  CHECK(result.dropped_reverses == solids.faces.size());
+  CHECK(result.border_edges == 0);
+  CHECK(result.misoriented_edges == 0);
+  CHECK(mesh.faces.size() == solids.faces.size());
+  for (const Component& component : connected_components(mesh).components)
+    CHECK(component.volume == doctest::Approx(volume(ball)));
+}
+
+TEST_CASE("what has one side only stays") {
+  Mesh mesh = test::joined(test::icosphere(1), test::moved(test::icosphere(1), {3, 0, 0}));
+  CHECK(count_double_sided(mesh) == 0);
+  CHECK(drop_reverses(mesh) == 0);
+  // Copies are no reverses.
+  Mesh twice = test::joined(test::cube(), test::cube());
+  CHECK(count_double_sided(twice) == 0);
+  CHECK(turn_outwards(mesh) == 0);
+}
+
+TEST_CASE("cleaning says that a model is double-sided, and what to do") {
+  const Mesh mesh = double_sided(test::icosphere(1), 2);
+  try {
+    clean(mesh);
+    FAIL("nothing is enclosed");
+  } catch (const GoalError& error) {
+    CHECK(std::string(error.what()).find("tm-stitch --one-side") != std::string::npos);
+    CHECK(std::string(error.what()).find("160 of 160 lie upon their reverses") !=
+          std::string::npos);
+  }
+}
+
+}  // namespace transformesh
