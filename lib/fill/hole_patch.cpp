@@ -127,7 +127,7 @@ bool is_flat(const std::vector<Vec3>& points) {
   });
 }
 
-/// Tells whether a triangulation is that of Search::all.
+/// Decides whether a triangulation is that of Search::all.
 std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search search,
                                     bool& is_of_all) {
   std::vector<FaceNumber> faces;

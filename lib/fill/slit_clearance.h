@@ -1,11 +1,11 @@
-/// Tells whether a slit that is closed and drawn apart (twin_patches.h) keeps clear of all other
-/// parts of the surface. Between its two patches lies a slab that becomes outside, where a bridge
-/// is cut through, or inside, where a tunnel is closed. A cavity or another body that reaches into
-/// the slab would be opened, joined or swallowed by that, and so would another handle.
+/// Decides whether a slit that is closed and drawn apart (twin_patches.h) stays clear of the rest
+/// of the surface. Between its two patches lies a slab that becomes outside if a bridge is cut
+/// through, or inside if a tunnel is closed. A cavity, another body or another handle that reaches
+/// into the slab would be opened, joined or swallowed.
 ///
-/// Faces within two rings of the loop do not count: where they meet the patches, clean() resolves
-/// it, and nothing else changes. Intersections are decided exactly.
-/// Cost: O(n) for the first question, then that of the faces near the slit. Deterministic.
+/// Faces within two rings of the loop are ignored: where they meet the patches, clean() resolves
+/// it, and nothing else changes. Intersections are decided exactly. Cost: O(n) for the first
+/// question, then that of the faces near the slit. Deterministic.
 #pragma once
 
 #include <vector>

@@ -35,8 +35,8 @@ struct ClosedSlit {
 ClosedSlit drawn_apart(const Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides,
                        const HolePatch& patch, Scalar coordinate);
 
-/// Slits the mesh and closes it. New vertices have columns as fill.h says; those of faces are the
-/// caller's.
+/// Slits the mesh and closes it. New vertices have columns as documented in fill.h; those of faces
+/// are the caller's.
 void close_slit(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides,
                 const HolePatch& patch, const ClosedSlit& slit);
 

@@ -1,15 +1,14 @@
 /// Carries columns from a mesh to another whose vertices and faces know where on it they come from
 /// (source_points.h), also through meshes between the two.
 ///
-/// Numbers of vertices are interpolated in the face that a vertex comes from, as columns.h says;
-/// so each value is that of the first mesh at one place of it, and a chain blurs nothing. Columns
-/// of faces take the row of the face that a face itself comes from, whatever its vertices name.
-/// Lists of texture coordinates (surface_columns.h) get the values at the places of the corners; a
-/// face whose corners come from both sides of a seam, where neighboring faces have different
-/// values, stays on the side of its own place: corners beyond take the nearest place there. Two
-/// faces that share no vertices have a seam between them.
-/// Deterministic. Cost: O(n log n); of textures, as much as there are faces within reach of each
-/// face's corners.
+/// Numbers of vertices are interpolated in the face that a vertex comes from, as documented in
+/// columns.h; so each value is that of the first mesh at one place of it, and a chain blurs
+/// nothing. Columns of faces take the row of the face that a face itself comes from, whatever its
+/// vertices name. Lists of texture coordinates (surface_columns.h) get the values at the places of
+/// the corners; a face whose corners come from both sides of a seam, where neighboring faces have
+/// different values, stays on the side of its own place: corners beyond take the nearest place
+/// there. Two faces that share no vertices have a seam between them. Deterministic. Cost: O(n log
+/// n); of textures, as much as there are faces within reach of each face's corners.
 #pragma once
 
 #include <string>

@@ -1,13 +1,11 @@
-/// Winding numbers of a closed oriented mesh at points, by counting the faces that a ray along an
-/// axis crosses. Every crossing is decided by exact predicates, so the number is exact; a ray that
-/// meets an edge, a corner or a face seen edge-on is replaced by one in another direction.
-/// (SolidAngleWinding sums solid angles instead: for any mesh, in O(faces) a point, in floating
-/// point.)
+/// Exact winding numbers of a closed oriented mesh at points, by counting the faces that an axis-
+/// parallel ray crosses. Every crossing is decided by exact predicates. A ray that meets an edge, a
+/// corner or a face seen edge-on is replaced by one in another direction. (SolidAngleWinding sums
+/// solid angles instead: for any mesh, in O(faces) a point, in floating point.)
 ///
-/// Vertices are the same when their positions are. Faces without area count for nothing. Of a mesh
-/// that is not closed the number depends on the ray: see that it is. Deterministic; safe to call
-/// from several threads at once. Cost: O(n) to build, O(log n) plus the faces along the ray a
-/// point.
+/// Vertices are the same if their positions are. Faces without area are ignored. The mesh must be
+/// closed: otherwise the number depends on the ray. Deterministic; safe to call from several
+/// threads at once. Cost: O(n) to build; O(log n) a point plus the faces along the ray.
 #pragma once
 
 #include <optional>

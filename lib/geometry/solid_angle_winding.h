@@ -1,12 +1,12 @@
-/// Winding numbers of an oriented mesh at points: how many times the surface encloses them, with
-/// sign. The sum of the faces' signed solid angles over 4 pi.
-/// Reference: van Oosterom & Strackee, "The solid angle of a plane triangle", IEEE TBME 1983. The
-/// angles are summed as a product of complex numbers whose turns are counted, which needs no
-/// arctangent and comes with a bound of the rounding error.
+/// Generalized winding numbers of any oriented mesh at points: the sum of the signed solid angles
+/// of the faces over 4 pi, in floating point. Reference: van Oosterom & Strackee, "The solid angle
+/// of a plane triangle", IEEE TBME 1983. The angles are summed as a product of complex numbers
+/// whose turns are counted, which needs no arctangent and gives a bound of the rounding error.
+/// (RayCastWinding is exact, but needs a closed mesh.)
 ///
-/// Vertices are the same when their positions are: what counts is the surface. Degenerate faces add
-/// nothing. Floating point with a bound; deterministic for any number of threads.
-/// Cost: O(faces) a point, about 10 ns a face; a mesh without faces winds around nothing.
+/// Vertices are the same if their positions are. Degenerate faces add nothing. A mesh without faces
+/// has winding number 0 everywhere. Deterministic for any number of threads. Cost: O(faces) a
+/// point, about 10 ns a face.
 #pragma once
 
 #include <cmath>

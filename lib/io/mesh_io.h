@@ -1,7 +1,7 @@
-/// Bytes to mesh and back. The format is told from the first bytes (PLY, OFF and its variants, STL
-/// by `solid` or by its size, OBJ by its keywords); `name` only helps where bytes cannot decide,
-/// and is what messages call the input. Polygons are triangulated without folds. A header is a
-/// claim, not a promise: memory grows with the bytes that are there, never with a count that a
+/// Bytes to mesh and back. The format is detected from the first bytes (PLY, OFF and its variants,
+/// STL by `solid` or by its size, OBJ by its keywords); `name` only helps where bytes cannot
+/// decide, and is what messages call the input. Polygons are triangulated without folds. A header
+/// is a claim, not a promise: memory grows with the bytes that are there, never with a count that a
 /// header states.
 ///
 /// Reading checks every index and every number: an index out of range and a count that the data

@@ -1,6 +1,5 @@
-/// The umbrellas of a mesh: faces around a vertex that hang together across edges (the umbrellas of
-/// the paper, 3.3). A vertex of a manifold has one; a singular one has several. Cost: O(n);
-/// deterministic.
+/// The umbrellas of a mesh (paper 3.3): sets of faces around a vertex that are connected across
+/// edges. A vertex of a manifold has one, a singular vertex several. Cost: O(n); deterministic.
 #pragma once
 
 #include <span>

@@ -19,7 +19,7 @@ struct ColorScale {
   double low = 0;
   double high = 1;  ///< >= low
 
-  /// Whether 0 is within, so that signs are told apart.
+  /// Whether 0 is within, so that signs are distinguished.
   bool is_diverging() const { return low < 0 && high > 0; }
   /// Values beyond the ends have the color of the end. Gray where the value is not finite.
   Color at(double value) const;

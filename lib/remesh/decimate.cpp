@@ -193,7 +193,7 @@ DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progre
         std::to_string(options.faces) +
         " were wanted: further collapses would change the topology, turn faces over or "
         "make the surface touch itself or what it is kept out of; ask for more faces, or remove "
-        "crossings of the input first (tm-clean), around which nothing collapses");
+        "self-intersections of the input first (tm-clean), around which nothing collapses");
   }
   mesh = decimator.to_mesh();
   result.columns = refresh_columns(mesh);

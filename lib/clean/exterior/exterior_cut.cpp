@@ -173,9 +173,11 @@ std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
 
   // Only these are constraints.
   const Triangle t = cutter_.welded_.triangle(face_);
-  PlanarTriangulation triangulation(
-      geometry_, t, t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]),
-      [](Index, Index) -> ExactPoint { throw std::logic_error("bounding parts do not cross"); });
+  PlanarTriangulation triangulation(geometry_, t, t[0].cwiseMin(t[1]).cwiseMin(t[2]),
+                                    t[0].cwiseMax(t[1]).cwiseMax(t[2]),
+                                    [](Index, Index) -> ExactPoint {
+                                      throw std::logic_error("bounding subsegments do not cross");
+                                    });
   if (!triangulation.begin_with_triangle({corners_[0], corners_[1], corners_[2]}))
     return std::nullopt;
   for (Index i = 0; i < 3; ++i) inserted_.insert(corners_[i].definition, first_corner + i);

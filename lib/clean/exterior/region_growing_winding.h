@@ -1,9 +1,11 @@
-/// Region growing (paper 3.2) over a closed mesh before anything is cut: the winding number w in
-/// front of every face near each of its corners. It is the same in front of neighbors beside their
-/// common edge, and along an edge it changes where faces intersect that. A ray fixes w in front of
-/// one whole face of each connected component (paper 3.2.1). Of a part of a mesh, what is
-/// incomplete carries no w, and a face that is cut gets a ray where no whole face is connected with
-/// it. Cost: O(n + k) for k pairs, and a ray per part. Exact; deterministic.
+/// Winding numbers w in front of every face near each of its corners, by region growing (paper 3.2)
+/// over a closed mesh before anything is cut. Neighbors have the same w near their common edge;
+/// along an edge w jumps where other faces intersect it. One ray fixes w in front of one whole face
+/// of each connected component (paper 3.2.1).
+///
+/// If only a subset of a mesh is given, its incomplete faces have no w, and a cut face that is
+/// connected with no whole face gets a ray of its own. Cost: O(n + k) for k intersecting pairs, and
+/// a ray per component. Exact; deterministic.
 #pragma once
 
 #include <limits>

@@ -1,5 +1,5 @@
-/// The ways that a face looks along the axes, which tell where faces cannot meet (embedded_stars.h,
-/// intersection_free_regions.h).
+/// Sides of the coordinate axes to which a face certainly looks: sufficient conditions under which
+/// faces cannot intersect (embedded_stars.h, intersection_free_regions.h).
 #pragma once
 
 #include <cstdint>

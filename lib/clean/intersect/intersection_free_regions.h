@@ -1,9 +1,9 @@
-/// Regions: parts of a mesh in which no two faces meet beyond what they share, told without looking
-/// at pairs. A region is a disk of faces that all look one way along an axis, and whose outline,
-/// seen along it, is simple. So many faces lie over each other as the outline goes around a point,
-/// which is once; and where two touched from beside each other, their outlines would. Reference:
-/// Volino & Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized surface
-/// animations using geometrical shape regularity", Computer Graphics Forum 13(3), 1994.
+/// Regions of a mesh in which no two faces intersect, found without testing pairs. A region is a
+/// disk of faces whose normals all point to one side along an axis, and whose outline, projected
+/// along that axis, is a simple polygon. Then a line along the axis meets the region at most once.
+/// Reference: Volino & Magnenat-Thalmann, "Efficient self-collision detection on smoothly
+/// discretized surface animations using geometrical shape regularity", Computer Graphics Forum
+/// 13(3), 1994.
 #pragma once
 
 #include <vector>

@@ -96,7 +96,7 @@ std::vector<char> find_repeated(const std::vector<Vec3>& points) {
   return is_repeated;
 }
 
-// The first vertex in the place of each; most are told by their hash alone.
+// The first vertex in the place of each; most are detected by their hash alone.
 std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions, bool& has_repeats) {
   const std::vector<char> is_repeated = find_repeated(positions);
   FirstOfEqual vertices(std::count(is_repeated.begin(), is_repeated.end(), 1));

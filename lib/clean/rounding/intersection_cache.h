@@ -1,6 +1,6 @@
-/// What the last search for intersections told of pairs of faces (paper 4.3): pairs whose corners
-/// are where they were then need not be tested again. Cost: O(n) a search, and O(log k) a pair for
-/// k intersections. What is answered is what a test would answer.
+/// Results of the last search for intersections (paper 4.3): pairs of faces whose corners have not
+/// moved since need not be tested again. The answer is that of a test. Cost: O(n) a search, and
+/// O(log k) a pair for k intersections.
 #pragma once
 
 #include <optional>

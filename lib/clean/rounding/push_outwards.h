@@ -1,8 +1,8 @@
-/// Pushes vertices outwards by a few spacings of numbers (paper 4.3): two sheets of a thin sheet
-/// that rounding made intersect come apart again, while sheets on both sides of a gap overlap, so
-/// that cleaning closes the gap. Of the 26 directions that a grid has, a vertex takes that which
-/// leads farthest outside of all faces around it, and stays where there is none. Deterministic. O(n
-/// log k) for n faces and k vertices of those named.
+/// Pushes vertices outwards by a few spacings of numbers (paper 4.3). Two sides of a thin sheet
+/// that rounding made intersect come apart again; sheets on both sides of a gap overlap, so that
+/// cleaning closes the gap. Of the 26 directions of a grid, a vertex takes the one that leads
+/// farthest outside of all faces around it, and stays if there is none. Deterministic. O(n log k)
+/// for n faces and k vertices of those named.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
-/// A grid for every vertex: that of the numbers at its largest coordinate (paper 4.3). What lies
-/// below says nothing at the place of the vertex, but where magnitudes are extreme in every
-/// direction it makes slivers that intersect anew after every rounding.
+/// Snaps each vertex to the grid of the floating-point numbers at its largest coordinate (paper
+/// 4.3). If magnitudes are extreme in every direction, the digits below that grid mean nothing for
+/// the vertex, but make slivers that intersect again after every rounding.
 #pragma once
 
 #include "clean/rounding/displacement.h"

@@ -1,4 +1,4 @@
-/// Copies of a surface that lie upon each other, told apart: as the sheets that hang together
+/// Copies of a surface that lie upon each other, distinguished: as the sheets that hang together
 /// across edges, faces with the same corners counting as one.
 ///
 /// An edge of more than two faces still continues a surface if they are copies of two faces, as

@@ -1,6 +1,7 @@
-/// Double-sided models, in which faces come with their reverses, so that they enclose nothing:
-/// usual in graphics, where only the front of a face is drawn. Faces are each other's reverse where
-/// their corners are at equal positions and have the opposite direction. Deterministic; O(n log n).
+/// Double-sided models, in which each face has a duplicate with opposite orientation, so that they
+/// enclose nothing: usual in graphics, where only the front of a face is drawn. Two faces are each
+/// other's reverse if their corners are at equal positions in opposite order. Deterministic; O(n
+/// log n).
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t boxes_per_task = 4096;
 constexpr std::size_t most_sampled_points = 1024;
-constexpr double smallest_usual = 1e-30;  ///< less is hardly told apart by floats
+constexpr double smallest_usual = 1e-30;  ///< less is hardly distinguished by floats
 
 FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
   return float_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));

@@ -1,4 +1,4 @@
-/// Tells the format of a mesh from its first bytes.
+/// Detects the format of a mesh by its first bytes.
 #pragma once
 
 #include "io/streams/source.h"

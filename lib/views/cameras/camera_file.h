@@ -1,5 +1,5 @@
 /// Camera files: Middlebury parameters, COLMAP's models, Bundler, OpenCV, Metashape, RealityCapture
-/// and 3x4 matrices, told apart by their content.
+/// and 3x4 matrices, distinguished by their content.
 ///
 /// Middlebury: the number of cameras, then a line `name k11 .. k33 r11 .. r33 t1 t2 t3` for each.
 /// COLMAP: cameras.txt and images.txt, in two files of a folder or joined in one text, or

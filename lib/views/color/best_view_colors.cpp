@@ -9,7 +9,7 @@ namespace {
 
 /// Of the best quality: views that are as good as this have a vote.
 constexpr float voting_share = 0.6F;
-/// Gray intensities by which views differ that see the same.
+/// Intensities by which views differ that see the same.
 constexpr float usual_difference = 24;
 
 /// Codes are the leading bits of floats from 2^-16 to 2^16: eleven of the mantissa.

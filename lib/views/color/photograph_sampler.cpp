@@ -126,19 +126,20 @@ PhotographSampler::PhotographSampler(const Mesh& mesh, const PinholeCamera& came
   }
 }
 
-/// Of the two intensities whose pixels are next to the spacing, but not wider than the margin is.
+/// Of the two octaves of the pyramid whose pixels are next to the spacing, but not wider than the
+/// margin is.
 Eigen::Array3f PhotographSampler::color_at(double x, double y, double spacing, int margin) const {
   const double size = std::min(spacing, static_cast<double>(margin));
-  std::size_t intensity = 0;
+  std::size_t octave = 0;
   double side = 1;
-  for (; intensity + 1 < pyramid_.size() && 2 * side <= size; side *= 2) ++intensity;
+  for (; octave + 1 < pyramid_.size() && 2 * side <= size; side *= 2) ++octave;
   const auto at = [&](std::size_t i, double pixel) {
     return interpolated(pyramid_[i], (x + 0.5) / pixel - 0.5, (y + 0.5) / pixel - 0.5);
   };
-  const Eigen::Array3f fine = at(intensity, side);
+  const Eigen::Array3f fine = at(octave, side);
   const auto share = static_cast<float>(std::clamp(size / side - 1, 0.0, 1.0));
-  if (share == 0 || intensity + 1 == pyramid_.size()) return fine;
-  return (1 - share) * fine + share * at(intensity + 1, 2 * side);
+  if (share == 0 || octave + 1 == pyramid_.size()) return fine;
+  return (1 - share) * fine + share * at(octave + 1, 2 * side);
 }
 
 ViewColor PhotographSampler::at(const Place& place) const {

@@ -4,7 +4,7 @@
 /// SIGGRAPH 1996.
 ///
 /// A node before the depth of a view is free there by that distance, one closely behind it solid,
-/// and of one farther behind the view says nothing. The mean over the views, cut off at a few
+/// and of one farther behind the view gives no evidence. The mean over the views, cut off at a few
 /// cells, counts by how many they are. So a few wrong depths among many nodes open nothing, and no
 /// thin sheets are left between rays. Into what no view sees the values around it diffuse (Davis,
 /// Marschner, Garr & Levoy, "Filling holes in complex surfaces using volumetric diffusion", 3DPVT

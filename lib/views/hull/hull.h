@@ -3,8 +3,8 @@
 /// 16 (1994). Meshed as the zero of F(X) = max over views of (distance to the contour of X's pixel,
 /// in pixels, positive outside) * depth / focal length, which is a length in the world.
 ///
-/// Where X is outside the image of a view, or behind its camera, the view says nothing: it does not
-/// carve. What no view carves is part of the hull as far as the box reaches.
+/// Where X is outside the image of a view, or behind its camera, the view gives no evidence: it
+/// does not carve. What no view carves is part of the hull as far as the box reaches.
 #pragma once
 
 #include <optional>

@@ -1,10 +1,10 @@
-/// A gray image as it is held while it is not worked upon: as floats, or packed in 16 bits or less
-/// where many large images are held together.
+/// A gray image that can be packed while it is not used: floats, or at most 16 bits a pixel if many
+/// large images are held together.
 ///
-/// Packed are intensities, of which those of masks take a bit, other ones of 8 bits a byte, and
-/// others are rounded to 1/256; distances to contours, rounded to 1/64 pixel and cut off at 511
-/// pixels but for those that are infinite; and depths, rounded up by at most a 65534th of their
-/// range. Both take about a byte (compressed_tiles.h).
+/// Intensities of masks are packed in one bit, those of 8 bits in a byte, all others are rounded to
+/// 1/256. Distances to contours are rounded to 1/64 pixel and cut off at 511 pixels, except
+/// infinite ones. Depths are rounded up by at most a 65534th of their range. Distances and depths
+/// take about a byte (compressed_tiles.h).
 #pragma once
 
 #include <algorithm>
