@@ -103,7 +103,7 @@ MorphingOptions morphing_of(const MorphChoices& choices, Run& run) {
 std::string pipeline_of(const MorphChoices& choices, const Run& run) {
   if (choices.options.scales > 1 || choices.sequence) {
     throw UsageError(
-        "--print-pipeline is for a loop that can be told beforehand: leave out --scales and "
+        "--print-pipeline is for a loop whose steps are known beforehand: leave out --scales and "
         "--sequence");
   }
   const std::string output = run.output() == "-" ? "evolved.ply" : run.output();

@@ -23,7 +23,8 @@ inline std::string words_of(const MorphRemedy& remedy, const MorphingOptions& op
   switch (remedy.kind) {
     case RemedyKind::clean_target:
       return "the target is open, no manifold, or intersects itself, so that no surface without "
-             "crossings lies on all of it: clean it with tm-clean, or close its holes with tm-fill";
+             "self-intersections lies on all of it: clean it with tm-clean, or close its holes "
+             "with tm-fill";
     case RemedyKind::edges_at_narrow_places:
       return options.step.gap_edges == 0 ? "shorten edges at narrow places with --gap-edges 1.5"
                                          : "shorten all edges with --reference-edge " + halved;

@@ -60,7 +60,8 @@ std::string ending_of(const std::string& path) {
 void check_movie(int frames, int width, int height, bool is_transparent, const Run& run) {
   const std::string& path = run.output();
   if (frames == 0 && is_movie(path))
-    throw UsageError("--output: '" + path + "' is a movie: say of how many pictures with --frames");
+    throw UsageError("--output: '" + path +
+                     "' is a movie: state the number of pictures with --frames");
   if (frames > 0 && path == "-")
     throw UsageError(
         "--frames needs a name: -o orbit.mp4 or orbit.gif for a movie, orbit.png for numbered "

@@ -27,7 +27,7 @@ void declare_comparison(Program& program, PhotoOptions& options) {
   program.number("robust", &options.steps.step.photographs.correlation.robust, 0, 1e3,
                  "disagreement at which a window pulls by a quarter; 0: all pull alike");
   program.choice("interpolation", &options.interpolation, {"catmull-rom", "bilinear"},
-                 "of levels between pixels");
+                 "of intensities between pixels");
 }
 
 void declare_step(Program& program, PhotoOptions& options) {

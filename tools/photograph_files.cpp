@@ -23,7 +23,7 @@ CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
     if (record.width != 0) continue;
     if (!files.size_is_given && (needs_size || record.is_centered))
       throw UsageError("how large is the image of " + record.name + " (" + record.place +
-                       ")? The cameras do not say: give --size WxH");
+                       ")? The camera file does not state it: give --size WxH");
     record.set_size(ring.width, ring.height, "--size");
   }
   return list;

@@ -17,7 +17,7 @@ void declare_places(Program& program, ReconstructChoices& choices) {
   program.choice("silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
                  "the object, or only some of it: then they pull outwards alone");
   program.text("threshold", &choices.threshold, "auto|LEVEL",
-               "without masks: gray level above which photographs show the object (default auto; "
+               "without masks: intensity above which photographs show the object (default auto; "
                "with --start, none)");
 }
 
@@ -49,7 +49,8 @@ void declare_scales(Program& program, ReconstructChoices& choices) {
   program.text("last-edge", &choices.last_edge, "NUMBER",
                "then shorten them to this in steps of the square root of 2, at full scale "
                "(default: as --edge)");
-  program.integer("passes", &choices.options.sweeps, 1, no_limit, "at most so many at each scale");
+  program.integer("passes", &choices.options.sweeps, 1, no_limit,
+                  "at most so many sweeps at each scale");
   program.text("iterations", &choices.iterations, "auto|N",
                "steps between two cleanings; auto: 5, but 8 from open hollows");
 }
@@ -155,7 +156,7 @@ void declare_reconstruction(Program& program, ReconstructChoices& choices) {
   declare_scales(program, choices);
   declare_steps(program, choices);
   declare_colors(program, choices);
-  declare_record(program, choices.loop, "every how many passes (default 1)", "pass");
+  declare_record(program, choices.loop, "every how many sweeps (default 1)", "sweep");
   program.epilog = "WHERE is a file, a folder or a quoted pattern, see tm-cameras.";
 }
 

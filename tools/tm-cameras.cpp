@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   program.reads_cameras = true;
   program.choice("format", &options.format,
                  {"middlebury", "colmap", "colmap-binary", "opencv", "matrices"},
-                 "format of the output; the input's is told by its content");
+                 "format of the output; the input's is detected by its content");
   program.text("folder", &options.folder, "FOLDER",
                "write the format's own files there instead of one text to the output");
   program.text("images", &options.images, "WHERE", "the images, for their names and sizes");

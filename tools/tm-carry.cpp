@@ -29,7 +29,7 @@ SourcePoints places_on(const Mesh& before, const std::string& before_name, const
   if (!has_source_points(mesh))
     throw InputError(
         name +
-        " does not say where its vertices and faces come from: write it with tm-clean --source "
+        " does not state where its vertices and faces come from: write it with tm-clean --source "
         "or tm-remesh --source, or take the closest places with --closest");
   return read_source_points(mesh, before.faces.size(), before_name);
 }
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
   program.text("columns", &options.columns, "NAMES",
                "carry these, separated by commas (default: all but normals)");
   program.flag("closest", &options.closest,
-               "what does not say where it comes from takes the closest places");
+               "what does not state where it comes from takes the closest places");
   program.epilog =
       "Texture coordinates through two steps:\n"
       "  tm-clean --source a.ply > b.ply\n"

@@ -104,14 +104,14 @@ void check(const Document& document, const Options& options, tool::Run& run) {
 int main(int argc, char** argv) {
   Options options;
   tool::Program program{"tm-checkmanifold", "[OPTION]... [INPUT]",
-                        "Checks that a mesh is an oriented manifold, and says where it is not",
+                        "Checks that a mesh is an oriented manifold, and reports where it is not",
                         tool::Reads::mesh, tool::Writes::answer};
   program.flag("closed", &options.closed, "a border is a problem too");
   program.flag("intersections", &options.intersections, "faces that intersect are a problem too");
   program.text("certify", &options.certify, "FILE",
                "the mesh is the boundary of winding number >= LEVEL of FILE, by samples");
   program.integer("level", &options.winding_level, 1, 1000000,
-                  "the level of --certify (default: 1)");
+                  "the winding level of --certify (default: 1)");
   program.flag("pass", &options.pass,
                "pass the mesh on; on a problem write nothing and exit with 1");
   program.writes_mesh_if = [&] { return options.pass; };

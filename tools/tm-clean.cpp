@@ -39,7 +39,7 @@ SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, t
 CleanResult clean_in_box(const Mesh& mesh, const CleanBoxOptions& options, tool::Run& run) {
   CleanBoxResult result = clean_box(mesh, options, run.progress());
   if (result.is_whole)
-    run.note("rounding makes faces cross in the box: the whole mesh was cleaned to mend that");
+    run.note("rounding makes faces intersect in the box: the whole mesh was cleaned to mend that");
   run.report("box_faces", result.box_faces);
   run.report("whole_mesh", result.is_whole);
   return std::move(result.clean);

@@ -84,12 +84,13 @@ int main(int argc, char** argv) {
                         tool::Writes::answer};
   program.flag("check", &options.check,
                "print the number of pairs; exit 1 where there are any, write no mesh");
-  program.flag("any", &options.any,
-               "say only whether there are any, which is quick where there are; exit 1 likewise");
+  program.flag(
+      "any", &options.any,
+      "report only whether there are any, which is quick where there are; exit 1 likewise");
   program.text("pairs", &options.pairs, "FILE", "write the pairs of face numbers as text");
   program.text("segments", &options.segments, "FILE", "write the common segments as PLY edges");
   program.flag("refine", &options.refine,
-               "split faces along the intersections; source_face tells where they come from");
+               "split faces along the intersections; source_face names where they come from");
   program.writes_mesh_if = [&] { return !options.check && !options.any; };
   return program.run(argc, argv, [&](tool::Run& run) { intersect(run.document(), options, run); });
 }

@@ -28,7 +28,7 @@ void declare(tool::Program& program, Options& options) {
   tool::PhotographFiles& files = options.files;
   program.text("cameras", &files.cameras, "WHERE", "the cameras; without them a ring is made");
   options.size_option = &program.text("size", &options.size, "WxH",
-                                      "pixels of an image, where the cameras do not say");
+                                      "pixels of an image, if the camera file does not state them");
   program.integer("ring", &options.ring, 1, 100000, "cameras around the mesh");
   program.numbers("elevations", &options.elevations, "DEGREES,DEGREES",
                   "of the ring's cameras above the horizon, in turn");
@@ -43,9 +43,11 @@ void declare(tool::Program& program, Options& options) {
   program.length("coarsest", &options.coarsest, "longest wavelength of the texture");
   program.integer("waves", &files.waves, 1, 10000, "that make the texture");
   PhotographOptions& sensor = files.sensor;
-  program.number("noise", &sensor.noise, 0, 255, "deviation of the noise, in gray levels");
-  program.number("gain", &sensor.gain_spread, 0, 0.99, "levels are multiplied by 1 -+ up to that");
-  program.number("offset", &sensor.offset_spread, 0, 255, "and moved by up to so many levels");
+  program.number("noise", &sensor.noise, 0, 255,
+                 "standard deviation of the noise, as intensity from 0 to 255");
+  program.number("gain", &sensor.gain_spread, 0, 0.99,
+                 "intensities are multiplied by 1 -+ up to that");
+  program.number("offset", &sensor.offset_spread, 0, 255, "and shifted by up to this intensity");
   program.text("compare-silhouettes", &files.masks, "WHERE",
                "report how well the mesh agrees with these masks");
   program.seed(&options.seed);

@@ -33,7 +33,7 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   options.spends_views = true;
   options.on_sweep = [&run](const std::string& text) { run.progress_line(text); };
   ReconstructionResult result;
-  tool::evolve_or_keep(run, record, "pass", [&] {
+  tool::evolve_or_keep(run, record, "sweep", [&] {
     result = reconstruct(document, views, options, record, run.progress());
   });
   tool::report_reconstruction(result, views.size(), run);
@@ -55,7 +55,7 @@ void reconstruct_movie(const tool::ReconstructChoices& choices,
   options.comments = initial_state("", run).style.comments;
   Document& document = run.document();
   if (!record.resumed()) document = initial_state(choices.options.initial.name, run);
-  tool::begin_run(choices.loop, record, reconstruction.start.is_given ? &document : nullptr, run);
+  tool::begin_run(choices.loop, record, reconstruction.initial.is_given ? &document : nullptr, run);
   const auto views_of = [&](const TimeStep& step) {
     std::vector<View> views =
         tool::checked_views(tool::sources_of(choices.sources, step), choices, run);

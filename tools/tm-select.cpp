@@ -55,7 +55,7 @@ void write_parts(const Document& document, const Choices& c, tool::Run& run) {
   if (count > most_files)
     throw GoalError("--split would write " + counted(count, "file") + ", and " +
                     std::to_string(most_files) +
-                    " are the most: join a soup by tm-stitch, or say how many with --largest");
+                    " are the most: join a soup by tm-stitch, or state how many with --largest");
   std::vector<Mesh> parts = split_components(document.mesh, component_size_of(c.by));
   for (std::size_t i = 0; i < count; ++i)
     run.write_mesh_file(part_name(c, i + 1, count, run.program().common.format),

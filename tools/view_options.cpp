@@ -55,7 +55,7 @@ void declare_silhouettes(Program& program, SilhouetteOptions& options) {
   program.text("images", &options.sources.images, "WHERE",
                "or photographs of a bright object before a dark background");
   program.text("threshold", &options.threshold, "auto|LEVEL",
-               "gray level, 1 to 254, above which photographs show the object");
+               "intensity, 1 to 254, above which photographs show the object");
   program.number("blur", &options.blur, 0, 100, "pixels by which photographs are blurred before");
   program.number("close", &options.close, 0, 1,
                  "share of the image's larger side: narrower marks belong to the object");

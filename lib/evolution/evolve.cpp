@@ -62,7 +62,7 @@ class EvolveLoop : public Loop {
 }  // namespace
 
 std::string clamps_in_words(const EvolveResult& result, double alpha) {
-  return "vertices moved less far than their velocities say in " +
+  return "vertices moved less far than their velocities prescribe in " +
          std::to_string(result.clamped_iterations) + " of " +
          counted(result.iterations, "iteration") + ", at most " +
          significant(100 * result.clamped_share, 2) + " % of them: clamped to " +

@@ -45,8 +45,8 @@ struct EvolveResult {
   IterationResult last;  ///< of the last iteration of this run
 };
 
-/// "vertices moved less far than their velocities say in 30 of 30 iterations, at most 87 % of them:
-/// clamped to 0.2 of the mean edge". Pre: there are such iterations.
+/// "vertices moved less far than their velocities prescribe in 30 of 30 iterations, at most 87 % of
+/// them: clamped to 0.2 of the mean edge". Pre: there are such iterations.
 std::string clamps_in_words(const EvolveResult& result, double alpha);
 
 EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options,

@@ -152,7 +152,8 @@ class ReconstructionLoop : public Loop {
                                     photographs.pixel())),
         rule_(options.sweeps) {}
 
-  std::string noun() const override { return "pass"; }
+  std::string noun() const override { return "sweep"; }
+  std::string column() const override { return "pass"; }
   void start(Document& document, const Progress& progress) override;
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
   bool is_done() const override { return scale_step_ == scale_steps_.size(); }
@@ -389,7 +390,7 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
 }
 
 std::string summary_of(const ReconstructionResult& result) {
-  return counted(result.sweeps, "pass") + ": " + in_short(result.faces, result.topology) +
+  return counted(result.sweeps, "sweep") + ": " + in_short(result.faces, result.topology) +
          "; dissimilarity from " + fixed(result.first.dissimilarity, 4) + " to " +
          fixed(result.last.dissimilarity, 4) + (result.fault.empty() ? "" : "; " + result.fault);
 }

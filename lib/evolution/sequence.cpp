@@ -37,6 +37,7 @@ class SequenceLoop : public Loop {
       : time_steps_(time_steps), views_of_(views_of), options_(options) {}
 
   std::string noun() const override { return "time step"; }
+  std::string column() const override { return "step"; }
   void start(Document& document, const Progress& progress) override;
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
   bool is_done() const override { return result_.time_steps == time_steps_.size(); }
@@ -92,10 +93,10 @@ void SequenceLoop::start(Document& /*document*/, const Progress& /*progress*/) {
 
 ReconstructionOptions SequenceLoop::options_from(const std::string& start) const {
   ReconstructionOptions options = options_.reconstruction;
-  options.start.is_given = start != from_hull;
-  if (are_outlines_) options.start.meaning = SilhouetteMeaning::least;
+  options.initial.is_given = start != from_hull;
+  if (are_outlines_) options.initial.meaning = SilhouetteMeaning::least;
   if (start == from_before) {
-    options.start.clips_by_hull = false;
+    options.initial.clips_by_hull = false;
     options.scales.coarsest = options_.track;
   }
   return options;
@@ -149,7 +150,7 @@ Surface SequenceLoop::better_of(std::optional<Surface> tracked, const Progress& 
 void SequenceLoop::find_masks(const Progress& progress) {
   are_outlines_ = views_.front().silhouette.empty();
   if (!are_outlines_) return;
-  const Mesh hull = hull_of(views_, options_.reconstruction.start, std::nullopt, progress);
+  const Mesh hull = hull_of(views_, options_.reconstruction.initial, std::nullopt, progress);
   outline(views_, hull);
 }
 
@@ -161,7 +162,7 @@ void SequenceLoop::advance(Document& document, std::size_t iteration, const Prog
   fault_.clear();
   if (iteration > 1) {
     surface_ = better_of(tracked(document, progress), progress);
-  } else if (options_.reconstruction.start.is_given) {
+  } else if (options_.reconstruction.initial.is_given) {
     surface_ = made(from_given, document, progress);
   } else {
     surface_ = made_from_hull(progress);

@@ -10,7 +10,7 @@
 namespace transformesh {
 
 /// Whether the first line holds three or six numbers. An .off file without its keyword begins so
-/// too, and is told by its name.
+/// too, and is detected by its name.
 bool is_point_text(const Source& source);
 
 /// Throws InputError where the first line holds numbers and commas only, but no point: it says what

@@ -207,7 +207,7 @@ SourcePoints places_on(const Mesh& before, const Mesh& mesh, std::size_t number,
   if (closest) return closest_source_points(before, mesh);
   throw InputError(
       "mesh " + std::to_string(number + 1) +
-      " does not say where its vertices and faces come from: make it with source=True, or take "
+      " does not state where its vertices and faces come from: make it with source=True, or take "
       "the closest places with closest=True");
 }
 
@@ -253,7 +253,7 @@ void bind_editing(py::module_& module) {
   module.def(
       "handles", &remove_handles_of, arg("mesh"), py::kw_only(), arg("max_length") = "5x",
       arg("progress") = none,
-      "Removes handles that a loop of at most this length goes around; the surface may cross "
+      "Removes handles that a loop of at most this length goes around; the surface may intersect "
       "itself there, for clean(). See tm-handles(1).");
   module.def("transform", &transform_mesh, arg("mesh"),
              "Moves, turns, scales and mirrors, in the order of the keywords: translate=(x, y, z), "

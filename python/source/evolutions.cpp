@@ -173,18 +173,18 @@ void bind_evolutions(py::module_& module) {
   const py::object none = py::none();
   const PythonLength shortest("0.7x");
   const PythonLength longest("1.5x");
-  module.def("evolve", &evolve_mesh, arg("mesh"), arg("velocity"), py::kw_only(),
-             arg("iterations") = 100, arg("time_step") = 1.0,
-             arg("alpha") = DisplaceOptions().alpha, arg("min_edge") = shortest,
-             arg("max_edge") = longest, arg("smooth") = 0.1, arg("outermost") = true,
-             arg("until") = none, arg("on_iteration") = none, arg("progress") = none,
-             "An evolution: vertices move along `velocity(mesh)`, an array (n, 3), "
-             "self-intersections are removed, the surface is remeshed, again and again. `until` is "
-             "a length, by which no vertex moves any more, or 'stalled'. A vertex moves by "
-             "`time_step` times its velocity, but by no more than `alpha` times the mean edge at "
-             "it: a warning, and `clamped_iterations` and `clamped_share` of the report, say where "
-             "that is less. `smooth` 0.1 shrinks what is curved; 'none' and 'tangential' keep the "
-             "volume. See tm-evolve(1).");
+  module.def(
+      "evolve", &evolve_mesh, arg("mesh"), arg("velocity"), py::kw_only(), arg("iterations") = 100,
+      arg("time_step") = 1.0, arg("alpha") = DisplaceOptions().alpha, arg("min_edge") = shortest,
+      arg("max_edge") = longest, arg("smooth") = 0.1, arg("outermost") = true, arg("until") = none,
+      arg("on_iteration") = none, arg("progress") = none,
+      "An evolution: vertices move along `velocity(mesh)`, an array (n, 3), "
+      "self-intersections are removed, the surface is remeshed, again and again. `until` is "
+      "a length, by which no vertex moves any more, or 'stalled'. A vertex moves by "
+      "`time_step` times its velocity, but by no more than `alpha` times the mean edge at "
+      "it: a warning, and `clamped_iterations` and `clamped_share` of the report, state where "
+      "that is less. `smooth` 0.1 shrinks what is curved; 'none' and 'tangential' keep the "
+      "volume. See tm-evolve(1).");
   module.def("morph", &morph_mesh, arg("source"), arg("target"), py::kw_only(),
              arg("iterations") = LoopOptions().iterations, arg("alpha") = DisplaceOptions().alpha,
              arg("time_step") = MorphStepOptions().displace.time_step, arg("distance") = "auto",

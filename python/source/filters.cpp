@@ -290,7 +290,7 @@ void bind_filters(py::module_& module) {
       "Removes self-intersections: the boundary of winding number at least `level`, exactly, "
       "closed, manifold, without a self-intersection in the numbers as written. 2 intersects two "
       "bodies. `outermost` drops cavities and what floats in them. In a `box` ((x, y, z), "
-      "(x, y, z)) what crosses there is resolved and all else left, or with `only` left "
+      "(x, y, z)) what intersects there is resolved and all else left, or with `only` left "
       "out. `source` writes where on the input each vertex comes from, for carry(), "
       "`source_face` the input face of each face. See tm-clean(1).");
   module.def("stitch", &stitch_mesh, arg("mesh"), py::kw_only(),

@@ -130,7 +130,7 @@ void write(const PythonMesh& self, const py::object& path, const std::string& fo
 void bind_files(py::module_& module) {
   module.def(
       "read", &read, py::arg("path"), py::kw_only(), py::arg("strict") = false,
-      "Reads PLY, OFF, OBJ or STL, told apart by the first bytes. What is changed on the "
+      "Reads PLY, OFF, OBJ or STL, distinguished by the first bytes. What is changed on the "
       "way in, as polygons cut into triangles, is a warning. Values that are not finite and "
       "lines that the format does not have are left out with a warning; strict refuses them.");
   module.def(

@@ -20,7 +20,7 @@ inline std::string refusal(const std::string& text) {
   return "";
 }
 
-/// Whether the message says `what` and ends with the line.
+/// Whether the message states `what` and ends with the line.
 inline bool is_refused(const std::string& text, const std::string& what, int line) {
   const std::string message = refusal(text);
   INFO(message);

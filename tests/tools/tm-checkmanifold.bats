@@ -163,7 +163,7 @@ edit() {
   [[ $output != *"wrong_samples: 0"* ]]
 }
 
-@test "tm-checkmanifold: --certify finds a wrong sheet, and knows levels" {
+@test "tm-checkmanifold: --certify finds a wrong sheet, and knows winding levels" {
   balls
   tm-clean --level 2 crossing.ply -o inner.ply
   refused "should be 1" crossing.ply inner.ply

@@ -37,7 +37,7 @@ setup() {
     <(numbers ball.off | tail -n +$((all + 1)) | head -n "$faces")
 }
 
-@test "limits leave a hole open, which is said with its place" {
+@test "limits leave a hole open, which is reported with its place" {
   run --separate-stderr tm-fill --max-edges 5 open.ply -o still.ply
   assert_status 0
   [[ $stderr == *"1 hole stays open, beyond the limits: "*" edges, "*" long, at vertex "* ]]

@@ -297,7 +297,7 @@ frames_are_piped() {
   awk -v volume="$(tm-info --get volume out.ply)" 'BEGIN { exit !(volume > 0.0199 && volume < 0.0201) }'
 }
 
-@test "a cavity of the target is no goal, which is said, and keeps no morph from converging" {
+@test "a cavity of the target is no goal, which is reported, and keeps no morph from converging" {
   tm-shape sphere --radius 0.5 --faces 1000 -o ball.ply
   tm-shape sphere --radius 0.3 --faces 400 | tm-stitch -q --flip | tm-cat -q ball.ply - -o hollow.ply
   tm-shape sphere --around hollow.ply --faces 1000 -o start.ply

@@ -56,7 +56,7 @@ load ../helpers/common
   [[ $stderr == *"limit of iterations"* ]]
 }
 
-@test "a thin plate that loses its rim did not converge, which is said; the edge that is named keeps it" {
+@test "a thin plate that loses its rim did not converge, which is reported; the edge that is named keeps it" {
   tm-shape box 4 6 8 --faces 12 -o "$BATS_TEST_TMPDIR/box.ply"
   run --separate-stderr tm-offset --distance -1.9 --edge 0.4 --report "$BATS_TEST_TMPDIR/r.json" \
     -o "$BATS_TEST_TMPDIR/plate.ply" "$BATS_TEST_TMPDIR/box.ply"

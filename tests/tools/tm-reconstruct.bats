@@ -43,7 +43,7 @@ compared() { # KEY MESH
   below "$(value dissimilarity "$scene/whole.json")" "$(value first_dissimilarity "$scene/whole.json")"
 }
 
-@test "the csv has a line per pass, from coarse to fine" {
+@test "the csv has a line per sweep, from coarse to fine" {
   awk -F, 'NR == 1 { if ($1 != "pass" || NF != 16) exit 1; next }
     $1 != NR - 1 || NF != 16 || (before && $2 > before) { exit 1 }
     { before = $2 }
@@ -92,7 +92,7 @@ compared() { # KEY MESH
   run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply --frames frames --every 2
   assert_status 5
   [[ ${stderr_lines[0]} == "tm-reconstruct: cannot write 'frames/frame-00002.ply': "* ]]
-  [[ ${stderr_lines[1]} == *"stopped in pass 2; 'out.ply' holds the mesh of pass 1, and --resume"* ]]
+  [[ ${stderr_lines[1]} == *"stopped in sweep 2; 'out.ply' holds the mesh of sweep 1, and --resume"* ]]
   cp out.ply first.ply
   run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply
   assert_status 2
@@ -109,7 +109,7 @@ compared() { # KEY MESH
   below "$(compared accuracy "$scene/whole.ply")" \
     "$(awk "BEGIN { print 0.75 * $(compared accuracy plain.ply) }")"
   below "$(compared hausdorff "$scene/whole.ply")" "$(compared hausdorff plain.ply)"
-  # The passes before are the same, and what comes then is at full scale.
+  # The sweeps before are the same, and what comes then is at full scale.
   for log in "$scene/whole.csv" half.csv; do
     [ -e "$log" ] || "${reconstruct[@]}" --robust 0.5 -q -o half.ply --csv half.csv
     count=$(wc -l <plain.csv)

@@ -5,7 +5,7 @@ value() {
   awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2"
 }
 
-@test "a refined mesh has more faces, and a report says what was done" {
+@test "a refined mesh has more faces, and a report states what was done" {
   tetrahedron >"$BATS_TEST_TMPDIR/in.ply"
   pipe "tm-remesh --min-edge 0.35x --max-edge 0.75x --report $BATS_TEST_TMPDIR/r.json \
     < $BATS_TEST_TMPDIR/in.ply > $BATS_TEST_TMPDIR/out.ply"

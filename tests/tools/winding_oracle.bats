@@ -31,7 +31,7 @@ setup() {
   assert_status 1
 }
 
-@test "levels are told apart" {
+@test "levels are distinguished" {
   tm-cat ball.ply ball.ply -o twice.ply
   run winding_oracle twice.ply ball.ply --level 2
   assert_status 0

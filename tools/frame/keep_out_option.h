@@ -15,7 +15,7 @@ class KeepOutOption {
  public:
   void declare(Program& program) {
     program.text("keep-out", &file_, "FILE",
-                 "do nothing that comes nearer to this mesh than --gap, or crosses it");
+                 "do nothing that comes nearer to this mesh than --gap, or intersects it");
     program.length("gap", &gap_, "how far to stay from the mesh of --keep-out");
   }
 

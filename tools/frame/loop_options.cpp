@@ -79,8 +79,8 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
   program.integer("every", &choices.every, 1, 999999999, every);
   program.text("csv", &choices.record.csv, "FILE", "write a line per " + rows);
   program.text("run", &choices.run, "FOLDER",
-               "keep all there that shows and repeats the run, for tm-report: start, frames, "
-               "log.csv, report.json, result.ply");
+               "keep all there that shows and repeats the run, for tm-report: initial mesh, "
+               "frames, log.csv, report.json, result.ply");
   program.flag("require-convergence", &choices.require_convergence,
                "exit 1 where the result did not converge");
   for (std::size_t i = first; i < program.options.size(); ++i)

@@ -46,7 +46,7 @@ LoopOptions loop_of(const LoopChoices& choices, Run& run);
 Document& begin_document(const Record& record, Run& run);
 
 /// Calls `evolve`. Where that fails after `noun` 1 or later, the output holds the last good mesh,
-/// and the message says so.
+/// and the message states so.
 void evolve_or_keep(Run& run, const Record& record, const std::string& noun,
                     const std::function<void()>& evolve);
 

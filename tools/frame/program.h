@@ -43,7 +43,7 @@ enum class Reads {
 enum class Soups {
   kept,     ///< the mesh is read as it is; only of STL it is said that tm-stitch joins them
   own,      ///< the same, and nobody is told to use tm-stitch: the program joins them itself
-  joined,   ///< equal places are joined when a mesh is read, which is said
+  joined,   ///< equal places are joined when a mesh is read, which is reported
   reported  ///< the mesh is read as it is, and of any file it is said that tm-stitch joins them
 };
 
@@ -107,7 +107,7 @@ struct Program {
   bool words_are_folders = false;
   std::function<bool()> reads_nothing_if = {};  ///< where this holds, there is no input
   bool reads_cameras = false;                   ///< the file read is no mesh and no points
-  bool cleans = false;  ///< what is written crosses nothing, rounded as it is
+  bool cleans = false;  ///< the output has no self-intersection after rounding
   Soups soups = Soups::kept;
   const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
   CommonValues common = CommonValues();   // {} would make GCC 12 warn

@@ -83,7 +83,7 @@ void Run::check_ending() const {
   if (program_.writes == Writes::page) check({".html", ".htm"}, "pages are .html");
   if (program_.writes_mesh() && program_.common.format.empty())
     check(written_endings(),
-          "take " + listed(written_endings()) + ", or say what it shall hold with --format");
+          "take " + listed(written_endings()) + ", or name its format with --format");
 }
 
 void Run::start() {
@@ -202,7 +202,7 @@ void Run::set_output_style(Document& document) {
         "ask for text with --format ply-ascii");
 }
 
-// What is computed stays crossed where it is so, but by rounding nobody means a crossing.
+// Reports self-intersections that only the rounding of the output adds.
 void Run::note_self_intersections(Mesh rounded, const std::vector<Vec3>& before) {
   if (program_.cleans || are_self_intersections_reported_ || rounded.positions == before) return;
   const std::size_t now = find_intersections(rounded).size();
@@ -211,7 +211,7 @@ void Run::note_self_intersections(Mesh rounded, const std::vector<Vec3>& before)
   const std::size_t then = find_intersections(rounded).size();
   if (now <= then) return;
   are_self_intersections_reported_ = true;
-  note(counted(now - then, "pair") + " of faces " + (now - then == 1 ? "crosses" : "cross") +
+  note(counted(now - then, "pair") + " of faces " + (now - then == 1 ? "intersects" : "intersect") +
        " only as floats: let tm-clean write the file, or write doubles, in PLY, OFF, OBJ or VTP");
 }
 

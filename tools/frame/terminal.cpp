@@ -97,7 +97,8 @@ void end_process_with(std::string_view message, int exit_code) noexcept {
 void set_child_group(pid_t group) { child_group = group; }
 
 void limit_time(const std::string& program, double seconds) {
-  time_message = program + ": stopped after " + shortest_text(seconds) + " s, as --max-time says";
+  time_message =
+      program + ": stopped after " + shortest_text(seconds) + " s, as --max-time demands";
   messages = new Messages{{SIGALRM, time_message + "; nothing is written\n"}};
   struct sigaction action {};
   action.sa_handler = end_process;

@@ -28,9 +28,8 @@ LoopState loop_state_of(Loop& loop) {
 }
 
 CsvRow row_of(const Loop& loop, std::size_t iteration) {
-  const std::string noun = loop.noun();
   CsvRow row;
-  row.count(noun.substr(noun.rfind(' ') + 1), iteration);
+  row.count(loop.column(), iteration);
   loop.measure(row);
   return row;
 }

@@ -18,6 +18,8 @@ class Loop {
   virtual ~Loop() = default;
   /// As messages call an iteration; its last word is the CSV column of the numbers.
   virtual std::string noun() const { return "iteration"; }
+  /// Name of the first column of the CSV file, which holds the number of the iteration.
+  virtual std::string column() const { return noun(); }
   /// Before the first iteration of a run that begins: by default the mesh is cleaned.
   virtual void start(Document& document, const Progress& progress);
   virtual void advance(Document& document, std::size_t iteration, const Progress& progress) = 0;

@@ -31,13 +31,13 @@ std::string ReconstructionFaults::in_words(const SurfaceEvidence& evidence) cons
   if (lost_at > 0)
     return "photographs compare less of the surface after scale " + fixed(lost_at, 4) +
            " than before";
-  if (!is_at_rest) return "the surface was not at rest after the last pass";
+  if (!is_at_rest) return "the surface was not at rest after the last sweep";
   if (late_at > 0)
     return "components or holes came or went as late as at scale " + fixed(late_at, 4) +
            ": maybe thin sheets that no photograph shows";
   if (evidence.agreement < evidence.first_agreement - agreement_lost)
     return "the outline agrees with the silhouettes by " + fixed(evidence.agreement, 3) +
-           ", that of the start by " + fixed(evidence.first_agreement, 3);
+           ", that of the initial mesh by " + fixed(evidence.first_agreement, 3);
   return in_words_of(evidence.doubt);
 }
 

@@ -1,4 +1,5 @@
-/// What a reconstruction (paper 5.3) begins with, in its record: so a run that goes on has it too.
+/// What a reconstruction (paper 5.3) begins with. It is kept in the record, so that a continued run
+/// has it too.
 #pragma once
 
 #include <optional>

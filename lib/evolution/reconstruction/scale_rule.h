@@ -1,5 +1,5 @@
-/// When a scale of coarse to fine is done (paper 5.3.1): plain values of its sweeps in, a verdict
-/// out. What it remembers of them is kept in the record of a run.
+/// Decides when a reconstruction is done with a scale (paper 5.3.1). Takes the measures of each
+/// sweep, returns a verdict. Its state is kept in the record of a run.
 #pragma once
 
 #include <cstddef>

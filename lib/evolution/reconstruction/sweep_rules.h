@@ -1,5 +1,5 @@
-/// What a reconstruction decides around a sweep (paper 5.3): plain values in, a choice or a verdict
-/// out.
+/// Decisions of a reconstruction before and after a sweep (paper 5.3): plain values in, a choice or
+/// a verdict out.
 #pragma once
 
 #include <span>

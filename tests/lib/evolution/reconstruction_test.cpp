@@ -83,7 +83,7 @@ TEST_CASE("a dent that the hull does not show is found; the surface is closed") 
   CHECK(run.result.last.dissimilarity < 0.75 * run.result.first.dissimilarity);
   CHECK(run.result.topology == Topology{1, 0});
   CHECK(messages.size() == run.result.sweeps);
-  CHECK(messages[0].find("pass 1, scale 2.00: ") == 0);
+  CHECK(messages[0].find("sweep 1, scale 2.00: ") == 0);
   CHECK(summary_of(run.result).find("components 1, genus 0; dissimilarity from ") !=
         std::string::npos);
   // The last, robust sweeps go on towards the truth, where all windows agree a little less.
@@ -135,7 +135,7 @@ TEST_CASE("the result does not depend on the number of threads") {
   CHECK(write_mesh(run_of(options).document).bytes == many);
 }
 
-TEST_CASE("a start is clipped by the hull of exact masks, and only by that") {
+TEST_CASE("an initial mesh is clipped by the hull of exact masks, and only by that") {
   const auto outside = [](const ReconstructionOptions& options) {
     const TemporaryFolder folder;
     RecordOptions kept;
@@ -158,11 +158,11 @@ TEST_CASE("a start is clipped by the hull of exact masks, and only by that") {
   options.initial.meaning = SilhouetteMeaning::least;
   std::vector<View> views = dented_views();
   Document whole = ball_of(1.3);
-  make_initial_mesh(whole, views, from_given(options).start, 0.03);
+  make_initial_mesh(whole, views, from_given(options).initial, 0.03);
   CHECK(whole.mesh.faces.size() == ball_of(1).mesh.faces.size());
 }
 
-TEST_CASE("a start of which nothing is within the hull is no start, and leaves no state") {
+TEST_CASE("an initial mesh of which nothing is within the hull is refused, and leaves no state") {
   const TemporaryFolder folder;
   RecordOptions kept;
   kept.state = folder / "state";
@@ -173,7 +173,8 @@ TEST_CASE("a start of which nothing is within the hull is no start, and leaves n
   CHECK(folder.is_empty());
 }
 
-TEST_CASE("with a start, outlines come from a threshold that is given, and from nothing else") {
+TEST_CASE(
+    "with an initial mesh, outlines come from a threshold that is given, and from nothing else") {
   ReconstructionOptions options = from_given(few_sweeps());
   for (const bool is_given : {false, true}) {
     std::vector<View> views = test::without_masks(dented_views());

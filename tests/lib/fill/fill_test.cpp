@@ -76,7 +76,7 @@ TEST_CASE("holes beyond the limits stay open") {
   CHECK(fill_holes(mesh, {.max_edges = 4, .max_diameter = 1.5}).filled() == 1);
 }
 
-TEST_CASE("a patch that would intersect stays out") {
+TEST_CASE("a patch that would intersect the mesh stays out") {
   // A spike through the missing lid of the box.
   Mesh mesh =
       test::joined(opened(test::cube(), 0.5), test::cuboid({0.4, 0.4, 0.5}, {0.6, 0.6, 1.5}));

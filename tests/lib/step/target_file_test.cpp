@@ -44,7 +44,7 @@ TEST_CASE("points read back with the normals that were estimated for them") {
     CHECK((again.normals[p] - target.normals[p]).norm() < 1e-15);
 }
 
-TEST_CASE("text and meshes are told apart") {
+TEST_CASE("text and meshes are distinguished") {
   CHECK(read_target("1 0 0 1 0 0\n0 1 0 0 2 0\n", "a.P3D").normals[1] == Vec3(0, 1, 0));
   CHECK(read_target("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off").is_mesh());
 }

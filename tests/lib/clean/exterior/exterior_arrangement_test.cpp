@@ -132,7 +132,7 @@ TEST_CASE("exterior pieces of tetrahedra on a lattice are those that rays find")
   CHECK(count > 5000);
 }
 
-TEST_CASE("shapes that share vertices and edges, and copies, are told apart") {
+TEST_CASE("shapes that share vertices and edges, and copies, are distinguished") {
   const Mesh ball = test::icosphere(1);
   compare(test::joined(ball, ball));
   compare(test::joined(ball, test::reversed(ball)));

@@ -78,7 +78,7 @@ TEST_CASE("a point that is far away does not keep boxes from being told apart") 
           frame.box(points[i + 1], points[i + 1]).minimum[0]);
 }
 
-TEST_CASE("magnitudes that floats do not hold are told apart, and keep their order") {
+TEST_CASE("magnitudes that floats do not hold are distinguished, and keep their order") {
   std::vector<Vec3> points;
   for (int i = -150; i <= 150; ++i) {
     const double x = std::pow(10.0, i);

@@ -47,7 +47,7 @@ std::string file_of_size(const std::string& comment, Format format, std::size_t 
 
 }  // namespace
 
-TEST_CASE("formats are told by their first words, whatever the name says") {
+TEST_CASE("formats are detected by their first words, whatever the name says") {
   CHECK(kind("ply\nformat ascii 1.0\n", "a.off") == FileKind::ply);
   CHECK(kind("ply \r\n") == FileKind::ply);
   CHECK(kind("# a comment\n\nOFF 3 1 0\n", "a.obj") == FileKind::off);
@@ -58,7 +58,7 @@ TEST_CASE("formats are told by their first words, whatever the name says") {
   CHECK(kind("Solid\nEndSolid\n") == FileKind::stl_ascii);
 }
 
-TEST_CASE("binary STL is told by its size, also where the header says solid") {
+TEST_CASE("binary STL is detected by its size, also where the header says solid") {
   CHECK(kind(binary_stl(3, 3)) == FileKind::stl_binary);
   CHECK(kind(binary_stl(2, 2, "solid facet")) == FileKind::stl_binary);
   CHECK(kind(binary_stl(0, 0, "solid")) == FileKind::stl_binary);
@@ -107,7 +107,7 @@ TEST_CASE("what is no mesh is refused with what it is") {
   CHECK(refusal("v").find("unknown mesh format") != std::string::npos);  // a word without values
 }
 
-TEST_CASE("OBJ is told by its vertices where other lines come first") {
+TEST_CASE("OBJ is detected by its vertices where other lines come first") {
   CHECK(kind("4 4\nv 0 0 0\n") == FileKind::obj);
   CHECK(kind("# model\n$ by hand\nv 1.5 0 -2 0.5 0.5 0.5\n") == FileKind::obj);
   CHECK_FALSE(refusal("4 4\nv x y z\n").empty());

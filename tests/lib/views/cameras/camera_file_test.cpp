@@ -202,7 +202,7 @@ TEST_CASE("cameras at the limit of what is read are written as what is read, or 
   CHECK(counts[1] > 500);
 }
 
-TEST_CASE("formats are told apart by their content") {
+TEST_CASE("formats are distinguished by their content") {
   CHECK(camera_format("16\na.png 1") == CameraFormat::middlebury);
   CHECK(camera_format("# Camera list\n1 PINHOLE 3 4 5") == CameraFormat::colmap);
   CHECK(camera_format("1 1 0 0 0 0 0 5 1 a.png") == CameraFormat::colmap);

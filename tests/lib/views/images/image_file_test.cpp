@@ -11,7 +11,7 @@ using namespace transformesh;
 using namespace transformesh::test;
 using namespace std::string_literals;
 
-TEST_CASE("the format is told by the first bytes") {
+TEST_CASE("the format is detected by the first bytes") {
   const Rows rows = noise(6);
   const std::array images{jpeg_of({1}, 3, 2, rows), png_of({0, 8}, 3, 2, rows),
                           tiff_of({}, 3, 2, rows), "P2 3 2 9 1 2 3 4 5 6"s};
