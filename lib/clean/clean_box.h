@@ -4,8 +4,8 @@
 /// by side share no face and leave none out. Winding numbers are those of the whole mesh.
 ///
 /// Faces of the box become their pieces that clean() would keep; all others keep their vertices,
-/// columns and order, also where they cross what is in the box. With `only`, these pieces alone are
-/// the result, made a part of the box at a time: vertices at seams are double, tm-stitch joins
+/// columns and order, also where they intersect faces in the box. With `only`, these pieces alone
+/// are the result, made a part of the box at a time: vertices at seams are double, tm-stitch joins
 /// them.
 ///
 /// Guaranteed: where rounding breaks nothing in any of the boxes that a mesh is cut into, together
@@ -15,7 +15,7 @@
 /// threads.
 ///
 /// Throws UsageError (a box without inside), InputError (the mesh has borders or is not oriented,
-/// as told by a hash of its edges), GoalError as clean() does. Cost: O(n log n) for the mesh and
+/// as decided by a hash of its edges), GoalError as clean() does. Cost: O(n log n) for the mesh and
 /// that of clean() for what is in and around the box; beside the mesh about 5 bytes a face, and
 /// 300 for each in and around the box, with `only` for 65536 and those around. That is a box too:
 /// large faces there make it large.

@@ -1,9 +1,9 @@
 /// Follows a target that moves (paper 5.2.3, Fig. 11): a movie of meshes, to each of which the
 /// surface of the frame before is morphed (morphing.h). Edges keep their length over the movie, as
-/// the reference edge stays that of the start; columns are carried from frame to frame. Where limbs
-/// touch and part, components and genus follow the target's, or the fault of the frame names the
-/// place where they cannot. A frame that does not converge is tried again with short edges in the
-/// narrow places of its target (`gap_edges`), and the better one of the two surfaces goes on.
+/// the reference edge stays that of the first frame; columns are carried from frame to frame. Where
+/// limbs touch and part, components and genus follow the target's, or the fault of the frame names
+/// the place where they cannot. A frame that does not converge is tried again with short edges in
+/// the narrow places of its target (`gap_edges`), and the better one of the two surfaces goes on.
 ///
 /// Each frame is an iteration of the loop: recorded, resumed and limited as such. Throws what
 /// morph() throws, with the number of the frame. Deterministic.

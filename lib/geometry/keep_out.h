@@ -2,12 +2,12 @@
 /// surface is replaced by another only where what is new stays as far away, and where nothing of
 /// the surface lies between the two.
 ///
-/// Distances are those of triangles, computed in floating point; whether triangles cross is decided
-/// exactly. So what is allowed never crosses, and comes no nearer than the gap but for rounding,
-/// 1e-14 of coordinates. Where a region is nearer than the gap already, it comes no nearer than it
-/// is. The surface may be open, and need not be oriented.
-/// Cost: O(n log n) to build; a call as much as there are faces within the gap of both regions.
-/// Deterministic; safe to call from several threads at once.
+/// Distances are those of triangles, computed in floating point; whether triangles intersect is
+/// decided exactly. So what is allowed never intersects it, and comes no nearer than the gap but
+/// for rounding, 1e-14 of coordinates. Where a region is nearer than the gap already, it comes no
+/// nearer than it is. The surface may be open, and need not be oriented. Cost: O(n log n) to build;
+/// a call as much as there are faces within the gap of both regions. Deterministic; safe to call
+/// from several threads at once.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 /// The two kinds of comments that go with a mesh through an evolution: which programs made it, and
-/// the mean edge length at its start.
+/// the mean edge length when it began.
 #pragma once
 
 #include <optional>

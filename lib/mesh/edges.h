@@ -28,7 +28,7 @@ class Edges {
   std::vector<Index> offsets_{0};
 };
 
-/// For every halfedge the other one of its edge where that has exactly two, whichever way they run;
+/// For every halfedge the other one of its edge if that has exactly two, in any directions;
 /// else no_index.
 std::vector<Index> neighbors_across(const Edges& edges, std::size_t faces);
 

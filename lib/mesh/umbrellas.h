@@ -15,13 +15,14 @@ struct Umbrellas {
   std::vector<Index> vertex_of;  ///< per umbrella, in the order of their first corners
 };
 
-/// `across`: where the surface goes on beyond each halfedge, or no_index; the two may run opposite
-/// ways or the same way. Faces without included[face] are left out; an empty list includes all.
+/// `across`: where the surface goes on beyond each halfedge, or no_index; the two may have opposite
+/// directions or the same one. Faces without included[face] are left out; an empty list includes
+/// all.
 Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> across,
                          std::span<const char> included = {});
 
-/// The umbrellas of a mesh whose surface goes on across edges with exactly two faces, however these
-/// run.
+/// The umbrellas of a mesh whose surface goes on across edges with exactly two faces, of any
+/// orientation.
 Umbrellas find_umbrellas(const Mesh& mesh, const Edges& edges);
 
 /// The lowest border halfedge (one on an edge with a single face) of each boundary loop. Where

@@ -24,7 +24,7 @@ class LiveRun {
   const std::string* block(const std::string& name) const;
 
  private:
-  /// By path, with what tells that the file is another one.
+  /// By path, with the identity of the file, which changes if it is replaced.
   template <class What>
   using Known = std::map<std::string, std::pair<std::string, What>>;
 

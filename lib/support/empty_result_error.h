@@ -1,4 +1,4 @@
-/// The refusal of operations that would leave no surface, which loops tell from other ones.
+/// Error of operations that would leave no surface. Loops distinguish it from other errors.
 #pragma once
 
 #include "support/error.h"

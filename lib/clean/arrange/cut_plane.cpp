@@ -188,7 +188,7 @@ void PlaneCutter::flood(std::size_t k) {
   std::vector<Index> stack;
   for (std::size_t i = 0; i < 3; ++i) {
     const Index from = corner[i], to = corner[(i + 1) % 3];
-    // The chain runs so that the face lies on its left.
+    // The chain is oriented so that the face lies on its left.
     const auto line = static_cast<Index>(3 * k + i);
     for (const Index edge : reversed ? triangulation_.chain(to, from, {line, false})
                                      : triangulation_.chain(from, to, {line, true})) {

@@ -1,5 +1,5 @@
 /// Cuts coplanar faces that meet (usually a single face) along their edges and along all faces that
-/// cross them: the constrained triangulation of paper 3.2.3.
+/// intersect them: the constrained triangulation of paper 3.2.3.
 #pragma once
 
 #include <functional>

@@ -22,7 +22,7 @@ class PlanarTriangulation {
     std::array<Index, 3> next;  ///< the facet across the edge from v[i] to v[i + 1]
     std::array<Index, 3> line;  ///< the constraints on that edge as a list, or no_index
   };
-  /// A constraint on an edge: `is_along` where the edge runs the way that it was constrained.
+  /// A constraint on an edge: `is_along` if the edge has the direction in which it was constrained.
   struct OnEdge {
     Index line;
     bool is_along;

@@ -48,8 +48,8 @@ WindingJumps::WindingJumps(const WeldedMesh& welded, const Planes& planes)
     for (const Index h : welded_.edges.halfedges(e)) edge_of_[h] = static_cast<Index>(e);
 }
 
-// With the normals n of the plane and m of the other face, n x m runs along the segment, and what
-// lies left of it is behind the other face.
+// With the normals n of the plane and m of the other face, n x m is parallel to the segment, and
+// what lies left of it is behind the other face.
 WindingJump WindingJumps::over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
                                        const ExactPoint& from, const ExactPoint& to) const {
   const Contacts& contacts = meeting.contacts;

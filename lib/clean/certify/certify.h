@@ -1,4 +1,4 @@
-/// Whether one mesh is the boundary of { p : w(p) >= winding level } of another, told by sample
+/// Whether one mesh is the boundary of { p : w(p) >= winding level } of another, tested at sample
 /// points. At every sample the winding number of the output must be 1 where that of the input is >=
 /// winding level, and 0 elsewhere. It is counted along rays, exactly, and compared with the sum of
 /// solid angles where that is affordable: by no code that computes such boundaries.

@@ -10,7 +10,7 @@
 namespace transformesh {
 
 struct FaceMatch {
-  bool input_is_closed = false;  ///< as many faces have one direction along every edge as the other
+  bool input_is_closed = false;      ///< every edge is traversed equally often in both directions
   std::vector<char> input_vanished;  ///< per input face: it is no face of the output
   std::vector<char> output_is_new;   ///< per output face: it is no face of the input
 };

@@ -5,7 +5,7 @@
 namespace transformesh {
 namespace {
 
-// A face at an edge. The direction into the face and the normal of the face (reversed where it runs
+// A face at an edge. The direction into the face and the normal of the face (reversed where it goes
 // backward) enclose the same right angle for all faces, so the normals can be sorted instead.
 struct Spoke {
   Index face;  ///< of which it is a part

@@ -1,6 +1,6 @@
-/// The edges of an arrangement: which way the pieces run along them, and the order of the pieces
-/// around them, which tells how to cross from one face to another (paper 3.2.3, Fig. 5). A halfedge
-/// is 3 * piece + corner.
+/// The edges of an arrangement: the directions of the pieces along them, and the order of the
+/// pieces around them, which determines how to step from one face to another (paper 3.2.3, Fig. 5).
+/// A halfedge is 3 * piece + corner.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ Edges piece_edges(const Arrangement& arrangement, const std::vector<char>& inclu
 Index halfedge_source(const std::vector<Piece>& pieces, Index halfedge);
 Index halfedge_target(const std::vector<Piece>& pieces, Index halfedge);
 
-/// Whether the halfedge runs from the smaller point or vertex to the larger.
+/// Whether the halfedge goes from the smaller point or vertex to the larger.
 bool is_forward(const std::vector<Piece>& pieces, Index halfedge);
 inline bool is_forward(std::span<const Face> faces, Index halfedge) {
   return faces[halfedge / 3][halfedge % 3] < faces[halfedge / 3][(halfedge % 3 + 1) % 3];

@@ -28,7 +28,7 @@ struct Subsegment {
 };
 
 /// The parts that have w < winding level in front and w >= winding level behind the face on just
-/// one side, in the order of the segments. Nothing where that is not told by crossings alone: where
+/// one side, in the order of the segments. Nothing if crossings alone do not decide that: where
 /// segments touch, or three meet in one point, or no winding number is known.
 std::optional<std::vector<Subsegment>> find_bounding_subsegments(
     const ExactGeometry& geometry, const SegmentsInFace& in, const std::vector<KnownWinding>& known,

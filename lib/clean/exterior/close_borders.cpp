@@ -152,7 +152,7 @@ Vec3 BorderCloser::added_point(const Loop& loop, const Component& component) con
          component.area_vector.normalized() * (far_behind * diagonal_);
 }
 
-// A border runs along its faces, so its fan runs against it.
+// A border has the direction of its faces, so its triangle fan has the opposite one.
 BorderClosure BorderCloser::close() const {
   constexpr double farthest = std::numeric_limits<double>::max();
   BorderClosure closure;

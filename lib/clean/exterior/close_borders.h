@@ -1,5 +1,6 @@
-/// Closes the borders of an open mesh for the sake of rays (paper 4.6), by fans from an added point
-/// to every border edge. They only help to find what is exterior, and are never part of a result.
+/// Closes the borders of an open mesh for the sake of rays (paper 4.6), by triangle fans from an
+/// added point to every border edge. They only help to find what is exterior, and are never part of
+/// a result.
 ///
 /// The centroid of the border suits a body with holes. Of a sheet it may lie in front of all faces,
 /// which then all look interior. So the borders of a component that is a sheet rather than a body
@@ -23,8 +24,8 @@ struct BorderClosure {
   bool empty() const { return triangles.empty(); }
 };
 
-/// `border_loops` are the borders as loops of points, each running along its faces. Without loops
-/// the closure is empty.
+/// `border_loops` are the borders as loops of points, each in the direction of its faces. Without
+/// loops the closure is empty.
 BorderClosure close_borders(const WeldedMesh& welded,
                             const std::vector<std::vector<Index>>& border_loops);
 

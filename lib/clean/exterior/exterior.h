@@ -23,7 +23,7 @@ namespace transformesh {
 
 struct Exterior {
   std::vector<char> kept;   ///< per piece
-  std::size_t patches = 0;  ///< 0 where there was no need to tell them
+  std::size_t patches = 0;  ///< 0 if they were not computed
   std::size_t rays = 0;
 };
 

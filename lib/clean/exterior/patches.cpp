@@ -57,8 +57,8 @@ void Patches::collect_patch(Index first, const std::vector<Index>& neighbor) {
   pieces.push_back(std::move(members));
 }
 
-// Whether the i-th piece around an edge has no partner behind it: one that runs the other way.
-// Where a border lies on other faces, there is such a piece.
+// Whether the i-th piece around an edge has no partner behind it: one that has the opposite
+// direction. Where a border lies on other faces, there is such a piece.
 bool Patches::is_loose(const std::vector<Index>& sorted, std::size_t i) const {
   const bool forward = is_forward(arrangement_.pieces, sorted[i]);
   const std::size_t behind = forward ? i + sorted.size() - 1 : i + 1;

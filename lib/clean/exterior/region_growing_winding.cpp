@@ -15,7 +15,7 @@ constexpr std::size_t many = 1000;
 constexpr Index corner_after(Index i) { return i == 2 ? 0 : i + 1; }
 constexpr Index corner_before(Index i) { return i == 0 ? 2 : i - 1; }
 
-/// The halfedges across edges at which just two faces meet, one running each way.
+/// The halfedges across edges at which just two faces meet, one in each direction.
 std::vector<Index> oriented_neighbors(const WeldedMesh& welded, const Edges& edges) {
   std::vector<Index> across = neighbors_across(edges, welded.faces.size());
   for (Index h = 0; h < across.size(); ++h) {

@@ -1,7 +1,7 @@
-/// Where two faces meet, told by their vertices, edges and interiors: the exact triangle-triangle
-/// test behind detection and arrangement (paper 3.1). Reference for the sign tests: Guigue &
-/// Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", JGT
-/// 2003; here every contact is classified, so that touching counts.
+/// Classifies where two faces meet by their vertices, edges and interiors: the exact
+/// triangle-triangle test behind detection and arrangement (paper 3.1). Reference for the sign
+/// tests: Guigue & Devillers, "Fast and robust triangle-triangle overlap test using orientation
+/// predicates", JGT 2003; here every contact is classified, so that touching counts.
 #pragma once
 
 #include <array>

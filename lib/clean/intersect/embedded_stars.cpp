@@ -7,7 +7,7 @@ namespace transformesh {
 namespace {
 
 // Per wanted point, the ways that all its faces look; none where it has an edge without two faces
-// that run along it in opposite directions.
+// that traverse it in opposite directions.
 std::vector<AxisDirections> find_common_directions(const WeldedMesh& welded,
                                                    std::span<const char> is_wanted) {
   std::vector<AxisDirections> common(welded.points.size());

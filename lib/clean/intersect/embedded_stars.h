@@ -1,9 +1,9 @@
-/// Vertices whose faces meet nowhere but in corners and edges that they share, told by looking
-/// along an axis: where all faces around a vertex look the same way, each edge there has two of
-/// them, and they go around once, their projections only touch. Of a smooth mesh these are all
-/// vertices, so that no pair of neighbors needs to be tested. Reference: the condition on a star in
-/// Volino & Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized surface
-/// animations using geometrical shape regularity", Computer Graphics Forum 13(3), 1994.
+/// Vertices whose faces meet nowhere but in corners and edges that they share, detected by
+/// projection along an axis: where all faces around a vertex look the same way, each edge there has
+/// two of them, and they go around once, their projections only touch. Of a smooth mesh these are
+/// all vertices, so that no pair of neighbors needs to be tested. Reference: the condition on a
+/// star in Volino & Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized
+/// surface animations using geometrical shape regularity", Computer Graphics Forum 13(3), 1994.
 #pragma once
 
 #include <span>

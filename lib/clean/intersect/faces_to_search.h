@@ -1,4 +1,4 @@
-/// Which faces may meet others at all: told by the cells of a grid.
+/// Finds the faces that may meet others at all, by the cells of a grid.
 #pragma once
 
 #include <span>

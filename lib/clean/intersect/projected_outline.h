@@ -17,8 +17,8 @@ class ProjectedOutline {
   std::size_t size() const { return edges_.size(); }
 
   /// Whether the edges, which go around once and none of which is projected to a point, have
-  /// nothing in common but the ends at which one follows the other. What is told simple is so for
-  /// certain; where very many edges are beside each other, none may be told. O(n log n).
+  /// nothing in common but the ends at which one follows the other. A positive answer is certain;
+  /// if very many edges lie side by side, a simple outline may not be recognized. O(n log n).
   bool is_simple(PlaneProjection projection);
 
  private:

@@ -21,7 +21,7 @@ struct WeldedMesh {
   std::vector<FaceDirections> directions;  ///< that each face looks
   std::vector<Index> first_copy;  ///< per face: the first with the same three points, in any order
   Edges edges;                    ///< of the faces
-  /// Per halfedge, the one that runs the other way along its edge where that has no others; else
+  /// Per halfedge, the one in the opposite direction along its edge if that has no others; else
   /// no_index.
   std::vector<Index> opposites;
   BoxFrame frame;  ///< of the points

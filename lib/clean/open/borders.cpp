@@ -17,7 +17,7 @@ namespace transformesh {
 namespace {
 
 // All mesh faces by points. Faces without area, which the welded mesh lacks, make no border: those
-// that name a point twice run both ways along their edge.
+// that name a point twice traverse their edge in both directions.
 std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh,
                                   const std::vector<char>& left_out) {
   std::vector<Face> faces;
@@ -57,8 +57,8 @@ Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
   return result;
 }
 
-// Whether some connected borders lie upon others all the way, and run alike: they bound a patch
-// that is inside out.
+// Whether some connected borders lie upon others all the way, in the same direction: they bound a
+// patch that is inside out.
 bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   const std::vector<Index> border = check_manifold(mesh).border_halfedges;
   const auto ends_of = [&](Index h) {
@@ -80,9 +80,9 @@ bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   });
 }
 
-// Whether borders lie upon each other, and run alike, only because sheets end at a third one: such
-// a mesh is what cleaning itself makes. Reversing sheets does not mend that, so where it mends the
-// mesh there is another cause.
+// Whether borders lie upon each other, in the same direction, only because sheets end at a third
+// one: such a mesh is what cleaning itself makes. Reversing sheets does not mend that, so where it
+// mends the mesh there is another cause.
 bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& borders) {
   return is_stitched(mesh, borders) &&
          !(has_reversed_patch(welded, mesh) && can_be_oriented(with_joined_vertices(welded, mesh)));

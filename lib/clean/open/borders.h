@@ -1,6 +1,6 @@
 /// Where the surface of a mesh ends, and whether it has an outside at all: what open and
 /// misoriented input needs before it can be cleaned (paper 4.6). Along an edge counts the sum of
-/// the faces that traverse it in one direction, less those that run the other
+/// the faces that traverse it in one direction, less those in the other
 /// (stitch/orientation_check.h). Cost: O(n log n). Deterministic.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace transformesh {
 
 struct Borders {
-  std::vector<std::vector<Index>> loops;  ///< of welded points, each running along its faces
+  std::vector<std::vector<Index>> loops;  ///< of welded points, each in the direction of its faces
   bool is_oriented = true;                ///< no edge has a sum of more than one
 };
 

@@ -1,7 +1,7 @@
 /// Makes contacts of what is close (paper 4.3): where two faces intersect, and a corner of one is
 /// within a few spacings of numbers of the other face, that face is split at the corner; where two
 /// edges pass each other that closely, both are split at one new vertex. So the sheets on both
-/// sides of a thin sheet come to share their corners, until cleaning can tell what lies between
+/// sides of a thin sheet come to share their corners, until cleaning can decide what lies between
 /// them. What is closed stays closed. Deterministic. O(n log n + k) for k intersecting pairs.
 /// Reference for the plane: Hobby, "Practical segment intersection with finite precision output",
 /// Computational Geometry 13(4), 1999.

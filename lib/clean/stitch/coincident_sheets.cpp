@@ -101,7 +101,7 @@ bool Layers::points_forward(Index face, Index edge) const {
   return is_forward(mesh_.faces, halfedge_of(face, edge));
 }
 
-// Whether the lowest faces of the two bundles run the same way along the edge.
+// Whether the lowest faces of the two bundles traverse the edge in the same direction.
 bool Layers::is_turned(const Joint& joint) const {
   const auto lowest = [&](Index bundle) { return *std::ranges::min_element(bundles_[bundle]); };
   return points_forward(lowest(joint.first), joint.edge) ==

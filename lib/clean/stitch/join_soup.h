@@ -8,8 +8,8 @@
 namespace transformesh {
 
 /// Returns what stitch() did; no `joined_vertices` if the mesh is unchanged. Throws InputError if
-/// faces that come to meet run the same way along an edge, with the place and what mends it. O(n),
-/// O(n log n) if it joins.
+/// faces that come to meet traverse an edge in the same direction, with the place and what mends
+/// it. O(n), O(n log n) if it joins.
 StitchResult join_soup(Mesh& mesh);
 
 }  // namespace transformesh

@@ -75,7 +75,7 @@ Orienter::Orienter(const Mesh& mesh)
     if (!sheets_[sheet].agreed) sheets_[copies_.find(sheet)].copies_agreed = false;
 }
 
-// Whether the halfedge runs forward once its face agrees with the first of its sheet.
+// Whether the halfedge points forward once its face agrees with the first of its sheet.
 bool Orienter::points_forward(Index h) const {
   return is_forward(mesh_.faces, h) != (is_reversed_[h / 3] != 0);
 }

@@ -1,14 +1,14 @@
 /// Reverses faces so that neighbors agree which side is outside.
 ///
 /// Faces that hang together across edges of two faces are a sheet, and so are those of each copy of
-/// it where copies lie upon each other (coincident_sheets.h); they are reversed until they run
-/// opposite ways along those edges. Sheets that end at edges of more faces are reversed as a whole,
-/// until as many faces have one direction along such an edge as the other, or one more, as far as
-/// possible: solids that share edges or faces get their insides back. Where that leaves a choice,
-/// the larger volume decides. Sheets that are linked by such edges are a group. If a group did not
-/// agree before, it then looks outwards where none of its edges has one face only, and the way most
-/// of its faces did otherwise. A group that agreed is left alone, inside out or not, unless a copy
-/// of it did not.
+/// it where copies lie upon each other (coincident_sheets.h); they are reversed until they traverse
+/// those edges in opposite directions. Sheets that end at edges of more faces are reversed as a
+/// whole, until as many faces have one direction along such an edge as the other, or one more, as
+/// far as possible: solids that share edges or faces get their insides back. Where that leaves a
+/// choice, the larger volume decides. Sheets that are linked by such edges are a group. If a group
+/// did not agree before, it then looks outwards where none of its edges has one face only, and the
+/// way most of its faces did otherwise. A group that agreed is left alone, inside out or not,
+/// unless a copy of it did not.
 ///
 /// Faces that name a vertex twice have no say, and are left alone.
 /// Volumes are in doubles. Cost: O(n log n). Deterministic.

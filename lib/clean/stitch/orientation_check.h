@@ -14,7 +14,7 @@
 namespace transformesh {
 
 /// How many more of the halfedges are directed forward than backward. Halfedges are 3 * face +
-/// corner; the forward ones run from the smaller vertex to the larger.
+/// corner; the forward ones go from the smaller vertex to the larger.
 int sum_along(std::span<const Face> faces, std::span<const Index> halfedges);
 
 /// The first misoriented edge in words, with its faces and its place; empty where there is none.

@@ -17,8 +17,8 @@ namespace transformesh {
 using AngularSort = std::function<std::vector<Index>(std::span<const Index> halfedges)>;
 
 /// For each halfedge that of the piece across it; no_index on a border. At a singular edge pieces
-/// pair across the inside, which is behind both, so that sheets never cross. Where more run one way
-/// than the other, as many as are too many stay without a partner. Cost: O(n) and that of sorting.
+/// pair across the inside, which is behind both, so that sheets never intersect. If more have one
+/// direction than the other, the surplus stays without a partner. Cost: O(n) and that of sorting.
 std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& edges,
                                       const AngularSort& sort);
 

@@ -2,8 +2,8 @@
 /// (paper 3.3). Each copy moves by half the distance along the mean of its faces' normals, weighted
 /// by angle, towards the side that holds none of the others: into its own body where bodies touch,
 /// out of it where a cavity touches its wall. A copy between two others stays until they have gone.
-/// Where no side can be told, as at a blade thinner than rounding, both ways along that normal and
-/// along the mean of the directions into the faces are tried.
+/// If no side can be determined, as at a blade thinner than rounding, both ways along that normal
+/// and along the mean of the directions into the faces are tried.
 ///
 /// Guarantees: given a mesh without self-intersections, the result has none, exactly and in the
 /// coordinates as written; no normal is reversed, no face loses its area or passes through another.

@@ -40,7 +40,8 @@ std::size_t drop_collapsed_faces(Mesh& mesh) {
   return dropped;
 }
 
-// Counts edges at which faces are left over; those that several leave open all run the same way.
+// Counts edges at which faces are left over; those that several leave open all have the same
+// direction.
 void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
                       StitchResult& result) {
   for (std::size_t e = 0; e < edges.size(); ++e) {

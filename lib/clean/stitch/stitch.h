@@ -35,7 +35,7 @@ struct StitchResult {
   std::size_t dropped_faces = 0;
   std::size_t dropped_reverses = 0;   ///< by `one_side`
   std::size_t reversed_faces = 0;     ///< by `orient` and `one_side`
-  std::size_t misoriented_edges = 0;  ///< edges at which several are, which run the same way
+  std::size_t misoriented_edges = 0;  ///< edges at which several are, in the same direction
   std::size_t border_edges = 0;       ///< edges at which one face is left over
   bool new_normals = false;           ///< of a surface that `orient` or `one_side` turned
   std::string misorientation;         ///< the first misoriented edge in words: faces and place

@@ -26,7 +26,7 @@ struct ScaleStep {
 
 /// Scales from the coarsest to 1 by the square root of 2, then at scale 1 shorter edges by the
 /// same. Both numbers are as short as in a CSV file (4 decimals, 9 digits), so that what a file
-/// says of a sweep is what was done. `pixel` is the length of a pixel's side at scale 1.
+/// records of a sweep is what was done. `pixel` is the length of a pixel's side at scale 1.
 std::vector<ScaleStep> coarse_to_fine(const ScaleOptions& options, int image_width, double pixel);
 
 /// A multiple of an edge as remesh() gets it, with 9 digits likewise.

@@ -11,7 +11,7 @@
 
 namespace transformesh {
 
-/// A sweep that was made.
+/// Measures of a finished sweep.
 struct Sweep {
   ScaleStep scale_step;
   IterationResult mesh;

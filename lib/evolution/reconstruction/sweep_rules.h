@@ -27,9 +27,9 @@ bool is_wide(std::span<const ViewPair> pairs);
 bool is_torn(std::size_t initial_pixels, std::size_t pixels_now);
 
 /// Whether the surface flies apart in a sweep: more than 100 components, ten times those of the
-/// start; or three tenths of the vertices outside of silhouettes, more than when the sweep began;
-/// or less than three tenths of the pixels compared, half the share that it was. Such a surface
-/// never comes back.
+/// initial mesh; or three tenths of the vertices outside of silhouettes, more than when the sweep
+/// began; or less than three tenths of the pixels compared, half the share that it was. Such a
+/// surface never comes back.
 bool is_exploded(const Sweep& sweep, std::size_t initial_components);
 
 /// Disagreement at which windows pull by a quarter, at last: `factor` times the mean, which is

@@ -1,5 +1,5 @@
 /// A real number known up to an error, in doubles: the first stage of predicates. Rounding is to
-/// nearest. Unlike intervals it needs no change of the rounding mode, and unlike them it tells
+/// nearest. Unlike intervals it needs no change of the rounding mode, and unlike them it decides
 /// nothing near underflow. Reference: van der Hoeven, "Ball arithmetic", 2009.
 #pragma once
 

@@ -1,6 +1,6 @@
 /// A real number known up to an error, with twice the digits of a double: what decides a sign where
 /// doubles leave it open, and costs a tenth of exact arithmetic. Rounding is to nearest. Numbers
-/// beyond 2^480 are not known at all, products below 2^-900 are not told from 0.
+/// beyond 2^480 are not known at all, products below 2^-900 are not distinguished from 0.
 /// Reference: van der Hoeven, "Ball arithmetic", 2009.
 #pragma once
 

@@ -67,14 +67,14 @@ class ExactGeometry {
   /// Twice the area of abc in the projection, from the balls.
   static BoundedNumber bounded_orient2d(const ExactPoint& a, const ExactPoint& b,
                                         const ExactPoint& c, PlaneProjection projection);
-  /// orient2d where the balls tell it, else 0.
+  /// orient2d if the balls decide it, else 0.
   static int quick_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                             PlaneProjection projection);
   /// Of triangles abc and bad in one plane that turn counter-clockwise: +1 where their diagonal ab
   /// is Delaunay, -1 where cd is, and 0 where the four are on a circle.
   int delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                     const ExactPoint& d, PlaneProjection projection) const;
-  /// The same where the balls tell it, else 0.
+  /// The same if the balls decide it, else 0.
   static int quick_delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                  const ExactPoint& d, PlaneProjection projection);
   int orient3d(const Triangle& triangle, const ExactPoint& point) const;

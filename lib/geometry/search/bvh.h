@@ -1,5 +1,5 @@
 /// A bounding volume hierarchy that finds overlapping boxes; touching counts as overlap. Boxes are
-/// packed four by four in the order of a Hilbert curve, layer upon layer, and four are tested at
+/// packed four by four in the order of a Hilbert curve, in layers, and four are tested at
 /// once. Building and pair searches run on all allowed threads;
 /// results do not depend on their number. Every layer is as shallow as counting allows, whatever
 /// the boxes: many equal boxes cost pairs, not depth. (MedianTree serves nearest queries.)

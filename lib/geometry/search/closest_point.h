@@ -72,7 +72,8 @@ class ClosestPointQuery {
              double squared_bound = std::numeric_limits<double>::infinity()) const;
   ClosestPoint described(const Vec3& query, const Hit& best) const;
   Vec3 pseudonormal(Index face, TriangleSimplex part) const;
-  /// no_index on a border, where more than two faces meet and where both run the same way.
+  /// no_index on a border, if more than two faces meet and if both traverse the edge in the same
+  /// direction.
   Index face_across(Index face, Index from, Index to) const;
 
   const Mesh* mesh_;

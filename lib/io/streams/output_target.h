@@ -23,7 +23,8 @@ bool is_written_directly(const std::string& path);
 int open_directly(const std::string& path);
 
 /// A further name in the same folder: prefix, the path's own name, suffix. A long name is cut, as
-/// 255 bytes is what file systems allow, and told from others by a number that comes from it.
+/// 255 bytes is what file systems allow, and distinguished from others by a number that is computed
+/// from it.
 std::string name_beside(const std::string& path, const std::string& prefix,
                         const std::string& suffix);
 

@@ -49,9 +49,9 @@ void check_corners(const Mesh& mesh) {
                    ": the mesh is not an oriented manifold" + advice);
 }
 
-/// The opposites of an oriented manifold, found as the halfedges come; nothing where two run alike
-/// along an edge or a third one comes to it, or a vertex has so many that looking for them would
-/// take long. Pre: corners are good.
+/// The opposites of an oriented manifold, found as the halfedges come; nothing if two have the same
+/// direction along an edge or a third one comes to it, or a vertex has so many that looking for
+/// them would take long. Pre: corners are good.
 std::optional<std::vector<Index>> quick_opposites(const Mesh& mesh) {
   struct Waiting {
     Index larger;  ///< vertex of the edge
@@ -83,7 +83,7 @@ std::optional<std::vector<Index>> quick_opposites(const Mesh& mesh) {
   return opposites;
 }
 
-/// The lowest two halfedges that run the same way along an edge, or no_index twice.
+/// The lowest two halfedges with the same direction along an edge, or no_index twice.
 std::pair<Index, Index> find_alike(const Mesh& mesh, const Edges& edges) {
   std::pair<Index, Index> lowest{no_index, no_index};
   for (std::size_t e = 0; e < edges.size(); ++e) {

@@ -1,5 +1,5 @@
 /// Edges that wait for an operation, by their lengths in units of the local size. Entries are not
-/// updated when the mesh changes: is_current() tells whether one still describes an edge.
+/// updated when the mesh changes: is_current() decides whether an entry still describes an edge.
 #pragma once
 
 #include <queue>

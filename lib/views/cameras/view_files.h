@@ -42,7 +42,8 @@ struct PictureView {
   std::function<Image()> picture;  ///< without distortion; throws InputError as views_from does
 };
 
-/// Silhouettes do not matter. Throws as views_from does, but for what only the pixels tell.
+/// Silhouettes do not matter. Throws as views_from does, except for errors that only the pixels
+/// show.
 std::vector<PictureView> picture_views_from(const ViewSources& sources);
 
 /// The same cameras with the sizes and file names of their images, for conversion. `where` names

@@ -9,13 +9,13 @@
 
 namespace transformesh {
 
-/// What one photograph shows.
+/// Color and quality of a place in one view.
 struct ViewColor {
   float quality = 0;  ///< pixels per usual pixel, foreshortened; 0: nothing is seen
   std::array<std::uint8_t, 3> color{};
 };
 
-/// By which the intensities of a photograph are multiplied: those of red, green and blue.
+/// Per-channel exposure correction: pixel values are multiplied by (r, g, b).
 using Gain = Eigen::Array3f;
 
 /// The four best. Their blend weighs qualities by the 16th power: nearly everywhere it is what the
@@ -24,7 +24,7 @@ using Gain = Eigen::Array3f;
 /// and what is not part of the surface do, hardly count. 32 bytes.
 class BestViewColors {
  public:
-  /// Of equal ones those that came first are better; views beyond 65535 count as that one.
+  /// Ties are broken by insertion order; views beyond 65535 count as that one.
   void add(const ViewColor& color, std::size_t view);
   bool is_seen() const { return best_[0].quality > 0; }
   /// How many see the place nearly as well as the best one does: the first ones.

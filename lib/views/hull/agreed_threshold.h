@@ -1,9 +1,9 @@
 /// The intensity at which photographs agree best on what is the object and what the background.
 ///
-/// One image alone cannot tell dark parts of the object from the background. Together they can: a
-/// intensity that is too high cuts into the object in some views, and their hull no longer fills
-/// the silhouettes of the others; one that is too low takes the background for the object, which
-/// the others carve. The intensity that best divides the pixels of all photographs
+/// One image alone does not distinguish dark regions of the object from the background. Together
+/// images do: a intensity that is too high cuts into the object in some views, and their hull no
+/// longer fills the silhouettes of the others; one that is too low takes the background for the
+/// object, which the others carve. The intensity that best divides the pixels of all photographs
 /// (dividing_threshold) and smaller ones, down to a quarter of it, are tried. Each is judged by how
 /// well its silhouettes agree with those of their visual hull: the mean over the views of
 /// intersection over union. The highest of the intensities within 0.001 of the best is taken,

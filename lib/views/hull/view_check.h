@@ -3,8 +3,8 @@
 /// The visual hull covers each silhouette where all views agree on the object. Good sets cover at
 /// least three quarters of every silhouette; one bad view carves the object in all others. Where
 /// some silhouette is covered less, the explanations that are tried are those of mistakes which are
-/// often made, and the one after which all views agree is told: a left-handed world, cameras that
-/// look along -z, inverted masks, silhouettes shifted by one against the cameras, two cameras
+/// often made, and the one after which all views agree is reported: a left-handed world, cameras
+/// that look along -z, inverted masks, silhouettes shifted by one against the cameras, two cameras
 /// swapped, and a few views that disagree with the rest.
 ///
 /// What is consistent cannot be found: a shift by one on a regular turntable turns the object.

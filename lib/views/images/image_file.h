@@ -27,14 +27,14 @@ GrayImage decode_photograph(std::string_view bytes, const std::string& name);
 Image decode_picture(std::string_view bytes, const std::string& name);
 
 /// Width and height as its header has them, without a pixel. Throws as decode_photograph does, but
-/// for what only the pixels tell.
+/// for errors that only the pixels show.
 GrayImage decode_size(std::string_view bytes, const std::string& name);
 
 /// Inside is what the intensities or the transparency show (mask.h). Throws as decode_photograph
 /// does.
 Mask decode_mask(std::string_view bytes, const std::string& name);
 
-/// The same without how it was told.
+/// The same without the rule that was applied.
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
 
 /// Intensities from 0 to 255, rounded to whole ones and cut off beyond; opaque.

@@ -13,9 +13,9 @@
 ///     density jumping 100 : 1; 1000 : 1 (few points)  4; 30   0; 10    0; 0
 ///     three at .5; 1; 2 radii from the sphere       0; 0; 0  20; 0; 0  20; 20; 0
 ///
-/// More than six outliers beside each other are not told from a small body; among fewer than 100
-/// points there are none. Equal points count once. Deterministic for any number of threads; O(n log
-/// n).
+/// More than six outliers beside each other are not distinguished from a small body; among fewer
+/// than 100 points there are none. Equal points count once. Deterministic for any number of
+/// threads; O(n log n).
 #pragma once
 
 #include <span>
