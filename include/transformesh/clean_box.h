@@ -15,7 +15,7 @@
 /// threads.
 ///
 /// Throws UsageError (a box without inside), InputError (the mesh has borders or is not oriented,
-/// as told by a hash of its edges), GoalError as clean() does. Cost: O(n log n) for the mesh and
+/// as decided by a hash of its edges), GoalError as clean() does. Cost: O(n log n) for the mesh and
 /// that of clean() for what is in and around the box; beside the mesh about 5 bytes a face, and
 /// 300 for each in and around the box, with `only` for 65536 and those around. That is a box too:
 /// large faces there make it large.

@@ -1,5 +1,5 @@
 /// A length as users write it: `0.02` in input coordinates, `1%` of the bounding-box diagonal,
-/// `0.7x` of the reference edge (the mean edge at the start of an evolution).
+/// `0.7x` of the reference edge (the mean edge when an evolution begins).
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 /// The data model: indexed triangles with named columns per vertex and per face. Plain data without
 /// invariants of its own: algorithms state what they need (closed, oriented, manifold) and build
-/// the connectivity that they use. A halfedge is named 3 * face + i: the edge of the face that runs
-/// from its corner i to its corner (i + 1) % 3.
+/// the connectivity that they use. A halfedge is named 3 * face + i: the edge of the face from its
+/// corner i to its corner (i + 1) % 3.
 #pragma once
 
 #include <Eigen/Core>

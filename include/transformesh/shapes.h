@@ -46,7 +46,7 @@ const std::vector<std::string>& shape_kinds();
 /// and for shapes too far from the origin, or with tubes too thin, for their coordinates. O(faces).
 Mesh make_shape(const ShapeOptions& options, const Progress& progress = {});
 
-/// The diagonal of the bounding box of that shape, as far as a coarse version tells.
+/// The diagonal of the bounding box of that shape, estimated by a coarse version.
 double shape_diagonal(ShapeOptions options);
 
 /// An icosahedron with each face cut into n^2 (geodesic, class I), n chosen for `faces` = 20 n^2.

@@ -23,7 +23,7 @@ struct StitchOptions {
   double tolerance = 0;  ///< join positions within this distance, input units; 0: only equal ones
   bool orient = false;  ///< reverse faces so that neighbors agree; closed parts that needed it then
                         ///< look outwards, open ones the way most of their faces did
-  bool one_side = false;  ///< drop faces whose reverse is there (one_side.h), orient, and turn
+  bool one_side = false;  ///< drop faces whose reverse is there (double_sided.h), orient, and turn
                           ///< closed parts outwards
   bool flip = false;      ///< reverse all faces, at the end
 };
@@ -35,7 +35,7 @@ struct StitchResult {
   std::size_t dropped_faces = 0;
   std::size_t dropped_reverses = 0;   ///< by `one_side`
   std::size_t reversed_faces = 0;     ///< by `orient` and `one_side`
-  std::size_t misoriented_edges = 0;  ///< edges at which several are, which run the same way
+  std::size_t misoriented_edges = 0;  ///< edges at which several are, in the same direction
   std::size_t border_edges = 0;       ///< edges at which one face is left over
   bool new_normals = false;           ///< of a surface that `orient` or `one_side` turned
   std::string misorientation;         ///< the first misoriented edge in words: faces and place

@@ -1,5 +1,5 @@
-/// A rough closed mesh around points, such as a sparse reconstruction: a start for an evolution
-/// that need not have the right topology.
+/// A rough closed mesh around points, such as a sparse reconstruction: an initial mesh for an
+/// evolution, which need not have the right topology.
 ///
 /// Points with normals: Poisson surface reconstruction (Kazhdan, Bolitho & Hoppe, SGP 2006; its
 /// function by CGAL, its zero by marching tetrahedra). The surface goes between the points, and

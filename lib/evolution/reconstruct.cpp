@@ -170,7 +170,8 @@ class ReconstructionLoop : public Loop {
                                     photographs.pixel())),
         rule_(options.sweeps) {}
 
-  std::string noun() const override { return "pass"; }
+  std::string noun() const override { return "sweep"; }
+  std::string column() const override { return "pass"; }
   void start(Document& document, const Progress& progress) override;
   void advance(Document& document, std::size_t iteration, const Progress& progress) override;
   bool is_done() const override { return scale_step_ == scale_steps_.size(); }

@@ -3,9 +3,9 @@
 /// is cut through, or inside, where a tunnel is closed. A cavity or another body that reaches into
 /// the slab would be opened, joined or swallowed by that, and so would another handle.
 ///
-/// Faces within two rings of the loop do not count: where they meet the patches, clean() resolves
-/// it, and nothing else changes. Intersections are decided exactly.
-/// Cost: O(n) for the first question, then that of the faces near the slit. Deterministic.
+/// Faces within two rings of the loop are ignored: where they meet the patches, clean() resolves
+/// it, and nothing else changes. Intersections are decided exactly. Cost: O(n) for the first
+/// question, then that of the faces near the slit. Deterministic.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
-/// Whether coordinates have the digits that a mesh needs: far from the origin, or in floats,
-/// corners that are close become one place, and bodies become flat.
+/// Distances of neighboring floating-point numbers at coordinates, and rounding to them. If they
+/// are large compared with the edges, as far from the origin or in floats, close corners become one
+/// position and bodies become flat.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-/// How sizes, angles and colors of pictures are written on a command line. Each throws UsageError
-/// with the text and an example where it cannot be read. Independent of the locale.
+/// Parses sizes, angles and colors of pictures as they are written on a command line. Each function
+/// throws UsageError with the text and an example if it cannot be read. Independent of the locale.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-/// One piece of work beside another, on the threads of parallel.h, where it also lives.
+/// Runs two functions concurrently on the threads of parallel.h.
 #pragma once
 
 #include <functional>

@@ -7,7 +7,7 @@ load ../helpers/common
 make_meshes() {
   tm-shape sphere --faces 1000 -o a.ply
   tm-shape box 1 1 3 --faces 1000 -o b.ply
-  tm-shape folded --faces 2000 -o crossing.ply
+  tm-shape folded --faces 2000 -o self-intersecting.ply
   tm-shape box --faces 500 -o part.off
   tm-shape torus --faces 2000 -o scan.ply
   for name in mesh part rough large target result; do cp scan.ply "$name.ply"; done

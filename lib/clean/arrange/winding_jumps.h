@@ -1,6 +1,6 @@
-/// By how much the winding number w changes where one passes through a face, seen from the front of
-/// a plane: w in front of the plane is constant but where a face meets it from the front (paper
-/// 3.2.2). Exact; deterministic.
+/// By how much the winding number w changes across faces, seen from the front of a plane: w in
+/// front of the plane is constant except where a face meets the plane from the front (paper 3.2.2).
+/// Exact; deterministic.
 #pragma once
 
 #include <vector>

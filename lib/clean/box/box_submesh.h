@@ -28,7 +28,7 @@ struct BoxSubmesh {
 /// every place is the same as in the mesh. Order and columns stay.
 BoxSubmesh take_submesh(const Mesh& mesh, const std::vector<bool>& faces);
 
-/// Whether along every edge as many faces run one way as the other, by positions; faces without
+/// Whether every edge is traversed equally often in both directions, by positions; faces without
 /// area do not count. Decided by sums of hashes: a mesh that is not closed passes by a chance of
 /// 2^-64.
 bool is_closed_chain(const Mesh& mesh);

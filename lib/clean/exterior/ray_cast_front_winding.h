@@ -1,5 +1,7 @@
-/// Winding numbers by rays of which every crossing is decided exactly (paper 2), as for the seeds
-/// of growing (paper 3.2.1) and for the static strategy (paper 4.5).
+/// Exact winding numbers just in front of a face or of a piece of it (paper 2), by counting the
+/// faces that a ray from there crosses. Gives the seeds of region growing (paper 3.2.1) and all
+/// values of the static strategy (paper 4.5). (RayCastWinding gives the number at a point off the
+/// surface.)
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
-/// What a loop remembers from one iteration to the next: numbers by name, exactly. A loop names its
-/// variables in one place, and what it says there both keeps and restores them:
+/// The variables that a loop keeps from one iteration to the next: numbers by name, exactly. A loop
+/// names its variables in one place, which both keeps and restores them:
 ///
-///     void remember(Memory& memory) override { memory("best", best_)("idle", idle_); }
+///     void remember(LoopState& loop_state) override { loop_state("best", best_)("idle", idle_); }
 #pragma once
 
 #include <map>

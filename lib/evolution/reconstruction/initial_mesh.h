@@ -1,5 +1,6 @@
-/// With what a reconstruction begins (paper 5.3): the visual hull, or a mesh that may be far off
-/// and have another topology, of which only what is within the hull of exact masks is kept.
+/// The initial mesh of a reconstruction (paper 5.3): the visual hull, or a given mesh that may be
+/// far off and have another topology. Of a given mesh only what is within the hull of exact masks
+/// is kept.
 #pragma once
 
 #include <optional>

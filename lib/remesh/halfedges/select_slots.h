@@ -1,4 +1,4 @@
-/// Looks over all slots of a mesh that is edited, on all threads.
+/// Selects slots of an edited mesh that fulfil a condition, on all threads.
 #pragma once
 
 #include <algorithm>

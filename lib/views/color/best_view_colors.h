@@ -1,4 +1,4 @@
-/// What photographs show at one place of a surface: the best of them, and their blend.
+/// The colors of the views that observe a place of a surface best, and their blend.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,7 +1,7 @@
-/// A photograph of a surface: what color it shows at a place of the surface, and how well.
-/// Reference: Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending: mapping dense
-/// photographic data set on high-resolution sampled 3D models", Computers & Graphics 32(4), 2008:
-/// quality falls to nothing towards contours and borders, so that blends have no seams there.
+/// Samples a photograph at places of a surface: the color shown there and its quality. Reference:
+/// Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending: mapping dense photographic data
+/// set on high-resolution sampled 3D models", Computers & Graphics 32(4), 2008: quality falls to
+/// zero towards contours and borders, so that blends have no seams there.
 #pragma once
 
 #include <vector>

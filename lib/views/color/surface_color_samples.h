@@ -1,5 +1,5 @@
-/// What photographs show at many places of a surface, one photograph after the other. Internal to
-/// color_vertices and texture_surface.
+/// Color samples of many places of a surface, taken from one photograph after the other. Internal
+/// to color_vertices and texture_surface.
 #pragma once
 
 #include <functional>

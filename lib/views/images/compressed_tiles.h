@@ -1,6 +1,5 @@
-/// Words of 16 bits per pixel of an image that is smooth, such as that of distances, in less memory
-/// and without loss: in squares of pixels, as what a plane leaves of them, in as few bits as that
-/// takes.
+/// Lossless compression of 16-bit images that are smooth, such as those of distances: square tiles,
+/// each stored as the residuals of a plane in as few bits as they need.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-/// A gray image as it is held while it is not worked upon: as floats, or packed in 16 bits or less
-/// where many large images are held together.
+/// A gray image that can be packed while it is not used: floats, or at most 16 bits a pixel if many
+/// large images are held together.
 ///
 /// Packed are intensities, of which those of masks take a bit, other ones of 8 bits a byte, and
 /// others are rounded to 1/256; distances to contours, rounded to 1/64 pixel and cut off at 511

@@ -1,5 +1,5 @@
-/// A blur by the weights of three pixels in a row, along columns and then along rows: what at_scale
-/// does at scale 1, made while an image of bytes is read instead of held.
+/// A separable blur with three weights, along rows and then along columns: what at_scale does at
+/// scale 1, computed whenever an image of bytes is read, so that the blurred image is not stored.
 #pragma once
 
 #include <array>

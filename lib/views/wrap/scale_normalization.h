@@ -1,5 +1,6 @@
-/// What both ways of wrapping points do before and after: bring points to about unit size, because
-/// squares and products would overflow or vanish elsewhere, and judge the result. Internal to wrap.
+/// Steps that both ways of wrapping points share: points are brought to about unit size, because
+/// squares and products would overflow or vanish elsewhere, and the result is checked. Internal to
+/// wrap.
 #pragma once
 
 #include <span>

@@ -141,7 +141,7 @@ TEST_CASE("the result does not depend on the number of threads") {
   CHECK(write_mesh(run_of(options).document).bytes == many);
 }
 
-TEST_CASE("a start is clipped by the hull of exact masks, and only by that") {
+TEST_CASE("an initial mesh is clipped by the hull of exact masks, and only by that") {
   const auto outside = [](const ReconstructionOptions& options) {
     const TemporaryFolder folder;
     RecordOptions kept;
@@ -168,7 +168,7 @@ TEST_CASE("a start is clipped by the hull of exact masks, and only by that") {
   CHECK(whole.mesh.faces.size() == ball_of(1).mesh.faces.size());
 }
 
-TEST_CASE("a start of which nothing is within the hull is no start, and leaves no state") {
+TEST_CASE("an initial mesh of which nothing is within the hull is refused, and leaves no state") {
   const TemporaryFolder folder;
   RecordOptions kept;
   kept.state = folder / "state";
