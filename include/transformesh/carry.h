@@ -1,6 +1,6 @@
 /// Carries columns from a mesh to another whose vertices and faces have source points: the places
-/// on the first mesh that they come from. clean(), remesh() and decimate() drop source points; make
-/// them afterwards with the functions below, which are O(n) or O(n log n), and deterministic.
+/// on the first mesh that they come from. The operations clean(), remesh() and decimate() drop
+/// source points; these functions make them afterwards. O(n log n); deterministic.
 ///
 /// Numbers of vertices are interpolated in the face that a vertex comes from; columns of faces take
 /// the row of the source point's face. A list of texture coordinates gets the values at the
@@ -25,7 +25,7 @@ struct SourcePoint {
 
 struct SourcePoints {
   std::vector<SourcePoint> of_vertices;
-  std::vector<SourcePoint> of_faces;  ///< of the middles of faces
+  std::vector<SourcePoint> of_faces;  ///< source points of the middles of faces
 };
 
 /// For a mesh whose faces are pieces of faces of the source, `face_sources[f]` being the face that
@@ -43,9 +43,9 @@ SourcePoints read_source_points(const Mesh& mesh, std::size_t source_faces,
                                 const std::string& source_name);
 void write_source_points(Mesh& mesh, const SourcePoints& places);
 
-/// Returns the places on `first` of what has the places `on_middle` on a mesh between, which has
-/// the places `middle_on_first`: exact at vertices of the middle, else up to the square of an edge
-/// over the radius of curvature.
+/// Composes source points through a mesh between: `on_middle` on the middle mesh, which has the
+/// source points `middle_on_first` on `first`. Exact at vertices of the middle mesh; else the error
+/// is about the square of an edge over the radius of curvature.
 SourcePoints compose_source_points(const Mesh& first, const SourcePoints& middle_on_first,
                                    const Mesh& middle, const SourcePoints& on_middle);
 

@@ -1,7 +1,6 @@
 /// TransforMesh (paper 3): the boundary of { p : w(p) >= winding level } of a closed oriented mesh,
-/// w being the winding number, as a closed 2-manifold that is oriented outwards. At winding level 1
-/// this removes every self-intersection, inverted region and overlap; surfaces merge, split, open
-/// and close.
+/// w being the winding number, as a closed 2-manifold that is oriented outwards. Level 1 removes
+/// every self-intersection, inverted region and overlap; surfaces merge, split, open and close.
 ///
 /// Guarantees: every output face is an input face or a piece of one. Faces without intersection
 /// keep their coordinates (unless they are extreme), columns and order. A manifold with nothing to
@@ -9,9 +8,9 @@
 /// in coordinates rounded to `coordinate` (coincident vertices and edges may touch), and no face
 /// without area. Exact; deterministic for any number of threads. Borders stay (paper 4.6).
 ///
-/// Throws InputError (not oriented: faces are left over along an edge that is no border),
-/// UsageError (static_test on an open mesh), GoalError (nothing has w >= winding level; rounding
-/// could not be repaired; `refuse` is set and there is something to change). Cost: O(n log n + k
+/// Throws InputError if the mesh is not oriented: faces are left over along an edge that is no
+/// border. Throws UsageError for static_test on an open mesh. Throws GoalError if no point reaches
+/// the level, if rounding cannot be repaired, or if `refuse` forbids a change. Cost: O(n log n + k
 /// log k) for k intersecting pairs on usual meshes; about 250 bytes a face.
 #pragma once
 
@@ -51,7 +50,7 @@ struct CleanResult {
   double rounding_spacings = 0;              ///< the same in spacings of the coordinates there
   std::vector<std::string> dropped_columns;  ///< texture coordinates of faces that were cut
   bool dropped_source_points = false;        ///< carry.h
-  std::optional<Connectivity> connectivity;  ///< of the mesh, if there was nothing to change
+  std::optional<Connectivity> connectivity;  ///< set if there was nothing to change
 };
 
 /// Cleans a mesh.

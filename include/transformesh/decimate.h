@@ -27,9 +27,9 @@ struct DecimateResult {
   StaleColumns columns;           ///< normals, and lists of texture coordinates, as of remesh()
 };
 
-/// Throws UsageError for options out of range, InputError for what is no oriented manifold (with
-/// face ids) or has no faces, GoalError where more than 1 % more than wanted are left, because
-/// further collapses would change the topology or make a self-intersection.
+/// Throws UsageError for options out of range, and InputError if the mesh is no oriented manifold
+/// or has no faces. Throws GoalError if more than 1.01 `faces` are left because every further
+/// collapse would change the topology or make a self-intersection.
 DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progress& progress = {});
 
 }  // namespace transformesh

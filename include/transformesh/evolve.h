@@ -35,7 +35,7 @@ struct EvolveOptions {
 };
 
 struct EvolveResult {
-  std::size_t iterations = 0;  ///< with those of earlier runs
+  std::size_t iterations = 0;  ///< including earlier runs
   bool is_done = false;        ///< ended by the rule, not by the limit of iterations
   /// Iterations in which `alpha` of displace() shortened movements, and the largest fraction of the
   /// vertices in one of them; with those of earlier runs.

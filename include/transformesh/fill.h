@@ -1,13 +1,11 @@
-/// Closes the holes of a mesh, but never into a self-intersection unless that is asked for. Each
-/// border loop gets a patch that is triangulated, refined and faired (hole_patch.h). One that would
-/// intersect the mesh, an earlier patch or itself, or has a face without area, is tried again
-/// without fairing, then unrefined, then in the same order with another triangulation (up to 200
-/// edges); if nothing helps the hole stays open. Intersections are decided exactly, in coordinates
-/// as they will be written, for pairs that involve a new face: what intersects already is no
-/// obstacle.
+/// Closes the holes of a mesh. Each border loop gets a patch that is triangulated, refined and
+/// faired. A patch that intersects the mesh, an earlier patch or itself, or has a face without
+/// area, is tried again without fairing, then unrefined, then with another triangulation. If no
+/// patch fits, the hole stays open. Intersections are decided exactly, in coordinates as they will
+/// be written. Intersections of the input are no obstacle.
 ///
-/// Guarantees: vertices and faces that were there stay, with order and columns; new ones follow.
-/// The result is an oriented manifold. Number columns of new vertices are the mean of the three
+/// Guarantees: vertices and faces of the input stay, with order and columns; new ones follow. The
+/// result is an oriented manifold. Number columns of new vertices are the mean of the three
 /// nearest vertices of the border, weighted by inverse distance; columns of new faces are 0, and
 /// empty for lists. Deterministic for any number of threads.
 ///
@@ -48,10 +46,9 @@ struct FillResult {
   std::size_t plain = 0;    ///< closed by one without new vertices
   std::size_t crossed = 0;  ///< closed by one that intersects, by `allow_self_intersections`
   std::size_t new_vertices = 0, new_faces = 0;
-  bool dropped_source_points = false;  ///< as patches come from no face (carry.h)
+  bool dropped_source_points = false;  ///< carry.h
   std::vector<OpenHole> too_large;     ///< beyond the limits
-  std::vector<OpenHole>
-      crossing;  ///< every patch would intersect; none with `allow_self_intersections`
+  std::vector<OpenHole> crossing;      ///< every patch would intersect
   /// Every patch would have a face without area, or an edge that has two faces already.
   std::vector<OpenHole> flat;
   std::size_t filled() const { return faired + refined + plain + crossed; }

@@ -34,7 +34,7 @@ struct HandleResult {
   std::size_t refused = 0;  ///< loops along which no two patches fit
   std::size_t blocked = 0;  ///< loops whose patches would reach into another part of the surface
   std::size_t new_vertices = 0, new_faces = 0;
-  bool dropped_source_points = false;  ///< as patches come from no face (carry.h)
+  bool dropped_source_points = false;  ///< carry.h
 };
 
 HandleResult remove_handles(Mesh& mesh, const HandleOptions& options,

@@ -44,10 +44,9 @@ struct HullResult {
 };
 
 /// Computes the hull of the views that have a silhouette. Throws UsageError for options out of
-/// range and for more than 2^28 cells, InputError if no view has a silhouette, if the silhouettes
-/// do not bound the object, and if nothing is inside of all of them. Measures cells near the
-/// surface only: 0.25 s for 16 views of 640x480 and 100^3 cells, 4 bytes a cell. Parallel;
-/// deterministic.
+/// range and for more than 2^28 cells. Throws InputError if no view has a silhouette, if
+/// silhouettes do not bound the object, or if their hull is empty. Measures cells near the surface
+/// only: 0.25 s for 16 views of 640x480 and 100^3 cells, 4 bytes a cell. Parallel; deterministic.
 HullResult visual_hull(const Views& views, const HullOptions& options = {},
                        const Progress& progress = {});
 

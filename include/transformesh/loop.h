@@ -2,8 +2,8 @@
 /// for each iteration, and meshes as frames.
 ///
 /// The state is a folder with the last mesh and what the loop remembers. It is replaced at once
-/// after each iteration: a run that was ended in any way, even killed, continues from its state to
-/// the same bytes, and the CSV file loses rows of iterations that the state does not contain.
+/// after each iteration. A run that was ended in any way, even killed, continues from its state to
+/// the same bytes. The CSV file loses the rows after that state.
 #pragma once
 
 #include <functional>
@@ -27,9 +27,9 @@ struct RecordOptions {
 struct LoopOptions {
   std::size_t iterations = 1000;  ///< limit, with iterations of earlier runs
   std::function<void(const std::string& message)> on_iteration = {};
-  /// Functions that take a record throw UsageError if the state is of a run with other settings, or
-  /// of an interrupted run and neither `resume` nor `restart` is set; InputError if the folder
-  /// holds no state; OutputError if another process uses it or a file cannot be written.
+  /// Loops throw UsageError if the state has other settings, or is of an interrupted run and
+  /// neither `resume` nor `restart` is set. They throw InputError if the folder holds no state, and
+  /// OutputError if another process uses the state or a file cannot be written.
   RecordOptions record = {};
 };
 

@@ -37,7 +37,7 @@ struct MorphResult {
   MorphStepResult distances;         ///< distances of the result
   std::string fault;                 ///< disagreement of result and target; empty if there is none
   std::optional<double> to_target, from_target;  ///< Hausdorff distances, to a target with faces
-  Problem cause;                                 ///< what causes `fault`
+  Problem cause;                                 ///< cause of `fault`
   std::size_t aligned = 0;                       ///< vertices on the target's sharp edges
 };
 

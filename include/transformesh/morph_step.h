@@ -1,5 +1,5 @@
-/// One step of a morph (paper 5.2 with the step of 5.1.1): every vertex p moves along its normal
-/// N(p) by -phi(p), phi being a signed distance to the target, clamped as displace() clamps. The
+/// One step of a morph (paper 5.2 with the step of 5.1.1): every vertex p moves by -phi(p) along
+/// its normal. phi is a signed distance to the target. Movements are clamped as by displace(). The
 /// part of a surface outside of the target shrinks, the part inside grows (Breen & Whitaker, "A
 /// level-set approach for the metamorphosis of solid models", TVCG 2001). A component of the target
 /// that the source does not overlap stays unfound; a component of the source outside of the target
@@ -21,7 +21,7 @@ enum class MorphDistance {
   surface,  ///< to the closest point of the target's faces
   vertex,  ///< ((q - p) . n), q being the nearest vertex and n its normal, as in the paper; needs a
            ///< target sampled as finely as the source, and vanishes beside sharp edges
-  points   ///< as `vertex`, with the side decided by twelve planes if p is far away (Kolluri,
+  points   ///< like `vertex`, but twelve planes decide the side of far points (Kolluri,
            ///< "Provably good moving least squares", TALG 4(2), 2008)
 };
 
@@ -32,7 +32,7 @@ struct MorphStepOptions {
   /// > 0, if the target's thickness is measured: number of edges across narrow places, for which
   /// the vertex column `size` is set to an edge length.
   double gap_edges = 0;
-  double largest_size = 0;       ///< of that column; input units; the smallest is a twentieth
+  double largest_size = 0;  ///< largest value of `size`; input units; the smallest is a twentieth
   const Target* goal = nullptr;  ///< vertices to reach, for `from_target`; null: all of the target
 };
 

@@ -5,9 +5,9 @@
 /// vanish as they do, and outer corners become round.
 ///
 /// Guarantees: the result is an oriented manifold without self-intersections, as far as remesh()
-/// promises; how far it is from the true offset is measured, not bounded: corners that outwards
-/// come to lie inside, and inwards outside, are rounded by the length of edges, and what is thinner
-/// than an edge may be lost, which is reported. Cavities stay.
+/// promises. Not guaranteed: a distance from the true offset; the result reports it. Concave
+/// corners of the offset are rounded by about an edge length. Parts thinner than an edge may be
+/// lost, which is reported. Cavities stay.
 /// Columns are carried as by clean() and remesh(). Deterministic for any number of threads.
 #pragma once
 

@@ -26,16 +26,16 @@ struct PhotoconsistencyOptions {
   double depth_tolerance = 0.005;  ///< relative depth by which hidden points are behind; >= 0
 };
 struct PairOptions {          ///< pairs of views that are compared, as seen from the scene
-  std::size_t neighbors = 4;  ///< of each view, at most
+  std::size_t neighbors = 4;  ///< largest number for each view
   double minimum_angle_deg = 4, maximum_angle_deg = 50;
   double spread = std::numeric_limits<double>::infinity();  ///< most, times the best angle; >= 1
 };
 struct PhotoStepOptions {
   PhotoStepRule rule = PhotoStepRule::gauss_newton;
   double alpha = 0.5;      ///< clamp as a fraction of the local mean edge; >= 0; the paper: 0.1
-  double stiffness = 1;    ///< of a thin plate, in median curvatures of the energy; >= 0
+  double stiffness = 1;    ///< weight of a thin plate, in median curvatures of the energy; >= 0
   double damping = 0.006;  ///< in compared pixels per squared pixel; >= 0
-  double time_step = 0.001, smoothing = 0.1;  ///< of `gradient`: length^4, >= 0; and [0, 1]
+  double time_step = 0.001, smoothing = 0.1;  ///< for `gradient`: length^4, >= 0; and [0, 1]
   double silhouettes = 1;                     ///< weight of silhouettes against photographs; >= 0
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   PairOrder order = PairOrder::both;

@@ -34,9 +34,9 @@ struct ReconstructionResult {
   double pixel = 0;         ///< length of a pixel's side at the object; input units
   std::size_t faces = 0;
   PhotoStepResult first, last;  ///< measures of the initial surface and of the result
-  double first_agreement = 1;   ///< of the initial surface with exact silhouettes; mean over views
-  double agreement = 1;         ///< of the result
-  double disagreement = 0;      ///< of the photographs beyond their noise; mean, 0 to 1
+  double first_agreement = 1;   ///< initial surface and exact silhouettes; mean over views
+  double agreement = 1;         ///< result and exact silhouettes; mean over views
+  double disagreement = 0;      ///< mean, between photographs beyond their noise; 0 to 1
   double noise_floor = 0;       ///< mean dissimilarity that noise explains
   double doubtful = 0;          ///< fraction of the observed area in doubtful places
   std::vector<DoubtfulPlace> doubtful_places;  ///< the largest first

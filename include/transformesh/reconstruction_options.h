@@ -1,5 +1,4 @@
-/// Options of reconstruct() (reconstruct.h). The defaults reconstruct smooth and CAD-like objects
-/// from 16 or more photographs around them.
+/// Options of reconstruct() (reconstruct.h).
 #pragma once
 
 #include <functional>
@@ -13,14 +12,15 @@ namespace transformesh {
 /// The surface to begin with.
 struct InitialMeshOptions {
   bool is_given = false;      ///< begin with the document's mesh instead of the visual hull
-  std::string name = {};      ///< of the given mesh, in messages
+  std::string name = {};      ///< name of the given mesh in messages
   bool clips_by_hull = true;  ///< intersect the given mesh with the hull of exact silhouettes
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   /// For views without silhouettes. Default: Otsu's scale, or no silhouettes if a mesh is given.
   std::optional<ThresholdOptions> threshold = std::nullopt;
-  double keep = 1;               ///< HullOptions::keep
-  bool opens_hollows = true;     ///< open the hull by depth maps
-  double least_agreement = 0.7;  ///< of silhouettes found by threshold with their hull; [0, 1]
+  double keep = 1;            ///< HullOptions::keep
+  bool opens_hollows = true;  ///< open the hull by depth maps
+  double least_agreement =
+      0.7;  ///< least overlap of thresholded silhouettes with their hull; [0, 1]
 };
 
 /// Scales: photographs that are this many times smaller.
@@ -31,8 +31,7 @@ struct ScaleOptions {
   double largest = 11.3;                          ///< limit of the default of `coarsest`
 };
 
-/// Radii of compared windows in pixels, 1 to 5: large ones for surfaces that are far from the
-/// photographs' or have little texture, small ones for detail.
+/// Radii of compared windows in pixels, 1 to 5.
 struct WindowRadii {
   int coarse = 3, fine = 3;
   /// Returns `coarse` at scales of 2 and above, else `fine`.
@@ -46,15 +45,16 @@ struct ReconstructionOptions {
   WindowRadii windows;
   std::optional<int> iterations = std::nullopt;  ///< steps of a sweep; default: 5, opened hull: 8
   std::size_t sweeps = 4;  ///< sweeps at a scale, at most; twice while the topology changes
-  std::optional<double> pull = std::nullopt;  ///< of silhouettes; default: 0.5, far views: 1.5
+  std::optional<double> pull = std::nullopt;  ///< weight of silhouettes; default: 0.5 or 1.5
   double momentum = 0.7;      ///< fraction of the last movement that a step adds; [0, 1)
-  PhotoStepOptions step;      ///< of which stiffness, damping and alpha are used
+  PhotoStepOptions step;      ///< only stiffness, damping and alpha are used
   bool spends_views = false;  ///< crop and finally clear the views, to save memory
   double robust = 1;          ///< last sweeps: factor of the mean for CorrelationOptions::robust
   double crumbs = 0.001;      ///< drop components below this fraction of the largest volume; [0, 1]
   double handles = 5;         ///< remove handles of this length in last edges; 0: none
-  /// Called with a line after each sweep, with what went wrong, and with details.
-  std::function<void(const std::string&message)> on_sweep = {}, on_note = {}, on_detail = {};
+  std::function<void(const std::string& message)> on_sweep = {};   ///< after each sweep
+  std::function<void(const std::string& message)> on_note = {};    ///< for problems
+  std::function<void(const std::string& message)> on_detail = {};  ///< for details
 };
 
 }  // namespace transformesh

@@ -53,8 +53,8 @@ struct RemeshResult {
   StaleColumns columns;
 };
 
-/// Throws UsageError for options out of range, InputError if the mesh is no oriented manifold, has
-/// no faces or size column, or meets the obstacle, GoalError if no face would be left.
+/// Throws UsageError for options out of range. Throws InputError for a mesh that is no oriented
+/// manifold, has no faces or sizes, or meets the obstacle. Throws GoalError if no face is left.
 RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress = {});
 
 }  // namespace transformesh

@@ -19,7 +19,7 @@ struct Target {
   bool has_estimated_normals = false;  ///< normals were computed from neighboring points
   std::vector<double> thickness;       ///< local thickness at each vertex if measured, else empty
   bool has_spatial_order = false;      ///< faces are sorted for quick searches
-  std::vector<std::string> notes;      ///< what was changed while reading, one line each
+  std::vector<std::string> notes;      ///< changes while reading, one line each
   bool is_prepared = false;            ///< read from a file that holds a checked target
 
   bool is_mesh() const { return !mesh.faces.empty(); }
@@ -31,9 +31,9 @@ struct Target {
 /// out, and for normals that are not finite. O(n log n).
 Target make_target(Mesh mesh);
 
-/// Reads a target from a file's bytes: a mesh in any format of read_mesh(), or points as PLY
-/// without faces or as text, with lines of x y z or of x y z nx ny nz. `name` is the name of the
-/// file in messages. Throws InputError as read_mesh() and make_target() do.
+/// Reads a target from a file's bytes: a mesh in any format of read_mesh(), or points. Points are
+/// PLY without faces, or text with lines of x y z or x y z nx ny nz. `name` is the name of the file
+/// in messages. Throws InputError as read_mesh() and make_target() do.
 Target read_target(std::string_view bytes, const std::string& name, const ReadOptions& = {});
 
 /// Checks that a morph can reach a target, since only the orientation of faces says on which side
@@ -41,6 +41,6 @@ Target read_target(std::string_view bytes, const std::string& name, const ReadOp
 /// mesh that is inside out. Returns one line for each reason to doubt a result: the target is open,
 /// or intersects itself. O(n log n).
 std::vector<Problem> check_target(const Target& target, const std::string& name,
-                                      const Progress& progress = Progress());
+                                  const Progress& progress = Progress());
 
 }  // namespace transformesh
