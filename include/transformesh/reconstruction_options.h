@@ -39,7 +39,7 @@ struct WindowRadii {
 };
 
 struct ReconstructionOptions {
-  InitialMeshOptions start;
+  InitialMeshOptions initial;
   ScaleOptions scales;
   PairOptions pairs;
   WindowRadii windows;
