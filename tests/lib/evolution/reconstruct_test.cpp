@@ -89,7 +89,7 @@ TEST_CASE("a dent that the hull does not show is found; the surface is closed") 
   CHECK(run.result.last.dissimilarity < 0.75 * run.result.first.dissimilarity);
   CHECK(run.result.topology == Topology{1, 0});
   CHECK(messages.size() == run.result.sweeps);
-  CHECK(messages[0].find("pass 1, scale 2.00: ") == 0);
+  CHECK(messages[0].find("sweep 1, scale 2.00: ") == 0);
   CHECK(summary_of(run.result).find("components 1, genus 0; dissimilarity from ") !=
         std::string::npos);
   // The last, robust sweeps go on towards the truth, where all windows agree a little less.

@@ -10,7 +10,7 @@ TEST_CASE("what was lost comes before what moves, and that before what changed l
   CHECK(ReconstructionFaults{1.4142, 1, false}.in_words(good).find(
             "after scale 1.4142 than before") != std::string::npos);
   CHECK(ReconstructionFaults{0, 1, false}.in_words(good) ==
-        "the surface was not at rest after the last pass");
+        "the surface was not at rest after the last sweep");
   CHECK(ReconstructionFaults{0, 1, true}.in_words(good).find("as late as at scale 1.0000") !=
         std::string::npos);
 }
@@ -19,7 +19,7 @@ TEST_CASE("a surface at rest is not converged where masks or photographs speak a
   const ReconstructionFaults at_rest{0, 0, true};
   CHECK(at_rest.in_words({0.946, 0.942, {}}).empty());
   CHECK(at_rest.in_words({0.946, 0.902, {}}) ==
-        "the outline agrees with the silhouettes by 0.902, that of the start by 0.946");
+        "the outline agrees with the silhouettes by 0.902, that of the initial mesh by 0.946");
   SurfaceEvidence evidence;
   evidence.doubt.disagreement = 0.19;
   evidence.doubt.share = 0.029;
