@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "transformesh/errors.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {
@@ -43,9 +44,8 @@ SourcePoints read_source_points(const Mesh& mesh, std::size_t source_faces,
                                 const std::string& source_name);
 void write_source_points(Mesh& mesh, const SourcePoints& places);
 
-/// Composes source points through a mesh between: `on_middle` on the middle mesh, which has the
-/// source points `middle_on_first` on `first`. Exact at vertices of the middle mesh; else the error
-/// is about the square of an edge over the radius of curvature.
+/// Converts source points on `middle`, which has the source points `middle_on_first`, to source
+/// points on `first`. Exact at vertices of `middle`; otherwise off by edge^2 / radius of curvature.
 SourcePoints compose_source_points(const Mesh& first, const SourcePoints& middle_on_first,
                                    const Mesh& middle, const SourcePoints& on_middle);
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "transformesh/errors.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {
@@ -40,9 +41,9 @@ ComponentSize component_size_of(const std::string& name);
 /// Faces and vertices keep their order and columns; vertices that no face uses are dropped.
 std::vector<Mesh> split_components(const Mesh& mesh, ComponentSize by);
 
-/// How a closed oriented manifold hangs together.
+/// Connectivity of a closed oriented manifold.
 struct Connectivity {
-  std::vector<Index> opposites;  ///< opposite_halfedges() of adjacency.h
+  std::vector<Index> opposites;  ///< halfedge across the edge of each halfedge
   std::size_t components = 0;
   std::vector<Index> component_of;  ///< of each face; numbered in order of their first face
 };
@@ -53,8 +54,7 @@ Connectivity connect(std::vector<Index> opposites);
 /// The components of the mesh with this connectivity: several times as fast as without.
 Components connected_components(const Mesh& mesh, const Connectivity& connectivity);
 
-/// The faces for which keep[face] holds, in order, with the vertices that they use, in order, and
-/// all columns.
+/// Returns the faces f with keep[f] and their vertices, both in order, with all columns.
 Mesh select_faces(const Mesh& mesh, const std::vector<bool>& keep);
 
 }  // namespace transformesh

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "transformesh/errors.h"
+
 namespace transformesh {
 
 /// Rows of pixels from the top.

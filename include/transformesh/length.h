@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "transformesh/errors.h"
+
 namespace transformesh {
 
 struct Length {

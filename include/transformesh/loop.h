@@ -9,6 +9,8 @@
 #include <functional>
 #include <string>
 
+#include "transformesh/errors.h"
+
 namespace transformesh {
 
 /// Names that are empty are not written.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "transformesh/document.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 

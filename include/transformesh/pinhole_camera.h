@@ -8,6 +8,7 @@
 
 #include <span>
 
+#include "transformesh/errors.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {

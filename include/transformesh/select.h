@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "transformesh/components.h"
+#include "transformesh/errors.h"
 #include "transformesh/measure.h"
 
 namespace transformesh {

@@ -15,6 +15,7 @@
 
 #include <string>
 
+#include "transformesh/errors.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {

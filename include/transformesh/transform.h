@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "transformesh/errors.h"
 #include "transformesh/measure.h"
 
 namespace transformesh {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "transformesh/errors.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {

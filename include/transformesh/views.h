@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "transformesh/errors.h"
 #include "transformesh/image.h"
 #include "transformesh/pinhole_camera.h"
 

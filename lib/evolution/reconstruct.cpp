@@ -203,9 +203,9 @@ class ReconstructionLoop : public Loop {
   const ReconstructionOptions& options_;
   std::vector<ScaleStep> scale_steps_;
 
-  // What is remembered from sweep to sweep.
+  // Variables that are kept from sweep to sweep.
   std::size_t first_ = 0;       ///< scale with which it began
-  std::size_t scale_step_ = 0;  ///< of the next sweep
+  std::size_t scale_step_ = 0;  ///< scale of the next sweep
   ScaleRule rule_;
   ReconstructionFaults faults_;
   double loss_ = 0;
@@ -238,7 +238,7 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
   start(document, progress);
 }
 
-// Where the last sweep made the surface explode.
+// Handles a sweep that made the surface explode.
 bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
   if (!is_exploded(sweep_, connected_components(initial_.mesh).components.size())) return false;
   const std::string what = "the surface explodes at scale " + fixed(sweep_.scale_step.scale, 4);

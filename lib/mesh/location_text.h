@@ -1,4 +1,4 @@
-/// Where something is, in the words of a message and in the data of an error.
+/// Locations in the words of a message and in the data of an error.
 #pragma once
 
 #include <array>

@@ -24,7 +24,7 @@ class LiveRun {
   const std::string* block(const std::string& name) const;
 
  private:
-  /// By path, with the identity of the file, which changes if it is replaced.
+  /// Maps a path to the identity of the file, which changes if the file is replaced.
   template <class What>
   using Known = std::map<std::string, std::pair<std::string, What>>;
 

@@ -3,8 +3,9 @@
     prose.py COMMIT FILE...
 
 Reports comments that begin with a word that refers to something else (of, where, those), and sentences
-of more than 30 words. Text that the tree of COMMIT contains already, in any file, does not count. Also
-reports subjects of commits since COMMIT that are longer than 72 characters. Exit code 1 if there are any.
+of more than 30 words. A sentence does not count if the tree of COMMIT contains it, in any file, but for
+single words that were renamed. Also reports subjects of commits since COMMIT that are longer than 72
+characters. Exit code 1 if there are any.
 """
 import re
 import subprocess
@@ -39,7 +40,7 @@ def comments(lines, name):
     for i, line in enumerate(lines + [''], 1):
         start, follows_code = comment_start(line, name)
         part = None if start is None else line[start:].rstrip('\n')
-        is_sample = part is not None and part.startswith('    ')
+        is_sample = part is not None and part.startswith('    ' if name.endswith(('.cpp', '.h')) else '  ')
         ends_trailing = is_trailing and '///' in line and '///<' not in line
         if part is None or follows_code or is_sample or ends_trailing or not part.strip():
             if text:
@@ -84,6 +85,30 @@ def count_words(sentence):
     return sum(1 for word in plain.split() if re.search(r'\w', word))
 
 
+def triples(text):
+    """Returns the sequences of three words of a text."""
+    words = text.split()
+    return list(zip(words, words[1:], words[2:]))
+
+
+class OldText:
+    """The text of a commit; asks git for it when it is first needed."""
+
+    LEAST_SHARE = 0.7  # one renamed word in ten changes three of ten triples
+
+    def __init__(self, commit):
+        self.commit, self.text, self.triples = commit, None, None
+
+    def has(self, sentence):
+        sentence = re.sub(r'\s+', ' ', sentence)
+        if self.text is None:
+            self.text = plain_text(git('grep', '-hI', '-e', '', self.commit, '--'))
+            self.triples = set(triples(self.text))
+        parts = triples(sentence)
+        known = sum(part in self.triples for part in parts)
+        return sentence in self.text or (len(parts) > 0 and known >= self.LEAST_SHARE * len(parts))
+
+
 def plain_text(text):
     """Returns the words of a file without comment signs, separated by one space."""
     return re.sub(r'\s+', ' ', re.sub(r'(?m)(?:^|(?<=\s))(?:///?<?|#)(?=\s)', ' ', text))
@@ -117,14 +142,12 @@ def long_subjects(commit):
 
 def main(commit, files):
     found = list(long_subjects(commit))
-    before = None
+    before = OldText(commit)
     for name in files:
         with open(name, encoding='utf-8', errors='replace') as file:
             text = file.read()
         for line, sentence, problem in problems_of(name, text):
-            if before is None:
-                before = plain_text(git('grep', '-hI', '-e', '', commit, '--'))
-            if re.sub(r'\s+', ' ', sentence) not in before:
+            if not before.has(sentence):
                 found.append(f'{name}:{line}: {problem}: {sentence}')
     for problem in found:
         print(f'lint: {problem}', file=sys.stderr)

@@ -198,3 +198,27 @@ assert tm.info(tm.clean(tm.shape("two-spheres", faces=500)))["components"] == 1'
       g++ -std=c++20 -fsyntax-only -x c++ -I. -isystem /usr/include/eigen3 - || fail "$header"
   done
 }
+
+# public_headers: the names of the installed headers without .h, except the one that includes all others.
+public_headers() {
+  (cd "$prefix/include/transformesh" && printf '%s\n' *.h) | sed 's/\.h$//' | grep -vx transformesh
+}
+
+# headers_of CLIENT: the names of the library's headers that the client includes, except shapes.
+headers_of() {
+  sed -n 's|^#include <transformesh/\(.*\)\.h>$|\1|p' "$1" | grep -vx shapes || true
+}
+
+@test "a client of each public header compiles, links and runs from the installed tree" {
+  clients=$tm_root/tests/install/clients
+  diff <(public_headers) <(cd "$clients" && printf '%s\n' *.cpp | sed 's/\.cpp$//')
+  for header in $(public_headers | grep -vx shapes); do
+    [ "$(headers_of "$clients/$header.cpp")" = "$header" ] || fail "$header.cpp includes other headers"
+  done
+  [ -z "$(headers_of "$clients/shapes.cpp")" ]
+  cmake -S "$clients" -B built -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" >log 2>&1 || fail "$(cat log)"
+  cmake --build built >>log 2>&1 || fail "$(grep -E 'FAILED|error' log)"
+  for header in $(public_headers); do
+    timeout 60 "built/client_$header" || fail "the client of $header.h returns $?"
+  done
+}

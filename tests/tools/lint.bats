@@ -72,3 +72,15 @@ make_repository() {
   run ! python3 "$checks/prose.py" "$begin"
   [[ $output == *'a subject of 73 characters'* ]]
 }
+
+@test "a sentence of before in which a word was renamed does not count as new" {
+  make_repository
+  printf '%s\n' "# A film is$(printf ' word%d' {1..40}) long." >old.bash
+  git add old.bash
+  git commit -qm 'Add a sentence'
+  begin=$(git rev-parse HEAD)
+  sed -i 's/film/movie/' old.bash
+  python3 "$checks/prose.py" "$begin" old.bash
+  sed -i -E 's/word([0-9]*[05])\b/term\1/g' old.bash
+  run ! python3 "$checks/prose.py" "$begin" old.bash
+}

@@ -1,6 +1,6 @@
-/// The edges of an arrangement: the directions of the pieces along them, and the order of the
-/// pieces around them, which determines how to step from one face to another (paper 3.2.3, Fig. 5).
-/// A halfedge is 3 * piece + corner.
+/// The edges of an arrangement with the directions of the pieces along them. The order of the
+/// pieces around an edge determines how to step from one face to another (paper 3.2.3, Fig. 5). A
+/// halfedge is 3 * piece + corner.
 #pragma once
 
 #include <span>

@@ -95,7 +95,7 @@ class RegionFinder {
   std::vector<Index> region_of_;
   std::vector<char> is_seam_;
   std::vector<Index> reached_by_;  ///< per point the last region that has
-  std::vector<Index> faces_;       ///< of the region that grows
+  std::vector<Index> faces_;       ///< number of the region that grows
   AxisDirections direction_ = 0;
   std::vector<char> is_region_;
   bool has_failed_ = false;

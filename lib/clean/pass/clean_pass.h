@@ -33,7 +33,7 @@ struct CleanPassOptions {
   bool check_orientation = true;  ///< refuse a mesh that is not oriented
   /// Changes which pieces are kept, before these are stitched.
   std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
-  /// Where more pairs intersect, the clean pass ends there.
+  /// The clean pass ends if more pairs intersect.
   std::size_t most_pairs = std::numeric_limits<std::size_t>::max();
 };
 

@@ -28,7 +28,7 @@ constexpr std::size_t most_intersected = 30;  // pairs per face: with more there
 constexpr int digits_fewer = 5;               // binary, of what is extreme in every direction
 constexpr int rounds_ahead = 3;  // every attempt begins as coarse as that round of the one before
 constexpr int most_vain = 2;     // rounds in a row that leave no fewer faces broken than before,
-constexpr int patience = 2;      // and so many more where all attempts failed, which begin again
+constexpr int patience = 2;      // further attempts if all attempts failed
 constexpr std::size_t few_pairs = 1000;
 constexpr std::size_t pairs_to_repair = 4;  // times those of the input
 constexpr std::size_t most_broken_share = 3;
@@ -89,7 +89,7 @@ class SnapRounder {
   SnapRoundingResult snap_round(const CleanPass& pass);
 
  private:
-  /// Of one attempt.
+  /// State of one attempt.
   struct Attempts {
     std::size_t fewest = std::numeric_limits<std::size_t>::max();  ///< broken faces until now
     int vain = 0;                                                  ///< rounds without fewer

@@ -19,7 +19,7 @@ struct CleanedTopology {
   Topology topology;
   bool changed = false;
   std::size_t pairs = 0;
-  std::vector<Index> opposites;  ///< of the halfedges if they were found, for remesh_in_place()
+  std::vector<Index> opposites;  ///< opposite halfedges if they were found, for remesh_in_place()
 };
 
 /// Runs clean() and rounds as written.

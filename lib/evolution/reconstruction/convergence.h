@@ -10,9 +10,8 @@ namespace transformesh {
 
 /// What the end of a reconstruction is judged by, beside its sweeps.
 struct SurfaceEvidence {
-  double first_agreement =
-      1;                 ///< with exact masks, of the initial mesh, as the mean over the views
-  double agreement = 1;  ///< of the result
+  double first_agreement = 1;  ///< initial mesh and exact masks; mean over the views
+  double agreement = 1;        ///< of the result
   SurfaceDoubt doubt;
 };
 

@@ -127,8 +127,9 @@ PhotographSampler::PhotographSampler(const Mesh& mesh, const PinholeCamera& came
   }
 }
 
-/// Of the two octaves of the pyramid whose pixels are next to the spacing, but not wider than the
-/// margin is.
+/// Interpolates between the two octaves of the pyramid whose pixels are next to the spacing, but
+/// not
+// wider than the margin.
 Eigen::Array3f PhotographSampler::color_at(double x, double y, double spacing, int margin) const {
   const double size = std::min(spacing, static_cast<double>(margin));
   std::size_t octave = 0;

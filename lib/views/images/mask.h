@@ -1,4 +1,4 @@
-/// What the intensities of a mask in a file mean.
+/// Meaning of the intensities of a mask in a file.
 #pragma once
 
 #include "transformesh/image.h"

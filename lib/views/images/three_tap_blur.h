@@ -1,5 +1,5 @@
-/// A separable blur with three weights, along rows and then along columns: what at_scale does at
-/// scale 1, computed whenever an image of bytes is read, so that the blurred image is not stored.
+/// A separable blur with three weights, along rows and then along columns, as at_scale() does at
+/// scale 1. It is computed whenever an image of bytes is read: the blurred image is not stored.
 #pragma once
 
 #include <array>

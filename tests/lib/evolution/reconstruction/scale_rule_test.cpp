@@ -76,7 +76,7 @@ TEST_CASE("a surface of which less is compared than when the scale began is lost
     CHECK_FALSE(verdict.is_at_rest);
     CHECK_FALSE(verdict.is_done);
   }
-  // What the scale began with counts, not the sweep.
+  // The values at the begin of the scale count, not those of the sweep.
   ScaleRule rule;
   rule.add(moving(0.5));
   Sweep later = moving(0.4);
