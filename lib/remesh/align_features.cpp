@@ -34,7 +34,8 @@ constexpr int relax_rounds = 3;
 constexpr double corner_reach = 1.2;
 constexpr double line_reach = 0.8;
 constexpr double longest_allowed = 1.6;  ///< of edges, in those of the limits
-constexpr double round_enough = 0.25;    ///< of triangles at what moves to a line (star.h)
+constexpr double round_enough =
+    0.25;                        ///< least roundness of triangles at a vertex that moves to a line
 constexpr double along = 0.1;    ///< of its length: how far the middle of an edge is from a line
 constexpr double sliver = 0.15;  ///< what flips do not make
 constexpr std::size_t corner_tries = 4;  ///< nearest vertices, of which one goes to a corner

@@ -15,7 +15,7 @@ namespace transformesh {
 
 class HighValenceStars {
  public:
-  /// Points that are corners of so many faces that they have links (links.h).
+  /// Points that are corners of so many faces that they have simplex links (simplex_links.h).
   static std::vector<char> crowded_points(const WeldedMesh& welded, const SimplexLinks& links);
 
   HighValenceStars() = default;
