@@ -87,7 +87,7 @@ expect() { # EXPRESSION NUMBER...
 
 @test "the scan is repaired, and pictures are pictures" {
   [ "$(tm-info --get components repaired.ply)" -eq 1 ]
-  for picture in crossings evolution; do
+  for picture in intersections evolution; do
     [ "$(head -c 4 "$picture.png" | tail -c 3)" = PNG ]
   done
 }
