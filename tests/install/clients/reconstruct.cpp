@@ -29,9 +29,9 @@ int main() {
   Document document;
   ReconstructionOptions options;
   options.scales.coarsest = 1;
-  options.passes = 1;
+  options.sweeps = 1;
   const ReconstructionResult result = reconstruct(document, views, options);
-  if (result.passes == 0 || result.topology != Topology{1, 0}) return 1;
+  if (result.sweeps == 0 || result.topology != Topology{1, 0}) return 1;
   if (result.faces != document.mesh.faces.size() || result.agreement < 0.8) return 1;
   return std::abs(volume(document.mesh) - 4 * std::acos(-1.0) / 3) < 0.6 ? 0 : 1;
 }
