@@ -6,7 +6,7 @@ their options do not exist. Exit code 1 if there are any.
 import re
 import sys
 
-from cpp_text import string_literals
+from source_text import string_literals
 
 NAME = re.compile(r'(?<![-\w!<])(?:--[a-z][a-z-]*|tm-[a-z][a-z-]*)')
 
@@ -17,7 +17,7 @@ def main(files):
         with open(name, encoding='utf-8') as file:
             text = file.read()
         for line, literal in string_literals(text):
-            for option in NAME.findall(literal):
+            for option in NAME.findall(re.sub(r'\\.', ' ', literal)):
                 print(f'lint: {name}:{line}: a string names {option}', file=sys.stderr)
                 found += 1
     return 1 if found else 0

@@ -11,27 +11,27 @@ import re
 import subprocess
 import sys
 
+from source_text import blank, without_strings
+
 MOST_WORDS = 30
 MOST_SUBJECT = 72
 FIRST_WORDS = ('what|where|of|with|by|as|and|but|else|another|anew|then|from now on|those|such|so many')
 FIRST = re.compile(rf'(?:{FIRST_WORDS})\b', re.I)
 CPP_COMMENT = re.compile(r'///?<?(?!/)')
 SHELL_COMMENT = re.compile(r'(?:^|(?<=\s))#(?![!#{])')
-SENTENCE_END = re.compile(r'(?<=[.!?])(?<!e\.g\.)(?<!i\.e\.)(?<!\bal\.)(?<!\bvs\.)\s+(?=[A-Z`"(*\[])')
-MARKDOWN_BREAK = re.compile(r'\s*(?:[-*+] |\d+\. |>|:   |\||#|$)')
+SENTENCE_END = re.compile(r'(?:(?<=[.!?])|(?<=[.!?][)"*`]))(?<!e\.g\.)(?<!i\.e\.)(?<!\bal\.)(?<!\bvs\.)'
+                          r'\s+(?=[A-Z`"(*\[])')
+LIST_ITEM = re.compile(r'\s*[-*] ')
+MARKDOWN_BREAK = re.compile(r'\s*(?:[-*+] |\d+\. |>|:   |\||#|$)|.* \| ')
 
 
 def comment_start(line, name):
     """Returns where the text of the comment on a line begins, and whether code precedes it."""
     is_cpp = name.endswith(('.cpp', '.h', '.js'))
-    match = (CPP_COMMENT if is_cpp else SHELL_COMMENT).search(re.sub(r'"(?:\\.|[^"\\])*"', _blank, line))
+    match = (CPP_COMMENT if is_cpp else SHELL_COMMENT).search(line)
     if not match:
         return None, False
     return match.end(), bool(line[:match.start()].strip())
-
-
-def _blank(match):
-    return '"' + ' ' * (len(match.group()) - 2) + '"'
 
 
 def comments(lines, name):
@@ -42,7 +42,8 @@ def comments(lines, name):
         part = None if start is None else line[start:].rstrip('\n')
         is_sample = part is not None and part.startswith('    ' if name.endswith(('.cpp', '.h')) else '  ')
         ends_trailing = is_trailing and '///' in line and '///<' not in line
-        if part is None or follows_code or is_sample or ends_trailing or not part.strip():
+        is_item = part is not None and LIST_ITEM.match(part)
+        if part is None or follows_code or is_sample or is_item or ends_trailing or not part.strip():
             if text:
                 yield number, ' '.join(text)
             text = []
@@ -50,7 +51,7 @@ def comments(lines, name):
             continue
         if not text:
             number, is_trailing = i, follows_code
-        text.append(part.strip())
+        text.append(LIST_ITEM.sub('', part, 1).strip())
     if text:
         yield number, ' '.join(text)
 
@@ -67,7 +68,7 @@ def paragraphs(lines):
             if text:
                 yield number, ' '.join(text)
             text = []
-        if is_code or re.match(r'\s*(?:[|#>]|$)', line):
+        if is_code or re.match(r'\s*(?:[|#>]|$)|.* \| ', line):
             continue
         if not text:
             number = i
@@ -116,8 +117,12 @@ def plain_text(text):
 
 def problems_of(name, text):
     """Yields (line number, sentence, problem)."""
-    lines = text.split('\n')
     is_markdown = name.endswith('.md')
+    if is_markdown:
+        text = re.sub(r'<!--.*?-->', lambda match: blank(match[0]), text, flags=re.S)
+    else:
+        text = without_strings(text, name)
+    lines = text.split('\n')
     for line, block in paragraphs(lines) if is_markdown else comments(lines, name):
         parts = sentences(block)
         if not is_markdown and FIRST.match(parts[0]):

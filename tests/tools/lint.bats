@@ -17,6 +17,15 @@ setup() {
   [[ $output != *Own* ]]
 }
 
+@test "types of the global namespace, in extern \"C\" and by typedef are found" {
+  printf '%s\n' 'extern "C" {' 'struct Part { int x; };' '}' 'namespace a { struct Other {}; }' >first.h
+  python3 "$checks/types.py" first.h
+  printf '%s\n' 'struct Part { long x; };' 'typedef int Other;' >second.h
+  run ! python3 "$checks/types.py" first.h second.h
+  [[ $output == *'second.h:2: a typedef'*'Part is defined in first.h:2 and second.h:1'* ]]
+  [[ $output != *a::Other* ]]
+}
+
 @test "names of options and programs in strings are found" {
   printf '%s\n' '// mend it by tm-stitch --orient' 'int f(int i) { return --i; }' \
     'const char* page = "<!--tm:title-->";' 'const char* text = "not oriented";' >clean.cpp
@@ -24,6 +33,13 @@ setup() {
   echo 'const char* text = "mend it with tm-stitch --orient";' >option.cpp
   run ! python3 "$checks/options.py" option.cpp
   [[ $output == *'option.cpp:1: a string names tm-stitch'*'option.cpp:1: a string names --orient'* ]]
+}
+
+@test "names of options are found behind digit separators and escapes, and in raw strings" {
+  printf '%s\n' "int a = 1'000; char b = '\"'; const char* c = \"use --first\";" \
+    'const char* d = "line\n--second";' 'const char* e = R"(use --third)";' >option.cpp
+  run ! python3 "$checks/options.py" option.cpp
+  [[ $output == *'option.cpp:1: a string names --first'*'2: a string names --second'*'3: a string names --third'* ]]
 }
 
 @test "public headers that are long, or include what is private, are found" {
@@ -35,6 +51,17 @@ setup() {
   run ! "$tm_root/scripts/lint" --headers "$PWD/include"
   [[ $output == *'b.h includes a header that is not public'* ]]
   [[ $output == *'c.h has more than 60 lines'* ]]
+}
+
+@test "private includes are found however they are written, and headers in subfolders" {
+  mkdir -p include/transformesh/inner
+  printf '%s\n' '#pragma once' '#  include  <CGAL/number_utils.h>' >include/transformesh/a.h
+  printf '%s\n' '#pragma once' '#include <CGAL>' >include/transformesh/b.h
+  printf '%s\n' '#pragma once' >include/transformesh/inner/c.h
+  run ! "$tm_root/scripts/lint" --headers "$PWD/include"
+  [[ $output == *'a.h includes a header that is not public'* ]]
+  [[ $output == *'b.h includes a header that is not public'* ]]
+  [[ $output == *'c.h is not in'* ]]
 }
 
 # A repository with one commit.
@@ -83,4 +110,14 @@ make_repository() {
   python3 "$checks/prose.py" "$begin" old.bash
   sed -i -E 's/word([0-9]*[05])\b/term\1/g' old.bash
   run ! python3 "$checks/prose.py" "$begin" old.bash
+}
+
+@test "strings, here-documents and HTML comments are not prose; list items are sentences of their own" {
+  make_repository
+  words=$(printf 'word %.0s' {1..20})
+  printf '%s\n' 'cat <<END' "# Of $words$words" 'END' "x='" "# Of old" "'" >text.bash
+  printf '%s\n' 'const char* raw = R"(' "// Of old." ')";' >text.cpp
+  printf '%s\n' "# Title" "<!-- $words" "$words -->" "(A ${words}.) B $words." >text.md
+  printf '%s\n' '/// Reads:' "/// - one $words" "/// - two $words" >list.h
+  python3 "$checks/prose.py" "$begin" text.bash text.cpp text.md list.h
 }
