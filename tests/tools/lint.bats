@@ -10,18 +10,18 @@ setup() {
 @test "two types of one name in a namespace are found" {
   printf '%s\n' 'namespace a {' 'struct Part { int x; };' 'namespace {' 'struct Own {};' '}' '}' >first.h
   printf '%s\n' 'namespace a {' 'class Part;' 'struct Part::Inner {};' 'namespace {' 'struct Own {};' '}' '}' >second.cpp
-  python3 "$checks/types.py" first.h second.cpp
+  python3 "$checks/duplicate_types.py" first.h second.cpp
   printf '%s\n' 'namespace a {' '// struct Part {' 'enum class Part { x };' '}' >third.cpp
-  run ! python3 "$checks/types.py" first.h second.cpp third.cpp
+  run ! python3 "$checks/duplicate_types.py" first.h second.cpp third.cpp
   [[ $output == *'a::Part is defined in first.h:2 and third.cpp:3'* ]]
   [[ $output != *Own* ]]
 }
 
 @test "types of the global namespace, in extern \"C\" and by typedef are found" {
   printf '%s\n' 'extern "C" {' 'struct Part { int x; };' '}' 'namespace a { struct Other {}; }' >first.h
-  python3 "$checks/types.py" first.h
+  python3 "$checks/duplicate_types.py" first.h
   printf '%s\n' 'struct Part { long x; };' 'typedef int Other;' >second.h
-  run ! python3 "$checks/types.py" first.h second.h
+  run ! python3 "$checks/duplicate_types.py" first.h second.h
   [[ $output == *'second.h:2: a typedef'*'Part is defined in first.h:2 and second.h:1'* ]]
   [[ $output != *a::Other* ]]
 }

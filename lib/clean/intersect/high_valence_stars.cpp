@@ -101,7 +101,7 @@ std::size_t HighValenceStars::sector(const Star& star, Index point) const {
 HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& face) const {
   const Range all{0, star.faces.size()};
   const Vec3& center = welded_->points[star.center];
-  const auto [u, v] = star.projection;
+  const int u = star.projection.u, v = star.projection.v;
   std::array<Index, 3> corners;
   const auto end = std::copy_if(face.begin(), face.end(), corners.begin(), [&](Index p) {
     return welded_->points[p][u] != center[u] || welded_->points[p][v] != center[v];

@@ -110,8 +110,8 @@ bool Layers::is_turned(const Joint& joint) const {
 
 void Layers::order_layers(const Joint& joint, Index from, Index to) {
   std::array<std::vector<Index>, 2> left;  // backward and forward ones, the lowest last
-  for (const Index face : std::views::reverse(bundles_[to]))
-    left[points_forward(face, joint.edge) ? 1 : 0].push_back(face);
+  for (auto face = bundles_[to].rbegin(); face != bundles_[to].rend(); ++face)
+    left[points_forward(*face, joint.edge) ? 1 : 0].push_back(*face);
   std::vector<Index> ordered(bundles_[to].size(), no_index);
   for (const bool agrees : {true, false})
     for (std::size_t layer = 0; layer < ordered.size(); ++layer) {
