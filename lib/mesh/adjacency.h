@@ -10,8 +10,9 @@
 namespace transformesh {
 
 /// For every halfedge (3 * face + corner) the one that has the opposite direction along the same
-/// edge. It is no_index on a border, on an edge with more than two faces, and if both faces traverse
-/// the edge in the same direction. Vertices are the same when their indices are. O(n); deterministic.
+/// edge. It is no_index on a border, on an edge with more than two faces, and if both faces
+/// traverse the edge in the same direction. Vertices are the same when their indices are. O(n);
+/// deterministic.
 std::vector<Index> opposite_halfedges(const Mesh& mesh);
 
 /// These, where they are those of a closed oriented manifold; nothing where that is none.
