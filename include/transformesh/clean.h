@@ -6,12 +6,16 @@
 /// keep their coordinates (unless they are extreme), columns and order. A manifold with nothing to
 /// clean is returned unchanged. Equal positions are one point. The output has no self-intersection
 /// in coordinates rounded to `coordinate` (coincident vertices and edges may touch), and no face
-/// without area. Exact; deterministic for any number of threads. Borders stay (paper 4.6).
+/// without area. Exact; deterministic for any number of threads.
 ///
-/// Throws InputError if the mesh is not oriented: faces are left over along an edge that is no
-/// border. Throws UsageError for static_test on an open mesh. Throws GoalError if no point reaches
-/// the level, if rounding cannot be repaired, or if `refuse` forbids a change. Cost: O(n log n + k
-/// log k) for k intersecting pairs on usual meshes; about 250 bytes a face.
+/// Of a mesh with borders, the closed part is cleaned as if it were alone. Open components lose
+/// what lies inside of it, and what is behind another one along a curve in which they intersect
+/// (docs/design/open-meshes.md). Generalized winding numbers decide a patch if no exact one does.
+///
+/// Throws InputError if the mesh is not oriented, UsageError for static_test on an open mesh,
+/// GoalError if no point reaches the level, if rounding cannot be repaired, or if `refuse` forbids
+/// a change. Cost: O(n log n + k log k) for k intersecting pairs on usual meshes; about 250 bytes a
+/// face.
 #pragma once
 
 #include <optional>
@@ -23,7 +27,8 @@
 
 namespace transformesh {
 
-/// Region growing over patches (paper 3.2), or one ray for each piece (paper 4.5; slow reference).
+/// Region growing (paper 3.2), or a ray for each piece (paper 4.5; slow reference, closed meshes
+/// only).
 enum class ExteriorMethod { grow, static_test };
 
 struct CleanOptions {
@@ -41,13 +46,16 @@ struct CleanResult {
   std::size_t cut_faces = 0;      ///< input faces that were cut
   std::size_t removed_faces = 0;  ///< whole input faces that were dropped
   std::size_t new_vertices = 0;
-  std::size_t copied_vertices = 0;  ///< duplicates made at singular vertices and edges
-  std::size_t patches = 0, rays = 0;
-  std::size_t dropped_components = 0;        ///< by `outermost`
-  std::size_t rounding_repairs = 0;          ///< rounds of repair after rounding
-  std::size_t rounding_places = 0;           ///< places where rounding broke faces
-  double rounding_displacement = 0;          ///< largest distance by which rounding moved a vertex
-  double rounding_spacings = 0;              ///< the same in spacings of the coordinates there
+  std::size_t copied_vertices = 0;     ///< duplicates made at singular vertices and edges
+  std::size_t rays = 0;                ///< cast to find winding numbers
+  std::size_t patches = 0;             ///< of a mesh with borders that was cut
+  std::size_t decided_by_number = 0;   ///< patches that a generalized winding number decided
+  double least_margin = 0.5;           ///< distance of such a number to where it rounds otherwise
+  std::size_t dropped_components = 0;  ///< by `outermost`
+  std::size_t rounding_repairs = 0;    ///< rounds of repair after rounding
+  std::size_t rounding_places = 0;     ///< places where rounding broke faces
+  double rounding_displacement = 0;    ///< largest distance by which rounding moved a vertex
+  double rounding_spacings = 0;        ///< the same in spacings of the coordinates there
   std::vector<std::string> dropped_columns;  ///< texture coordinates of faces that were cut
   bool dropped_source_points = false;        ///< carry.h
   std::optional<Connectivity> connectivity;  ///< set if there was nothing to change

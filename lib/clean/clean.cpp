@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "clean/exterior/exterior.h"
 #include "clean/pass/clean_pass.h"
 #include "clean/rounding/snap_rounding.h"
 #include "clean/stitch/double_sided.h"
@@ -48,8 +49,10 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
   result.pairs = pass.pairs;
   result.cut_faces = pass.cut_faces;
   result.removed_faces = pass.removed_faces;
-  result.patches = pass.exterior.patches;
-  result.rays = pass.exterior.rays;
+  result.patches = pass.open_patches;
+  result.decided_by_number = pass.decided_by_number;
+  result.least_margin = pass.least_margin;
+  result.rays = pass.rays;
   result.changed = !pass.unchanged;
   if (pass.unchanged) {
     result.mesh = mesh;
@@ -71,9 +74,8 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
       result.dropped_source_points = drop_source_points(result.mesh);
     }
   }
-  // A mesh of a single patch has nothing inside.
   result.connectivity = std::move(pass.connectivity);
-  if (options.outermost && (result.changed || result.patches != 1)) {
+  if (options.outermost) {
     const auto& known = result.connectivity;
     result.dropped_components =
         known ? drop_enclosed_components(result.mesh, connected_components(result.mesh, *known))

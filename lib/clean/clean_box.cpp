@@ -106,7 +106,7 @@ std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
   around.faces = FarFaces(mesh_, is_in_part_, reach.minimum, reach.maximum);
 
   const ExteriorArrangement exterior =
-      arrange_exterior(welded_, meetings_, options_.winding_level, progress_, &around);
+      arrange_exterior(welded_, meetings_, {options_.winding_level, false, &around}, progress_);
   counts.rays = exterior.rays;
   const std::vector<char> kept(exterior.arrangement.pieces.size(), 1);
   progress_("stitch");

@@ -64,16 +64,32 @@ class Copies {
   std::vector<Index> next_;  ///< the next copy of each face
 };
 
+// Of faces that lie upon each other, an open piece has the open ones, and any other the closed
+// ones.
+void add_sources(const PlaneCut& cut, std::size_t facet, const Copies& copies, bool is_open,
+                 Arrangement& result) {
+  const std::size_t first = result.sources.size();
+  result.sources.insert(result.sources.end(), cut.sources.begin() + cut.source_offsets[facet],
+                        cut.sources.begin() + cut.source_offsets[facet + 1]);
+  copies.add(result.sources, first);
+  if (result.welded->open_component.empty()) return;
+  const auto is_other = [&](const PieceSource& source) {
+    return result.welded->is_open(source.face) != is_open;
+  };
+  result.sources.erase(std::remove_if(result.sources.begin() + static_cast<std::ptrdiff_t>(first),
+                                      result.sources.end(), is_other),
+                       result.sources.end());
+}
+
 void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, const Copies& copies,
                     Arrangement& result) {
   for (std::size_t i = 0; i < cut.facets.size(); ++i) {
     const Face& v = cut.facets[i];
+    const OpenFacet open = cut.open.empty() ? OpenFacet{false, 0} : cut.open[i];
     const auto first = static_cast<Index>(result.sources.size());
-    result.sources.insert(result.sources.end(), cut.sources.begin() + cut.source_offsets[i],
-                          cut.sources.begin() + cut.source_offsets[i + 1]);
-    copies.add(result.sources, first);
+    add_sources(cut, i, copies, open.is_open, result);
     const auto count = static_cast<std::uint32_t>(result.sources.size() - first);
-    Piece piece{{ids[v[0]], ids[v[1]], ids[v[2]]}, first, count, 0};
+    Piece piece{{ids[v[0]], ids[v[1]], ids[v[2]]}, first, count, 0, open.is_open, open.front};
     for (const PieceSource& source : result.sources_of(piece)) {
       piece.multiplicity += source.reversed ? -1 : 1;
     }

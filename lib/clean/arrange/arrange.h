@@ -21,6 +21,8 @@ struct Piece {
   std::uint32_t source_count;
   std::int32_t multiplicity;  ///< sources less reversed sources: by how much w grows from front to
                               ///< back; never negative, and 0 where the sources cancel out
+  bool is_open = false;       ///< its sources are faces of open components; else they are closed
+  std::int32_t front = 0;     ///< the winding number of the closed part in front, if it is known
 };
 
 struct Arrangement {

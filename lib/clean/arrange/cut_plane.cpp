@@ -34,6 +34,7 @@ class PlaneCutter : public PlaneFacets {
   std::size_t size() const override { return triangulation_.facets().size(); }
   bool is_covered(Index facet) const override { return !covers_[facet].empty(); }
   int multiplicity(Index facet) const override;
+  bool has_open_face(Index facet) const override;
   Index neighbor(Index facet, Index i) const override {
     return triangulation_.facets()[facet].next[i];
   }
@@ -228,6 +229,11 @@ int PlaneCutter::multiplicity(Index facet) const {
   return sum;
 }
 
+bool PlaneCutter::has_open_face(Index facet) const {
+  return std::any_of(covers_[facet].begin(), covers_[facet].end(),
+                     [&](const PieceSource& source) { return jumps_->has_open_copy(source.face); });
+}
+
 int PlaneCutter::jump(Index facet, Index i) const {
   const Index first = triangulation_.facets()[facet].line[i];
   if (first == no_index) return 0;
@@ -276,11 +282,12 @@ std::vector<char> PlaneCutter::all_covered() const {
 PlaneCut PlaneCutter::collect(const std::vector<char>& chosen) {
   triangulation_.improve(chosen);
   auto [points, facets, numbers] = triangulation_.collect(chosen);
-  PlaneCut result{std::move(points), std::move(facets), {0}, {}};
+  PlaneCut result{std::move(points), std::move(facets), {0}, {}, {}};
   for (const Index facet : numbers) {
     result.sources.insert(result.sources.end(), covers_[facet].begin(), covers_[facet].end());
     result.source_offsets.push_back(static_cast<Index>(result.sources.size()));
   }
+  result.numbers = std::move(numbers);
   return result;
 }
 

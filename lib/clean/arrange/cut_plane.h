@@ -17,6 +17,12 @@ struct PieceSource {
   bool reversed;  ///< its orientation is opposite to that of the piece
 };
 
+/// What a facet is that open faces cover.
+struct OpenFacet {
+  bool is_open;  ///< whether it is kept for its open faces; else it bounds the closed part
+  int front;     ///< the winding number of the closed part in front of it
+};
+
 /// The pieces of one plane, in an order that does not depend on which others there are. Its points
 /// have numbers of their own.
 struct PlaneCut {
@@ -24,6 +30,9 @@ struct PlaneCut {
   std::vector<Face> facets;           ///< by points; oriented as the first face is
   std::vector<Index> source_offsets;  ///< facet i has sources [offsets[i], offsets[i + 1])
   std::vector<PieceSource> sources;   ///< of each facet by ascending faces; copies are not named
+  std::vector<Index> numbers;         ///< of each facet among those to choose from
+  /// Of each facet, if its faces are not all closed.
+  std::vector<OpenFacet> open{};
 };
 
 /// The facets of a plane that was cut, to choose from. They are oriented as the first face of the
@@ -33,8 +42,10 @@ class PlaneFacets {
   virtual ~PlaneFacets() = default;
   virtual std::size_t size() const = 0;
   virtual bool is_covered(Index facet) const = 0;  ///< by some face
-  /// The faces that cover it, copies counted, less reversed ones: by how much w grows behind it.
+  /// The closed faces that cover it, copies counted, less reversed ones: by how much w grows
+  /// behind.
   virtual int multiplicity(Index facet) const = 0;
+  virtual bool has_open_face(Index facet) const = 0;  ///< an open face covers it
   /// The facet across edge i.
   virtual Index neighbor(Index facet, Index i) const = 0;
   /// By how much w in front grows across edge i, where both facets are covered.

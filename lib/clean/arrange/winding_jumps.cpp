@@ -13,18 +13,6 @@ bool has_same_direction(const Face& face, const Face& copy) {
   return copy[(at + 1) % 3] == face[1];
 }
 
-std::vector<int> count_copies(const WeldedMesh& welded) {
-  std::vector<int> multiplicities(welded.faces.size(), 0);
-  bool has_copies = false;
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    const Index first = welded.first_copy[f];
-    has_copies |= first != f;
-    multiplicities[first] += has_same_direction(welded.faces[first], welded.faces[f]) ? 1 : -1;
-  }
-  if (!has_copies) multiplicities.clear();
-  return multiplicities;
-}
-
 // The sign of a coordinate that differs between two points: that of the second less the first.
 int direction(const ExactGeometry& geometry, const ExactPoint& from, const ExactPoint& to,
               int& coordinate) {
@@ -40,12 +28,26 @@ int direction(const ExactGeometry& geometry, const ExactPoint& from, const Exact
 }  // namespace
 
 WindingJumps::WindingJumps(const WeldedMesh& welded, const Planes& planes)
-    : welded_(welded),
-      planes_(planes),
-      multiplicities_(count_copies(welded)),
-      edge_of_(3 * welded.faces.size(), no_index) {
+    : welded_(welded), planes_(planes), edge_of_(3 * welded.faces.size(), no_index) {
   for (std::size_t e = 0; e < welded_.edges.size(); ++e)
     for (const Index h : welded_.edges.halfedges(e)) edge_of_[h] = static_cast<Index>(e);
+  count_copies();
+}
+
+void WindingJumps::count_copies() {
+  multiplicities_.assign(welded_.faces.size(), 0);
+  if (!welded_.open_component.empty()) has_open_copy_.assign(welded_.faces.size(), 0);
+  bool count_once = true;
+  for (Index f = 0; f < welded_.faces.size(); ++f) {
+    const Index first = welded_.first_copy[f];
+    count_once &= first == f && !welded_.is_open(f);
+    if (welded_.is_open(f)) {
+      has_open_copy_[first] = 1;
+    } else {
+      multiplicities_[first] += has_same_direction(welded_.faces[first], welded_.faces[f]) ? 1 : -1;
+    }
+  }
+  if (count_once) multiplicities_.clear();
 }
 
 // With the normals n of the plane and m of the other face, n x m is parallel to the segment, and

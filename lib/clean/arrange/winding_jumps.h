@@ -1,6 +1,7 @@
 /// By how much the winding number w changes across faces, seen from the front of a plane: w in
 /// front of the plane is constant except where a face meets the plane from the front (paper 3.2.2).
-/// Exact; deterministic.
+/// w is the winding number of the closed part: faces of open components change nothing. Exact;
+/// deterministic.
 #pragma once
 
 #include <vector>
@@ -22,8 +23,12 @@ class WindingJumps {
   /// Keeps references.
   WindingJumps(const WeldedMesh& welded, const Planes& planes);
 
-  /// How many copies of a face there are, less those that are reversed.
+  /// How many closed copies of a face there are, less those that are reversed.
   int multiplicity(Index face) const { return multiplicities_.empty() ? 1 : multiplicities_[face]; }
+  /// Whether one of its copies is open.
+  bool has_open_copy(Index face) const {
+    return !has_open_copy_.empty() && has_open_copy_[face] != 0;
+  }
 
   /// Over the common segment of two faces, seen from the front of one of them (from its back, if
   /// that is `reversed`). [from, to] is the segment.
@@ -36,7 +41,10 @@ class WindingJumps {
  private:
   const WeldedMesh& welded_;
   const Planes& planes_;
-  std::vector<int> multiplicities_;  ///< per first copy; empty where there are no copies
+  void count_copies();
+
+  std::vector<int> multiplicities_;  ///< per first copy; empty if each face counts once
+  std::vector<char> has_open_copy_;  ///< per first copy; empty if all faces are closed
   std::vector<Index> edge_of_;       ///< per halfedge
 };
 

@@ -1,5 +1,6 @@
 #include "clean/exterior/exterior_arrangement.h"
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 
@@ -26,36 +27,62 @@ class FacetChooser {
       : windings_(windings), ray_(ray), winding_level_(winding_level) {}
 
   std::vector<char> choose(const PlaneFacets& facets, Index first_face);
+  /// Of facets of the last plane: what they are.
+  std::vector<OpenFacet> describe(const std::vector<Index>& facets) const;
+  bool is_chosen(Index facet) const { return is_chosen_[facet] != 0; }
+  bool has_surface() const { return has_surface_; }  ///< a facet of any plane counts
   std::size_t rays() const { return rays_; }
 
  private:
+  void choose_facet(const PlaneFacets& facets, Index facet);
   void spread(const PlaneFacets& facets, Index seed, int w);
 
   const RegionGrowingWinding& windings_;
   const RayCastFrontWinding& ray_;
   int winding_level_;
-  std::vector<int> front_;  ///< per facet
+  std::vector<int> front_;       ///< per facet
+  std::vector<char> is_chosen_;  ///< per facet
+  std::vector<OpenFacet> open_;  ///< per facet
   std::vector<Index> stack_;
   std::size_t rays_ = 0;
+  bool has_surface_ = false;
 };
 
 std::vector<char> FacetChooser::choose(const PlaneFacets& facets, Index first_face) {
   front_.assign(facets.size(), unknown);
+  is_chosen_.assign(facets.size(), 0);
+  open_.assign(facets.size(), {false, 0});
   for (Index i = 0; i < 3; ++i) {
     const std::optional<int> w = windings_.at(first_face, i);
     if (w) spread(facets, facets.facet_at_corner(i), *w);
   }
-  std::vector<char> chosen(facets.size(), 0);
   for (Index facet = 0; facet < facets.size(); ++facet) {
-    if (!facets.is_covered(facet) || facets.multiplicity(facet) == 0) continue;
+    if (!facets.is_covered(facet)) continue;
+    if (facets.multiplicity(facet) == 0 && !facets.has_open_face(facet)) continue;
+    has_surface_ = true;
     if (front_[facet] == unknown) {
       spread(facets, facet, ray_.in_front_of(facets.corners(facet), first_face));
       ++rays_;
     }
-    chosen[facet] =
-        parts(front_[facet], front_[facet] + facets.multiplicity(facet), winding_level_) ? 1 : 0;
+    choose_facet(facets, facet);
   }
-  return chosen;
+  return is_chosen_;
+}
+
+void FacetChooser::choose_facet(const PlaneFacets& facets, Index facet) {
+  const int front = front_[facet], behind = front + facets.multiplicity(facet);
+  const bool is_boundary = parts(front, behind, winding_level_);
+  const bool is_outside = std::max(front, behind) < winding_level_;
+  const bool is_open = !is_boundary && is_outside && facets.has_open_face(facet);
+  is_chosen_[facet] = is_boundary || is_open ? 1 : 0;
+  open_[facet] = {is_open, is_open ? std::max(front, behind) : std::min(front, behind)};
+}
+
+std::vector<OpenFacet> FacetChooser::describe(const std::vector<Index>& facets) const {
+  std::vector<OpenFacet> result;
+  result.reserve(facets.size());
+  for (const Index facet : facets) result.push_back(open_[facet]);
+  return result;
 }
 
 void FacetChooser::spread(const PlaneFacets& facets, Index seed, int w) {
@@ -74,75 +101,155 @@ void FacetChooser::spread(const PlaneFacets& facets, Index seed, int w) {
   }
 }
 
-/// Marks the planes that are to be cut.
-std::vector<char> find_visible_planes(const Planes& planes, const RegionGrowingWinding& windings,
-                                      int winding_level) {
-  std::vector<char> is_visible(planes.size());
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    is_visible[i] = windings.is_hidden(planes[i], winding_level) ? 0 : 1;
+class ExteriorArranger {
+ public:
+  ExteriorArranger(const std::shared_ptr<const WeldedMesh>& welded,
+                   const std::vector<Meeting>& meetings, const ExteriorArrangementOptions& options)
+      : welded_(welded),
+        options_(options),
+        planes_(*welded, meetings),
+        jumps_(*welded, planes_),
+        windings_(*welded, planes_, jumps_, options.around),
+        is_visible_(find_visible_planes()),
+        ray_(*welded, count_without_corner(), options.around),
+        rays_(windings_.rays()),
+        cuts_(planes_.size()),
+        chosen_(options.arranges_everything ? planes_.size() : 0) {}
+  ExteriorArrangement arrange(const Progress& progress);
+
+ private:
+  std::vector<char> find_visible_planes() const;
+  std::size_t count_without_corner() const;
+  bool has_hidden_planes() const;
+  bool is_complete(Index face) const {
+    return options_.around == nullptr || options_.around->is_complete[face];
+  }
+  void cut_planes(std::size_t first, std::size_t last);
+  void cut_in_full(std::size_t i, FacetChooser& chooser);
+  bool keeps_whole(Index face) const;
+  void describe_whole_pieces(ExteriorArrangement& result) const;
+
+  std::shared_ptr<const WeldedMesh> welded_;
+  const ExteriorArrangementOptions& options_;
+  Planes planes_;
+  WindingJumps jumps_;
+  RegionGrowingWinding windings_;
+  std::vector<char> is_visible_;  ///< per plane: it is cut
+  RayCastFrontWinding ray_;
+  std::atomic<std::size_t> rays_;
+  std::atomic<bool> has_surface_ = false;
+  std::vector<PlaneCut> cuts_;             ///< per plane
+  std::vector<std::vector<char>> chosen_;  ///< per facet of each cut, if everything is arranged
+};
+
+std::vector<char> ExteriorArranger::find_visible_planes() const {
+  std::vector<char> is_visible(planes_.size());
+  for (std::size_t i = 0; i < planes_.size(); ++i) {
+    const bool is_hidden =
+        !options_.arranges_everything && windings_.is_hidden(planes_[i], options_.winding_level);
+    is_visible[i] = is_complete(planes_[i].faces[0]) && !is_hidden ? 1 : 0;
+  }
   return is_visible;
 }
 
-std::size_t count_without_corner(const Planes& planes, const RegionGrowingWinding& windings,
-                                 const std::vector<char>& is_visible) {
+// Hidden planes have a single face, which counts once.
+bool ExteriorArranger::has_hidden_planes() const {
+  return std::find(is_visible_.begin(), is_visible_.end(), 0) != is_visible_.end();
+}
+
+std::size_t ExteriorArranger::count_without_corner() const {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const Index face = planes[i].faces[0];
-    const bool has_corner = windings.at(face, 0) || windings.at(face, 1) || windings.at(face, 2);
-    count += is_visible[i] && !has_corner ? 1 : 0;
+  for (std::size_t i = 0; i < planes_.size(); ++i) {
+    const Index face = planes_[i].faces[0];
+    const bool has_corner = windings_.at(face, 0) || windings_.at(face, 1) || windings_.at(face, 2);
+    count += is_visible_[i] && !has_corner ? 1 : 0;
   }
   return count;
+}
+
+void ExteriorArranger::cut_planes(std::size_t first, std::size_t last) {
+  ExteriorCutter cutter(*welded_, planes_, jumps_, windings_, ray_, options_.winding_level);
+  FacetChooser chooser(windings_, ray_, options_.winding_level);
+  for (std::size_t i = first; i < last; ++i) {
+    if (!is_visible_[i]) continue;
+    auto cut = options_.arranges_everything ? std::nullopt : cutter.cut(planes_[i]);
+    if (cut) {
+      has_surface_ = true;
+      cuts_[i] = std::move(*cut);
+    } else {
+      cut_in_full(i, chooser);
+    }
+  }
+  rays_ += cutter.rays() + chooser.rays();
+  if (chooser.has_surface()) has_surface_ = true;
+}
+
+void ExteriorArranger::cut_in_full(std::size_t i, FacetChooser& chooser) {
+  const Plane plane = planes_[i];
+  cuts_[i] = cut_plane(*welded_, plane, jumps_, [&](const PlaneFacets& facets) {
+    std::vector<char> chosen = chooser.choose(facets, plane.faces[0]);
+    for (Index f = 0; options_.arranges_everything && f < facets.size(); ++f)
+      chosen[f] = facets.is_covered(f) ? 1 : 0;
+    return chosen;
+  });
+  if (!welded_->open_component.empty()) cuts_[i].open = chooser.describe(cuts_[i].numbers);
+  for (const Index facet : cuts_[i].numbers)
+    if (options_.arranges_everything) chosen_[i].push_back(chooser.is_chosen(facet) ? 1 : 0);
+}
+
+bool ExteriorArranger::keeps_whole(Index face) const {
+  if (!is_complete(face)) return false;
+  const int w = *windings_.at(face, 0);
+  return welded_->is_open(face) ? w < options_.winding_level
+                                : parts(w, w + 1, options_.winding_level);
+}
+
+// Whole pieces come in the order of their faces.
+void ExteriorArranger::describe_whole_pieces(ExteriorArrangement& result) const {
+  Arrangement& arrangement = result.arrangement;
+  for (std::size_t p = 0; p < arrangement.whole_pieces; ++p) {
+    Piece& piece = arrangement.pieces[p];
+    const Index face = arrangement.sources_of(piece).front().face;
+    result.kept[p] = keeps_whole(face) ? 1 : 0;
+    if (!welded_->is_open(face)) continue;
+    piece.is_open = true;
+    piece.front = *windings_.at(face, 0);
+  }
+}
+
+ExteriorArrangement ExteriorArranger::arrange(const Progress& progress) {
+  progress("arrange", 0.2);
+  parallel_for(cuts_.size(), planes_per_task,
+               [&](std::size_t first, std::size_t last) { cut_planes(first, last); });
+  progress("arrange", 0.9);
+
+  ExteriorArrangement result;
+  std::vector<char> is_left_out(welded_->faces.size(), 0);
+  for (Index f = 0; f < is_left_out.size(); ++f) {
+    if (!planes_.is_whole(f)) continue;
+    ++result.whole_faces;
+    is_left_out[f] = options_.arranges_everything || keeps_whole(f) ? 0 : 1;
+  }
+  result.rays = rays_;
+  result.has_surface = result.whole_faces > 0 || has_hidden_planes() || has_surface_;
+  result.arrangement = join_cuts(welded_, planes_, cuts_, is_left_out);
+  result.kept.assign(result.arrangement.pieces.size(), 1);
+  describe_whole_pieces(result);
+  std::size_t p = result.arrangement.whole_pieces;
+  for (const std::vector<char>& of_plane : chosen_)
+    for (const char is_chosen : of_plane) result.kept[p++] = is_chosen;
+  return result;
 }
 
 }  // namespace
 
 ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
-                                     const std::vector<Meeting>& meetings, int winding_level,
-                                     const Progress& progress, const Surroundings* around) {
+                                     const std::vector<Meeting>& meetings,
+                                     const ExteriorArrangementOptions& options,
+                                     const Progress& progress) {
   progress("arrange");
   if (!meetings.empty()) refuse_overflow(*welded);
-  const Planes planes(*welded, meetings);
-  const WindingJumps jumps(*welded, planes);
-  const RegionGrowingWinding windings(*welded, planes, jumps, around);
-  progress("arrange", 0.2);
-
-  const auto is_complete = [&](Index face) { return !around || around->is_complete[face]; };
-  std::vector<char> is_visible = find_visible_planes(planes, windings, winding_level);
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    if (!is_complete(planes[i].faces[0])) is_visible[i] = 0;
-  const RayCastFrontWinding ray(*welded, count_without_corner(planes, windings, is_visible),
-                                around);
-  std::atomic<std::size_t> rays = windings.rays();
-  std::vector<PlaneCut> cuts(planes.size());
-  parallel_for(cuts.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
-    ExteriorCutter cutter(*welded, planes, jumps, windings, ray, winding_level);
-    FacetChooser chooser(windings, ray, winding_level);
-    for (std::size_t i = first; i < last; ++i) {
-      if (!is_visible[i]) continue;
-      const Plane plane = planes[i];
-      auto cut = cutter.cut(plane);
-      cuts[i] =
-          cut ? std::move(*cut) : cut_plane(*welded, plane, jumps, [&](const PlaneFacets& facets) {
-            return chooser.choose(facets, plane.faces[0]);
-          });
-    }
-    rays += cutter.rays() + chooser.rays();
-  });
-  progress("arrange", 0.9);
-
-  ExteriorArrangement result;
-  std::vector<char> is_left_out(welded->faces.size(), 0);
-  for (Index f = 0; f < is_left_out.size(); ++f) {
-    if (!planes.is_whole(f)) continue;
-    ++result.whole_faces;
-    is_left_out[f] = 1;
-    if (!is_complete(f)) continue;
-    const int w = *windings.at(f, 0);
-    is_left_out[f] = parts(w, w + 1, winding_level) ? 0 : 1;
-  }
-  result.rays = rays;
-  result.arrangement = join_cuts(welded, planes, cuts, is_left_out);
-  return result;
+  return ExteriorArranger(welded, meetings, options).arrange(progress);
 }
 
 }  // namespace transformesh

@@ -87,7 +87,7 @@ bool ExteriorCutter::FaceCut::add_segment(const Meeting& meeting) {
 
 bool ExteriorCutter::FaceCut::gather(const Plane& plane) {
   if (plane.faces.size() > 1 || plane.meetings.empty()) return false;
-  if (cutter_.jumps_.multiplicity(face_) != 1) return false;
+  if (cutter_.jumps_.multiplicity(face_) != 1 || cutter_.jumps_.has_open_copy(face_)) return false;
   in_.face = face_;
   in_.projection = projection_of(cutter_.welded_.triangle(face_));
   return std::all_of(plane.meetings.begin(), plane.meetings.end(),
@@ -169,7 +169,7 @@ std::vector<char> find_exterior(const PlanarTriangulation& triangulation, Index 
 std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
   const auto parts = find_bounding_subsegments(geometry_, in_, known_, cutter_.winding_level_);
   if (!parts) return std::nullopt;
-  if (parts->empty()) return PlaneCut{{}, {}, {0}, {}};
+  if (parts->empty()) return PlaneCut{{}, {}, {0}, {}, {}};
 
   // Only these are constraints.
   const Triangle t = cutter_.welded_.triangle(face_);
@@ -197,7 +197,7 @@ std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
   const std::vector<char> chosen = find_exterior(triangulation, chain.front());
   triangulation.improve(chosen);
   auto [points, facets, numbers] = triangulation.collect(chosen);
-  PlaneCut result{std::move(points), std::move(facets), {}, {}};
+  PlaneCut result{std::move(points), std::move(facets), {}, {}, std::move(numbers)};
   result.sources.assign(result.facets.size(), {face_, false});
   for (Index i = 0; i <= result.facets.size(); ++i) result.source_offsets.push_back(i);
   return result;

@@ -14,10 +14,6 @@ Patches::Patches(const Arrangement& arrangement) : arrangement_(arrangement) {
   }
   const Edges edges = piece_edges(arrangement, counts);
   number_patches(edges);
-  relations.resize(pieces.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (!is_inner_edge(edges.halfedges(e))) relate_around(edges.halfedges(e));
-  }
 }
 
 // Whether the surface goes on across the edge, and nothing else meets it there.
@@ -57,56 +53,29 @@ void Patches::collect_patch(Index first, const std::vector<Index>& neighbor) {
   pieces.push_back(std::move(members));
 }
 
-// Whether the i-th piece around an edge has no partner behind it: one that has the opposite
-// direction. Where a border lies on other faces, there is such a piece.
-bool Patches::is_loose(const std::vector<Index>& sorted, std::size_t i) const {
-  const bool forward = is_forward(arrangement_.pieces, sorted[i]);
-  const std::size_t behind = forward ? i + sorted.size() - 1 : i + 1;
-  return is_forward(arrangement_.pieces, sorted[behind % sorted.size()]) == forward;
-}
-
-// Whether w in front of one patch differs around the edge. In an open mesh a curve may end within a
-// patch, which then lies on both of its sides.
-bool Patches::is_ambiguous(const std::vector<Index>& sorted) const {
-  std::vector<std::pair<Index, int>> fronts;
-  int w = 0;
-  for (const Index h : sorted) {
-    const bool forward = is_forward(arrangement_.pieces, h);
-    const int multiplicity = arrangement_.pieces[h / 3].multiplicity;
-    const int beyond = w + (forward ? -multiplicity : multiplicity);
-    fronts.emplace_back(patch_of[h / 3], forward ? beyond : w);
-    w = beyond;
+// Joins the facing sides of neighbors in angular order, as between them lies one cell. So the two
+// sides of a patch become one around a free border.
+DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches) {
+  DisjointSets sides(2 * patches.size());
+  std::vector<char> counts(arrangement.pieces.size());
+  for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = patches.patch_of[p] != no_index;
+  const Edges edges = piece_edges(arrangement, counts);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    const auto patch = [&](Index h) { return patches.patch_of[h / 3]; };
+    const auto forward = [&](Index h) { return is_forward(arrangement.pieces, h); };
+    if (halfedges.size() == 2 && patch(halfedges[0]) == patch(halfedges[1]) &&
+        forward(halfedges[0]) != forward(halfedges[1])) {
+      continue;
+    }
+    const std::vector<Index> sorted = sort_around_edge(arrangement, halfedges);
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      const Index next = sorted[(i + 1) % sorted.size()];
+      sides.join(2 * patch(sorted[i]) + (forward(sorted[i]) ? 0 : 1),
+                 2 * patch(next) + (forward(next) ? 1 : 0));
+    }
   }
-  std::sort(fronts.begin(), fronts.end());
-  return std::adjacent_find(fronts.begin(), fronts.end(), [](const auto& a, const auto& b) {
-           return a.first == b.first && a.second != b.second;
-         }) != fronts.end();
-}
-
-// Relates the patches of neighbors in angular order, as between them lies one region. A border
-// tells nothing about the regions on its two sides, and an ambiguous edge nothing at all.
-void Patches::relate_around(std::span<const Index> halfedges) {
-  if (halfedges.size() < 2) return;
-  const auto& all = arrangement_.pieces;
-  int sum = 0;
-  for (const Index h : halfedges) sum += (is_forward(all, h) ? 1 : -1) * all[h / 3].multiplicity;
-  const std::vector<Index> sorted = sort_around_edge(arrangement_, halfedges);
-  if (sum == 0 && is_ambiguous(sorted)) return;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const std::size_t next = (i + 1) % sorted.size();
-    if (sum != 0 && (is_loose(sorted, i) || is_loose(sorted, next))) continue;
-    relate(sorted[i], sorted[next]);
-  }
-}
-
-void Patches::relate(Index a, Index b) {
-  const auto& all = arrangement_.pieces;
-  const Index patch_a = patch_of[a / 3], patch_b = patch_of[b / 3];
-  if (patch_a == patch_b) return;
-  const int beyond_a = is_forward(all, a) ? 0 : all[a / 3].multiplicity;
-  const int before_b = is_forward(all, b) ? all[b / 3].multiplicity : 0;
-  relations[patch_a].push_back({patch_b, beyond_a - before_b});
-  relations[patch_b].push_back({patch_a, before_b - beyond_a});
+  return sides;
 }
 
 }  // namespace transformesh

@@ -4,7 +4,6 @@
 #include <limits>
 #include <string>
 
-#include "mesh/disjoint_sets.h"
 #include "mesh/location_text.h"
 #include "transformesh/errors.h"
 
@@ -14,11 +13,10 @@ namespace {
 constexpr int most_attempts = 20000;  // whose squares fit into an int
 constexpr std::size_t few_rays = 8;
 
-Bvh build_bvh(const WeldedMesh& welded, const std::vector<Triangle>& closure) {
+Bvh build_bvh(const WeldedMesh& welded) {
   std::vector<FloatBox> boxes;
-  boxes.reserve(welded.faces.size() + closure.size());
+  boxes.reserve(welded.faces.size());
   for (Index f = 0; f < welded.faces.size(); ++f) boxes.push_back(welded.box(f));
-  for (const Triangle& t : closure) boxes.push_back(welded.box(t));
   return Bvh(boxes);
 }
 
@@ -58,68 +56,36 @@ std::array<int, 3> weights(int attempt) { return {1, attempt, attempt * attempt}
 
 }  // namespace
 
-RayCastFrontWinding::RayCastFrontWinding(const Arrangement& arrangement,
-                                         const BorderClosure& closure, std::size_t rays)
-    : welded_(*arrangement.welded), arrangement_(&arrangement), closure_(closure.triangles) {
-  if (rays > few_rays) bvh_ = build_bvh(welded_, closure_);
-  if (!closure.empty()) limit_sheets(closure);
-}
-
 RayCastFrontWinding::RayCastFrontWinding(const WeldedMesh& welded, std::size_t rays,
                                          const Surroundings* around)
     : welded_(welded), around_(around) {
-  if (rays > few_rays) bvh_ = build_bvh(welded_, closure_);
-}
-
-Triangle RayCastFrontWinding::triangle(Index i) const {
-  const std::size_t faces = welded_.faces.size();
-  return i < faces ? welded_.triangle(i) : closure_[i - faces];
+  if (rays > few_rays) bvh_ = build_bvh(welded_);
 }
 
 void RayCastFrontWinding::visit_overlaps(const Vec3& low, const Vec3& high,
                                          const std::function<bool(Index)>& visit) const {
   if (!bvh_.empty()) return bvh_.visit_overlaps(welded_.frame.box(low, high), visit);
-  const auto count = static_cast<Index>(welded_.faces.size() + closure_.size());
-  for (Index i = 0; i < count; ++i) {
-    const Triangle t = triangle(i);
+  for (Index i = 0; i < welded_.faces.size(); ++i) {
+    const Triangle t = welded_.triangle(i);
     if ((t[0].cwiseMin(t[1]).cwiseMin(t[2]).array() <= high.array()).all() &&
         (t[0].cwiseMax(t[1]).cwiseMax(t[2]).array() >= low.array()).all() && !visit(i))
       return;
   }
 }
 
-// A sheet counts only for pieces of its own component, as it bounds nothing but what it meets.
-void RayCastFrontWinding::limit_sheets(const BorderClosure& closure) {
-  DisjointSets sets(arrangement_->point_count());
-  for (const Piece& piece : arrangement_->pieces) {
-    sets.join(piece.corners[0], piece.corners[1]);
-    sets.join(piece.corners[0], piece.corners[2]);
-  }
-  component_of_.resize(arrangement_->point_count());
-  for (Index p = 0; p < component_of_.size(); ++p) component_of_[p] = sets.find(p);
-
-  const auto limit = [&](Index face) {
-    const Index point = welded_.faces[face][0];
-    only_for_.push_back(closure.in_sheet[face] ? component_of_[point] : no_index);
-  };
-  for (Index f = 0; f < welded_.faces.size(); ++f) limit(f);
-  for (const Index face : closure.face_of) limit(face);
-}
-
-int RayCastFrontWinding::in_front_of(const Piece& piece) const {
-  const Index component = component_of_.empty() ? no_index : component_of_[piece.corners[0]];
+int RayCastFrontWinding::in_front_of(const Arrangement& arrangement, const Piece& piece) const {
   const auto& [a, b, c] = piece.corners;
-  return in_front_of({arrangement_->point(a), arrangement_->point(b), arrangement_->point(c)},
-                     arrangement_->sources_of(piece).front(), component);
+  return in_front_of({arrangement.point(a), arrangement.point(b), arrangement.point(c)},
+                     arrangement.sources_of(piece).front());
 }
 
 int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part, Index face) const {
-  return in_front_of(part, {face, false}, no_index);
+  return in_front_of(part, PieceSource{face, false});
 }
 
 std::optional<int> RayCastFrontWinding::in_front_of(const ExactPoint& point, Index face) const {
   const auto [axis, direction] = axis_and_direction({face, false});
-  const Count count = cast(point, axis, direction, no_index);
+  const Count count = cast(point, axis, direction);
   return count.grazes ? std::nullopt : std::optional(count.winding);
 }
 
@@ -131,14 +97,14 @@ std::pair<int, int> RayCastFrontWinding::axis_and_direction(const PieceSource& s
 }
 
 int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
-                                     const PieceSource& source, Index component) const {
+                                     const PieceSource& source) const {
   const auto [axis, direction] = axis_and_direction(source);
   const ExactGeometry geometry(welded_.points, welded_.faces);
   // A ray grazes an edge where its origin lies on the projection of that edge to the piece: a
   // segment, which has at most two points on the conic. So every edge spoils at most two attempts.
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     const ExactPoint origin = geometry.mean(part[0], part[1], part[2], weights(attempt));
-    const Count count = cast(origin, axis, direction, component);
+    const Count count = cast(origin, axis, direction);
     if (!count.grazes) return count.winding;
   }
   throw GoalError("more than " + std::to_string(most_attempts / 2) + " edges line up along the " +
@@ -147,7 +113,7 @@ int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
 }
 
 RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin, int axis,
-                                                     int direction, Index component) const {
+                                                     int direction) const {
   const PlaneProjection projection{(axis + 1) % 3, (axis + 2) % 3};
   const ExactGeometry geometry(welded_.points, welded_.faces);
   const SideFilter filter(origin, projection);
@@ -178,10 +144,8 @@ RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin, i
     if (side * up * direction < 0) count.winding += up * direction;
     return true;
   };
-  visit_overlaps(low, high, [&](Index i) {
-    const bool counts = only_for_.empty() || only_for_[i] == no_index || only_for_[i] == component;
-    return !counts || cross(triangle(i));
-  });
+  visit_overlaps(low, high,
+                 [&](Index i) { return welded_.is_open(i) || cross(welded_.triangle(i)); });
   if (around_ && !count.grazes) around_->faces.visit_overlaps(low, high, axis, cross);
   return count;
 }

@@ -37,6 +37,11 @@ RegionGrowingWinding::RegionGrowingWinding(const WeldedMesh& welded, const Plane
       cut_faces_(planes.size()),
       across_(oriented_neighbors(welded, welded.edges)),
       front_(3 * welded.faces.size(), unknown) {
+  const auto& open = welded.open_component;
+  if (!open.empty() && std::find(open.begin(), open.end(), no_index) == open.end()) {
+    std::fill(front_.begin(), front_.end(), 0);  // nothing is closed
+    return;
+  }
   parallel_for(planes.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) cut_faces_[i] = trace(planes[i]);
   });

@@ -25,7 +25,13 @@ struct WeldedMesh {
   /// no_index.
   std::vector<Index> opposites;
   BoxFrame frame;  ///< of the points
+  /// Per face its open component (clean/open/open_components.h), no_index in the closed part. Empty
+  /// if all faces are closed.
+  std::vector<Index> open_component{};
 
+  bool is_open(Index face) const {
+    return !open_component.empty() && open_component[face] != no_index;
+  }
   Triangle triangle(Index face) const { return triangle_of(points, faces[face]); }
   FloatBox box(Index face) const { return box(triangle(face)); }
   FloatBox box(const Triangle& t) const {

@@ -16,20 +16,6 @@
 namespace transformesh {
 namespace {
 
-// All mesh faces by points. Faces without area, which the welded mesh lacks, make no border: those
-// that name a point twice traverse their edge in both directions.
-std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh,
-                                  const std::vector<char>& left_out) {
-  std::vector<Face> faces;
-  faces.reserve(mesh.faces.size());
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    if (!left_out.empty() && left_out[i]) continue;
-    const Face& f = mesh.faces[i];
-    faces.push_back({welded.point_of[f[0]], welded.point_of[f[1]], welded.point_of[f[2]]});
-  }
-  return faces;
-}
-
 // Border edges from point to point, along the faces.
 using BorderEdges = std::multimap<Index, Index>;
 
@@ -112,11 +98,18 @@ bool can_be_stitched(const Mesh& mesh) {
 
 }  // namespace
 
-Borders find_borders(const WeldedMesh& welded, const Mesh& mesh,
-                     const std::vector<char>& left_out) {
+std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh) {
+  std::vector<Face> faces;
+  faces.reserve(mesh.faces.size());
+  for (const auto& [a, b, c] : mesh.faces)
+    faces.push_back({welded.point_of[a], welded.point_of[b], welded.point_of[c]});
+  return faces;
+}
+
+Borders find_borders(const WeldedMesh& welded, const Mesh& mesh) {
   // Most often these are the faces of the welded mesh.
-  const bool are_same = left_out.empty() && welded.faces.size() == mesh.faces.size();
-  const auto others = are_same ? std::vector<Face>() : faces_by_points(welded, mesh, left_out);
+  const bool are_same = welded.faces.size() == mesh.faces.size();
+  const auto others = are_same ? std::vector<Face>() : faces_by_points(welded, mesh);
   const Edges other_edges = are_same ? Edges() : Edges(others, welded.points.size());
   const std::vector<Face>& faces = are_same ? welded.faces : others;
   const Edges& edges = are_same ? welded.edges : other_edges;

@@ -15,10 +15,12 @@ struct Borders {
   bool is_oriented = true;                ///< no edge has a sum of more than one
 };
 
-/// A closed mesh has no loops. An edge at which n faces are left over is in n loops. The mesh faces
-/// marked in `left_out`, if there are any, do not count.
-Borders find_borders(const WeldedMesh& welded, const Mesh& mesh,
-                     const std::vector<char>& left_out = {});
+/// A closed mesh has no loops. An edge at which n faces are left over is in n loops.
+Borders find_borders(const WeldedMesh& welded, const Mesh& mesh);
+
+/// All mesh faces by points. Faces without area, which the welded mesh lacks, make no border: those
+/// that name a point twice traverse their edge in both directions.
+std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh);
 
 /// The borders of a mesh that can be cleaned. Throws InputError for one that is not oriented,
 /// saying where and what mends it, unless borders of a stitched mesh merely lie upon each other.

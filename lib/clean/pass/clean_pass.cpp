@@ -4,13 +4,13 @@
 #include <memory>
 #include <string>
 
-#include "clean/arrange/arrange.h"
-#include "clean/exterior/close_borders.h"
+#include "clean/exterior/exterior.h"
 #include "clean/exterior/exterior_arrangement.h"
 #include "clean/exterior/ray_cast_front_winding.h"
 #include "clean/intersect/find_meetings.h"
 #include "clean/open/borders.h"
-#include "clean/open/enclosed_sheets.h"
+#include "clean/open/open_components.h"
+#include "clean/open/open_patches.h"
 #include "mesh/adjacency.h"
 #include "support/counted.h"
 #include "support/parallel.h"
@@ -20,7 +20,7 @@
 namespace transformesh {
 namespace {
 
-// In front of a piece of an open mesh the winding number is no integer.
+// In front of a piece of an open mesh the winding number is not an integer.
 void refuse_static_test(std::size_t borders) {
   throw UsageError(
       ErrorKind::static_test_of_open_mesh,
@@ -29,11 +29,10 @@ void refuse_static_test(std::size_t borders) {
 }
 
 void count_faces(const Mesh& mesh, const Arrangement& arrangement, std::size_t whole_faces,
-                 const Borders& borders, CleanPass& pass) {
-  const auto& kept = pass.exterior.kept;
+                 const std::vector<char>& kept, const Borders& borders, CleanPass& pass) {
   const auto whole_end = kept.begin() + static_cast<std::ptrdiff_t>(arrangement.whole_pieces);
   pass.cut_faces = arrangement.welded->faces.size() - whole_faces;
-  pass.removed_faces +=
+  pass.removed_faces =
       whole_faces - static_cast<std::size_t>(std::count(kept.begin(), whole_end, 1));
   pass.unchanged = pass.cut_faces == 0 && pass.removed_faces == 0 &&
                    arrangement.welded->faces.size() == mesh.faces.size() &&
@@ -46,22 +45,25 @@ class CleanPassRun {
       : mesh_(mesh),
         options_(options),
         progress_(progress),
-        welded_(std::make_shared<const WeldedMesh>(weld(mesh))) {}
+        welded_(std::make_shared<WeldedMesh>(weld(mesh))) {}
   CleanPass run();
 
  private:
   void find_borders_or_none();
   bool find_all_exterior();
-  bool arrange_what_is_exterior(const std::vector<Meeting>& meetings);
-  void arrange_everything(const std::vector<Meeting>& meetings);
+  void find_exterior_growing(const std::vector<Meeting>& meetings);
+  void find_exterior_by_ray(const std::vector<Meeting>& meetings);
+  void keep_exterior_patches();
 
   const Mesh& mesh_;
   const CleanPassOptions& options_;
   const Progress& progress_;
-  std::shared_ptr<const WeldedMesh> welded_;
+  std::shared_ptr<WeldedMesh> welded_;
   std::optional<std::vector<Index>> opposites_;  ///< of a closed manifold
   Borders borders_;
   Arrangement arrangement_;
+  std::vector<char> kept_;  ///< per piece
+  bool has_surface_ = true;
   std::size_t whole_faces_ = 0;
   CleanPass pass_;
 };
@@ -93,39 +95,44 @@ bool CleanPassRun::find_all_exterior() {
     if (w >= options_.winding_level || w + 1 < options_.winding_level) return false;
     ++seen;
   }
-  pass_.exterior.rays = count;
+  pass_.rays = count;
   pass_.connectivity = std::move(connectivity);
   return true;
 }
 
-// Returns whether there is anything.
-bool CleanPassRun::arrange_what_is_exterior(const std::vector<Meeting>& meetings) {
-  ExteriorArrangement exterior =
-      arrange_exterior(welded_, meetings, options_.winding_level, progress_);
+void CleanPassRun::find_exterior_growing(const std::vector<Meeting>& meetings) {
+  const bool arranges_everything = options_.change_kept != nullptr;
+  ExteriorArrangement exterior = arrange_exterior(
+      welded_, meetings, {options_.winding_level, arranges_everything, nullptr}, progress_);
   arrangement_ = std::move(exterior.arrangement);
+  kept_ = std::move(exterior.kept);
+  has_surface_ = exterior.has_surface;
   whole_faces_ = exterior.whole_faces;
-  pass_.exterior.kept.assign(arrangement_.pieces.size(), 1);
-  pass_.exterior.rays = exterior.rays;
-  return !arrangement_.pieces.empty();
+  pass_.rays = exterior.rays;
+  if (!welded_->open_component.empty()) keep_exterior_patches();
 }
 
-void CleanPassRun::arrange_everything(const std::vector<Meeting>& meetings) {
+// Without a cut piece nothing separates a part of an open component from the rest of it.
+void CleanPassRun::keep_exterior_patches() {
+  if (arrangement_.whole_pieces == arrangement_.pieces.size() && options_.winding_level == 1)
+    return;
+  OpenPatches patches = find_exterior_patches(arrangement_, options_.winding_level);
+  kept_ = std::move(patches.kept);
+  pass_.open_patches = patches.patches;
+  pass_.decided_by_number = patches.decided_by_number;
+  pass_.least_margin = patches.least_margin;
+}
+
+void CleanPassRun::find_exterior_by_ray(const std::vector<Meeting>& meetings) {
+  if (!borders_.loops.empty()) refuse_static_test(borders_.loops.size());
   arrangement_ = arrange(welded_, meetings, progress_);
   whole_faces_ = arrangement_.whole_pieces;
-  if (pass_.is_open) {
-    pass_.removed_faces =
-        drop_enclosed_sheets(mesh_, options_.winding_level, arrangement_, borders_, progress_);
-    welded_ = arrangement_.welded;
-    whole_faces_ = arrangement_.whole_pieces;
-    if (options_.method == ExteriorMethod::static_test && !borders_.loops.empty())
-      refuse_static_test(borders_.loops.size());
-  }
-  pass_.exterior = find_exterior(arrangement_, options_.winding_level, options_.method,
-                                 close_borders(*welded_, borders_.loops), progress_);
-  if (options_.change_kept) options_.change_kept(arrangement_, pass_.exterior.kept);
+  kept_ = find_exterior_by_rays(arrangement_, options_.winding_level, progress_);
+  const auto counts = [](const Piece& piece) { return piece.multiplicity != 0; };
+  has_surface_ = std::any_of(arrangement_.pieces.begin(), arrangement_.pieces.end(), counts);
+  pass_.rays = arrangement_.pieces.size();
 }
 
-// Where everything is needed, or nothing is kept and it is to be told why, everything is arranged.
 CleanPass CleanPassRun::run() {
   std::vector<Meeting> meetings;
   parallel_invoke([&] { find_borders_or_none(); },
@@ -133,18 +140,25 @@ CleanPass CleanPassRun::run() {
   pass_.pairs = count_pairs(*welded_, meetings);
   if (pass_.pairs > options_.most_pairs) return std::move(pass_);
   pass_.is_open = !borders_.loops.empty();
-  const bool needs_everything =
-      pass_.is_open || options_.change_kept || options_.method == ExteriorMethod::static_test;
-  if (!needs_everything && pass_.pairs == 0 && find_all_exterior()) {
+  if (pass_.is_open) welded_->open_component = find_open_components(mesh_, *welded_);
+  const bool is_static = options_.method == ExteriorMethod::static_test;
+  if (!is_static && !options_.change_kept && pass_.pairs == 0 && find_all_exterior()) {
     progress_("stitch");
     pass_.unchanged = true;
     return std::move(pass_);
   }
-  if (needs_everything || !arrange_what_is_exterior(meetings)) arrange_everything(meetings);
+  if (is_static) {
+    find_exterior_by_ray(meetings);
+  } else {
+    find_exterior_growing(meetings);
+  }
+  if (std::find(kept_.begin(), kept_.end(), 1) == kept_.end())
+    throw GoalError(nothing_kept(*welded_, has_surface_, options_.winding_level));
+  if (options_.change_kept) options_.change_kept(arrangement_, kept_);
 
-  count_faces(mesh_, arrangement_, whole_faces_, borders_, pass_);
+  count_faces(mesh_, arrangement_, whole_faces_, kept_, borders_, pass_);
   progress_("stitch");
-  if (!pass_.unchanged) pass_.assembly = assemble(mesh_, arrangement_, pass_.exterior.kept);
+  if (!pass_.unchanged) pass_.assembly = assemble(mesh_, arrangement_, kept_);
   return std::move(pass_);
 }
 

@@ -38,7 +38,7 @@ namespace transformesh {
 struct SnapRoundingOptions {
   int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
-  bool is_open = false;  ///< the mesh has borders; then a result must also clean to itself
+  bool is_open = false;                 ///< the mesh has borders: its cells are unknown
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
 };
 

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "clean/exterior/patches.h"
-#include "clean/open/space_cells.h"
 #include "clean/rounding/local_distance.h"
 
 namespace transformesh {

@@ -1,8 +1,9 @@
-/// Gives thin cells of an arrangement away (paper 4.3). The pieces part space into cells (open/
-/// space_cells.h). A cell that lies between two planes a few spacings of numbers apart is no matter
-/// of shape, whether it is inside or outside: it goes to the side that leaves less surface. So
-/// thin sheets and gaps vanish that rounding would make intersect again and again, while nothing
-/// moves that is farther than that from the surface. Deterministic. O(n log n) for n pieces.
+/// Gives thin cells of an arrangement away (paper 4.3). The pieces part space into cells
+/// (Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016).
+/// A cell that lies between two planes a few spacings of numbers apart is no matter of shape,
+/// whether it is inside or outside: it goes to the side that leaves less surface. So thin sheets
+/// and gaps vanish that rounding would make intersect again and again, while nothing moves that is
+/// farther than that from the surface. Deterministic. O(n log n) for n pieces.
 #pragma once
 
 #include <optional>

@@ -11,6 +11,15 @@
 namespace transformesh {
 namespace {
 
+// Per piece; empty if all pieces are closed.
+std::vector<Index> open_components(const Arrangement& arrangement) {
+  const std::vector<Index>& of_face = arrangement.welded->open_component;
+  std::vector<Index> result;
+  for (std::size_t p = 0; p < arrangement.pieces.size() && !of_face.empty(); ++p)
+    result.push_back(of_face[arrangement.sources_of(arrangement.pieces[p]).front().face]);
+  return result;
+}
+
 class Assembler {
  public:
   Assembler(const Mesh& input, const Arrangement& arrangement, const std::vector<char>& kept);
@@ -51,9 +60,10 @@ Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
   const Edges edges(faces_, arrangement.point_count());
   for (std::size_t e = 0; e < edges.size() && !has_singular_edges_; ++e)
     has_singular_edges_ = edges.halfedges(e).size() > 2;
-  opposite_ = pair_across_inside(faces_, edges, [&](std::span<const Index> halfedges) {
+  const auto sort = [&](std::span<const Index> halfedges) {
     return sort_around_edge(arrangement, halfedges);
-  });
+  };
+  opposite_ = pair_across_inside(faces_, edges, sort, open_components(arrangement));
   umbrellas_ = find_umbrellas(faces_, opposite_, kept);
 }
 

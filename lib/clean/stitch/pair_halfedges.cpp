@@ -1,5 +1,7 @@
 #include "clean/stitch/pair_halfedges.h"
 
+#include <map>
+
 #include "clean/exterior/angular_order.h"
 
 namespace transformesh {
@@ -23,15 +25,29 @@ void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& s
   }
 }
 
+// The closed part goes first, then components of two pieces. What is left has no partner of its
+// own.
+void pair_components(std::span<const Face> faces, const std::vector<Index>& sorted,
+                     std::span<const Index> component_of, std::vector<Index>& opposite) {
+  std::map<Index, std::vector<Index>> of_component;
+  for (const Index h : sorted) of_component[component_of[h / 3]].push_back(h);
+  for (const auto& [component, halfedges] : of_component)
+    if (component == no_index || halfedges.size() == 2)
+      pair_singular_edge(faces, halfedges, opposite);
+}
+
 }  // namespace
 
 std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& edges,
-                                      const AngularSort& sort) {
+                                      const AngularSort& sort,
+                                      std::span<const Index> component_of) {
   std::vector<Index> opposite(3 * faces.size(), no_index);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto halfedges = edges.halfedges(e);
     if (halfedges.size() > 2) {
-      pair_singular_edge(faces, sort(halfedges), opposite);
+      const std::vector<Index> sorted = sort(halfedges);
+      if (!component_of.empty()) pair_components(faces, sorted, component_of, opposite);
+      pair_singular_edge(faces, sorted, opposite);
     } else if (halfedges.size() == 2 &&
                is_forward(faces, halfedges[0]) != is_forward(faces, halfedges[1])) {
       opposite[halfedges[0]] = halfedges[1];

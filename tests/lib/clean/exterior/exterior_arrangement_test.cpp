@@ -31,13 +31,7 @@ Facet facet_of(const Arrangement& arrangement, const Piece& piece) {
 }
 
 std::vector<Facet> expected(const Arrangement& arrangement, int winding_level) {
-  std::vector<char> kept(arrangement.pieces.size(), 0);
-  try {
-    kept = find_exterior(arrangement, winding_level, ExteriorMethod::static_test, BorderClosure(),
-                         Progress())
-               .kept;
-  } catch (const GoalError&) {  // nothing is kept
-  }
+  const std::vector<char> kept = find_exterior_by_rays(arrangement, winding_level, Progress());
   std::vector<Facet> facets;
   for (std::size_t p = 0; p < kept.size(); ++p)
     if (kept[p]) facets.push_back(facet_of(arrangement, arrangement.pieces[p]));
@@ -47,7 +41,7 @@ std::vector<Facet> expected(const Arrangement& arrangement, int winding_level) {
 
 ExteriorArrangement exterior_of(const Mesh& mesh, int winding_level) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-  return arrange_exterior(welded, find_meetings(*welded, Progress()), winding_level, Progress());
+  return arrange_exterior(welded, find_meetings(*welded, Progress()), {winding_level, false, nullptr}, Progress());
 }
 
 std::vector<Facet> found(const ExteriorArrangement& exterior) {

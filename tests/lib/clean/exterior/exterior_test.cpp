@@ -12,18 +12,13 @@
 namespace transformesh {
 namespace {
 
-Exterior exterior_of(const Arrangement& arrangement, int winding_level, ExteriorMethod method) {
-  return find_exterior(arrangement, winding_level, method, BorderClosure(), Progress());
-}
-
 Mesh ball(double radius, const Vec3& center = Vec3::Zero()) {
   return test::moved(test::scaled(test::icosphere(2), radius), center);
 }
 
 }  // namespace
 
-TEST_CASE(
-    "a piece is kept where w < winding level in front of it and w >= winding level behind it") {
+TEST_CASE("by rays a piece is kept if the winding number passes the level behind it") {
   std::size_t tested = 0, kept = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const Mesh mesh = test::random_balls(seed, 5);
@@ -31,21 +26,17 @@ TEST_CASE(
     for (const int winding_level : {1, 2}) {
       CAPTURE(seed);
       CAPTURE(winding_level);
-      const Exterior grown = exterior_of(arrangement, winding_level, ExteriorMethod::grow);
-      const Exterior tested_all =
-          exterior_of(arrangement, winding_level, ExteriorMethod::static_test);
-      CHECK(grown.kept == tested_all.kept);
-      CHECK(tested_all.rays == arrangement.pieces.size());
-      CHECK(grown.rays < 10);
+      const std::vector<char> found =
+          find_exterior_by_rays(arrangement, winding_level, Progress());
       for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
         const Triangle t = test::corners_of(arrangement, arrangement.pieces[p]);
         const std::optional<int> front = test::winding_beside(mesh, t, 1);
         const std::optional<int> behind = test::winding_beside(mesh, t, -1);
         if (!front || !behind) continue;
         REQUIRE(*behind == *front + arrangement.pieces[p].multiplicity);
-        REQUIRE((grown.kept[p] == 1) == (*front < winding_level && *behind >= winding_level));
+        REQUIRE((found[p] == 1) == (*front < winding_level && *behind >= winding_level));
         ++tested;
-        kept += grown.kept[p] == 1 ? 1 : 0;
+        kept += found[p] == 1 ? 1 : 0;
       }
     }
   }
@@ -54,37 +45,14 @@ TEST_CASE(
   CHECK(2 * kept < tested);
 }
 
-TEST_CASE("one ray fixes each connected set of patches") {
-  Mesh mesh;
-  for (int i = 0; i < 5; ++i) mesh = test::joined(mesh, ball(1, {3.0 * i, 0, 0}));
-  const Exterior apart = exterior_of(test::arranged(mesh), 1, ExteriorMethod::grow);
-  CHECK(apart.patches == 5);
-  CHECK(apart.rays == 5);
-  CHECK(std::count(apart.kept.begin(), apart.kept.end(), 1) == 5 * 320);
-
-  // Each of four balls in a row has a circle in common with the next.
-  Mesh row;
-  for (int i = 0; i < 4; ++i) row = test::joined(row, ball(1, {1.5 * i, 0.01 * i, 0.007 * i * i}));
-  const Exterior crossing = exterior_of(test::arranged(row), 1, ExteriorMethod::grow);
-  CHECK(crossing.patches == 4 + 2 * 3);
-  CHECK(crossing.rays == 1);
-}
-
-TEST_CASE("nothing to keep is told with its cause") {
-  const auto message = [](const Mesh& mesh, int winding_level) {
-    try {
-      exterior_of(test::arranged(mesh), winding_level, ExteriorMethod::grow);
-    } catch (const GoalError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  CHECK(message(test::cube(), 1).empty());
-  CHECK(message(test::cube(), 2).starts_with("no winding number reaches 2"));
-  CHECK(message(test::reversed(test::cube()), 1) ==
-        "no point has a winding number >= 1: a difference without a remainder is empty");
-  CHECK(message(test::joined(test::cube(), test::reversed(test::cube())), 1)
-            .starts_with("the faces enclose nothing"));
+TEST_CASE("the reason why nothing is kept depends on level, surface and borders") {
+  WeldedMesh welded = weld(test::cube());
+  CHECK(nothing_kept(welded, true, 2).sentence.starts_with("no winding number reaches 2"));
+  CHECK(nothing_kept(welded, true, 1).kind == ErrorKind::no_positive_winding);
+  CHECK(nothing_kept(welded, false, 1).kind == ErrorKind::canceling_faces);
+  CHECK(nothing_kept(weld(Mesh()), false, 1).kind == ErrorKind::no_area);
+  welded.open_component.assign(welded.faces.size(), 0);
+  CHECK(nothing_kept(welded, true, 1).sentence.find("open mesh") != std::string::npos);
 }
 
 TEST_CASE("the outermost surface has neither cavities nor what floats in them") {

@@ -1,4 +1,4 @@
-/// Patches and how w passes between them: by counts of closed form and by solid angles.
+/// Patches: by counts of closed form and by solid angles.
 #include "clean/exterior/patches.h"
 
 #include <doctest/doctest.h>
@@ -40,8 +40,8 @@ TEST_CASE("every piece that counts is in one patch") {
     CHECK(seen[p] == (arrangement.pieces[p].multiplicity != 0 ? 1 : 0));
 }
 
-TEST_CASE("w in front is constant on a patch, and differs between patches as relations say") {
-  std::size_t related = 0;
+TEST_CASE("w in front is constant on a patch") {
+  std::size_t tested = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     CAPTURE(seed);
     const Mesh mesh = test::random_balls(seed, 4);
@@ -55,17 +55,11 @@ TEST_CASE("w in front is constant on a patch, and differs between patches as rel
         if (!winding) continue;
         if (front[patch]) REQUIRE(*front[patch] == *winding);
         front[patch] = winding;
-      }
-    }
-    for (Index patch = 0; patch < patches.size(); ++patch) {
-      for (const Patches::Relation& relation : patches.relations[patch]) {
-        if (!front[patch] || !front[relation.patch]) continue;
-        REQUIRE(*front[relation.patch] - *front[patch] == relation.offset);
-        ++related;
+        ++tested;
       }
     }
   }
-  CHECK(related > 1000);
+  CHECK(tested > 1000);
 }
 
 TEST_CASE("pieces that cancel out part nothing") {

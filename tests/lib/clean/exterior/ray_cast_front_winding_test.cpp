@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include "helpers/arrangement_facts.h"
-#include "transformesh/manifold.h"
 
 namespace transformesh {
 namespace {
@@ -27,16 +26,6 @@ void add_lattice_cube(Mesh& mesh, int n) {
   }
 }
 
-/// The only border of a mesh as a loop along its faces.
-std::vector<Index> border_loop(const Mesh& mesh) {
-  std::map<Index, Index> next;
-  for (const Index h : check_manifold(mesh).border_halfedges)
-    next[halfedge_source(mesh, h)] = halfedge_target(mesh, h);
-  std::vector<Index> loop{next.begin()->first};
-  while (next[loop.back()] != loop.front()) loop.push_back(next[loop.back()]);
-  return loop;
-}
-
 }  // namespace
 
 TEST_CASE("w in front of every piece is that of solid angles, with and without a hierarchy") {
@@ -45,11 +34,11 @@ TEST_CASE("w in front of every piece is that of solid angles, with and without a
     CAPTURE(seed);
     const Mesh mesh = test::random_balls(seed, 4);
     const Arrangement arrangement = test::arranged(mesh);
-    const RayCastFrontWinding few(arrangement, BorderClosure(), 1);
-    const RayCastFrontWinding many(arrangement, BorderClosure(), 1000);
+    const RayCastFrontWinding few(*arrangement.welded, 1);
+    const RayCastFrontWinding many(*arrangement.welded, 1000);
     for (const Piece& piece : arrangement.pieces) {
-      const int winding = many.in_front_of(piece);
-      REQUIRE(few.in_front_of(piece) == winding);
+      const int winding = many.in_front_of(arrangement, piece);
+      REQUIRE(few.in_front_of(arrangement, piece) == winding);
       const auto expected = test::winding_beside(mesh, test::corners_of(arrangement, piece), 1);
       if (!expected) continue;
       REQUIRE(winding == *expected);
@@ -71,35 +60,25 @@ TEST_CASE("rays along a lattice, where corners lie behind corners, count right")
   const Arrangement arrangement = test::arranged(mesh);
   REQUIRE(arrangement.whole_pieces == mesh.faces.size());
   for (const std::size_t rays : {std::size_t{1}, mesh.faces.size()}) {
-    const RayCastFrontWinding ray(arrangement, BorderClosure(), rays);
+    const RayCastFrontWinding ray(*arrangement.welded, rays);
     for (std::size_t p = 0; p < expected.size(); ++p)
-      CHECK(ray.in_front_of(arrangement.pieces[p]) == expected[p]);
+      CHECK(ray.in_front_of(arrangement, arrangement.pieces[p]) == expected[p]);
   }
 }
 
-TEST_CASE("a ray meets what closes the borders") {
-  // A ball without its northern cap, within a ball: all its faces look into the outer one.
-  Mesh bowl = test::icosphere(3);
-  std::erase_if(bowl.faces, [&](const Face& f) {
-    return std::any_of(f.begin(), f.end(), [&](Index v) { return bowl.positions[v].z() > 0.8; });
-  });
-  const Mesh mesh = test::joined(bowl, test::scaled(test::icosphere(3), 2));
-  const Arrangement arrangement = test::arranged(mesh);
-  const BorderClosure closure = close_borders(*arrangement.welded, {border_loop(bowl)});
-  CHECK(closure.triangles.size() == border_loop(bowl).size());
-  const RayCastFrontWinding ray(arrangement, closure, mesh.faces.size());
-  for (std::size_t p = 0; p < arrangement.pieces.size(); ++p)
-    CHECK(ray.in_front_of(arrangement.pieces[p]) == (p < bowl.faces.size() ? 1 : 0));
-
-  // Reversed, its faces look into what it encloses, from where w is one less.
-  const Mesh reversed = test::joined(test::reversed(bowl), test::scaled(test::icosphere(3), 2));
-  const Arrangement inwards = test::arranged(reversed);
-  std::vector<Index> loop = border_loop(bowl);
-  std::reverse(loop.begin(), loop.end());
-  const BorderClosure inner = close_borders(*inwards.welded, {loop});
-  const RayCastFrontWinding inner_ray(inwards, inner, mesh.faces.size());
-  for (std::size_t p = 0; p < bowl.faces.size(); ++p)
-    CHECK(inner_ray.in_front_of(inwards.pieces[p]) == 0);
+TEST_CASE("open faces do not count") {
+  const Mesh ball = test::icosphere(2);
+  WeldedMesh welded = weld(test::joined(ball, test::scaled(test::icosphere(2), 2)));
+  welded.open_component.assign(welded.faces.size(), no_index);
+  std::fill(welded.open_component.begin() + ball.faces.size(), welded.open_component.end(), 0);
+  const ExactGeometry geometry(welded.points, welded.faces);
+  for (const std::size_t rays : {std::size_t{1}, welded.faces.size()}) {
+    const RayCastFrontWinding ray(welded, rays);
+    for (Index f = 0; f < welded.faces.size(); f += 7) {
+      const auto& [a, b, c] = welded.faces[f];
+      CHECK(ray.in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, f) == 0);
+    }
+  }
 }
 
 }  // namespace transformesh

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "clean/exterior/exterior.h"
+#include "clean/exterior/exterior_arrangement.h"
 #include "clean/intersect/find_meetings.h"
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
@@ -21,8 +21,10 @@ using test::joined;
 struct Cells {
   explicit Cells(const Mesh& mesh) {
     const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-    arrangement = arrange(welded, find_meetings(*welded, Progress()), Progress());
-    kept = find_exterior(arrangement, 1, ExteriorMethod::grow, BorderClosure(), Progress()).kept;
+    ExteriorArrangement exterior = arrange_exterior(welded, find_meetings(*welded, Progress()),
+                                                    {1, true, nullptr}, Progress());
+    arrangement = std::move(exterior.arrangement);
+    kept = std::move(exterior.kept);
   }
   double volume() const {
     double sum = 0;

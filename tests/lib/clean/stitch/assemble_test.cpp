@@ -14,9 +14,7 @@ namespace {
 
 Assembly assembled(const Mesh& mesh) {
   const Arrangement arrangement = test::arranged(mesh);
-  const Exterior exterior =
-      find_exterior(arrangement, 1, ExteriorMethod::grow, BorderClosure(), Progress());
-  return assemble(mesh, arrangement, exterior.kept);
+  return assemble(mesh, arrangement, find_exterior_by_rays(arrangement, 1, Progress()));
 }
 
 double linear(const Vec3& p) { return 2 + 3 * p.x() - p.y() + 0.5 * p.z(); }

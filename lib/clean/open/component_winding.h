@@ -1,0 +1,44 @@
+/// Generalized winding numbers of the open components of a mesh (Jacobson, Kavan & Sorkine-Hornung,
+/// "Robust inside-outside segmentation using generalized winding numbers", ACM TOG 32(4), 2013),
+/// sampled at pieces. A number on the component itself is the mean of those on both sides. Medians
+/// are over equal shares of the area. Floating point; deterministic; does not depend on the order
+/// of faces.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "clean/arrange/arrange.h"
+
+namespace transformesh {
+
+class ComponentWinding {
+ public:
+  /// Keeps a reference. Components are prepared when they are first needed.
+  explicit ComponentWinding(const Arrangement& arrangement);
+
+  /// The median of the numbers of a component at some pieces.
+  double median(Index component, const std::vector<Index>& pieces) const;
+  /// The median of its number on the component itself: 0 for a flat sheet, 1/2 for a closed body.
+  double on_itself(Index component);
+  /// Whether it is a body with holes.
+  bool is_body(Index component);
+
+ private:
+  struct Sample {
+    double area;
+    Vec3 at;
+    Index piece;
+  };
+
+  std::vector<double> sample(Index component, const std::vector<Sample>& samples) const;
+  const Mesh& mesh_of(Index component) const { return meshes_[component]; }
+  double number_at(Index component, Index piece) const;
+
+  const Arrangement& arrangement_;
+  std::vector<Mesh> meshes_;                      ///< per component
+  std::vector<std::vector<Index>> pieces_of_;     ///< per component
+  std::vector<std::optional<double>> on_itself_;  ///< per component
+};
+
+}  // namespace transformesh

@@ -1,0 +1,169 @@
+#include "clean/open/open_components.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "clean/exterior/angular_order.h"
+#include "clean/open/borders.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/edges.h"
+
+namespace transformesh {
+namespace {
+
+/// A halfedge that continues nowhere.
+struct LooseHalfedge {
+  Index set;
+  int direction;  ///< 1 forward, -1 backward
+};
+
+class Decomposition {
+ public:
+  Decomposition(const Mesh& mesh, const WeldedMesh& welded)
+      : mesh_(mesh), faces_(faces_by_points(welded, mesh)), sets_(faces_.size()) {
+    connect(Edges(faces_, welded.points.size()));
+    measure(welded);
+    open_closed_sums();
+  }
+  std::vector<Index> number(const WeldedMesh& welded);
+
+ private:
+  void connect(const Edges& edges);
+  void connect_by_vertices(std::vector<Index>& halfedges);
+  void measure(const WeldedMesh& welded);
+  void open_closed_sums();
+  bool open_one_sided();
+  bool open_surplus();
+  std::pair<int, int> counts(const std::vector<LooseHalfedge>& edge) const;
+  bool is_smaller(Index a, Index b) const;
+
+  const Mesh& mesh_;
+  std::vector<Face> faces_;  ///< by points, those without area included
+  DisjointSets sets_;
+  std::vector<std::vector<LooseHalfedge>> loose_;  ///< per edge that has any
+  std::vector<double> area_;                       ///< per set
+  std::vector<Vec3> least_point_;  ///< per set: the first of its points by x, y and z
+  std::vector<char> is_open_;      ///< per set
+};
+
+void Decomposition::connect(const Edges& edges) {
+  std::vector<std::vector<Index>> loose;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    if (halfedges.size() == 2 &&
+        is_forward(faces_, halfedges[0]) != is_forward(faces_, halfedges[1])) {
+      sets_.join(halfedges[0] / 3, halfedges[1] / 3);
+      continue;
+    }
+    loose.emplace_back(halfedges.begin(), halfedges.end());
+    if (halfedges.size() > 2) connect_by_vertices(loose.back());
+  }
+  for (const std::vector<Index>& halfedges : loose) {
+    std::vector<LooseHalfedge> edge;
+    for (const Index h : halfedges)
+      edge.push_back({sets_.find(h / 3), is_forward(faces_, h) ? 1 : -1});
+    if (!edge.empty()) loose_.push_back(std::move(edge));
+  }
+}
+
+// Connects pairs of halfedges that alone name their two vertices, and removes them from the list.
+void Decomposition::connect_by_vertices(std::vector<Index>& halfedges) {
+  std::map<std::pair<Index, Index>, std::vector<Index>> by_vertices;
+  for (const Index h : halfedges)
+    by_vertices[std::minmax(mesh_.faces[h / 3][h % 3], mesh_.faces[h / 3][(h % 3 + 1) % 3])]
+        .push_back(h);
+  halfedges.clear();
+  for (const auto& [vertices, of_edge] : by_vertices) {
+    if (of_edge.size() == 2 && is_forward(faces_, of_edge[0]) != is_forward(faces_, of_edge[1])) {
+      sets_.join(of_edge[0] / 3, of_edge[1] / 3);
+    } else {
+      halfedges.insert(halfedges.end(), of_edge.begin(), of_edge.end());
+    }
+  }
+}
+
+// Areas are added up in ascending order, so that they do not depend on that of the faces.
+void Decomposition::measure(const WeldedMesh& welded) {
+  std::vector<std::pair<double, Index>> areas;
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    const Triangle t = welded.triangle(f);
+    areas.emplace_back((t[1] - t[0]).cross(t[2] - t[0]).stableNorm(),
+                       sets_.find(welded.face_of[f]));
+  }
+  std::sort(areas.begin(), areas.end());
+  area_.assign(faces_.size(), 0);
+  for (const auto& [area, set] : areas) area_[set] += area;
+  least_point_.assign(faces_.size(), Vec3::Constant(std::numeric_limits<double>::infinity()));
+  for (Index f = 0; f < faces_.size(); ++f)
+    for (const Index p : faces_[f]) {
+      Vec3& least = least_point_[sets_.find(f)];
+      if (compare_positions(welded.points[p], least) < 0) least = welded.points[p];
+    }
+}
+
+// By area; sets of equal areas by their positions.
+bool Decomposition::is_smaller(Index a, Index b) const {
+  if (area_[a] != area_[b]) return area_[a] < area_[b];
+  return compare_positions(least_point_[a], least_point_[b]) < 0;
+}
+
+std::pair<int, int> Decomposition::counts(const std::vector<LooseHalfedge>& edge) const {
+  int forward = 0, backward = 0;
+  for (const LooseHalfedge& h : edge)
+    if (!is_open_[h.set]) ++(h.direction > 0 ? forward : backward);
+  return {forward, backward};
+}
+
+bool Decomposition::open_one_sided() {
+  std::vector<Index> opened;
+  for (const auto& edge : loose_) {
+    const auto [forward, backward] = counts(edge);
+    if (forward + backward == 0 || (forward > 0 && backward > 0)) continue;
+    for (const LooseHalfedge& h : edge) opened.push_back(h.set);
+  }
+  for (const Index set : opened) is_open_[set] = 1;
+  return !opened.empty();
+}
+
+bool Decomposition::open_surplus() {
+  Index least = no_index;
+  for (const auto& edge : loose_) {
+    const auto [forward, backward] = counts(edge);
+    for (const LooseHalfedge& h : edge) {
+      if (is_open_[h.set] || h.direction * (forward - backward) <= 0) continue;
+      if (least == no_index || is_smaller(h.set, least)) least = h.set;
+    }
+  }
+  if (least == no_index) return false;
+  is_open_[least] = 1;
+  return true;
+}
+
+void Decomposition::open_closed_sums() {
+  is_open_.assign(faces_.size(), 0);
+  while (open_one_sided() || open_surplus()) {
+  }
+}
+
+std::vector<Index> Decomposition::number(const WeldedMesh& welded) {
+  std::vector<Index> number_of(faces_.size(), no_index);
+  std::vector<Index> result;
+  Index count = 0;
+  for (const Index face : welded.face_of) {
+    const Index set = sets_.find(face);
+    if (is_open_[set] && number_of[set] == no_index) number_of[set] = count++;
+    result.push_back(number_of[set]);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Index> find_open_components(const Mesh& mesh, const WeldedMesh& welded) {
+  return Decomposition(mesh, welded).number(welded);
+}
+
+}  // namespace transformesh

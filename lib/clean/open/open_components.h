@@ -1,0 +1,27 @@
+/// The closed part of a mesh and its open components (beyond paper 4.6;
+/// docs/design/open-meshes.md). The faces of the closed part traverse every edge equally often in
+/// both directions, so they have integer winding numbers. An open component is a connected set of
+/// the other faces.
+///
+/// Faces are connected across edges of two faces with opposite directions. At an edge of more
+/// faces, two faces are connected if no third one names the same two vertices. A connected set that
+/// leaves no halfedge over is closed. Sets that leave some over become open, one after the other,
+/// until the sum along every edge of the rest is zero: first all that have an edge which the rest
+/// traverses in one direction only, then the set of the least area at an edge with a surplus. So a
+/// wall within a body, given once, is open, and the skin around it is closed. The result does not
+/// depend on the order of the faces. Cost: O(n log n), and O(k) for each set that is chosen by its
+/// area, for k edges with a surplus.
+#pragma once
+
+#include <vector>
+
+#include "clean/intersect/welded_mesh.h"
+
+namespace transformesh {
+
+/// Per welded face the number of its open component, or no_index in the closed part. Components are
+/// numbered in the order of their first faces. Faces without area count for edges, but have no
+/// entry.
+std::vector<Index> find_open_components(const Mesh& mesh, const WeldedMesh& welded);
+
+}  // namespace transformesh

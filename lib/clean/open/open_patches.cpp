@@ -1,0 +1,222 @@
+#include "clean/open/open_patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "clean/exterior/angular_order.h"
+#include "clean/open/component_winding.h"
+#include "mesh/disjoint_sets.h"
+
+namespace transformesh {
+namespace {
+
+constexpr Index closed_part = no_index;
+
+/// The two halfedges by which a component passes through an edge.
+struct Passage {
+  Index component;
+  std::size_t forward, backward;  ///< places in angular order
+};
+
+class PatchFinder {
+ public:
+  PatchFinder(const Arrangement& arrangement, int winding_level)
+      : arrangement_(arrangement),
+        winding_level_(winding_level),
+        sets_(arrangement.pieces.size()),
+        winding_(arrangement) {}
+  OpenPatches find();
+
+ private:
+  using Pair = std::pair<Index, Index>;
+  /// The length of the curves at which a component passes a patch.
+  struct Lengths {
+    double front = 0, behind = 0;
+  };
+  /// A curve at which a component passes through another one.
+  struct Crossing {
+    Index front_piece, back_piece;  ///< of the one, in front of and behind the other
+    Index other;
+    double length;
+  };
+
+  Index component(Index piece) const;
+  bool is_cut(Index halfedge) const { return halfedge / 3 >= arrangement_.whole_pieces; }
+  void visit_edge(std::span<const Index> halfedges);
+  void visit_curve(std::span<const Index> halfedges);
+  std::vector<Passage> find_passages(const std::vector<Index>& sorted);
+  void cross(const std::vector<Index>& sorted, const Passage& one, const Passage& other);
+  void measure_curves();
+  int count_around(Index patch);
+  int own_number(Index patch);
+  int front_of(const Piece& piece) const;
+  int round(double number);
+
+  const Arrangement& arrangement_;
+  int winding_level_;
+  DisjointSets sets_;  ///< of pieces; patches in the end
+  ComponentWinding winding_;
+  std::vector<Crossing> crossings_;
+  std::map<Pair, Lengths> curves_;  ///< per patch and component
+  std::map<Index, std::set<Index>>
+      intersect_;                   ///< per component: what has a curve that separates it
+  std::set<Index> self_intersect_;  ///< components
+  std::map<Index, std::vector<Index>> pieces_;  ///< per patch
+  OpenPatches result_;
+  bool is_by_number_ = false;  ///< a generalized winding number was needed for the patch
+};
+
+Index PatchFinder::component(Index piece) const {
+  const Piece& p = arrangement_.pieces[piece];
+  if (!p.is_open) return closed_part;
+  return arrangement_.welded->open_component[arrangement_.sources_of(p).front().face];
+}
+
+// The surface goes on across an edge of two pieces.
+void PatchFinder::visit_edge(std::span<const Index> halfedges) {
+  const auto& pieces = arrangement_.pieces;
+  if (halfedges.size() > 2) return visit_curve(halfedges);
+  if (halfedges.size() == 2 && is_forward(pieces, halfedges[0]) != is_forward(pieces, halfedges[1]))
+    sets_.join(halfedges[0] / 3, halfedges[1] / 3);
+}
+
+// Seen in the forward direction, a forward piece has its front towards its successor, and a
+// backward piece towards its predecessor.
+std::vector<Passage> PatchFinder::find_passages(const std::vector<Index>& sorted) {
+  std::map<Index, std::array<std::vector<std::size_t>, 2>> places;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    places[component(sorted[i] / 3)][is_forward(arrangement_.pieces, sorted[i]) ? 0 : 1].push_back(
+        i);
+  std::vector<Passage> passages;
+  for (const auto& [component, of_component] : places) {
+    const auto& [forward, backward] = of_component;
+    if (forward.size() == 1 && backward.size() == 1) {
+      passages.push_back({component, forward[0], backward[0]});
+    } else if (forward.size() > 1 && backward.size() > 1 && component != closed_part &&
+               std::any_of(sorted.begin(), sorted.end(), [&](Index h) { return is_cut(h); })) {
+      self_intersect_.insert(component);
+    }
+  }
+  return passages;
+}
+
+void PatchFinder::visit_curve(std::span<const Index> halfedges) {
+  const std::vector<Index> sorted = sort_around_edge(arrangement_, halfedges);
+  const std::vector<Passage> passages = find_passages(sorted);
+  for (const Passage& one : passages) {
+    const std::size_t before = crossings_.size();
+    for (const Passage& other : passages)
+      if (other.component != one.component && other.component != closed_part)
+        cross(sorted, one, other);
+    if (crossings_.size() == before) sets_.join(sorted[one.forward] / 3, sorted[one.backward] / 3);
+  }
+}
+
+// Whether place p lies between the front of the other's forward halfedge and that of its backward
+// one.
+void PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
+                        const Passage& other) {
+  const std::size_t n = sorted.size();
+  const auto is_in_front = [&](std::size_t p) {
+    return (p + n - other.forward) % n < (other.backward + n - other.forward) % n;
+  };
+  const bool forward_is = is_in_front(one.forward), backward_is = is_in_front(one.backward);
+  if (forward_is == backward_is) return;
+  const Index front = sorted[forward_is ? one.forward : one.backward] / 3;
+  const Index back = sorted[forward_is ? one.backward : one.forward] / 3;
+  const Index h = sorted.front();
+  const double length = (arrangement_.position(halfedge_target(arrangement_.pieces, h)) -
+                         arrangement_.position(halfedge_source(arrangement_.pieces, h)))
+                            .stableNorm();
+  crossings_.push_back({front, back, other.component, length});
+}
+
+void PatchFinder::measure_curves() {
+  std::sort(crossings_.begin(), crossings_.end(),
+            [](const Crossing& a, const Crossing& b) { return a.length < b.length; });
+  for (const Crossing& c : crossings_) {
+    const Index front = sets_.find(c.front_piece), back = sets_.find(c.back_piece);
+    if (front == back) continue;
+    curves_[{front, c.other}].front += c.length;
+    curves_[{back, c.other}].behind += c.length;
+    intersect_[component(c.front_piece)].insert(c.other);
+  }
+}
+
+int PatchFinder::round(double number) {
+  is_by_number_ = true;
+  const double rounded = std::floor(number + 0.5);
+  result_.least_margin = std::min(result_.least_margin, 0.5 - std::abs(number - rounded));
+  return static_cast<int>(rounded);
+}
+
+// How many other components have the patch behind them.
+int PatchFinder::count_around(Index patch) {
+  const Index own = component(patch);
+  const auto others = intersect_.find(own);
+  if (others == intersect_.end()) return 0;
+  int count = 0;
+  for (const Index other : others->second) {
+    if (own == closed_part && !winding_.is_body(other)) continue;
+    const auto curves = curves_.find({patch, other});
+    if (curves != curves_.end()) {
+      count += curves->second.behind > curves->second.front ? 1 : 0;
+    } else {
+      count += std::clamp(round(winding_.median(other, pieces_[patch])), 0, 1);
+    }
+  }
+  return count;
+}
+
+// In front of a sheet its generalized winding number is less than 0, by up to 1/2: what it lacks of
+// being closed.
+int PatchFinder::own_number(Index patch) {
+  const Index own = component(patch);
+  if (!self_intersect_.contains(own)) return 0;
+  const double lack = std::clamp(winding_.on_itself(own) - 0.5, -0.5, 0.0);
+  return round(winding_.median(own, pieces_[patch]) - 0.5 - lack);
+}
+
+// A closed piece is a boundary of the closed part. If it counts once, w in front of it follows from
+// that.
+int PatchFinder::front_of(const Piece& piece) const {
+  if (piece.is_open) return std::max(piece.front, 0);
+  return piece.multiplicity == 1 ? winding_level_ - 1 : piece.front;
+}
+
+OpenPatches PatchFinder::find() {
+  const auto& pieces = arrangement_.pieces;
+  std::vector<char> counts(pieces.size());
+  for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = pieces[p].multiplicity != 0 ? 1 : 0;
+  const Edges edges = piece_edges(arrangement_, counts);
+  for (std::size_t e = 0; e < edges.size(); ++e) visit_edge(edges.halfedges(e));
+  measure_curves();
+  for (Index p = 0; p < pieces.size(); ++p)
+    if (counts[p]) pieces_[sets_.find(p)].push_back(p);
+
+  result_.kept.assign(pieces.size(), 0);
+  result_.patches = pieces_.size();
+  for (const auto& [patch, members] : pieces_) {
+    is_by_number_ = false;
+    const int number = count_around(patch) + own_number(patch);
+    result_.decided_by_number += is_by_number_ ? 1 : 0;
+    for (const Index p : members) {
+      const int front = front_of(pieces[p]) + number;
+      const bool is_boundary =
+          front < winding_level_ && front + pieces[p].multiplicity >= winding_level_;
+      result_.kept[p] = is_boundary ? 1 : 0;
+    }
+  }
+  return std::move(result_);
+}
+
+}  // namespace
+
+OpenPatches find_exterior_patches(const Arrangement& arrangement, int winding_level) {
+  return PatchFinder(arrangement, winding_level).find();
+}
+
+}  // namespace transformesh
