@@ -72,8 +72,7 @@ std::vector<char> FacetChooser::choose(const PlaneFacets& facets, Index first_fa
 void FacetChooser::choose_facet(const PlaneFacets& facets, Index facet) {
   const int front = front_[facet], behind = front + facets.multiplicity(facet);
   const bool is_boundary = parts(front, behind, winding_level_);
-  const bool is_outside = std::max(front, behind) < winding_level_;
-  const bool is_open = !is_boundary && is_outside && facets.has_open_face(facet);
+  const bool is_open = !is_boundary && facets.has_open_face(facet);
   is_chosen_[facet] = is_boundary || is_open ? 1 : 0;
   open_[facet] = {is_open, is_open ? std::max(front, behind) : std::min(front, behind)};
 }
@@ -126,8 +125,9 @@ class ExteriorArranger {
   }
   void cut_planes(std::size_t first, std::size_t last);
   void cut_in_full(std::size_t i, FacetChooser& chooser);
-  bool keeps_whole(Index face) const;
-  void describe_whole_pieces(ExteriorArrangement& result) const;
+  bool arranges_whole(Index face) const;
+  void describe_whole_pieces(Arrangement& arrangement) const;
+  std::vector<char> find_kept(const Arrangement& arrangement) const;
 
   std::shared_ptr<const WeldedMesh> welded_;
   const ExteriorArrangementOptions& options_;
@@ -197,24 +197,35 @@ void ExteriorArranger::cut_in_full(std::size_t i, FacetChooser& chooser) {
     if (options_.arranges_everything) chosen_[i].push_back(chooser.is_chosen(facet) ? 1 : 0);
 }
 
-bool ExteriorArranger::keeps_whole(Index face) const {
+bool ExteriorArranger::arranges_whole(Index face) const {
   if (!is_complete(face)) return false;
   const int w = *windings_.at(face, 0);
-  return welded_->is_open(face) ? w < options_.winding_level
-                                : parts(w, w + 1, options_.winding_level);
+  return options_.arranges_everything || welded_->is_open(face) ||
+         parts(w, w + 1, options_.winding_level);
 }
 
-// Whole pieces come in the order of their faces.
-void ExteriorArranger::describe_whole_pieces(ExteriorArrangement& result) const {
-  Arrangement& arrangement = result.arrangement;
+void ExteriorArranger::describe_whole_pieces(Arrangement& arrangement) const {
   for (std::size_t p = 0; p < arrangement.whole_pieces; ++p) {
     Piece& piece = arrangement.pieces[p];
     const Index face = arrangement.sources_of(piece).front().face;
-    result.kept[p] = keeps_whole(face) ? 1 : 0;
-    if (!welded_->is_open(face)) continue;
-    piece.is_open = true;
+    piece.is_open = welded_->is_open(face);
     piece.front = *windings_.at(face, 0);
   }
+}
+
+std::vector<char> ExteriorArranger::find_kept(const Arrangement& arrangement) const {
+  const auto is_kept = [&](const Piece& piece) {
+    return piece.is_open ? piece.front < options_.winding_level
+                         : parts(piece.front, piece.front + 1, options_.winding_level);
+  };
+  std::vector<char> kept(arrangement.pieces.size(), 1);
+  for (std::size_t p = 0; p < kept.size(); ++p)
+    if (p < arrangement.whole_pieces || arrangement.pieces[p].is_open)
+      kept[p] = is_kept(arrangement.pieces[p]) ? 1 : 0;
+  std::size_t p = arrangement.whole_pieces;
+  for (const std::vector<char>& of_plane : chosen_)
+    for (const char is_chosen : of_plane) kept[p++] = is_chosen;
+  return kept;
 }
 
 ExteriorArrangement ExteriorArranger::arrange(const Progress& progress) {
@@ -228,16 +239,13 @@ ExteriorArrangement ExteriorArranger::arrange(const Progress& progress) {
   for (Index f = 0; f < is_left_out.size(); ++f) {
     if (!planes_.is_whole(f)) continue;
     ++result.whole_faces;
-    is_left_out[f] = options_.arranges_everything || keeps_whole(f) ? 0 : 1;
+    is_left_out[f] = arranges_whole(f) ? 0 : 1;
   }
   result.rays = rays_;
   result.has_surface = result.whole_faces > 0 || has_hidden_planes() || has_surface_;
   result.arrangement = join_cuts(welded_, planes_, cuts_, is_left_out);
-  result.kept.assign(result.arrangement.pieces.size(), 1);
-  describe_whole_pieces(result);
-  std::size_t p = result.arrangement.whole_pieces;
-  for (const std::vector<char>& of_plane : chosen_)
-    for (const char is_chosen : of_plane) result.kept[p++] = is_chosen;
+  describe_whole_pieces(result.arrangement);
+  result.kept = find_kept(result.arrangement);
   return result;
 }
 

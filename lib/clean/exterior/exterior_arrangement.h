@@ -19,7 +19,7 @@ namespace transformesh {
 
 struct ExteriorArrangement {
   Arrangement arrangement;
-  std::vector<char> kept;       ///< per piece; all, unless everything was arranged
+  std::vector<char> kept;       ///< per piece
   std::size_t whole_faces = 0;  ///< that take no part in any intersection, kept or not
   std::size_t rays = 0;
   bool has_surface = false;  ///< faces that lie upon each other do not all cancel out

@@ -22,9 +22,11 @@ struct LooseHalfedge {
 
 class Decomposition {
  public:
-  Decomposition(const Mesh& mesh, const WeldedMesh& welded)
-      : mesh_(mesh), faces_(faces_by_points(welded, mesh)), sets_(faces_.size()) {
-    connect(Edges(faces_, welded.points.size()));
+  Decomposition(const Mesh& mesh, const WeldedMesh& welded, bool is_stitched)
+      : mesh_(mesh),
+        faces_(is_stitched ? mesh.faces : faces_by_points(welded, mesh)),
+        sets_(faces_.size()) {
+    connect(Edges(faces_, std::max(mesh.positions.size(), welded.points.size())));
     measure(welded);
     open_closed_sums();
   }
@@ -98,9 +100,9 @@ void Decomposition::measure(const WeldedMesh& welded) {
   for (const auto& [area, set] : areas) area_[set] += area;
   least_point_.assign(faces_.size(), Vec3::Constant(std::numeric_limits<double>::infinity()));
   for (Index f = 0; f < faces_.size(); ++f)
-    for (const Index p : faces_[f]) {
+    for (const Index v : mesh_.faces[f]) {
       Vec3& least = least_point_[sets_.find(f)];
-      if (compare_positions(welded.points[p], least) < 0) least = welded.points[p];
+      if (compare_positions(mesh_.positions[v], least) < 0) least = mesh_.positions[v];
     }
 }
 
@@ -162,8 +164,9 @@ std::vector<Index> Decomposition::number(const WeldedMesh& welded) {
 
 }  // namespace
 
-std::vector<Index> find_open_components(const Mesh& mesh, const WeldedMesh& welded) {
-  return Decomposition(mesh, welded).number(welded);
+std::vector<Index> find_open_components(const Mesh& mesh, const WeldedMesh& welded,
+                                        bool is_stitched) {
+  return Decomposition(mesh, welded, is_stitched).number(welded);
 }
 
 }  // namespace transformesh

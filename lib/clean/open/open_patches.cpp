@@ -48,7 +48,7 @@ class PatchFinder {
   void visit_edge(std::span<const Index> halfedges);
   void visit_curve(std::span<const Index> halfedges);
   std::vector<Passage> find_passages(const std::vector<Index>& sorted);
-  void cross(const std::vector<Index>& sorted, const Passage& one, const Passage& other);
+  bool cross(const std::vector<Index>& sorted, const Passage& one, const Passage& other);
   void measure_curves();
   int count_around(Index patch);
   int own_number(Index patch);
@@ -107,24 +107,24 @@ void PatchFinder::visit_curve(std::span<const Index> halfedges) {
   const std::vector<Index> sorted = sort_around_edge(arrangement_, halfedges);
   const std::vector<Passage> passages = find_passages(sorted);
   for (const Passage& one : passages) {
-    const std::size_t before = crossings_.size();
+    bool is_crossed = false;
     for (const Passage& other : passages)
-      if (other.component != one.component && other.component != closed_part)
-        cross(sorted, one, other);
-    if (crossings_.size() == before) sets_.join(sorted[one.forward] / 3, sorted[one.backward] / 3);
+      if (other.component != one.component) is_crossed |= cross(sorted, one, other);
+    if (!is_crossed) sets_.join(sorted[one.forward] / 3, sorted[one.backward] / 3);
   }
 }
 
-// Whether place p lies between the front of the other's forward halfedge and that of its backward
-// one.
-void PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
+// Returns whether one component passes through the other: just one of its two pieces lies between
+// the front of the other's forward piece and that of its backward one.
+bool PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
                         const Passage& other) {
   const std::size_t n = sorted.size();
   const auto is_in_front = [&](std::size_t p) {
     return (p + n - other.forward) % n < (other.backward + n - other.forward) % n;
   };
   const bool forward_is = is_in_front(one.forward), backward_is = is_in_front(one.backward);
-  if (forward_is == backward_is) return;
+  if (forward_is == backward_is) return false;
+  if (other.component == closed_part) return true;
   const Index front = sorted[forward_is ? one.forward : one.backward] / 3;
   const Index back = sorted[forward_is ? one.backward : one.forward] / 3;
   const Index h = sorted.front();
@@ -132,6 +132,7 @@ void PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
                          arrangement_.position(halfedge_source(arrangement_.pieces, h)))
                             .stableNorm();
   crossings_.push_back({front, back, other.component, length});
+  return true;
 }
 
 void PatchFinder::measure_curves() {

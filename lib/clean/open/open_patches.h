@@ -1,7 +1,7 @@
 /// Which patches of a mesh with open components are exterior (beyond paper 4.6; the definition is
-/// in docs/design/open-meshes.md). The pieces are those that the closed part leaves visible
-/// (exterior/exterior_arrangement.h). A patch is a set of pieces of one component that are
-/// connected across edges which no other component passes through.
+/// in docs/design/open-meshes.md). The pieces are those of exterior/exterior_arrangement.h: the
+/// boundary of the closed part, and all of open components. A patch is a set of pieces of one
+/// component that are connected across edges which no other component passes through.
 ///
 /// The winding number n in front of a patch is that of the closed part, plus one for each open
 /// component that has the patch behind it, plus that of the patch's own component. A component has

@@ -140,7 +140,8 @@ CleanPass CleanPassRun::run() {
   pass_.pairs = count_pairs(*welded_, meetings);
   if (pass_.pairs > options_.most_pairs) return std::move(pass_);
   pass_.is_open = !borders_.loops.empty();
-  if (pass_.is_open) welded_->open_component = find_open_components(mesh_, *welded_);
+  if (pass_.is_open)
+    welded_->open_component = find_open_components(mesh_, *welded_, is_stitched(mesh_, borders_));
   const bool is_static = options_.method == ExteriorMethod::static_test;
   if (!is_static && !options_.change_kept && pass_.pairs == 0 && find_all_exterior()) {
     progress_("stitch");

@@ -184,7 +184,7 @@ bool SnapRounder::clean_again(Assembly& assembly, const GivenCells& cells, int w
   if (pass.assembly.mesh.faces.empty()) throw_nothing_left();
   inherit(assembly, pass.assembly);
   assembly = std::move(pass.assembly);
-  return pass.pairs == 0 && !is_given && assembly.split_edges == 0;
+  return pass.pairs == 0 && !is_given && assembly.split_edges == 0 && !options_.is_open;
 }
 
 // The last attempts make simpler what coordinates that are extreme along an axis leave.
@@ -203,7 +203,8 @@ int SnapRounder::next_attempt(int attempt) const {
 }
 
 // Rounds, and then mends and cleans what rounding broke, until cleaning changes nothing. What is
-// whole at once need not be cleaned again. Returns whether it succeeded.
+// whole at once need not be cleaned again, unless the mesh is open: its pieces may have closed around
+// others. Returns whether it succeeded.
 bool SnapRounder::repair(Assembly& assembly, int attempt) {
   Attempts attempts;
   for (int round = 0; round < most_rounds; ++round) {
@@ -211,7 +212,7 @@ bool SnapRounder::repair(Assembly& assembly, int attempt) {
     result_.displacement += round_and_merge(assembly, spacing_);
     BrokenFaces found = find_broken_faces(assembly, known_);
     const bool is_whole = found.faces.empty();
-    if (is_whole && round == 0) return true;
+    if (is_whole && round == 0 && !options_.is_open) return true;
     if (is_in_vain(found.faces.size(), attempts)) return false;
     if (round == 0) choose_spacings(attempt);
     const Tolerances most = tolerances(attempt, round);

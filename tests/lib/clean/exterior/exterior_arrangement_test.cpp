@@ -41,7 +41,8 @@ std::vector<Facet> expected(const Arrangement& arrangement, int winding_level) {
 
 ExteriorArrangement exterior_of(const Mesh& mesh, int winding_level) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
-  return arrange_exterior(welded, find_meetings(*welded, Progress()), {winding_level, false, nullptr}, Progress());
+  return arrange_exterior(welded, find_meetings(*welded, Progress()),
+                          {winding_level, false, nullptr}, Progress());
 }
 
 std::vector<Facet> found(const ExteriorArrangement& exterior) {

@@ -26,8 +26,7 @@ TEST_CASE("by rays a piece is kept if the winding number passes the level behind
     for (const int winding_level : {1, 2}) {
       CAPTURE(seed);
       CAPTURE(winding_level);
-      const std::vector<char> found =
-          find_exterior_by_rays(arrangement, winding_level, Progress());
+      const std::vector<char> found = find_exterior_by_rays(arrangement, winding_level, Progress());
       for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
         const Triangle t = test::corners_of(arrangement, arrangement.pieces[p]);
         const std::optional<int> front = test::winding_beside(mesh, t, 1);

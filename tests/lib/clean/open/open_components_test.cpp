@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "clean/open/borders.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 
@@ -13,7 +14,8 @@ namespace transformesh {
 namespace {
 
 std::vector<Index> components_of(const Mesh& mesh) {
-  return find_open_components(mesh, weld(mesh));
+  const WeldedMesh welded = weld(mesh);
+  return find_open_components(mesh, welded, is_stitched(mesh, find_borders(welded, mesh)));
 }
 
 std::size_t count_closed(const Mesh& mesh) {

@@ -129,7 +129,11 @@ TEST_CASE("a sheet loses what lies within a ball, and the ball is only cut along
   const double disk = 1 - 0.014 * 0.014;
   CHECK(area(result) == doctest::Approx(16 - M_PI * disk + area(ball)).epsilon(0.001));
   CHECK(component_count(result) == 2);
-  CHECK(volume(result) == doctest::Approx(volume(ball)).epsilon(1e-3));
+  std::size_t closed = 0;
+  for (const Component& c : connected_components(result).components)
+    if (c.boundary_loops == 0 && ++closed == 1)
+      CHECK(c.volume == doctest::Approx(volume(ball)).epsilon(1e-9));
+  CHECK(closed == 1);
 }
 
 TEST_CASE("a ball loses what lies within a body with a hole, and the body what lies within it") {
@@ -154,7 +158,8 @@ TEST_CASE("a sheet bounds nothing but what it meets") {
   }
 }
 
-TEST_CASE("what lies within a closed body goes, and nothing that a body with a hole merely surrounds") {
+TEST_CASE(
+    "what lies within a closed body goes, and nothing that a body with a hole merely surrounds") {
   const Mesh ball = test::icosphere(3);
   const Mesh small_sheet = sheet([](double x, double y) { return Vec3(0.3 * x, 0.3 * y, 0.01); });
   CHECK(cleaned(test::joined(ball, small_sheet)).faces.size() == ball.faces.size());
