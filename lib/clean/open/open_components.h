@@ -22,8 +22,8 @@ namespace transformesh {
 /// Per welded face the number of its open component, or no_index in the closed part. Components are
 /// numbered in the order of their first faces. Faces without area count for edges, but have no
 /// entry.
-/// A stitched mesh (open/borders.h) is taken as its indices say, any other as its positions do. So of what
-/// cleaning has made, parts that merely touch do not enclose each other.
+/// A stitched mesh (open/borders.h) is taken as its indices say, any other as its positions do. So
+/// of what cleaning has made, parts that merely touch do not enclose each other.
 std::vector<Index> find_open_components(const Mesh& mesh, const WeldedMesh& welded,
                                         bool is_stitched);
 

@@ -203,8 +203,8 @@ int SnapRounder::next_attempt(int attempt) const {
 }
 
 // Rounds, and then mends and cleans what rounding broke, until cleaning changes nothing. What is
-// whole at once need not be cleaned again, unless the mesh is open: its pieces may have closed around
-// others. Returns whether it succeeded.
+// whole at once need not be cleaned again, unless the mesh is open: its pieces may have closed
+// around others. Returns whether it succeeded.
 bool SnapRounder::repair(Assembly& assembly, int attempt) {
   Attempts attempts;
   for (int round = 0; round < most_rounds; ++round) {

@@ -1,0 +1,219 @@
+/// The laws of docs/design/open-meshes.md on random meshes. Surfaces are compared as sets of
+/// triangles in space.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <set>
+
+#include "helpers/random.h"
+#include "helpers/shapes.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
+
+namespace transformesh {
+namespace {
+
+using Corners = std::array<double, 9>;
+
+/// The triangles of a mesh, each beginning with its smallest corner, sorted.
+std::vector<Corners> triangles(const Mesh& mesh) {
+  std::vector<Corners> result;
+  for (const Face& face : mesh.faces) {
+    std::array<std::array<double, 3>, 3> t;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        t[i][k] = mesh.positions[face[i]][static_cast<Eigen::Index>(k)];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    Corners corners;
+    for (std::size_t i = 0; i < 9; ++i) corners[i] = t[i / 3][i % 3] + 0.0;
+    result.push_back(corners);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+Mesh shuffled(const Mesh& mesh, test::Random& random) {
+  Mesh result = mesh;
+  for (std::size_t i = result.faces.size(); i > 1; --i)
+    std::swap(result.faces[i - 1], result.faces[random.below(i)]);
+  return result;
+}
+
+Mesh without_some_faces(Mesh mesh, std::uint64_t percent, test::Random& random) {
+  std::erase_if(mesh.faces, [&](const Face&) { return random.below(100) < percent; });
+  return mesh;
+}
+
+Mesh ribbon(test::Random& random) {
+  Mesh mesh = test::grid(4);
+  const Vec3 origin = random.point(-1, 1), u = random.point(-2, 2), v = random.point(-0.1, 0.1);
+  for (Vec3& p : mesh.positions) p = origin + p.x() * u + p.y() * v;
+  return mesh;
+}
+
+Mesh bumpy_sheet(test::Random& random) {
+  Mesh mesh = test::grid(4);
+  const Vec3 origin = random.point(-2, 0), u = random.point(-3, 3), v = random.point(-3, 3);
+  for (Vec3& p : mesh.positions) p = origin + p.x() * u + p.y() * v + random.point(-0.2, 0.2);
+  return mesh;
+}
+
+Mesh ball(test::Random& random) {
+  return test::moved(test::scaled(test::icosphere(1), random.uniform(0.4, 1.2)),
+                     random.point(-1, 1));
+}
+
+/// A closed part that may intersect itself, and open components of the kind.
+struct Case {
+  Mesh closed, open;
+  Mesh all() const { return test::joined(closed, open); }
+};
+
+Case random_case(std::uint64_t kind, test::Random& random) {
+  Case result;
+  if (kind != 1)
+    for (std::uint64_t i = random.below(3); i > 0; --i)
+      result.closed = test::joined(result.closed, ball(random));
+  for (std::uint64_t i = 1 + random.below(2); i > 0; --i) {
+    const Mesh added = kind < 2    ? bumpy_sheet(random)
+                       : kind == 2 ? ribbon(random)
+                                   : without_some_faces(ball(random), 5 + random.below(26), random);
+    result.open = test::joined(result.open, added);
+  }
+  return result;
+}
+
+/// What cleaning leaves, or nothing if it refuses the mesh.
+std::optional<Mesh> cleaned(const Mesh& mesh) {
+  try {
+    return clean(mesh).mesh;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+constexpr std::uint64_t kinds = 4;
+
+int rounds() {
+  const char* wanted = std::getenv("TM_ROUNDS");
+  return wanted == nullptr ? 60 : std::atoi(wanted);
+}
+
+template <class Test>
+void for_each_case(const Test& test) {
+  test::Random random(17);
+  for (int round = 0; round < rounds(); ++round)
+    for (std::uint64_t kind = 0; kind < kinds; ++kind) {
+      CAPTURE(round);
+      CAPTURE(kind);
+      test(random_case(kind, random), random);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("law 1: the result does not depend on the order of the faces") {
+  for_each_case([](const Case& c, test::Random& random) {
+    const auto before = cleaned(c.all()), after = cleaned(shuffled(c.all(), random));
+    REQUIRE(before.has_value() == after.has_value());
+    if (before) CHECK(triangles(*before) == triangles(*after));
+  });
+}
+
+TEST_CASE("law 1: the result turns and grows with the mesh") {
+  for_each_case([](const Case& c, test::Random&) {
+    const auto turned = [](Mesh mesh) {
+      for (Vec3& p : mesh.positions) p = Vec3(-2 * p.y(), 2 * p.x(), 2 * p.z());
+      return mesh;
+    };
+    const auto before = cleaned(c.all()), after = cleaned(turned(c.all()));
+    REQUIRE(before.has_value() == after.has_value());
+    if (before) CHECK(surface_area(*after) == doctest::Approx(4 * surface_area(*before)));
+  });
+}
+
+TEST_CASE("law 2: sheets that meet nothing stay as they are") {
+  for_each_case([](const Case& c, test::Random&) {
+    if (c.open.faces.empty() || !find_intersections(c.open).empty()) return;
+    const CleanResult result = clean(c.open);
+    CHECK(triangles(result.mesh) == triangles(c.open));
+    // Only vertices at which umbrellas touch are duplicated.
+    CHECK(result.changed == !check_manifold(c.open).is_manifold());
+  });
+}
+
+TEST_CASE("laws 3 and 4: sheets only cut the boundary of the closed part") {
+  for_each_case([](Case c, test::Random&) {
+    if (c.closed.faces.empty()) return;
+    const auto mark = [](Mesh& mesh, double value) {
+      Column& column = mesh.face_columns.get("open", Scalar::int32, mesh.faces.size());
+      std::fill(column.values.begin(), column.values.end(), value);
+    };
+    mark(c.closed, 0);
+    mark(c.open, 1);
+    Mesh all = c.all();
+    Column& open = all.face_columns.get("open", Scalar::int32, all.faces.size());
+    for (std::size_t f = 0; f < all.faces.size(); ++f)
+      open.values[f] = f < c.closed.faces.size() ? 0 : 1;
+    const auto alone = cleaned(c.closed), together = cleaned(all);
+    if (!alone || !together) return;
+    const Column& column = *together->face_columns.find("open");
+    Mesh of_closed = *together, of_open = *together;
+    for (Mesh* part : {&of_closed, &of_open}) part->faces.clear();
+    for (std::size_t f = 0; f < together->faces.size(); ++f)
+      (column.values[f] == 0 ? of_closed : of_open).faces.push_back(together->faces[f]);
+    const double expected = surface_area(*alone);
+    CHECK(surface_area(of_closed) <= expected * (1 + 1e-9));
+    CHECK(surface_area(of_open) <= surface_area(c.open) * (1 + 1e-9));
+    const auto meets = [&](const Mesh& mesh) {
+      return !find_intersections(test::joined(*alone, mesh)).empty();
+    };
+    if (!meets(c.open)) {
+      std::vector<Corners> of_closed_triangles = triangles(of_closed);
+      CHECK(of_closed_triangles == triangles(*alone));
+    }
+  });
+}
+
+TEST_CASE("law 5: a body with a hole is united as if the hole were filled") {
+  test::Random random(23);
+  int tested = 0;
+  for (int round = 0; round < 40; ++round) {
+    CAPTURE(round);
+    const Mesh a = ball(random), b = ball(random);
+    const auto whole = cleaned(test::joined(a, b));
+    if (!whole) continue;
+    // A face that no other one meets, and that is exterior.
+    std::set<Corners> exterior;
+    for (const Corners& t : triangles(*whole)) exterior.insert(t);
+    const std::vector<Corners> of_a = triangles(a);
+    const auto hole = std::find_if(of_a.begin(), of_a.end(),
+                                   [&](const Corners& t) { return exterior.contains(t); });
+    if (hole == of_a.end()) continue;
+    Mesh punctured = a;
+    std::erase_if(punctured.faces, [&](const Face& f) {
+      return triangles(Mesh{a.positions, {f}, {}, {}}).front() == *hole;
+    });
+    std::vector<Corners> expected = triangles(*whole);
+    expected.erase(std::find(expected.begin(), expected.end(), *hole));
+    const auto result = cleaned(test::joined(punctured, b));
+    REQUIRE(result);
+    CHECK(surface_area(*result) ==
+          doctest::Approx(surface_area(*whole) -
+                          surface_area(Mesh{{Vec3((*hole)[0], (*hole)[1], (*hole)[2]),
+                                             Vec3((*hole)[3], (*hole)[4], (*hole)[5]),
+                                             Vec3((*hole)[6], (*hole)[7], (*hole)[8])},
+                                            {{0, 1, 2}},
+                                            {},
+                                            {}})));
+    ++tested;
+  }
+  CHECK(tested > 25);
+}
+
+}  // namespace transformesh
