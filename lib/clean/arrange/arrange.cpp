@@ -64,8 +64,7 @@ class Copies {
   std::vector<Index> next_;  ///< the next copy of each face
 };
 
-// Of faces that lie upon each other, an open piece has the open ones, and any other the closed
-// ones.
+// An open piece has the open ones of the faces that lie upon each other, any other the closed ones.
 void add_sources(const PlaneCut& cut, std::size_t facet, const Copies& copies, bool is_open,
                  Arrangement& result) {
   const std::size_t first = result.sources.size();

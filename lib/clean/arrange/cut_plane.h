@@ -17,7 +17,7 @@ struct PieceSource {
   bool reversed;  ///< its orientation is opposite to that of the piece
 };
 
-/// What a facet is that open faces cover.
+/// A facet of a plane with open faces.
 struct OpenFacet {
   bool is_open;  ///< whether it is kept for its open faces; else it bounds the closed part
   int front;     ///< the winding number of the closed part in front of it
@@ -30,8 +30,8 @@ struct PlaneCut {
   std::vector<Face> facets;           ///< by points; oriented as the first face is
   std::vector<Index> source_offsets;  ///< facet i has sources [offsets[i], offsets[i + 1])
   std::vector<PieceSource> sources;   ///< of each facet by ascending faces; copies are not named
-  std::vector<Index> numbers;         ///< of each facet among those to choose from
-  /// Of each facet, if its faces are not all closed.
+  std::vector<Index> numbers;         ///< facets among those to choose from
+  /// Per facet; empty if all faces are closed.
   std::vector<OpenFacet> open{};
 };
 

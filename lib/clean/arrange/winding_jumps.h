@@ -1,7 +1,6 @@
-/// By how much the winding number w changes across faces, seen from the front of a plane: w in
-/// front of the plane is constant except where a face meets the plane from the front (paper 3.2.2).
-/// w is the winding number of the closed part: faces of open components change nothing. Exact;
-/// deterministic.
+/// Changes of the winding number w across faces, seen from the front of a plane. There w is
+/// constant except where a face meets the plane from the front (paper 3.2.2). Faces of open
+/// components change nothing: w is the winding number of the closed part. Exact; deterministic.
 #pragma once
 
 #include <vector>

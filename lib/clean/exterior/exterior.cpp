@@ -67,7 +67,7 @@ Problem nothing_kept(const WeldedMesh& welded, bool has_surface, int winding_lev
                                           ": nothing lies inside that many sheets"};
   if (!has_surface) return nothing_enclosed(!welded.faces.empty());
   if (!welded.open_component.empty())
-    return {ErrorKind::no_positive_winding, "every part of the open mesh lies behind another part"};
+    return {ErrorKind::other, "every part of the open mesh lies behind another part"};
   return {ErrorKind::no_positive_winding,
           "no point has a winding number >= 1: a difference without a remainder is empty"};
 }

@@ -1,5 +1,5 @@
-/// What is exterior: the slow reference, what to say if nothing is, and which components of a clean
-/// mesh are enclosed. (exterior_arrangement.h has the region growing of paper 3.2.)
+/// The exterior by the slow reference, the reason why nothing is exterior, and the enclosed
+/// components of a clean mesh. (exterior_arrangement.h has the region growing of paper 3.2.)
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace transformesh {
 
-/// The strategy of paper 4.5 for a closed mesh: marks each piece with w < winding level in front of
-/// it and w >= winding level behind it, by a ray of its own. Exact; deterministic.
+/// The strategy of paper 4.5 for a closed mesh: a ray for each piece. Marks pieces with
+/// w < winding level in front and w >= winding level behind. Exact; deterministic.
 std::vector<char> find_exterior_by_rays(const Arrangement& arrangement, int winding_level,
                                         const Progress& progress);
 

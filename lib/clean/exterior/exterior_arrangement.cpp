@@ -27,7 +27,7 @@ class FacetChooser {
       : windings_(windings), ray_(ray), winding_level_(winding_level) {}
 
   std::vector<char> choose(const PlaneFacets& facets, Index first_face);
-  /// Of facets of the last plane: what they are.
+  /// Describes facets of the last plane.
   std::vector<OpenFacet> describe(const std::vector<Index>& facets) const;
   bool is_chosen(Index facet) const { return is_chosen_[facet] != 0; }
   bool has_surface() const { return has_surface_; }  ///< a facet of any plane counts

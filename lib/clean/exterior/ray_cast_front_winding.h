@@ -45,7 +45,7 @@ class RayCastFrontWinding {
 
   const WeldedMesh& welded_;
   const Surroundings* around_;  ///< null if there are none
-  Bvh bvh_;                     ///< of all faces; empty if rays are few
+  Bvh bvh_;                     ///< all faces; empty if rays are few
 };
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
-/// Region growing (paper 3.2) over a mesh before anything is cut: the winding number w of the
-/// closed part in front of every face, open ones included, near each of its corners. It is the same
+/// Region growing (paper 3.2) over a mesh before anything is cut. It finds the winding number w of
+/// the closed part in front of every face, open ones included, near each corner. That is the same
 /// in front of neighbors beside their common edge, and along an edge it changes where closed faces
 /// intersect that. A ray fixes w in front of one whole face of each connected component
 /// (paper 3.2.1). Of a part of a mesh, what is incomplete carries no w, and a face that is cut gets

@@ -43,7 +43,7 @@ class Decomposition {
   bool is_smaller(Index a, Index b) const;
 
   const Mesh& mesh_;
-  std::vector<Face> faces_;  ///< by points, those without area included
+  std::vector<Face> faces_;  ///< their corners as points; also those without area
   DisjointSets sets_;
   std::vector<std::vector<LooseHalfedge>> loose_;  ///< per edge that has any
   std::vector<double> area_;                       ///< per set
@@ -106,7 +106,7 @@ void Decomposition::measure(const WeldedMesh& welded) {
     }
 }
 
-// By area; sets of equal areas by their positions.
+// Compares areas, and positions if these are equal.
 bool Decomposition::is_smaller(Index a, Index b) const {
   if (area_[a] != area_[b]) return area_[a] < area_[b];
   return compare_positions(least_point_[a], least_point_[b]) < 0;

@@ -5,12 +5,12 @@
 ///
 /// Faces are connected across edges of two faces with opposite directions. At an edge of more
 /// faces, two faces are connected if no third one names the same two vertices. A connected set that
-/// leaves no halfedge over is closed. Sets that leave some over become open, one after the other,
-/// until the sum along every edge of the rest is zero: first all that have an edge which the rest
-/// traverses in one direction only, then the set of the least area at an edge with a surplus. So a
-/// wall within a body, given once, is open, and the skin around it is closed. The result does not
-/// depend on the order of the faces. Cost: O(n log n), and O(k) for each set that is chosen by its
-/// area, for k edges with a surplus.
+/// leaves no halfedge over is closed. Others become open until the sum of directions
+/// along every edge of the rest is zero. First those go that have an edge which the rest traverses
+/// in one direction only. If there is none, that of the least area at an edge with a surplus goes.
+/// So a wall within a body, given once, is open, and the skin around it is closed. The result does
+/// not depend on the order of the faces. Cost: O(n log n), and O(k) for each set that is chosen by
+/// its area, for k edges with a surplus.
 #pragma once
 
 #include <vector>

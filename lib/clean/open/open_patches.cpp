@@ -38,7 +38,7 @@ class PatchFinder {
   };
   /// A curve at which a component passes through another one.
   struct Crossing {
-    Index front_piece, back_piece;  ///< of the one, in front of and behind the other
+    Index front_piece, back_piece;  ///< pieces of the one, in front of and behind the other
     Index other;
     double length;
   };
@@ -57,7 +57,7 @@ class PatchFinder {
 
   const Arrangement& arrangement_;
   int winding_level_;
-  DisjointSets sets_;  ///< of pieces; patches in the end
+  DisjointSets sets_;  ///< pieces; in the end a set is a patch
   ComponentWinding winding_;
   std::vector<Crossing> crossings_;
   std::map<Pair, Lengths> curves_;  ///< per patch and component

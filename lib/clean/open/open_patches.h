@@ -3,15 +3,15 @@
 /// boundary of the closed part, and all of open components. A patch is a set of pieces of one
 /// component that are connected across edges which no other component passes through.
 ///
-/// The winding number n in front of a patch is that of the closed part, plus one for each open
-/// component that has the patch behind it, plus that of the patch's own component. A component has
-/// a patch behind it if, along most of the length of their common curves that separate patches, the
-/// patch is on its back; without such a curve, if it intersects the component of the patch
-/// elsewhere and its generalized winding number is above 1/2 over most of the area of the patch
-/// (Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using generalized
-/// winding numbers", ACM TOG 32(4), 2013). Only components that intersect themselves have an own
-/// number. Only bodies with holes have parts of the closed part behind them: open components that
-/// enclose most of what they would enclose if their holes were filled.
+/// The winding number in front of a patch has three parts. They are that of the closed part, one
+/// for each open component that has the patch behind it, and that of the patch's own component. A
+/// component has a patch behind it if the patch is on its back along most of the length of their
+/// common curves that separate patches. If they have no such curve, but other patches of the
+/// component do, its generalized winding number decides: it is above 1/2 over most of the area of
+/// the patch. Reference (Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation
+/// using generalized winding numbers", ACM TOG 32(4), 2013. Only components that intersect
+/// themselves have an own number. Only bodies with holes have parts of the closed part behind them:
+/// open components that enclose most of what they would enclose if their holes were filled.
 ///
 /// Deterministic; does not depend on the order of the faces. Cost: O(n log n), and O(m) for each
 /// sample of a generalized winding number of a component with m faces.
@@ -24,7 +24,7 @@
 namespace transformesh {
 
 struct OpenPatches {
-  std::vector<char> kept;             ///< per piece: n < winding level <= n + multiplicity
+  std::vector<char> kept;             ///< per piece: by the winding level
   std::size_t patches = 0;            ///< how many there are
   std::size_t decided_by_number = 0;  ///< patches whose n depends on a generalized winding number
   double least_margin = 0.5;  ///< how close such a number came to where it would round otherwise

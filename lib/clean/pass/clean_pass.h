@@ -23,7 +23,7 @@ struct CleanPass {
   bool is_open = false;               ///< the mesh has borders
   std::size_t rays = 0;               ///< that were cast to find winding numbers
   std::size_t open_patches = 0;       ///< patches of a mesh with open components
-  std::size_t decided_by_number = 0;  ///< of these, by a generalized winding number
+  std::size_t decided_by_number = 0;  ///< patches that a generalized winding number decided
   double least_margin = 0.5;  ///< how close such a number came to where it would round otherwise
   bool unchanged = false;
   /// Of a mesh that is a closed manifold, in which nothing meets and all is exterior.

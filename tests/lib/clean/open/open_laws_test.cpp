@@ -88,7 +88,7 @@ Case random_case(std::uint64_t kind, test::Random& random) {
   return result;
 }
 
-/// What cleaning leaves, or nothing if it refuses the mesh.
+/// The cleaned mesh, or nothing if it is refused.
 std::optional<Mesh> cleaned(const Mesh& mesh) {
   try {
     return clean(mesh).mesh;

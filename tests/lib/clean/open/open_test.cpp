@@ -181,7 +181,7 @@ TEST_CASE("a scan that looks inwards and meets nothing stays") {
 }
 
 TEST_CASE("what is left of sheets that cross at random cleans to itself") {
-  // Of three sheets that meet along one curve, two can be left that both end there and have the
+  // If three sheets meet along one curve, two can be left that both end there and have the
   // same direction along all of it. They look like a patch that is inside out, which is refused.
   test::Random random(3);
   int refused = 0;
