@@ -9,8 +9,16 @@
 namespace transformesh {
 namespace {
 
-/// How many places of a patch are sampled.
-constexpr std::size_t samples_of_patch = 15;
+/// All pieces of a patch are sampled, or these, at equal shares of the area: as many as take the
+/// winding number of this many faces, but no fewer. With 15 alone, 13 of 20,000 random meshes
+/// changed with the order of their faces or with a rotation, because pieces of equal area took
+/// turns.
+constexpr std::size_t most_faces_summed = 2'000'000;
+constexpr std::size_t most_samples = 200;
+constexpr std::size_t least_samples = 15;
+
+/// Sums that differ by no more than this share are equal but for rounding.
+constexpr double rounding = 1e-9;
 
 /// The least number on itself of a body with holes. A flat sheet has 0 and half a sphere 1/4; a
 /// sphere of which 30 % of the area is missing has .35.
@@ -76,37 +84,59 @@ double ComponentWinding::median(Index component, const std::vector<Index>& piece
   for (const Index p : pieces) {
     const auto& [a, b, c] = arrangement_.pieces[p].corners;
     const Vec3 at = arrangement_.position(a);
-    const Vec3 cross = (arrangement_.position(b) - at).cross(arrangement_.position(c) - at);
-    samples.push_back({cross.stableNorm(), at, p});
+    const Vec3 to_b = arrangement_.position(b) - at, to_c = arrangement_.position(c) - at;
+    samples.push_back({to_b.cross(to_c).stableNorm(), at + to_b / 3 + to_c / 3, p});
   }
   std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
     return a.area != b.area ? a.area > b.area : compare_positions(a.at, b.at) < 0;
   });
-  std::vector<double> numbers = sample(component, samples);
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
+  return median_of(numbers_at(component, choose(samples, samples_of(component))));
 }
 
-// At equal shares of the area.
-std::vector<double> ComponentWinding::sample(Index component,
-                                             const std::vector<Sample>& samples) const {
-  double total = 0;
+std::size_t ComponentWinding::samples_of(Index component) const {
+  return std::clamp(most_faces_summed / mesh_of(component).faces.size(), least_samples,
+                    most_samples);
+}
+
+std::vector<ComponentWinding::Number> ComponentWinding::numbers_at(
+    Index component, const std::vector<Sample>& samples) const {
+  std::vector<Number> numbers;
+  numbers.reserve(samples.size());
+  for (const Sample& s : samples) numbers.push_back({number_at(component, s.piece), s.area});
+  std::sort(numbers.begin(), numbers.end(), [](const Number& a, const Number& b) {
+    return a.number != b.number ? a.number < b.number : a.area < b.area;
+  });
+  return numbers;
+}
+
+// All of them, or some at equal shares of the area, which then count equally.
+std::vector<ComponentWinding::Sample> ComponentWinding::choose(const std::vector<Sample>& samples,
+                                                               std::size_t count) {
+  if (samples.size() <= count) return samples;
+  double total = 0, sum = 0;
   for (const Sample& s : samples) total += s.area;
-  std::vector<double> numbers;
-  double sum = 0;
+  std::vector<Sample> chosen;
   for (const Sample& s : samples) {
     sum += s.area;
-    double number = 0;
-    for (bool is_known = false; numbers.size() < samples_of_patch; is_known = true) {
-      const double share = (static_cast<double>(numbers.size()) + 0.5) / samples_of_patch;
-      if (sum < share * total) break;
-      if (!is_known) number = number_at(component, s.piece);
-      numbers.push_back(number);
-    }
+    while (chosen.size() < count &&
+           sum >= (static_cast<double>(chosen.size()) + 0.5) / static_cast<double>(count) * total)
+      chosen.push_back({1, s.at, s.piece});
   }
-  if (numbers.empty()) numbers.push_back(number_at(component, samples.front().piece));
-  return numbers;
+  return chosen.empty() ? std::vector<Sample>{samples.front()} : chosen;
+}
+
+// The mean of two if both halves of the area are equal.
+double ComponentWinding::median_of(const std::vector<Number>& numbers) {
+  double total = 0, sum = 0;
+  for (const Number& n : numbers) total += n.area;
+  std::optional<double> lower;
+  for (const Number& n : numbers) {
+    sum += n.area;
+    if (2 * sum < (1 - rounding) * total) continue;
+    if (!lower) lower = n.number;
+    if (2 * sum > (1 + rounding) * total) return (*lower + n.number) / 2;
+  }
+  return lower.value_or(0);
 }
 
 double ComponentWinding::on_itself(Index component) {

@@ -31,7 +31,14 @@ class ComponentWinding {
     Index piece;
   };
 
-  std::vector<double> sample(Index component, const std::vector<Sample>& samples) const;
+  struct Number {
+    double number, area;
+  };
+
+  std::size_t samples_of(Index component) const;
+  static std::vector<Sample> choose(const std::vector<Sample>& samples, std::size_t count);
+  std::vector<Number> numbers_at(Index component, const std::vector<Sample>& samples) const;
+  static double median_of(const std::vector<Number>& numbers);
   const Mesh& mesh_of(Index component) const { return meshes_[component]; }
   double number_at(Index component, Index piece) const;
 

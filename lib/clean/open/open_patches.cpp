@@ -14,6 +14,8 @@ namespace transformesh {
 namespace {
 
 constexpr Index closed_part = no_index;
+/// Numbers and lengths that differ by no more than this are equal but for rounding.
+constexpr double rounding = 1e-9;
 
 /// The two halfedges by which a component passes through an edge.
 struct Passage {
@@ -149,7 +151,7 @@ void PatchFinder::measure_curves() {
 
 int PatchFinder::round(double number) {
   is_by_number_ = true;
-  const double rounded = std::floor(number + 0.5);
+  const double rounded = std::floor(number + 0.5 + rounding);
   result_.least_margin = std::min(result_.least_margin, 0.5 - std::abs(number - rounded));
   return static_cast<int>(rounded);
 }
@@ -164,7 +166,7 @@ int PatchFinder::count_around(Index patch) {
     if (own == closed_part && !winding_.is_body(other)) continue;
     const auto curves = curves_.find({patch, other});
     if (curves != curves_.end()) {
-      count += curves->second.behind > curves->second.front ? 1 : 0;
+      count += curves->second.behind > (1 + rounding) * curves->second.front ? 1 : 0;
     } else {
       count += std::clamp(round(winding_.median(other, pieces_[patch])), 0, 1);
     }
