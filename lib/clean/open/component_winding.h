@@ -14,7 +14,7 @@ namespace transformesh {
 
 class ComponentWinding {
  public:
-  /// Keeps a reference. Components are prepared when they are first needed.
+  /// Keeps a reference.
   explicit ComponentWinding(const Arrangement& arrangement);
 
   /// The median of the numbers of a component at some pieces.

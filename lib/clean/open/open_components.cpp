@@ -28,16 +28,16 @@ class Decomposition {
         sets_(faces_.size()) {
     connect(Edges(faces_, std::max(mesh.positions.size(), welded.points.size())));
     measure(welded);
-    open_closed_sums();
   }
+  void open_sets(const WeldedMesh& welded, const FindEnclosed& find_enclosed);
   std::vector<Index> number(const WeldedMesh& welded);
 
  private:
   void connect(const Edges& edges);
   void connect_by_vertices(std::vector<Index>& halfedges);
   void measure(const WeldedMesh& welded);
-  void open_closed_sums();
   bool open_one_sided();
+  bool has_surplus() const;
   bool open_surplus();
   std::pair<int, int> counts(const std::vector<LooseHalfedge>& edge) const;
   bool is_smaller(Index a, Index b) const;
@@ -144,8 +144,21 @@ bool Decomposition::open_surplus() {
   return true;
 }
 
-void Decomposition::open_closed_sums() {
+bool Decomposition::has_surplus() const {
+  return std::any_of(loose_.begin(), loose_.end(), [&](const auto& edge) {
+    const auto [forward, backward] = counts(edge);
+    return forward != backward;
+  });
+}
+
+void Decomposition::open_sets(const WeldedMesh& welded, const FindEnclosed& find_enclosed) {
   is_open_.assign(faces_.size(), 0);
+  while (open_one_sided()) {
+  }
+  if (!has_surplus()) return;
+  const std::vector<char> is_enclosed = find_enclosed();
+  for (Index f = 0; f < is_enclosed.size(); ++f)
+    if (is_enclosed[f]) is_open_[sets_.find(welded.face_of[f])] = 1;
   while (open_one_sided() || open_surplus()) {
   }
 }
@@ -165,8 +178,10 @@ std::vector<Index> Decomposition::number(const WeldedMesh& welded) {
 }  // namespace
 
 std::vector<Index> find_open_components(const Mesh& mesh, const WeldedMesh& welded,
-                                        bool is_stitched) {
-  return Decomposition(mesh, welded, is_stitched).number(welded);
+                                        bool is_stitched, const FindEnclosed& find_enclosed) {
+  Decomposition decomposition(mesh, welded, is_stitched);
+  decomposition.open_sets(welded, find_enclosed);
+  return decomposition.number(welded);
 }
 
 }  // namespace transformesh

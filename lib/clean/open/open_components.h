@@ -6,25 +6,30 @@
 /// Faces are connected across edges of two faces with opposite directions. At an edge of more
 /// faces, two faces are connected if no third one names the same two vertices. A connected set that
 /// leaves no halfedge over is closed. Others become open until the sum of directions
-/// along every edge of the rest is zero. First those go that have an edge which the rest traverses
-/// in one direction only. If there is none, that of the least area at an edge with a surplus goes.
+/// along every edge of the rest is zero. First those go that have
+/// an edge which the rest traverses in one direction only. If edges with a surplus are left, sheets
+/// that are enclosed by bodies go (enclosed_sheets.h), then sets of the least area at such an edge.
 /// So a wall within a body, given once, is open, and the skin around it is closed. The result does
-/// not depend on the order of the faces. Cost: O(n log n), and O(k) for each set that is chosen by
-/// its area, for k edges with a surplus.
+/// not depend on the order of the faces. Cost:
+/// O(n log n); with a surplus that of enclosed_sheets.h, and O(k) for each set that is chosen by
+/// its area, for k such edges.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "clean/intersect/welded_mesh.h"
 
 namespace transformesh {
 
+/// Finds the sheets that a surplus makes doubtful: marks per welded face (enclosed_sheets.h).
+using FindEnclosed = std::function<std::vector<char>()>;
+
 /// Per welded face the number of its open component, or no_index in the closed part. Components are
 /// numbered in the order of their first faces. Faces without area count for edges, but have no
-/// entry.
-/// A stitched mesh (open/borders.h) is taken as its indices say, any other as its positions do. So
-/// of what cleaning has made, parts that merely touch do not enclose each other.
+/// entry. A stitched mesh (borders.h) is taken as its indices say, any other as its positions do.
+/// So of what cleaning has made, parts that merely touch do not enclose each other.
 std::vector<Index> find_open_components(const Mesh& mesh, const WeldedMesh& welded,
-                                        bool is_stitched);
+                                        bool is_stitched, const FindEnclosed& find_enclosed);
 
 }  // namespace transformesh

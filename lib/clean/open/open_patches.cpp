@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -23,6 +24,10 @@ struct Passage {
   std::size_t forward, backward;  ///< places in angular order
 };
 
+struct FrontAndBack {
+  Index front, back;
+};
+
 class PatchFinder {
  public:
   PatchFinder(const Arrangement& arrangement, int winding_level)
@@ -38,9 +43,10 @@ class PatchFinder {
   struct Lengths {
     double front = 0, behind = 0;
   };
-  /// A curve at which a component passes through another one.
+  /// A part of a curve at which a component passes through another one.
   struct Crossing {
-    Index front_piece, back_piece;  ///< pieces of the one, in front of and behind the other
+    Index front, back;              ///< pieces of the one, in front of and behind the other
+    Index other_front, other_back;  ///< pieces of the other, in front of and behind the one
     Index other;
     double length;
   };
@@ -50,11 +56,15 @@ class PatchFinder {
   void visit_edge(std::span<const Index> halfedges);
   void visit_curve(std::span<const Index> halfedges);
   std::vector<Passage> find_passages(const std::vector<Index>& sorted);
+  static std::optional<FrontAndBack> find_sides(const std::vector<Index>& sorted,
+                                                const Passage& one, const Passage& other);
   bool cross(const std::vector<Index>& sorted, const Passage& one, const Passage& other);
   void measure_curves();
   int count_around(Index patch);
   int own_number(Index patch);
   int front_of(const Piece& piece) const;
+  void decide();
+  bool drop_contradictions();
   int round(double number);
 
   const Arrangement& arrangement_;
@@ -116,24 +126,33 @@ void PatchFinder::visit_curve(std::span<const Index> halfedges) {
   }
 }
 
-// Returns whether one component passes through the other: just one of its two pieces lies between
-// the front of the other's forward piece and that of its backward one.
-bool PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
-                        const Passage& other) {
+/// The pieces of a component in front of another one and behind it, if it passes through that.
+std::optional<FrontAndBack> PatchFinder::find_sides(const std::vector<Index>& sorted,
+                                                    const Passage& one, const Passage& other) {
+  // In front is what lies between the front of the other's forward piece and that of its backward
+  // one.
   const std::size_t n = sorted.size();
   const auto is_in_front = [&](std::size_t p) {
     return (p + n - other.forward) % n < (other.backward + n - other.forward) % n;
   };
   const bool forward_is = is_in_front(one.forward), backward_is = is_in_front(one.backward);
-  if (forward_is == backward_is) return false;
+  if (forward_is == backward_is) return std::nullopt;
+  return FrontAndBack{sorted[forward_is ? one.forward : one.backward] / 3,
+                      sorted[forward_is ? one.backward : one.forward] / 3};
+}
+
+// Returns whether one component passes through the other.
+bool PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
+                        const Passage& other) {
+  const auto sides = find_sides(sorted, one, other), others = find_sides(sorted, other, one);
+  if (!sides || !others) return sides.has_value();
   if (other.component == closed_part) return true;
-  const Index front = sorted[forward_is ? one.forward : one.backward] / 3;
-  const Index back = sorted[forward_is ? one.backward : one.forward] / 3;
   const Index h = sorted.front();
   const double length = (arrangement_.position(halfedge_target(arrangement_.pieces, h)) -
                          arrangement_.position(halfedge_source(arrangement_.pieces, h)))
                             .stableNorm();
-  crossings_.push_back({front, back, other.component, length});
+  crossings_.push_back(
+      {sides->front, sides->back, others->front, others->back, other.component, length});
   return true;
 }
 
@@ -141,11 +160,11 @@ void PatchFinder::measure_curves() {
   std::sort(crossings_.begin(), crossings_.end(),
             [](const Crossing& a, const Crossing& b) { return a.length < b.length; });
   for (const Crossing& c : crossings_) {
-    const Index front = sets_.find(c.front_piece), back = sets_.find(c.back_piece);
+    const Index front = sets_.find(c.front), back = sets_.find(c.back);
     if (front == back) continue;
     curves_[{front, c.other}].front += c.length;
     curves_[{back, c.other}].behind += c.length;
-    intersect_[component(c.front_piece)].insert(c.other);
+    intersect_[component(c.front)].insert(c.other);
   }
 }
 
@@ -200,6 +219,14 @@ OpenPatches PatchFinder::find() {
   for (Index p = 0; p < pieces.size(); ++p)
     if (counts[p]) pieces_[sets_.find(p)].push_back(p);
 
+  decide();
+  while (drop_contradictions()) {
+  }
+  return std::move(result_);
+}
+
+void PatchFinder::decide() {
+  const auto& pieces = arrangement_.pieces;
   result_.kept.assign(pieces.size(), 0);
   result_.patches = pieces_.size();
   for (const auto& [patch, members] : pieces_) {
@@ -213,7 +240,20 @@ OpenPatches PatchFinder::find() {
       result_.kept[p] = is_boundary ? 1 : 0;
     }
   }
-  return std::move(result_);
+}
+
+// If of two components just one patch each is left at a curve, with the same direction, the mesh
+// would not be oriented there. One of the two patches is behind the other component, and is
+// dropped.
+bool PatchFinder::drop_contradictions() {
+  const auto& kept = result_.kept;
+  std::set<Index> dropped;
+  for (const Crossing& c : crossings_)
+    if (kept[c.back] && !kept[c.front] && kept[c.other_front] && !kept[c.other_back])
+      dropped.insert(sets_.find(c.back));
+  for (const Index patch : dropped)
+    for (const Index p : pieces_[patch]) result_.kept[p] = 0;
+  return !dropped.empty();
 }
 
 }  // namespace

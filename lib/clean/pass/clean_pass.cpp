@@ -9,6 +9,7 @@
 #include "clean/exterior/ray_cast_front_winding.h"
 #include "clean/intersect/find_meetings.h"
 #include "clean/open/borders.h"
+#include "clean/open/enclosed_sheets.h"
 #include "clean/open/open_components.h"
 #include "clean/open/open_patches.h"
 #include "mesh/adjacency.h"
@@ -51,6 +52,7 @@ class CleanPassRun {
  private:
   void find_borders_or_none();
   bool find_all_exterior();
+  void find_open_faces(const std::vector<Meeting>& meetings);
   void find_exterior_growing(const std::vector<Meeting>& meetings);
   void find_exterior_by_ray(const std::vector<Meeting>& meetings);
   void keep_exterior_patches();
@@ -100,6 +102,15 @@ bool CleanPassRun::find_all_exterior() {
   return true;
 }
 
+void CleanPassRun::find_open_faces(const std::vector<Meeting>& meetings) {
+  const auto find_enclosed = [&] {
+    return find_enclosed_sheets(arrange(welded_, meetings, progress_), options_.winding_level,
+                                progress_);
+  };
+  welded_->open_component =
+      find_open_components(mesh_, *welded_, is_stitched(mesh_, borders_), find_enclosed);
+}
+
 void CleanPassRun::find_exterior_growing(const std::vector<Meeting>& meetings) {
   const bool arranges_everything = options_.change_kept != nullptr;
   ExteriorArrangement exterior = arrange_exterior(
@@ -140,8 +151,7 @@ CleanPass CleanPassRun::run() {
   pass_.pairs = count_pairs(*welded_, meetings);
   if (pass_.pairs > options_.most_pairs) return std::move(pass_);
   pass_.is_open = !borders_.loops.empty();
-  if (pass_.is_open)
-    welded_->open_component = find_open_components(mesh_, *welded_, is_stitched(mesh_, borders_));
+  if (pass_.is_open) find_open_faces(meetings);
   const bool is_static = options_.method == ExteriorMethod::static_test;
   if (!is_static && !options_.change_kept && pass_.pairs == 0 && find_all_exterior()) {
     progress_("stitch");

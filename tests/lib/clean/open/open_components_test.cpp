@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <set>
 
+#include "clean/intersect/find_meetings.h"
 #include "clean/open/borders.h"
+#include "clean/open/enclosed_sheets.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 
@@ -15,7 +17,13 @@ namespace {
 
 std::vector<Index> components_of(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
-  return find_open_components(mesh, welded, is_stitched(mesh, find_borders(welded, mesh)));
+  const auto find_enclosed = [&] {
+    const auto shared = std::make_shared<const WeldedMesh>(welded);
+    const std::vector<Meeting> meetings = find_meetings(welded, Progress());
+    return find_enclosed_sheets(arrange(shared, meetings, Progress()), 1, Progress());
+  };
+  return find_open_components(mesh, welded, is_stitched(mesh, find_borders(welded, mesh)),
+                              find_enclosed);
 }
 
 std::size_t count_closed(const Mesh& mesh) {

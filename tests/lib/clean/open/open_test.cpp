@@ -181,20 +181,12 @@ TEST_CASE("a scan that looks inwards and meets nothing stays") {
 }
 
 TEST_CASE("what is left of sheets that cross at random cleans to itself") {
-  // If three sheets meet along one curve, two can be left that both end there and have the
-  // same direction along all of it. They look like a patch that is inside out, which is refused.
   test::Random random(3);
-  int refused = 0;
   for (int round = 0; round < 700; ++round) {
     Mesh mesh;
     for (int sheets = 0; sheets < 3; ++sheets) mesh = test::joined(mesh, random_sheet(random));
-    try {
-      cleaned(mesh);
-    } catch (const InputError&) {
-      ++refused;
-    }
+    cleaned(mesh);
   }
-  CHECK(refused <= 1);
 }
 
 TEST_CASE("what is cut and removed is counted over all passes") {
