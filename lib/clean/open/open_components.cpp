@@ -1,8 +1,6 @@
 #include "clean/open/open_components.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -27,7 +25,6 @@ class Decomposition {
         faces_(is_stitched ? mesh.faces : faces_by_points(welded, mesh)),
         sets_(faces_.size()) {
     connect(Edges(faces_, std::max(mesh.positions.size(), welded.points.size())));
-    measure(welded);
   }
   void open_sets(const WeldedMesh& welded, const FindEnclosed& find_enclosed);
   std::vector<Index> number(const WeldedMesh& welded);
@@ -35,20 +32,16 @@ class Decomposition {
  private:
   void connect(const Edges& edges);
   void connect_by_vertices(std::vector<Index>& halfedges);
-  void measure(const WeldedMesh& welded);
   bool open_one_sided();
   bool has_surplus() const;
   bool open_surplus();
   std::pair<int, int> counts(const std::vector<LooseHalfedge>& edge) const;
-  bool is_smaller(Index a, Index b) const;
 
   const Mesh& mesh_;
   std::vector<Face> faces_;  ///< their corners as points; also those without area
   DisjointSets sets_;
   std::vector<std::vector<LooseHalfedge>> loose_;  ///< per edge that has any
-  std::vector<double> area_;                       ///< per set
-  std::vector<Vec3> least_point_;  ///< per set: the first of its points by x, y and z
-  std::vector<char> is_open_;      ///< per set
+  std::vector<char> is_open_;                      ///< per set
 };
 
 void Decomposition::connect(const Edges& edges) {
@@ -87,31 +80,6 @@ void Decomposition::connect_by_vertices(std::vector<Index>& halfedges) {
   }
 }
 
-// Areas are added up in ascending order, so that they do not depend on that of the faces.
-void Decomposition::measure(const WeldedMesh& welded) {
-  std::vector<std::pair<double, Index>> areas;
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    const Triangle t = welded.triangle(f);
-    areas.emplace_back((t[1] - t[0]).cross(t[2] - t[0]).stableNorm(),
-                       sets_.find(welded.face_of[f]));
-  }
-  std::sort(areas.begin(), areas.end());
-  area_.assign(faces_.size(), 0);
-  for (const auto& [area, set] : areas) area_[set] += area;
-  least_point_.assign(faces_.size(), Vec3::Constant(std::numeric_limits<double>::infinity()));
-  for (Index f = 0; f < faces_.size(); ++f)
-    for (const Index v : mesh_.faces[f]) {
-      Vec3& least = least_point_[sets_.find(f)];
-      if (compare_positions(mesh_.positions[v], least) < 0) least = mesh_.positions[v];
-    }
-}
-
-// Compares areas, and positions if these are equal.
-bool Decomposition::is_smaller(Index a, Index b) const {
-  if (area_[a] != area_[b]) return area_[a] < area_[b];
-  return compare_positions(least_point_[a], least_point_[b]) < 0;
-}
-
 std::pair<int, int> Decomposition::counts(const std::vector<LooseHalfedge>& edge) const {
   int forward = 0, backward = 0;
   for (const LooseHalfedge& h : edge)
@@ -131,17 +99,14 @@ bool Decomposition::open_one_sided() {
 }
 
 bool Decomposition::open_surplus() {
-  Index least = no_index;
+  std::vector<Index> opened;
   for (const auto& edge : loose_) {
     const auto [forward, backward] = counts(edge);
-    for (const LooseHalfedge& h : edge) {
-      if (is_open_[h.set] || h.direction * (forward - backward) <= 0) continue;
-      if (least == no_index || is_smaller(h.set, least)) least = h.set;
-    }
+    for (const LooseHalfedge& h : edge)
+      if (!is_open_[h.set] && h.direction * (forward - backward) > 0) opened.push_back(h.set);
   }
-  if (least == no_index) return false;
-  is_open_[least] = 1;
-  return true;
+  for (const Index set : opened) is_open_[set] = 1;
+  return !opened.empty();
 }
 
 bool Decomposition::has_surplus() const {

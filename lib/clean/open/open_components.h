@@ -8,11 +8,10 @@
 /// leaves no halfedge over is closed. Others become open until the sum of directions
 /// along every edge of the rest is zero. First those go that have
 /// an edge which the rest traverses in one direction only. If edges with a surplus are left, sheets
-/// that are enclosed by bodies go (enclosed_sheets.h), then sets of the least area at such an edge.
-/// So a wall within a body, given once, is open, and the skin around it is closed. The result does
-/// not depend on the order of the faces. Cost:
-/// O(n log n); with a surplus that of enclosed_sheets.h, and O(k) for each set that is chosen by
-/// its area, for k such edges.
+/// that are enclosed by bodies go (enclosed_sheets.h), then all sets that are part of such a
+/// surplus. So a wall within a body, given once, is open, and the skin around it is closed. The
+/// result does not depend on the order of the faces. Cost: O(n log n); with a surplus that of
+/// enclosed_sheets.h.
 #pragma once
 
 #include <functional>
