@@ -196,6 +196,8 @@ TEST_CASE("law 5: a body with a hole is united as if the hole were filled") {
   for (int round = 0; round < rounds(); ++round) {
     CAPTURE(round);
     const Mesh a = ball(random), b = ball(random);
+    // A ball that merely surrounds the other does not act on it any more: law 2.
+    if (find_intersections(test::joined(a, b)).empty()) continue;
     const auto whole = cleaned(test::joined(a, b));
     if (!whole) continue;
     // The hole is a face that is exterior and that no other one meets.
