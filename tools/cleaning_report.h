@@ -39,9 +39,10 @@ inline void report_cleaning(const CleanResult& result, const SeparateResult& sep
   run.report("dropped_components", result.dropped_components);
   run.report("rounding_repairs", result.rounding_repairs);
   run.report("rounding_places", result.rounding_places);
+  run.report("rounding_pairs", result.rounding_pairs);
+  run.report("rounding_level", result.rounding_level);
   run.report("rounding_displacement", result.rounding_displacement);
   run.report("rounding_spacings", result.rounding_spacings);
-  run.report("grid_steps", std::size_t{0});
   run.report("separated_vertices", separated.separated_vertices);
   run.report("separation_refused", separated.refused_vertices);
   // They take a while to count.

@@ -3,15 +3,14 @@
 /// every self-intersection, inverted region and overlap; surfaces merge, split, open and close.
 ///
 /// Guarantees: every output face is an input face or a piece of one. Faces without intersection
-/// keep their coordinates (unless they are extreme), columns and order. A manifold with nothing to
-/// clean is returned unchanged. Equal positions are one point. The output has no self-intersection
-/// in coordinates rounded to `coordinate` (coincident vertices and edges may touch), and no face
-/// without area. Exact; deterministic for any number of threads.
-/// If a mesh has borders, its closed part is cleaned as if it were alone. Open components lose what
-/// lies inside of it and what another one has behind it along a curve (docs/design/open-meshes.md).
-/// Throws InputError if the mesh is not oriented, and UsageError for static_test on an open mesh.
-/// Throws GoalError if no point reaches the level, if rounding cannot be repaired, or if `refuse`
-/// forbids a change. Cost: O(n log n + k log k) for k intersecting pairs; about 250 bytes a face.
+/// keep coordinates, columns and order, except beside faces that rounding breaks. A manifold with
+/// nothing to clean is unchanged. Equal positions are one point. Rounded to `coordinate`, the
+/// output has no self-intersection (coincident vertices and edges may touch) and no face without
+/// area. In a mesh with borders, the closed part is cleaned as if it were alone. Open components
+/// lose what lies inside of it and what another one has behind it along a curve
+/// (docs/design/open-meshes.md). Throws InputError if the mesh is not oriented, and UsageError for
+/// static_test on an open mesh. Throws GoalError if no point reaches the level, if rounding cannot
+/// be repaired, or if `refuse` forbids a change. Deterministic. Cost: O(n log n + k log k).
 #pragma once
 
 #include <optional>
@@ -46,6 +45,7 @@ struct CleanResult {
   double least_margin = 0.5;  ///< the distance of such a number to where it rounds otherwise
   std::size_t dropped_components = 0;                     ///< by `outermost`
   std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds and places of repair
+  std::size_t rounding_pairs = 0, rounding_level = 0;     ///< pairs in them; doublings of a grid
   double rounding_displacement = 0;          ///< largest distance by which rounding moved a vertex
   double rounding_spacings = 0;              ///< the same in spacings of the coordinates there
   std::vector<std::string> dropped_columns;  ///< texture coordinates of faces that were cut

@@ -66,6 +66,8 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
     result.copied_vertices = rounded.copied_vertices;
     result.rounding_repairs = rounded.repairs;
     result.rounding_places = rounded.places;
+    result.rounding_pairs = rounded.pairs;
+    result.rounding_level = rounded.level;
     result.rounding_displacement = rounded.displacement.length;
     result.rounding_spacings = rounded.displacement.spacings;
     result.mesh = std::move(rounded.mesh);

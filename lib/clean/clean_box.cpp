@@ -30,8 +30,8 @@ std::size_t count(const std::vector<bool>& faces) {
 class BoxPart {
  public:
   BoxPart(const Mesh& mesh, const std::vector<bool>& is_own, const CleanBoxOptions& options,
-          const Spacings& spacings, const Progress& progress)
-      : mesh_(mesh), is_own_(is_own), options_(options), spacings_(spacings), progress_(progress) {}
+          const Progress& progress)
+      : mesh_(mesh), is_own_(is_own), options_(options), progress_(progress) {}
 
   /// Nothing where rounding breaks faces in or beside the box.
   std::optional<CleanedFaces> clean(CleanResult& counts);
@@ -45,7 +45,6 @@ class BoxPart {
   const Mesh& mesh_;
   const std::vector<bool>& is_own_;
   const CleanBoxOptions& options_;
-  const Spacings& spacings_;
   const Progress& progress_;
   std::vector<bool> is_complete_, is_in_part_;  ///< per face of the mesh
   BoxSubmesh part_;
@@ -112,7 +111,7 @@ std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
   progress_("stitch");
   Assembly assembly = assemble(part_.mesh, exterior.arrangement, kept);
   progress_("round");
-  const FirstRound rounded = round_once(assembly, spacings_);
+  const FirstRound rounded = round_once(assembly, options_.coordinate);
   if (rounded.places > 0) {
     counts.rounding_places = rounded.places;
     return std::nullopt;
@@ -227,9 +226,7 @@ CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
   const std::vector<bool> is_own = faces_of_box(mesh, options.box);
   result.box_faces = count(is_own);
   if (result.box_faces > 0) {
-    const Spacings spacings = spacings_for(mesh, options.coordinate);
-    std::optional<CleanedFaces> cleaned =
-        BoxPart(mesh, is_own, options, spacings, progress).clean(counts);
+    std::optional<CleanedFaces> cleaned = BoxPart(mesh, is_own, options, progress).clean(counts);
     result.is_whole = !cleaned;
     if (!cleaned) cleaned = clean_whole(mesh, options, counts, progress);
     count_faces(mesh, is_own, *cleaned, counts);
@@ -246,10 +243,7 @@ CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
 class Pieces {
  public:
   Pieces(const Mesh& mesh, const CleanBoxOptions& options, const Progress& progress)
-      : mesh_(mesh),
-        options_(options),
-        spacings_(spacings_for(mesh, options.coordinate)),
-        progress_(progress) {}
+      : mesh_(mesh), options_(options), progress_(progress) {}
   CleanBoxResult collect();
 
  private:
@@ -259,7 +253,6 @@ class Pieces {
 
   const Mesh& mesh_;
   const CleanBoxOptions& options_;
-  Spacings spacings_;
   const Progress& progress_;
   CleanBoxResult result_;
 };
@@ -284,7 +277,7 @@ bool Pieces::collect_from(const Box& box) {
     if (halves) return collect_from((*halves)[0]) && collect_from((*halves)[1]);
   }
   CleanResult counts;
-  const auto cleaned = BoxPart(mesh_, is_own, options_, spacings_, progress_).clean(counts);
+  const auto cleaned = BoxPart(mesh_, is_own, options_, progress_).clean(counts);
   if (!cleaned) return false;
   count_faces(mesh_, is_own, *cleaned, counts);
   CleanResult& sum = result_.clean;

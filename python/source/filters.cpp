@@ -34,6 +34,8 @@ py::dict report_of(const CleanResult& result) {
   report["copied_vertices"] = result.copied_vertices;
   report["dropped_components"] = result.dropped_components;
   report["rounding_places"] = result.rounding_places;
+  report["rounding_pairs"] = result.rounding_pairs;
+  report["rounding_level"] = result.rounding_level;
   report["rounding_displacement"] = result.rounding_displacement;
   report["rounding_spacings"] = result.rounding_spacings;
   return report;

@@ -171,7 +171,8 @@ void PatchFinder::measure_curves() {
 int PatchFinder::round(double number) {
   is_by_number_ = true;
   const double rounded = std::floor(number + 0.5 + rounding);
-  result_.least_margin = std::min(result_.least_margin, 0.5 - std::abs(number - rounded));
+  result_.least_margin =
+      std::min(result_.least_margin, std::max(0.0, 0.5 - std::abs(number - rounded)));
   return static_cast<int>(rounded);
 }
 

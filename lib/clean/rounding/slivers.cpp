@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "clean/rounding/broken_faces.h"
-#include "clean/rounding/local_distance.h"
+#include "clean/rounding/triangle_distance.h"
 
 namespace transformesh {
 namespace {
@@ -14,21 +14,18 @@ constexpr int most_flips_of_face = 3;
 
 class SliverFlipper {
  public:
-  SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double spacings,
-                const Spacings& spacing);
-  Displacement flip_all();
+  SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double steps,
+                const VertexGrids& grids);
+  bool flip_all(Displacement& moved);
 
  private:
   /// A face with the longest edge from a to b that its apex is beside, and its height over that.
   struct Sliver {
     Index a, b, apex;
     double height;
-    double most;  ///< the height up to which it is flipped
   };
 
-  double reach(Index vertex, const Vec3& direction) const {
-    return spacings_ * spacing_.along(direction, mesh_.positions[vertex]);
-  }
+  double reach(Index vertex) const { return steps_ * grids_.step(mesh_, vertex); }
   std::optional<Sliver> sliver_of(const Face& face) const;
   void try_flip(Index face);
   void flip(Index face, Index across, const Sliver& sliver);
@@ -37,20 +34,21 @@ class SliverFlipper {
 
   Assembly& assembly_;
   Mesh& mesh_;
-  double spacings_;
-  const Spacings& spacing_;
+  double steps_;
+  const VertexGrids& grids_;
   std::vector<Index> stack_;
   std::map<std::pair<Index, Index>, Index> face_at_;  ///< per halfedge, of faces around
   std::map<Index, int> flips_;                        ///< per face: how often it was tried
-  Displacement displacement_;
+  bool is_any_flipped_ = false;
+  Displacement moved_;
 };
 
-SliverFlipper::SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double spacings,
-                             const Spacings& spacing)
+SliverFlipper::SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double steps,
+                             const VertexGrids& grids)
     : assembly_(assembly),
       mesh_(assembly.mesh),
-      spacings_(spacings),
-      spacing_(spacing),
+      steps_(steps),
+      grids_(grids),
       stack_(faces.rbegin(), faces.rend()) {
   for (const Index face : with_faces_around(mesh_, faces)) link(face);
 }
@@ -77,9 +75,9 @@ std::optional<SliverFlipper::Sliver> SliverFlipper::sliver_of(const Face& face) 
     const double length = (q - p).stableNorm();
     if (length <= longest) continue;
     const LineDistance from_edge = distance_from_line(p, q, mesh_.positions[apex]);
-    if (from_edge.beyond > reach(apex, (q - p).stableNormalized())) continue;
+    if (from_edge.beyond > reach(apex)) continue;
     longest = length;
-    sliver = {a, b, apex, from_edge.distance, reach(apex, from_edge.across)};
+    sliver = {a, b, apex, from_edge.distance};
   }
   return sliver;
 }
@@ -87,11 +85,11 @@ std::optional<SliverFlipper::Sliver> SliverFlipper::sliver_of(const Face& face) 
 void SliverFlipper::try_flip(Index face) {
   if (is_collapsed(mesh_.faces[face]) || ++flips_[face] > most_flips_of_face) return;
   const std::optional<Sliver> sliver = sliver_of(mesh_.faces[face]);
-  if (!sliver) return;
-  if (!(sliver->height <= sliver->most)) return;
+  if (!sliver || !(sliver->height <= reach(sliver->apex))) return;
   const auto across = face_at_.find({sliver->b, sliver->a});
   if (across == face_at_.end() || across->second == face) return;
-  displacement_.note(sliver->height, spacing_around(mesh_.positions[sliver->apex], spacing_.type));
+  moved_.note(sliver->height, spacing_around(mesh_.positions[sliver->apex], grids_.type()));
+  is_any_flipped_ = true;
   flip(face, across->second, *sliver);
 }
 
@@ -113,20 +111,21 @@ void SliverFlipper::flip(Index face, Index across, const Sliver& sliver) {
   }
 }
 
-Displacement SliverFlipper::flip_all() {
+bool SliverFlipper::flip_all(Displacement& moved) {
   while (!stack_.empty()) {
     const Index face = stack_.back();
     stack_.pop_back();
     try_flip(face);
   }
-  return displacement_;
+  moved += moved_;
+  return is_any_flipped_;
 }
 
 }  // namespace
 
-Displacement flip_slivers(Assembly& assembly, const std::vector<Index>& faces, double spacings,
-                          const Spacings& spacing) {
-  return SliverFlipper(assembly, faces, spacings, spacing).flip_all();
+bool flip_slivers(Assembly& assembly, const std::vector<Index>& faces, double steps,
+                  const VertexGrids& grids, Displacement& moved) {
+  return SliverFlipper(assembly, faces, steps, grids).flip_all(moved);
 }
 
 }  // namespace transformesh

@@ -2,36 +2,29 @@
 /// pass, and repairs what rounding broke, until no face intersects another or has no area in the
 /// coordinates as stored.
 ///
-/// Every new vertex takes the nearest numbers, or the position of a vertex less than a spacing
-/// away. That is all where nothing breaks. Around broken faces, in rounds: close vertices merge
-/// (close_vertices.h), slivers are flipped away (slivers.h), thin sheets come apart
-/// (push_outwards.h), what intersects barely comes to share corners (contact_splits.h), and the
-/// surface is cleaned again, where cells too thin to matter go to the side that leaves less surface
-/// (thin_cells.h). What counts as close and thin is 3 and 4 spacings at first, and grows by 2^(1/4)
-/// and 2^(1/2) from round to round. Spacings are those at the largest coordinate of a vertex; where
-/// a mesh reaches 2^40 times farther than half of its vertices, those along each axis
-/// (local_distance.h). Where two rounds in a row leave no fewer faces broken, all starts over,
-/// three rounds ahead; the first three times from the input's exact arrangement, in which cells
-/// beside the broken faces are given away that are thinner than 256, 2048 and 16384 spacings:
-/// sheets that intersect at tiny angles would be crossed anew by every rounding. Where rounding
-/// breaks more than a third of the faces, the last starts, and of a mesh that reaches far already
-/// the second, first put all vertices on their own grids (vertex_grids.h), within .87 spacings,
-/// then 32 times coarser from start to start. (Not so open meshes, and those whose faces meet more
-/// than 60 others on average: their arrangement is too large.)
+/// Every new vertex takes the nearest numbers. That is all where exact tests find no broken face.
+/// Else, in rounds: each vertex has a grid, whose step is half the spacing of numbers at it, and
+/// doubles at the corners of broken faces (vertex_grids.h). Around these, vertices move to their
+/// grids; where the surface is flat to four steps they go (flat_vertices.h); slivers that low are
+/// flipped away (slivers.h). Vertices of the input take part from the second round on. Then the
+/// surface is cleaned again, where cells that thin go to the side that leaves less surface
+/// (thin_cells.h). If a round leaves no fewer faces broken than the one before, repair begins anew
+/// from the exact arrangement of the input, up to three times. Then grids are 8, 64 and 512 times
+/// coarser at the faces that broke, and thin cells beside them are given away before anything is
+/// rounded. The reasons for each step are in docs/design/rounding.md.
 ///
 /// Guaranteed: the result has no self-intersection. All that moves or goes is within `displacement`
 /// of where it was, so winding numbers farther than that from the surface are those of the input (a
 /// homotopy that does not meet a point keeps its winding number). Nothing moves that takes no part
-/// in an intersection, but around broken faces, and to own grids. That repair ends well is
-/// measured, not proven; its work is bounded by a multiple of that of the first clean pass.
-/// Deterministic. References: Halperin & Packer, "Iterated snap rounding", Computational Geometry
-/// 23(2), 2002; Valque & Lazard, "Removing self-intersections in 3D meshes while preserving
-/// floating-point coordinates", 2025, where every round snaps to one grid.
+/// in an intersection, but around broken faces. It ends: after 32 rounds, or where more pairs
+/// intersect than 1000 and four times those of the input, it throws. Deterministic. References:
+/// Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002; Valque &
+/// Lazard, "Removing self-intersections in 3D meshes while preserving floating-point coordinates",
+/// 2025, where every round snaps to one grid.
 #pragma once
 
 #include "clean/pass/clean_pass.h"
 #include "clean/rounding/displacement.h"
-#include "clean/rounding/local_distance.h"
 
 namespace transformesh {
 
@@ -50,18 +43,18 @@ struct SnapRoundingResult {
   std::size_t removed_faces = 0;  ///< input faces that were whole after `pass` and are gone now
   std::size_t repairs = 0;        ///< rounds of repair
   std::size_t places = 0;         ///< where rounding broke faces
+  std::size_t pairs = 0;          ///< that intersected in all rounds of repair
+  unsigned level = 0;             ///< how often the step of a grid was doubled at most
   Displacement displacement;
 };
 
-/// The first round alone: rounds the new vertices of an assembly, as those of every mesh are, and
-/// says in how many places that breaks faces. Spacings are those for the whole mesh. Where it
-/// breaks none this is what snap_round() does, also of a part of that mesh: no vertex depends on
-/// others that are farther than a few spacings.
+/// The first round alone: rounds the new vertices of an assembly, and says in how many places that
+/// breaks faces. Where it breaks none this is what snap_round() does, also of a part of that mesh.
 struct FirstRound {
   std::size_t places = 0;
   Displacement displacement;
 };
-FirstRound round_once(Assembly& assembly, const Spacings& spacings);
+FirstRound round_once(Assembly& assembly, Scalar type);
 
 /// `pass` is that of the mesh, and is not unchanged. Throws GoalError, with the place, where repair
 /// does not end, and where nothing is left that is thicker than rounding moves it.

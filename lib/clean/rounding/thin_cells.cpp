@@ -1,10 +1,11 @@
 #include "clean/rounding/thin_cells.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 
 #include "clean/exterior/patches.h"
-#include "clean/rounding/local_distance.h"
+#include "clean/rounding/triangle_distance.h"
 
 namespace transformesh {
 namespace {
@@ -20,9 +21,8 @@ constexpr double measuring_error = std::numeric_limits<double>::epsilon() / 2;
 /// front of it and 2 * patch + 1 behind it; a cell is named by one of its sides.
 class LabeledCells {
  public:
-  LabeledCells(Arrangement& arrangement, const std::vector<char>& kept, const Spacings& spacing);
-  std::optional<Displacement> give_thin_ones_away(double spacings,
-                                                  const std::vector<char>& marked_faces);
+  LabeledCells(Arrangement& arrangement, const std::vector<char>& kept, const Thinness& thinness);
+  bool give_thin_ones_away(Displacement& moved);
   void keep_boundary(std::vector<char>& kept) const;
 
  private:
@@ -34,14 +34,14 @@ class LabeledCells {
   void spread_labels(const std::vector<char>& kept);
   void measure_patches();
   Plane largest_plane(Index cell) const;
-  bool is_beside(Index cell, const std::vector<char>& faces) const;
-  bool is_thin(Index cell, double spacings, Displacement& thickness) const;
+  double most_spacings(Index cell) const;
+  bool is_thin(Index cell, Displacement& thickness) const;
   bool wants_change(Index cell) const;
   template <class Visit>
   void visit_corners(Index cell, const Visit& visit) const;
 
   Arrangement& arrangement_;
-  const Spacings& spacing_;
+  const Thinness& thinness_;
   Patches patches_;
   std::vector<Index> cell_of_;             ///< per side
   std::vector<std::vector<Index>> sides_;  ///< per cell
@@ -52,8 +52,8 @@ class LabeledCells {
 };
 
 LabeledCells::LabeledCells(Arrangement& arrangement, const std::vector<char>& kept,
-                           const Spacings& spacing)
-    : arrangement_(arrangement), spacing_(spacing), patches_(arrangement) {
+                           const Thinness& thinness)
+    : arrangement_(arrangement), thinness_(thinness), patches_(arrangement) {
   DisjointSets sides = join_sides_around_edges(arrangement, patches_);
   const auto count = static_cast<Index>(2 * patches_.size());
   sides_.resize(count);
@@ -120,34 +120,35 @@ void LabeledCells::visit_corners(Index cell, const Visit& visit) const {
         if (!visit(positions_[corner])) return;
 }
 
-// Whether one of the marked faces bounds the cell.
-bool LabeledCells::is_beside(Index cell, const std::vector<char>& faces) const {
+// Spacings between the planes at most: as the coarsest face around the cell has it.
+double LabeledCells::most_spacings(Index cell) const {
+  int level = 0;
   for (const Index side : sides_[cell])
     for (const Index piece : patches_.pieces[side / 2])
       for (const PieceSource& source : arrangement_.sources_of(arrangement_.pieces[piece]))
-        if (faces[arrangement_.welded->face_of[source.face]]) return true;
-  return false;
+        level = std::max<int>(level, thinness_.levels[arrangement_.welded->face_of[source.face]]);
+  return std::ldexp(thinness_.steps, level - 1);
 }
 
 // Whether all corners are between two planes that are that close at each of them.
-bool LabeledCells::is_thin(Index cell, double spacings, Displacement& thickness) const {
+bool LabeledCells::is_thin(Index cell, Displacement& thickness) const {
   const Plane plane = largest_plane(cell);
   if (plane.normal.isZero(0)) return false;
+  const double spacings = most_spacings(cell);
   double low = 0, high = 0;
   bool is_thin = true;
   const auto check = [&](const Vec3& p) {
     const double height = height_over(plane.triangle, plane.normal, p);
     low = std::min(low, height);
     high = std::max(high, height);
-    const Vec3 apart = (p - plane.triangle[0]).cwiseProduct(spacing_.leads(plane.normal));
-    const double error = measuring_error * apart.stableNorm();
-    const double spacing = spacing_.along(plane.normal, p);
-    is_thin = std::max(high - height, height - low) + error <= spacings * spacing;
+    const double error = measuring_error * (p - plane.triangle[0]).stableNorm();
+    is_thin = std::max(high - height, height - low) + error <=
+              spacings * spacing_around(p, thinness_.type);
     return is_thin;
   };
   visit_corners(cell, check);
   if (is_thin) visit_corners(cell, check);  // now that both planes are known
-  if (is_thin) thickness.note(high - low, spacing_around(plane.triangle[0], spacing_.type));
+  if (is_thin) thickness.note(high - low, spacing_around(plane.triangle[0], thinness_.type));
   return is_thin;
 }
 
@@ -162,27 +163,24 @@ bool LabeledCells::wants_change(Index cell) const {
   return unlike > alike;
 }
 
-std::optional<Displacement> LabeledCells::give_thin_ones_away(
-    double spacings, const std::vector<char>& marked_faces) {
+bool LabeledCells::give_thin_ones_away(Displacement& moved) {
   std::vector<Index> thin;
   Displacement thickness;
-  std::optional<Displacement> given;
   for (Index cell = 0; cell < sides_.size(); ++cell) {
     if (sides_[cell].empty() || is_inside_[cell] == unknown) continue;
-    if (!marked_faces.empty() && !is_beside(cell, marked_faces)) continue;
-    if (is_thin(cell, spacings, thickness)) thin.push_back(cell);
+    if (is_thin(cell, thickness)) thin.push_back(cell);
   }
-  bool is_changed = true;
+  bool is_any = false, is_changed = true;
   for (int turn = 0; turn < most_turns && is_changed; ++turn) {
     is_changed = false;
     for (const Index cell : thin) {
       if (!wants_change(cell)) continue;
       is_inside_[cell] = is_inside_[cell] ? 0 : 1;
-      is_changed = true;
-      given = thickness;
+      is_changed = is_any = true;
     }
   }
-  return given;
+  if (is_any) moved += thickness;
+  return is_any;
 }
 
 void LabeledCells::keep_boundary(std::vector<char>& kept) const {
@@ -205,13 +203,12 @@ void LabeledCells::keep_boundary(std::vector<char>& kept) const {
 
 }  // namespace
 
-std::optional<Displacement> give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
-                                                 double spacings, const Spacings& spacing,
-                                                 const std::vector<char>& marked_faces) {
-  LabeledCells cells(arrangement, kept, spacing);
-  const std::optional<Displacement> given = cells.give_thin_ones_away(spacings, marked_faces);
-  if (given) cells.keep_boundary(kept);
-  return given;
+bool give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
+                          const Thinness& thinness, Displacement& moved) {
+  LabeledCells cells(arrangement, kept, thinness);
+  const bool is_any = cells.give_thin_ones_away(moved);
+  if (is_any) cells.keep_boundary(kept);
+  return is_any;
 }
 
 }  // namespace transformesh

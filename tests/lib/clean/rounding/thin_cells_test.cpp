@@ -35,8 +35,12 @@ struct Cells {
     }
     return sum / 6;
   }
-  std::optional<Displacement> give(double spacings, const std::vector<char>& marked_faces = {}) {
-    return give_thin_cells_away(arrangement, kept, spacings, {Scalar::float32}, marked_faces);
+  std::optional<Displacement> give(double spacings, std::vector<std::uint8_t> levels = {}) {
+    levels.resize(arrangement.welded->faces.size(), 0);
+    Displacement moved;
+    const bool is_any =
+        give_thin_cells_away(arrangement, kept, {2 * spacings, levels, Scalar::float32}, moved);
+    return is_any ? std::optional(moved) : std::nullopt;
   }
 
   Arrangement arrangement;
@@ -84,16 +88,16 @@ TEST_CASE("a thin sheet beside a body vanishes, and the body stays") {
   CHECK(cells.volume() == doctest::Approx(0.125).epsilon(1e-14));
 }
 
-TEST_CASE("of two thin sheets only that one vanishes of which a face is marked") {
+TEST_CASE("of two thin sheets only that one vanishes of which a face has a coarser grid") {
   const double thickness = 3 * spacing;
   const Mesh thin_sheet = cuboid({1.6, 1, 1}, {1.9, 1.5, 1 + thickness});
   const Mesh other = cuboid({1, 1.6, 1}, {1.5, 1.8, 1 + thickness});
   const Mesh both = joined(thin_sheet, other);
   Cells cells(both);
-  std::vector<char> marked(both.faces.size(), 0);
-  CHECK(!cells.give(16, marked).has_value());
-  marked[thin_sheet.faces.size() + 5] = 1;
-  CHECK(cells.give(16, marked).has_value());
+  std::vector<std::uint8_t> levels(both.faces.size(), 0);
+  CHECK(!cells.give(1, levels).has_value());
+  levels[thin_sheet.faces.size() + 5] = 2;
+  CHECK(cells.give(1, levels).has_value());
   CHECK(cells.volume() == doctest::Approx(0.3 * 0.5 * thickness).epsilon(1e-6));
   CHECK(cells.give(16).has_value());
   CHECK(cells.volume() == 0);

@@ -1,36 +1,76 @@
-/// Every vertex keeps the digits that count at its largest coordinate, and only these.
+/// Grids are coarsened at broken faces only, and vertices move to them there.
 #include "clean/rounding/vertex_grids.h"
 
 #include <doctest/doctest.h>
 
+#include "helpers/assembly_of.h"
+
 namespace transformesh {
+namespace {
 
-TEST_CASE("vertices take the nearest point of their own grids") {
-  Mesh mesh;
-  mesh.positions = {{1, 1e-17, -0x1.8p-53}, {1e150, 1e80, 3e-150}, {0.1, 0.2, 0.3}, {0, 0, 0}};
-  const std::vector<Vec3> before = mesh.positions;
-  const Displacement moved = snap_to_vertex_grids(mesh, Scalar::float64, 1);
-  CHECK(mesh.positions[0] == Vec3(1, 0, -0x1p-52));
-  CHECK(mesh.positions[1] == Vec3(1e150, 0, 0));
-  CHECK((mesh.positions[2] - before[2]).norm() < 0x1p-54);
-  CHECK(mesh.positions[3] == Vec3(0, 0, 0));
-  CHECK(moved.spacings > 0);
-  CHECK(moved.spacings < 0.87);
-  CHECK(snap_to_vertex_grids(mesh, Scalar::float64, 1).spacings == 0);
-
-  mesh.positions = {{1, 1e-9, 0x1p-23}};
-  snap_to_vertex_grids(mesh, Scalar::float32, 1);
-  CHECK(mesh.positions[0] == Vec3(1, 0, 0x1p-23));
+/// Two faces without a common vertex, all vertices new.
+Assembly two_faces(const Vec3& first) {
+  Assembly assembly;
+  assembly.mesh.positions = {first, {1, 0, 0}, {0, 1, 0}, {3, 0, 0}, {4, 1e-17, 0}, {3, 1, 0}};
+  assembly.mesh.faces = {{0, 1, 2}, {3, 4, 5}};
+  assembly.vertex_is_new.assign(6, 1);
+  assembly.face_is_new.assign(2, 0);
+  assembly.source_face = {0, 1};
+  assembly.input_vertex.assign(6, no_index);
+  return assembly;
 }
 
-TEST_CASE("a grid may be coarser than the numbers") {
-  Mesh mesh;
-  mesh.positions = {{1 + 0x1p-50, 0x1.3p-47, 0x1p-49}};
-  const Displacement moved = snap_to_vertex_grids(mesh, Scalar::float64, 32);
-  CHECK(mesh.positions[0] == Vec3(1, 0x1p-47, 0));
-  CHECK(moved.spacings > 8);
-  CHECK(moved.spacings < 0.87 * 32);
-  CHECK(snap_to_vertex_grids(mesh, Scalar::float64, 32).spacings == 0);
+}  // namespace
+
+TEST_CASE("steps double at the corners of broken faces, and nowhere else") {
+  const Assembly assembly = two_faces({1, 1e-17, -0x1.8p-53});
+  VertexGrids grids(assembly, Scalar::float64);
+  CHECK(grids.step(assembly.mesh, 0) == 0x1p-53);
+  grids.coarsen(assembly.mesh, {0});
+  grids.coarsen(assembly.mesh, {0});
+  CHECK(grids.step(assembly.mesh, 0) == 0x1p-51);
+  CHECK(grids.step(assembly.mesh, 3) == 0x1p-52);
+  CHECK(grids.levels_of_faces(assembly.mesh) == std::vector<std::uint8_t>{2, 0});
+  CHECK(grids.largest_level() == 2);
+}
+
+TEST_CASE("vertices move to the nearest point of their own grids where these are coarser") {
+  Assembly assembly = two_faces({1, 1e-17, -0x1.8p-53});
+  VertexGrids grids(assembly, Scalar::float64);
+  Displacement moved;
+  CHECK(!grids.snap(assembly, {0, 1}, true, moved));
+  grids.coarsen(assembly.mesh, {0});
+  CHECK(grids.snap(assembly, {0, 1}, true, moved));
+  CHECK(assembly.mesh.positions[0] == Vec3(1, 0, -0x1p-52));
+  CHECK(assembly.mesh.positions[4] == Vec3(4, 1e-17, 0));
+  CHECK(assembly.face_is_new == std::vector<char>{1, 0});
+  CHECK(moved.spacings > 0);
+  CHECK(moved.spacings < 0.87);
+  CHECK(!grids.snap(assembly, {0, 1}, true, moved));
+}
+
+TEST_CASE("vertices of the input move only if they may, and floats have grids of their own") {
+  Assembly assembly = two_faces({1, 1e-9, 0x1p-23});
+  assembly.vertex_is_new[0] = 0;
+  VertexGrids grids(assembly, Scalar::float32);
+  grids.coarsen(assembly.mesh, {0});
+  Displacement moved;
+  CHECK(!grids.snap(assembly, {0}, false, moved));
+  CHECK(grids.snap(assembly, {0}, true, moved));
+  CHECK(assembly.mesh.positions[0] == Vec3(1, 0, 0x1p-23));
+}
+
+TEST_CASE("after cleaning, vertices keep their grids, and new ones take those of their sources") {
+  const Assembly before = two_faces({1, 0, 0.5});
+  VertexGrids grids(before, Scalar::float64);
+  grids.coarsen(before.mesh, {1});
+  Assembly after = two_faces({1, 0, 0.5});
+  after.source_face = {1, 1};
+  after.input_vertex = {0, no_index, 5, 3, 4, 5};
+  grids.inherit(before.mesh, after);
+  CHECK(grids.step(after.mesh, 0) == 0x1p-53);
+  CHECK(grids.step(after.mesh, 1) == 0x1p-52);
+  CHECK(grids.step(after.mesh, 2) == 0x1p-52);
 }
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
 /// Distances beside corners so far away that differences with them lose everything near the origin.
-#include "clean/rounding/local_distance.h"
+#include "clean/rounding/triangle_distance.h"
 
 #include <doctest/doctest.h>
 
@@ -34,29 +34,12 @@ TEST_CASE("a sliver has the normal of its obtuse corner, and a line none") {
   CHECK(unit_normal(line).isZero(0));
 }
 
-TEST_CASE("the spacing along a direction is that of the axes along which it leads") {
-  const Spacings spacings{Scalar::float64};
-  const double at_one = 0x1p-52, far = 0x1p60;
-  const Vec3 point(far, 1, 1.5);
-  CHECK(spacings.along(Vec3(0, 1, 0), point) == at_one);
-  CHECK(spacings.along(Vec3(1, 0, 0), point) == far * at_one);
-  CHECK(spacings.along(Vec3(0.6, 0.8, 0), point) == far * at_one);
-  // The plane y = 2^-60 x rises by a spacing at 1 where x does by that at 2^60.
-  CHECK(spacings.along(Vec3(0x1p-60, 1, 0), point) == 1024 * at_one);
-  CHECK(Spacings{Scalar::float64, false}.along(Vec3(0, 1, 0), point) == far * at_one);
-  CHECK(Spacings{Scalar::float32}.along(Vec3(0, 1, 0), point) == 0x1p-23);
-  CHECK(spacings.along(Vec3::Zero(), point) == far * at_one);
-}
-
-TEST_CASE("at a corner, the spacings that count follow the extent of the face") {
-  const Spacings spacings{Scalar::float64};
-  const double at_one = 0x1p-52, far = 0x1p60;
-  const Vec3 corner(far, 1, 0);
-  const Vec3 even = spacings.on_face(Vec3(1, 1, 1), corner);
-  CHECK(even == Vec3::Constant(far * at_one));
-  const Vec3 flat = spacings.on_face(Vec3(0x1p60, 1, 0), corner);
-  CHECK(flat == Vec3(far * at_one, 1024 * at_one, spacing_around(Vec3::Zero(), Scalar::float64)));
-  CHECK((Spacings{Scalar::float64, false}.on_face(Vec3(0x1p60, 1, 0), corner)) == even);
+TEST_CASE("a relative height is that over the longest edge, as a share of it") {
+  for (const double size : {1e-200, 1.0, 1e200}) {
+    const Triangle t = {Vec3(0, 0, 0), Vec3(4 * size, 0, 0), Vec3(size, size, 0)};
+    CHECK(relative_height(t) == doctest::Approx(0.25));
+  }
+  CHECK(relative_height({Vec3(1, 2, 3), Vec3(1, 2, 3), Vec3(1, 2, 3)}) == 0);
 }
 
 }  // namespace transformesh

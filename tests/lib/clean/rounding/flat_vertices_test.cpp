@@ -1,0 +1,112 @@
+/// Vertices go where the surface is flat, and stay at corners, at creases and in crowds.
+#include "clean/rounding/flat_vertices.h"
+
+#include <doctest/doctest.h>
+
+#include "clean/rounding/broken_faces.h"
+#include "helpers/assembly_of.h"
+#include "helpers/mesh_facts.h"
+#include "helpers/shapes.h"
+#include "transformesh/intersect.h"
+
+namespace transformesh {
+namespace {
+
+/// A cube with a vertex in the face z = 0, which is `height` above it.
+Assembly cube_with_vertex(double height) {
+  Assembly assembly;
+  Mesh& mesh = assembly.mesh;
+  mesh = test::cube();
+  const Face split = mesh.faces[0];
+  const auto apex = static_cast<Index>(mesh.positions.size());
+  const Vec3 middle =
+      (mesh.positions[split[0]] + mesh.positions[split[1]] + mesh.positions[split[2]]) / 3;
+  mesh.positions.push_back(middle + Vec3(0, 0, height));
+  mesh.faces[0] = {split[0], split[1], apex};
+  mesh.faces.push_back({split[1], split[2], apex});
+  mesh.faces.push_back({split[2], split[0], apex});
+  assembly.vertex_is_new.assign(mesh.positions.size(), 0);
+  assembly.vertex_is_new.back() = 1;
+  assembly.face_is_new.assign(mesh.faces.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f) assembly.source_face.push_back(f < 12 ? f : 0);
+  return assembly;
+}
+
+bool remove_all(Assembly& assembly, bool moves_input, Displacement& moved) {
+  const VertexGrids grids(assembly, Scalar::float64);
+  const bool is_any = remove_flat_vertices(test::cube(), assembly, test::all_faces(assembly.mesh),
+                                           8, moves_input, grids, moved);
+  drop_collapsed_faces(assembly);
+  return is_any;
+}
+
+}  // namespace
+
+TEST_CASE("a new vertex in a flat face goes, and all corners stay") {
+  for (const double height : {0.0, 0x1p-53, -0x1p-53}) {
+    CAPTURE(height);
+    Assembly assembly = cube_with_vertex(height);
+    Displacement moved;
+    CHECK(remove_all(assembly, true, moved));
+    CHECK(assembly.mesh.faces.size() == 12);
+    CHECK(test::count(assembly.mesh).is_closed_and_oriented);
+    CHECK(test::signed_volume(assembly.mesh) == doctest::Approx(1));
+    CHECK(find_intersections(assembly.mesh).empty());
+    CHECK(moved.length == doctest::Approx(std::abs(height)));
+  }
+}
+
+TEST_CASE("a vertex higher than the tolerance stays") {
+  Assembly assembly = cube_with_vertex(0x1p-40);
+  Displacement moved;
+  CHECK(!remove_all(assembly, true, moved));
+  CHECK(assembly.mesh.faces.size() == 14);
+  CHECK(moved.length == 0);
+}
+
+TEST_CASE("vertices of the input go only if they may") {
+  Assembly assembly = cube_with_vertex(0);
+  assembly.vertex_is_new.back() = 0;
+  Displacement moved;
+  CHECK(!remove_all(assembly, false, moved));
+  CHECK(assembly.mesh.faces.size() == 14);
+}
+
+TEST_CASE("a vertex on a crease goes along it, and the shape stays") {
+  // The edge from a to b of a cube is split, so that its middle lies in two planes.
+  Assembly assembly = cube_with_vertex(0);
+  Mesh& mesh = assembly.mesh;
+  mesh = test::cube();
+  const Index a = mesh.faces[0][0], b = mesh.faces[0][1];
+  const auto middle = static_cast<Index>(mesh.positions.size());
+  mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]) / 2);
+  std::vector<Face> faces;
+  assembly.source_face.clear();
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const Face face = mesh.faces[f];
+    assembly.source_face.push_back(f);
+    std::size_t at = 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index from = face[i], to = face[(i + 1) % 3];
+      if ((from == a && to == b) || (from == b && to == a)) at = i;
+    }
+    if (at == 3) {
+      faces.push_back(face);
+      continue;
+    }
+    const Index from = face[at], to = face[(at + 1) % 3], apex = face[(at + 2) % 3];
+    faces.push_back({from, middle, apex});
+    faces.push_back({middle, to, apex});
+    assembly.source_face.push_back(f);
+  }
+  mesh.faces = faces;
+  assembly.face_is_new.assign(faces.size(), 0);
+  Displacement moved;
+  REQUIRE(faces.size() == 14);
+  CHECK(remove_all(assembly, true, moved));
+  CHECK(mesh.faces.size() == 12);
+  CHECK(test::signed_volume(mesh) == doctest::Approx(1));
+  CHECK(test::count(mesh).is_closed_and_oriented);
+}
+
+}  // namespace transformesh

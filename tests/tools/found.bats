@@ -1,0 +1,21 @@
+# Files on which tm-clean once failed. They are no part of the project, and these tests are skipped
+# without them.
+
+load ../helpers/common
+
+@test "tm-clean: two nearly coplanar sheets with 8,000 intersecting pairs become one surface" {
+  local file=$tm_root/../shared/data/found/clean_hang_112588.ply.gz
+  [ -f "$file" ] || skip "../shared/data/found is absent"
+  zcat "$file" >"$BATS_TEST_TMPDIR/in.ply"
+  cd "$BATS_TEST_TMPDIR"
+  tm-clean in.ply -o out.ply --report report.json
+  [ "$(jq .result.pairs report.json)" -eq 8000 ]
+  tm-checkmanifold --certify in.ply out.ply
+}
+
+@test "tm-clean: an open mesh with coordinates of all magnitudes comes to an end" {
+  local file=$tm_root/../shared/data/hostile/never-ends-78.off
+  [ -f "$file" ] || skip "../shared/data/hostile is absent"
+  timeout 60 tm-clean "$file" -o "$BATS_TEST_TMPDIR/out.ply"
+  tm-checkmanifold "$BATS_TEST_TMPDIR/out.ply"
+}
