@@ -44,6 +44,13 @@ SourcePoint inside(Index face, const Vec3& point, const Vec3& a, const Vec3& b, 
   return {face, u, std::min(v, 1 - u)};
 }
 
+SourcePoint nearest_on_edge(Index face, const std::array<Vec3, 3>& corners, int edge,
+                            const Vec3& point) {
+  const Vec3& from = corners[static_cast<std::size_t>(edge)];
+  const Vec3 direction = corners[static_cast<std::size_t>((edge + 1) % 3)] - from;
+  return on_edge(face, edge, share(direction.dot(point - from), direction.squaredNorm()));
+}
+
 // The nearest place on the faces that the faces at the vertex come from; the lowest of equals.
 SourcePoint nearest_of(const Mesh& source, const Vec3& point, std::span<const Index> faces,
                        std::span<const double> face_sources) {
@@ -58,6 +65,14 @@ SourcePoint nearest_of(const Mesh& source, const Vec3& point, std::span<const In
     nearest = place;
   }
   return nearest;
+}
+
+// Of the faces at each vertex, by area: a sliver, which looks anywhere, counts for nothing.
+std::vector<Vec3> sums_of_normals(const Mesh& mesh) {
+  std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    for (const Index v : mesh.faces[f]) sums[v] += face_normal(mesh, f);
+  return sums;
 }
 
 // Counts as no number of a face whatever is not one.
@@ -113,8 +128,18 @@ SourcePoint source_point_on(const Mesh& source, Index face, const Vec3& point) {
                                     source.positions[third]};
   const TrianglePoint nearest =
       closest_point_of_triangle(point, corners[0], corners[1], corners[2]);
-  if (nearest.part == TriangleSimplex::inside)
-    return inside(face, nearest.point, corners[0], corners[1], corners[2]);
+  if (nearest.part == TriangleSimplex::inside) {
+    // Of a sliver the weights inside are those of rounding, and a place on an edge is nearer.
+    SourcePoint place = inside(face, nearest.point, corners[0], corners[1], corners[2]);
+    const auto distance_of = [&](const SourcePoint& of) {
+      return (position_of(source, of) - point).squaredNorm();
+    };
+    for (int edge = 0; edge < 3; ++edge) {
+      const SourcePoint other = nearest_on_edge(face, corners, edge, point);
+      if (distance_of(other) < distance_of(place)) place = other;
+    }
+    return place;
+  }
   const auto part = static_cast<int>(nearest.part);
   if (part < 3) return on_edge(face, part, 0);
   const Vec3& from = corners[static_cast<std::size_t>(part - 3)];
@@ -151,7 +176,7 @@ SourcePoints source_points_of_pieces(const Mesh& source, const Mesh& mesh,
 
 SourcePoints closest_source_points(const Mesh& source, const Mesh& mesh) {
   const ClosestPointQuery closest(source);
-  const std::vector<Vec3> normals = vertex_normals(mesh);
+  const std::vector<Vec3> normals = sums_of_normals(mesh);
   const auto place = [&](const Vec3& point, const Vec3& normal) {
     return source_point_on(source, closest.facing(point, normal).face, point);
   };

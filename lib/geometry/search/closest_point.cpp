@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::size_t bucket_size = 2;
 
+/// Of normals less than a right angle apart: what rounding cannot reach where it is a right angle.
+constexpr double least_cosine = 1e-9;
+
 TriangleSimplex corner_simplex(int corner) { return static_cast<TriangleSimplex>(corner % 3); }
 TriangleSimplex edge_simplex(int edge) { return static_cast<TriangleSimplex>(3 + edge); }
 
@@ -147,8 +150,10 @@ ClosestPoint ClosestPointQuery::operator()(const Vec3& query, Index hint) const 
 }
 
 ClosestPoint ClosestPointQuery::facing(const Vec3& query, const Vec3& normal) const {
+  const double least = least_cosine * normal.stableNorm();
   const Hit best = search(query, 1, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    return normal.dot((b - a).cross(c - a)) > 0;
+    const Vec3 other = (b - a).cross(c - a);
+    return normal.dot(other) > least * other.stableNorm();
   });
   return best.face == no_index ? (*this)(query) : described(query, best);
 }

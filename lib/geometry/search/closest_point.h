@@ -51,8 +51,8 @@ class ClosestPointQuery {
   explicit ClosestPointQuery(const Mesh& mesh, FaceOrder order = FaceOrder::any);
   /// `hint`: a face that may be near, as that of a query nearby; it only saves time.
   ClosestPoint operator()(const Vec3& query, Index hint = no_index) const;
-  /// The same among the faces whose normals are less than a right angle from that one; among all
-  /// where there is none, or the normal is zero.
+  /// The same among the faces whose normals are less than a right angle from that one, by more than
+  /// rounding; among all where there is none, or the normal is zero.
   ClosestPoint facing(const Vec3& query, const Vec3& normal) const;
   /// The closest point of the faces abc that pass `accept` and come at least as near as
   /// `distance`; nothing if there is none.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/search/closest_point.h"
+#include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/clean.h"
@@ -115,6 +116,17 @@ TEST_CASE("no vertex of a thin plate comes from its other side") {
     CHECK(face_normal(input, places[v].face).z() * normals[v].z() > 0);
   }
   CHECK(inner > 200);
+}
+
+TEST_CASE("a place on a sliver is as near as its longest edge") {
+  test::Random random(41);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vec3 a = random.point(-1, 1), b = random.point(-1, 1);
+    const Vec3 between = a + random.uniform(0, 1) * (b - a);  // rounded to beside the edge
+    const Vec3 query = a + random.uniform(0, 1) * (b - a);
+    const Mesh sliver{{a, b, between}, {{0, 1, 2}}, {}, {}};
+    CHECK((position_of(sliver, source_point_on(sliver, 0, query)) - query).norm() < 1e-14);
+  }
 }
 
 TEST_CASE("places are written and read as columns, and checked") {

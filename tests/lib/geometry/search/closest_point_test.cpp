@@ -232,6 +232,22 @@ TEST_CASE("the lowest face wins ties; duplicates and flat faces do not disturb")
   }
 }
 
+TEST_CASE("a face at a right angle does not face, whichever way rounding turns it") {
+  test::Random random(41);
+  const Vec3 place(0.25, 0.375, 0);
+  for (int trial = 0; trial < 200; ++trial) {
+    // The second face stands on the first; its edge goes through the place.
+    Mesh mesh{{Vec3(-1, -1, 0), Vec3(2, -1, 0), Vec3(-1, 2, 0), place - Vec3(0.5, 0.25, 0),
+               place + Vec3(0.5, 0.25, 0), place + Vec3(0, 0, 1)},
+              {{3, 4, 5}, {0, 1, 2}},
+              {},
+              {}};
+    const Eigen::AngleAxisd turn(random.uniform(0, 6), random.point(-1, 1).normalized());
+    for (Vec3& position : mesh.positions) position = turn * position;
+    CHECK(ClosestPointQuery(mesh).facing(turn * place, turn * Vec3::UnitZ()).face == 1);
+  }
+}
+
 TEST_CASE("scale does not matter, down to 1e-30 and up to 1e30") {
   const Mesh unit = test::icosphere(2);
   const ClosestPointQuery closest(unit);
