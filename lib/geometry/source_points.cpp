@@ -67,7 +67,7 @@ SourcePoint nearest_of(const Mesh& source, const Vec3& point, std::span<const In
   return nearest;
 }
 
-// Of the faces at each vertex, by area: a sliver, which looks anywhere, counts for nothing.
+// Sums over the faces at each vertex, by area: a sliver, which looks anywhere, counts for nothing.
 std::vector<Vec3> sums_of_normals(const Mesh& mesh) {
   std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
   for (Index f = 0; f < mesh.faces.size(); ++f)
@@ -129,7 +129,7 @@ SourcePoint source_point_on(const Mesh& source, Index face, const Vec3& point) {
   const TrianglePoint nearest =
       closest_point_of_triangle(point, corners[0], corners[1], corners[2]);
   if (nearest.part == TriangleSimplex::inside) {
-    // Of a sliver the weights inside are those of rounding, and a place on an edge is nearer.
+    // The weights inside a sliver are those of rounding, and a place on an edge is nearer.
     SourcePoint place = inside(face, nearest.point, corners[0], corners[1], corners[2]);
     const auto distance_of = [&](const SourcePoint& of) {
       return (position_of(source, of) - point).squaredNorm();

@@ -116,7 +116,8 @@ void SnapRounder::throw_nothing_left() {
                   "the faces enclose nothing that is thicker than rounding moves it");
 }
 
-// Makes simpler what lies around the broken faces, until none is left.
+// Makes simpler what lies around the broken faces, until none is left. Grids that a restart made
+// coarse move no vertices: they would turn faces beyond the sheets beside them.
 void SnapRounder::mend() {
   BrokenFaces broken;
   const auto is_mended = [&](bool is_changed) {
@@ -130,7 +131,7 @@ void SnapRounder::mend() {
   const bool moves_input = result_.repairs > 1;
   Displacement& moved = result_.displacement;
   if (is_mended(true)) return;
-  if (is_mended(grids_.snap(assembly_, around(), moves_input, moved))) return;
+  if (restarts_ == 0 && is_mended(grids_.snap(assembly_, around(), moves_input, moved))) return;
   if (is_mended(
           remove_flat_vertices(mesh_, assembly_, around(), flat_steps, moves_input, grids_, moved)))
     return;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t bucket_size = 2;
 
-/// Of normals less than a right angle apart: what rounding cannot reach where it is a right angle.
+/// The least between normals less than a right angle apart. Rounding of a right angle is less.
 constexpr double least_cosine = 1e-9;
 
 TriangleSimplex corner_simplex(int corner) { return static_cast<TriangleSimplex>(corner % 3); }
