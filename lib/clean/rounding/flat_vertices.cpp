@@ -39,6 +39,7 @@ class FlatVertexRemover {
   std::optional<double> movement(Index face, Index v, Index end) const;
   std::optional<Collapse> collapse_to(Index v, Index end) const;
   std::optional<Collapse> best_collapse(Index v, const std::vector<Index>& ring) const;
+  std::optional<Collapse> shortest_collapse(Index v, const std::vector<Index>& ring) const;
   void collapse(Index v, Index end);
   void enqueue(Index v);
 
@@ -167,6 +168,20 @@ std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::best_collapse(
   return best;
 }
 
+// That of the shortest edge, if it is so short that it may turn the faces around the vertex.
+std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::shortest_collapse(
+    Index v, const std::vector<Index>& ring) const {
+  std::optional<Collapse> shortest;
+  double most = steps_ / 2 * grids_.step(mesh_, v);
+  for (const Index end : ring) {
+    const double length = (at(end) - at(v)).stableNorm();
+    if (!(length <= most) || !has_link(v, end, ring)) continue;
+    most = length;
+    shortest = {end, 0, length};
+  }
+  return shortest;
+}
+
 void FlatVertexRemover::collapse(Index v, Index end) {
   for (const Index f : std::vector<Index>(std::move(faces_at_.at(v)))) {
     Face& corners = mesh_.faces[f];
@@ -188,7 +203,8 @@ bool FlatVertexRemover::remove_all(Displacement& moved) {
     queue_.pop_front();
     is_queued_.at(v) = false;
     const std::vector<Index> ring = ring_of(v);
-    const std::optional<Collapse> best = best_collapse(v, ring);
+    std::optional<Collapse> best = shortest_collapse(v, ring);
+    if (!best) best = best_collapse(v, ring);
     if (!best) continue;
     most.note(best->moved, spacing_around(at(v), grids_.type()));
     collapse(v, best->end);

@@ -3,11 +3,15 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "clean/rounding/broken_faces.h"
 #include "helpers/assembly_of.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
@@ -32,10 +36,39 @@ Assembly cube_with_vertex(double height) {
   return assembly;
 }
 
-bool remove_all(Assembly& assembly, bool moves_input, Displacement& moved) {
+/// A cube with a spike on its first face, four times as high as it is wide.
+Assembly cube_with_spike(double width) {
+  Assembly assembly;
+  Mesh& mesh = assembly.mesh;
+  mesh = test::cube();
+  const auto [a, b, c] = mesh.faces[0];
+  const Vec3 middle = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+  const auto d = static_cast<Index>(mesh.positions.size()), e = d + 1, f = d + 2, top = d + 3;
+  for (const Index corner : {a, b, c})
+    mesh.positions.push_back(middle + width * (mesh.positions[corner] - middle));
+  mesh.positions.push_back(middle + 4 * width * face_normal(mesh, 0).normalized());
+  mesh.faces[0] = {a, b, d};
+  for (const Face& face : std::initializer_list<Face>{{b, e, d},
+                                                      {b, c, e},
+                                                      {c, f, e},
+                                                      {c, a, f},
+                                                      {a, d, f},
+                                                      {d, e, top},
+                                                      {e, f, top},
+                                                      {f, d, top}})
+    mesh.faces.push_back(face);
+  assembly.vertex_is_new.assign(mesh.positions.size(), 0);
+  std::fill(assembly.vertex_is_new.begin() + d, assembly.vertex_is_new.end(), char{1});
+  assembly.face_is_new.assign(mesh.faces.size(), 0);
+  for (Index face = 0; face < mesh.faces.size(); ++face)
+    assembly.source_face.push_back(face < 12 ? face : 0);
+  return assembly;
+}
+
+bool remove_all(Assembly& assembly, bool moves_input, Displacement& moved, double steps = 8) {
   const VertexGrids grids(assembly, Scalar::float64);
   const bool is_any = remove_flat_vertices(test::cube(), assembly, test::all_faces(assembly.mesh),
-                                           8, moves_input, grids, moved);
+                                           steps, moves_input, grids, moved);
   drop_collapsed_faces(assembly);
   return is_any;
 }
@@ -62,6 +95,17 @@ TEST_CASE("a vertex higher than the tolerance stays") {
   CHECK(!remove_all(assembly, true, moved));
   CHECK(assembly.mesh.faces.size() == 14);
   CHECK(moved.length == 0);
+}
+
+TEST_CASE("a spike goes whose edges are shorter than half of the tolerance") {
+  const double steps = 0x1p20, step = 0x1p-55;  // the step is up to four times that
+  Assembly assembly = cube_with_spike(steps * step / 16);
+  Displacement moved;
+  CHECK(remove_all(assembly, false, moved, steps));
+  CHECK(assembly.mesh.faces.size() == 12);
+  CHECK(find_intersections(assembly.mesh).empty());
+  CHECK(moved.length > 0);
+  CHECK(moved.length <= 4 * steps * step);
 }
 
 TEST_CASE("vertices of the input go only if they may") {
