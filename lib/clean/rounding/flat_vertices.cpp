@@ -168,7 +168,8 @@ std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::best_collapse(
   return best;
 }
 
-// That of the shortest edge, if it is so short that it may turn the faces around the vertex.
+// The collapse of the shortest edge at the vertex, if it moves the vertex by no more than half of
+// the tolerance. Faces may turn by any angle then.
 std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::shortest_collapse(
     Index v, const std::vector<Index>& ring) const {
   std::optional<Collapse> shortest;

@@ -19,7 +19,8 @@ namespace transformesh {
 /// Equal positions have equal indices. Vertices of the faces go; those of the input only if they
 /// may. The surface moves by at most `steps` steps of the vertex that goes. Vanished faces name a
 /// vertex twice. Returns whether a vertex went, and notes how far.
-/// Every face stays within that of the face of the input from which it is cut.
+/// Where a flat vertex goes, the faces around it stay within that of the faces of the input from
+/// which they are cut. The collapse of a short edge moves them by no more than its length.
 bool remove_flat_vertices(const Mesh& input, Assembly& assembly, const std::vector<Index>& faces,
                           double steps, bool moves_input, const VertexGrids& grids,
                           Displacement& moved);

@@ -166,8 +166,8 @@ bool SnapRounder::clean_again(bool gives_cells, int winding_level) {
 
 // If sheets intersect at tiny angles, every rounding makes them intersect anew. Then the thin cells
 // between them are given away in the exact arrangement of the input, before anything is rounded.
-// That is done beside the faces that broke, each time with coarser grids. (Not so open meshes, of
-// which it is not known what is inside.)
+// Only cells beside faces that broke are thin, and each restart makes the grids there coarser. Open
+// meshes are not restarted, because it is not known which of their cells are inside.
 void SnapRounder::begin_anew() {
   ++restarts_;
   broken_before_ = 0;

@@ -5,8 +5,9 @@
 /// Every new vertex takes the nearest numbers. That is all where exact tests find no broken face.
 /// Else, in rounds: each vertex has a grid, whose step is half the spacing of numbers at it, and
 /// doubles at the corners of broken faces (vertex_grids.h). Around these, vertices move to their
-/// grids; where the surface is flat to four steps they go (flat_vertices.h); slivers that low are
-/// flipped away (slivers.h). Vertices of the input take part from the second round on. Then the
+/// grids, until repair begins anew. Edges shorter than two steps are collapsed, and vertices around
+/// which the surface is flat to four steps go (flat_vertices.h). Slivers that low are flipped away
+/// (slivers.h). Vertices of the input take part from the second round on. Then the
 /// surface is cleaned again, where cells that thin go to the side that leaves less surface
 /// (thin_cells.h). If a round leaves no fewer faces broken than the one before, repair begins anew
 /// from the exact arrangement of the input, up to three times. Then grids are 8, 64 and 512 times
