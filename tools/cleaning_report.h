@@ -28,6 +28,7 @@ inline void report_cleaning(const CleanResult& result, const SeparateResult& sep
   note_margin(result, run);
   run.report("changed", result.changed || separated.separated_vertices > 0);
   run.report("pairs", result.pairs);
+  run.report("pieces", result.pieces);
   run.report("cut_faces", result.cut_faces);
   run.report("removed_faces", result.removed_faces);
   run.report("new_vertices", result.new_vertices);
@@ -39,6 +40,7 @@ inline void report_cleaning(const CleanResult& result, const SeparateResult& sep
   run.report("dropped_components", result.dropped_components);
   run.report("rounding_repairs", result.rounding_repairs);
   run.report("rounding_places", result.rounding_places);
+  run.report("rounding_faces", result.rounding_faces);
   run.report("rounding_pairs", result.rounding_pairs);
   run.report("rounding_level", result.rounding_level);
   run.report("rounding_displacement", result.rounding_displacement);

@@ -36,16 +36,16 @@ struct CleanOptions {
 struct CleanResult {
   Mesh mesh;
   bool changed = false;
-  std::size_t pairs = 0;                              ///< intersecting face pairs in the input
-  std::size_t cut_faces = 0;                          ///< input faces that were cut
-  std::size_t removed_faces = 0;                      ///< whole input faces that were dropped
+  std::size_t pairs = 0, pieces = 0;                  ///< intersecting face pairs; faces once cut
+  std::size_t cut_faces = 0, removed_faces = 0;       ///< input faces: cut; dropped as a whole
   std::size_t new_vertices = 0, copied_vertices = 0;  ///< copies are for singular places
   std::size_t patches = 0, rays = 0;                  ///< parts of a mesh with borders; rays cast
   std::size_t decided_by_number = 0;  ///< patches that a generalized winding number decided
   double least_margin = 0.5;  ///< the distance of such a number to where it rounds otherwise
   std::size_t dropped_components = 0;                     ///< by `outermost`
   std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds and places of repair
-  std::size_t rounding_pairs = 0, rounding_level = 0;     ///< pairs in them; doublings of a grid
+  std::size_t rounding_faces = 0, rounding_pairs = 0;     ///< in all rounds: broken, intersecting
+  std::size_t rounding_level = 0;                         ///< doublings of a grid
   double rounding_displacement = 0;          ///< largest distance by which rounding moved a vertex
   double rounding_spacings = 0;              ///< the same in spacings of the coordinates there
   std::vector<std::string> dropped_columns;  ///< texture coordinates of faces that were cut

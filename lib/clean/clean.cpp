@@ -47,6 +47,7 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
   CleanPass pass = run_clean_pass(mesh, {options.winding_level, options.method, true}, progress);
   CleanResult result;
   result.pairs = pass.pairs;
+  result.pieces = pass.pieces;
   result.cut_faces = pass.cut_faces;
   result.removed_faces = pass.removed_faces;
   result.patches = pass.open_patches;
@@ -66,6 +67,7 @@ CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Prog
     result.copied_vertices = rounded.copied_vertices;
     result.rounding_repairs = rounded.repairs;
     result.rounding_places = rounded.places;
+    result.rounding_faces = rounded.faces;
     result.rounding_pairs = rounded.pairs;
     result.rounding_level = rounded.level;
     result.rounding_displacement = rounded.displacement.length;

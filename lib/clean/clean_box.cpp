@@ -106,6 +106,7 @@ std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
 
   const ExteriorArrangement exterior =
       arrange_exterior(welded_, meetings_, {options_.winding_level, false, &around}, progress_);
+  counts.pieces = exterior.arrangement.pieces.size();
   counts.rays = exterior.rays;
   const std::vector<char> kept(exterior.arrangement.pieces.size(), 1);
   progress_("stitch");
@@ -282,6 +283,7 @@ bool Pieces::collect_from(const Box& box) {
   count_faces(mesh_, is_own, *cleaned, counts);
   CleanResult& sum = result_.clean;
   sum.pairs += counts.pairs;
+  sum.pieces += counts.pieces;
   sum.rays += counts.rays;
   sum.cut_faces += counts.cut_faces;
   sum.removed_faces += counts.removed_faces;

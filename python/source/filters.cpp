@@ -28,12 +28,14 @@ py::dict report_of(const CleanResult& result) {
   py::dict report;
   report["changed"] = result.changed;
   report["pairs"] = result.pairs;
+  report["pieces"] = result.pieces;
   report["cut_faces"] = result.cut_faces;
   report["removed_faces"] = result.removed_faces;
   report["new_vertices"] = result.new_vertices;
   report["copied_vertices"] = result.copied_vertices;
   report["dropped_components"] = result.dropped_components;
   report["rounding_places"] = result.rounding_places;
+  report["rounding_faces"] = result.rounding_faces;
   report["rounding_pairs"] = result.rounding_pairs;
   report["rounding_level"] = result.rounding_level;
   report["rounding_displacement"] = result.rounding_displacement;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "clean/intersect/corner_cells.h"
+#include "mesh/mesh_of_faces.h"
 #include "support/parallel.h"
 #include "transformesh/intersect.h"
 
@@ -72,31 +73,13 @@ std::vector<Index> faces_near_samples(const Mesh& mesh, const CornerCells& cells
   return result;
 }
 
-Mesh part_of(const Mesh& mesh, const std::vector<Index>& faces) {
-  Mesh part;
-  std::vector<Index> number(mesh.positions.size(), no_index);
-  for (const Index f : faces) {
-    Face face = mesh.faces[f];
-    for (Index& vertex : face) {
-      Index& known = number[vertex];
-      if (known == no_index) {
-        known = static_cast<Index>(part.positions.size());
-        part.positions.push_back(mesh.positions[vertex]);
-      }
-      vertex = known;
-    }
-    part.faces.push_back(face);
-  }
-  return part;
-}
-
 bool samples_intersect(const Mesh& mesh) {
   const CornerCells cells(mesh.positions, cells_per_axis);
   if (!cells.is_usable()) return false;
   const std::vector<Index> faces = faces_near_samples(mesh, cells);
   // Where most are near, all may as well be searched.
   if (faces.size() > mesh.faces.size() / 4) return false;
-  return !find_intersections(part_of(mesh, faces)).empty();
+  return !find_intersections(mesh_of_faces(mesh, faces)).empty();
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ void refuse_static_test(std::size_t borders) {
 void count_faces(const Mesh& mesh, const Arrangement& arrangement, std::size_t whole_faces,
                  const std::vector<char>& kept, const Borders& borders, CleanPass& pass) {
   const auto whole_end = kept.begin() + static_cast<std::ptrdiff_t>(arrangement.whole_pieces);
+  pass.pieces = arrangement.pieces.size();
   pass.cut_faces = arrangement.welded->faces.size() - whole_faces;
   pass.removed_faces =
       whole_faces - static_cast<std::size_t>(std::count(kept.begin(), whole_end, 1));

@@ -17,7 +17,8 @@
 namespace transformesh {
 
 struct CleanPass {
-  std::size_t pairs = 0;  ///< intersecting face pairs; where they are too many, all else is empty
+  std::size_t pairs = 0;   ///< intersecting face pairs; where they are too many, all else is empty
+  std::size_t pieces = 0;  ///< in the arrangement; hidden ones may be left out
   std::size_t cut_faces = 0;          ///< faces that were cut
   std::size_t removed_faces = 0;      ///< whole faces that were dropped
   bool is_open = false;               ///< the mesh has borders

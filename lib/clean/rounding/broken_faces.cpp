@@ -3,31 +3,18 @@
 #include <algorithm>
 #include <array>
 
-#include "clean/intersect/contacts.h"
-#include "clean/intersect/embedded_stars.h"
 #include "clean/intersect/welded_mesh.h"
+#include "geometry/numbers/predicates.h"
 #include "geometry/search/bvh.h"
 #include "mesh/disjoint_sets.h"
+#include "mesh/mesh_of_faces.h"
 #include "support/parallel.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 4096;
-
-// New faces, and a hierarchy over them.
-struct NewFaces {
-  std::vector<Index> faces;
-  SimplexLinks links;  // of all faces
-  Bvh bvh;
-};
-
-// The new faces of an assembly, and whatever lies at them, as nothing else can intersect one.
-struct Surroundings {
-  Mesh mesh;
-  std::vector<Index> face_of;  // in the assembly
-  std::vector<char> is_new;    // per face
-};
 
 FloatBox box_of(const Mesh& mesh, const BoxFrame& frame, Index face) {
   const Triangle t = triangle_of(mesh.positions, mesh.faces[face]);
@@ -56,81 +43,6 @@ std::vector<char> find_faces_at_new_ones(const Assembly& assembly) {
         bvh.visit_overlaps(box_of(mesh, frame, static_cast<Index>(f)), note(is_near[f]));
   });
   return is_near;
-}
-
-Surroundings surroundings_of_new_faces(const Assembly& assembly) {
-  const std::vector<char> is_near = find_faces_at_new_ones(assembly);
-  Surroundings result;
-  std::vector<Index> vertex(assembly.mesh.positions.size(), no_index);
-  for (Index f = 0; f < is_near.size(); ++f) {
-    if (!is_near[f]) continue;
-    Face face = assembly.mesh.faces[f];
-    for (Index& v : face) {
-      if (vertex[v] == no_index) {
-        vertex[v] = static_cast<Index>(result.mesh.positions.size());
-        result.mesh.positions.push_back(assembly.mesh.positions[v]);
-      }
-      v = vertex[v];
-    }
-    result.mesh.faces.push_back(face);
-    result.face_of.push_back(f);
-    result.is_new.push_back(assembly.face_is_new[f]);
-  }
-  return result;
-}
-
-NewFaces collect_new_faces(const Surroundings& part, const WeldedMesh& welded) {
-  NewFaces result;
-  std::vector<FloatBox> boxes;
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (!part.is_new[welded.face_of[f]]) continue;
-    result.faces.push_back(f);
-    boxes.push_back(welded.box(f));
-  }
-  if (result.faces.empty()) return result;
-  result.links = find_simplex_links(welded.points, welded.faces);
-  result.bvh = Bvh(boxes, result.links, result.faces);
-  return result;
-}
-
-// Calls visit(face) for the faces without area.
-template <class Visit>
-void visit_faces_without_area(const Surroundings& part, const WeldedMesh& welded,
-                              const Visit& visit) {
-  std::vector<char> has_area(part.mesh.faces.size(), 0);
-  for (const Index f : welded.face_of) has_area[f] = 1;
-  for (std::size_t f = 0; f < has_area.size(); ++f)
-    if (!has_area[f]) visit(part.face_of[f]);
-}
-
-// The intersections of which one face is new, by faces of the part; sorted.
-std::vector<FacePair> search(const Surroundings& part, const WeldedMesh& welded,
-                             const IntersectionCache& known) {
-  std::vector<FacePair> intersections;
-  const NewFaces news = collect_new_faces(part, welded);
-  if (news.faces.empty()) return intersections;
-  const auto add = [&](Index f, Index g) {
-    intersections.push_back(std::minmax({welded.face_of[f], welded.face_of[g]}));
-  };
-  const std::vector<char> is_embedded = find_embedded_stars(welded);
-  const auto meet = [&](Index f, Index g) {
-    if (const auto cross = known.cross(welded.face_of[f], welded.face_of[g])) return *cross;
-    return !share_embedded_star(welded.faces[f], welded.faces[g], is_embedded) &&
-           find_contacts(welded, f, g).meet;
-  };
-  const auto new_ones_meet = [&](Index i, Index k) { return meet(news.faces[i], news.faces[k]); };
-  for (const auto& [i, k] : news.bvh.overlapping_pairs(new_ones_meet))
-    add(news.faces[i], news.faces[k]);
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (part.is_new[welded.face_of[f]]) continue;
-    const auto visit_new = [&](Index i) {
-      if (meet(f, news.faces[i])) add(f, news.faces[i]);
-      return true;
-    };
-    news.bvh.visit_overlaps(welded.box(f), visit_new, news.links.of(f));
-  }
-  std::sort(intersections.begin(), intersections.end());
-  return intersections;
 }
 
 std::vector<Index> marked(const std::vector<char>& marks) {
@@ -204,30 +116,21 @@ void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
 
 }  // namespace
 
-BrokenFaces find_broken_faces(const Assembly& assembly, IntersectionCache& known) {
-  Surroundings part = surroundings_of_new_faces(assembly);
-  const WeldedMesh welded = weld(part.mesh);
-  known.begin(part.mesh);
-  std::vector<FacePair> intersections = search(part, welded, known);
-
+// Nothing but what lies at new faces can intersect one.
+BrokenFaces find_broken_faces(const Assembly& assembly) {
+  const std::vector<Index> rows = marked(find_faces_at_new_ones(assembly));
+  const Mesh part = mesh_of_faces(assembly.mesh, rows);
   std::vector<char> is_broken(assembly.mesh.faces.size(), 0);
   BrokenFaces result;
-  visit_faces_without_area(part, welded, [&](Index f) { is_broken[f] = 1; });
-  for (const auto& [f, g] : intersections) {
-    result.intersections.emplace_back(part.face_of[f], part.face_of[g]);
-    is_broken[part.face_of[f]] = is_broken[part.face_of[g]] = 1;
+  for (const Index f : degenerate_faces(part)) is_broken[rows[f]] = 1;
+  for (const auto& [f, g] : find_intersections(part)) {
+    if (!assembly.face_is_new[rows[f]] && !assembly.face_is_new[rows[g]]) continue;
+    ++result.pairs;
+    is_broken[rows[f]] = is_broken[rows[g]] = 1;
   }
   result.faces = marked(is_broken);
-  known.end(part.mesh, std::move(part.is_new), std::move(intersections));
   return result;
 }
-
-BrokenFaces find_broken_faces(const Assembly& assembly) {
-  IntersectionCache known;
-  return find_broken_faces(assembly, known);
-}
-
-std::vector<Index> find_new_faces(const Assembly& assembly) { return marked(assembly.face_is_new); }
 
 std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces) {
   std::vector<char> is_corner(mesh.positions.size(), 0);

@@ -1,27 +1,20 @@
 /// What rounding of exact points to stored coordinates breaks (paper 4.3). Cost: O(n log n).
 #pragma once
 
-#include <utility>
 #include <vector>
 
-#include "clean/rounding/intersection_cache.h"
 #include "clean/stitch/assemble.h"
 
 namespace transformesh {
 
 /// In the coordinates as they are.
 struct BrokenFaces {
-  std::vector<Index> faces;             ///< that intersect a new face, or have no area; ascending
-  std::vector<FacePair> intersections;  ///< pairs, of which one is new; sorted
+  std::vector<Index> faces;  ///< that intersect a new face, or have no area; ascending
+  std::size_t pairs = 0;     ///< that intersect, one of them being new
 };
 
-/// Whole input faces are known not to intersect each other. Of a series of searches each takes less
-/// time where it passes on what is known of pairs.
+/// Whole input faces are known not to intersect each other.
 BrokenFaces find_broken_faces(const Assembly& assembly);
-BrokenFaces find_broken_faces(const Assembly& assembly, IntersectionCache& known);
-
-/// The faces that are no whole faces of the input; ascending.
-std::vector<Index> find_new_faces(const Assembly& assembly);
 
 /// The faces, and all others that have a corner in common with them; ascending.
 std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces);

@@ -18,6 +18,11 @@ struct Displacement {
     spacings = std::max(spacings, distance / spacing);
     length = std::max(length, distance);
   }
+  /// Notes another point, with all its movements.
+  void note(const Displacement& other) {
+    spacings = std::max(spacings, other.spacings);
+    length = std::max(length, other.length);
+  }
   /// Notes what moves the surface once more.
   Displacement& operator+=(const Displacement& next) {
     spacings += next.spacings;

@@ -41,6 +41,7 @@ class FlatVertexRemover {
   std::optional<Collapse> best_collapse(Index v, const std::vector<Index>& ring) const;
   std::optional<Collapse> shortest_collapse(Index v, const std::vector<Index>& ring) const;
   void collapse(Index v, Index end);
+  void note_movement(const std::vector<Index>& star, const Displacement& moved);
   void enqueue(Index v);
 
   const Mesh& input_;
@@ -51,6 +52,7 @@ class FlatVertexRemover {
   std::unordered_map<Index, std::vector<Index>> faces_at_;
   std::unordered_map<Index, bool> is_queued_;  ///< per vertex that may go
   std::deque<Index> queue_;
+  std::unordered_map<Index, Displacement> moved_;  ///< per face: of all its collapses
 };
 
 FlatVertexRemover::FlatVertexRemover(const Mesh& input, Assembly& assembly,
@@ -196,9 +198,15 @@ void FlatVertexRemover::collapse(Index v, Index end) {
   faces_at_.at(v).clear();
 }
 
+// Any face that is left may contain places of any face of the star before.
+void FlatVertexRemover::note_movement(const std::vector<Index>& star, const Displacement& moved) {
+  Displacement total;
+  for (const Index f : star) total.note(moved_[f]);
+  total += moved;
+  for (const Index f : star) moved_[f] = total;
+}
+
 bool FlatVertexRemover::remove_all(Displacement& moved) {
-  Displacement most;
-  bool is_any = false;
   while (!queue_.empty()) {
     const Index v = queue_.front();
     queue_.pop_front();
@@ -207,13 +215,15 @@ bool FlatVertexRemover::remove_all(Displacement& moved) {
     std::optional<Collapse> best = shortest_collapse(v, ring);
     if (!best) best = best_collapse(v, ring);
     if (!best) continue;
-    most.note(best->moved, spacing_around(at(v), grids_.type()));
+    const double spacing = spacing_around(at(v), grids_.type());
+    note_movement(faces_at_.at(v), {best->moved / spacing, best->moved});
     collapse(v, best->end);
-    is_any = true;
     std::for_each(ring.begin(), ring.end(), [&](Index w) { enqueue(w); });
   }
+  Displacement most;
+  for (const auto& [face, total] : moved_) most.note(total);
   moved += most;
-  return is_any;
+  return !moved_.empty();
 }
 
 }  // namespace

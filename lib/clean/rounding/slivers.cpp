@@ -39,8 +39,7 @@ class SliverFlipper {
   std::vector<Index> stack_;
   std::map<std::pair<Index, Index>, Index> face_at_;  ///< per halfedge, of faces around
   std::map<Index, int> flips_;                        ///< per face: how often it was tried
-  bool is_any_flipped_ = false;
-  Displacement moved_;
+  std::map<Index, Displacement> moved_;               ///< per face: of all its flips
 };
 
 SliverFlipper::SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double steps,
@@ -88,8 +87,6 @@ void SliverFlipper::try_flip(Index face) {
   if (!sliver || !(sliver->height <= reach(sliver->apex))) return;
   const auto across = face_at_.find({sliver->b, sliver->a});
   if (across == face_at_.end() || across->second == face) return;
-  moved_.note(sliver->height, spacing_around(mesh_.positions[sliver->apex], grids_.type()));
-  is_any_flipped_ = true;
   flip(face, across->second, *sliver);
 }
 
@@ -98,6 +95,10 @@ void SliverFlipper::flip(Index face, Index across, const Sliver& sliver) {
   Index opposite = sliver.a;
   for (const Index v : mesh_.faces[across])
     if (v != sliver.a && v != sliver.b) opposite = v;
+  const double spacing = spacing_around(mesh_.positions[sliver.apex], grids_.type());
+  moved_[face].note(moved_[across]);
+  moved_[face] += {sliver.height / spacing, sliver.height};
+  moved_[across] = moved_[face];
   unlink(face);
   unlink(across);
   assembly_.source_face[face] = assembly_.source_face[across];
@@ -117,8 +118,10 @@ bool SliverFlipper::flip_all(Displacement& moved) {
     stack_.pop_back();
     try_flip(face);
   }
-  moved += moved_;
-  return is_any_flipped_;
+  Displacement most;
+  for (const auto& [face, total] : moved_) most.note(total);
+  moved += most;
+  return !moved_.empty();
 }
 
 }  // namespace

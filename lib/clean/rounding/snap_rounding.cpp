@@ -70,6 +70,10 @@ class SnapRounder {
         first_(pass),
         options_(options),
         progress_(progress),
+        repair_progress_([&progress](std::string_view phase, double fraction) {
+          progress("repair " + std::string(phase), fraction);
+          return true;
+        }),
         assembly_(pass.assembly),
         grids_(pass.assembly, options.coordinate),
         is_broken_(mesh.faces.size(), 0) {}
@@ -93,9 +97,9 @@ class SnapRounder {
   const CleanPass& first_;
   const SnapRoundingOptions& options_;
   const Progress& progress_;
+  Progress repair_progress_;  ///< names the phases of further clean passes
   Assembly assembly_;
   VertexGrids grids_;
-  IntersectionCache known_;
   std::vector<char> is_broken_;    ///< per face of the mesh: whether rounding broke a part of it
   std::size_t broken_before_ = 0;  ///< faces that the round before found broken, if there was one
   int restarts_ = 0;
@@ -123,7 +127,7 @@ void SnapRounder::mend() {
   const auto is_mended = [&](bool is_changed) {
     if (is_changed) {
       drop_collapsed_faces(assembly_);
-      broken = find_broken_faces(assembly_, known_);
+      broken = find_broken_faces(assembly_);
     }
     return broken.faces.empty();
   };
@@ -151,7 +155,7 @@ bool SnapRounder::clean_again(bool gives_cells, int winding_level) {
     };
   CleanPass pass;
   try {
-    pass = run_clean_pass(assembly_.mesh, options, progress_);
+    pass = run_clean_pass(assembly_.mesh, options, repair_progress_);
   } catch (const GoalError&) {
     throw_nothing_left();
   }
@@ -203,11 +207,12 @@ void SnapRounder::note_broken(const std::vector<Index>& broken) {
 bool SnapRounder::repair_round(bool is_first) {
   progress_("round");
   result_.displacement += round_new_vertices(assembly_, options_.coordinate);
-  const BrokenFaces found = find_broken_faces(assembly_, known_);
+  const BrokenFaces found = find_broken_faces(assembly_);
   const std::vector<Index>& broken = found.faces;
   const bool is_whole = broken.empty();
   if (is_whole && is_first && !options_.is_open) return true;
-  result_.pairs += found.intersections.size();
+  result_.faces += broken.size();
+  result_.pairs += found.pairs;
   note_broken(broken);
   if (is_in_vain(broken.size()) && restarts_ < most_restarts && !options_.is_open) {
     begin_anew();

@@ -44,7 +44,8 @@ struct SnapRoundingResult {
   std::size_t removed_faces = 0;  ///< input faces that were whole after `pass` and are gone now
   std::size_t repairs = 0;        ///< rounds of repair
   std::size_t places = 0;         ///< where rounding broke faces
-  std::size_t pairs = 0;          ///< that intersected in all rounds of repair
+  std::size_t faces = 0;          ///< that were broken, in all rounds of repair
+  std::size_t pairs = 0;          ///< that intersected, in all rounds of repair
   unsigned level = 0;             ///< how often the step of a grid was doubled at most
   Displacement displacement;
 };

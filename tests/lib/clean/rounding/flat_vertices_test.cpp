@@ -65,6 +65,30 @@ Assembly cube_with_spike(double width) {
   return assembly;
 }
 
+/// A cube with a tower on its first face, of so many storeys with three corners each.
+Assembly cube_with_tower(double width, double storey, Index storeys) {
+  Assembly assembly = cube_with_spike(width);
+  Mesh& mesh = assembly.mesh;
+  const Vec3 up = storey * face_normal(test::cube(), 0).normalized();
+  const auto top = static_cast<Index>(mesh.positions.size() - 1), base = top - 3;
+  mesh.positions.pop_back();
+  mesh.faces.resize(mesh.faces.size() - 3);
+  for (Index level = 1; level <= storeys; ++level)
+    for (Index i = 0; i < 3; ++i) mesh.positions.push_back(mesh.positions[base + i] + level * up);
+  for (Index level = 0; level < storeys; ++level)
+    for (Index i = 0; i < 3; ++i) {
+      const Index a = base + 3 * level + i, b = base + 3 * level + (i + 1) % 3;
+      mesh.faces.push_back({a, b, b + 3});
+      mesh.faces.push_back({b + 3, a + 3, a});
+    }
+  const Index roof = base + 3 * storeys;
+  mesh.faces.push_back({roof, roof + 1, roof + 2});
+  assembly.vertex_is_new.resize(mesh.positions.size(), 1);
+  assembly.face_is_new.assign(mesh.faces.size(), 0);
+  assembly.source_face.resize(mesh.faces.size(), 0);
+  return assembly;
+}
+
 bool remove_all(Assembly& assembly, bool moves_input, Displacement& moved, double steps = 8) {
   const VertexGrids grids(assembly, Scalar::float64);
   const bool is_any = remove_flat_vertices(test::cube(), assembly, test::all_faces(assembly.mesh),
@@ -106,6 +130,23 @@ TEST_CASE("a spike goes whose edges are shorter than half of the tolerance") {
   CHECK(find_intersections(assembly.mesh).empty());
   CHECK(moved.length > 0);
   CHECK(moved.length <= 4 * steps * step);
+}
+
+TEST_CASE("what collapses one after the other is counted as a sum") {
+  const double steps = 0x1p20, storey = steps * 0x1p-55 / 4;
+  const Index storeys = 6;
+  Assembly assembly = cube_with_tower(4 * storey, storey, storeys);
+  REQUIRE(test::count(assembly.mesh).is_closed_and_oriented);
+  Displacement moved;
+  CHECK(remove_all(assembly, false, moved, steps));
+  double height = 0;
+  const Vec3 up = face_normal(test::cube(), 0).normalized();
+  for (const Vec3& p : assembly.mesh.positions)
+    height = std::max(height, up.dot(p - test::cube().positions[test::cube().faces[0][0]]));
+  // The base has risen to the roof, from storey to storey.
+  CHECK(assembly.mesh.faces.size() == 14);
+  CHECK(height == doctest::Approx(storeys * storey));
+  CHECK(moved.length >= height);
 }
 
 TEST_CASE("vertices of the input go only if they may") {
