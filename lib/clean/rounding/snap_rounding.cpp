@@ -19,13 +19,11 @@ namespace {
 
 /// How low what is flat, thin or a sliver is, in steps of the grids at it.
 constexpr double flat_steps = 4;
-constexpr int most_rounds = 32;
-/// How often repair begins anew, and by how many doublings coarser from time to time.
-constexpr int most_restarts = 3;
+constexpr int most_rounds = 16;
+/// How much coarser grids are where repair begins anew.
 constexpr int doublings_of_restart = 3;
-/// Repair ends where more pairs intersect than so many times those of the input, and some.
+/// Repair ends where more pairs intersect than so many times pairs and faces of the input.
 constexpr std::size_t most_pairs_share = 4;
-constexpr std::size_t some_pairs = 1000;
 
 // Expresses what a further clean pass tells about its input by that of the first clean pass: which
 // vertices are new, and the sources of faces.
@@ -102,7 +100,7 @@ class SnapRounder {
   VertexGrids grids_;
   std::vector<char> is_broken_;    ///< per face of the mesh: whether rounding broke a part of it
   std::size_t broken_before_ = 0;  ///< faces that the round before found broken, if there was one
-  int restarts_ = 0;
+  bool is_restarted_ = false;
   std::optional<Vec3> place_;  ///< the first place that was broken
   SnapRoundingResult result_;
 };
@@ -135,7 +133,7 @@ void SnapRounder::mend() {
   const bool moves_input = result_.repairs > 1;
   Displacement& moved = result_.displacement;
   if (is_mended(true)) return;
-  if (restarts_ == 0 && is_mended(grids_.snap(assembly_, around(), moves_input, moved))) return;
+  if (!is_restarted_ && is_mended(grids_.snap(assembly_, around(), moves_input, moved))) return;
   if (is_mended(
           remove_flat_vertices(mesh_, assembly_, around(), flat_steps, moves_input, grids_, moved)))
     return;
@@ -144,7 +142,7 @@ void SnapRounder::mend() {
 
 // Cleans what was rounded. Returns whether nothing is left to be rounded again.
 bool SnapRounder::clean_again(bool gives_cells, int winding_level) {
-  const std::size_t most_pairs = most_pairs_share * first_.pairs + some_pairs;
+  const std::size_t most_pairs = most_pairs_share * (first_.pairs + mesh_.faces.size());
   CleanPassOptions options{winding_level, options_.method, false, {}, most_pairs};
   const std::vector<std::uint8_t> levels = grids_.levels_of_faces(assembly_.mesh);
   bool is_given = false;
@@ -170,10 +168,10 @@ bool SnapRounder::clean_again(bool gives_cells, int winding_level) {
 
 // If sheets intersect at tiny angles, every rounding makes them intersect anew. Then the thin cells
 // between them are given away in the exact arrangement of the input, before anything is rounded.
-// Only cells beside faces that broke are thin, and each restart makes the grids there coarser. Open
-// meshes are not restarted, because it is not known which of their cells are inside.
+// Only cells beside faces that broke are thin, as the grids there are made coarser. Open meshes
+// are not restarted, because it is not known which of their cells are inside.
 void SnapRounder::begin_anew() {
-  ++restarts_;
+  is_restarted_ = true;
   broken_before_ = 0;
   result_.displacement = {};
   assembly_ = unchanged_assembly(mesh_);
@@ -181,7 +179,7 @@ void SnapRounder::begin_anew() {
   std::vector<Index> broken;
   for (Index f = 0; f < is_broken_.size(); ++f)
     if (is_broken_[f]) broken.push_back(f);
-  for (int i = 0; i < doublings_of_restart * restarts_; ++i) grids_.coarsen(mesh_, broken);
+  for (int i = 0; i < doublings_of_restart; ++i) grids_.coarsen(mesh_, broken);
   clean_again(true, options_.winding_level);
 }
 
@@ -214,7 +212,7 @@ bool SnapRounder::repair_round(bool is_first) {
   result_.faces += broken.size();
   result_.pairs += found.pairs;
   note_broken(broken);
-  if (is_in_vain(broken.size()) && restarts_ < most_restarts && !options_.is_open) {
+  if (is_in_vain(broken.size()) && !is_restarted_ && !options_.is_open) {
     begin_anew();
     return false;
   }

@@ -7,21 +7,21 @@
 /// doubles at the corners of broken faces (vertex_grids.h). Around these, vertices move to their
 /// grids, until repair begins anew. Edges shorter than two steps are collapsed, and vertices around
 /// which the surface is flat to four steps go (flat_vertices.h). Slivers that low are flipped away
-/// (slivers.h). Vertices of the input take part from the second round on. Then the
-/// surface is cleaned again, where cells that thin go to the side that leaves less surface
-/// (thin_cells.h). If a round leaves no fewer faces broken than the one before, repair begins anew
-/// from the exact arrangement of the input, up to three times. Then grids are 8, 64 and 512 times
-/// coarser at the faces that broke, and thin cells beside them are given away before anything is
-/// rounded. The reasons for each step are in docs/design/rounding.md.
+/// (slivers.h). Vertices of the input take part from the second round on. Then the surface is
+/// cleaned again, where cells that thin go to the side that leaves less surface (thin_cells.h). If
+/// a round leaves no fewer faces broken than the one before, repair begins anew, once, from the
+/// exact arrangement of the input. Then grids are 8 times coarser at the faces that broke, and thin
+/// cells beside them are given away before anything is rounded. docs/design/rounding.md has the
+/// reasons for each step.
 ///
 /// Guaranteed: the result has no self-intersection. All that moves or goes is within `displacement`
 /// of where it was, so winding numbers farther than that from the surface are those of the input (a
 /// homotopy that does not meet a point keeps its winding number). Nothing moves that takes no part
-/// in an intersection, but around broken faces. It ends: after 32 rounds, or where more pairs
-/// intersect than 1000 and four times those of the input, it throws. Deterministic. References:
-/// Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002; Valque &
-/// Lazard, "Removing self-intersections in 3D meshes while preserving floating-point coordinates",
-/// 2025, where every round snaps to one grid.
+/// in an intersection, but around broken faces. It ends: after 16 rounds, or where more pairs
+/// intersect than four times the pairs and faces of the input, it throws. Deterministic.
+/// References: Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002;
+/// Valque & Lazard, "Removing self-intersections in 3D meshes while preserving floating-point
+/// coordinates", 2025, where every round snaps to one grid.
 #pragma once
 
 #include "clean/pass/clean_pass.h"

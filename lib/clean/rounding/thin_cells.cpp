@@ -11,7 +11,6 @@ namespace transformesh {
 namespace {
 
 constexpr char unknown = 2;
-constexpr int most_turns = 20;
 
 /// By how much the measured distance of a point from a plane may be wrong, as a share of how far
 /// the two are apart along it.
@@ -171,7 +170,8 @@ bool LabeledCells::give_thin_ones_away(Displacement& moved) {
     if (is_thin(cell, thickness)) thin.push_back(cell);
   }
   bool is_any = false, is_changed = true;
-  for (int turn = 0; turn < most_turns && is_changed; ++turn) {
+  // Every change leaves less surface, so that this ends; the limit is for what areas round to.
+  for (std::size_t turn = 0; turn < thin.size() && is_changed; ++turn) {
     is_changed = false;
     for (const Index cell : thin) {
       if (!wants_change(cell)) continue;
