@@ -316,7 +316,7 @@ bool PlanarTriangulation::is_convex(Index edge) const {
   return orientation(a, d, c) > 0 && orientation(b, c, d) > 0;
 }
 
-// Of two diagonals that are equally good the one at the least point stays, if that is asked for.
+// If ties are to be broken, the diagonal at the point with the least defining vertices stays.
 bool PlanarTriangulation::wants_flip(Index edge, bool breaks_ties) const {
   const Facet& facet = facets_[edge / 3];
   if (facet.line[edge % 3] != no_index || facet.next[edge % 3] == no_index) return false;
@@ -328,8 +328,10 @@ bool PlanarTriangulation::wants_flip(Index edge, bool breaks_ties) const {
                                                 projection_);
   if (sign == 0 && breaks_ties)
     sign = geometry_.delaunay_sign(points_[a], points_[b], points_[c], points_[d], projection_);
-  const auto least = [&](Index p, Index q) { return is_before(p, q) ? p : q; };
-  if (sign == 0 && breaks_ties && is_before(least(c, d), least(a, b))) sign = -1;
+  if (sign == 0 && breaks_ties) {
+    const auto key = [&](Index p) { return geometry_.vertices_of(points_[p].definition); };
+    if (std::min(key(c), key(d)) < std::min(key(a), key(b))) sign = -1;
+  }
   if (sign >= 0) return false;
   return is_convex(edge);
 }

@@ -52,9 +52,9 @@ class PlanarTriangulation {
   /// Makes the segment a chain of constrained edges. Both ends are on the line.
   void constrain(Index from, Index to, Index line);
   /// Flips diagonals that no constraint holds until they are Delaunay; of two that are equally good
-  /// the one at the point with the least definition stays, so that the result does not depend on
-  /// what else was inserted. Constraints bound what is marked per facet, if anything is; the rest
-  /// is left as it is.
+  /// the one at the point with the least defining vertices stays. So the result depends neither on
+  /// what else was inserted nor on the order of the faces. Constraints bound what is marked per
+  /// facet, if anything is; the rest is left as it is.
   void improve(const std::vector<char>& marked = {});
   /// The constraints on an edge of a facet.
   template <class Visit>

@@ -499,6 +499,27 @@ int ExactGeometry::quick_orient2d(const ExactPoint& a, const ExactPoint& b, cons
   return bounded_orient2d(a, b, c, p).sign();
 }
 
+std::array<Index, 10> ExactGeometry::vertices_of(const PointDefinition& definition) const {
+  using Kind = PointDefinition::Kind;
+  const auto sorted = [&](Index face) {
+    Face corners = faces_[face];
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  const std::array<Index, 4>& of = definition.indices;
+  std::array<Index, 10> vertices = {static_cast<Index>(definition.kind), of[0], of[1], of[2],
+                                    of[3]};
+  if (definition.kind == Kind::line_plane) {
+    const Face face = sorted(of[2]);
+    std::copy(face.begin(), face.end(), vertices.begin() + 3);
+  } else if (definition.kind == Kind::three_planes) {
+    std::array<Face, 3> faces = {sorted(of[0]), sorted(of[1]), sorted(of[2])};
+    std::sort(faces.begin(), faces.end());
+    for (std::size_t i = 0; i < 9; ++i) vertices[1 + i] = faces[i / 3][i % 3];
+  }
+  return vertices;
+}
+
 int ExactGeometry::quick_delaunay_sign(const ExactPoint& a, const ExactPoint& b,
                                        const ExactPoint& c, const ExactPoint& d,
                                        PlaneProjection p) {

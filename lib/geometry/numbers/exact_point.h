@@ -61,6 +61,10 @@ class ExactGeometry {
   /// A point with coordinates of its own: for scaffolding.
   static ExactPoint free(const Vec3& position);
 
+  /// The kind and the vertices of a definition; those of faces and edges are sorted, and so are the
+  /// faces. It does not depend on the order of the faces of the mesh.
+  std::array<Index, 10> vertices_of(const PointDefinition& definition) const;
+
   /// As in predicates.h.
   int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                PlaneProjection projection) const;
