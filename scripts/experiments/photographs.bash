@@ -2,7 +2,7 @@
 # set name.
 # shellcheck shell=bash disable=SC2154,SC2034
 
-shared=$(readlink -f "${SHARED_MVS:-$here/../../../shared/data/mvs}") || true
+shared=$(readlink -f "${TM_DATA:-$here/../../../shared/data}/mvs") || true
 readonly shared
 
 # Sets cameras, images and, where there are any, masks and options.

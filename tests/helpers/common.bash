@@ -20,10 +20,10 @@ pipe_apart() {
   run --separate-stderr bash -o pipefail -c "$1"
 }
 
-# needs_shared meshes/cgal/bones.off: sets $shared_file, or skips and says why.
+# needs_shared meshes/cgal/bones.off: sets $shared_file to that of the folder TM_DATA, or skips.
 needs_shared() {
-  shared_file=$tm_root/../shared/data/$1
-  [ -e "$shared_file" ] || skip "../shared/data/$1 is absent"
+  shared_file=${TM_DATA:-$tm_root/../shared/data}/$1
+  [ -e "$shared_file" ] || skip "TM_DATA names no folder with $1"
 }
 
 # needs_command convert: skips and says why where a command is not installed.

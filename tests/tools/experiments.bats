@@ -212,7 +212,7 @@ TABLE
 }
 
 @test "real photographs: where there are none that is said" {
-  run --separate-stderr env SHARED_MVS=nowhere TM_BUILD="$tm_build" \
+  run --separate-stderr env TM_DATA=nowhere TM_BUILD="$tm_build" \
     "$tm_root/scripts/experiments/real-mvs" out
   assert_status 3
   one_line "$stderr"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # The formats through tm-convert: every pair of them, odd PLY files byte for byte, and the real
-# files of ../shared/data/meshes.
+# files of $TM_DATA/meshes.
 
 load ../helpers/common
 

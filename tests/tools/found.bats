@@ -4,9 +4,8 @@
 load ../helpers/common
 
 @test "tm-clean: two nearly coplanar sheets with 8,000 intersecting pairs become one surface" {
-  local file=$tm_root/../shared/data/found/clean_hang_112588.ply.gz
-  [ -f "$file" ] || skip "../shared/data/found is absent"
-  zcat "$file" >"$BATS_TEST_TMPDIR/in.ply"
+  needs_shared found/clean_hang_112588.ply.gz
+  zcat "$shared_file" >"$BATS_TEST_TMPDIR/in.ply"
   cd "$BATS_TEST_TMPDIR"
   tm-clean in.ply -o out.ply --report report.json
   [ "$(jq .result.pairs report.json)" -eq 8000 ]
@@ -14,8 +13,7 @@ load ../helpers/common
 }
 
 @test "tm-clean: an open mesh with coordinates of all magnitudes comes to an end" {
-  local file=$tm_root/../shared/data/hostile/never-ends-78.off
-  [ -f "$file" ] || skip "../shared/data/hostile is absent"
-  timeout 60 tm-clean "$file" -o "$BATS_TEST_TMPDIR/out.ply"
+  needs_shared hostile/never-ends-78.off
+  timeout 60 tm-clean "$shared_file" -o "$BATS_TEST_TMPDIR/out.ply"
   tm-checkmanifold "$BATS_TEST_TMPDIR/out.ply"
 }
