@@ -2,7 +2,6 @@
 
 #include <zlib.h>
 
-#include <cstdint>
 #include <new>
 
 namespace transformesh {
@@ -17,23 +16,6 @@ std::string deflated(std::string_view bytes) {
   if (code != Z_OK) throw std::bad_alloc();
   packed.resize(size);
   return packed;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto byte = [&](std::size_t i) {
-    return i < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) : 0;
-  };
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::uint32_t group = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (int shift = 18; shift >= 0; shift -= 6) text += letters[(group >> shift) & 63U];
-  }
-  const std::size_t missing = (3 - bytes.size() % 3) % 3;
-  text.replace(text.size() - missing, missing, missing, '=');
-  return text;
 }
 
 std::string html_escaped(std::string_view text) {

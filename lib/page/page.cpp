@@ -6,6 +6,7 @@
 
 #include "page/encode.h"
 #include "picture/colormap.h"
+#include "support/base64.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {

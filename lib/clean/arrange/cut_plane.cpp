@@ -4,11 +4,10 @@
 
 #include "clean/arrange/definition_table.h"
 #include "clean/arrange/planar_triangulation.h"
+#include "mesh/corners.h"
 
 namespace transformesh {
 namespace {
-
-constexpr Index corner_after(Index i) { return i == 2 ? 0 : i + 1; }
 
 // What a constraint lies on: an edge in the plane, or the plane of a face that crosses it.
 struct Line {
@@ -109,7 +108,7 @@ ExactPoint PlaneCutter::crossing(Index first_line, Index second_line) const {
 void PlaneCutter::insert_faces() {
   for (const Index face : plane_.faces) {
     const Face& v = welded_.faces[face];
-    for (Index i = 0; i < 3; ++i) lines_.push_back({true, v[i], v[corner_after(i)]});
+    for (Index i = 0; i < 3; ++i) lines_.push_back({true, v[i], v[next_corner(i)]});
   }
   if (plane_.faces.size() == 1 && insert_only_face()) return;
   for (Index k = 0; k < plane_.faces.size(); ++k) {
@@ -122,8 +121,7 @@ void PlaneCutter::insert_faces() {
       known_points_.insert(definition, local[i]);
     }
     corners_.push_back(local);
-    for (Index i = 0; i < 3; ++i)
-      segments_.push_back({local[i], local[corner_after(i)], 3 * k + i});
+    for (Index i = 0; i < 3; ++i) segments_.push_back({local[i], local[next_corner(i)], 3 * k + i});
   }
 }
 

@@ -7,13 +7,10 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "mesh/corners.h"
+
 namespace transformesh {
 namespace {
-
-constexpr Index next_corner(Index i) { return i == 2 ? 0 : i + 1; }
-constexpr Index previous_corner(Index i) { return i == 0 ? 2 : i - 1; }
-constexpr Index next_edge(Index edge) { return edge / 3 * 3 + next_corner(edge % 3); }
-constexpr Index previous_edge(Index edge) { return edge / 3 * 3 + previous_corner(edge % 3); }
 
 // The corners of a triangle far around the box; they lie in the plane as nearly as doubles allow.
 std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec3& low,

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "mesh/corners.h"
+
 namespace transformesh {
 namespace {
-
-Index corner_after(Index i) { return i == 2 ? 0 : i + 1; }
 
 bool has_same_direction(const Face& face, const Face& copy) {
   const auto at =
@@ -78,7 +78,7 @@ void WindingJumps::over_edge(Index face, Index i, Index plane,
     if (welded_.first_copy[other] != other) continue;
     if (planes_.plane_of(other) == planes_.plane_of(plane)) continue;
     const Face& corners = welded_.faces[other];
-    const Vec3& apex = welded_.points[corners[corner_after(corner_after(h % 3))]];
+    const Vec3& apex = welded_.points[corners[next_corner(next_corner(h % 3))]];
     if (orient3d(t[0], t[1], t[2], apex) <= 0) continue;
     const int along = corners[h % 3] == from ? 1 : -1;
     jumps.push_back({other, -along * multiplicity(other)});

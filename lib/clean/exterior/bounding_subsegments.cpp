@@ -4,11 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/corners.h"
+
 namespace transformesh {
 namespace {
 
 constexpr int unknown = std::numeric_limits<int>::min();
-constexpr Index corner_before(Index i) { return i == 0 ? 2 : i - 1; }
 
 class BoundingSubsegments {
  public:
@@ -85,7 +86,7 @@ std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
     const KnownWinding& known = known_[i];
     if (side(s, known.at) == 0 || (partner != no_index && side(partner, known.at) == 0)) continue;
     const bool is_at_edge =
-        edge != no_index && known.corner != no_index && known.corner != corner_before(edge);
+        edge != no_index && known.corner != no_index && known.corner != previous_corner(edge);
     const std::optional<int> w =
         is_at_edge ? winding_at_edge(start, known) : winding_at(start, known);
     if (w) return is_on_left(s, partner, known.at) ? *w : *w - segment(s).jump;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "clean/arrange/cut_plane.h"
+#include "mesh/corners.h"
 #include "support/parallel.h"
 
 namespace transformesh {
@@ -12,8 +13,6 @@ constexpr std::size_t planes_per_task = 256;
 /// So many rays cost less than a hierarchy. If there are more, many are expected.
 constexpr std::size_t few = 8;
 constexpr std::size_t many = 1000;
-constexpr Index corner_after(Index i) { return i == 2 ? 0 : i + 1; }
-constexpr Index corner_before(Index i) { return i == 0 ? 2 : i - 1; }
 
 /// The halfedges across edges at which just two faces meet, one in each direction.
 std::vector<Index> oriented_neighbors(const WeldedMesh& welded, const Edges& edges) {
@@ -84,7 +83,7 @@ void RegionGrowingWinding::trace_meeting(const Meeting& meeting, Index face, Cut
     if (simplex < 3) cut.is_met[simplex] = true;
     if (simplex < 3 || simplex == interior) continue;
     const Index edge = simplex - 3U;
-    const int from = sides[edge], to = sides[corner_after(edge)];
+    const int from = sides[edge], to = sides[next_corner(edge)];
     if (contacts.count < 2 || !reaches_front || from * to >= 0) continue;
     cut.along[edge] += from > 0 ? count : -count;
   }
@@ -159,14 +158,14 @@ void RegionGrowingWinding::spread(Index face, Index at, int w) {
         const Index out = across_[3 * f + k];
         if (out == no_index) continue;
         visit_corner(out / 3, out % 3, here);
-        if (!planes_.is_whole(out / 3)) visit_corner(out / 3, corner_after(out % 3), here);
+        if (!planes_.is_whole(out / 3)) visit_corner(out / 3, next_corner(out % 3), here);
       }
       continue;
     }
     step_across(f, i, here);
     const CutFace& cut = cut_faces_[planes_.plane_of(f)];
-    const Index before = corner_before(i);
-    visit_corner(f, corner_after(i), here + cut.along[i]);
+    const Index before = previous_corner(i);
+    visit_corner(f, next_corner(i), here + cut.along[i]);
     visit_corner(f, before, here - cut.along[before]);
   }
 }
@@ -187,8 +186,8 @@ void RegionGrowingWinding::visit_corner(Index face, Index i, int w) {
 // To both neighbors at the corner: beside their common edges.
 void RegionGrowingWinding::step_across(Index face, Index i, int w) {
   const Index out = across_[3 * face + i];
-  if (out != no_index) visit_corner(out / 3, corner_after(out % 3), w);
-  const Index in = across_[3 * face + corner_before(i)];
+  if (out != no_index) visit_corner(out / 3, next_corner(out % 3), w);
+  const Index in = across_[3 * face + previous_corner(i)];
   if (in != no_index) visit_corner(in / 3, in % 3, w);
 }
 

@@ -6,26 +6,11 @@
 #include "io/formats/column_groups.h"
 #include "io/formats/vtp.h"
 #include "io/streams/text_buffer.h"
+#include "support/base64.h"
 #include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8U | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= count ? digits[bits >> (18 - 6 * k) & 63U] : '=';
-  }
-  return text;
-}
 
 /// Names of other bytes could make XML that no reader takes.
 bool is_printable(std::string_view name) {

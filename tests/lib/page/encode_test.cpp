@@ -7,15 +7,6 @@
 
 namespace transformesh {
 
-TEST_CASE("base64 as RFC 4648 has it") {
-  CHECK(base64("").empty());
-  CHECK(base64("f") == "Zg==");
-  CHECK(base64("fo") == "Zm8=");
-  CHECK(base64("foo") == "Zm9v");
-  CHECK(base64("foobar") == "Zm9vYmFy");
-  CHECK(base64(std::string("\xff\xfe\x00\xfb", 4)) == "//4A+w==");
-}
-
 TEST_CASE("zlib inflates what was deflated") {
   std::string bytes;
   for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(std::int64_t{i} * i / 97);

@@ -6,6 +6,7 @@
 
 #include "helpers/shapes.h"
 #include "page/encode.h"
+#include "support/base64.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
