@@ -6,7 +6,6 @@
 #include "transformesh/certify.h"
 #include "transformesh/clean.h"
 #include "transformesh/clean_box.h"
-#include "transformesh/color.h"
 #include "transformesh/columns.h"
 #include "transformesh/compare.h"
 #include "transformesh/components.h"
@@ -19,8 +18,6 @@
 #include "transformesh/evolve.h"
 #include "transformesh/fill.h"
 #include "transformesh/handles.h"
-#include "transformesh/hull.h"
-#include "transformesh/image.h"
 #include "transformesh/intersect.h"
 #include "transformesh/iteration.h"
 #include "transformesh/length.h"
@@ -32,10 +29,7 @@
 #include "transformesh/morph.h"
 #include "transformesh/morph_step.h"
 #include "transformesh/offset.h"
-#include "transformesh/photo_step.h"
 #include "transformesh/pinhole_camera.h"
-#include "transformesh/reconstruct.h"
-#include "transformesh/reconstruction_options.h"
 #include "transformesh/remesh.h"
 #include "transformesh/sample.h"
 #include "transformesh/select.h"
@@ -44,5 +38,15 @@
 #include "transformesh/target.h"
 #include "transformesh/transform.h"
 #include "transformesh/velocity.h"
+
+// Not installed with a library that is built without photographs.
+#if __has_include("transformesh/views.h")
+#include "transformesh/color.h"
+#include "transformesh/hull.h"
+#include "transformesh/image.h"
+#include "transformesh/photo_step.h"
+#include "transformesh/reconstruct.h"
+#include "transformesh/reconstruction_options.h"
 #include "transformesh/views.h"
 #include "transformesh/wrap.h"
+#endif

@@ -1,5 +1,5 @@
-/// The loops of evolve.h, morph.h, track.h and reconstruct.h with a record that the caller has
-/// opened. LoopOptions::record is not used.
+/// The loops of evolve.h and morph.h with a record that the caller has opened.
+/// LoopOptions::record is not used.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,6 @@
 #include "evolution/loop/record.h"
 #include "transformesh/evolve.h"
 #include "transformesh/morph.h"
-#include "transformesh/reconstruct.h"
-#include "views/cameras/view.h"
 
 namespace transformesh {
 
@@ -25,19 +23,11 @@ TrackResult track(Document& document, const std::vector<std::string>& names,
                   const MorphOptions& options, const LoopOptions& loop, Record& record,
                   const Progress& progress = Progress());
 
-/// In the record's folder `start.ply` and `hull.ply` are kept as well.
-ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
-                                 const ReconstructionOptions& options, Record& record,
-                                 const Progress& progress = Progress());
-
 /// Returns "vertices moved less far than their velocities prescribe in 30 of 30 iterations, at most
 /// 87 % of them: clamped to 0.2 of the mean edge". Pre: there are such iterations.
 std::string clamps_in_words(const EvolveResult& result, double alpha);
 
 /// Returns converged, stalled or iteration_limit.
 const char* name_of(MorphStop stop);
-
-/// Returns "2 sweeps: 812 faces, components 1, genus 0; ...".
-std::string summary_of(const ReconstructionResult& result);
 
 }  // namespace transformesh

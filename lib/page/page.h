@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "evolution/loop/run_views.h"
+#include "evolution/loop/recorded_views.h"
 #include "page/pack.h"
 
 namespace transformesh {

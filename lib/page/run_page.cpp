@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "evolution/loop/run_views.h"
+#include "evolution/loop/recorded_views.h"
 #include "io/streams/streams.h"
 #include "step/target_file.h"
 #include "support/number.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "picture/color.h"
+#include "picture/linear_color.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {

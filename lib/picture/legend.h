@@ -2,8 +2,8 @@
 /// colors between the numbers at its ends, in a font of its own.
 #pragma once
 
-#include "picture/color.h"
 #include "picture/colormap.h"
+#include "picture/linear_color.h"
 #include "transformesh/image.h"
 
 namespace transformesh {

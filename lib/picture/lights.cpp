@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 
 namespace transformesh {
 namespace {

@@ -2,8 +2,8 @@
 /// right, a rim from behind, and sky and ground all around.
 #pragma once
 
-#include "picture/camera.h"
-#include "picture/color.h"
+#include "picture/linear_color.h"
+#include "raster/camera.h"
 
 namespace transformesh {
 

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "mesh/local_measures.h"
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "picture/camera.h"
 #include "picture/picture.h"
+#include "raster/camera.h"
 
 namespace transformesh {
 

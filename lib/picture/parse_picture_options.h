@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "picture/color.h"
+#include "picture/linear_color.h"
 
 namespace transformesh {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "picture/camera.h"
 #include "picture/shade.h"
+#include "raster/camera.h"
 #include "transformesh/control.h"
 
 namespace transformesh {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 
 namespace transformesh {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {

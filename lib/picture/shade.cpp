@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "picture/camera.h"
 #include "picture/corner_normals.h"
 #include "picture/lights.h"
 #include "picture/ribbons.h"
 #include "picture/soft_shadow.h"
+#include "raster/camera.h"
 #include "support/parallel.h"
 
 namespace transformesh {

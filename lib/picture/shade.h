@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "picture/camera.h"
-#include "picture/color.h"
-#include "picture/rasterize.h"
+#include "picture/linear_color.h"
 #include "picture/surface_color.h"
+#include "raster/camera.h"
+#include "raster/rasterize.h"
 #include "transformesh/image.h"
 
 namespace transformesh {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "mesh/local_measures.h"
-#include "picture/camera.h"
-#include "picture/rasterize.h"
+#include "raster/camera.h"
+#include "raster/rasterize.h"
 #include "support/elementary/trigonometric.h"
 #include "transformesh/measure.h"
 

@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "transformesh/image.h"
 
 namespace transformesh {

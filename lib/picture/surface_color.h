@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "picture/color.h"
 #include "picture/colormap.h"
-#include "picture/rasterize.h"
+#include "picture/linear_color.h"
+#include "raster/rasterize.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {

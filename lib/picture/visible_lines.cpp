@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "support/parallel.h"
 
 namespace transformesh {

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "geometry/search/bvh.h"
-#include "picture/camera.h"
-#include "picture/rasterize.h"
+#include "raster/camera.h"
+#include "raster/rasterize.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolution/reconstruction/scale_rule.h"
+#include "reconstruction/scale_rule.h"
 
 namespace transformesh::test {
 

@@ -16,7 +16,7 @@ setup() {
 }
 
 programs() {
-  (cd "$tm_root/tools" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
+  (cd "$tm_root/tools/programs" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
 }
 
 @test "every program is installed, with its completions" {
@@ -64,6 +64,39 @@ link_what_is_built() { # FOLDER TARGET...
   DESTDIR=$PWD/root cmake --install build --prefix /usr/local >log 2>&1 || fail "$(tail -n 5 log)"
   diff <(cd root/usr/local && find . -type l -o -type f | sort) <(cd "$prefix" && find . -type l -o -type f | sort)
   root/usr/local/bin/tm | grep -q tm-clean
+}
+
+@test "core needs no library of images, and is 22 programs" {
+  "$tm_build/bin-test/core_alone"
+  local disabled=()
+  for package in JPEG PNG TIFF ZLIB; do disabled+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"); done
+  cmake -S "$tm_root" -B core -G Ninja -DTM_VIEWS=OFF -DTM_SHOW=OFF "${disabled[@]}" >log 2>&1 ||
+    fail "$(cat log)"
+  ninja -C core -t targets all | sed -n 's|^bin/\(tm[^:]*\): .*|\1|p' | sort >built
+  diff built - <<END
+tm
+tm-carry
+tm-cat
+tm-checkmanifold
+tm-clean
+tm-compare
+tm-convert
+tm-displace
+tm-evolve
+tm-fill
+tm-handles
+tm-info
+tm-intersect
+tm-morph
+tm-morph-step
+tm-offset
+tm-remesh
+tm-sample
+tm-select
+tm-shape
+tm-stitch
+tm-transform
+END
 }
 
 @test "a pipeline runs from there" {

@@ -14,7 +14,7 @@ setup() {
 
 @test "the table names every program" {
   diff <(contract_programs | cut -d'|' -f1) \
-    <(cd "$tm_root/tools" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
+    <(cd "$tm_root/tools/programs" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
 }
 
 help_is_golden() {

@@ -3,7 +3,7 @@
 load ../helpers/common
 
 programs() {
-  (cd "$tm_root/tools" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
+  (cd "$tm_root/tools/programs" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
 }
 
 # The long options that start an entry of the help.

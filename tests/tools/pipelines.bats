@@ -46,7 +46,7 @@ expect() { # EXPRESSION NUMBER...
 
 @test "the README names every program and no other" {
   diff <(grep -oE '^\| `tm-[a-z-]+`' "$tm_root/README.md" | grep -oE 'tm-[a-z-]+' | sort) \
-    <(cd "$tm_root" && ls tools/tm-*.cpp | sed 's|.*/||; s/\.cpp$//' | sort)
+    <(cd "$tm_root" && ls tools/programs/tm-*.cpp | sed 's|.*/||; s/\.cpp$//' | sort)
 }
 
 @test "every result is a closed manifold without a self-intersection" {

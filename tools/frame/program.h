@@ -1,6 +1,6 @@
 /// The frame around every program: the only place that touches argv, the standard streams, signals
 /// and exit codes. A program says what it reads and writes, declares its options, and hands over
-/// one function. CLI.md is the contract that the frame keeps for all of them.
+/// one function. man/tm.7.md is the contract that the frame keeps.
 #pragma once
 
 #include <deque>

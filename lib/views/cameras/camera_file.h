@@ -23,8 +23,8 @@
 #include <string_view>
 #include <vector>
 
-#include "picture/camera.h"
-#include "views/cameras/camera_record.h"
+#include "raster/camera.h"
+#include "raster/camera_record.h"
 
 namespace transformesh {
 

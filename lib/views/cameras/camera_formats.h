@@ -1,15 +1,15 @@
-/// The formats of camera files, one source each, and the checks that they share. Internal to
-/// camera_file.
+/// The formats of camera files, one source each. Internal to camera_file.
 #pragma once
 
 #include "io/formats/text_rows.h"
 #include "io/streams/text_buffer.h"
+#include "raster/camera_checks.h"
+#include "raster/middlebury.h"
 #include "views/cameras/camera_file.h"
 
 namespace transformesh {
 
 /// Each throws InputError for what camera_file.h refuses.
-CameraList read_middlebury(const Source& source);
 CameraList read_bundler(const Source& source);
 /// Cameras are called after the stem.
 CameraList read_opencv(const Source& source, const std::string& stem);
@@ -29,7 +29,6 @@ CameraList read_colmap_binary(const Source& cameras, const Source& images);
 enum class ColmapSection { none, cameras, images };
 ColmapSection colmap_section(TextRows rows);
 
-std::string write_middlebury(const CameraList& list);
 std::string write_matrix(const CameraRecord& record);
 std::string write_colmap_cameras(const CameraList& list);
 std::string write_colmap_images(const CameraList& list);
@@ -37,24 +36,5 @@ std::string write_colmap_images(const CameraList& list);
 std::string binary_colmap_cameras(const std::string& text);
 std::string binary_colmap_images(const std::string& text);
 std::string write_opencv(const CameraRecord& record);
-
-bool is_number(std::string_view word);
-
-/// Where rows are now, as in `dino_par.txt line 3`.
-std::string place_of(const TextRows& rows, const Source& source);
-
-/// Why no camera has such numbers, or none that every format can hold; empty if all is well.
-std::string intrinsics_problem(const Eigen::Matrix3d& intrinsics, const std::string& who);
-std::string translation_problem(const Vec3& translation, const std::string& who);
-
-/// Each throws InputError at the line of rows, and says what is wrong with `who`.
-void check_intrinsics(const TextRows& rows, const Eigen::Matrix3d& intrinsics,
-                      const std::string& who);
-void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who);
-void check_translation(const TextRows& rows, const Vec3& translation, const std::string& who);
-
-/// Throws InputError where the camera that would be read again is none: `again` is the record's
-/// after writing and reading.
-void check_read_again(const CameraRecord& record, const PinholeCamera& again);
 
 }  // namespace transformesh

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
 

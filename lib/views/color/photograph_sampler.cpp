@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "picture/camera.h"
-#include "picture/rasterize.h"
+#include "raster/camera.h"
+#include "raster/rasterize.h"
 #include "support/parallel.h"
 
 namespace transformesh {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "transformesh/image.h"
 #include "transformesh/mesh.h"
 #include "transformesh/pinhole_camera.h"

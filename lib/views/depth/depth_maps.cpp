@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "support/parallel.h"
 #include "views/cameras/view.h"
 

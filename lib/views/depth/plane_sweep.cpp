@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "views/cameras/view.h"
 #include "views/images/interpolation.h"
 #include "views/photo/warp.h"

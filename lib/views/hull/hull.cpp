@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "support/parallel.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "transformesh/errors.h"
 #include "transformesh/hull.h"
 #include "views/cameras/view.h"

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "picture/camera.h"
-#include "picture/rasterize.h"
+#include "raster/camera.h"
+#include "raster/rasterize.h"
 #include "transformesh/hull.h"
 #include "views/cameras/view.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "transformesh/errors.h"
 #include "transformesh/hull.h"
 #include "views/cameras/view.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "io/streams/source.h"
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "support/counted.h"
 #include "support/parallel.h"
 #include "transformesh/errors.h"

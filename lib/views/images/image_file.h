@@ -1,5 +1,5 @@
 /// Photographs and silhouettes from files, JPEG, PNG, TIFF and PNM (P2, P3, P5, P6), and as
-/// pictures that can be written (picture/png.h). The format is detected by the first bytes, not by
+/// pictures that can be written (raster/png.h). The format is detected by the first bytes, not by
 /// the name.
 ///
 /// Pixels stay where the file has them: a camera is calibrated for those, so that a wish to show

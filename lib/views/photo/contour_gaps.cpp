@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "transformesh/hull.h"
 #include "views/cameras/view.h"
 #include "views/hull/contour_distance.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "picture/camera.h"
-#include "picture/rasterize.h"
+#include "raster/camera.h"
+#include "raster/rasterize.h"
 #include "support/elementary/exponential.h"
 #include "support/elementary/trigonometric.h"
 #include "support/parallel.h"

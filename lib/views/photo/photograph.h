@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "transformesh/image.h"
 #include "views/photo/solid_texture.h"
 

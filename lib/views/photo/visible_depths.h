@@ -1,7 +1,7 @@
 /// The depths of what a view sees, of a rectangle of it, beyond which it sees nothing.
 #pragma once
 
-#include "picture/rasterize.h"
+#include "raster/rasterize.h"
 #include "views/images/packable_image.h"
 
 namespace transformesh {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "support/parallel.h"
 #include "transformesh/measure.h"
 #include "views/cameras/view.h"

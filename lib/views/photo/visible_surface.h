@@ -1,7 +1,7 @@
 /// The surface as one view sees it, with what a comparison of photographs needs per pixel.
 #pragma once
 
-#include "picture/rasterize.h"
+#include "raster/rasterize.h"
 #include "views/cameras/view.h"
 #include "views/photo/visible_depths.h"
 

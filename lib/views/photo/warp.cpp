@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "picture/camera.h"
+#include "raster/camera.h"
 #include "views/cameras/view.h"
 #include "views/images/interpolation.h"
 

@@ -8,6 +8,7 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "io/streams/atomic_file.h"
+#include "reconstruction/run_views.h"
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
 #include "views/cameras/camera_ring.h"

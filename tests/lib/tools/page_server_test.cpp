@@ -1,4 +1,4 @@
-#include "page_server.h"
+#include "viewer/page_server.h"
 
 #include <arpa/inet.h>
 #include <doctest/doctest.h>

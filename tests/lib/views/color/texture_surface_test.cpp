@@ -7,7 +7,7 @@
 
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
-#include "picture/rasterize.h"
+#include "raster/rasterize.h"
 #include "support/parallel.h"
 #include "transformesh/control.h"
 #include "transformesh/errors.h"

@@ -7,7 +7,7 @@
 
 #include "helpers/intensities.h"
 #include "helpers/random.h"
-#include "picture/rasterize.h"
+#include "raster/rasterize.h"
 #include "support/parallel.h"
 #include "transformesh/control.h"
 #include "transformesh/errors.h"

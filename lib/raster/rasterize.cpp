@@ -1,0 +1,215 @@
+#include "raster/rasterize.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "raster/camera.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+namespace {
+
+constexpr int usual_rows_per_band = 16;
+constexpr int columns_worth_narrowing = 8;
+constexpr std::size_t items_per_task = 4096;
+/// Whose bounds are known at a time.
+constexpr std::size_t faces_at_once = std::size_t{1} << 16;
+
+/// A range of pixels from first to last, both included.
+struct Range {
+  int first = 0;
+  int last = -1;
+};
+
+/// The pixels that a face may cover.
+struct Bounds {
+  Range columns;
+  Range rows;
+
+  bool is_empty() const { return columns.first > columns.last || rows.first > rows.last; }
+};
+
+/// What is known of a face before it is drawn.
+struct FaceSetup {
+  EdgeFunctions functions;
+  Bounds bounds;
+};
+
+using Corners = std::array<Vec3, 3>;
+
+Corners corners_of(const Face& face, const std::vector<Vec3>& projected) {
+  return {projected[face[0]], projected[face[1]], projected[face[2]]};
+}
+
+/// The integers in [low, high] that are pixels of a row or column.
+Range pixels_between(double low, double high, int size) {
+  if (!(low <= high)) return {};
+  low = std::max(low, 0.0);
+  high = std::min(high, size - 1.0);
+  if (!(low <= high)) return {};
+  return {static_cast<int>(std::ceil(low)), static_cast<int>(std::floor(high))};
+}
+
+/// The bounds of the image of a face; the whole image for one that reaches behind the eye.
+Bounds bounds_of(const Corners& corners, int width, int height) {
+  Eigen::Array2d low(0, 0);
+  Eigen::Array2d high(width - 1, height - 1);
+  if (corners[0].z() > 0 && corners[1].z() > 0 && corners[2].z() > 0) {
+    low.setConstant(HUGE_VAL);
+    high.setConstant(-HUGE_VAL);
+    for (const Vec3& corner : corners) {
+      const Eigen::Array2d pixel = corner.head<2>().array() / corner.z();
+      low = low.min(pixel);
+      high = high.max(pixel);
+    }
+  }
+  return {pixels_between(low.x(), high.x(), width), pixels_between(low.y(), high.y(), height)};
+}
+
+/// Which faces are drawn: where not both sides, those whose corners, projected, have a determinant
+/// of the given sign.
+struct Drawn {
+  bool is_both = true;
+  double sign = 0;
+
+  Drawn(const Camera& camera, Sides sides)
+      : is_both(sides == Sides::both),
+        sign(camera.projection.leftCols<3>().determinant() > 0 ? -1 : 1) {}
+  bool operator()(const Corners& corners) const {
+    if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return false;
+    return is_both || sign * corners[0].dot(corners[1].cross(corners[2])) > 0;
+  }
+};
+
+/// Of a face that is drawn.
+FaceSetup set_up(const Corners& corners, int width, int height) {
+  FaceSetup setup;
+  setup.functions = edge_functions(corners[0], corners[1], corners[2]);
+  if (setup.functions.depth_numerator > 0) setup.bounds = bounds_of(corners, width, height);
+  return setup;
+}
+
+void unite(Range& range, const Range& other) {
+  if (range.first > range.last) range = other;
+  range.first = std::min(range.first, other.first);
+  range.last = std::max(range.last, other.last);
+}
+
+/// The columns of a row on which all edge functions can be positive, one too many on either side.
+Range narrowed(Range columns, const std::array<double, 3>& slope,
+               const std::array<double, 3>& start) {
+  double low = columns.first;
+  double high = columns.last;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double root = -start[i] / slope[i];
+    if (slope[i] > 0) low = std::max(low, root - 1);
+    if (slope[i] < 0) high = std::min(high, root + 1);
+  }
+  if (!(low <= high)) return {};
+  return {static_cast<int>(std::ceil(low)), static_cast<int>(std::floor(high))};
+}
+
+void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row) {
+  std::array<double, 3> slope;
+  std::array<double, 3> start;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& edge = setup.functions.edge[i];
+    slope[i] = edge.x();
+    start[i] = edge.y() * y + edge.z();
+  }
+  const Range& all = setup.bounds.columns;
+  const bool is_narrow = all.last - all.first < columns_worth_narrowing;
+  const Range columns = is_narrow ? all : narrowed(all, slope, start);
+  for (int x = columns.first; x <= columns.last; ++x) {
+    const double e0 = slope[0] * x + start[0];
+    const double e1 = slope[1] * x + start[1];
+    const double e2 = slope[2] * x + start[2];
+    const double sum = e0 + e1 + e2;
+    if (!(e0 >= 0 && e1 >= 0 && e2 >= 0 && sum > 0)) continue;
+    const auto depth = static_cast<float>(setup.functions.depth_numerator / sum);
+    FacePixel& pixel = row[x];
+    if (pixel.face != no_index && !(depth < pixel.depth)) continue;
+    pixel = {face, depth, {static_cast<float>(e0 / sum), static_cast<float>(e1 / sum)}};
+  }
+}
+
+}  // namespace
+
+EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
+  EdgeFunctions functions;
+  const Vec3 across_a = b.cross(c);
+  const double determinant = a.dot(across_a);
+  if (!(std::abs(determinant) > 0)) return functions;
+  const double sign = determinant > 0 ? 1 : -1;
+  functions.edge = {sign * across_a, sign * c.cross(a), sign * a.cross(b)};
+  functions.depth_numerator = std::abs(determinant);
+  return functions;
+}
+
+BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
+                               Sides sides)
+    : mesh_(mesh),
+      width_(camera.width),
+      height_(camera.height),
+      rows_per_band_(rows_per_band),
+      projected_(mesh.positions.size()) {
+  parallel_for(projected_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) projected_[v] = camera.project(mesh.positions[v]);
+  });
+  sort_faces(camera, sides);
+}
+
+// Sorts faces into the bands of rows that they touch, in face order. What else is known of them
+// would take several times the memory of the mesh: a face is set up again when it is drawn.
+void BandRasterizer::sort_faces(const Camera& camera, Sides sides) {
+  faces_.resize(static_cast<std::size_t>((height_ + rows_per_band_ - 1) / rows_per_band_));
+  const Drawn is_drawn(camera, sides);
+  Bounds all;
+  std::vector<Bounds> some;
+  for (std::size_t start = 0; start < mesh_.faces.size(); start += faces_at_once) {
+    some.assign(std::min(faces_at_once, mesh_.faces.size() - start), {});
+    parallel_for(some.size(), items_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Corners corners = corners_of(mesh_.faces[start + i], projected_);
+        if (is_drawn(corners)) some[i] = bounds_of(corners, width_, height_);
+      }
+    });
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if (some[i].is_empty()) continue;
+      const Range& rows = some[i].rows;
+      unite(all.columns, some[i].columns);
+      unite(all.rows, rows);
+      for (int band = rows.first / rows_per_band_; band <= rows.last / rows_per_band_; ++band)
+        faces_[static_cast<std::size_t>(band)].push_back(static_cast<Index>(start + i));
+    }
+  }
+  box_ = {all.columns.first, all.columns.last + 1, all.rows.first, all.rows.last + 1};
+}
+
+void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {
+  const int first = static_cast<int>(band) * rows_per_band_;
+  const int last = first + rows_per_band_ - 1;
+  for (const Index face : faces_[band]) {
+    const FaceSetup setup = set_up(corners_of(mesh_.faces[face], projected_), width_, height_);
+    const Range& own = setup.bounds.rows;
+    for (int y = std::max(first, own.first); y <= std::min(last, own.last); ++y) {
+      const auto row = static_cast<std::size_t>(y - first);
+      draw_row(setup, face, y, rows + row * static_cast<std::size_t>(width_));
+    }
+  }
+}
+
+FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides) {
+  // Each band is drawn by one thread, in face order; the last may end below the picture, where no
+  // face has rows.
+  FaceBuffer buffer(camera.width, camera.height);
+  const BandRasterizer bands(mesh, camera, usual_rows_per_band, sides);
+  parallel_for(bands.bands(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t band = first; band < last; ++band)
+      bands.draw(band, buffer.row(static_cast<int>(band) * usual_rows_per_band));
+  });
+  return buffer;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,45 @@
+#include "reconstruction/convergence.h"
+
+#include <algorithm>
+
+#include "reconstruction/surface_doubt.h"
+#include "support/number.h"
+
+namespace transformesh {
+namespace {
+
+/// Of the agreement with silhouettes: as much as the edges of the initial mesh leave open.
+constexpr double agreement_lost = 0.005;
+constexpr double most_disagreement = 0.2;
+constexpr double most_doubtful = 0.03;
+
+std::string in_words_of(const SurfaceDoubt& doubt) {
+  if (doubt.disagreement > most_disagreement)
+    return "photographs disagree by " + fixed(doubt.disagreement, 2) + " beyond their noise";
+  const auto thin = std::find_if(doubt.places.begin(), doubt.places.end(),
+                                 [](const DoubtfulPlace& place) { return place.is_thin; });
+  if (thin != doubt.places.end())
+    return "photographs disagree on a thin sheet or fin around " + in_words(*thin);
+  if (doubt.share > most_doubtful)
+    return "photographs disagree on " + fixed(100 * doubt.share, 1) +
+           " % of the surface, most around " + in_words(doubt.places.front());
+  return {};
+}
+
+}  // namespace
+
+std::string ReconstructionFaults::in_words(const SurfaceEvidence& evidence) const {
+  if (lost_at > 0)
+    return "photographs compare less of the surface after scale " + fixed(lost_at, 4) +
+           " than before";
+  if (!is_at_rest) return "the surface was not at rest after the last sweep";
+  if (late_at > 0)
+    return "components or holes came or went as late as at scale " + fixed(late_at, 4) +
+           ": maybe thin sheets that no photograph shows";
+  if (evidence.agreement < evidence.first_agreement - agreement_lost)
+    return "the outline agrees with the silhouettes by " + fixed(evidence.agreement, 3) +
+           ", that of the initial mesh by " + fixed(evidence.first_agreement, 3);
+  return in_words_of(evidence.doubt);
+}
+
+}  // namespace transformesh

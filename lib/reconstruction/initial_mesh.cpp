@@ -1,0 +1,161 @@
+#include "reconstruction/initial_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "evolution/loop/stages.h"
+#include "io/document/round_as_written.h"
+#include "raster/camera.h"
+#include "reconstruction/image_scales.h"
+#include "support/parallel.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "transformesh/iteration.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/pinhole_camera.h"
+#include "views/cameras/view.h"
+#include "views/hull/agreed_threshold.h"
+#include "views/hull/contour_distance.h"
+#include "views/hull/hull_values.h"
+#include "views/hull/silhouette.h"
+#include "views/hull/view_check.h"
+
+namespace transformesh {
+namespace {
+
+bool has_masks(const std::vector<View>& views) { return !views.front().silhouette.empty(); }
+
+void append(Mesh& mesh, const Mesh& other) {
+  const auto offset = static_cast<Index>(mesh.positions.size());
+  mesh.vertex_columns.concatenate(other.vertex_columns, offset, other.positions.size());
+  mesh.face_columns.concatenate(other.face_columns, mesh.faces.size(), other.faces.size());
+  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+  for (const auto& [a, b, c] : other.faces)
+    mesh.faces.push_back({a + offset, b + offset, c + offset});
+}
+
+// The exact intersection of both.
+void clip(Document& document, const Mesh& hull, const std::string& name, const Progress& progress) {
+  append(document.mesh, hull);
+  document.style.coordinate = Scalar::float64;
+  try {
+    document.mesh = clean(document.mesh, {.winding_level = 2, .outermost = true}, progress).mesh;
+  } catch (const GoalError&) {
+    throw GoalError(ErrorKind::outside_hull,
+                    "nothing of '" + name + "' is within the hull of the silhouettes",
+                    {.name = name});
+  }
+  round_as_written(document);
+}
+
+/// Cells of that size, or larger where there were very many: an initial mesh is made coarser
+/// anyway.
+double affordable(double edge, const Box& box) {
+  constexpr double most_cells = 1 << 26;
+  const Vec3 size = box.maximum - box.minimum;
+  while (size.prod() > most_cells * edge * edge * edge) edge *= 1.25;
+  return edge;
+}
+
+/// A rectangle of an image, as far as it was seen.
+struct Rectangle {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL);
+  Eigen::Vector2d high = Eigen::Vector2d::Constant(-HUGE_VAL);
+
+  void add(const Eigen::Vector2d& place) {
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+};
+
+void add_silhouette(const PackableImage& silhouette, Rectangle& rectangle) {
+  for (int y = 0; y < silhouette.height; ++y)
+    for (int x = 0; x < silhouette.width; ++x)
+      if (silhouette.at(x, y) > contour_intensity) rectangle.add({x, y});
+}
+
+/// The part with the mesh and the silhouette, and some room for a surface that moves.
+View around(const Mesh& mesh, const View& view) {
+  constexpr double margin_px = 32;
+  constexpr double margin_share = 0.05;
+  Rectangle rectangle;
+  const Projection projection = view.camera.projection();
+  for (const Vec3& position : mesh.positions) {
+    const Vec3 q = projection.leftCols<3>() * position + projection.col(3);
+    if (!(q.z() > 0)) return view;
+    rectangle.add(q.hnormalized());
+  }
+  add_silhouette(view.silhouette, rectangle);
+  if (!(rectangle.low.array() <= rectangle.high.array()).all()) return view;
+  const double margin = margin_px + margin_share * (rectangle.high - rectangle.low).maxCoeff();
+  const auto clamped = [](double value, int size) {
+    return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
+  };
+  const int left = clamped(rectangle.low.x() - margin, view.image.width);
+  const int top = clamped(rectangle.low.y() - margin, view.image.height);
+  const int right = clamped(rectangle.high.x() + margin + 1, view.image.width);
+  const int bottom = clamped(rectangle.high.y() + margin + 1, view.image.height);
+  if (left >= right || top >= bottom) return view;
+  return cropped(view, left, top, right - left, bottom - top);
+}
+
+}  // namespace
+
+double pixel_size(const std::vector<View>& views) {
+  const std::vector<PinholeCamera> cameras = cameras_of(views);
+  return pixel_size(cameras, viewed_point(cameras));
+}
+
+Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
+             std::optional<double> edge, const Progress& progress) {
+  if (!has_masks(views)) {
+    threshold_silhouettes(views, options.threshold.value_or(ThresholdOptions()), progress);
+    check_views(views, {.least_agreement = options.least_agreement}, progress);
+  }
+  HullOptions hull;
+  hull.box = silhouette_box(views);
+  if (edge) hull.edge = affordable(*edge, *hull.box);
+  hull.keep = options.keep;
+  return visual_hull(views, hull, progress).mesh;
+}
+
+void outline(std::vector<View>& views, const Mesh& mesh) {
+  for (View& view : views) {
+    const bool is_packed = view.image.is_packed();
+    view.silhouette = mesh_silhouette(mesh, view);
+    if (is_packed) view.silhouette.pack();
+    if (inside_share(view.silhouette) == 0)
+      throw InputError(view.name + ": nothing of the visual hull is in this view");
+  }
+}
+
+std::optional<Mesh> make_initial_mesh(Document& document, std::vector<View>& views,
+                                      const InitialMeshOptions& options, double pixel,
+                                      const Progress& progress) {
+  const bool are_masks = has_masks(views);
+  const double edge = edge_times(3, pixel);
+  if (!options.is_given) {
+    document.mesh = hull_of(views, options, edge, progress);
+    return are_masks ? std::nullopt : std::optional(document.mesh);
+  }
+  document.style.format = Format::ply_little;
+  clean_in_place(document, progress);
+  if (are_masks && options.meaning == SilhouetteMeaning::exact && options.clips_by_hull) {
+    InitialMeshOptions all = options;
+    all.keep = 0;
+    clip(document, hull_of(views, all, edge, progress), options.name, progress);
+  }
+  if (are_masks || !options.threshold) return std::nullopt;
+  return hull_of(views, options, edge, progress);
+}
+
+void crop_views(std::vector<View>& views, const Mesh& mesh) {
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      if (views[i].image.is_packed()) views[i] = around(mesh, views[i]);
+  });
+}
+
+}  // namespace transformesh

@@ -1,0 +1,55 @@
+#include "reconstruction/initial_state.h"
+
+#include "evolution/loop/record.h"
+#include "reconstruction/initial_mesh.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
+#include "views/cameras/view.h"
+#include "views/depth/opened_hull.h"
+
+namespace transformesh {
+namespace {
+
+constexpr const char* initial_mesh_file = "start.ply";
+constexpr const char* hull_name = "hull.ply";
+constexpr const char* coarsest_name = "coarsest";
+
+void open_hollows(InitialState& begun, const std::vector<View>& views,
+                  const InitialStateOptions& options, const Progress& progress) {
+  OpenedHullOptions opening;
+  opening.keep = options.initial.keep;
+  opening.pairs = options.pairs;
+  std::optional<OpenedHull> opened = opened_hull(views, opening, progress);
+  if (!opened) return;
+  begun.document.mesh = std::move(opened->mesh);
+  begun.coarsest = read_back(fixed(opened->scale, 4));
+}
+
+}  // namespace
+
+InitialState make_initial_state(const Document& document, std::vector<View>& views,
+                                const InitialStateOptions& options, Record& record,
+                                const Progress& progress) {
+  InitialState begun{document, std::nullopt, std::nullopt};
+  begun.outlined =
+      make_initial_mesh(begun.document, views, options.initial, pixel_size(views), progress);
+  if (!options.initial.is_given && options.initial.opens_hollows)
+    open_hollows(begun, views, options, progress);
+  record.add(initial_mesh_file, write_mesh(begun.document).bytes);
+  if (begun.outlined) record.add(hull_name, write_mesh({*begun.outlined, {}, {}}).bytes);
+  if (begun.coarsest) record.add(coarsest_name, fixed(*begun.coarsest, 4));
+  return begun;
+}
+
+InitialState read_initial_state(const Record& record) {
+  const auto start = record.find(initial_mesh_file);
+  const auto hull = record.find(hull_name);
+  if (!start) throw InputError("the state of the run is not that of a reconstruction");
+  InitialState found{read_mesh(*start, initial_mesh_file).document, std::nullopt, std::nullopt};
+  if (hull) found.outlined = read_mesh(*hull, hull_name).document.mesh;
+  if (const auto coarsest = record.find(coarsest_name)) found.coarsest = read_back(*coarsest);
+  return found;
+}
+
+}  // namespace transformesh

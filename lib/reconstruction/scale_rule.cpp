@@ -1,0 +1,56 @@
+#include "reconstruction/scale_rule.h"
+
+#include "support/number.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double share_at_rest = 0.015;
+constexpr double improvement = 0.99;
+constexpr double least_coverage_kept = 0.9;
+constexpr double least_pixels_kept = 0.5;
+/// Of the vertices: fewer outside of silhouettes are none that come in.
+constexpr double outside_share = 0.002;
+constexpr double entering_share = 0.9;
+/// A little below 2, which scales are not exactly.
+constexpr double late_scale = 1.99;
+
+double real(std::size_t count) { return static_cast<double>(count); }
+
+}  // namespace
+
+bool is_late_scale(double scale) { return scale < late_scale; }
+
+SweepVerdict ScaleRule::add(const Sweep& sweep) {
+  const PhotoStepResult& last = sweep.steps.last;
+  const bool is_first = done_ == 0;
+  if (is_first) {
+    coverage_ = sweep.steps.first.coverage;
+    pixels_ = sweep.steps.first.pixels;
+  }
+  SweepVerdict verdict;
+  verdict.is_lost = last.coverage < least_coverage_kept * coverage_ ||
+                    real(last.pixels) < least_pixels_kept * real(pixels_);
+  const bool is_slow = last.mean_share < share_at_rest ||
+                       (!is_first && last.dissimilarity > improvement * before_.dissimilarity);
+  const bool enters = real(last.outside) > outside_share * real(sweep.mesh.vertices) &&
+                      (is_first || real(last.outside) < entering_share * real(before_.outside));
+  const bool is_other = !is_first && sweep.mesh.topology != before_.topology;
+  const bool changes = enters || is_other;
+  verdict.is_at_rest = !verdict.is_lost && is_slow && !changes;
+  verdict.is_late = is_other && is_late_scale(sweep.scale_step.scale);
+  ++done_;
+  verdict.is_done = verdict.is_at_rest || done_ >= (changes ? 2 * sweeps_ : sweeps_);
+
+  coverage_ = read_back(significant(coverage_, 6));
+  before_ = {read_back(significant(last.dissimilarity, 6)), last.outside, sweep.mesh.topology};
+  return verdict;
+}
+
+void ScaleRule::remember(LoopState& loop_state) {
+  loop_state("pass", done_)("dissimilarity", before_.dissimilarity)("outside", before_.outside);
+  loop_state("components", before_.topology.components)("genus", before_.topology.genus);
+  loop_state("coverage", coverage_)("pixels", pixels_);
+}
+
+}  // namespace transformesh

@@ -1,0 +1,143 @@
+#include "reconstruction/surface_doubt.h"
+
+#include <algorithm>
+
+#include "step/local_thickness.h"
+#include "support/number.h"
+#include "transformesh/measure.h"
+#include "views/photo/photo_scene.h"
+#include "views/photo/thin_plate.h"
+
+namespace transformesh {
+namespace {
+
+constexpr double doubtful = 0.5;
+constexpr double least_area_px = 25;
+constexpr double thin_px = 6;
+/// How often sums of windows spread to neighbors, so that no single window decides.
+constexpr int rings = 2;
+
+std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian) {
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<WindowSums> before = sums;
+    for (Index v = 0; v < sums.size(); ++v)
+      for (const Index neighbor : laplacian.neighbors(v)) sums[v] += before[neighbor];
+  }
+  return sums;
+}
+
+std::vector<double> vertex_areas(const Mesh& mesh) {
+  std::vector<double> areas(mesh.positions.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    for (const Index vertex : mesh.faces[f]) areas[vertex] += face_area(mesh, f) / 3;
+  return areas;
+}
+
+/// Sets of vertices that hang together, among those that are doubtful.
+class Places {
+ public:
+  Places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vector<bool> is_doubtful)
+      : mesh_(mesh), laplacian_(laplacian), is_open_(std::move(is_doubtful)) {}
+
+  std::vector<std::vector<Index>> find() {
+    std::vector<std::vector<Index>> places;
+    for (Index v = 0; v < mesh_.positions.size(); ++v)
+      if (is_open_[v]) places.push_back(place_of(v));
+    return places;
+  }
+
+ private:
+  std::vector<Index> place_of(Index first) {
+    std::vector<Index> place{first};
+    is_open_[first] = false;
+    for (std::size_t next = 0; next < place.size(); ++next) {
+      for (const Index neighbor : laplacian_.neighbors(place[next])) {
+        if (is_open_[neighbor]) place.push_back(neighbor);
+        is_open_[neighbor] = false;
+      }
+    }
+    return place;
+  }
+
+  const Mesh& mesh_;
+  const UniformLaplacian& laplacian_;
+  std::vector<bool> is_open_;
+};
+
+DoubtfulPlace measured(const Mesh& mesh, const std::vector<Index>& vertices,
+                       const std::vector<double>& areas, double pixel) {
+  DoubtfulPlace place;
+  double area = 0;
+  for (const Index v : vertices) {
+    place.center += areas[v] * mesh.positions[v];
+    area += areas[v];
+  }
+  if (area > 0) place.center /= area;
+  place.area = area / (pixel * pixel);
+  return place;
+}
+
+bool is_thin(const std::vector<Index>& vertices, const std::vector<double>& thickness,
+             double most) {
+  const auto thin =
+      std::count_if(vertices.begin(), vertices.end(), [&](Index v) { return thickness[v] < most; });
+  return 2 * static_cast<std::size_t>(thin) > vertices.size();
+}
+
+void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vector<bool> is_doubtful,
+                 double pixel, SurfaceDoubt& doubt, const Progress& progress) {
+  const std::vector<double> areas = vertex_areas(mesh);
+  std::vector<double> thickness;
+  for (const std::vector<Index>& vertices :
+       Places(mesh, laplacian, std::move(is_doubtful)).find()) {
+    DoubtfulPlace place = measured(mesh, vertices, areas, pixel);
+    if (place.area < least_area_px) continue;
+    if (thickness.empty())
+      thickness = local_thickness(make_target(mesh), 2 * thin_px * pixel, progress);
+    place.is_thin = is_thin(vertices, thickness, thin_px * pixel);
+    doubt.places.push_back(place);
+  }
+  std::stable_sort(doubt.places.begin(), doubt.places.end(),
+                   [](const auto& a, const auto& b) { return a.area > b.area; });
+}
+
+}  // namespace
+
+SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
+                           const PhotoconsistencyOptions& options, const Progress& progress) {
+  const Disagreement found = disagreement(mesh, scene, least_cosine, options, progress);
+  SurfaceDoubt doubt;
+  doubt.disagreement = found.all.excess();
+  doubt.floor = found.all.mean_floor();
+
+  const UniformLaplacian laplacian(mesh);
+  const std::vector<WindowSums> around = spread(found.of_vertex, laplacian);
+  std::vector<bool> is_doubtful(around.size());
+  for (std::size_t v = 0; v < around.size(); ++v) {
+    const bool is_seen = around[v].weight > 0;
+    doubt.of_vertex.push_back(is_seen ? read_back(significant(around[v].excess(), 6)) : 1);
+    is_doubtful[v] = is_seen && around[v].excess() > doubtful;
+  }
+  find_places(mesh, laplacian, is_doubtful, scene.pixel, doubt, progress);
+
+  double seen = 0;
+  const std::vector<double> areas = vertex_areas(mesh);
+  for (std::size_t v = 0; v < areas.size(); ++v) seen += around[v].weight > 0 ? areas[v] : 0;
+  for (const DoubtfulPlace& place : doubt.places)
+    doubt.share += place.area * scene.pixel * scene.pixel / seen;
+  return doubt;
+}
+
+void set_doubt_column(Mesh& mesh, const SurfaceDoubt& doubt) {
+  Column& column = mesh.vertex_columns.get(doubt_column, Scalar::float32, mesh.positions.size());
+  for (std::size_t v = 0; v < column.values.size(); ++v)
+    column.values[v] = static_cast<float>(doubt.of_vertex[v]);
+}
+
+std::string in_words(const DoubtfulPlace& place) {
+  const auto number = [&](int axis) { return significant(place.center[axis], 4); };
+  return number(0) + ',' + number(1) + ',' + number(2) + " (" + fixed(place.area, 0) +
+         " square pixels" + (place.is_thin ? ", thin)" : ")");
+}
+
+}  // namespace transformesh

@@ -1,0 +1,36 @@
+#include "reconstruction/convergence.h"
+
+#include <doctest/doctest.h>
+
+using namespace transformesh;
+
+TEST_CASE("what was lost comes before what moves, and that before what changed late") {
+  const SurfaceEvidence good;
+  CHECK(ReconstructionFaults{0, 0, true}.in_words(good).empty());
+  CHECK(ReconstructionFaults{1.4142, 1, false}.in_words(good).find(
+            "after scale 1.4142 than before") != std::string::npos);
+  CHECK(ReconstructionFaults{0, 1, false}.in_words(good) ==
+        "the surface was not at rest after the last sweep");
+  CHECK(ReconstructionFaults{0, 1, true}.in_words(good).find("as late as at scale 1.0000") !=
+        std::string::npos);
+}
+
+TEST_CASE("a surface at rest is not converged where masks or photographs speak against it") {
+  const ReconstructionFaults at_rest{0, 0, true};
+  CHECK(at_rest.in_words({0.946, 0.942, {}}).empty());
+  CHECK(at_rest.in_words({0.946, 0.902, {}}) ==
+        "the outline agrees with the silhouettes by 0.902, that of the initial mesh by 0.946");
+  SurfaceEvidence evidence;
+  evidence.doubt.disagreement = 0.19;
+  evidence.doubt.share = 0.029;
+  evidence.doubt.places = {{{1, 2, 3}, 400, false}, {{4, 5, 60000}, 30, false}};
+  CHECK(at_rest.in_words(evidence).empty());
+  evidence.doubt.share = 0.031;
+  CHECK(at_rest.in_words(evidence) ==
+        "photographs disagree on 3.1 % of the surface, most around 1,2,3 (400 square pixels)");
+  evidence.doubt.places[1].is_thin = true;
+  CHECK(at_rest.in_words(evidence) ==
+        "photographs disagree on a thin sheet or fin around 4,5,6e+04 (30 square pixels, thin)");
+  evidence.doubt.disagreement = 0.21;
+  CHECK(at_rest.in_words(evidence) == "photographs disagree by 0.21 beyond their noise");
+}

@@ -1,0 +1,126 @@
+#include "reconstruction/scale_rule.h"
+
+#include <doctest/doctest.h>
+
+#include "helpers/moving_sweep.h"
+
+using namespace transformesh;
+
+namespace {
+
+using test::moving;
+
+Sweep with_topology(Sweep sweep, Topology topology) {
+  sweep.mesh.topology = topology;
+  return sweep;
+}
+
+Sweep with_outside(Sweep sweep, std::size_t outside) {
+  sweep.steps.last.outside = outside;
+  return sweep;
+}
+
+}  // namespace
+
+TEST_CASE("a scale is done where vertices hardly move, or photographs agree hardly better") {
+  ScaleRule rule;
+  Sweep slow = moving(0.5);
+  slow.steps.last.mean_share = 0.014;
+  CHECK(rule.add(slow).is_done);
+  rule.begin();
+  CHECK_FALSE(rule.add(moving(0.5)).is_done);
+  CHECK_FALSE(rule.add(moving(0.49)).is_done);
+  const SweepVerdict verdict = rule.add(moving(0.486));
+  CHECK(verdict.is_done);
+  CHECK(verdict.is_at_rest);
+}
+
+TEST_CASE("a scale ends after so many sweeps, and does not count as at rest") {
+  ScaleRule rule(2);
+  CHECK_FALSE(rule.add(moving(0.5)).is_done);
+  const SweepVerdict verdict = rule.add(moving(0.4));
+  CHECK(verdict.is_done);
+  CHECK_FALSE(verdict.is_at_rest);
+}
+
+TEST_CASE("while the topology changes a scale has twice as many sweeps, and no rest") {
+  ScaleRule rule(2);
+  rule.add(moving(0.5));
+  CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 0})).is_done);
+  CHECK_FALSE(rule.add(with_topology(moving(0.5), {2, 1})).is_done);
+  const SweepVerdict verdict = rule.add(with_topology(moving(0.5), {1, 1}));
+  CHECK(verdict.is_done);
+  CHECK_FALSE(verdict.is_at_rest);
+}
+
+TEST_CASE("while vertices come in from outside of silhouettes a scale goes on") {
+  ScaleRule rule(2);
+  CHECK_FALSE(rule.add(with_outside(moving(0.5), 100)).is_done);
+  CHECK_FALSE(rule.add(with_outside(moving(0.5), 80)).is_done);
+  // Those that stay outside do not come in; and a few are none.
+  CHECK(rule.add(with_outside(moving(0.5), 79)).is_done);
+  rule.begin();
+  rule.add(moving(0.5));
+  CHECK(rule.add(with_outside(moving(0.5), 2)).is_at_rest);
+}
+
+TEST_CASE("a surface of which less is compared than when the scale began is lost, not at rest") {
+  for (const bool is_share : {true, false}) {
+    ScaleRule rule;
+    CHECK_FALSE(rule.add(moving(0.5)).is_lost);
+    Sweep lost = moving(0.5);
+    if (is_share) lost.steps.last.coverage = 0.71;
+    if (!is_share) lost.steps.last.pixels = 449;
+    const SweepVerdict verdict = rule.add(lost);
+    CHECK(verdict.is_lost);
+    CHECK_FALSE(verdict.is_at_rest);
+    CHECK_FALSE(verdict.is_done);
+  }
+  // The values at the begin of the scale count, not those of the sweep.
+  ScaleRule rule;
+  rule.add(moving(0.5));
+  Sweep later = moving(0.4);
+  later.steps.first.coverage = 0.6;
+  later.steps.last.coverage = 0.6;
+  CHECK(rule.add(later).is_lost);
+}
+
+TEST_CASE("a topology that changes within a late scale is told from one that changes before") {
+  const auto is_late = [](double scale, Topology before) {
+    ScaleRule rule;
+    rule.add(with_topology(moving(0.5), before));
+    Sweep measures = with_topology(moving(0.3), {1, 5});
+    measures.scale_step.scale = scale;
+    return rule.add(measures).is_late;
+  };
+  CHECK(is_late(1.4142, {1, 6}));
+  CHECK(is_late(1, {2, 5}));
+  CHECK_FALSE(is_late(1.4142, {1, 5}));
+  CHECK_FALSE(is_late(2, {1, 6}));
+  // From scale to scale it may change.
+  ScaleRule rule;
+  Sweep first = with_topology(moving(0.3), {1, 5});
+  first.scale_step.scale = 1;
+  CHECK_FALSE(rule.add(first).is_late);
+}
+
+TEST_CASE("the rule of a scale goes on from its memory as if nothing had happened") {
+  ScaleRule whole(6), parts(6);
+  for (int i = 0; i < 6; ++i) {
+    Sweep measures = with_outside(moving(0.123456789 / (1 + i)), 100 - 5 * (i / 2));
+    measures.steps.last.coverage = 0.8123456789 - 0.03 * i;
+    measures.mesh.topology = {1, -i / 3};
+    ScaleRule next(6);
+    LoopState kept;
+    parts.remember(kept);
+    LoopState loop_state(kept.text());
+    next.remember(loop_state);
+    parts = next;
+    const SweepVerdict expected = whole.add(measures);
+    const SweepVerdict found = parts.add(measures);
+    CHECK(expected.is_done == found.is_done);
+    CHECK(expected.is_lost == found.is_lost);
+    CHECK(expected.is_at_rest == found.is_at_rest);
+    CHECK(expected.is_late == found.is_late);
+  }
+}

@@ -1,0 +1,68 @@
+#include "reconstruction/surface_doubt.h"
+
+#include <doctest/doctest.h>
+
+#include "helpers/ball_photographs.h"
+#include "helpers/shapes.h"
+#include "views/photo/photo_scene.h"
+
+using namespace transformesh;
+using namespace transformesh::test;
+
+namespace {
+
+constexpr double least_cosine = 0.1;
+
+const PhotoScene& scene() {
+  static const PhotoScene scene = photo_scene(ring(), 1);
+  return scene;
+}
+
+SurfaceDoubt doubt_of(const Mesh& mesh) { return surface_doubt(mesh, scene(), least_cosine); }
+
+/// A flat ellipsoid that hovers before the ball, along the axis of the ring.
+Mesh with_plate(Mesh mesh, double half_thickness) {
+  Mesh plate = icosphere(3);
+  for (Vec3& p : plate.positions) p = Vec3(0.3 * p.x(), 0.3 * p.y(), 1.25 + half_thickness * p.z());
+  const auto offset = static_cast<Index>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), plate.positions.begin(), plate.positions.end());
+  for (const auto& [a, b, c] : plate.faces)
+    mesh.faces.push_back({a + offset, b + offset, c + offset});
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("of the true surface nothing is doubtful but what no two views see") {
+  Mesh mesh = ball(1);
+  const SurfaceDoubt doubt = doubt_of(mesh);
+  CHECK(doubt.places.empty());
+  CHECK(doubt.share == 0);
+  CHECK(doubt.disagreement < 0.06);
+  set_doubt_column(mesh, doubt);
+  const Column& column = *mesh.vertex_columns.find("doubt");
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    CHECK((column.values[v] == 1 || column.values[v] < 0.5));
+    // The ring looks at the equator.
+    if (std::abs(mesh.positions[v].y()) < 0.3) CHECK(column.values[v] < 0.3);
+  }
+}
+
+TEST_CASE("a plate that photographs do not show is found where it is, a thin one as such") {
+  for (const double half_thickness : {0.02, 0.2}) {
+    const SurfaceDoubt doubt = doubt_of(with_plate(ball(1), half_thickness));
+    REQUIRE_FALSE(doubt.places.empty());
+    const DoubtfulPlace& place = doubt.places.front();
+    CHECK((place.center - Vec3(0, 0, 1.25)).norm() < 0.3);
+    CHECK(place.area > 100);
+    CHECK(place.is_thin == (half_thickness < 0.1));
+    CHECK(doubt.share > 0.005);
+    CHECK(in_words(place).find(" square pixels") != std::string::npos);
+  }
+}
+
+TEST_CASE("a surface that is too small is doubtful where it is seen") {
+  const SurfaceDoubt doubt = doubt_of(ball(0.8));
+  CHECK(doubt.disagreement > 0.4);
+  CHECK(doubt.share > 0.4);
+}

@@ -1,0 +1,99 @@
+#include "frame/movie.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "frame/filter_process.h"
+#include "transformesh/errors.h"
+
+namespace transformesh::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t least_digits = 3;
+
+// One thread: how many there are shows in the bytes of x264.
+const std::string read_pictures =
+    "ffmpeg -v error -y -f image2pipe -c:v png -framerate 25 -i - -threads 1 -fflags +bitexact "
+    "-flags:v +bitexact ";
+const std::string write_mp4 = "-pix_fmt yuv420p -movflags +faststart -f mp4 /dev/stdout";
+const std::string write_gif =
+    "-filter_complex 'split[a][b];[a]palettegen[p];[b][p]paletteuse' -loop 0 -f gif /dev/stdout";
+
+bool is_movie(const std::string& path) {
+  const std::string ending = ending_of(path);
+  return ending == ".mp4" || ending == ".gif";
+}
+
+bool is_installed(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access(folder.append("/").append(program).c_str(), X_OK) == 0) return true;
+  return false;
+}
+
+/// `orbit-007.png` for `orbit.png`.
+std::string numbered(const std::string& path, int frame, int frames) {
+  const std::size_t digits = std::max(std::to_string(frames - 1).size(), least_digits);
+  const std::string number = std::to_string(frame);
+  const std::size_t stem = path.size() - ending_of(path).size();
+  std::string name = path.substr(0, stem);
+  name.append("-").append(digits - number.size(), '0').append(number);
+  return name.append(path, stem);
+}
+
+}  // namespace
+
+std::string ending_of(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
+void check_movie(int frames, int width, int height, bool is_transparent, const Run& run) {
+  const std::string& path = run.output();
+  if (frames == 0 && is_movie(path))
+    throw UsageError("--output: '" + path +
+                     "' is a movie: state the number of pictures with --frames");
+  if (frames > 0 && path == "-")
+    throw UsageError(
+        "--frames needs a name: -o orbit.mp4 or orbit.gif for a movie, orbit.png for numbered "
+        "pictures");
+  if (!is_movie(path)) return;
+  const bool is_mp4 = ending_of(path) == ".mp4";
+  if (is_mp4 && (width % 2 != 0 || height % 2 != 0))
+    throw UsageError("--size: width and height of an MP4 movie are even: add a pixel");
+  if (is_mp4 && is_transparent)
+    throw UsageError(
+        "--background: nothing in an MP4 movie is transparent; take a color, or a GIF");
+  if (!is_installed("ffmpeg"))
+    throw GoalError(
+        "movies are encoded by ffmpeg, which is not installed: install it (Debian: "
+        "apt-get install ffmpeg), or write numbered pictures with -o NAME.png");
+}
+
+void write_frames(int frames, const DrawFrame& draw, Run& run) {
+  const std::string& path = run.output();
+  std::string pictures;
+  for (int frame = 0; frame < frames; ++frame) {
+    run.progress()("draw", static_cast<double>(frame) / frames);
+    if (is_movie(path))
+      pictures += draw(frame);
+    else
+      run.write(numbered(path, frame, frames), draw(frame));
+  }
+  run.report("frames", static_cast<std::size_t>(frames));
+  if (!is_movie(path)) return run.write_nothing();
+  run.progress()("encode");
+  const std::string& write = ending_of(path) == ".mp4" ? write_mp4 : write_gif;
+  run.write_output(run_filter(read_pictures + write, pictures, FilterOutput::file));
+}
+
+}  // namespace transformesh::tool

@@ -1,0 +1,134 @@
+#include "options/morph_options.h"
+
+#include "frame/smoothing_option.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+
+namespace transformesh::tool {
+namespace {
+
+void declare_movement(Program& program, MorphChoices& choices) {
+  program.number("alpha", &choices.options.step.displace.alpha, 0, 1e300,
+                 "clamp on the movement, as a fraction of the mean edge at the vertex");
+  program.number("time-step", &choices.options.step.displace.time_step, 0, 1e300,
+                 "share of the distance to go in one step");
+  program.choice("distance", &choices.distance, {"auto", "surface", "points", "vertex"},
+                 "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
+                 "surface where it has faces, else points");
+}
+
+void declare_edges(Program& program, MorphChoices& choices) {
+  program.text("smooth", &choices.smooth, "KIND", "smoothing of tm-remesh");
+  program.length("min-edge", &choices.options.iteration.min_edge, "collapse shorter edges");
+  program.length("max-edge", &choices.options.iteration.max_edge, "split longer edges");
+  program.number("gap-edges", &choices.options.step.gap_edges, 0, 1e6,
+                 "so many edges across the target's gaps and walls: shorter ones where it is "
+                 "narrow; 0: the same everywhere");
+  program.choice("features", &choices.features, {"auto", "on", "off"},
+                 "align vertices and edges with the target's sharp edges at the end; auto: where "
+                 "it has them, but not of a sequence");
+  program.reference_edge();
+  program.integer("scales", &choices.options.scales, 1, 10,
+                  "coarse to fine: begin with edges 2^(N-1) times as long and halve them as the "
+                  "mesh comes to rest");
+}
+
+std::optional<MorphDistance> distance_of(const std::string& name) {
+  if (name == "surface") return MorphDistance::surface;
+  if (name == "points") return MorphDistance::points;
+  if (name == "vertex") return MorphDistance::vertex;
+  return std::nullopt;
+}
+
+// A name that begins with a dash is no option.
+std::string file_word(const std::string& name) {
+  return shell_word(name != "-" && name.starts_with('-') ? "./" + name : name);
+}
+
+std::string step_words(const MorphChoices& choices, const std::string& target) {
+  const MorphStepOptions& step = choices.options.step;
+  return "tm-morph-step --no-provenance --target " + target + " --distance " + choices.distance +
+         " --alpha " + shortest_text(step.displace.alpha) + " --time-step " +
+         shortest_text(step.displace.time_step) + " --gap-edges " + shortest_text(step.gap_edges);
+}
+
+std::string remesh_words(const MorphChoices& choices) {
+  const IterationOptions& iteration = choices.options.iteration;
+  return "tm-remesh --no-provenance --smooth " + shell_word(choices.smooth) + " --min-edge " +
+         iteration.min_edge.text() + " --max-edge " + iteration.max_edge.text() +
+         (choices.options.step.gap_edges > 0 ? " --size-field size" : "") + " --feature-angle 180";
+}
+
+}  // namespace
+
+void declare_morph(Program& program, MorphChoices& choices) {
+  program.text("target", &choices.target, "FILE", "mesh or points to move towards");
+  program.flag("sequence", &choices.sequence,
+               "follow the meshes named after SOURCE, one after the other");
+  declare_iterations(program, choices.loop);
+  declare_movement(program, choices);
+  declare_edges(program, choices);
+  declare_record(program, choices.loop,
+                 "every how many iterations (default 10; of a sequence every frame)",
+                 "iteration, or per frame of a sequence");
+  program.flag("print-pipeline", &choices.print_pipeline,
+               "print the loop over the filters that makes the same meshes");
+}
+
+void check_morph(const MorphChoices& choices, const Run& run) {
+  const std::vector<std::string>& inputs = run.inputs();
+  if (choices.sequence) {
+    if (!choices.target.empty()) throw UsageError("give either --target or --sequence, not both");
+    if (inputs.size() < 2)
+      throw UsageError("--sequence needs a source and the meshes to follow: SOURCE FRAME...");
+    return;
+  }
+  if (choices.target.empty()) throw UsageError("--target FILE is needed: what to move towards");
+  if (choices.target == "-")
+    throw UsageError("--target: name a file: standard input is for the source");
+  if (inputs.size() > 1)
+    throw UsageError("one source at most, but '" + inputs[1] + "' is a second one");
+}
+
+MorphOptions morphing_of(const MorphChoices& choices, Run& run) {
+  MorphOptions options = choices.options;
+  options.step.distance = distance_of(choices.distance);
+  if (choices.features != "auto")
+    options.features = choices.features == "on" ? Features::on : Features::off;
+  options.iteration.reference_edge = run.reference_edge();
+  options.iteration.remesh = RemeshOptions();
+  read_smoothing(choices.smooth, options.iteration.remesh);
+  return options;
+}
+
+std::string pipeline_of(const MorphChoices& choices, const Run& run) {
+  if (choices.options.scales > 1 || choices.sequence) {
+    throw UsageError(
+        "--print-pipeline is for a loop whose steps are known beforehand: leave out --scales and "
+        "--sequence");
+  }
+  const std::string output = run.output() == "-" ? "evolved.ply" : run.output();
+  const std::string mesh = file_word(output);
+  std::string target = file_word(choices.target);
+  // Of what the source says or has, 1x: fixed before vertices move.
+  std::string edge = run.program().common.reference_edge;
+  if (edge.empty()) edge = "1x";
+
+  std::string text =
+      "set -euo pipefail\ntm-clean --no-provenance --outermost --format ply --reference-edge " +
+      edge + " -o " + mesh + ' ' + file_word(run.input()) + '\n';
+  if (choices.options.step.gap_edges > 0) {
+    // Measured once, as that takes longer than an iteration.
+    const std::string measured = file_word(output + ".target.ply");
+    text += step_words(choices, target) + " --write-target " + measured + " -o /dev/null " + mesh +
+            '\n';
+    target = measured;
+  }
+  text += "for iteration in $(seq " + std::to_string(choices.loop.iterations) + "); do\n";
+  text += "  " + step_words(choices, target) + ' ' + mesh + " |\n";
+  text += "    tm-clean --no-provenance --outermost |\n";
+  text += "    " + remesh_words(choices) + " -o " + mesh + "\ndone\n";
+  return text + "tm-clean --no-provenance --outermost -o " + mesh + ' ' + mesh + '\n';
+}
+
+}  // namespace transformesh::tool

@@ -1,0 +1,235 @@
+#include "options/reconstruct_options.h"
+
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
+#include "views/cameras/view_files.h"
+#include "views/hull/keep_in_box.h"
+
+namespace transformesh::tool {
+namespace {
+
+constexpr long no_limit = 999999999;
+
+void declare_places(Program& program, ReconstructChoices& choices) {
+  program.text("cameras", &choices.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+      .is_needed = true;
+  program.text("images", &choices.sources.images, "WHERE", "photographs").is_needed = true;
+  program.text("silhouettes", &choices.sources.silhouettes, "WHERE",
+               "masks: not black where the object is");
+  program.choice("silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
+                 "the object, or only some of it: then they pull outwards alone");
+  program.text("threshold", &choices.threshold, "auto|LEVEL",
+               "without masks: intensity above which photographs show the object (default auto; "
+               "with --start, none)");
+}
+
+void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
+  program.numbers("box", &choices.box, "X,Y,Z,X,Y,Z",
+                  "where the object is: two corners; what photographs show beside it is forgotten");
+  program.text("keep", &choices.keep, "largest|all|SHARE",
+               "components of the hull: of at least this share of the largest one's volume");
+  program.text("start", &choices.options.initial.name, "FILE",
+               "begin with this mesh, not with the visual hull");
+  program.choice("clip", &choices.clip, {"hull", "nothing"},
+                 "of that mesh, keep what is within the hull of exact silhouettes, or all");
+  program.choice("hollows", &choices.hollows, {"auto", "closed"},
+                 "of the hull: where depth maps see into hollows that it closes, begin with them "
+                 "open, or leave all closed");
+  program.text("sequence", &choices.sequence, "WHERE",
+               "reconstruct one time step after the other: a file with a name per line, a folder "
+               "of folders, or a pattern; {} in other places stands for the name");
+  program.number("track", &choices.track, 1, 1e6,
+                 "as --coarsest, for time steps that begin with the surface of the one before");
+}
+
+void declare_scales(Program& program, ReconstructChoices& choices) {
+  program.text("coarsest", &choices.coarsest, "auto|NUMBER",
+               "how much smaller photographs are at first; auto: up to 11.3, less where thin "
+               "parts would get lost");
+  program.number("edge", &choices.options.scales.edge, 1, 1e6,
+                 "length of edges, in pixels of the scale");
+  program.text("last-edge", &choices.last_edge, "NUMBER",
+               "then shorten them to this in steps of the square root of 2, at full scale "
+               "(default: as --edge)");
+  program.integer("passes", &choices.options.sweeps, 1, no_limit,
+                  "at most so many sweeps at each scale");
+  program.text("iterations", &choices.iterations, "auto|N",
+               "steps between two cleanings; auto: 5, but 8 from open hollows");
+}
+
+void declare_colors(Program& program, ReconstructChoices& choices) {
+  program.flag("color", &choices.is_colored, "color the result's vertices, as tm-color does");
+  declare_texture(program, choices.color);
+}
+
+void declare_steps(Program& program, ReconstructChoices& choices) {
+  program.integer("pairs", &choices.options.pairs.neighbors, 1, 1000,
+                  "neighbors with which each view is compared");
+  program.number("max-angle", &choices.options.pairs.maximum_angle_deg, 5, 180,
+                 "largest angle in degrees between views that are compared");
+  program.text(
+      "window", &choices.window, "N|N,N",
+      "radius of compared windows, 1 to 5 pixels, or two: at scale 2 and above, and below");
+  program.number("robust", &choices.options.robust, 0, 1e300,
+                 "at last, windows that disagree this many times as much as the mean pull by a "
+                 "quarter, 0: all alike");
+  program.number("stiffness", &choices.options.step.stiffness, 0, 1e300, "resistance to bending");
+  program.number("crumbs", &choices.options.crumbs, 0, 1,
+                 "at last, drop components of less than this share of the largest one's volume");
+  program.number("handles", &choices.options.handles, 0, 1e300,
+                 "remove handles that a loop of so many of the last edges goes around");
+  program.text("pull", &choices.pull, "auto|NUMBER",
+               "how much silhouettes pull; auto: 0.5, or 1.5 where views are far apart");
+}
+
+double number_of(const std::string& option, const std::string& text, double minimum) {
+  const auto value = number_in<double>(text);
+  if (value && *value >= minimum) return *value;
+  throw UsageError("--" + option + ": '" + text + "' is not a number of at least " +
+                   shortest_text(minimum));
+}
+
+std::optional<double> number_or_auto(const std::string& option, const std::string& text,
+                                     double minimum) {
+  if (text == "auto") return std::nullopt;
+  return number_of(option, text, minimum);
+}
+
+std::optional<int> iterations_of(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  const auto count = number_in<int>(text);
+  if (count && *count >= 1) return count;
+  throw UsageError("--iterations: '" + text + "' is neither auto nor a whole number of at least 1");
+}
+
+WindowRadii windows_of(const std::string& text) {
+  const auto radius_of = [&](const std::string& part) {
+    const auto radius = number_in<int>(part);
+    if (radius && *radius >= 1 && *radius <= 5) return *radius;
+    throw UsageError("--window: '" + text + "' is not one or two numbers from 1 to 5");
+  };
+  const std::size_t comma = text.find(',');
+  const int coarse = radius_of(text.substr(0, comma));
+  return {coarse, comma == std::string::npos ? coarse : radius_of(text.substr(comma + 1))};
+}
+
+// What is read again by a run that continues cannot be a pipe.
+void refuse_standard_input(const ReconstructChoices& choices) {
+  const auto refuse = [](const std::string& option, const std::string& place) {
+    if (place == "-")
+      throw UsageError("--" + option + ": name a file: standard input is read once only");
+  };
+  refuse("cameras", choices.sources.cameras);
+  refuse("images", choices.sources.images);
+  refuse("silhouettes", choices.sources.silhouettes);
+  refuse("start", choices.options.initial.name);
+  refuse("sequence", choices.sequence);
+}
+
+void check_sequence(const ReconstructChoices& choices, const Run& run) {
+  if (choices.is_colored || choices.color.has_texture)
+    throw UsageError("a --sequence is not colored: give each of its surfaces to tm-color");
+  if (run.output() == "-")
+    throw UsageError("--sequence needs -o FOLDER or --run FOLDER: where to write the surfaces");
+  const auto check_place = [](const char* option, const std::string& place) {
+    if (place.find("{}") == std::string::npos)
+      throw UsageError("--" + std::string(option) + " '" + place +
+                       "' holds no {}, which stands for a time step");
+  };
+  check_place("images", choices.sources.images);
+  if (!choices.sources.silhouettes.empty()) check_place("silhouettes", choices.sources.silhouettes);
+  if (!choices.loop.record.frames.empty() && choices.loop.run.empty())
+    throw UsageError("--frames is not for a --sequence, whose results are its frames");
+}
+
+void check_color(const ReconstructChoices& choices, const Run& run) {
+  if (choices.is_colored && choices.color.has_texture)
+    throw UsageError("either --color or --texture");
+  if (choices.sequence.empty()) check_texture(choices.color, run);
+}
+
+}  // namespace
+
+void declare_reconstruction(Program& program, ReconstructChoices& choices) {
+  declare_places(program, choices);
+  declare_initial_mesh(program, choices);
+  declare_view_check(program, choices.check, choices.sources);
+  declare_scales(program, choices);
+  declare_steps(program, choices);
+  declare_colors(program, choices);
+  declare_record(program, choices.loop, "every how many sweeps (default 1)", "sweep");
+  program.epilog = "WHERE is a file, a folder or a quoted pattern, see tm-cameras.";
+}
+
+ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run) {
+  refuse_standard_input(choices);
+  check_color(choices, run);
+  ReconstructionOptions options = choices.options;
+  InitialMeshOptions& initial = options.initial;
+  initial.is_given = !initial.name.empty();
+  initial.clips_by_hull = choices.clip == "hull";
+  initial.opens_hollows = choices.hollows == "auto";
+  if (choices.silhouettes_show == "least") initial.meaning = SilhouetteMeaning::least;
+  if (!choices.threshold.empty())
+    initial.threshold = {.intensity = threshold_intensity(choices.threshold)};
+  initial.keep = hull_share(choices.keep);
+  initial.least_agreement = choices.check.least_agreement;
+  options.scales.coarsest = number_or_auto("coarsest", choices.coarsest, 1);
+  options.scales.last_edge = choices.last_edge.empty()
+                                 ? options.scales.edge
+                                 : number_of("last-edge", choices.last_edge, 1);
+  options.iterations = iterations_of(choices.iterations);
+  options.windows = windows_of(choices.window);
+  options.pull = number_or_auto("pull", choices.pull, 0);
+  options.on_note = [&run](const std::string& text) { run.note(text); };
+  options.on_detail = [&run](const std::string& text) { run.detail(text); };
+  return options;
+}
+
+SequenceOptions sequence_of(const ReconstructChoices& choices,
+                            const ReconstructionOptions& reconstruction, Run& run) {
+  check_sequence(choices, run);
+  SequenceOptions options;
+  options.reconstruction = reconstruction;
+  options.track = choices.track;
+  const std::string name = '.' + run.program().name;
+  if (choices.loop.run.empty()) {
+    options.folder = run.output();
+    options.states = run.output() + '/' + name;
+  } else {
+    options.states = choices.loop.run + run_file::result + name;
+  }
+  options.format = run.document().style.format;
+  options.on_step = [&run](const std::string& text) { run.progress_line(text); };
+  options.on_note = [&run](const std::string& text) { run.note(text); };
+  return options;
+}
+
+ViewSources sources_of(const ViewSources& sources, const TimeStep& step) {
+  ViewSources places = sources;
+  for (std::string* place : {&places.cameras, &places.images, &places.silhouettes})
+    *place = place_of(*place, step);
+  return places;
+}
+
+std::vector<View> checked_views(const ViewSources& sources, const ReconstructChoices& choices,
+                                Run& run) {
+  ViewSources telling = sources;
+  telling.on_note = [&run](const std::string& text) { run.note(text); };
+  std::vector<View> views = views_from(telling);
+  const std::vector<double>& box = choices.box;
+  if (!box.empty()) keep_in_box(views, {{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
+  if (choices.silhouettes_show == "exact") check_views(views, choices.check, run);
+  return views;
+}
+
+void color_result(const ReconstructChoices& choices, const std::set<std::string>& views, Run& run) {
+  if (!choices.is_colored && !choices.color.has_texture) return;
+  std::vector<PictureView> pictures = picture_views_from(choices.sources);
+  std::erase_if(pictures, [&](const PictureView& view) { return !views.contains(view.name); });
+  color(run.document(), pictures, choices.color, run);
+}
+
+}  // namespace transformesh::tool

@@ -1,0 +1,129 @@
+#include "options/remesh_options.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "frame/smoothing_option.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+
+namespace transformesh::tool {
+namespace {
+
+/// The default is shown by settings and report once it is filled in.
+double edge_length(std::optional<Length>& length, double default_value, const char* option,
+                   bool has_sizes, Run& run) {
+  if (!length) length = Length{default_value, Length::Unit::reference_edge};
+  if (!has_sizes) return run.length(*length);
+  if (length->unit == Length::Unit::reference_edge) return length->value;
+  throw UsageError("with --size-field, " + std::string(option) +
+                   " is a factor of the local size: write it as 0.7x, not as " + length->text());
+}
+
+/// `otherwise` for auto.
+double feature_angle(const std::string& text, double otherwise) {
+  if (text == "auto") return otherwise;
+  const auto angle = number_in<double>(text);
+  if (!angle || !(*angle >= 1 && *angle <= 180))
+    throw UsageError("--feature-angle: '" + text +
+                     "' is not auto, nor a number of degrees from 1 to 180");
+  return *angle;
+}
+
+// Where one option takes the place of all but some others.
+void refuse_others(const Program& program, const std::string& mode, const std::string& does,
+                   const std::vector<std::string>& allowed) {
+  for (const Option& option : program.options) {
+    const bool is_allowed = std::ranges::find(allowed, option.name()) != allowed.end();
+    if (option.is_given && !option.is_common && option.name() != mode && !is_allowed)
+      throw UsageError("--" + mode + ' ' + does + " and --" + option.name() +
+                       " remeshes: use one after the other");
+  }
+}
+
+}  // namespace
+
+void declare_remeshing(Program& program, RemeshChoices& choices) {
+  RemeshOptions& remesh = choices.remesh;
+  program.integer(
+      "faces", &choices.faces, 4, std::numeric_limits<long>::max(),
+      "decimate to so many faces, where the surface changes least, and do nothing else");
+  program.text("align", &choices.align, "FILE",
+               "move vertices and turn edges onto the sharp edges of this mesh, which lies near, "
+               "and do nothing else");
+  program.length("min-edge", &choices.min_edge,
+                 "collapse shorter edges (default 0.7x; with --adaptive 0.1x)");
+  program.length("max-edge", &choices.max_edge,
+                 "split longer edges; at least 1.5 times the shortest (default 1.5x; with "
+                 "--adaptive 5x)");
+  program.text("size-field", &remesh.size_column, "COLUMN",
+               "vertex property with the wanted edge length; x of --min-edge and --max-edge is of "
+               "that");
+  program.length("adaptive", &choices.adaptive,
+                 "edges as short as the curvature takes to stay this close to the surface");
+  program.integer("iterations", &remesh.iterations, 0, 1000,
+                  "rounds of split, collapse, flip and smooth");
+  program.choice("only", &choices.only, {"all", "smooth"},
+                 "split, collapse, flip and smooth, or only smooth: then faces stay as they are");
+  program.choice("flip", &choices.flip, {"valence", "angle", "none"},
+                 "flip edges for six edges at a vertex, or for larger least angles");
+  program.text("smooth", &choices.smooth, "KIND",
+               "tangential (slides vertices, does not shrink), none, or the factor B of the "
+               "Laplace-Beltrami operator, 0 to 1");
+  program.numbers("smooth2", &choices.smooth_twice, "B1,B2",
+                  "the operator used twice: v - B1 dv + B2 d2v");
+  program.text("feature-angle", &choices.feature_angle, "auto|NUMBER",
+               "keep edges sharper than this, in degrees; 180 keeps none; auto: 40 where the mesh "
+               "has sharp edges and is smooth beside them, else 180");
+  program.flag("keep-border", &remesh.keep_border, "leave borders as they are");
+  program.flag("project", &remesh.project,
+               "tangential smoothing puts vertices back onto the input");
+  program.flag(
+      "source", &choices.source_points,
+      "write where on the input each vertex and face comes from: source_face, source_u, source_v");
+  choices.keep_out.declare(program);
+}
+
+RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run) {
+  RemeshOptions result = choices.remesh;
+  const bool adapts = choices.adaptive.has_value();
+  if (adapts) result.adaptive_error = run.length(*choices.adaptive);
+  if (adapts && result.adaptive_error == 0)
+    throw UsageError("--adaptive: the error must be above 0");
+  const bool has_sizes = !result.size_column.empty();
+  result.min_edge = edge_length(choices.min_edge, adapts ? 0.1 : 0.7, "--min-edge", has_sizes, run);
+  result.max_edge = edge_length(choices.max_edge, adapts ? 5 : 1.5, "--max-edge", has_sizes, run);
+  result.only_smooth = choices.only == "smooth";
+  if (choices.flip != "valence")
+    result.flip = choices.flip == "angle" ? FlipRule::angle : FlipRule::none;
+  result.feature_angle_deg = feature_angle(choices.feature_angle, 0);
+  result.coordinate = document.style.coordinate;
+  result.keep_out = choices.keep_out.options(run);
+  read_smoothing(choices.smooth, result);
+  if (choices.smooth_twice.empty()) return result;
+  if (choices.smooth != "tangential") throw UsageError("--smooth and --smooth2 exclude each other");
+  result.smoothing = Smoothing::bilaplace;
+  result.smooth_first = choices.smooth_twice[0];
+  result.smooth_second = choices.smooth_twice[1];
+  return result;
+}
+
+DecimateOptions decimate_options(RemeshChoices& choices, const Document& document, Run& run) {
+  refuse_others(run.program(), "faces", "decimates",
+                {"feature-angle", "keep-border", "source", "keep-out", "gap"});
+  return {static_cast<std::size_t>(*choices.faces), feature_angle(choices.feature_angle, 180),
+          choices.remesh.keep_border, document.style.coordinate, choices.keep_out.options(run)};
+}
+
+AlignOptions align_options(RemeshChoices& choices, const Document& document, Run& run) {
+  refuse_others(run.program(), "align", "aligns",
+                {"feature-angle", "min-edge", "max-edge", "source"});
+  AlignOptions result;
+  result.feature_angle_deg = feature_angle(choices.feature_angle, result.feature_angle_deg);
+  result.min_edge = edge_length(choices.min_edge, 0.7, "--min-edge", false, run);
+  result.max_edge = edge_length(choices.max_edge, 1.5, "--max-edge", false, run);
+  result.coordinate = document.style.coordinate;
+  return result;
+}
+
+}  // namespace transformesh::tool

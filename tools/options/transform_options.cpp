@@ -1,0 +1,93 @@
+#include "options/transform_options.h"
+
+#include "io/matrix_file.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+
+namespace transformesh::tool {
+namespace {
+
+using namespace std::string_literals;
+
+Vec3 vector_of(const std::vector<double>& n) { return {n[0], n[1], n[2]}; }
+
+Matrix4 matrix_of(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
+}
+
+/// Every time that the option is given, its value becomes a step.
+void in_order(Option& option, TransformChoices& choices, const std::function<Matrix4()>& make) {
+  option.affects_result = false;
+  option.assign = [&choices, make, assign = option.assign](const std::string& text) {
+    assign(text);
+    const Matrix4 matrix = make();
+    choices.steps.emplace_back([matrix](Run&, const Matrix4&) { return matrix; });
+  };
+}
+
+void in_order_of_box(Option& option, TransformChoices& choices, Matrix4 (*make)(const Box&)) {
+  option.affects_result = false;
+  option.assign = [&choices, make](const std::string&) {
+    choices.steps.emplace_back([make](Run& run, const Matrix4& before) {
+      return make(mapped_box(run.document().mesh, before));
+    });
+  };
+}
+
+/// x, y or z is the plane across that axis through the origin.
+void take_axes(Option& mirror) {
+  mirror.placeholder = "x|y|z|A,B,C,D";
+  mirror.assign = [numbers = mirror.assign](const std::string& text) {
+    if (text.find(',') != std::string::npos) return numbers(text);
+    if (text.size() != 1 || text < "x" || text > "z")
+      throw UsageError("'" + text + "' is neither x, y or z nor four numbers with commas");
+    const auto axis = static_cast<std::size_t>(text[0] - 'x');
+    numbers("0,0,0,0"s.replace(2 * axis, 1, "1"));
+  };
+}
+
+/// What is no list of numbers is the name of a file, which is read when its turn comes.
+void take_files(Option& matrix, TransformChoices& choices) {
+  matrix.placeholder = "A11,...,A44|FILE";
+  matrix.assign = [&choices, numbers = matrix.assign](const std::string& text) {
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos && number_in<double>(text.substr(0, comma)))
+      return numbers(text);
+    choices.steps.emplace_back([text](Run& run, const Matrix4&) {
+      return parse_matrix(run.read_bytes(text), input_name(text));
+    });
+  };
+}
+
+}  // namespace
+
+void declare_transforms(Program& program, TransformChoices& c) {
+  in_order(program.numbers("translate", &c.translate, "X,Y,Z", "move by this"), c,
+           [&c] { return translation_by(vector_of(c.translate)); });
+  in_order(program.numbers("rotate", &c.rotate, "X,Y,Z,DEGREES",
+                           "turn about this axis through the origin, counter-clockwise"),
+           c, [&c] { return rotation_about(vector_of(c.rotate), c.rotate[3]); });
+  in_order(program.numbers("scale", &c.scale, "FACTOR", "scale about the origin"), c,
+           [&c] { return scaling_by(Vec3::Constant(c.scale[0])); });
+  in_order(program.numbers("scale-axes", &c.scales, "X,Y,Z", "scale by a factor for each axis"), c,
+           [&c] { return scaling_by(vector_of(c.scales)); });
+  Option& mirror =
+      program.numbers("mirror", &c.mirror, "A,B,C,D",
+                      "mirror across an axis, or in the plane a x + b y + c z = d; faces keep "
+                      "their outside");
+  take_axes(mirror);
+  in_order(mirror, c, [&c] { return mirroring_in(vector_of(c.mirror), c.mirror[3]); });
+  in_order_of_box(program.flag("center", &c.center, "move the center of the box to the origin"), c,
+                  centering);
+  in_order_of_box(program.flag("unit-box", &c.unit_box,
+                               "scale the longest side of the box to 1, and center it in the box "
+                               "from 0 to 1"),
+                  c, fitting_unit_box);
+  Option& matrix = program.numbers(
+      "matrix", &c.matrix, ",,,,,,,,,,,,,,,",
+      "16 numbers, row by row, that act on columns x y z 1, or a text file of them");
+  in_order(matrix, c, [&c] { return matrix_of(c.matrix); });
+  take_files(matrix, c);
+}
+
+}  // namespace transformesh::tool

@@ -1,0 +1,102 @@
+/// tm-cameras: converts camera files, and lists what they hold.
+
+#include <map>
+
+#include "frame/run.h"
+#include "options/camera_table.h"
+#include "transformesh/errors.h"
+#include "transformesh/pinhole_camera.h"
+#include "views/cameras/view_files.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  std::string format = "middlebury";
+  std::string folder;
+  std::string images;
+  bool mirror = false;
+  bool list = false;
+  bool json = false;
+  long neighbors = static_cast<long>(PairOptions().neighbors);
+  std::vector<double> center;
+};
+
+const std::map<std::string, CameraFormat> formats{{"middlebury", CameraFormat::middlebury},
+                                                  {"colmap", CameraFormat::colmap},
+                                                  {"colmap-binary", CameraFormat::colmap_binary},
+                                                  {"opencv", CameraFormat::opencv},
+                                                  {"matrices", CameraFormat::matrices}};
+
+CameraList read(const std::string& where, const Options& options, tool::Run& run) {
+  run.progress()("reading cameras");
+  CameraList list = where == "-" ? parse_cameras(run.read_bytes("-"), "standard input", "camera")
+                                 : cameras_from(where);
+  run.report("cameras", list.cameras.size());
+  for (CameraRecord& record : list.cameras)
+    if (options.mirror) record.camera = record.camera.mirrored();
+  if (options.images.empty()) return list;
+  run.progress()("reading images");
+  return cameras_of_images(std::move(list), where, options.images);
+}
+
+std::string table(CameraList list, const Options& options, tool::Run& run) {
+  std::vector<PinholeCamera> cameras;
+  for (const CameraRecord& record : list.cameras) {
+    if (record.is_relative)
+      throw InputError("the focal length of '" + record.name +
+                       "' is a share of the image's side (" + record.place + "): name the images");
+    cameras.push_back(record.camera);
+  }
+  PairOptions pairs;
+  pairs.neighbors = static_cast<std::size_t>(options.neighbors);
+  tool::CameraTable table;
+  table.list = std::move(list);
+  table.scene_center = options.center.empty() ? viewed_point(cameras) : Vec3(options.center.data());
+  table.pixel_size = pixel_size(cameras, table.scene_center);
+  table.pairs = choose_pairs(cameras, table.scene_center, pairs);
+  const Vec3& center = table.scene_center;
+  run.report("scene_center", std::vector<double>{center.x(), center.y(), center.z()});
+  run.report("pixel_size", table.pixel_size);
+  run.report("pairs", table.pairs.size());
+  return options.json ? json_of(table) : text_of(table);
+}
+
+// Into the folder if one is named, and then nothing to standard output.
+std::string convert(const CameraList& list, const Options& options, tool::Run& run) {
+  const CameraFormat format = formats.at(options.format);
+  if (options.folder.empty()) return write_cameras(list, format);
+  const auto files = write_camera_files(list, format);
+  for (const CameraText& file : files) run.write_into(options.folder, file.name, file.text);
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program{"tm-cameras", "[OPTION]... [WHERE]",
+                        "Converts the camera files of calibrated photographs, or lists them",
+                        tool::Reads::file, tool::Writes::text};
+  program.reads_cameras = true;
+  program.choice("format", &options.format,
+                 {"middlebury", "colmap", "colmap-binary", "opencv", "matrices"},
+                 "format of the output; the input's is detected by its content");
+  program.text("folder", &options.folder, "FOLDER",
+               "write the format's own files there instead of one text to the output");
+  program.text("images", &options.images, "WHERE", "the images, for their names and sizes");
+  program.flag("mirror", &options.mirror,
+               "take the mirror image of the cameras' world, z for -z: for left-handed ones");
+  program.flag("list", &options.list, "print a table of the cameras and their pairs instead");
+  program.flag("json", &options.json, "print that table as JSON");
+  program.integer("pairs", &options.neighbors, 0, 1000, "neighbors of each view in the table");
+  program.numbers("center", &options.center, "X,Y,Z",
+                  "the scene's center for the table (default: nearest to all viewing axes)");
+  program.epilog = "WHERE is a file, a folder or a quoted pattern; stdin is one file.";
+  return program.run(argc, argv, [&](tool::Run& run) {
+    CameraList list = read(run.input(), options, run);
+    const bool is_table = options.list || options.json;
+    run.write_output(is_table ? table(std::move(list), options, run) : convert(list, options, run));
+  });
+}

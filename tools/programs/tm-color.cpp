@@ -1,0 +1,39 @@
+/// tm-color: colors of a surface from calibrated photographs.
+#include "options/color_options.h"
+#include "views/cameras/view_files.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  ViewSources sources;
+  tool::ColorChoices choices;
+};
+
+void declare(tool::Program& program, Options& options) {
+  program.text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+      .is_needed = true;
+  program.text("images", &options.sources.images, "WHERE", "the photographs").is_needed = true;
+  program.flag("mirror", &options.sources.mirror,
+               "take the mirror image of the cameras' world, z for -z: for left-handed ones");
+  tool::declare_texture(program, options.choices);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program{"tm-color", "[OPTION]... --cameras WHERE --images WHERE [INPUT]",
+                        "Colors a surface by calibrated photographs"};
+  declare(program, options);
+  program.epilog =
+      "As a web page or a game shows it:\n"
+      "  tm-color --cameras par.txt --images photos --texture a.ply -o a.glb";
+  return program.run(argc, argv, [&](tool::Run& run) {
+    tool::check_texture(options.choices, run);
+    const std::vector<PictureView> views = picture_views_from(options.sources);
+    run.report("views", views.size());
+    tool::color(run.document(), views, options.choices, run);
+  });
+}

@@ -1,0 +1,122 @@
+/// tm-evolve: the evolution of paper 5.1 around any filter that moves vertices.
+#include <cstdlib>
+
+#include "evolution/filter_step.h"
+#include "evolution/loop/iteration_text.h"
+#include "evolution/loop/record.h"
+#include "evolution/recorded_loops.h"
+#include "frame/filter_process.h"
+#include "frame/loop_options.h"
+#include "frame/smoothing_option.h"
+#include "support/counted.h"
+#include "transformesh/errors.h"
+#include "transformesh/evolve.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  std::string step;
+  std::string until;
+  DisplaceOptions displace;
+  std::string smooth = "0.1";
+  IterationOptions iteration;
+  tool::LoopChoices loop;
+};
+
+void declare(tool::Program& program, Options& options) {
+  program
+      .text("step", &options.step, "COMMAND",
+            "filter that moves vertices: a mesh in and a mesh out, or the vertex properties vx "
+            "vy vz out; TM_ITERATION holds the number of the iteration")
+      .is_needed = true;
+  program.soups = tool::Soups::own;
+  tool::declare_iterations(program, options.loop);
+  program.text("until", &options.until, "moved:LENGTH|stalled",
+               "stop when no vertex moves as far, or nothing gets better any more");
+  program.number("alpha", &options.displace.alpha, 0, 1e300,
+                 "clamp on the movement by vx vy vz, as a fraction of the mean edge at the vertex");
+  program.number("time-step", &options.displace.time_step, -1e300, 1e300,
+                 "movement by vx vy vz is so many times as far");
+  program.text("smooth", &options.smooth, "KIND", "smoothing of tm-remesh");
+  program.length("min-edge", &options.iteration.min_edge, "collapse shorter edges");
+  program.length("max-edge", &options.iteration.max_edge, "split longer edges");
+  program.reference_edge();
+  tool::declare_record(program, options.loop, "every how many iterations (default 10)",
+                       "iteration");
+  program.epilog =
+      "A ball that grows until its volume has doubled, in any language:\n"
+      "  tm-evolve ball.ply -o large.ply --step 'tm-displace --normal-speed 0.01'";
+}
+
+UntilRule until_of(const std::string& text, tool::Run& run) {
+  constexpr std::string_view moved = "moved:";
+  if (text.empty()) return {};
+  if (text == "stalled") return stalled();
+  if (text.starts_with(moved))
+    return moved_less_than(run.length(parse_length(text.substr(moved.size()))));
+  throw UsageError("--until: '" + text + "' is neither moved:LENGTH nor stalled");
+}
+
+Step step_of(const Options& options, const Record& record, Scalar coordinate) {
+  const auto filter = [&](const std::string& bytes) {
+    setenv("TM_ITERATION", std::to_string(record.iteration() + 1).c_str(), 1);
+    return tool::run_filter(options.step, bytes);
+  };
+  return step_through(filter, coordinate, options.displace);
+}
+
+void note_clamped(const EvolveResult& result, double alpha, tool::Run& run) {
+  if (result.clamped_iterations == 0) return;
+  run.note(clamps_in_words(result, alpha) +
+           "; use a smaller --time-step and more --iterations, or a larger --alpha");
+}
+
+void report(const EvolveResult& result, tool::Run& run) {
+  run.report("stop", result.is_done ? "converged" : "iteration_limit");
+  run.report("iterations", result.iterations);
+  run.report("components", result.last.topology.components);
+  run.report("genus", result.last.topology.genus);
+  run.report("clamped_iterations", result.clamped_iterations);
+  run.report("clamped_share", result.clamped_share);
+  run.report("max_displacement", result.last.displaced.max_displacement);
+  run.report("rms_displacement", result.last.displaced.rms_displacement);
+}
+
+std::string summary(const EvolveResult& result, const Mesh& mesh) {
+  return (result.is_done ? "converged after " : "iteration limit reached after ") +
+         counted(result.iterations, "iteration") + ": " +
+         in_short(mesh.faces.size(), result.last.topology);
+}
+
+void evolve_mesh(Options& options, tool::Run& run) {
+  Record record = tool::open_record(options.loop, 10, run);
+  Document& document = tool::begin_document(record, run);
+  tool::begin_run(options.loop, record, &document, run);
+  EvolveOptions evolution{options.iteration, until_of(options.until, run)};
+  evolution.iteration.reference_edge = run.reference_edge();
+  evolution.iteration.remesh = RemeshOptions();
+  tool::read_smoothing(options.smooth, evolution.iteration.remesh);
+  const Step step = step_of(options, record, document.style.coordinate);
+  EvolveResult result;
+  tool::evolve_or_keep(run, record, "iteration", [&] {
+    result =
+        evolve(document, step, evolution, tool::loop_of(options.loop, run), record, run.progress());
+  });
+  report(result, run);
+  note_clamped(result, options.displace.alpha, run);
+  tool::conclude(run, options.loop, record,
+                 {result.is_done, result.is_done, summary(result, document.mesh)});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program{"tm-evolve", "[OPTION]... --step COMMAND [SOURCE] -o OUT",
+                        "Evolves a mesh by a filter that moves its vertices", tool::Reads::file,
+                        tool::Writes::evolved_mesh};
+  declare(program, options);
+  return program.run(argc, argv, [&](tool::Run& run) { evolve_mesh(options, run); });
+}

@@ -1,0 +1,66 @@
+/// tm-hull: the visual hull of calibrated silhouettes.
+#include "frame/run.h"
+#include "options/view_options.h"
+#include "transformesh/hull.h"
+#include "views/cameras/view.h"
+#include "views/hull/hull_values.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Options {
+  tool::SilhouetteOptions silhouettes;
+  tool::ViewCheckChoices check;
+  std::vector<double> box;
+  long resolution = 100;
+  std::optional<Length> edge;
+  std::string keep = "largest";
+  std::string outlines;  ///< folder to write to
+};
+
+void declare(tool::Program& program, Options& options) {
+  tool::declare_silhouettes(program, options.silhouettes);
+  program.numbers("box", &options.box, "X,Y,Z,X,Y,Z",
+                  "where to look: two corners; without it as far as the silhouettes reach");
+  program.integer("resolution", &options.resolution, 4, 4096,
+                  "cells along the longest side of the box");
+  program.length("edge", &options.edge, "or the size of a cell");
+  program.text("keep", &options.keep, "largest|all|SHARE",
+               "which components: of at least this share of the largest one's volume");
+  tool::declare_view_check(program, options.check, options.silhouettes.sources);
+  program.text("write-outlines", &options.outlines, "FOLDER",
+               "also write there, as NAME.png, what the hull covers in each view");
+}
+
+void make(const Options& options, tool::Run& run) {
+  HullOptions hull;
+  hull.resolution = static_cast<int>(options.resolution);
+  hull.keep = tool::hull_share(options.keep);
+  std::vector<View> views = tool::views_with_silhouettes(options.silhouettes, run);
+  const std::vector<double>& box = options.box;
+  if (!box.empty()) hull.box = Box{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+  const ViewCheck check = tool::check_views(views, options.check, run);
+  if (!hull.box) hull.box = silhouette_box(views);
+  run.set_basis(hull.box->diagonal());
+  if (options.edge) hull.edge = run.length(*options.edge);
+
+  HullResult result = visual_hull(views, hull, run.progress());
+  run.report("views", views.size());
+  run.report("dropped_views", check.dropped.size());
+  run.report("least_agreement", check.least_agreement);
+  run.report("cell", result.cell);
+  run.report("dropped_components", result.dropped_components);
+  if (!options.outlines.empty()) tool::write_outlines(result.mesh, views, options.outlines, run);
+  run.document().mesh = std::move(result.mesh);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  tool::Program program{"tm-hull", "[OPTION]... --cameras WHERE --silhouettes WHERE",
+                        "Makes the visual hull of calibrated silhouettes", tool::Reads::nothing};
+  declare(program, options);
+  return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
+}

@@ -1,0 +1,104 @@
+/// tm-remesh: edges between two lengths, six at a vertex, round triangles (paper 5.1.2).
+#include "frame/column_notes.h"
+#include "frame/run.h"
+#include "geometry/source_points.h"
+#include "io/comments.h"
+#include "options/remesh_options.h"
+#include "options/remesh_report.h"
+#include "support/number.h"
+#include "transformesh/measure.h"
+#include "transformesh/remesh.h"
+
+namespace {
+
+using namespace transformesh;
+
+constexpr double most_apart = 2;  // of reference and mean edge, without a word
+
+StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
+  const DecimateOptions options = tool::decimate_options(choices, document, run);
+  const std::size_t before = document.mesh.faces.size();
+  if (before < options.faces)
+    run.note("the mesh has " + std::to_string(before) + " faces, which are not more than " +
+             std::to_string(options.faces) + ": it stays as it is; --max-edge makes more");
+  const DecimateResult result = decimate(document.mesh, options, run.progress());
+  run.report("collapses", result.collapses);
+  run.report("faces", result.faces);
+  run.report("kept_out", result.kept_out);
+  choices.keep_out.note_near(result.near_keep_out, run);
+  return result.columns;
+}
+
+StaleColumns align_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
+  const AlignOptions options = tool::align_options(choices, document, run);
+  const AlignResult result =
+      align_features(document.mesh, run.read(choices.align).mesh, options, run.progress());
+  run.report("sharp_edges", result.sharp_edges);
+  run.report("corners", result.corners);
+  run.report("aligned", result.aligned);
+  return result.columns;
+}
+
+bool refers_to_edge(const std::optional<Length>& length) {
+  return length && length->unit == Length::Unit::reference_edge;
+}
+
+// The comment of an evolution may be older than the mesh.
+void note_reference_edge(const tool::RemeshChoices& choices, const Document& document,
+                         tool::Run& run) {
+  const bool is_used = refers_to_edge(choices.min_edge) || refers_to_edge(choices.max_edge) ||
+                       refers_to_edge(choices.adaptive);
+  const bool is_chosen = !run.program().common.reference_edge.empty();
+  if (!is_used || is_chosen || !choices.remesh.size_column.empty()) return;
+  if (!reference_edge_of(document.style.comments)) return;
+  const double mean = edge_lengths(document.mesh).mean;
+  const double reference = run.reference_edge();
+  if (reference <= most_apart * mean && mean <= most_apart * reference) return;
+  run.note("edges become " + significant(reference, 3) +
+           " long, as the comment tm:reference-edge " + "says, though their mean is " +
+           significant(mean, 3) + " now; --reference-edge auto measures it anew");
+}
+
+StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
+  const RemeshOptions options = tool::remesh_options(choices, document, run);
+  note_reference_edge(choices, document, run);
+  const RemeshResult result = remesh(document.mesh, options, run.progress());
+  run.report("splits", result.splits);
+  run.report("collapses", result.collapses);
+  run.report("flips", result.flips);
+  run.report("refused", result.refused);
+  run.report("kept_out", result.kept_out);
+  choices.keep_out.note_near(result.near_keep_out, run);
+  tool::report_dropped(result.components_removed, options, run);
+  tool::report_slivers(result, run);
+  run.report("feature_angle", result.feature_angle_deg);
+  return result.columns;
+}
+
+void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
+  Mesh source;
+  if (choices.source_points) source = {document.mesh.positions, document.mesh.faces, {}, {}};
+  const auto& step = choices.faces           ? decimate_document
+                     : choices.align.empty() ? remesh_document
+                                             : align_document;
+  const StaleColumns columns = step(document, choices, run);
+  tool::note_new_normals(columns.new_normals, run);
+  tool::note_dropped_lists(columns.dropped, run);
+  if (choices.source_points) {
+    write_source_points(document.mesh, closest_source_points(source, document.mesh));
+  } else {
+    tool::note_dropped_sources(columns.dropped_source_points, tool::source_of_step, run);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tool::RemeshChoices choices;
+  tool::Program program{"tm-remesh", "[OPTION]... [INPUT]",
+                        "Keeps edges between two lengths and triangles round"};
+  program.soups = tool::Soups::joined;
+  tool::declare_remeshing(program, choices);
+  program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
+  return program.run(argc, argv, [&](tool::Run& run) { change(run.document(), choices, run); });
+}

@@ -1,0 +1,52 @@
+/// tm-render: a picture of meshes without a display.
+#include "frame/movie.h"
+#include "io/segments.h"
+#include "options/render_options.h"
+#include "picture/ambient_occlusion.h"
+#include "picture/line_drawing.h"
+#include "transformesh/image.h"
+
+namespace {
+
+using namespace transformesh;
+
+void render(const tool::RenderOptions& options, tool::Run& run) {
+  PictureOptions picture = tool::picture_of(options);
+  const bool is_lines = tool::draws_lines(run);
+  tool::check_movie(options.frames, picture.width, picture.height,
+                    picture.shade.background.is_transparent, run);
+
+  const Mesh around = options.around.empty() ? Mesh{} : run.read(options.around).mesh;
+  if (!options.around.empty()) picture.around = &around;
+  if (!options.segments.empty())
+    picture.shade.segments = segments_of(run.read(options.segments), options.segments);
+  if (options.occlusion) picture.shade.openness = "tm:openness";
+  std::vector<const Mesh*> meshes;
+  for (Document& document : run.documents()) {
+    if (options.occlusion) set_openness(document.mesh, picture.shade.openness, run.progress());
+    meshes.push_back(&document.mesh);
+  }
+  run.report("meshes", meshes.size());
+
+  const auto draw = [&](int frame, const Progress& progress) {
+    picture.frame = frame;
+    return is_lines ? draw_lines(meshes, picture, progress)
+                    : write_png(draw_picture(meshes, picture, progress));
+  };
+  if (options.frames == 0) return run.write_output(draw(0, run.progress()));
+  const auto draw_frame = [&](int frame) { return draw(frame, {}); };
+  tool::write_frames(options.frames, draw_frame, run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tool::RenderOptions options;
+  tool::Program program{"tm-render", "[OPTION]... [INPUT]...",
+                        "Draws meshes as a PNG picture, an SVG line drawing or a movie",
+                        tool::Reads::meshes, tool::Writes::picture};
+  tool::declare_picture(program, options);
+  program.picture_endings = {".png", ".svg", ".mp4", ".gif"};
+  program.epilog = "Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png";
+  return program.run(argc, argv, [&](tool::Run& run) { render(options, run); });
+}

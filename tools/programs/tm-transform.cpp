@@ -1,0 +1,40 @@
+/// tm-transform: moves, turns, scales and mirrors a mesh.
+#include "frame/run.h"
+#include "io/comments.h"
+#include "options/transform_options.h"
+#include "transformesh/transform.h"
+
+namespace {
+
+using namespace transformesh;
+
+void transform_document(Document& document, tool::TransformChoices& choices, tool::Program& program,
+                        tool::Run& run) {
+  Matrix4 product = Matrix4::Identity();
+  for (const auto& step : choices.steps) product = step(run, product) * product;
+  const TransformResult result = transform(document.mesh, product);
+  if (const auto edge = reference_edge_of(document.style.comments))
+    set_reference_edge(document.style.comments, *edge * result.scale);
+
+  // The provenance has what all steps together do, as numbers.
+  const Matrix4 rows = product.transpose();
+  choices.matrix.assign(rows.data(), rows.data() + rows.size());
+  tool::Option& matrix = *program.find("matrix");
+  matrix.affects_result = matrix.is_given = true;
+  matrix.placeholder = "A11,...,A44";
+  run.report("matrix", choices.matrix);
+  run.report("scale", result.scale);
+  run.report("mirrored", result.is_mirror);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tool::TransformChoices choices;
+  tool::Program program{"tm-transform", "[OPTION]... [INPUT]",
+                        "Moves, turns, scales and mirrors a mesh, in the order of the options"};
+  tool::declare_transforms(program, choices);
+  return program.run(argc, argv, [&](tool::Run& run) {
+    transform_document(run.document(), choices, program, run);
+  });
+}

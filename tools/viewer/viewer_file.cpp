@@ -1,0 +1,25 @@
+#include "viewer/viewer_file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "transformesh/errors.h"
+
+namespace transformesh::tool {
+
+std::string read_viewer() {
+  // The same in the folder of the build as where it is installed.
+  std::error_code ignored;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const std::filesystem::path path =
+      program.parent_path().parent_path() / "share" / "transformesh" / "viewer.html";
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw GoalError("the viewer is not there, as '" + path.string() +
+                    "': install what it is made of by scripts/setup --browser, then build and "
+                    "install again");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace transformesh::tool
