@@ -68,6 +68,7 @@ link_what_is_built() { # FOLDER TARGET...
 
 @test "core needs no library of images, and is 22 programs" {
   "$tm_build/bin-test/core_alone"
+  nm -C "$tm_build/bin-test/core_alone" | grep -q 'transformesh::clean('
   local disabled=()
   for package in JPEG PNG TIFF ZLIB; do disabled+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"); done
   cmake -S "$tm_root" -B core -G Ninja -DTM_VIEWS=OFF -DTM_SHOW=OFF "${disabled[@]}" >log 2>&1 ||
