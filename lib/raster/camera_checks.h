@@ -11,10 +11,10 @@ namespace transformesh {
 
 bool is_number(std::string_view word);
 
-/// Where rows are now, as in `dino_par.txt line 3`.
+/// Returns the name of the source and the line that is read, for example `dino_par.txt line 3`.
 std::string place_of(const TextRows& rows, const Source& source);
 
-/// Why no camera has such numbers, or none that every format can hold; empty if all is well.
+/// Returns what is wrong with the numbers of the camera `who`, in a sentence; empty if nothing is.
 std::string intrinsics_problem(const Eigen::Matrix3d& intrinsics, const std::string& who);
 std::string translation_problem(const Vec3& translation, const std::string& who);
 

@@ -30,7 +30,7 @@ programs() {
 
 # first_command_targets: the CMake targets that scripts/quickstart builds.
 first_command_targets() {
-  sed -n 's/^.*cmake --build build --target \([^-]*\).*$/\1/p' "$tm_root/scripts/quickstart" | grep -oE '[^ ]+' | sort -u
+  sed -n 's/^ *cmake --build build --target \([^-]*\).*$/\1/p' "$tm_root/scripts/quickstart" | grep -oE '[^ ]+' | sort -u
 }
 
 # Links into the folder what the build folder holds after these targets alone: all that is installed

@@ -65,7 +65,7 @@ run_line() {
   # All but one of the indented lines belong to the two tests below.
   diff <(indented_lines) <(
     head -n 1 < <(indented_lines)
-    echo 'cmake -DTM_VIEWS=ON build && cmake --build build && sudo cmake --install build'
+    echo 'cmake -DTM_VIEWS=ON build && cmake --build build --target installed && sudo cmake --install build'
     indented_lines Pipelines
   )
 }
