@@ -29,25 +29,12 @@ struct SourcePoints {
   std::vector<SourcePoint> of_faces;  ///< source points of the middles of faces
 };
 
-/// For a mesh whose faces are pieces of faces of the source, `face_sources[f]` being the face that
-/// face f is cut from. Exact up to rounding if no vertex was moved.
-SourcePoints source_points_of_pieces(const Mesh& source, const Mesh& mesh,
-                                     std::span<const double> face_sources);
-
 /// For a mesh that lies near the source: the closest places on faces whose normals differ by less
 /// than a right angle. Throws InputError if the source has no faces.
 SourcePoints closest_source_points(const Mesh& source, const Mesh& mesh);
 
-/// Reads the columns source_face, source_u and source_v of vertices and faces. Throws InputError,
-/// with `source_name`, if they are missing or name a face beyond `source_faces`.
-SourcePoints read_source_points(const Mesh& mesh, std::size_t source_faces,
-                                const std::string& source_name);
+/// Writes the columns source_face, source_u and source_v of vertices and faces.
 void write_source_points(Mesh& mesh, const SourcePoints& places);
-
-/// Converts source points on `middle`, which has the source points `middle_on_first`, to source
-/// points on `first`. Exact at vertices of `middle`; otherwise off by edge^2 / radius of curvature.
-SourcePoints compose_source_points(const Mesh& first, const SourcePoints& middle_on_first,
-                                   const Mesh& middle, const SourcePoints& on_middle);
 
 struct CarryResult {
   std::size_t vertex_columns = 0, face_columns = 0;
@@ -56,5 +43,17 @@ struct CarryResult {
 /// name that the first mesh does not have.
 CarryResult carry_columns(const Mesh& first, const SourcePoints& on_first, Mesh& mesh,
                           const std::vector<std::string>& names = {});
+
+struct CarryOptions {
+  std::vector<std::string> columns;  ///< names; empty: as of carry_columns()
+  bool closest = false;              ///< meshes without source points take the closest places
+  std::vector<std::string> names;    ///< of the meshes of the chain, for messages; may be empty
+};
+
+/// Carries columns along a chain of meshes, each with source points on the one before. `last` is
+/// the last mesh of the chain, which gets the columns and source points on the first mesh. Throws
+/// InputError (no_source_points) if a mesh has no source points, unless `closest`.
+CarryResult carry_along(std::span<const Mesh* const> before, Mesh& last,
+                        const CarryOptions& options = {});
 
 }  // namespace transformesh

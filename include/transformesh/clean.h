@@ -11,19 +11,28 @@
 /// (docs/design/open-meshes.md). Throws InputError if the mesh is not oriented, and UsageError for
 /// static_test on an open mesh. Throws GoalError if no point reaches the level, if rounding cannot
 /// be repaired, or if `refuse` forbids a change. Deterministic. Cost: O(n log n + k log k).
+///
+/// With a `box`, only faces whose first vertex is in it are cleaned (paper 4.6); a box includes its
+/// lower sides and excludes its upper ones. The pieces of boxes side by side are together those of
+/// the whole mesh, unless rounding has to be repaired (docs/design/rounding.md). A box needs a
+/// closed oriented mesh (InputError), and excludes static_test, `outermost` and `separate`
+/// (UsageError). Cost: that of the faces in and around the box, and O(n log n) for the mesh.
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "transformesh/components.h"
+#include "transformesh/clean_result.h"
 #include "transformesh/control.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 
 /// Region growing (paper 3.2), or rays as a slow reference for closed meshes (paper 4.5).
 enum class ExteriorMethod { grow, static_test };
+
+/// Columns that state where on the input the output comes from: none, the face column source_face,
+/// or source points of vertices and faces (carry.h).
+enum class CleanSources { none, faces, points };
 
 struct CleanOptions {
   ExteriorMethod method = ExteriorMethod::grow;
@@ -31,26 +40,10 @@ struct CleanOptions {
   bool outermost = false;               ///< drop cavities, and components inside them
   bool refuse = false;                  ///< throw rather than change anything
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
-};
-
-struct CleanResult {
-  Mesh mesh;
-  bool changed = false;
-  std::size_t pairs = 0, pieces = 0;                  ///< intersecting face pairs; faces once cut
-  std::size_t cut_faces = 0, removed_faces = 0;       ///< input faces: cut; dropped as a whole
-  std::size_t new_vertices = 0, copied_vertices = 0;  ///< copies are for singular places
-  std::size_t patches = 0, rays = 0;                  ///< parts of a mesh with borders; rays cast
-  std::size_t decided_by_number = 0;  ///< patches that a generalized winding number decided
-  double least_margin = 0.5;  ///< the distance of such a number to where it rounds otherwise
-  std::size_t dropped_components = 0;                     ///< by `outermost`
-  std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds and places of repair
-  std::size_t rounding_faces = 0, rounding_pairs = 0;     ///< in all rounds: broken, intersecting
-  std::size_t rounding_level = 0;                         ///< doublings of a grid
-  double rounding_displacement = 0;          ///< largest distance by which rounding moved a vertex
-  double rounding_spacings = 0;              ///< the same in spacings of the coordinates there
-  std::vector<std::string> dropped_columns;  ///< texture coordinates of faces that were cut
-  bool dropped_source_points = false;        ///< carry.h
-  std::optional<Connectivity> connectivity;  ///< set if there was nothing to change
+  double separate = 0;                  ///< distance between copies of a vertex; 0: do not move
+  CleanSources sources = CleanSources::none;
+  std::optional<Box> box = {};  ///< clean the faces of this box alone
+  bool only = false;            ///< with `box`: leave out faces that do not belong to it
 };
 
 /// Cleans a mesh.

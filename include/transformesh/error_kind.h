@@ -1,9 +1,8 @@
-/// Kinds of errors and warnings. A caller chooses the remedy by the kind.
+/// Kinds of errors and warnings, in terms of the mesh given. A caller chooses the remedy by kind.
 #pragma once
 
 namespace transformesh {
 
-/// The problem, in terms of the mesh that a function was given.
 enum class ErrorKind {
   other,                ///< a problem without a special remedy
   not_closed,           ///< the mesh has borders
@@ -13,6 +12,7 @@ enum class ErrorKind {
   overlapping_sheets,   ///< only splitting coincident sheets orients the mesh
   one_sided,            ///< the surface has one side only, like a Moebius strip
   not_manifold,         ///< the mesh is not an oriented manifold
+  self_intersections,   ///< faces intersect
   inside_out,           ///< faces are oriented inwards
   double_sided,         ///< most faces of a solid have a coincident reverse
   double_sided_sheet,   ///< most faces of an open sheet have a coincident reverse
@@ -33,11 +33,12 @@ enum class ErrorKind {
   meets_keep_out,            ///< the mesh intersects the surface to keep out of
   bad_reference_edge,        ///< the comment of a mesh holds no positive length
   unknown_format,            ///< the bytes are in no known mesh format
+  no_velocity,               ///< the mesh has no velocity
+  no_source_points,          ///< the mesh does not state where it comes from
   no_segments,               ///< a file holds no line segments
   no_color_property,         ///< a range of colors is given without a property
   texture_too_small,         ///< the charts do not fit in the texture
   target_open,               ///< the target has borders
-  target_intersects_itself,  ///< the target has self-intersections
   target_not_solid,          ///< the target is open, not manifold, or intersects itself
   source_apart,              ///< the source does not overlap all of the target
   edges_too_long,            ///< edges are too long for the target

@@ -2,6 +2,8 @@
 /// Cost: O(n log n); deterministic.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,6 +11,18 @@
 #include "transformesh/mesh.h"
 
 namespace transformesh {
+
+struct VelocityOptions {
+  std::optional<std::vector<Vec3>> given;  ///< taken instead of the columns vx, vy and vz
+  std::optional<double> normal_speed;      ///< input units per time; negative: inwards
+  double curvature_speed = 0;              ///< squared input units per time
+  std::string mask;                        ///< vertex column that multiplies the sum; empty: none
+};
+
+/// The sum of the velocities given, or else of the columns if the mesh has them, and of those by
+/// the two speeds. Throws InputError (no_velocity) if there are none of these, and for a mesh whose
+/// border edges coincide if there is a speed.
+std::vector<Vec3> velocities_of(const Mesh& mesh, const VelocityOptions& options);
 
 /// The vertex columns vx, vy and vz. Throws InputError naming those that are missing.
 std::vector<Vec3> column_velocities(const Mesh& mesh);

@@ -1,107 +1,92 @@
 #include "transformesh/clean.h"
 
-#include <algorithm>
-#include <string>
 #include <utility>
 
-#include "clean/exterior/exterior.h"
-#include "clean/pass/clean_pass.h"
-#include "clean/rounding/snap_rounding.h"
-#include "clean/stitch/double_sided.h"
+#include "clean/box/clean_box.h"
+#include "clean/stitch/separate.h"
+#include "clean/whole/clean_whole.h"
+#include "geometry/source_points.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {
 
-/// A mesh that encloses nothing does so because of reverses if at least this fraction of its faces
-/// has one.
-constexpr double double_sided_share = 0.5;
+/// Face column with the numbers of the input faces while the mesh is cleaned.
+constexpr const char* face_number = "tm:source-face";
 
-/// A difference without a remainder and a double-sided solid are the same mesh, so that both are
-/// named. One side of a sheet is open.
-Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
-  const bool is_sheet = one_side_is_open(mesh);
-  return {is_sheet ? ErrorKind::double_sided_sheet : ErrorKind::double_sided,
-          "the faces enclose nothing: " + std::to_string(reverses) + " of " +
-              std::to_string(mesh.faces.size()) + " lie upon their reverses, as in " +
-              (is_sheet ? "sheets whose borders are filled flat, and in double-sided sheets"
-                        : "a difference without a remainder, which is empty, and in double-sided "
-                          "models"),
-          {.counts = {reverses, mesh.faces.size()}}};
+void check_options(const CleanOptions& options) {
+  if (options.only && !options.box)
+    throw UsageError("the faces of a box alone are wanted, but there is no box");
+  if (!options.box) return;
+  const char* const refused = options.method != ExteriorMethod::grow ? "the static test"
+                              : options.outermost                    ? "dropping cavities"
+                              : options.separate > 0                 ? "separating vertices"
+                                                                     : nullptr;
+  if (refused) throw UsageError(std::string(refused) + " is for whole meshes, not for a box");
 }
 
-[[noreturn]] void refuse_changes(const CleanResult& result) {
-  const bool only_joins =
-      result.pairs == 0 && result.removed_faces == 0 && result.copied_vertices == 0;
-  throw GoalError(ErrorKind::needs_cleaning,
-                  "the mesh needs cleaning (" + std::to_string(result.pairs) +
-                      " intersecting face pairs, " + std::to_string(result.removed_faces) +
-                      " faces to remove, " + std::to_string(result.copied_vertices) +
-                      " vertices to duplicate" + (only_joins ? ", but vertices to join)" : ")"),
-                  {.counts = {result.pairs, result.removed_faces, result.copied_vertices}});
+void number_faces(Mesh& mesh, const char* name) {
+  Column& column = mesh.face_columns.get(name, Scalar::int32, mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
 }
 
-CleanResult clean_mesh(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
-  if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
-  CleanPass pass = run_clean_pass(mesh, {options.winding_level, options.method, true}, progress);
-  CleanResult result;
-  result.pairs = pass.pairs;
-  result.pieces = pass.pieces;
-  result.cut_faces = pass.cut_faces;
-  result.removed_faces = pass.removed_faces;
-  result.patches = pass.open_patches;
-  result.decided_by_number = pass.decided_by_number;
-  result.least_margin = pass.least_margin;
-  result.rays = pass.rays;
-  result.changed = !pass.unchanged;
-  if (pass.unchanged) {
-    result.mesh = mesh;
-  } else {
-    const SnapRoundingOptions how{options.winding_level, options.method, pass.is_open,
-                                  options.coordinate};
-    SnapRoundingResult rounded = snap_round(mesh, pass, how, progress);
-    result.cut_faces += rounded.cut_faces;
-    result.removed_faces += rounded.removed_faces;
-    result.new_vertices = rounded.new_vertices;
-    result.copied_vertices = rounded.copied_vertices;
-    result.rounding_repairs = rounded.repairs;
-    result.rounding_places = rounded.places;
-    result.rounding_faces = rounded.faces;
-    result.rounding_pairs = rounded.pairs;
-    result.rounding_level = rounded.level;
-    result.rounding_displacement = rounded.displacement.length;
-    result.rounding_spacings = rounded.displacement.spacings;
-    result.mesh = std::move(rounded.mesh);
-    if (result.cut_faces > 0) {
-      result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
-      result.dropped_source_points = drop_source_points(result.mesh);
-    }
-  }
-  result.connectivity = std::move(pass.connectivity);
-  if (options.outermost) {
-    const auto& known = result.connectivity;
-    result.dropped_components =
-        known ? drop_enclosed_components(result.mesh, connected_components(result.mesh, *known))
-              : drop_enclosed_components(result.mesh);
-    result.changed |= result.dropped_components > 0;
-    if (result.dropped_components > 0) result.connectivity.reset();
-  }
-  if (options.refuse && result.changed) refuse_changes(result);
+void separate_copies(const CleanOptions& options, CleanResult& result, const Progress& progress) {
+  if (options.separate == 0) return;
+  const SeparateResult separated =
+      separate(result.mesh, {options.separate, options.coordinate}, progress);
+  result.separated_vertices = separated.separated_vertices;
+  result.separation_refused = separated.refused_vertices;
+  if (separated.separated_vertices == 0) return;
+  if (options.refuse)
+    throw GoalError(ErrorKind::needs_cleaning,
+                    "vertices lie in one place, and would be moved apart",
+                    {.counts = {separated.separated_vertices}});
+  result.changed = true;
+}
+
+CleanResult clean_faces(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
+  CleanResult result =
+      options.box ? clean_box(mesh, options, progress) : clean_whole(mesh, options, progress);
+  separate_copies(options, result, progress);
+  return result;
+}
+
+CleanResult clean_with_face_column(const Mesh& mesh, const CleanOptions& options,
+                                   const Progress& progress) {
+  Mesh numbered = mesh;
+  const bool drops = drop_source_points(numbered);
+  number_faces(numbered, source_point_names[0]);
+  CleanResult result = clean_faces(numbered, options, progress);
+  result.dropped_source_points |= drops;
+  return result;
+}
+
+CleanResult clean_with_source_points(const Mesh& mesh, const CleanOptions& options,
+                                     const Progress& progress) {
+  Mesh numbered = mesh;
+  number_faces(numbered, face_number);
+  CleanResult result = clean_faces(numbered, options, progress);
+  const Column& numbers = *result.mesh.face_columns.find(face_number);
+  write_source_points(result.mesh, source_points_of_pieces(mesh, result.mesh, numbers.values));
+  result.mesh.face_columns.erase(face_number);
+  result.dropped_source_points = false;
   return result;
 }
 
 }  // namespace
 
 CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
-  try {
-    return clean_mesh(mesh, options, progress);
-  } catch (const GoalError&) {
-    const auto faces = static_cast<double>(mesh.faces.size());
-    const std::size_t both = options.refuse ? 0 : count_double_sided(mesh);
-    if (static_cast<double>(both) < std::max(1.0, double_sided_share * faces)) throw;
-    throw GoalError(problem_of_reverses(mesh, both));
+  check_options(options);
+  switch (options.sources) {
+    case CleanSources::faces:
+      return clean_with_face_column(mesh, options, progress);
+    case CleanSources::points:
+      return clean_with_source_points(mesh, options, progress);
+    case CleanSources::none:
+      break;
   }
+  return clean_faces(mesh, options, progress);
 }
 
 }  // namespace transformesh

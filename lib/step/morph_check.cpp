@@ -59,7 +59,7 @@ std::vector<Problem> check_target(const Target& target, const std::string& name,
   }
   const std::size_t pairs = find_intersections(target.mesh, progress).size();
   if (pairs > 0) {
-    warnings.push_back({ErrorKind::target_intersects_itself,
+    warnings.push_back({ErrorKind::self_intersections,
                         named("the target", name) + " intersects itself at " +
                             counted(pairs, "pair") + " of faces: what lies inside is no goal",
                         {.counts = {pairs}, .name = name}});

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mesh/edges.h"
+#include "mesh/touching_borders.h"
 #include "mesh/triangle.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
@@ -67,7 +68,32 @@ const Column& number_column(const Mesh& mesh, std::string_view name) {
   return *column;
 }
 
+void add(const std::vector<Vec3>& more, std::vector<Vec3>& velocities) {
+  for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] += more[v];
+}
+
+/// The velocities that do not follow from a speed.
+std::vector<Vec3> start_of(const Mesh& mesh, const VelocityOptions& options, bool has_speed) {
+  if (options.given) return *options.given;
+  if (has_column_velocities(mesh)) return column_velocities(mesh);
+  if (!has_speed)
+    throw InputError(ErrorKind::no_velocity,
+                     "the mesh has no velocity vx vy vz at its vertices; " + present_names(mesh));
+  return std::vector<Vec3>(mesh.positions.size(), Vec3::Zero());
+}
+
 }  // namespace
+
+std::vector<Vec3> velocities_of(const Mesh& mesh, const VelocityOptions& options) {
+  const bool has_speed = options.normal_speed || options.curvature_speed != 0;
+  std::vector<Vec3> velocities = start_of(mesh, options, has_speed);
+  if (has_speed) refuse_touching_borders(mesh);
+  if (options.normal_speed) add(normal_velocities(mesh, *options.normal_speed), velocities);
+  if (options.curvature_speed != 0)
+    add(curvature_velocities(mesh, options.curvature_speed), velocities);
+  if (!options.mask.empty()) apply_mask(mesh, options.mask, velocities);
+  return velocities;
+}
 
 bool has_column_velocities(const Mesh& mesh) {
   return std::all_of(velocity_names.begin(), velocity_names.end(),

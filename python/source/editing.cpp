@@ -3,7 +3,6 @@
 
 #include "arguments.h"
 #include "call.h"
-#include "geometry/source_points.h"
 #include "io/comments.h"
 #include "python_mesh.h"
 #include "transformesh/carry.h"
@@ -35,19 +34,8 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
   options.coordinate = document.style.coordinate;
   const FillResult result = without_lock(
       progress, [&](const Progress& to) { return fill_holes(document.mesh, options, to); });
-  py::dict report;
-  report["joined_vertices"] = joined;
-  report["holes"] = result.holes;
-  report["filled"] = result.filled();
-  report["faired"] = result.faired;
-  report["refined"] = result.refined;
-  report["plain"] = result.plain;
-  report["crossed"] = result.crossed;
-  report["left_crossing"] = result.crossing.size();
-  report["left_flat"] = result.flat.size();
-  report["left_too_large"] = result.too_large.size();
-  report["new_vertices"] = result.new_vertices;
-  report["new_faces"] = result.new_faces;
+  Entries report{{"joined_vertices", joined}};
+  append(report, entries_of(result));
   return mesh_of(std::move(document), report);
 }
 
@@ -62,15 +50,9 @@ MeshPointer remove_handles_of(const PythonMesh& mesh, const PythonLength& max_le
   options.coordinate = document.style.coordinate;
   const HandleResult result = without_lock(
       progress, [&](const Progress& to) { return remove_handles(document.mesh, options, to); });
-  py::dict report;
-  report["joined_vertices"] = joined;
-  report["max_length"] = options.max_length;
-  report["removed"] = result.removed;
-  report["refused"] = result.refused;
-  report["blocked"] = result.blocked;
-  report["new_vertices"] = result.new_vertices;
-  report["new_faces"] = result.new_faces;
-  report["genus"] = connected_components(document.mesh).genus();
+  Entries report{{"joined_vertices", joined}, {"max_length", options.max_length}};
+  append(report, entries_of(result));
+  report.emplace_back("genus", connected_components(document.mesh).genus());
   return mesh_of(std::move(document), report);
 }
 
@@ -118,10 +100,8 @@ MeshPointer transform_mesh(const PythonMesh& mesh, const py::kwargs& steps) {
   py::array_t<double> matrix({4, 4});
   for (Eigen::Index i = 0; i < 4; ++i)
     for (Eigen::Index j = 0; j < 4; ++j) matrix.mutable_at(i, j) = product(i, j);
-  py::dict report;
+  py::dict report = dict_of(entries_of(result));
   report["matrix"] = matrix;
-  report["scale"] = result.scale;
-  report["mirrored"] = result.is_mirror;
   return mesh_of(std::move(document), report);
 }
 
@@ -140,16 +120,6 @@ void set_where(const py::object& where, SelectionOptions& options) {
   }
 }
 
-py::dict report_of(const SelectionResult& result) {
-  py::dict report;
-  report["selected_faces"] = result.selected_faces;
-  report["dropped_faces"] = result.dropped_faces;
-  if (!result.contains_point) return report;
-  report["contains_point"] = *result.contains_point;
-  report["distance"] = result.distance;
-  return report;
-}
-
 MeshPointer select_faces_of(const PythonMesh& mesh, const std::optional<std::size_t>& largest,
                             double at_least, const std::string& by, const py::object& where,
                             const py::object& box, const py::object& around, bool invert) {
@@ -164,7 +134,7 @@ MeshPointer select_faces_of(const PythonMesh& mesh, const std::optional<std::siz
   options.invert = invert;
   const SelectionResult result =
       without_lock(py::none(), [&](const Progress&) { return select(document.mesh, options); });
-  return mesh_of(std::move(document), report_of(result));
+  return mesh_of(std::move(document), entries_of(result));
 }
 
 std::vector<MeshPointer> split_mesh(const PythonMesh& mesh, const std::string& by) {
@@ -194,50 +164,23 @@ MeshPointer sample_mesh(const PythonMesh& mesh, std::size_t count,
   document.other_elements.clear();
   document.style.element_order = {"vertex"};
   if (document.style.format == Format::off) document.style.format = Format::ply_little;
-  py::dict report;
-  report["points"] = document.mesh.positions.size();
-  return mesh_of(std::move(document), report);
+  return mesh_of(std::move(document), Entries{{"points", document.mesh.positions.size()}});
 }
 
 // --- carry ---------------------------------------------------------------------------------------
 
-/// Places of the vertices and faces of a mesh on the one before; meshes are numbered in messages.
-SourcePoints places_on(const Mesh& before, const Mesh& mesh, std::size_t number, bool closest) {
-  if (has_source_points(mesh))
-    return read_source_points(mesh, before.faces.size(), "mesh " + std::to_string(number));
-  if (closest) return closest_source_points(before, mesh);
-  throw InputError(
-      "mesh " + std::to_string(number + 1) +
-      " does not state where its vertices and faces come from: make it with source=True, or take "
-      "the closest places with closest=True");
-}
-
-CarryResult carry_along(const std::vector<const Mesh*>& chain, Mesh& last,
-                        const std::vector<std::string>& columns, bool closest) {
-  const Mesh& first = *chain[0];
-  SourcePoints on_first = places_on(first, *chain[1], 1, closest);
-  for (std::size_t i = 2; i < chain.size(); ++i)
-    on_first = compose_source_points(first, on_first, *chain[i - 1],
-                                     places_on(*chain[i - 1], *chain[i], i, closest));
-  const CarryResult result = carry_columns(first, on_first, last, columns);
-  write_source_points(last, on_first);
-  return result;
-}
-
 MeshPointer carry(const py::args& meshes, const std::vector<std::string>& columns, bool closest) {
   if (meshes.size() < 2)
     throw UsageError("carry: the first mesh of a chain and the last are needed");
-  std::vector<const Mesh*> chain;
+  std::vector<const Mesh*> before;
   for (const py::handle& mesh : meshes)
-    chain.push_back(&py::cast<const PythonMesh&>(mesh).document.mesh);
+    before.push_back(&py::cast<const PythonMesh&>(mesh).document.mesh);
+  before.pop_back();
   Document document = py::cast<const PythonMesh&>(meshes[meshes.size() - 1]).document;
   const CarryResult result = without_lock(py::none(), [&](const Progress&) {
-    return carry_along(chain, document.mesh, columns, closest);
+    return carry_along(before, document.mesh, {columns, closest, {}});
   });
-  py::dict report;
-  report["vertex_columns"] = result.vertex_columns;
-  report["face_columns"] = result.face_columns;
-  return mesh_of(std::move(document), report);
+  return mesh_of(std::move(document), entries_of(result));
 }
 
 }  // namespace

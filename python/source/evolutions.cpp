@@ -78,15 +78,8 @@ MeshPointer evolve_mesh(const PythonMesh& mesh, const py::function& velocity,
   if (result.clamped_iterations > 0)
     warn({clamps_in_words(result, alpha) +
           "; use a smaller time_step and more iterations, or a larger alpha"});
-  py::dict report;
-  report["converged"] = result.is_done;
-  report["iterations"] = result.iterations;
-  report["components"] = result.last.topology.components;
-  report["genus"] = result.last.topology.genus;
-  report["clamped_iterations"] = result.clamped_iterations;
-  report["clamped_share"] = result.clamped_share;
-  report["max_displacement"] = result.last.displaced.max_displacement;
-  report["rms_displacement"] = result.last.displaced.rms_displacement;
+  Entries report{{"converged", result.is_done}};
+  append(report, entries_of(result));
   return mesh_of(std::move(document), report);
 }
 
@@ -98,25 +91,6 @@ std::optional<MorphDistance> distance_of(const std::string& name) {
   if (name == "points") return MorphDistance::points;
   if (name == "vertex") return MorphDistance::vertex;
   throw UsageError("distance: '" + name + "' is none of auto, surface, points, vertex");
-}
-
-py::dict report_of(const MorphResult& result) {
-  py::dict report;
-  report["converged"] = result.stop == MorphStop::converged;
-  report["stop"] = name_of(result.stop);
-  report["iterations"] = result.iterations;
-  report["components"] = result.topology.components;
-  report["genus"] = result.topology.genus;
-  report["rms_distance_to_target"] = result.distances.to_target.rms;
-  report["max_distance_to_target"] = result.distances.to_target.maximum;
-  report["rms_distance_from_target"] = result.distances.from_target.rms;
-  report["max_distance_from_target"] = result.distances.from_target.maximum;
-  report["target_left_out"] = result.left_out;
-  report["fault"] = result.fault;
-  report["remedy"] = advice_for(result.cause.kind);
-  report["aligned"] = result.aligned;
-  report["mean_edge"] = result.distances.displaced.mean_edge;
-  return report;
 }
 
 MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::size_t iterations,
@@ -148,7 +122,9 @@ MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::
     Record record;
     return morph(document, read, options, loop, record, to);
   });
-  return mesh_of(std::move(document), report_of(result));
+  Entries report = entries_of(result);
+  report.emplace_back("remedy", std::string(advice_for(result.cause.kind)));
+  return mesh_of(std::move(document), report);
 }
 
 }  // namespace

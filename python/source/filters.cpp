@@ -1,15 +1,10 @@
-/// What makes one mesh of another, as the programs of the same names do.
+/// Functions that make a mesh from others: clean, stitch, cat, displace, offset, shape, intersect.
 #include "arguments.h"
 #include "call.h"
-#include "clean/stitch/separate.h"
-#include "geometry/source_points.h"
-#include "mesh/surface_columns.h"
-#include "mesh/touching_borders.h"
 #include "python_mesh.h"
 #include "support/counted.h"
 #include "support/number.h"
-#include "transformesh/clean_box.h"
-#include "transformesh/components.h"
+#include "transformesh/clean.h"
 #include "transformesh/displace.h"
 #include "transformesh/document.h"
 #include "transformesh/errors.h"
@@ -24,120 +19,30 @@ namespace {
 
 // --- clean, stitch, cat --------------------------------------------------------------------------
 
-py::dict report_of(const CleanResult& result) {
-  py::dict report;
-  report["changed"] = result.changed;
-  report["pairs"] = result.pairs;
-  report["pieces"] = result.pieces;
-  report["cut_faces"] = result.cut_faces;
-  report["removed_faces"] = result.removed_faces;
-  report["new_vertices"] = result.new_vertices;
-  report["copied_vertices"] = result.copied_vertices;
-  report["dropped_components"] = result.dropped_components;
-  report["rounding_places"] = result.rounding_places;
-  report["rounding_faces"] = result.rounding_faces;
-  report["rounding_pairs"] = result.rounding_pairs;
-  report["rounding_level"] = result.rounding_level;
-  report["rounding_displacement"] = result.rounding_displacement;
-  report["rounding_spacings"] = result.rounding_spacings;
-  return report;
-}
-
-struct CleanChoices {
-  CleanOptions whole;
-  std::optional<Box> box;
-  bool only = false;
-  double separate_by = 0;
-  bool source = false, source_face = false;
-};
-
-// What the whole mesh is needed for has no meaning in a box.
-void check_choices(const CleanChoices& choices) {
-  if (!choices.box) {
-    if (choices.only) throw UsageError("only: needs box, whose faces it leaves");
-    return;
-  }
-  const char* const refused = choices.whole.method != ExteriorMethod::grow ? "method='static'"
-                              : choices.whole.outermost                    ? "outermost"
-                              : choices.separate_by != 0                   ? "separate"
-                                                                           : nullptr;
-  if (refused) throw UsageError(std::string(refused) + " is for whole meshes, without box");
-}
-
-constexpr const char* face_number = "tm:source-face";  // while cleaning
-
-void number_faces(Mesh& mesh, const char* name) {
-  Column& column = mesh.face_columns.get(name, Scalar::int32, mesh.faces.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
-}
-
-CleanBoxResult clean_as_asked(const Mesh& mesh, const CleanChoices& choices,
-                              const Progress& progress) {
-  const CleanOptions& whole = choices.whole;
-  if (!choices.box) return {clean(mesh, whole, progress)};
-  CleanBoxOptions options{*choices.box, choices.only};
-  options.winding_level = whole.winding_level;
-  options.refuse = whole.refuse;
-  options.coordinate = whole.coordinate;
-  return clean_box(mesh, options, progress);
-}
-
-struct Cleaned {
-  CleanBoxResult result;
-  SeparateResult separated;
-};
-
-Cleaned clean_document(Mesh& mesh, const CleanChoices& choices, const Progress& progress) {
-  if (choices.source_face) {
-    drop_source_points(mesh);
-    number_faces(mesh, "source_face");
-  }
-  Mesh source;
-  if (choices.source) {
-    source = {mesh.positions, mesh.faces, {}, {}};
-    number_faces(mesh, face_number);
-  }
-  Cleaned cleaned{clean_as_asked(mesh, choices, progress), {}};
-  mesh = std::move(cleaned.result.clean.mesh);
-  if (choices.separate_by > 0)
-    cleaned.separated = separate(mesh, {choices.separate_by, choices.whole.coordinate}, progress);
-  if (choices.whole.refuse && cleaned.separated.separated_vertices > 0)
-    throw GoalError("vertices lie in one place, and refuse forbids to move them apart");
-  if (choices.source) {
-    const Column& numbers = *mesh.face_columns.find(face_number);
-    write_source_points(mesh, source_points_of_pieces(source, mesh, numbers.values));
-    mesh.face_columns.erase(face_number);
-  }
-  return cleaned;
-}
-
 MeshPointer clean_mesh(const PythonMesh& mesh, int winding_level, bool outermost,
                        const std::string& method, const PythonLength& separate_by,
                        const py::object& box, bool only, bool refuse, bool source, bool source_face,
                        const py::object& progress) {
   Document document = mesh.document;
-  CleanChoices choices;
-  choices.whole.winding_level = winding_level;
-  choices.whole.outermost = outermost;
-  choices.whole.refuse = refuse;
+  CleanOptions options;
+  options.winding_level = winding_level;
+  options.outermost = outermost;
+  options.refuse = refuse;
   if (choice("method", method, {"grow", "static"}) == 1)
-    choices.whole.method = ExteriorMethod::static_test;
-  choices.whole.coordinate = document.style.coordinate;
-  if (!box.is_none()) choices.box = box_of(box);
-  choices.only = only;
-  choices.separate_by = Lengths(document)(separate_by);
-  choices.source = source;
-  choices.source_face = source_face;
-  check_choices(choices);
-  const Cleaned cleaned = without_lock(
-      progress, [&](const Progress& to) { return clean_document(document.mesh, choices, to); });
-  py::dict report = report_of(cleaned.result.clean);
-  report["separated_vertices"] = cleaned.separated.separated_vertices;
-  report["separation_refused"] = cleaned.separated.refused_vertices;
-  if (choices.box) {
-    report["box_faces"] = cleaned.result.box_faces;
-    report["whole_mesh"] = cleaned.result.is_whole;
-  }
+    options.method = ExteriorMethod::static_test;
+  options.coordinate = document.style.coordinate;
+  options.separate = Lengths(document)(separate_by);
+  if (!box.is_none()) options.box = box_of(box);
+  options.only = only;
+  options.sources = source        ? CleanSources::points
+                    : source_face ? CleanSources::faces
+                                  : CleanSources::none;
+  CleanResult result =
+      without_lock(progress, [&](const Progress& to) { return clean(document.mesh, options, to); });
+  document.mesh = std::move(result.mesh);
+  Entries report = entries_of(result);
+  if (box.is_none()) return mesh_of(std::move(document), report);
+  append(report, {{"box_faces", result.box_faces}, {"whole_mesh", result.is_whole}});
   return mesh_of(std::move(document), report);
 }
 
@@ -147,16 +52,7 @@ MeshPointer stitch_mesh(const PythonMesh& mesh, const PythonLength& tolerance, b
   const StitchOptions options{Lengths(document)(tolerance), orient, one_side, flip};
   const StitchResult result =
       without_lock(py::none(), [&](const Progress&) { return stitch(document.mesh, options); });
-  py::dict report;
-  report["joined_vertices"] = result.joined_vertices;
-  report["copied_vertices"] = result.copied_vertices;
-  report["split_edges"] = result.split_edges;
-  report["dropped_faces"] = result.dropped_faces;
-  report["dropped_reverses"] = result.dropped_reverses;
-  report["turned_faces"] = result.reversed_faces;
-  report["misoriented_edges"] = result.misoriented_edges;
-  report["border_edges"] = result.border_edges;
-  return mesh_of(std::move(document), report);
+  return mesh_of(std::move(document), entries_of(result));
 }
 
 MeshPointer cat(const py::args& meshes) {
@@ -170,10 +66,6 @@ MeshPointer cat(const py::args& meshes) {
 
 // --- displace, offset, shape ---------------------------------------------------------------------
 
-void add(std::vector<Vec3>& velocities, const std::vector<Vec3>& more) {
-  for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] += more[v];
-}
-
 MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>& velocities,
                           const std::optional<PythonLength>& normal_speed, double curvature_speed,
                           double time_step, double alpha, const std::string& mask,
@@ -181,18 +73,12 @@ MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>
                           const std::optional<PythonLength>& gap) {
   Document document = mesh.document;
   Lengths lengths(document);
-  const Mesh& moving = document.mesh;
-  const bool has_speed = velocities || normal_speed || curvature_speed != 0;
-  std::vector<Vec3> sum(moving.positions.size(), Vec3::Zero());
-  if (velocities) {
-    sum = vectors_of(*velocities, "velocities");
-  } else if (!has_speed || has_column_velocities(moving)) {
-    sum = column_velocities(moving);
-  }
-  if (normal_speed || curvature_speed != 0) refuse_touching_borders(moving);
-  if (normal_speed) add(sum, normal_velocities(moving, lengths(*normal_speed)));
-  if (curvature_speed != 0) add(sum, curvature_velocities(moving, curvature_speed));
-  if (!mask.empty()) apply_mask(moving, mask, sum);
+  VelocityOptions velocity;
+  if (velocities) velocity.given = vectors_of(*velocities, "velocities");
+  if (normal_speed) velocity.normal_speed = lengths(*normal_speed);
+  velocity.curvature_speed = curvature_speed;
+  velocity.mask = mask;
+  const std::vector<Vec3> sum = velocities_of(document.mesh, velocity);
   const DisplaceOptions options{time_step, alpha, keep_out_of(keep_out, gap, lengths),
                                 document.style.coordinate};
   const DisplaceResult result = without_lock(
@@ -200,13 +86,8 @@ MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>
   if (result.clamped > 0)
     warn({counted(result.clamped, "vertex") + " clamped to " + shortest_text(alpha) +
           " of the mean edge at the vertex; use a smaller time_step, or a larger alpha"});
-  py::dict report;
-  report["moved"] = result.moved;
-  report["clamped"] = result.clamped;
-  report["held_back"] = result.held_back;
-  report["max_displacement"] = result.max_displacement;
-  report["rms_displacement"] = result.rms_displacement;
-  report["mean_edge"] = result.mean_edge;
+  Entries report = entries_of(result);
+  report.emplace_back("held_back", result.held_back);
   return mesh_of(std::move(document), report);
 }
 
@@ -219,16 +100,8 @@ MeshPointer offset_mesh(const PythonMesh& mesh, const PythonLength& distance,
   const OffsetOptions options{lengths(distance), lengths(edge, 0), iterations};
   const OffsetResult result =
       without_lock(progress, [&](const Progress& to) { return offset(document, options, to); });
-  py::dict report;
-  report["joined_vertices"] = joined;
-  report["converged"] = result.is_done();
-  report["iterations"] = result.iterations;
-  report["components"] = result.topology.components;
-  report["genus"] = result.topology.genus;
-  report["deviation_rms"] = result.deviation.rms;
-  report["deviation_max"] = result.deviation.most;
-  report["missed_max"] = result.deviation.missed;
-  report["edge"] = result.edge;
+  Entries report{{"joined_vertices", joined}, {"converged", result.is_done()}};
+  append(report, entries_of(result));
   return mesh_of(std::move(document), report);
 }
 

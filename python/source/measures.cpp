@@ -3,43 +3,18 @@
 #include "python_mesh.h"
 #include "transformesh/certify.h"
 #include "transformesh/compare.h"
-#include "transformesh/components.h"
 #include "transformesh/manifold.h"
-#include "transformesh/measure.h"
 
 namespace transformesh::python {
 namespace {
 
-py::tuple tuple_of(const Vec3& point) { return py::make_tuple(point.x(), point.y(), point.z()); }
-
 py::dict info(const PythonMesh& self) {
-  const Mesh& mesh = self.document.mesh;
-  const EdgeLengths lengths = edge_lengths(mesh);
-  const Components parts = connected_components(mesh);
-  const ManifoldReport manifold = check_manifold(mesh);
-  const Box box = bounding_box(mesh);
-  const Angles smallest = angles(mesh);
-  py::dict all;
-  all["vertices"] = mesh.positions.size();
-  all["faces"] = mesh.faces.size();
-  all["edges"] = lengths.count;
-  all["components"] = parts.components.size();
-  all["genus"] = parts.genus();
-  all["boundary_loops"] = manifold.boundary_loops;
-  all["manifold"] = manifold.is_manifold();
-  all["oriented"] = manifold.is_oriented();
-  all["closed"] = manifold.is_closed();
-  all["area"] = surface_area(mesh);
-  all["volume"] = volume(mesh);
-  all["bbox_min"] = tuple_of(box.minimum);
-  all["bbox_max"] = tuple_of(box.maximum);
-  all["edge_mean"] = lengths.mean;
-  all["edge_min"] = lengths.minimum;
-  all["edge_max"] = lengths.maximum;
-  all["angle_min"] = smallest.minimum_deg;
-  all["angle_min_mean"] = smallest.minimum_mean_deg;
-  all["valence6"] = valence_six_share(mesh);
-  return all;
+  Entries all = describe(self.document.mesh);
+  const ManifoldReport found = check_manifold(self.document.mesh);
+  append(all, {{"manifold", found.is_manifold()},
+               {"oriented", found.is_oriented()},
+               {"closed", found.is_closed()}});
+  return dict_of(all);
 }
 
 py::dict compare_meshes(const PythonMesh& mesh, const PythonMesh& reference,
@@ -49,16 +24,7 @@ py::dict compare_meshes(const PythonMesh& mesh, const PythonMesh& reference,
   const Comparison found = without_lock(progress, [&](const Progress& to) {
     return compare(mesh.document.mesh, reference.document.mesh, options, to);
   });
-  py::dict all;
-  all["accuracy"] = found.accuracy;
-  all["completeness"] = found.completeness;
-  all["mean"] = found.mean;
-  all["rms"] = found.rms;
-  all["hausdorff"] = found.hausdorff;
-  all["hausdorff_to_reference"] = found.hausdorff_to_reference;
-  all["hausdorff_from_reference"] = found.hausdorff_from_reference;
-  all["volume_difference"] = found.volume_difference;
-  return all;
+  return dict_of(entries_of(found));
 }
 
 py::dict certify_mesh(const PythonMesh& mesh, const PythonMesh& input, int winding_level,

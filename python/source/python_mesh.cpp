@@ -167,6 +167,25 @@ py::array array_of(const std::vector<Vec3>& vectors) {
                              vectors.empty() ? nullptr : vectors.data()->data());
 }
 
+namespace {
+
+py::object object_of(const auto& value) { return py::cast(value); }
+py::object object_of(const Length& length) { return py::cast(length.text()); }
+py::object object_of(const std::vector<double>& numbers) { return py::tuple(py::cast(numbers)); }
+
+}  // namespace
+
+py::dict dict_of(const Entries& entries) {
+  py::dict all;
+  for (const auto& [name, value] : entries)
+    all[name.c_str()] = std::visit([](const auto& held) { return object_of(held); }, value);
+  return all;
+}
+
+MeshPointer mesh_of(Document document, const Entries& report) {
+  return mesh_of(std::move(document), dict_of(report));
+}
+
 MeshPointer mesh_of(Document document, py::dict report) {
   return std::make_shared<PythonMesh>(PythonMesh{std::move(document), std::move(report)});
 }

@@ -8,6 +8,7 @@
 #include <list>
 #include <memory>
 
+#include "entries/entries.h"
 #include "transformesh/document.h"
 
 namespace transformesh::python {
@@ -25,7 +26,10 @@ using MeshPointer = std::shared_ptr<PythonMesh>;
 /// Positions (n, 3) and faces (m, 3), checked as a file is. One copy where their types are doubles
 /// or floats and 32- or 64-bit integers.
 MeshPointer make_mesh(const py::object& positions, const py::object& faces);
+/// Values by name. A list of numbers becomes a tuple, a length becomes text.
+py::dict dict_of(const Entries& entries);
 MeshPointer mesh_of(Document document, py::dict report = {});
+MeshPointer mesh_of(Document document, const Entries& report);
 
 /// (n, 3) numbers as vectors. Throws InputError where the shape is another one.
 std::vector<Vec3> vectors_of(const py::array& array, const std::string& name);

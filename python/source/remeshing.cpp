@@ -56,44 +56,12 @@ RemeshOptions remesh_options(const RemeshChoices& choices, Document& document) {
   return options;
 }
 
-/// Changes the mesh and writes where on it as it was the vertices come from, where that is asked.
-template <typename Change>
-auto with_source(bool source, Mesh& mesh, Change change) {
-  Mesh before;
-  if (source) before = {mesh.positions, mesh.faces, {}, {}};
-  const auto result = change();
-  if (source) write_source_points(mesh, closest_source_points(before, mesh));
-  return result;
-}
-
 // --- remesh --------------------------------------------------------------------------------------
 
-py::dict report_of(const RemeshResult& result, std::size_t joined) {
-  py::dict report;
-  report["joined_vertices"] = joined;
-  report["splits"] = result.splits;
-  report["collapses"] = result.collapses;
-  report["flips"] = result.flips;
-  report["refused"] = result.refused;
-  report["kept_out"] = result.kept_out;
-  report["components_dropped"] = result.components_removed.count;
-  report["components_dropped_faces"] = result.components_removed.faces;
-  report["components_dropped_area"] = result.components_removed.area;
-  report["components_dropped_volume"] = result.components_removed.volume;
-  report["degenerate_faces"] = result.degenerate_faces;
-  report["slivers_kept"] = result.slivers_kept;
-  report["faces_without_area"] = result.faces_without_area;
-  report["feature_angle"] = result.feature_angle_deg;
-  return report;
-}
-
-py::dict report_of(const AlignResult& result, std::size_t joined) {
-  py::dict report;
-  report["joined_vertices"] = joined;
-  report["sharp_edges"] = result.sharp_edges;
-  report["corners"] = result.corners;
-  report["aligned"] = result.aligned;
-  return report;
+MeshPointer mesh_with_joins(Document document, std::size_t joined, const Entries& result) {
+  Entries report{{"joined_vertices", joined}};
+  append(report, result);
+  return mesh_of(std::move(document), report);
 }
 
 /// The rules of alignment out of those of remeshing, where nothing else may be asked for.
@@ -144,15 +112,17 @@ MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength
     Mesh target = (*align)->document.mesh;
     join_places(target);
     const AlignResult result = without_lock(progress, [&](const Progress& to) {
-      return with_source(source, document.mesh,
-                         [&] { return align_features(document.mesh, target, aligning, to); });
+      return change_with_source_points(source, document.mesh, [&](Mesh& changed) {
+        return align_features(changed, target, aligning, to);
+      });
     });
-    return mesh_of(std::move(document), report_of(result, joined));
+    return mesh_with_joins(std::move(document), joined, entries_of(result));
   }
   const RemeshResult result = without_lock(progress, [&](const Progress& to) {
-    return with_source(source, document.mesh, [&] { return remesh(document.mesh, options, to); });
+    return change_with_source_points(source, document.mesh,
+                                     [&](Mesh& changed) { return remesh(changed, options, to); });
   });
-  return mesh_of(std::move(document), report_of(result, joined));
+  return mesh_with_joins(std::move(document), joined, entries_of(result));
 }
 
 // --- decimate ------------------------------------------------------------------------------------
@@ -167,14 +137,10 @@ MeshPointer decimate_mesh(const PythonMesh& mesh, std::size_t faces, double feat
   const DecimateOptions options{faces, feature_angle, keep_border, document.style.coordinate,
                                 keep_out_of(keep_out, gap, lengths)};
   const DecimateResult result = without_lock(progress, [&](const Progress& to) {
-    return with_source(source, document.mesh, [&] { return decimate(document.mesh, options, to); });
+    return change_with_source_points(source, document.mesh,
+                                     [&](Mesh& changed) { return decimate(changed, options, to); });
   });
-  py::dict report;
-  report["joined_vertices"] = joined;
-  report["collapses"] = result.collapses;
-  report["faces"] = result.faces;
-  report["kept_out"] = result.kept_out;
-  return mesh_of(std::move(document), report);
+  return mesh_with_joins(std::move(document), joined, entries_of(result));
 }
 
 }  // namespace

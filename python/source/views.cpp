@@ -2,7 +2,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "call.h"
 #include "evolution/loop/record.h"
 #include "python_mesh.h"
+#include "reconstruction/reconstruction_entries.h"
 #include "reconstruction/recorded_reconstruction.h"
 #include "reconstruction/surface_doubt.h"
 #include "transformesh/errors.h"
@@ -49,17 +49,9 @@ CheckedViews checked_views(ViewSources sources, const std::optional<ViewCheckOpt
     if (options) reading.check = check_views(reading.views, *options, to);
     return reading;
   });
-  for (const BadView& view : read.check.dropped)
-    notes.push_back("the view '" + view.name + "' is left out: the hull of the others covers " +
-                    std::to_string(std::lround(100 * view.agreement)) + "% of its silhouette");
+  for (const BadView& view : read.check.dropped) notes.push_back(in_words(view));
   warn(notes);
   return read;
-}
-
-void report_check(const CheckedViews& checked, py::dict& report) {
-  report["views"] = checked.views.size();
-  report["dropped_views"] = checked.check.dropped.size();
-  report["least_agreement"] = checked.check.least_agreement;
 }
 
 // --- hull ----------------------------------------------------------------------------------------
@@ -81,10 +73,8 @@ MeshPointer make_hull(const Path& cameras, const Path& silhouettes, int resoluti
                     ViewCheckOptions{least_agreement, drop_bad_views}, progress);
   HullResult result = without_lock(
       progress, [&](const Progress& to) { return visual_hull(checked.views, options, to); });
-  py::dict report;
-  report_check(checked, report);
-  report["cell"] = result.cell;
-  report["dropped_components"] = result.dropped_components;
+  Entries report = entries_of(checked.check, checked.views.size());
+  append(report, {{"cell", result.cell}, {"dropped_components", result.dropped_components}});
   Document document;
   document.mesh = std::move(result.mesh);
   return mesh_of(std::move(document), report);
@@ -96,33 +86,6 @@ py::list places_of(const std::vector<DoubtfulPlace>& doubtful) {
   py::list places;
   for (const DoubtfulPlace& place : doubtful) places.append(in_words(place));
   return places;
-}
-
-// The keys of tm-reconstruct --report.
-py::dict report_of(const ReconstructionResult& result) {
-  py::dict report;
-  report["converged"] = result.fault.empty();
-  report["fault"] = result.fault;
-  report["passes"] = result.sweeps;
-  report["pixel_size"] = result.pixel;
-  report["crumbs"] = result.crumbs;
-  report["handles"] = result.handles;
-  report["components"] = result.topology.components;
-  report["genus"] = result.topology.genus;
-  report["first_dissimilarity"] = result.first.dissimilarity;
-  report["dissimilarity"] = result.last.dissimilarity;
-  report["first_coverage"] = result.first.coverage;
-  report["coverage"] = result.last.coverage;
-  report["first_pixels"] = result.first.pixels;
-  report["pixels"] = result.last.pixels;
-  report["first_silhouette_agreement"] = result.first_agreement;
-  report["silhouette_agreement"] = result.agreement;
-  report["noise_floor"] = result.noise_floor;
-  report["disagreement"] = result.disagreement;
-  report["doubtful"] = result.doubtful;
-  report["doubtful_places"] = places_of(result.doubtful_places);
-  report["mean_edge"] = result.last.displaced.mean_edge;
-  return report;
 }
 
 using Window = std::variant<int, std::pair<int, int>>;
@@ -186,8 +149,10 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
     return reconstruct(document, checked.views, options, record, to);
   });
   warn(notes);
-  py::dict report = report_of(result);
-  report_check(checked, report);
+  Entries entries = entries_of(checked.check, checked.views.size());
+  append(entries, entries_of(result));
+  py::dict report = dict_of(entries);
+  report["doubtful_places"] = places_of(result.doubtful_places);
   return mesh_of(std::move(document), report);
 }
 

@@ -5,24 +5,17 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "entries/entries.h"
 #include "evolution/loop/stopwatch.h"
-#include "transformesh/length.h"
 
 namespace transformesh::tool {
 
 using Json = nlohmann::ordered_json;
 
-using Value =
-    std::variant<bool, long, std::size_t, double, std::string, std::vector<double>, Length>;
-
 /// true or false, shortest numbers, text as it is, the values of a list with separators.
 std::string text_of(const Value& value, const std::string& separator = " ");
-
-/// Values by name, in their order.
-using Entries = std::vector<std::pair<std::string, Value>>;
 
 /// The same for JSON, where a length is text.
 Json json_of(const Value& value);

@@ -7,19 +7,17 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "clean/intersect/rounding_intersections.h"
 #include "clean/stitch/join_soup.h"
 #include "frame/advice.h"
 #include "io/comments.h"
 #include "io/formats/file_format.h"
 #include "io/length_basis.h"
 #include "io/streams/output_target.h"
-#include "mesh/coordinate_spacing.h"
 #include "mesh/touching_borders.h"
 #include "support/counted.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
-#include "transformesh/intersect.h"
-#include "transformesh/measure.h"
 #include "transformesh/mesh_io.h"
 
 namespace transformesh::tool {
@@ -200,7 +198,8 @@ void Run::set_style(Document& document, const std::string& path) {
       document.style.coordinate == Scalar::float64 && (values.as_float || holds_floats(format));
   const std::vector<Vec3> before = is_rounded ? document.mesh.positions : std::vector<Vec3>();
   const std::size_t collapsed = set_format(document, format, coordinate);
-  if (is_rounded) note_self_intersections(document.mesh, before);
+  if (is_rounded && !program_.cleans)
+    note_rounding_intersections(count_rounding_intersections(document.mesh, before));
   if (collapsed > 0) note(counted(collapsed, "face") + " with two corners in one place as floats");
 }
 
@@ -212,29 +211,11 @@ void Run::set_output_style(Document& document) {
         "ask for text with --format ply-ascii");
 }
 
-// Reports self-intersections that only the rounding of the output adds.
-void Run::note_self_intersections(Mesh rounded, const std::vector<Vec3>& before) {
-  if (program_.cleans || are_self_intersections_reported_ || rounded.positions == before) return;
-  const std::size_t now = find_intersections(rounded).size();
-  if (now == 0) return;
-  rounded.positions = before;
-  const std::size_t then = find_intersections(rounded).size();
-  if (now <= then) return;
+void Run::note_rounding_intersections(std::size_t pairs) {
+  if (pairs == 0 || are_self_intersections_reported_) return;
   are_self_intersections_reported_ = true;
-  note(counted(now - then, "pair") + " of faces " + (now - then == 1 ? "intersects" : "intersect") +
+  note(counted(pairs, "pair") + " of faces " + (pairs == 1 ? "intersects" : "intersect") +
        " only as floats: let tm-clean write the file, or write doubles, in PLY, OFF, OBJ or VTP");
-}
-
-// Computed coordinates, where steps between floats are not small beside the edges.
-void Run::check_rounding() {
-  constexpr double steps_to_an_edge = 1000;
-  const Mesh& mesh = document().mesh;
-  if (document().style.coordinate != Scalar::float32 || mesh.faces.empty()) return;
-  const double step = coordinate_spacing(mesh, Scalar::float32);
-  if (!(edge_lengths(mesh).mean < steps_to_an_edge * step)) return;
-  Mesh rounded = mesh;
-  for (Vec3& position : rounded.positions) position = rounded_to(position, Scalar::float32);
-  note_self_intersections(std::move(rounded), mesh.positions);
 }
 
 void Run::stage(const std::string& path, std::string bytes) {
@@ -319,7 +300,8 @@ void Run::add_comments(Document& document) {
 
 void Run::write_mesh() {
   set_output_style(document());
-  check_rounding();
+  if (document().style.coordinate == Scalar::float32 && !program_.cleans)
+    note_rounding_intersections(count_rounding_intersections(document().mesh, Scalar::float32));
   if (!is_stamped_) stamp(document());
   WriteResult result = transformesh::write_mesh(document());
   note_once(result.notes);

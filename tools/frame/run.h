@@ -67,6 +67,7 @@ class Run {
   /// An entry of --report (and of stdout for predicates), in this order. Names are lower case with
   /// underscores. Points are three numbers.
   void report(const std::string& key, const Value& value);
+  void report(const Entries& entries) { append(result_, entries); }
   /// Whether anyone will see the entries of a program that writes a mesh.
   bool shows_report() const { return terminal_.is_verbose() || !program_.common.report.empty(); }
   /// A no is exit code 1.
@@ -126,8 +127,8 @@ class Run {
   void add_comments(Document& document);
   /// Notes of writing, each one once: several files may have the same.
   void note_once(const std::vector<std::string>& lines);
-  void note_self_intersections(Mesh rounded, const std::vector<Vec3>& before);
-  void check_rounding();
+  /// Says once how many pairs of faces intersect only because coordinates are floats.
+  void note_rounding_intersections(std::size_t pairs);
   void write_mesh();
   std::string report_text() const;
   std::string full_report();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frame/run.h"
-#include "transformesh/clean_box.h"
+#include "transformesh/clean.h"
 
 namespace transformesh::tool {
 
@@ -14,17 +14,14 @@ struct CleanChoices {
   CleanOptions clean;
   std::string method = "grow";
   long winding_level = 1;
-  bool source_faces = false, source_points = false;  ///< to be written
+  bool source_faces = false, source_points = false;
   Length separate;
   std::vector<double> box;
-  bool only = false;
 };
 
 void declare_cleaning(Program& program, CleanChoices& choices);
 
-/// For the document. Throws UsageError where options do not go together.
-CleanOptions clean_options(const CleanChoices& choices, const Document& document);
-/// The same in a box.
-CleanBoxOptions clean_box_options(const CleanChoices& choices, const Document& document);
+/// Returns the options for the mesh that was read.
+CleanOptions clean_options(const CleanChoices& choices, Run& run);
 
 }  // namespace transformesh::tool

@@ -40,32 +40,14 @@ inline std::string summary(const MorphResult& result, const Mesh& mesh, const Pr
 }
 
 inline void report_morph(const MorphResult& result, Run& run) {
-  const MorphStepResult& distances = result.distances;
-  run.report("converged", result.stop == MorphStop::converged);
-  run.report("stop", name_of(result.stop));
-  run.report("iterations", result.iterations);
-  run.report("components", result.topology.components);
-  run.report("genus", result.topology.genus);
-  run.report("rms_distance_to_target", distances.to_target.rms);
-  run.report("max_distance_to_target", distances.to_target.maximum);
-  run.report("rms_distance_from_target", distances.from_target.rms);
-  run.report("max_distance_from_target", distances.from_target.maximum);
-  if (result.to_target) {
-    run.report("hausdorff_to_target", *result.to_target);
-    run.report("hausdorff_from_target", *result.from_target);
-  }
-  if (result.expected) {
-    run.report("target_components", result.expected->components);
-    run.report("target_genus", result.expected->genus);
-  }
-  run.report("target_left_out", result.left_out);
+  Entries entries = entries_of(result);
+  for (auto& [key, value] : entries)
+    if (key == "fault") value = fault_of(result, run.program());
+  run.report(entries);
   if (result.left_out > 0)
     run.note(counted(result.left_out, "component") + " of the target " +
              (result.left_out == 1 ? "bounds a cavity" : "bound cavities") +
              " or floats in one, and is no goal: a surface that evolves keeps no cavity");
-  run.report("fault", fault_of(result, run.program()));
-  run.report("mean_edge", distances.displaced.mean_edge);
-  run.report("aligned", result.aligned);
 }
 
 inline void report_tracking(const TrackResult& result, const Mesh& mesh, Run& run) {

@@ -1,4 +1,4 @@
-/// The entries of tm-remesh's report that have notes beside them.
+/// Notes of tm-remesh about components that it dropped and slivers that it kept.
 #pragma once
 
 #include "frame/run.h"
@@ -10,12 +10,8 @@
 namespace transformesh::tool {
 
 /// The shortest edge is named, with advice, only if one length holds for the whole mesh.
-inline void report_dropped(const RemeshResult::RemovedComponents& dropped,
-                           const RemeshOptions& options, Run& run) {
-  run.report("components_dropped", dropped.count);
-  run.report("components_dropped_faces", dropped.faces);
-  run.report("components_dropped_area", dropped.area);
-  run.report("components_dropped_volume", dropped.volume);
+inline void note_dropped(const RemeshResult::RemovedComponents& dropped,
+                         const RemeshOptions& options, Run& run) {
   if (dropped.count == 0) return;
   const bool is_uniform = options.size_column.empty() && options.adaptive_error == 0;
   run.note(counted(dropped.count, "component") + " of " + counted(dropped.faces, "face") +
@@ -25,15 +21,11 @@ inline void report_dropped(const RemeshResult::RemovedComponents& dropped,
                        : "there"));
 }
 
-inline void report_slivers(const RemeshResult& result, Run& run) {
-  const Vec3& at = result.first_sliver;
-  run.report("degenerate_faces", result.degenerate_faces);
-  run.report("slivers_kept", result.slivers_kept);
-  run.report("faces_without_area", result.faces_without_area);
+inline void note_slivers(const RemeshResult& result, Run& run) {
   if (result.slivers_kept == 0) return;
-  run.report("first_sliver", std::vector<double>{at.x(), at.y(), at.z()});
   run.note(
-      counted(result.slivers_kept, "sliver") + " kept, the first at " + point_text(at) +
+      counted(result.slivers_kept, "sliver") + " kept, the first at " +
+      point_text(result.first_sliver) +
       ": removing such thin faces would make the surface intersect itself or change its topology");
 }
 

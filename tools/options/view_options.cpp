@@ -43,10 +43,7 @@ void declare_view_check(Program& program, ViewCheckChoices& choices, ViewSources
 ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices, Run& run) {
   ViewCheck check =
       check_views(views, {choices.least_agreement, choices.drops_bad_views}, run.progress());
-  for (const BadView& view : check.dropped) {
-    run.note("the view '" + view.name + "' is left out: the hull of the others covers " +
-             std::to_string(std::lround(100 * view.agreement)) + "% of its silhouette");
-  }
+  for (const BadView& view : check.dropped) run.note(in_words(view));
   return check;
 }
 

@@ -2,9 +2,7 @@
 #include <sstream>
 
 #include "frame/run.h"
-#include "geometry/source_points.h"
 #include "transformesh/carry.h"
-#include "transformesh/errors.h"
 
 namespace {
 
@@ -23,35 +21,15 @@ std::vector<std::string> names_in(const std::string& list) {
   return names;
 }
 
-// Places of the vertices and faces of a mesh on the one before.
-SourcePoints places_on(const Mesh& before, const std::string& before_name, const Mesh& mesh,
-                       const std::string& name, const Options& options) {
-  if (options.closest && !has_source_points(mesh)) return closest_source_points(before, mesh);
-  if (!has_source_points(mesh))
-    throw InputError(
-        name +
-        " does not state where its vertices and faces come from: write it with tm-clean --source "
-        "or tm-remesh --source, or take the closest places with --closest");
-  return read_source_points(mesh, before.faces.size(), before_name);
-}
-
 void carry(const Options& options, tool::Run& run) {
   const Mesh first = run.read(options.from).mesh;
   std::vector<Document>& chain = run.documents();
-  SourcePoints on_first = places_on(first, options.from, chain[0].mesh, run.inputs()[0], options);
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    const Mesh& before = chain[i - 1].mesh;
-    on_first = compose_source_points(
-        first, on_first, before,
-        places_on(before, run.inputs()[i - 1], chain[i].mesh, run.inputs()[i], options));
-  }
-
+  CarryOptions how{names_in(options.columns), options.closest, run.inputs()};
+  how.names.insert(how.names.begin(), options.from);
+  std::vector<const Mesh*> before{&first};
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) before.push_back(&chain[i].mesh);
+  run.report(entries_of(carry_along(before, chain.back().mesh, how)));
   std::swap(chain.front(), chain.back());
-  Mesh& mesh = run.document().mesh;
-  const CarryResult result = carry_columns(first, on_first, mesh, names_in(options.columns));
-  write_source_points(mesh, on_first);
-  run.report("vertex_columns", result.vertex_columns);
-  run.report("face_columns", result.face_columns);
 }
 
 }  // namespace

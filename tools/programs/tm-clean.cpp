@@ -1,76 +1,43 @@
-#include "clean/stitch/separate.h"
+/// tm-clean: removes self-intersections (paper 3).
+#include "frame/column_notes.h"
 #include "frame/run.h"
-#include "geometry/source_points.h"
-#include "mesh/surface_columns.h"
 #include "options/clean_options.h"
-#include "options/cleaning_report.h"
 #include "support/counted.h"
-#include "transformesh/errors.h"
+#include "support/number.h"
+#include "transformesh/components.h"
 
 using namespace transformesh;
 
 namespace {
 
-constexpr const char* face_number = "tm:source-face";  // while cleaning
+/// A generalized winding number that is this close to the other decision is reported.
+constexpr double small_margin = 0.1;
 
-void number_faces(Mesh& mesh, const char* name) {
-  Column& column = mesh.face_columns.get(name, Scalar::int32, mesh.faces.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
-}
-
-// Removes the temporary column of face numbers, too.
-void write_source_points(Mesh& mesh, const Mesh& source) {
-  const Column& numbers = *mesh.face_columns.find(face_number);
-  transformesh::write_source_points(mesh, source_points_of_pieces(source, mesh, numbers.values));
-  mesh.face_columns.erase(face_number);
-}
-
-SeparateResult separate_copies(Mesh& mesh, double distance, Scalar coordinate, tool::Run& run) {
-  if (distance == 0) return {};
-  const SeparateResult result = separate(mesh, {distance, coordinate}, run.progress());
-  if (result.refused_vertices > 0) {
-    run.note(counted(result.refused_vertices, "vertex") +
-             (result.refused_vertices == 1 ? " stays" : " stay") +
-             " in the place of another: on a border, or faces would intersect");
-  }
-  return result;
-}
-
-CleanResult clean_in_box(const Mesh& mesh, const CleanBoxOptions& options, tool::Run& run) {
-  CleanBoxResult result = clean_box(mesh, options, run.progress());
+void note_changes(const CleanResult& result, tool::Run& run) {
+  tool::note_dropped_lists(result.dropped_columns, run);
+  tool::note_dropped_sources(result.dropped_source_points, tool::source_of_step, run);
   if (result.is_whole)
     run.note("rounding makes faces intersect in the box: the whole mesh was cleaned to mend that");
-  run.report("box_faces", result.box_faces);
-  run.report("whole_mesh", result.is_whole);
-  return std::move(result.clean);
+  if (result.separation_refused > 0)
+    run.note(counted(result.separation_refused, "vertex") +
+             (result.separation_refused == 1 ? " stays" : " stay") +
+             " in the place of another: on a border, or faces would intersect");
+  if (result.decided_by_number > 0 && result.least_margin < small_margin)
+    run.note("generalized winding numbers decided " + counted(result.decided_by_number, "part") +
+             " of the open mesh, one of them by a margin of only " +
+             shortest_text(result.least_margin));
 }
 
 void clean_document(Document& document, const tool::CleanChoices& choices, tool::Run& run) {
-  const CleanOptions options = tool::clean_options(choices, document);
-  const bool replaced_sources = choices.source_faces && drop_source_points(document.mesh);
-  if (choices.source_faces) number_faces(document.mesh, "source_face");
-  Mesh source;
-  if (choices.source_points) {
-    source = {document.mesh.positions, document.mesh.faces, {}, {}};
-    number_faces(document.mesh, face_number);
-  }
-  CleanResult result =
-      choices.box.empty()
-          ? clean(document.mesh, options, run.progress())
-          : clean_in_box(document.mesh, tool::clean_box_options(choices, document), run);
+  const CleanOptions options = tool::clean_options(choices, run);
+  CleanResult result = clean(document.mesh, options, run.progress());
   document.mesh = std::move(result.mesh);
-  const SeparateResult separated =
-      separate_copies(document.mesh, run.length(choices.separate), options.coordinate, run);
-  if (options.refuse && separated.separated_vertices > 0) {
-    throw GoalError("vertices lie in one place, and --refuse forbids to move them apart");
-  }
-  result.dropped_source_points |= replaced_sources;
-  if (choices.source_points) {
-    write_source_points(document.mesh, source);
-    result.dropped_source_points = false;
-  }
-
-  tool::report_cleaning(result, separated, document.mesh, run);
+  note_changes(result, run);
+  if (options.box) run.report({{"box_faces", result.box_faces}, {"whole_mesh", result.is_whole}});
+  run.report(entries_of(result));
+  if (!run.shows_report()) return;
+  const Components components = connected_components(document.mesh);
+  run.report({{"components", components.components.size()}, {"genus", components.genus()}});
 }
 
 }  // namespace

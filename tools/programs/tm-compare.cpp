@@ -34,14 +34,7 @@ void compare_with_reference(const Options& options, tool::Run& run) {
   library_options.distance = run.length(options.distance);
   const Comparison found = compare(run.document().mesh, reference, library_options, run.progress());
 
-  run.report("accuracy", found.accuracy);
-  run.report("completeness", found.completeness);
-  run.report("mean", found.mean);
-  run.report("rms", found.rms);
-  run.report("hausdorff", found.hausdorff);
-  run.report("hausdorff_to_reference", found.hausdorff_to_reference);
-  run.report("hausdorff_from_reference", found.hausdorff_from_reference);
-  run.report("volume_difference", found.volume_difference);
+  run.report(entries_of(found));
   if (!options.per_vertex.empty()) write_distances(reference, options.per_vertex, run);
   run.answer(!options.within || found.hausdorff <= run.length(*options.within));
 }

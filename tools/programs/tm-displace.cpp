@@ -1,12 +1,11 @@
 /// tm-displace: one explicit step of an evolution with any velocity.
 #include <optional>
 
+#include "frame/column_notes.h"
 #include "frame/displacement_report.h"
 #include "frame/keep_out_option.h"
 #include "frame/run.h"
-#include "mesh/touching_borders.h"
 #include "transformesh/displace.h"
-#include "transformesh/errors.h"
 #include "transformesh/velocity.h"
 
 namespace {
@@ -21,36 +20,23 @@ struct Options {
   tool::KeepOutOption keep_out;
 };
 
-void add(std::vector<Vec3>& velocities, const std::vector<Vec3>& more) {
-  for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] += more[v];
-}
-
-std::vector<Vec3> velocities_of(const Mesh& mesh, const Options& options, tool::Run& run) {
-  const bool has_speed = options.normal_speed || options.curvature_speed != 0;
-  if (!has_speed && !has_column_velocities(mesh)) {
-    throw InputError(
-        "the mesh lacks a velocity, the vertex properties vx vy vz; give --normal-speed or "
-        "--curvature-speed instead");
-  }
-  if (has_speed) refuse_touching_borders(mesh);
-  std::vector<Vec3> velocities(mesh.positions.size(), Vec3::Zero());
-  if (!has_speed || has_column_velocities(mesh)) add(velocities, column_velocities(mesh));
-  if (options.normal_speed)
-    add(velocities, normal_velocities(mesh, run.length(*options.normal_speed)));
-  if (options.curvature_speed != 0)
-    add(velocities, curvature_velocities(mesh, options.curvature_speed));
-  return velocities;
+VelocityOptions velocity_of(const Options& options, tool::Run& run) {
+  VelocityOptions velocity;
+  if (options.normal_speed) velocity.normal_speed = run.length(*options.normal_speed);
+  velocity.curvature_speed = options.curvature_speed;
+  velocity.mask = options.mask;
+  return velocity;
 }
 
 void move(Document& document, Options& options, tool::Run& run) {
   Mesh& mesh = document.mesh;
-  std::vector<Vec3> velocities = velocities_of(mesh, options, run);
-  if (!options.mask.empty()) apply_mask(mesh, options.mask, velocities);
+  const std::vector<Vec3> velocities = velocities_of(mesh, velocity_of(options, run));
   options.displace.keep_out = options.keep_out.options(run);
   options.displace.coordinate = document.style.coordinate;
   run.progress()("displace");
   const DisplaceResult result = displace(mesh, velocities, options.displace);
-  report_displacement(result, run);
+  tool::note_new_normals(result.new_normals, run);
+  run.report(entries_of(result));
   run.report("held_back", result.held_back);
   options.keep_out.note_near(result.near_keep_out, run);
   note_clamped(result, options.displace.alpha, "use a smaller --time-step, or a larger --alpha",

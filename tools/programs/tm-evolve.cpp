@@ -73,17 +73,6 @@ void note_clamped(const EvolveResult& result, double alpha, tool::Run& run) {
            "; use a smaller --time-step and more --iterations, or a larger --alpha");
 }
 
-void report(const EvolveResult& result, tool::Run& run) {
-  run.report("stop", result.is_done ? "converged" : "iteration_limit");
-  run.report("iterations", result.iterations);
-  run.report("components", result.last.topology.components);
-  run.report("genus", result.last.topology.genus);
-  run.report("clamped_iterations", result.clamped_iterations);
-  run.report("clamped_share", result.clamped_share);
-  run.report("max_displacement", result.last.displaced.max_displacement);
-  run.report("rms_displacement", result.last.displaced.rms_displacement);
-}
-
 std::string summary(const EvolveResult& result, const Mesh& mesh) {
   return (result.is_done ? "converged after " : "iteration limit reached after ") +
          counted(result.iterations, "iteration") + ": " +
@@ -104,7 +93,7 @@ void evolve_mesh(Options& options, tool::Run& run) {
     result =
         evolve(document, step, evolution, tool::loop_of(options.loop, run), record, run.progress());
   });
-  report(result, run);
+  run.report(entries_of(result));
   note_clamped(result, options.displace.alpha, run);
   tool::conclude(run, options.loop, record,
                  {result.is_done, result.is_done, summary(result, document.mesh)});

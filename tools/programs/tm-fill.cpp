@@ -25,18 +25,7 @@ std::string described(const std::vector<OpenHole>& holes, const Mesh& mesh, cons
          significant(first.length, 3) + " long, at " + vertex_text(mesh, first.vertex);
 }
 
-void report(const FillResult& result, const Mesh& mesh, tool::Run& run) {
-  run.report("holes", result.holes);
-  run.report("filled", result.filled());
-  run.report("faired", result.faired);
-  run.report("refined", result.refined);
-  run.report("plain", result.plain);
-  run.report("crossed", result.crossed);
-  run.report("left_crossing", result.crossing.size());
-  run.report("left_flat", result.flat.size());
-  run.report("left_too_large", result.too_large.size());
-  run.report("new_vertices", result.new_vertices);
-  run.report("new_faces", result.new_faces);
+void note_open(const FillResult& result, const Mesh& mesh, tool::Run& run) {
   if (!result.crossing.empty())
     run.note(described(result.crossing, mesh, "as every patch would intersect the mesh") +
              "; close these holes with --allow-crossings, for tm-clean");
@@ -58,7 +47,8 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
   options.coordinate = document.style.coordinate;
   const FillResult result = fill_holes(document.mesh, options, run.progress());
   tool::note_dropped_sources(result.dropped_source_points, tool::closest_places, run);
-  report(result, document.mesh, run);
+  run.report(entries_of(result));
+  note_open(result, document.mesh, run);
 }
 
 }  // namespace

@@ -24,11 +24,7 @@ void handle_document(Document& document, const Choices& choices, tool::Run& run)
 
   tool::note_dropped_sources(result.dropped_source_points, tool::closest_places, run);
   run.report("max_length", options.max_length);
-  run.report("removed", result.removed);
-  run.report("refused", result.refused);
-  run.report("blocked", result.blocked);
-  run.report("new_vertices", result.new_vertices);
-  run.report("new_faces", result.new_faces);
+  run.report(entries_of(result));
   run.report("genus", connected_components(document.mesh).genus());
   if (result.refused > 0)
     run.note("no patches fit along " + counted(result.refused, "loop") +

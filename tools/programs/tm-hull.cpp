@@ -1,6 +1,7 @@
 /// tm-hull: the visual hull of calibrated silhouettes.
 #include "frame/run.h"
 #include "options/view_options.h"
+#include "reconstruction/reconstruction_entries.h"
 #include "transformesh/hull.h"
 #include "views/cameras/view.h"
 #include "views/hull/hull_values.h"
@@ -46,9 +47,7 @@ void make(const Options& options, tool::Run& run) {
   if (options.edge) hull.edge = run.length(*options.edge);
 
   HullResult result = visual_hull(views, hull, run.progress());
-  run.report("views", views.size());
-  run.report("dropped_views", check.dropped.size());
-  run.report("least_agreement", check.least_agreement);
+  run.report(entries_of(check, views.size()));
   run.report("cell", result.cell);
   run.report("dropped_components", result.dropped_components);
   if (!options.outlines.empty()) tool::write_outlines(result.mesh, views, options.outlines, run);

@@ -2,37 +2,20 @@
 #include <cmath>
 
 #include "frame/run.h"
-#include "transformesh/components.h"
 #include "transformesh/errors.h"
-#include "transformesh/measure.h"
 #include "transformesh/velocity.h"
 
 namespace {
 
 using namespace transformesh;
 
-std::vector<double> coordinates(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
-
-void report_topology(const Mesh& mesh, std::size_t edges, tool::Run& run) {
-  std::size_t boundary_loops = 0;
-  const Components found = connected_components(mesh);
-  for (const Component& component : found.components) boundary_loops += component.boundary_loops;
-  run.report("vertices", mesh.positions.size());
-  run.report("faces", mesh.faces.size());
-  run.report("edges", edges);
-  run.report("components", found.components.size());
-  run.report("genus", found.genus());
-  run.report("boundary_loops", boundary_loops);
-}
-
-// What is not asked for may be beyond what numbers hold.
-void report_size(const std::string& key, double size, tool::Run& run) {
-  const std::string& only = *run.program().only_key;
-  if (!std::isfinite(size) && (only.empty() || only == key))
-    throw InputError("the " + key +
-                     " of the mesh is beyond what a number can hold: scale the mesh down, or ask "
-                     "for something else with --get");
-  run.report(key, size);
+/// Throws if the size that is asked for is beyond what numbers hold.
+void check_size(const std::string& key, const Value& value, const std::string& only) {
+  const auto* size = std::get_if<double>(&value);
+  if (size == nullptr || std::isfinite(*size) || !(only.empty() || only == key)) return;
+  throw InputError("the " + key +
+                   " of the mesh is beyond what a number can hold: scale the mesh down, or ask "
+                   "for something else with --get");
 }
 
 // The mesh with the mean curvature at every vertex.
@@ -47,22 +30,9 @@ void write_curvatures(const std::string& path, tool::Run& run) {
 void describe(const std::string& per_vertex, tool::Run& run) {
   const Mesh& mesh = run.document().mesh;
   run.progress()("measuring");
-  const EdgeLengths lengths = edge_lengths(mesh);
-  report_topology(mesh, lengths.count, run);
-
-  const Box box = bounding_box(mesh);
-  report_size("area", surface_area(mesh), run);
-  report_size("volume", volume(mesh), run);
-  run.report("bbox_min", coordinates(box.minimum));
-  run.report("bbox_max", coordinates(box.maximum));
-
-  const Angles smallest = angles(mesh);
-  report_size("edge_mean", lengths.mean, run);
-  report_size("edge_min", lengths.minimum, run);
-  report_size("edge_max", lengths.maximum, run);
-  run.report("angle_min", smallest.minimum_deg);
-  run.report("angle_min_mean", smallest.minimum_mean_deg);
-  run.report("valence6", valence_six_share(mesh));
+  const Entries entries = transformesh::describe(mesh);
+  for (const auto& [key, value] : entries) check_size(key, value, *run.program().only_key);
+  run.report(entries);
   if (!per_vertex.empty()) write_curvatures(per_vertex, run);
 }
 

@@ -1,4 +1,5 @@
 /// tm-morph-step: one step of a surface towards a target (paper 5.2).
+#include "frame/column_notes.h"
 #include "frame/displacement_report.h"
 #include "frame/run.h"
 #include "io/streams/streams.h"
@@ -52,11 +53,8 @@ void step(Document& document, Options options, tool::Run& run) {
   if (options.distance == "vertex") options.step.distance = MorphDistance::vertex;
   const MorphStepResult result = morph_step(document.mesh, target, options.step, run.progress());
   run.report("distance", name_of(result.distance));
-  run.report("rms_distance_to_target", result.to_target.rms);
-  run.report("max_distance_to_target", result.to_target.maximum);
-  run.report("rms_distance_from_target", result.from_target.rms);
-  run.report("max_distance_from_target", result.from_target.maximum);
-  report_displacement(result.displaced, run);
+  run.report(entries_of(result));
+  tool::note_new_normals(result.displaced.new_normals, run);
   note_clamped(result.displaced, options.step.displace.alpha,
                "far from the target that is meant, and more steps get there", run);
 }

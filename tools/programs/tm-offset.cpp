@@ -14,19 +14,6 @@ struct Choices {
   OffsetOptions offset;
 };
 
-void report(const OffsetResult& result, tool::Run& run) {
-  run.report("stop", !result.has_arrived ? "iteration_limit"
-                     : result.has_missed ? "missed"
-                                         : "converged");
-  run.report("iterations", result.iterations);
-  run.report("components", result.topology.components);
-  run.report("genus", result.topology.genus);
-  run.report("deviation_rms", result.deviation.rms);
-  run.report("deviation_max", result.deviation.most);
-  run.report("missed_max", result.deviation.missed);
-  run.report("edge", result.edge);
-}
-
 void note_missed(const OffsetResult& result, tool::Run& run) {
   run.note("the surface did not converge: it is " + significant(result.deviation.missed, 3) +
            " from the offset at " + point_text(result.deviation.missed_at) +
@@ -39,7 +26,7 @@ void offset_document(Document& document, Choices& choices, tool::Run& run) {
   choices.offset.distance = run.length(*choices.distance);
   if (choices.edge) choices.offset.edge = run.length(*choices.edge);
   const OffsetResult result = offset(document, choices.offset, run.progress());
-  report(result, run);
+  run.report(entries_of(result));
   if (result.has_missed) note_missed(result, run);
   if (!result.has_arrived)
     run.note("the limit of iterations came first: the surface is " +

@@ -1,4 +1,5 @@
 /// tm-photo-step: steps of a surface towards calibrated photographs (paper 5.3).
+#include "frame/column_notes.h"
 #include "frame/displacement_report.h"
 #include "mesh/touching_borders.h"
 #include "options/photo_options.h"
@@ -24,7 +25,8 @@ void report(const PhotoScene& scene, const PhotoStepsResult& result, tool::Run& 
   run.report("unseen", result.last.unseen);
   run.report("outside", result.last.outside);
   run.report("mean_share", result.last.mean_share);
-  tool::report_displacement(result.last.displaced, run);
+  tool::note_new_normals(result.last.displaced.new_normals, run);
+  run.report(entries_of(result.last.displaced));
   if (result.lost_coverage) run.note("photographs compare less of the surface than before");
 }
 

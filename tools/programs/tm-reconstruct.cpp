@@ -1,11 +1,13 @@
 /// tm-reconstruct: from calibrated photographs to a closed, clean mesh, from coarse to fine (paper
 /// 5.3), or to one for each time step of a movie.
+#include "evolution/loop/iteration_text.h"
 #include "evolution/loop/record.h"
 #include "frame/memory.h"
 #include "options/reconstruct_options.h"
-#include "options/reconstruct_report.h"
+#include "reconstruction/reconstruction_entries.h"
 #include "reconstruction/recorded_reconstruction.h"
 #include "reconstruction/run_views.h"
+#include "support/counted.h"
 #include "support/error_prefix.h"
 #include "transformesh/errors.h"
 #include "views/cameras/view.h"
@@ -41,7 +43,8 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   tool::evolve_or_keep(run, record, "sweep", [&] {
     result = reconstruct(document, views, options, record, run.progress());
   });
-  tool::report_reconstruction(result, views.size(), run);
+  run.report("views", views.size());
+  run.report(entries_of(result));
   std::set<std::string> names;
   for (const View& view : views) names.insert(view.name);
   views.clear();
@@ -55,6 +58,11 @@ std::vector<TimeStep> time_steps_of(const std::string& sequence) {
   } catch (const Error&) {
     rethrow_with_prefix("--sequence ");
   }
+}
+
+std::string summary_of(const SequenceResult& result) {
+  return counted(result.time_steps, "time step") + ", " + std::to_string(result.tracked) +
+         " tracked, " + std::to_string(result.accepted) + " as good as from the hull";
 }
 
 void reconstruct_movie(const tool::ReconstructChoices& choices,
@@ -78,9 +86,9 @@ void reconstruct_movie(const tool::ReconstructChoices& choices,
   };
   const SequenceResult result =
       reconstruct_sequence(document, steps, views_of, options, record, run.progress());
-  tool::report_sequence(result, run);
+  run.report(entries_of(result));
   tool::conclude(run, choices.loop, record,
-                 {true, result.accepted == result.time_steps, tool::summary_of(result)});
+                 {true, result.accepted == result.time_steps, summary_of(result)});
 }
 
 }  // namespace

@@ -22,9 +22,7 @@ StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices,
     run.note("the mesh has " + std::to_string(before) + " faces, which are not more than " +
              std::to_string(options.faces) + ": it stays as it is; --max-edge makes more");
   const DecimateResult result = decimate(document.mesh, options, run.progress());
-  run.report("collapses", result.collapses);
-  run.report("faces", result.faces);
-  run.report("kept_out", result.kept_out);
+  run.report(entries_of(result));
   choices.keep_out.note_near(result.near_keep_out, run);
   return result.columns;
 }
@@ -33,9 +31,7 @@ StaleColumns align_document(Document& document, tool::RemeshChoices& choices, to
   const AlignOptions options = tool::align_options(choices, document, run);
   const AlignResult result =
       align_features(document.mesh, run.read(choices.align).mesh, options, run.progress());
-  run.report("sharp_edges", result.sharp_edges);
-  run.report("corners", result.corners);
-  run.report("aligned", result.aligned);
+  run.report(entries_of(result));
   return result.columns;
 }
 
@@ -63,32 +59,23 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
   const RemeshOptions options = tool::remesh_options(choices, document, run);
   note_reference_edge(choices, document, run);
   const RemeshResult result = remesh(document.mesh, options, run.progress());
-  run.report("splits", result.splits);
-  run.report("collapses", result.collapses);
-  run.report("flips", result.flips);
-  run.report("refused", result.refused);
-  run.report("kept_out", result.kept_out);
+  run.report(entries_of(result));
   choices.keep_out.note_near(result.near_keep_out, run);
-  tool::report_dropped(result.components_removed, options, run);
-  tool::report_slivers(result, run);
-  run.report("feature_angle", result.feature_angle_deg);
+  tool::note_dropped(result.components_removed, options, run);
+  tool::note_slivers(result, run);
   return result.columns;
 }
 
 void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
-  Mesh source;
-  if (choices.source_points) source = {document.mesh.positions, document.mesh.faces, {}, {}};
   const auto& step = choices.faces           ? decimate_document
                      : choices.align.empty() ? remesh_document
                                              : align_document;
-  const StaleColumns columns = step(document, choices, run);
+  const StaleColumns columns = change_with_source_points(
+      choices.source_points, document.mesh, [&](Mesh&) { return step(document, choices, run); });
   tool::note_new_normals(columns.new_normals, run);
   tool::note_dropped_lists(columns.dropped, run);
-  if (choices.source_points) {
-    write_source_points(document.mesh, closest_source_points(source, document.mesh));
-  } else {
+  if (!choices.source_points)
     tool::note_dropped_sources(columns.dropped_source_points, tool::source_of_step, run);
-  }
 }
 
 }  // namespace

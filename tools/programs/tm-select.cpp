@@ -32,12 +32,8 @@ SelectionOptions options_of(const Choices& c) {
 }
 
 void report(const SelectionResult& result, tool::Run& run) {
-  run.report("selected_faces", result.selected_faces);
-  run.report("dropped_faces", result.dropped_faces);
-  if (!result.contains_point) return;
-  run.report("contains_point", *result.contains_point);
-  run.report("distance", result.distance);
-  if (!*result.contains_point)
+  run.report(entries_of(result));
+  if (result.contains_point && !*result.contains_point)
     run.note("no component contains the point: the closest is taken, " +
              shortest_text(result.distance) + " away");
 }

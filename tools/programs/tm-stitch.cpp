@@ -17,14 +17,7 @@ void stitch_document(Document& document, StitchOptions options, const Length& to
                                        "there, which tm-fill --allow-crossings closes"));
   }
   tool::note_new_normals(result.new_normals, run);
-  run.report("joined_vertices", result.joined_vertices);
-  run.report("copied_vertices", result.copied_vertices);
-  run.report("split_edges", result.split_edges);
-  run.report("dropped_faces", result.dropped_faces);
-  run.report("dropped_reverses", result.dropped_reverses);
-  run.report("turned_faces", result.reversed_faces);
-  run.report("misoriented_edges", result.misoriented_edges);
-  run.report("border_edges", result.border_edges);
+  run.report(entries_of(result));
 }
 
 }  // namespace

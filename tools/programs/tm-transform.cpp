@@ -23,8 +23,7 @@ void transform_document(Document& document, tool::TransformChoices& choices, too
   matrix.affects_result = matrix.is_given = true;
   matrix.placeholder = "A11,...,A44";
   run.report("matrix", choices.matrix);
-  run.report("scale", result.scale);
-  run.report("mirrored", result.is_mirror);
+  run.report(entries_of(result));
 }
 
 }  // namespace

@@ -378,6 +378,11 @@ void check(const ViewCheckOptions& options) {
 
 }  // namespace
 
+std::string in_words(const BadView& view) {
+  return "the view '" + view.name + "' is left out: the hull of the others covers " +
+         percent(view.agreement) + " of its silhouette";
+}
+
 ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options,
                       const Progress& progress) {
   check(options);

@@ -10,6 +10,7 @@
 /// What is consistent cannot be found: a shift by one on a regular turntable turns the object.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "transformesh/control.h"
@@ -29,6 +30,9 @@ struct BadView {
   std::string name;
   double agreement = 0;  ///< with the hull of the others
 };
+
+/// Returns "the view 'NAME' is left out: ..." with the agreement in percent.
+std::string in_words(const BadView& view);
 
 struct ViewCheck {
   double least_agreement = 1;    ///< of the views that are left

@@ -1,4 +1,4 @@
-#include "transformesh/clean_box.h"
+#include "clean/box/clean_box.h"
 
 #include <algorithm>
 #include <string>
@@ -9,6 +9,7 @@
 #include "clean/intersect/find_meetings.h"
 #include "clean/rounding/snap_rounding.h"
 #include "clean/stitch/assemble.h"
+#include "clean/whole/clean_whole.h"
 #include "mesh/coordinate_spacing.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/components.h"
@@ -29,7 +30,7 @@ std::size_t count(const std::vector<bool>& faces) {
 /// What is in and around a box, arranged.
 class BoxPart {
  public:
-  BoxPart(const Mesh& mesh, const std::vector<bool>& is_own, const CleanBoxOptions& options,
+  BoxPart(const Mesh& mesh, const std::vector<bool>& is_own, const CleanOptions& options,
           const Progress& progress)
       : mesh_(mesh), is_own_(is_own), options_(options), progress_(progress) {}
 
@@ -44,7 +45,7 @@ class BoxPart {
 
   const Mesh& mesh_;
   const std::vector<bool>& is_own_;
-  const CleanBoxOptions& options_;
+  const CleanOptions& options_;
   const Progress& progress_;
   std::vector<bool> is_complete_, is_in_part_;  ///< per face of the mesh
   BoxSubmesh part_;
@@ -124,15 +125,15 @@ std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
 }
 
 // The whole mesh cleaned, with its faces numbered on the way.
-CleanedFaces clean_whole(const Mesh& mesh, const CleanBoxOptions& options, CleanResult& counts,
-                         const Progress& progress) {
+CleanedFaces clean_numbered(const Mesh& mesh, const CleanOptions& options, CleanResult& counts,
+                            const Progress& progress) {
   Mesh numbered = mesh;
   Column& column = numbered.face_columns.get(source_name, Scalar::uint32, mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
   CleanOptions how;
   how.winding_level = options.winding_level;
   how.coordinate = options.coordinate;
-  counts = clean(numbered, how, progress);
+  counts = clean_whole(numbered, how, progress);
   CleanedFaces cleaned{std::move(counts.mesh), {}};
   for (const double face : cleaned.mesh.face_columns.find(source_name)->values)
     cleaned.source_face.push_back(static_cast<Index>(face));
@@ -178,7 +179,7 @@ Mesh own_pieces(const CleanedFaces& cleaned, const std::vector<bool>& is_own) {
   return select_faces(cleaned.mesh, keep);
 }
 
-void finish_counts(const CleanBoxOptions& options, CleanResult& counts) {
+void finish_counts(const CleanOptions& options, CleanResult& counts) {
   counts.changed = counts.cut_faces + counts.removed_faces > 0;
   if (!options.refuse || !counts.changed) return;
   throw GoalError(ErrorKind::needs_cleaning,
@@ -204,8 +205,8 @@ std::optional<std::array<Box, 2>> split(const Mesh& mesh, const std::vector<bool
   return halves;
 }
 
-void check_input(const Mesh& mesh, const CleanBoxOptions& options) {
-  if (!(options.box.minimum.array() < options.box.maximum.array()).all())
+void check_input(const Mesh& mesh, const CleanOptions& options) {
+  if (!(options.box->minimum.array() < options.box->maximum.array()).all())
     throw UsageError("the box has no inside: its first corner must be below the second");
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
   if (is_closed_chain(mesh)) return;
@@ -220,32 +221,33 @@ void drop_stale_columns(CleanResult& counts) {
   counts.dropped_source_points = drop_source_points(counts.mesh);
 }
 
-CleanBoxResult clean_in_place(const Mesh& mesh, const CleanBoxOptions& options,
-                              const Progress& progress) {
-  CleanBoxResult result;
-  CleanResult& counts = result.clean;
-  const std::vector<bool> is_own = faces_of_box(mesh, options.box);
-  result.box_faces = count(is_own);
-  if (result.box_faces > 0) {
+CleanResult clean_in_place(const Mesh& mesh, const CleanOptions& options,
+                           const Progress& progress) {
+  CleanResult counts;
+  const std::vector<bool> is_own = faces_of_box(mesh, *options.box);
+  const std::size_t box_faces = count(is_own);
+  if (box_faces > 0) {
     std::optional<CleanedFaces> cleaned = BoxPart(mesh, is_own, options, progress).clean(counts);
-    result.is_whole = !cleaned;
-    if (!cleaned) cleaned = clean_whole(mesh, options, counts, progress);
+    const bool is_whole = !cleaned;
+    if (!cleaned) cleaned = clean_numbered(mesh, options, counts, progress);
+    counts.is_whole = is_whole;
     count_faces(mesh, is_own, *cleaned, counts);
     finish_counts(options, counts);
     if (counts.changed) counts.mesh = replace_faces(mesh, is_own, *cleaned);
   }
   if (!counts.changed) counts.mesh = mesh;
+  counts.box_faces = box_faces;
   drop_stale_columns(counts);
-  return result;
+  return counts;
 }
 
 /// The pieces of the box's faces, from smaller boxes one after the other: what that takes does not
 /// grow with the box.
 class Pieces {
  public:
-  Pieces(const Mesh& mesh, const CleanBoxOptions& options, const Progress& progress)
+  Pieces(const Mesh& mesh, const CleanOptions& options, const Progress& progress)
       : mesh_(mesh), options_(options), progress_(progress) {}
-  CleanBoxResult collect();
+  CleanResult collect();
 
  private:
   bool collect_from(const Box& box);
@@ -253,13 +255,13 @@ class Pieces {
   void add(const Mesh& pieces);
 
   const Mesh& mesh_;
-  const CleanBoxOptions& options_;
+  const CleanOptions& options_;
   const Progress& progress_;
-  CleanBoxResult result_;
+  CleanResult result_;
 };
 
 void Pieces::add(const Mesh& pieces) {
-  Mesh& mesh = result_.clean.mesh;
+  Mesh& mesh = result_.mesh;
   const auto offset = static_cast<Index>(mesh.positions.size());
   mesh.vertex_columns.concatenate(pieces.vertex_columns, offset, pieces.positions.size());
   mesh.face_columns.concatenate(pieces.face_columns, mesh.faces.size(), pieces.faces.size());
@@ -281,7 +283,7 @@ bool Pieces::collect_from(const Box& box) {
   const auto cleaned = BoxPart(mesh_, is_own, options_, progress_).clean(counts);
   if (!cleaned) return false;
   count_faces(mesh_, is_own, *cleaned, counts);
-  CleanResult& sum = result_.clean;
+  CleanResult& sum = result_;
   sum.pairs += counts.pairs;
   sum.pieces += counts.pieces;
   sum.rays += counts.rays;
@@ -295,27 +297,25 @@ bool Pieces::collect_from(const Box& box) {
 }
 
 void Pieces::collect_from_whole() {
+  const std::vector<bool> is_own = faces_of_box(mesh_, *options_.box);
+  const CleanedFaces cleaned = clean_numbered(mesh_, options_, result_, progress_);
   result_.is_whole = true;
-  const std::vector<bool> is_own = faces_of_box(mesh_, options_.box);
-  const CleanedFaces cleaned = clean_whole(mesh_, options_, result_.clean, progress_);
-  count_faces(mesh_, is_own, cleaned, result_.clean);
-  result_.clean.mesh = own_pieces(cleaned, is_own);
+  count_faces(mesh_, is_own, cleaned, result_);
+  result_.mesh = own_pieces(cleaned, is_own);
 }
 
-CleanBoxResult Pieces::collect() {
-  CleanResult& counts = result_.clean;
-  counts.mesh = select_faces(mesh_, std::vector<bool>(mesh_.faces.size(), false));
-  result_.box_faces = count(faces_of_box(mesh_, options_.box));
-  if (!collect_from(options_.box)) collect_from_whole();
-  finish_counts(options_, counts);
-  drop_stale_columns(counts);
+CleanResult Pieces::collect() {
+  result_.mesh = select_faces(mesh_, std::vector<bool>(mesh_.faces.size(), false));
+  if (!collect_from(*options_.box)) collect_from_whole();
+  result_.box_faces = count(faces_of_box(mesh_, *options_.box));
+  finish_counts(options_, result_);
+  drop_stale_columns(result_);
   return std::move(result_);
 }
 
 }  // namespace
 
-CleanBoxResult clean_box(const Mesh& mesh, const CleanBoxOptions& options,
-                         const Progress& progress) {
+CleanResult clean_box(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   check_input(mesh, options);
   return options.only ? Pieces(mesh, options, progress).collect()
                       : clean_in_place(mesh, options, progress);

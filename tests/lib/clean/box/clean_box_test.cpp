@@ -1,7 +1,5 @@
 /// Boxes against the whole: together they are the triangles of clean(), and one alone leaves all
 /// else as it was.
-#include "transformesh/clean_box.h"
-
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
@@ -12,6 +10,7 @@
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "mesh/coordinate_spacing.h"
+#include "transformesh/clean.h"
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
@@ -57,16 +56,16 @@ std::vector<Box> octants(const Mesh& mesh, const Vec3& share) {
 }
 
 /// The faces of all boxes, each cleaned alone; counts how many had to clean the whole mesh.
-Mesh clean_in_boxes(const Mesh& mesh, CleanBoxOptions options, std::size_t& whole) {
+Mesh clean_in_boxes(const Mesh& mesh, CleanOptions options, std::size_t& whole) {
   Mesh all;
   std::size_t faces = 0;
   for (const Box& box : octants(mesh, {.47, .52, .5})) {
     options.box = box;
     options.only = true;
-    const CleanBoxResult result = clean_box(mesh, options);
+    const CleanResult result = clean(mesh, options);
     faces += result.box_faces;
     whole += result.is_whole ? 1 : 0;
-    all = test::joined(all, result.clean.mesh);
+    all = test::joined(all, result.mesh);
   }
   CHECK(faces == mesh.faces.size());
   return all;
@@ -94,7 +93,7 @@ TEST_CASE("eight boxes have the triangles of the whole") {
       } catch (const GoalError&) {
         continue;
       }
-      CleanBoxOptions box_options;
+      CleanOptions box_options;
       box_options.winding_level = winding_level;
       std::size_t whole = 0;
       const Mesh boxes = clean_in_boxes(input, box_options, whole);
@@ -137,7 +136,7 @@ TEST_CASE("where rounding breaks faces, boxes are taken from the whole") {
   options.coordinate = Scalar::float32;
   const CleanResult expected = clean(input, options);
   REQUIRE(expected.rounding_places > 0);
-  CleanBoxOptions box_options;
+  CleanOptions box_options;
   box_options.coordinate = Scalar::float32;
   std::size_t whole = 0;
   const Mesh boxes = clean_in_boxes(input, box_options, whole);
@@ -150,12 +149,12 @@ TEST_CASE("a box around one crossing leaves another as it was") {
   Mesh input = test::joined(pair, test::moved(pair, {10, 0, 0}));
   Column& number = input.face_columns.get("number", Scalar::int32, input.faces.size());
   for (std::size_t f = 0; f < input.faces.size(); ++f) number.values[f] = static_cast<double>(f);
-  CleanBoxOptions options;
+  CleanOptions options;
   options.box = {Vec3::Constant(-5), Vec3::Constant(5)};
-  const CleanBoxResult result = clean_box(input, options);
+  const CleanResult result = clean(input, options);
   CHECK(result.box_faces == pair.faces.size());
-  CHECK(result.clean.changed);
-  const Mesh& mesh = result.clean.mesh;
+  CHECK(result.changed);
+  const Mesh& mesh = result.mesh;
   CHECK(check_manifold(mesh).is_closed());
   CHECK(check_manifold(mesh).is_manifold());
   // The first pair is that of clean() alone, the second one is the input.
@@ -174,22 +173,22 @@ TEST_CASE("a box around one crossing leaves another as it was") {
 TEST_CASE("a box in which nothing crosses changes nothing, though it may be cut from the rest") {
   const Mesh input = test::workload("two-spheres", 2000, 1);
   const Box all = bounding_box(input);
-  CleanBoxOptions options;
+  CleanOptions options;
   options.box = {all.minimum, all.minimum + .2 * (all.maximum - all.minimum)};
-  options.box.maximum.y() = options.box.maximum.z() = all.maximum.z() + 1;
-  const CleanBoxResult result = clean_box(input, options);
+  options.box->maximum.y() = options.box->maximum.z() = all.maximum.z() + 1;
+  const CleanResult result = clean(input, options);
   CHECK(result.box_faces > 0);
-  CHECK(!result.clean.changed);
-  CHECK(result.clean.mesh.positions == input.positions);
-  CHECK(result.clean.mesh.faces == input.faces);
+  CHECK(!result.changed);
+  CHECK(result.mesh.positions == input.positions);
+  CHECK(result.mesh.faces == input.faces);
   // Half a crossing: what is outside keeps its name and place.
   options.box = octants(input, {.5, .5, .5})[0];
-  options.box.maximum.x() = 100;
-  const Mesh half = clean_box(input, options).clean.mesh;
+  options.box->maximum.x() = 100;
+  const Mesh half = clean(input, options).mesh;
   std::size_t stayed = 0, outside = 0;
   for (const Face& face : input.faces) {
     const Vec3& first = input.positions[face[0]];
-    outside += (first.array() < options.box.maximum.array()).all() ? 0 : 1;
+    outside += (first.array() < options.box->maximum.array()).all() ? 0 : 1;
   }
   const auto triangles = sorted_triangles(input);
   for (const Corners& t : sorted_triangles(half))
@@ -198,21 +197,21 @@ TEST_CASE("a box in which nothing crosses changes nothing, though it may be cut 
 }
 
 TEST_CASE("what a box cannot do is said") {
-  CleanBoxOptions options;
+  CleanOptions options;
   options.box = {Vec3::Constant(-9), Vec3::Constant(9)};
   Mesh open = test::icosphere(2);
   open.faces.pop_back();
-  CHECK_THROWS_AS(clean_box(open, options), InputError);
-  CHECK_THROWS_AS(clean_box(Mesh(), options), InputError);
+  CHECK_THROWS_AS(clean(open, options), InputError);
+  CHECK_THROWS_AS(clean(Mesh(), options), InputError);
   const Mesh input = test::workload("two-spheres", 1000, 1);
   options.refuse = true;
-  CHECK_THROWS_AS(clean_box(input, options), GoalError);
-  options.box.maximum.x() = -9;
-  CHECK_THROWS_AS(clean_box(input, options), UsageError);
+  CHECK_THROWS_AS(clean(input, options), GoalError);
+  options.box->maximum.x() = -9;
+  CHECK_THROWS_AS(clean(input, options), UsageError);
   // A box beside the mesh.
   options.box = {Vec3::Constant(50), Vec3::Constant(60)};
   options.only = true;
-  CHECK(clean_box(input, options).clean.mesh.faces.empty());
+  CHECK(clean(input, options).mesh.faces.empty());
 }
 
 }  // namespace transformesh

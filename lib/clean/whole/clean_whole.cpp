@@ -1,0 +1,108 @@
+#include "clean/whole/clean_whole.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "clean/exterior/exterior.h"
+#include "clean/pass/clean_pass.h"
+#include "clean/rounding/snap_rounding.h"
+#include "clean/stitch/double_sided.h"
+#include "mesh/surface_columns.h"
+#include "transformesh/errors.h"
+
+namespace transformesh {
+namespace {
+
+/// A mesh that encloses nothing does so because of reverses if at least this fraction of its faces
+/// has one.
+constexpr double double_sided_share = 0.5;
+
+/// A difference without a remainder and a double-sided solid are the same mesh, so that both are
+/// named. One side of a sheet is open.
+Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
+  const bool is_sheet = one_side_is_open(mesh);
+  return {is_sheet ? ErrorKind::double_sided_sheet : ErrorKind::double_sided,
+          "the faces enclose nothing: " + std::to_string(reverses) + " of " +
+              std::to_string(mesh.faces.size()) + " lie upon their reverses, as in " +
+              (is_sheet ? "sheets whose borders are filled flat, and in double-sided sheets"
+                        : "a difference without a remainder, which is empty, and in double-sided "
+                          "models"),
+          {.counts = {reverses, mesh.faces.size()}}};
+}
+
+[[noreturn]] void refuse_changes(const CleanResult& result) {
+  const bool only_joins =
+      result.pairs == 0 && result.removed_faces == 0 && result.copied_vertices == 0;
+  throw GoalError(ErrorKind::needs_cleaning,
+                  "the mesh needs cleaning (" + std::to_string(result.pairs) +
+                      " intersecting face pairs, " + std::to_string(result.removed_faces) +
+                      " faces to remove, " + std::to_string(result.copied_vertices) +
+                      " vertices to duplicate" + (only_joins ? ", but vertices to join)" : ")"),
+                  {.counts = {result.pairs, result.removed_faces, result.copied_vertices}});
+}
+
+CleanResult clean_whole_mesh(const Mesh& mesh, const CleanOptions& options,
+                             const Progress& progress) {
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
+  CleanPass pass = run_clean_pass(mesh, {options.winding_level, options.method, true}, progress);
+  CleanResult result;
+  result.pairs = pass.pairs;
+  result.pieces = pass.pieces;
+  result.cut_faces = pass.cut_faces;
+  result.removed_faces = pass.removed_faces;
+  result.patches = pass.open_patches;
+  result.decided_by_number = pass.decided_by_number;
+  result.least_margin = pass.least_margin;
+  result.rays = pass.rays;
+  result.changed = !pass.unchanged;
+  if (pass.unchanged) {
+    result.mesh = mesh;
+  } else {
+    const SnapRoundingOptions how{options.winding_level, options.method, pass.is_open,
+                                  options.coordinate};
+    SnapRoundingResult rounded = snap_round(mesh, pass, how, progress);
+    result.cut_faces += rounded.cut_faces;
+    result.removed_faces += rounded.removed_faces;
+    result.new_vertices = rounded.new_vertices;
+    result.copied_vertices = rounded.copied_vertices;
+    result.rounding_repairs = rounded.repairs;
+    result.rounding_places = rounded.places;
+    result.rounding_faces = rounded.faces;
+    result.rounding_pairs = rounded.pairs;
+    result.rounding_level = rounded.level;
+    result.rounding_displacement = rounded.displacement.length;
+    result.rounding_spacings = rounded.displacement.spacings;
+    result.mesh = std::move(rounded.mesh);
+    if (result.cut_faces > 0) {
+      result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
+      result.dropped_source_points = drop_source_points(result.mesh);
+    }
+  }
+  result.connectivity = std::move(pass.connectivity);
+  if (options.outermost) {
+    const auto& known = result.connectivity;
+    result.dropped_components =
+        known ? drop_enclosed_components(result.mesh, connected_components(result.mesh, *known))
+              : drop_enclosed_components(result.mesh);
+    result.changed |= result.dropped_components > 0;
+    if (result.dropped_components > 0) result.connectivity.reset();
+  }
+  if (options.refuse && result.changed) refuse_changes(result);
+  return result;
+}
+
+}  // namespace
+
+CleanResult clean_whole(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
+  try {
+    return clean_whole_mesh(mesh, options, progress);
+  } catch (const GoalError&) {
+    const auto faces = static_cast<double>(mesh.faces.size());
+    const std::size_t both = options.refuse ? 0 : count_double_sided(mesh);
+    if (static_cast<double>(both) < std::max(1.0, double_sided_share * faces)) throw;
+    throw GoalError(problem_of_reverses(mesh, both));
+  }
+}
+
+}  // namespace transformesh

@@ -1,0 +1,66 @@
+/// Entries of reports: what a program reports and what the Python module returns, by name and in
+/// order. Names are lower case with underscores. Points are three numbers, lengths are in input
+/// units.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "transformesh/length.h"
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+struct AlignResult;
+struct CarryResult;
+struct Certificate;
+struct CleanResult;
+struct Comparison;
+struct DecimateResult;
+struct DisplaceResult;
+struct EvolveResult;
+struct FillResult;
+struct HandleResult;
+struct MeshCheck;
+struct MorphResult;
+struct MorphStepResult;
+struct OffsetResult;
+struct RemeshResult;
+struct SelectionResult;
+struct StitchResult;
+struct TransformResult;
+
+using Value =
+    std::variant<bool, long, std::size_t, double, std::string, std::vector<double>, Length>;
+using Entries = std::vector<std::pair<std::string, Value>>;
+
+/// Describes a mesh: counts, topology, sizes, and the quality of its triangles. Areas, volumes and
+/// lengths that no double can hold are infinite.
+Entries describe(const Mesh& mesh);
+
+Entries entries_of(const CleanResult& result);
+Entries entries_of(const StitchResult& result);
+Entries entries_of(const FillResult& result);
+Entries entries_of(const HandleResult& result);
+Entries entries_of(const RemeshResult& result);
+Entries entries_of(const DecimateResult& result);
+Entries entries_of(const AlignResult& result);
+Entries entries_of(const DisplaceResult& result);
+Entries entries_of(const MorphStepResult& result);
+Entries entries_of(const OffsetResult& result);
+Entries entries_of(const EvolveResult& result);
+Entries entries_of(const MorphResult& result);
+Entries entries_of(const TransformResult& result);
+Entries entries_of(const SelectionResult& result);
+Entries entries_of(const CarryResult& result);
+Entries entries_of(const Comparison& result);
+Entries entries_of(const Certificate& result);
+/// Counts of manifoldness and components, then intersections, certificate and the first problem.
+Entries entries_of(const MeshCheck& result);
+
+/// Appends entries.
+void append(Entries& entries, const Entries& more);
+
+}  // namespace transformesh
