@@ -47,7 +47,7 @@ CarryResult carry_columns(const Mesh& first, const SourcePoints& on_first, Mesh&
 struct CarryOptions {
   std::vector<std::string> columns;  ///< names; empty: as of carry_columns()
   bool closest = false;              ///< meshes without source points take the closest places
-  std::vector<std::string> names;    ///< of the meshes of the chain, for messages; may be empty
+  std::vector<std::string> names;    ///< names of the meshes, for messages; may be empty
 };
 
 /// Carries columns along a chain of meshes, each with source points on the one before. `last` is

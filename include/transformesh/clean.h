@@ -12,7 +12,7 @@
 /// static_test on an open mesh. Throws GoalError if no point reaches the level, if rounding cannot
 /// be repaired, or if `refuse` forbids a change. Deterministic. Cost: O(n log n + k log k).
 ///
-/// With a `box`, only faces whose first vertex is in it are cleaned (paper 4.6); a box includes its
+/// A `box` restricts cleaning to faces whose first vertex is in it (paper 4.6). A box includes its
 /// lower sides and excludes its upper ones. The pieces of boxes side by side are together those of
 /// the whole mesh, unless rounding has to be repaired (docs/design/rounding.md). A box needs a
 /// closed oriented mesh (InputError), and excludes static_test, `outermost` and `separate`
@@ -43,7 +43,7 @@ struct CleanOptions {
   double separate = 0;                  ///< distance between copies of a vertex; 0: do not move
   CleanSources sources = CleanSources::none;
   std::optional<Box> box = {};  ///< clean the faces of this box alone
-  bool only = false;            ///< with `box`: leave out faces that do not belong to it
+  bool only = false;            ///< needs `box`; leave out faces that do not belong to it
 };
 
 /// Cleans a mesh.

@@ -3,7 +3,6 @@
 
 #include "transformesh/align_features.h"
 #include "transformesh/carry.h"
-#include "transformesh/certify.h"
 #include "transformesh/check_mesh.h"
 #include "transformesh/clean.h"
 #include "transformesh/clean_result.h"

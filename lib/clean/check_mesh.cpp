@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "clean/certify/certify.h"
 #include "geometry/numbers/predicates.h"
 #include "support/counted.h"
 #include "transformesh/components.h"

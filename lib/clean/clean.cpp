@@ -20,8 +20,8 @@ void check_options(const CleanOptions& options) {
     throw UsageError("the faces of a box alone are wanted, but there is no box");
   if (!options.box) return;
   const char* const refused = options.method != ExteriorMethod::grow ? "the static test"
-                              : options.outermost                    ? "dropping cavities"
-                              : options.separate > 0                 ? "separating vertices"
+                              : options.outermost                    ? "outermost"
+                              : options.separate > 0                 ? "separate"
                                                                      : nullptr;
   if (refused) throw UsageError(std::string(refused) + " is for whole meshes, not for a box");
 }

@@ -1,7 +1,7 @@
 /// What looks at meshes and judges them.
 #include "call.h"
+#include "clean/certify/certify.h"
 #include "python_mesh.h"
-#include "transformesh/certify.h"
 #include "transformesh/compare.h"
 #include "transformesh/manifold.h"
 

@@ -3,10 +3,10 @@
 // mesh that is not oriented, and one that encloses nothing.
 #include "transformesh/clean.h"
 
+#include "clean/certify/certify.h"
 #include "fuzz/tiny_mesh.h"
 #include "geometry/numbers/predicates.h"
 #include "io/document/round_as_written.h"
-#include "transformesh/certify.h"
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
 #include "transformesh/mesh_io.h"

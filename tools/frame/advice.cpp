@@ -69,7 +69,7 @@ constexpr std::array table{
            "give --normal-speed or --curvature-speed, or write the vertex properties vx vy vz"},
     Advice{Kind::no_source_points, "closest",
            "write it with tm-clean --source or tm-remesh --source, or take the closest places with "
-           "--closest"},
+           "tm-carry --closest"},
     Advice{Kind::no_segments, "", "tm-intersect --segments writes one"},
     Advice{Kind::no_color_property, "color-by", "name it with --color-by"},
     Advice{Kind::texture_too_small, "texture-size",
@@ -115,7 +115,7 @@ std::span<const Advice> advice_table() { return table; }
 std::string advice_for(const Problem& problem, const Program& program) {
   const auto row = std::ranges::find_if(table, [&](const Advice& advice) {
     return advice.kind == problem.kind &&
-           (*advice.option == 0 || program.find(advice.option) != nullptr);
+           (*advice.option == 0 || program.options.find(advice.option) != nullptr);
   });
   if (row == table.end()) return {};
   std::string text = row->text;

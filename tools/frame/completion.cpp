@@ -51,7 +51,7 @@ std::string in_quotes(const std::string& text) {
 
 std::string words_of(const Program& program) {
   std::string words;
-  for (const std::string& word : program.word_choices) words += (words.empty() ? "" : " ") + word;
+  for (const std::string& word : program.words.choices) words += (words.empty() ? "" : " ") + word;
   return words;
 }
 
@@ -79,9 +79,9 @@ std::string bash_arguments(const Program& program) {
       text += std::string("  _tm_offer -f -X '!*.") + ending + "' -- \"$word\"\n";
     return text + "  _tm_offer -d -- \"$word\"\n";
   }
-  if (!program.word_choices.empty())
+  if (!program.words.choices.empty())
     return "  _tm_offer -W " + in_quotes(words_of(program)) + " -- \"$word\"\n";
-  if (program.words_are_folders) return "  _tm_offer -d -- \"$word\"\n";
+  if (program.words.are_folders) return "  _tm_offer -d -- \"$word\"\n";
   return program.reads_input() ? "  _tm_offer -f -- \"$word\"\n" : "";
 }
 
@@ -140,8 +140,8 @@ std::string zsh(const Program& program) {
   for (const Option& option : program.options)
     if (option.is_listed) text += zsh_option(option);
   if (program.reads_mesh()) return text + "  '*:mesh:_files -g \"*.(ply|off|obj|stl)(-.)\"'\n";
-  if (!program.word_choices.empty()) return text + "  '*:word:(" + words_of(program) + ")'\n";
-  if (program.words_are_folders) return text + "  '*:folder:_files -/'\n";
+  if (!program.words.choices.empty()) return text + "  '*:word:(" + words_of(program) + ")'\n";
+  if (program.words.are_folders) return text + "  '*:folder:_files -/'\n";
   return text + (program.reads_input() ? "  '*:file:_files'\n" : "  && return\n");
 }
 
@@ -163,9 +163,9 @@ std::string fish(const Program& program) {
   std::string text = "# fish completion of " + program.name + "\n" + start + "-f\n";
   if (program.reads_mesh()) {
     text += start + "-ka '(__fish_complete_suffix .ply .off .obj .stl)'\n";
-  } else if (!program.word_choices.empty()) {
+  } else if (!program.words.choices.empty()) {
     text += start + "-a " + in_quotes(words_of(program)) + "\n";
-  } else if (program.words_are_folders) {
+  } else if (program.words.are_folders) {
     text += start + "-a '(__fish_complete_directories)'\n";
   } else if (program.reads_input()) {
     text += start + "-F\n";

@@ -53,7 +53,7 @@ std::string option_entries(const Program& program, bool is_common) {
 
 std::string exit_code_lines(const Program& program) {
   std::string done = "done";
-  if (program.writes == Writes::answer) done = "done or yes, 1 no";
+  if (program.output.writes == Writes::answer) done = "done or yes, 1 no";
   if (program.is_evolution()) done = "done, 1 not converged where that is required";
   return wrapped("Exit codes: 0 " + done +
                      ", 2 usage, 3 bad input, 4 goal not reached, "
@@ -81,8 +81,8 @@ std::string usage_lines(const Program& program) {
 
 std::string help_text(const Program& program) {
   std::string text = usage_lines(program) + '\n' + wrapped(program.summary + '.', 0, 0);
-  const auto& [words, words_help] = program.words_entry;
-  if (!words.empty()) text += "\nArguments:\n" + entry(words, words_help);
+  const WordRules& words = program.words;
+  if (!words.placeholder.empty()) text += "\nArguments:\n" + entry(words.placeholder, words.help);
   const std::string own = option_entries(program, false);
   if (!own.empty()) text += "\nOptions:\n" + own;
   text += "\nCommon options:\n" + option_entries(program, true) + length_lines(program);

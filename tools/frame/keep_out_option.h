@@ -14,9 +14,9 @@ namespace transformesh::tool {
 class KeepOutOption {
  public:
   void declare(Program& program) {
-    program.text("keep-out", &file_, "FILE",
-                 "do nothing that comes nearer to this mesh than --gap, or intersects it");
-    program.length("gap", &gap_, "how far to stay from the mesh of --keep-out");
+    program.options.text("keep-out", &file_, "FILE",
+                         "do nothing that comes nearer to this mesh than --gap, or intersects it");
+    program.options.length("gap", &gap_, "how far to stay from the mesh of --keep-out");
   }
 
   /// Reads the mesh, which stays with this option.
@@ -26,7 +26,7 @@ class KeepOutOption {
     if (file_.empty()) return {};
     const double gap = run.length(*gap_);
     if (!(gap > 0)) throw UsageError("--gap must be above 0");
-    surface_ = run.read(file_).mesh;
+    surface_ = run.in().read(file_).mesh;
     if (surface_.faces.empty())
       throw InputError(file_ + " has no faces: there is nothing to keep out of");
     return {&surface_, gap};

@@ -16,7 +16,7 @@ namespace {
 // The inputs and all that determines the result, in one line: a run that continues has the same.
 std::string settings_of(const Run& run) {
   std::string text;
-  for (const std::string& input : run.inputs()) text += '\'' + input + "' ";
+  for (const std::string& input : run.in().names()) text += '\'' + input + "' ";
   for (const Option& option : run.program().options)
     if (!option.is_common && option.affects_result)
       text += option.name() + " '" + option.text() + "' ";
@@ -29,7 +29,7 @@ void settle_run(Program& program, LoopChoices& choices) {
   std::string& folder = choices.run;
   if (folder.empty()) return;
   for (const char* name : {"output", "format", "frames", "csv", "report"})
-    if (program.find(name)->is_given)
+    if (program.options.find(name)->is_given)
       throw UsageError("--run keeps all of a run under fixed names: leave out --" +
                        std::string(name));
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
@@ -65,25 +65,27 @@ std::string shell_word(const std::string& text) {
 }
 
 void declare_iterations(Program& program, LoopChoices& choices) {
-  program.integer("iterations", &choices.iterations, 1, 999999999, "stop after so many")
+  program.options.integer("iterations", &choices.iterations, 1, 999999999, "stop after so many")
       .affects_result = false;
 }
 
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
                     const std::string& rows) {
   const std::size_t first = program.options.size();
-  program.flag("resume", &choices.record.resume,
-               "continue a run that was stopped, where there is one");
-  program.flag("restart", &choices.record.restart, "begin anew where a run was interrupted");
-  program.text("frames", &choices.record.frames, "FOLDER",
-               "keep meshes there as frame-00000.ply and so on");
-  program.integer("every", &choices.every, 1, 999999999, every);
-  program.text("csv", &choices.record.csv, "FILE", "write a line per " + rows);
-  program.text("run", &choices.run, "FOLDER",
-               "keep all there that shows and repeats the run, for tm-report: initial mesh, "
-               "frames, log.csv, report.json, result.ply");
-  program.flag("require-convergence", &choices.require_convergence,
-               "exit 1 where the result did not converge");
+  program.options.flag("resume", &choices.record.resume,
+                       "continue a run that was stopped, where there is one");
+  program.options.flag("restart", &choices.record.restart,
+                       "begin anew where a run was interrupted");
+  program.options.text("frames", &choices.record.frames, "FOLDER",
+                       "keep meshes there as frame-00000.ply and so on");
+  program.options.integer("every", &choices.every, 1, 999999999, every);
+  program.options.text("csv", &choices.record.csv, "FILE", "write a line per " + rows);
+  program.options.text(
+      "run", &choices.run, "FOLDER",
+      "keep all there that shows and repeats the run, for tm-report: initial mesh, "
+      "frames, log.csv, report.json, result.ply");
+  program.options.flag("require-convergence", &choices.require_convergence,
+                       "exit 1 where the result did not converge");
   for (std::size_t i = first; i < program.options.size(); ++i)
     program.options[i].affects_result = false;
   program.settle = [&program, &choices] { settle_run(program, choices); };
@@ -92,7 +94,8 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
   RecordOptions options = choices.record;
   // What has no file has no place for a state.
-  const bool is_continuable = !is_written_directly(end_of_links(run.output())) || !state.empty();
+  const bool is_continuable =
+      !is_written_directly(end_of_links(run.out().name())) || !state.empty();
   if (options.resume && !is_continuable)
     throw UsageError("--resume needs -o OUT, a file: what to continue");
   if (options.resume && options.restart)
@@ -100,18 +103,18 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   std::vector<std::string> files{"report", "csv"};
   if (state.empty()) files.insert(files.begin(), "output");
   // The folder of a run is made with the state in it.
-  choices.run.empty() ? run.check_outputs(files) : check_run_folder(choices.run);
+  choices.run.empty() ? run.out().check_files_of(files) : check_run_folder(choices.run);
   const std::string& name = run.program().name;
   report_interruption(name, is_continuable ? "; --resume continues" : "");
-  if (state.empty() && is_continuable) state = name_beside(run.output(), "", '.' + name);
+  if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);
   options.state = std::move(state);
   options.settings = settings_of(run);
   options.every = static_cast<std::size_t>(choices.every.value_or(every));
   options.is_alone = true;
   options.keep_state_at_end = true;
   Record record(options);
-  if (is_continuable) run.detail("state in " + options.state);
-  if (record.resumed()) run.detail("continuing after " + std::to_string(record.iteration()));
+  if (is_continuable) run.say().detail("state in " + options.state);
+  if (record.resumed()) run.say().detail("continuing after " + std::to_string(record.iteration()));
   return record;
 }
 
@@ -131,13 +134,14 @@ void begin_run(const LoopChoices& choices, const Record& record, const Document*
 }
 
 LoopOptions loop_of(const LoopChoices& choices, Run& run) {
-  return {choices.iterations, [&run](const std::string& message) { run.progress_line(message); }};
+  return {choices.iterations,
+          [&run](const std::string& message) { run.say().progress_line(message); }};
 }
 
 Document& begin_document(const Record& record, Run& run) {
   if (record.resumed()) return run.continue_from(record.resumed()->document);
   Document& document = run.read_input();
-  run.stamp(document);
+  run.out().stamp(document);
   return document;
 }
 
@@ -148,8 +152,8 @@ void evolve_or_keep(Run& run, const Record& record, const std::string& noun,
   } catch (const std::exception&) {
     if (record.iteration() > 0) {
       const std::string continued = record.has_state() ? ", and --resume continues from there" : "";
-      run.keep("stopped in " + noun + ' ' + std::to_string(record.iteration() + 1),
-               "the mesh of " + noun + ' ' + std::to_string(record.iteration()) + continued);
+      run.out().keep("stopped in " + noun + ' ' + std::to_string(record.iteration() + 1),
+                     "the mesh of " + noun + ' ' + std::to_string(record.iteration()) + continued);
     }
     throw;
   }
@@ -157,7 +161,7 @@ void evolve_or_keep(Run& run, const Record& record, const std::string& noun,
 
 void conclude(Run& run, const LoopChoices& choices, const Record& record,
               const Conclusion& conclusion) {
-  run.when_written([&run, record, conclusion] {
+  run.out().when_written([&run, record, conclusion] {
     if (conclusion.is_done) record.remove_state();
     run.note(conclusion.summary);
   });

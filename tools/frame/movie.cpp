@@ -58,7 +58,7 @@ std::string ending_of(const std::string& path) {
 }
 
 void check_movie(int frames, int width, int height, bool is_transparent, const Run& run) {
-  const std::string& path = run.output();
+  const std::string& path = run.out().name();
   if (frames == 0 && is_movie(path))
     throw UsageError("--output: '" + path +
                      "' is a movie: state the number of pictures with --frames");
@@ -80,20 +80,20 @@ void check_movie(int frames, int width, int height, bool is_transparent, const R
 }
 
 void write_frames(int frames, const DrawFrame& draw, Run& run) {
-  const std::string& path = run.output();
+  const std::string& path = run.out().name();
   std::string pictures;
   for (int frame = 0; frame < frames; ++frame) {
     run.progress()("draw", static_cast<double>(frame) / frames);
     if (is_movie(path))
       pictures += draw(frame);
     else
-      run.write(numbered(path, frame, frames), draw(frame));
+      run.out().write(numbered(path, frame, frames), draw(frame));
   }
   run.report("frames", static_cast<std::size_t>(frames));
-  if (!is_movie(path)) return run.write_nothing();
+  if (!is_movie(path)) return run.out().write_nothing();
   run.progress()("encode");
   const std::string& write = ending_of(path) == ".mp4" ? write_mp4 : write_gif;
-  run.write_output(run_filter(read_pictures + write, pictures, FilterOutput::file));
+  run.out().set_bytes(run_filter(read_pictures + write, pictures, FilterOutput::file));
 }
 
 }  // namespace transformesh::tool

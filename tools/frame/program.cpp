@@ -28,9 +28,10 @@ void prepare_process() {
 
 /// Those named, else stdin.
 std::vector<std::string> inputs_of(const Program& program, const std::vector<std::string>& words) {
-  if (!program.reads_input() && program.reads != Reads::words && !words.empty())
+  if (!program.reads_input() && program.input.reads != Reads::words && !words.empty())
     throw UsageError("'" + words[0] + "' is not expected: there is no input");
-  if (words.size() > 1 && (program.reads == Reads::mesh || program.reads == Reads::file))
+  if (words.size() > 1 &&
+      (program.input.reads == Reads::mesh || program.input.reads == Reads::file))
     throw UsageError("one input at most, but '" + words[1] + "' is a second one");
   return words.empty() && program.reads_input() ? std::vector<std::string>{"-"} : words;
 }
@@ -75,49 +76,50 @@ int tell(const std::exception& error, const Program& program, Terminal& terminal
 
 void declare_common(Program& program) {
   CommonValues& common = program.common;
-  const std::size_t own = program.options.size();
-  program.text("output,o", &common.output, "FILE", "where to write; - is stdout");
+  OptionSet& options = program.options;
+  const std::size_t own = options.size();
+  options.text("output,o", &common.output, "FILE", "where to write; - is stdout");
   if (program.may_write_mesh()) {
-    program.choice("format", &common.format,
+    options.choice("format", &common.format,
                    {"ply", "ply-ascii", "ply-be", "off", "obj", "stl", "glb", "vtp"},
                    program.is_evolution() ? "format of the output (default ply)"
                                           : "format of the output instead of the input's");
     if (!program.is_evolution()) {
-      program.flag("float", &common.as_float, "write coordinates as 32-bit floats");
-      program.flag("double", &common.as_double, "write coordinates as 64-bit floats");
+      options.flag("float", &common.as_float, "write coordinates as 32-bit floats");
+      options.flag("double", &common.as_double, "write coordinates as 64-bit floats");
     }
-    program.flag("no-provenance", &common.no_provenance, "add no comment with the options used");
+    options.flag("no-provenance", &common.no_provenance, "add no comment with the options used");
     if (program.reads_mesh()) program.reference_edge();
   }
-  if (program.may_print_report()) program.flag("json", &common.json, "print the report as JSON");
+  if (program.may_print_report()) options.flag("json", &common.json, "print the report as JSON");
   if (program.reads_points())
-    program.flag("strict", &common.strict,
+    options.flag("strict", &common.strict,
                  "refuse values that are not finite and unknown lines instead of dropping them");
-  program.text("report", &common.report, "FILE", "also write a JSON report there");
-  program.integer("threads", &common.threads, 0, 1024, "threads to use, 0: one per core");
-  program
+  options.text("report", &common.report, "FILE", "also write a JSON report there");
+  options.integer("threads", &common.threads, 0, 1024, "threads to use, 0: one per core");
+  options
       .text("max-memory", &common.max_memory, "SIZE",
             "end with exit code 6 rather than take more, such as 2G (default: what there is)")
       .assign = [&common](const std::string& text) {
     parse_size(text);
     common.max_memory = text;
   };
-  program
+  options
       .number("max-time", &common.max_time, 0, 1e9,
               "end with exit code 4 after so many seconds, 0: never")
       .placeholder = "SECONDS";
-  program.flag("progress", &common.progress,
+  options.flag("progress", &common.progress,
                "report progress on stderr, also where it is not a terminal");
-  program.flag("no-progress", &common.no_progress, "never report progress");
-  program.flag("quiet,q", &common.quiet, "print errors only");
-  program.flag("verbose,v", &common.verbose, "print the settings and what was done");
-  program.flag("help,h", &common.help, "print this text");
-  program.flag("version", &common.version, "print the version");
-  program
+  options.flag("no-progress", &common.no_progress, "never report progress");
+  options.flag("quiet,q", &common.quiet, "print errors only");
+  options.flag("verbose,v", &common.verbose, "print the settings and what was done");
+  options.flag("help,h", &common.help, "print this text");
+  options.flag("version", &common.version, "print the version");
+  options
       .choice("completion", &common.completion, {"bash", "zsh", "fish"},
               "print a script that completes the command line in this shell")
       .is_listed = false;
-  for (std::size_t i = own; i < program.options.size(); ++i) program.options[i].is_common = true;
+  for (std::size_t i = own; i < options.size(); ++i) options[i].is_common = true;
 }
 
 /// What the user asks about the program itself; empty where there is something to do.
@@ -138,7 +140,47 @@ void limit_resources(const CommonValues& values, const std::string& name, Termin
   if (values.max_time > 0) limit_time(name, values.max_time);
 }
 
+// Common options say how to write and what to tell; these three also say what.
+bool is_in_provenance(const Option& option) {
+  for (const char* file : {"FILE", "FOLDER", "WHERE"})
+    if (option.placeholder.find(file) != std::string::npos) return false;
+  const std::string name = option.name();
+  const bool changes_meaning = name == "float" || name == "double" || name == "reference-edge";
+  return option.is_given && option.affects_result && (!option.is_common || changes_meaning);
+}
+
+// A word as a shell would need it; control characters could end the comment's line.
+std::string shell_word(std::string word) {
+  for (char& character : word) {
+    if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
+  }
+  const bool is_plain = !word.empty() && word.find_first_of(" '\"\\$`*?") == std::string::npos;
+  return is_plain ? word : "'" + word + "'";
+}
+
 }  // namespace
+
+Option& Program::reference_edge() {
+  return options.reference_edge(
+      &common.reference_edge,
+      is_evolution()
+          ? "length that x refers to; auto: the source's mean edge (default: that of its "
+            "tm:reference-edge comment, else auto)"
+          : "length that x refers to: measured anew, or set (default: the mesh's "
+            "tm:reference-edge comment, else measured)");
+}
+
+std::string provenance(const Program& program) {
+  std::string line = program.name + " " TM_VERSION;
+  if (program.input.reads == Reads::words)
+    for (const std::string& word : program.inputs) line += ' ' + shell_word(word);
+  for (const Option& option : program.options) {
+    if (!is_in_provenance(option)) continue;
+    line += " --" + option.name();
+    if (!option.is_flag()) line += ' ' + shell_word(option.text());
+  }
+  return line;
+}
 
 int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
   prepare_process();
@@ -147,19 +189,19 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
   try {
     declare_common(*this);
     command.assign(argv, argv + argc);
-    const std::vector<std::string> words = parse({argv + 1, argv + argc});
+    const std::vector<std::string> arguments = options.parse({argv + 1, argv + argc});
     if (const std::string text = about(*this); !text.empty()) {
       write_file("-", text);
       return exit_done;
     }
     if (settle) settle();
     check_together(common);
-    if (reads_input() && words.empty() && isatty(STDIN_FILENO) == 1) {
+    if (reads_input() && arguments.empty() && isatty(STDIN_FILENO) == 1) {
       // The user wants to know how to use this.
       write_all(STDERR_FILENO, short_help_text(*this));
       return exit_usage;
     }
-    inputs = inputs_of(*this, words);
+    inputs = inputs_of(*this, arguments);
     check_needed(*this);
     // In this order: what the heap takes at once must be within the limit.
     limit_resources(common, name, terminal);
@@ -172,7 +214,7 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
     return run->finish();
   } catch (const std::exception& error) {
     const int code = tell(error, *this, terminal);
-    if (run) run->write_kept();
+    if (run) run->out().write_kept();
     return code;
   }
 }

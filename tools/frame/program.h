@@ -3,14 +3,11 @@
 /// one function. man/tm.7.md is the contract that the frame keeps.
 #pragma once
 
-#include <deque>
 #include <functional>
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "frame/report.h"
+#include "frame/option_set.h"
 
 namespace transformesh::tool {
 
@@ -28,55 +25,56 @@ enum ExitCode {
   exit_memory = 6
 };
 
-/// What the arguments are that are no options.
+/// Kinds of arguments that are no options.
 enum class Reads {
   nothing,  ///< there are none
   words,    ///< any number, and no input
-  mesh,     ///< one at most, and stdin where none is named
-  meshes,   ///< any number, likewise
-  file,     ///< one file at most, likewise, which the body reads
-  files     ///< any number, likewise
+  mesh,     ///< one at most; stdin if none is named
+  meshes,   ///< any number; stdin if none is named
+  file,     ///< one file at most, which the body reads; stdin if none is named
+  files     ///< any number of files, which the body reads; stdin if none is named
 };
 
 /// The treatment of faces that meet but share no vertices, as in a soup of triangles
 /// (touching_borders.h).
 enum class Soups {
-  kept,     ///< the mesh is read as it is; only of STL it is said that tm-stitch joins them
-  own,      ///< the same, and nobody is told to use tm-stitch: the program joins them itself
+  kept,     ///< the mesh is read as it is; for STL a note advises tm-stitch
+  own,      ///< the mesh is read as it is, without advice: the program joins the soup itself
   joined,   ///< equal places are joined when a mesh is read, which is reported
-  reported  ///< the mesh is read as it is, and of any file it is said that tm-stitch joins them
+  reported  ///< the mesh is read as it is; for any file a note advises tm-stitch
 };
 
-/// What goes to -o, which is stdout by default.
+struct InputRules {
+  Reads reads = Reads::mesh;
+  Soups soups = Soups::kept;
+  bool are_cameras = false;              ///< the file holds cameras: no mesh and no points
+  std::function<bool()> is_absent = {};  ///< true if the options given leave no input
+};
+
+/// Words of Reads::words, for help and completion.
+struct WordRules {
+  std::string placeholder = {}, help = {};
+  std::vector<std::string> choices = {};  ///< the first word is one of these
+  bool are_folders = false;
+};
+
+/// Kinds of bytes that go to -o, which is stdout by default.
 enum class Writes {
   mesh,
   evolved_mesh,  ///< the end of an evolution: PLY, whatever the format of the input
-  picture,       ///< bytes that are nothing for a terminal
+  picture,       ///< bytes that no terminal can show
   page,          ///< HTML
   text,
   report,  ///< `key: value` lines, or JSON with --json
-  answer   ///< the same, and the exit code is 1 for a no
+  answer   ///< a report; the exit code is 1 for a no
 };
 
-/// An option bound to a variable, whose value is the default until the command line is parsed.
-struct Option {
-  std::string names;        ///< `output,o` or `output`
-  std::string placeholder;  ///< empty for a flag; FILE, FOLDER or WHERE is not for the provenance
-  std::string help;         ///< a phrase without capital and full stop
-  /// Throws UsageError with a phrase that completes `--name: `.
-  std::function<void(const std::string& text)> assign;
-  std::function<Value()> value;  ///< empty text for an optional one that has none
-  std::string default_text;
-  bool is_needed = false;      ///< a usage error says what it is for where it is not given
-  bool affects_result = true;  ///< belongs into the provenance, and to what a run continues with
-  bool is_common = false;      ///< shared by all programs, in its own section of the help
-  bool is_listed = true;       ///< in the help
-  bool is_given = false;
-
-  std::string name() const { return names.substr(0, names.find(',')); }
-  bool is_flag() const { return placeholder.empty(); }
-  /// As it would be written on a command line.
-  std::string text() const { return text_of(value(), ","); }
+struct OutputRules {
+  Writes writes = Writes::mesh;
+  bool is_clean = false;  ///< the output has no self-intersection after rounding
+  std::vector<std::string> picture_endings = {".png"};
+  std::function<bool()> is_mesh = {};     ///< true if the options given ask for a mesh, no report
+  const std::string* only_key = nullptr;  ///< the one entry of the report to print, if not empty
 };
 
 /// The values of the options that programs share.
@@ -91,78 +89,46 @@ struct CommonValues {
   bool help = false, version = false;
 };
 
-/// A program as it was declared: help, settings, provenance and report come from the same options
-/// as parsing, which touches no file. Declaration order is the order of the help text.
+/// A program as it was declared. Help, settings, provenance and report come from the same options
+/// as parsing.
 struct Program {
   const std::string name;
   const std::string synopsis;  ///< the usage without the program's name
   const std::string summary;   ///< one line without full stop
-  const Reads reads = Reads::mesh;
-  const Writes writes = Writes::mesh;
-  std::pair<std::string, std::string> words_entry = {};  ///< placeholder and help of Reads::words
-  std::vector<std::string> word_choices = {};  ///< the first word is one of these, for completion
-  std::string epilog = {};                     ///< shown after the options: examples, formulas
-  std::vector<std::string> picture_endings = {".png"};  ///< of -o, where a picture is written
-  std::function<bool()> writes_mesh_if = {};  ///< where this holds, a mesh is written, no report
-  bool words_are_folders = false;
-  std::function<bool()> reads_nothing_if = {};  ///< where this holds, there is no input
-  bool reads_cameras = false;                   ///< the file read is no mesh and no points
-  bool cleans = false;  ///< the output has no self-intersection after rounding
-  Soups soups = Soups::kept;
-  const std::string* only_key = nullptr;  ///< prints this entry of the report alone, if not empty
-  CommonValues common = CommonValues();   // {} would make GCC 12 warn
-  std::deque<Option> options = {};
+  InputRules input = {};
+  OutputRules output = {};
+  WordRules words = {};
+  std::string epilog = {};  ///< shown after the options: examples, formulas
+  OptionSet options = {};
+  CommonValues common = CommonValues();  // {} would make GCC 12 warn
   /// Called once all options have their values, to derive some from others; may throw UsageError.
   std::function<void()> settle = {};
   std::vector<std::string> inputs = {};   ///< or words
   std::vector<std::string> command = {};  ///< the whole command line
 
-  Option& flag(const std::string& names, bool* value, const std::string& help);
-  Option& number(const std::string& names, double* value, double minimum, double maximum,
-                 const std::string& help);
-  using Integer = std::variant<int*, long*, std::size_t*, std::optional<long>*>;
-  Option& integer(const std::string& names, Integer value, long minimum, long maximum,
-                  const std::string& help);
-  /// At least 0 unless `may_be_negative`.
-  using LengthOrNone = std::variant<Length*, std::optional<Length>*>;
-  Option& length(const std::string& names, LengthOrNone value, const std::string& help,
-                 bool may_be_negative = false);
-  Option& text(const std::string& names, std::string* value, const std::string& placeholder,
-               const std::string& help);
-  /// One of the words given; anything else is a usage error that names the nearest.
-  Option& choice(const std::string& names, std::string* value,
-                 const std::vector<std::string>& words, const std::string& help);
-  /// As many numbers as the placeholder has, comma separated: `X,Y,Z`. No default where empty.
-  Option& numbers(const std::string& names, std::vector<double>* value,
-                  const std::string& placeholder, const std::string& help);
-  /// --seed, one spelling everywhere.
-  Option& seed(long* value);
-  /// --reference-edge, which programs have that read and write meshes; an evolution says where
-  /// among its own options.
+  /// Declares --reference-edge. Programs that read and write meshes have it; an evolution declares
+  /// it among its own options.
   Option& reference_edge();
 
   /// Runs the program and returns its exit code.
   int run(int argc, char** argv, const std::function<void(Run&)>& body);
 
-  /// Checks and assigns values in the order of the arguments, and returns the words that are no
-  /// options. Throws UsageError.
-  std::vector<std::string> parse(const std::vector<std::string>& arguments);
-  /// Takes a name with or without dashes; null where there is none.
-  Option* find(const std::string& option);
-  const Option* find(const std::string& option) const;
-
-  bool is_evolution() const { return writes == Writes::evolved_mesh; }
+  bool is_evolution() const { return output.writes == Writes::evolved_mesh; }
   bool reads_mesh() const {
-    return reads_input() && (reads == Reads::mesh || reads == Reads::meshes);
+    return reads_input() && (input.reads == Reads::mesh || input.reads == Reads::meshes);
   }
   bool reads_input() const {
-    return reads != Reads::nothing && reads != Reads::words &&
-           !(reads_nothing_if && reads_nothing_if());
+    return input.reads != Reads::nothing && input.reads != Reads::words &&
+           !(input.is_absent && input.is_absent());
   }
-  bool reads_points() const { return reads_input() && !reads_cameras; }
-  bool may_write_mesh() const { return writes == Writes::mesh || is_evolution() || writes_mesh_if; }
-  bool may_print_report() const { return writes == Writes::report || writes == Writes::answer; }
-  bool writes_mesh() const { return writes_mesh_if ? writes_mesh_if() : may_write_mesh(); }
+  bool reads_points() const { return reads_input() && !input.are_cameras; }
+  bool may_write_mesh() const {
+    return output.writes == Writes::mesh || is_evolution() || output.is_mesh;
+  }
+  bool may_print_report() const {
+    return output.writes == Writes::report || output.writes == Writes::answer;
+  }
+  bool writes_mesh() const { return output.is_mesh ? output.is_mesh() : may_write_mesh(); }
 };
 
 /// The whole help: usage, summary, own options, common options, epilog, exit codes.

@@ -2,21 +2,23 @@
 
 namespace transformesh::tool {
 void declare_cleaning(Program& program, CleanChoices& choices) {
-  program.choice("method", &choices.method, {"grow", "static"},
-                 "grow regions from seeds, or test every piece (slow reference)");
-  program.integer("level", &choices.winding_level, 1, 1000000,
-                  "keep the boundary of winding number >= LEVEL; 2 intersects two operands");
-  program.flag("outermost", &choices.clean.outermost,
-               "drop components that bound cavities and what floats in them");
-  program.length("separate", &choices.separate,
-                 "move vertices that lie in one place this far apart; 0 leaves them");
-  program.numbers("box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
-                  "clean the faces whose first vertex is in this box, and leave all others");
-  program.flag("only", &choices.clean.only, "write the faces of the box alone");
-  program.flag("refuse", &choices.clean.refuse, "exit 4 rather than change anything");
-  program.flag("source-face", &choices.source_faces,
-               "write the input face of each face as the face property source_face");
-  program.flag(
+  program.options.choice("method", &choices.method, {"grow", "static"},
+                         "grow regions from seeds, or test every piece (slow reference)");
+  program.options.integer(
+      "level", &choices.winding_level, 1, 1000000,
+      "keep the boundary of winding number >= LEVEL; 2 intersects two operands");
+  program.options.flag("outermost", &choices.clean.outermost,
+                       "drop components that bound cavities and what floats in them");
+  program.options.length("separate", &choices.separate,
+                         "move vertices that lie in one place this far apart; 0 leaves them");
+  program.options.numbers(
+      "box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
+      "clean the faces whose first vertex is in this box, and leave all others");
+  program.options.flag("only", &choices.clean.only, "write the faces of the box alone");
+  program.options.flag("refuse", &choices.clean.refuse, "exit 4 rather than change anything");
+  program.options.flag("source-face", &choices.source_faces,
+                       "write the input face of each face as the face property source_face");
+  program.options.flag(
       "source", &choices.source_points,
       "write where on the input each vertex and face comes from: source_face, source_u, source_v");
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* material = "photographs";
 
 Format output_format(const Run& run) {
-  return format_for(Format::ply_little, run.program().common.format, run.output());
+  return format_for(Format::ply_little, run.program().common.format, run.out().name());
 }
 
 std::string with_ending(const std::string& path, const char* ending) {
@@ -28,9 +28,9 @@ std::string name_of_file(const std::string& path) {
 
 /// OBJ names a file of materials, which names the picture.
 void add_material(Document& document, const std::string& picture, Run& run) {
-  const std::string path = with_ending(run.output(), ".mtl");
-  run.write(path, std::string("newmtl ") + material +
-                      "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + '\n');
+  const std::string path = with_ending(run.out().name(), ".mtl");
+  run.out().write(path, std::string("newmtl ") + material +
+                            "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + '\n');
   std::vector<std::string>& comments = document.style.comments;
   std::erase_if(comments, [](const std::string& comment) {
     return comment.starts_with("tm:mtllib ") || comment.starts_with("tm:material ");
@@ -49,8 +49,8 @@ void place_picture(Document& document, const Image& picture, Run& run) {
     document.texture = std::move(png);
     return;
   }
-  const std::string path = with_ending(run.output(), ".png");
-  run.write(path, std::move(png));
+  const std::string path = with_ending(run.out().name(), ".png");
+  run.out().write(path, std::move(png));
   std::erase_if(document.style.comments,
                 [](const std::string& comment) { return comment.starts_with("TextureFile "); });
   if (format == Format::obj)
@@ -62,15 +62,15 @@ void place_picture(Document& document, const Image& picture, Run& run) {
 }  // namespace
 
 void declare_texture(Program& program, ColorChoices& choices) {
-  program.flag("texture", &choices.has_texture,
-               "make a texture: NAME.png beside -o NAME.obj or NAME.ply, or in NAME.glb");
-  program.integer("texture-size", &choices.texture_size, 16, 32768,
-                  "pixels of it each way, at most");
+  program.options.flag("texture", &choices.has_texture,
+                       "make a texture: NAME.png beside -o NAME.obj or NAME.ply, or in NAME.glb");
+  program.options.integer("texture-size", &choices.texture_size, 16, 32768,
+                          "pixels of it each way, at most");
 }
 
 void check_texture(const ColorChoices& choices, const Run& run) {
   if (!choices.has_texture) return;
-  if (run.output() == "-")
+  if (run.out().name() == "-")
     throw UsageError("--texture needs -o NAME.obj, NAME.glb or NAME.ply: the picture is beside it");
   switch (const Format format = output_format(run); format) {
     case Format::off:
@@ -103,7 +103,7 @@ void color(Document& document, std::span<const PictureView> views, const ColorCh
   run.report("unseen", result.unseen);
   run.report("disagreement", result.disagreement);
   run.report("largest_gain", result.largest_gain);
-  if (result.unseen > 0) run.detail("no photograph sees " + counted(result.unseen, "vertex"));
+  if (result.unseen > 0) run.say().detail("no photograph sees " + counted(result.unseen, "vertex"));
 }
 
 }  // namespace transformesh::tool

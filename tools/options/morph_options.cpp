@@ -8,29 +8,33 @@ namespace transformesh::tool {
 namespace {
 
 void declare_movement(Program& program, MorphChoices& choices) {
-  program.number("alpha", &choices.options.step.displace.alpha, 0, 1e300,
-                 "clamp on the movement, as a fraction of the mean edge at the vertex");
-  program.number("time-step", &choices.options.step.displace.time_step, 0, 1e300,
-                 "share of the distance to go in one step");
-  program.choice("distance", &choices.distance, {"auto", "surface", "points", "vertex"},
-                 "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
-                 "surface where it has faces, else points");
+  program.options.number("alpha", &choices.options.step.displace.alpha, 0, 1e300,
+                         "clamp on the movement, as a fraction of the mean edge at the vertex");
+  program.options.number("time-step", &choices.options.step.displace.time_step, 0, 1e300,
+                         "share of the distance to go in one step");
+  program.options.choice(
+      "distance", &choices.distance, {"auto", "surface", "points", "vertex"},
+      "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
+      "surface where it has faces, else points");
 }
 
 void declare_edges(Program& program, MorphChoices& choices) {
-  program.text("smooth", &choices.smooth, "KIND", "smoothing of tm-remesh");
-  program.length("min-edge", &choices.options.iteration.min_edge, "collapse shorter edges");
-  program.length("max-edge", &choices.options.iteration.max_edge, "split longer edges");
-  program.number("gap-edges", &choices.options.step.gap_edges, 0, 1e6,
-                 "so many edges across the target's gaps and walls: shorter ones where it is "
-                 "narrow; 0: the same everywhere");
-  program.choice("features", &choices.features, {"auto", "on", "off"},
-                 "align vertices and edges with the target's sharp edges at the end; auto: where "
-                 "it has them, but not of a sequence");
+  program.options.text("smooth", &choices.smooth, "KIND", "smoothing of tm-remesh");
+  program.options.length("min-edge", &choices.options.iteration.min_edge, "collapse shorter edges");
+  program.options.length("max-edge", &choices.options.iteration.max_edge, "split longer edges");
+  program.options.number(
+      "gap-edges", &choices.options.step.gap_edges, 0, 1e6,
+      "so many edges across the target's gaps and walls: shorter ones where it is "
+      "narrow; 0: the same everywhere");
+  program.options.choice(
+      "features", &choices.features, {"auto", "on", "off"},
+      "align vertices and edges with the target's sharp edges at the end; auto: where "
+      "it has them, but not of a sequence");
   program.reference_edge();
-  program.integer("scales", &choices.options.scales, 1, 10,
-                  "coarse to fine: begin with edges 2^(N-1) times as long and halve them as the "
-                  "mesh comes to rest");
+  program.options.integer(
+      "scales", &choices.options.scales, 1, 10,
+      "coarse to fine: begin with edges 2^(N-1) times as long and halve them as the "
+      "mesh comes to rest");
 }
 
 std::optional<MorphDistance> distance_of(const std::string& name) {
@@ -62,21 +66,21 @@ std::string remesh_words(const MorphChoices& choices) {
 }  // namespace
 
 void declare_morph(Program& program, MorphChoices& choices) {
-  program.text("target", &choices.target, "FILE", "mesh or points to move towards");
-  program.flag("sequence", &choices.sequence,
-               "follow the meshes named after SOURCE, one after the other");
+  program.options.text("target", &choices.target, "FILE", "mesh or points to move towards");
+  program.options.flag("sequence", &choices.sequence,
+                       "follow the meshes named after SOURCE, one after the other");
   declare_iterations(program, choices.loop);
   declare_movement(program, choices);
   declare_edges(program, choices);
   declare_record(program, choices.loop,
                  "every how many iterations (default 10; of a sequence every frame)",
                  "iteration, or per frame of a sequence");
-  program.flag("print-pipeline", &choices.print_pipeline,
-               "print the loop over the filters that makes the same meshes");
+  program.options.flag("print-pipeline", &choices.print_pipeline,
+                       "print the loop over the filters that makes the same meshes");
 }
 
 void check_morph(const MorphChoices& choices, const Run& run) {
-  const std::vector<std::string>& inputs = run.inputs();
+  const std::vector<std::string>& inputs = run.in().names();
   if (choices.sequence) {
     if (!choices.target.empty()) throw UsageError("give either --target or --sequence, not both");
     if (inputs.size() < 2)
@@ -95,7 +99,7 @@ MorphOptions morphing_of(const MorphChoices& choices, Run& run) {
   options.step.distance = distance_of(choices.distance);
   if (choices.features != "auto")
     options.features = choices.features == "on" ? Features::on : Features::off;
-  options.iteration.reference_edge = run.reference_edge();
+  options.iteration.reference_edge = run.in().reference_edge();
   options.iteration.remesh = RemeshOptions();
   read_smoothing(choices.smooth, options.iteration.remesh);
   return options;
@@ -107,7 +111,7 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
         "--print-pipeline is for a loop whose steps are known beforehand: leave out --scales and "
         "--sequence");
   }
-  const std::string output = run.output() == "-" ? "evolved.ply" : run.output();
+  const std::string output = run.out().name() == "-" ? "evolved.ply" : run.out().name();
   const std::string mesh = file_word(output);
   std::string target = file_word(choices.target);
   // Of what the source says or has, 1x: fixed before vertices move.
@@ -116,7 +120,7 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
 
   std::string text =
       "set -euo pipefail\ntm-clean --no-provenance --outermost --format ply --reference-edge " +
-      edge + " -o " + mesh + ' ' + file_word(run.input()) + '\n';
+      edge + " -o " + mesh + ' ' + file_word(run.in().name()) + '\n';
   if (choices.options.step.gap_edges > 0) {
     // Measured once, as that takes longer than an iteration.
     const std::string measured = file_word(output + ".target.ply");

@@ -13,47 +13,50 @@ namespace transformesh::tool {
 namespace {
 
 void declare_sources(Program& program, ViewSources& sources) {
-  program.text("cameras", &sources.cameras, "WHERE", "file, folder or pattern of cameras")
+  program.options.text("cameras", &sources.cameras, "WHERE", "file, folder or pattern of cameras")
       .is_needed = true;
-  program.text("images", &sources.images, "WHERE", "the photographs").is_needed = true;
-  program.text("silhouettes", &sources.silhouettes, "WHERE",
-               "masks, not black where the object is, that pull the surface");
+  program.options.text("images", &sources.images, "WHERE", "the photographs").is_needed = true;
+  program.options.text("silhouettes", &sources.silhouettes, "WHERE",
+                       "masks, not black where the object is, that pull the surface");
 }
 
 void declare_comparison(Program& program, PhotoOptions& options) {
-  program.number("scale", &options.scale, 1, 1e3, "make photographs this many times smaller");
-  program.integer("pairs", &options.neighbors, 1, 1000,
-                  "neighbors with which each view is compared, at most");
-  program.number("min-angle", &options.pairs.minimum_angle_deg, 0, 180,
-                 "least angle between these, in degrees");
-  program.number("max-angle", &options.pairs.maximum_angle_deg, 0, 180, "largest such angle");
-  program.flag("alternate", &options.steps.alternate,
-               "compare pairs in one order only, and in every other step in the other one");
-  program.integer("window", &options.window, 1, 5, "radius of compared windows, in pixels");
-  program.number("robust", &options.steps.step.photographs.correlation.robust, 0, 1e3,
-                 "disagreement at which a window pulls by a quarter; 0: all pull alike");
-  program.choice("interpolation", &options.interpolation, {"catmull-rom", "bilinear"},
-                 "of intensities between pixels");
+  program.options.number("scale", &options.scale, 1, 1e3,
+                         "make photographs this many times smaller");
+  program.options.integer("pairs", &options.neighbors, 1, 1000,
+                          "neighbors with which each view is compared, at most");
+  program.options.number("min-angle", &options.pairs.minimum_angle_deg, 0, 180,
+                         "least angle between these, in degrees");
+  program.options.number("max-angle", &options.pairs.maximum_angle_deg, 0, 180,
+                         "largest such angle");
+  program.options.flag("alternate", &options.steps.alternate,
+                       "compare pairs in one order only, and in every other step in the other one");
+  program.options.integer("window", &options.window, 1, 5, "radius of compared windows, in pixels");
+  program.options.number("robust", &options.steps.step.photographs.correlation.robust, 0, 1e3,
+                         "disagreement at which a window pulls by a quarter; 0: all pull alike");
+  program.options.choice("interpolation", &options.interpolation, {"catmull-rom", "bilinear"},
+                         "of intensities between pixels");
 }
 
 void declare_step(Program& program, PhotoOptions& options) {
   PhotoStepOptions& step = options.steps.step;
-  program.integer("iterations", &options.iterations, 1, 1000, "steps in a row");
-  program.number("momentum", &options.steps.momentum, 0, 0.99,
-                 "share of a step's movement that goes on in the next one, but for the last");
-  program.choice("step", &options.rule, {"gauss-newton", "paper"},
-                 "how far to go down the gradient");
-  program.number("alpha", &step.alpha, 0, 1e300,
-                 "clamp on the movement, as a fraction of the mean edge at the vertex");
-  program.number("stiffness", &step.stiffness, 0, 1e300,
-                 "gauss-newton: of the surface, where 1 is the usual pull of photographs");
-  program.number("pull", &step.silhouettes, 0, 1e300, "the same of silhouettes");
-  program.choice("silhouettes-show", &options.meaning, {"exact", "least"},
-                 "the object, or only some of it: then they pull outwards alone");
-  program.number("time-step", &step.time_step, 0, 1e300,
-                 "paper: t, in units of length to the fourth power");
-  program.number("smooth", &step.smoothing, 0, 1,
-                 "paper: share of the way to the mean of the neighbors");
+  program.options.integer("iterations", &options.iterations, 1, 1000, "steps in a row");
+  program.options.number(
+      "momentum", &options.steps.momentum, 0, 0.99,
+      "share of a step's movement that goes on in the next one, but for the last");
+  program.options.choice("step", &options.rule, {"gauss-newton", "paper"},
+                         "how far to go down the gradient");
+  program.options.number("alpha", &step.alpha, 0, 1e300,
+                         "clamp on the movement, as a fraction of the mean edge at the vertex");
+  program.options.number("stiffness", &step.stiffness, 0, 1e300,
+                         "gauss-newton: of the surface, where 1 is the usual pull of photographs");
+  program.options.number("pull", &step.silhouettes, 0, 1e300, "the same of silhouettes");
+  program.options.choice("silhouettes-show", &options.meaning, {"exact", "least"},
+                         "the object, or only some of it: then they pull outwards alone");
+  program.options.number("time-step", &step.time_step, 0, 1e300,
+                         "paper: t, in units of length to the fourth power");
+  program.options.number("smooth", &step.smoothing, 0, 1,
+                         "paper: share of the way to the mean of the neighbors");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void compare_silhouettes(const Mesh& mesh, const PhotographFiles& files, Run& ru
   const std::vector<View> views = views_from({files.cameras, "", files.masks});
   const std::vector<double> agreements = silhouette_agreements(mesh, views);
   for (std::size_t i = 0; i < views.size(); ++i)
-    run.detail(views[i].name + ": silhouettes agree by " + shortest_text(agreements[i]));
+    run.say().detail(views[i].name + ": silhouettes agree by " + shortest_text(agreements[i]));
   const double sum = std::accumulate(agreements.begin(), agreements.end(), 0.0);
   run.report("silhouette_agreement", sum / static_cast<double>(views.size()));
   run.report("least_silhouette_agreement", *std::min_element(agreements.begin(), agreements.end()));
@@ -69,11 +69,12 @@ std::string write_photographs(const Mesh& mesh, const CameraRing& ring,
       photograph = take_photograph(mesh, camera, texture, number, files.sensor);
     if (!files.images.empty()) {
       const bool is_shaded = files.look == "shade";
-      run.write_into(files.images, name,
-                     write_png(is_shaded ? shade(mesh, camera) : picture_of(photograph.image)));
+      run.out().write_into(
+          files.images, name,
+          write_png(is_shaded ? shade(mesh, camera) : picture_of(photograph.image)));
     }
     if (!files.silhouettes.empty())
-      run.write_into(files.silhouettes, name, write_png(picture_of(photograph.silhouette)));
+      run.out().write_into(files.silhouettes, name, write_png(picture_of(photograph.silhouette)));
     record.name = name;
     ++number;
   }

@@ -13,75 +13,87 @@ namespace {
 constexpr long no_limit = 999999999;
 
 void declare_places(Program& program, ReconstructChoices& choices) {
-  program.text("cameras", &choices.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+  program.options
+      .text("cameras", &choices.sources.cameras, "WHERE", "file, folder or pattern of cameras")
       .is_needed = true;
-  program.text("images", &choices.sources.images, "WHERE", "photographs").is_needed = true;
-  program.text("silhouettes", &choices.sources.silhouettes, "WHERE",
-               "masks: not black where the object is");
-  program.choice("silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
-                 "the object, or only some of it: then they pull outwards alone");
-  program.text("threshold", &choices.threshold, "auto|LEVEL",
-               "without masks: intensity above which photographs show the object (default auto; "
-               "with --start, none)");
+  program.options.text("images", &choices.sources.images, "WHERE", "photographs").is_needed = true;
+  program.options.text("silhouettes", &choices.sources.silhouettes, "WHERE",
+                       "masks: not black where the object is");
+  program.options.choice("silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
+                         "the object, or only some of it: then they pull outwards alone");
+  program.options.text(
+      "threshold", &choices.threshold, "auto|LEVEL",
+      "without masks: intensity above which photographs show the object (default auto; "
+      "with --start, none)");
 }
 
 void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
-  program.numbers("box", &choices.box, "X,Y,Z,X,Y,Z",
-                  "where the object is: two corners; what photographs show beside it is forgotten");
-  program.text("keep", &choices.keep, "largest|all|SHARE",
-               "components of the hull: of at least this share of the largest one's volume");
-  program.text("start", &choices.options.initial.name, "FILE",
-               "begin with this mesh, not with the visual hull");
-  program.choice("clip", &choices.clip, {"hull", "nothing"},
-                 "of that mesh, keep what is within the hull of exact silhouettes, or all");
-  program.choice("hollows", &choices.hollows, {"auto", "closed"},
-                 "of the hull: where depth maps see into hollows that it closes, begin with them "
-                 "open, or leave all closed");
-  program.text("sequence", &choices.sequence, "WHERE",
-               "reconstruct one time step after the other: a file with a name per line, a folder "
-               "of folders, or a pattern; {} in other places stands for the name");
-  program.number("track", &choices.track, 1, 1e6,
-                 "as --coarsest, for time steps that begin with the surface of the one before");
+  program.options.numbers(
+      "box", &choices.box, "X,Y,Z,X,Y,Z",
+      "where the object is: two corners; what photographs show beside it is forgotten");
+  program.options.text(
+      "keep", &choices.keep, "largest|all|SHARE",
+      "components of the hull: of at least this share of the largest one's volume");
+  program.options.text("start", &choices.options.initial.name, "FILE",
+                       "begin with this mesh, not with the visual hull");
+  program.options.choice("clip", &choices.clip, {"hull", "nothing"},
+                         "of that mesh, keep what is within the hull of exact silhouettes, or all");
+  program.options.choice(
+      "hollows", &choices.hollows, {"auto", "closed"},
+      "of the hull: where depth maps see into hollows that it closes, begin with them "
+      "open, or leave all closed");
+  program.options.text(
+      "sequence", &choices.sequence, "WHERE",
+      "reconstruct one time step after the other: a file with a name per line, a folder "
+      "of folders, or a pattern; {} in other places stands for the name");
+  program.options.number(
+      "track", &choices.track, 1, 1e6,
+      "as --coarsest, for time steps that begin with the surface of the one before");
 }
 
 void declare_scales(Program& program, ReconstructChoices& choices) {
-  program.text("coarsest", &choices.coarsest, "auto|NUMBER",
-               "how much smaller photographs are at first; auto: up to 11.3, less where thin "
-               "parts would get lost");
-  program.number("edge", &choices.options.scales.edge, 1, 1e6,
-                 "length of edges, in pixels of the scale");
-  program.text("last-edge", &choices.last_edge, "NUMBER",
-               "then shorten them to this in steps of the square root of 2, at full scale "
-               "(default: as --edge)");
-  program.integer("passes", &choices.options.sweeps, 1, no_limit,
-                  "at most so many sweeps at each scale");
-  program.text("iterations", &choices.iterations, "auto|N",
-               "steps between two cleanings; auto: 5, but 8 from open hollows");
+  program.options.text(
+      "coarsest", &choices.coarsest, "auto|NUMBER",
+      "how much smaller photographs are at first; auto: up to 11.3, less where thin "
+      "parts would get lost");
+  program.options.number("edge", &choices.options.scales.edge, 1, 1e6,
+                         "length of edges, in pixels of the scale");
+  program.options.text("last-edge", &choices.last_edge, "NUMBER",
+                       "then shorten them to this in steps of the square root of 2, at full scale "
+                       "(default: as --edge)");
+  program.options.integer("passes", &choices.options.sweeps, 1, no_limit,
+                          "at most so many sweeps at each scale");
+  program.options.text("iterations", &choices.iterations, "auto|N",
+                       "steps between two cleanings; auto: 5, but 8 from open hollows");
 }
 
 void declare_colors(Program& program, ReconstructChoices& choices) {
-  program.flag("color", &choices.is_colored, "color the result's vertices, as tm-color does");
+  program.options.flag("color", &choices.is_colored,
+                       "color the result's vertices, as tm-color does");
   declare_texture(program, choices.color);
 }
 
 void declare_steps(Program& program, ReconstructChoices& choices) {
-  program.integer("pairs", &choices.options.pairs.neighbors, 1, 1000,
-                  "neighbors with which each view is compared");
-  program.number("max-angle", &choices.options.pairs.maximum_angle_deg, 5, 180,
-                 "largest angle in degrees between views that are compared");
-  program.text(
+  program.options.integer("pairs", &choices.options.pairs.neighbors, 1, 1000,
+                          "neighbors with which each view is compared");
+  program.options.number("max-angle", &choices.options.pairs.maximum_angle_deg, 5, 180,
+                         "largest angle in degrees between views that are compared");
+  program.options.text(
       "window", &choices.window, "N|N,N",
       "radius of compared windows, 1 to 5 pixels, or two: at scale 2 and above, and below");
-  program.number("robust", &choices.options.robust, 0, 1e300,
-                 "at last, windows that disagree this many times as much as the mean pull by a "
-                 "quarter, 0: all alike");
-  program.number("stiffness", &choices.options.step.stiffness, 0, 1e300, "resistance to bending");
-  program.number("crumbs", &choices.options.crumbs, 0, 1,
-                 "at last, drop components of less than this share of the largest one's volume");
-  program.number("handles", &choices.options.handles, 0, 1e300,
-                 "remove handles that a loop of so many of the last edges goes around");
-  program.text("pull", &choices.pull, "auto|NUMBER",
-               "how much silhouettes pull; auto: 0.5, or 1.5 where views are far apart");
+  program.options.number(
+      "robust", &choices.options.robust, 0, 1e300,
+      "at last, windows that disagree this many times as much as the mean pull by a "
+      "quarter, 0: all alike");
+  program.options.number("stiffness", &choices.options.step.stiffness, 0, 1e300,
+                         "resistance to bending");
+  program.options.number(
+      "crumbs", &choices.options.crumbs, 0, 1,
+      "at last, drop components of less than this share of the largest one's volume");
+  program.options.number("handles", &choices.options.handles, 0, 1e300,
+                         "remove handles that a loop of so many of the last edges goes around");
+  program.options.text("pull", &choices.pull, "auto|NUMBER",
+                       "how much silhouettes pull; auto: 0.5, or 1.5 where views are far apart");
 }
 
 double number_of(const std::string& option, const std::string& text, double minimum) {
@@ -131,7 +143,7 @@ void refuse_standard_input(const ReconstructChoices& choices) {
 void check_sequence(const ReconstructChoices& choices, const Run& run) {
   if (choices.is_colored || choices.color.has_texture)
     throw UsageError("a --sequence is not colored: give each of its surfaces to tm-color");
-  if (run.output() == "-")
+  if (run.out().name() == "-")
     throw UsageError("--sequence needs -o FOLDER or --run FOLDER: where to write the surfaces");
   const auto check_place = [](const char* option, const std::string& place) {
     if (place.find("{}") == std::string::npos)
@@ -184,7 +196,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   options.windows = windows_of(choices.window);
   options.pull = number_or_auto("pull", choices.pull, 0);
   options.on_note = [&run](const std::string& text) { run.note(text); };
-  options.on_detail = [&run](const std::string& text) { run.detail(text); };
+  options.on_detail = [&run](const std::string& text) { run.say().detail(text); };
   return options;
 }
 
@@ -196,13 +208,13 @@ SequenceOptions sequence_of(const ReconstructChoices& choices,
   options.track = choices.track;
   const std::string name = '.' + run.program().name;
   if (choices.loop.run.empty()) {
-    options.folder = run.output();
-    options.states = run.output() + '/' + name;
+    options.folder = run.out().name();
+    options.states = run.out().name() + '/' + name;
   } else {
     options.states = choices.loop.run + run_file::result + name;
   }
   options.format = run.document().style.format;
-  options.on_step = [&run](const std::string& text) { run.progress_line(text); };
+  options.on_step = [&run](const std::string& text) { run.say().progress_line(text); };
   options.on_note = [&run](const std::string& text) { run.note(text); };
   return options;
 }

@@ -45,40 +45,45 @@ void refuse_others(const Program& program, const std::string& mode, const std::s
 
 void declare_remeshing(Program& program, RemeshChoices& choices) {
   RemeshOptions& remesh = choices.remesh;
-  program.integer(
+  program.options.integer(
       "faces", &choices.faces, 4, std::numeric_limits<long>::max(),
       "decimate to so many faces, where the surface changes least, and do nothing else");
-  program.text("align", &choices.align, "FILE",
-               "move vertices and turn edges onto the sharp edges of this mesh, which lies near, "
-               "and do nothing else");
-  program.length("min-edge", &choices.min_edge,
-                 "collapse shorter edges (default 0.7x; with --adaptive 0.1x)");
-  program.length("max-edge", &choices.max_edge,
-                 "split longer edges; at least 1.5 times the shortest (default 1.5x; with "
-                 "--adaptive 5x)");
-  program.text("size-field", &remesh.size_column, "COLUMN",
-               "vertex property with the wanted edge length; x of --min-edge and --max-edge is of "
-               "that");
-  program.length("adaptive", &choices.adaptive,
-                 "edges as short as the curvature takes to stay this close to the surface");
-  program.integer("iterations", &remesh.iterations, 0, 1000,
-                  "rounds of split, collapse, flip and smooth");
-  program.choice("only", &choices.only, {"all", "smooth"},
-                 "split, collapse, flip and smooth, or only smooth: then faces stay as they are");
-  program.choice("flip", &choices.flip, {"valence", "angle", "none"},
-                 "flip edges for six edges at a vertex, or for larger least angles");
-  program.text("smooth", &choices.smooth, "KIND",
-               "tangential (slides vertices, does not shrink), none, or the factor B of the "
-               "Laplace-Beltrami operator, 0 to 1");
-  program.numbers("smooth2", &choices.smooth_twice, "B1,B2",
-                  "the operator used twice: v - B1 dv + B2 d2v");
-  program.text("feature-angle", &choices.feature_angle, "auto|NUMBER",
-               "keep edges sharper than this, in degrees; 180 keeps none; auto: 40 where the mesh "
-               "has sharp edges and is smooth beside them, else 180");
-  program.flag("keep-border", &remesh.keep_border, "leave borders as they are");
-  program.flag("project", &remesh.project,
-               "tangential smoothing puts vertices back onto the input");
-  program.flag(
+  program.options.text(
+      "align", &choices.align, "FILE",
+      "move vertices and turn edges onto the sharp edges of this mesh, which lies near, "
+      "and do nothing else");
+  program.options.length("min-edge", &choices.min_edge,
+                         "collapse shorter edges (default 0.7x; with --adaptive 0.1x)");
+  program.options.length("max-edge", &choices.max_edge,
+                         "split longer edges; at least 1.5 times the shortest (default 1.5x; with "
+                         "--adaptive 5x)");
+  program.options.text(
+      "size-field", &remesh.size_column, "COLUMN",
+      "vertex property with the wanted edge length; x of --min-edge and --max-edge is of "
+      "that");
+  program.options.length("adaptive", &choices.adaptive,
+                         "edges as short as the curvature takes to stay this close to the surface");
+  program.options.integer("iterations", &remesh.iterations, 0, 1000,
+                          "rounds of split, collapse, flip and smooth");
+  program.options.choice(
+      "only", &choices.only, {"all", "smooth"},
+      "split, collapse, flip and smooth, or only smooth: then faces stay as they are");
+  program.options.choice("flip", &choices.flip, {"valence", "angle", "none"},
+                         "flip edges for six edges at a vertex, or for larger least angles");
+  program.options.text(
+      "smooth", &choices.smooth, "KIND",
+      "tangential (slides vertices, does not shrink), none, or the factor B of the "
+      "Laplace-Beltrami operator, 0 to 1");
+  program.options.numbers("smooth2", &choices.smooth_twice, "B1,B2",
+                          "the operator used twice: v - B1 dv + B2 d2v");
+  program.options.text(
+      "feature-angle", &choices.feature_angle, "auto|NUMBER",
+      "keep edges sharper than this, in degrees; 180 keeps none; auto: 40 where the mesh "
+      "has sharp edges and is smooth beside them, else 180");
+  program.options.flag("keep-border", &remesh.keep_border, "leave borders as they are");
+  program.options.flag("project", &remesh.project,
+                       "tangential smoothing puts vertices back onto the input");
+  program.options.flag(
       "source", &choices.source_points,
       "write where on the input each vertex and face comes from: source_face, source_u, source_v");
   choices.keep_out.declare(program);

@@ -11,40 +11,48 @@ namespace transformesh::tool {
 
 void declare_picture(Program& program, RenderOptions& options) {
   PictureOptions& picture = options.picture;
-  program.text("size", &options.size, "WxH", "pixels of the picture");
-  program.text("orbit", &options.orbit, "AZIMUTH,ELEVATION",
-               "where the eye is, in degrees: moved to its right and upwards from the front");
-  program.choice("up", &options.up, {"x", "y", "z"}, "the axis that points up");
-  program.number("zoom", &picture.orbit.zoom, 0.001, 1000, "2 shows everything twice as large");
-  program.choice("frame", &options.frame, {"each", "scale", "place"},
-                 "what fills a panel: its mesh, the scale of the largest, the box of all meshes");
-  program.text("around", &options.around, "FILE", "frame FILE's mesh in every panel instead");
-  program.integer("views", &picture.views, 1, 1000,
-                  "draw each mesh so many times, seen from all around in equal steps");
-  program.integer("frames", &options.frames, 0, 10000,
-                  "write a movie of so many pictures, in which the eye goes around once; 0: none");
-  program.integer("columns", &options.columns, 0, 10000,
-                  "panels in a row; 0 is all, with --views what fits best");
-  program.text("color", &options.color, "COLOR",
-               "of the surface, as #rrggbb; without it the properties red, green and blue");
-  program.text("color-by", &picture.shade.color.by, "PROPERTY",
-               "color by the numbers of this property of faces or vertices, with a legend");
-  program.numbers("range", &options.range, "LOW,HIGH",
-                  "of --color-by: the numbers at the ends of the colors (default: the ends of the "
-                  "finite values)");
-  program.text("highlight", &picture.shade.color.highlight, "PROPERTY",
-               "orange where this property of faces or vertices is not zero");
-  program.text("segments", &options.segments, "FILE",
-               "draw the edges of a PLY over the meshes, as tm-intersect --segments writes");
-  program.text("background", &options.background, "COLOR",
-               "#rrggbb, two as TOP,BOTTOM, or transparent");
-  program.number("crease-angle", &picture.shade.crease_angle_deg, 0, 180,
-                 "degrees beyond which a bend is drawn as a sharp edge; 0 draws flat faces");
-  program.flag("ambient-occlusion", &options.occlusion,
-               "dim the light where the mesh keeps it off, from all around");
-  program.flag("soft-shadow", &picture.shade.soft_shadow,
-               "let the mesh keep the main light off itself and off a floor");
-  program.flag("edges", &picture.shade.draw_edges, "draw the edges of the faces");
+  program.options.text("size", &options.size, "WxH", "pixels of the picture");
+  program.options.text(
+      "orbit", &options.orbit, "AZIMUTH,ELEVATION",
+      "where the eye is, in degrees: moved to its right and upwards from the front");
+  program.options.choice("up", &options.up, {"x", "y", "z"}, "the axis that points up");
+  program.options.number("zoom", &picture.orbit.zoom, 0.001, 1000,
+                         "2 shows everything twice as large");
+  program.options.choice(
+      "frame", &options.frame, {"each", "scale", "place"},
+      "what fills a panel: its mesh, the scale of the largest, the box of all meshes");
+  program.options.text("around", &options.around, "FILE",
+                       "frame FILE's mesh in every panel instead");
+  program.options.integer("views", &picture.views, 1, 1000,
+                          "draw each mesh so many times, seen from all around in equal steps");
+  program.options.integer(
+      "frames", &options.frames, 0, 10000,
+      "write a movie of so many pictures, in which the eye goes around once; 0: none");
+  program.options.integer("columns", &options.columns, 0, 10000,
+                          "panels in a row; 0 is all, with --views what fits best");
+  program.options.text("color", &options.color, "COLOR",
+                       "of the surface, as #rrggbb; without it the properties red, green and blue");
+  program.options.text("color-by", &picture.shade.color.by, "PROPERTY",
+                       "color by the numbers of this property of faces or vertices, with a legend");
+  program.options.numbers(
+      "range", &options.range, "LOW,HIGH",
+      "of --color-by: the numbers at the ends of the colors (default: the ends of the "
+      "finite values)");
+  program.options.text("highlight", &picture.shade.color.highlight, "PROPERTY",
+                       "orange where this property of faces or vertices is not zero");
+  program.options.text(
+      "segments", &options.segments, "FILE",
+      "draw the edges of a PLY over the meshes, as tm-intersect --segments writes");
+  program.options.text("background", &options.background, "COLOR",
+                       "#rrggbb, two as TOP,BOTTOM, or transparent");
+  program.options.number(
+      "crease-angle", &picture.shade.crease_angle_deg, 0, 180,
+      "degrees beyond which a bend is drawn as a sharp edge; 0 draws flat faces");
+  program.options.flag("ambient-occlusion", &options.occlusion,
+                       "dim the light where the mesh keeps it off, from all around");
+  program.options.flag("soft-shadow", &picture.shade.soft_shadow,
+                       "let the mesh keep the main light off itself and off a floor");
+  program.options.flag("edges", &picture.shade.draw_edges, "draw the edges of the faces");
 }
 
 PictureOptions picture_of(const RenderOptions& options) {
@@ -63,7 +71,7 @@ PictureOptions picture_of(const RenderOptions& options) {
 }
 
 bool draws_lines(const Run& run) {
-  if (ending_of(run.output()) != ".svg") return false;
+  if (ending_of(run.out().name()) != ".svg") return false;
   for (const Option& option : run.program().options)
     for (const char* name : {"color", "color-by", "range", "highlight", "background",
                              "ambient-occlusion", "soft-shadow"})

@@ -54,7 +54,7 @@ void take_files(Option& matrix, TransformChoices& choices) {
     if (comma != std::string::npos && number_in<double>(text.substr(0, comma)))
       return numbers(text);
     choices.steps.emplace_back([text](Run& run, const Matrix4&) {
-      return parse_matrix(run.read_bytes(text), input_name(text));
+      return parse_matrix(run.in().read_bytes(text), input_name(text));
     });
   };
 }
@@ -62,28 +62,31 @@ void take_files(Option& matrix, TransformChoices& choices) {
 }  // namespace
 
 void declare_transforms(Program& program, TransformChoices& c) {
-  in_order(program.numbers("translate", &c.translate, "X,Y,Z", "move by this"), c,
+  in_order(program.options.numbers("translate", &c.translate, "X,Y,Z", "move by this"), c,
            [&c] { return translation_by(vector_of(c.translate)); });
-  in_order(program.numbers("rotate", &c.rotate, "X,Y,Z,DEGREES",
-                           "turn about this axis through the origin, counter-clockwise"),
+  in_order(program.options.numbers("rotate", &c.rotate, "X,Y,Z,DEGREES",
+                                   "turn about this axis through the origin, counter-clockwise"),
            c, [&c] { return rotation_about(vector_of(c.rotate), c.rotate[3]); });
-  in_order(program.numbers("scale", &c.scale, "FACTOR", "scale about the origin"), c,
+  in_order(program.options.numbers("scale", &c.scale, "FACTOR", "scale about the origin"), c,
            [&c] { return scaling_by(Vec3::Constant(c.scale[0])); });
-  in_order(program.numbers("scale-axes", &c.scales, "X,Y,Z", "scale by a factor for each axis"), c,
-           [&c] { return scaling_by(vector_of(c.scales)); });
-  Option& mirror =
-      program.numbers("mirror", &c.mirror, "A,B,C,D",
-                      "mirror across an axis, or in the plane a x + b y + c z = d; faces keep "
-                      "their outside");
+  in_order(
+      program.options.numbers("scale-axes", &c.scales, "X,Y,Z", "scale by a factor for each axis"),
+      c, [&c] { return scaling_by(vector_of(c.scales)); });
+  Option& mirror = program.options.numbers(
+      "mirror", &c.mirror, "A,B,C,D",
+      "mirror across an axis, or in the plane a x + b y + c z = d; faces keep "
+      "their outside");
   take_axes(mirror);
   in_order(mirror, c, [&c] { return mirroring_in(vector_of(c.mirror), c.mirror[3]); });
-  in_order_of_box(program.flag("center", &c.center, "move the center of the box to the origin"), c,
-                  centering);
-  in_order_of_box(program.flag("unit-box", &c.unit_box,
-                               "scale the longest side of the box to 1, and center it in the box "
-                               "from 0 to 1"),
-                  c, fitting_unit_box);
-  Option& matrix = program.numbers(
+  in_order_of_box(
+      program.options.flag("center", &c.center, "move the center of the box to the origin"), c,
+      centering);
+  in_order_of_box(
+      program.options.flag("unit-box", &c.unit_box,
+                           "scale the longest side of the box to 1, and center it in the box "
+                           "from 0 to 1"),
+      c, fitting_unit_box);
+  Option& matrix = program.options.numbers(
       "matrix", &c.matrix, ",,,,,,,,,,,,,,,",
       "16 numbers, row by row, that act on columns x y z 1, or a text file of them");
   in_order(matrix, c, [&c] { return matrix_of(c.matrix); });

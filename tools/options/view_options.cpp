@@ -32,12 +32,14 @@ double hull_share(const std::string& keep) {
 }
 
 void declare_view_check(Program& program, ViewCheckChoices& choices, ViewSources& sources) {
-  program.number("least-agreement", &choices.least_agreement, 0, 1,
-                 "share of every silhouette that the hull must cover; 0: believe the views");
-  program.flag("drop-bad-views", &choices.drops_bad_views,
-               "leave out views that disagree with the rest, instead of refusing them");
-  program.flag("mirror", &sources.mirror,
-               "take the mirror image of the cameras' world, z for -z: for left-handed ones");
+  program.options.number(
+      "least-agreement", &choices.least_agreement, 0, 1,
+      "share of every silhouette that the hull must cover; 0: believe the views");
+  program.options.flag("drop-bad-views", &choices.drops_bad_views,
+                       "leave out views that disagree with the rest, instead of refusing them");
+  program.options.flag(
+      "mirror", &sources.mirror,
+      "take the mirror image of the cameras' world, z for -z: for left-handed ones");
 }
 
 ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices, Run& run) {
@@ -48,19 +50,21 @@ ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices,
 }
 
 void declare_silhouettes(Program& program, SilhouetteOptions& options) {
-  program.text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+  program.options
+      .text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
       .is_needed = true;
-  program.text("silhouettes", &options.sources.silhouettes, "WHERE",
-               "masks: not black where the object is");
-  program.text("images", &options.sources.images, "WHERE",
-               "or photographs of a bright object before a dark background");
-  program.text("threshold", &options.threshold, "auto|LEVEL",
-               "intensity, 1 to 254, above which photographs show the object");
-  program.number("blur", &options.blur, 0, 100, "pixels by which photographs are blurred before");
-  program.number("close", &options.close, 0, 1,
-                 "share of the image's larger side: narrower marks belong to the object");
-  program.text("write-silhouettes", &options.masks, "FOLDER",
-               "also write the silhouettes there, as NAME.png");
+  program.options.text("silhouettes", &options.sources.silhouettes, "WHERE",
+                       "masks: not black where the object is");
+  program.options.text("images", &options.sources.images, "WHERE",
+                       "or photographs of a bright object before a dark background");
+  program.options.text("threshold", &options.threshold, "auto|LEVEL",
+                       "intensity, 1 to 254, above which photographs show the object");
+  program.options.number("blur", &options.blur, 0, 100,
+                         "pixels by which photographs are blurred before");
+  program.options.number("close", &options.close, 0, 1,
+                         "share of the image's larger side: narrower marks belong to the object");
+  program.options.text("write-silhouettes", &options.masks, "FOLDER",
+                       "also write the silhouettes there, as NAME.png");
 }
 
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run) {
@@ -76,7 +80,7 @@ std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& 
   for (const View& view : views) {
     if (options.masks.empty()) break;
     const GrayImage mask = binary_silhouette(view.silhouette);
-    run.write_into(options.masks, view.name + ".png", write_png(picture_of(mask)));
+    run.out().write_into(options.masks, view.name + ".png", write_png(picture_of(mask)));
   }
   return views;
 }
@@ -84,7 +88,8 @@ std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& 
 void write_outlines(const Mesh& mesh, const std::vector<View>& views, const std::string& folder,
                     Run& run) {
   for (const View& view : views)
-    run.write_into(folder, view.name + ".png", write_png(picture_of(mesh_silhouette(mesh, view))));
+    run.out().write_into(folder, view.name + ".png",
+                         write_png(picture_of(mesh_silhouette(mesh, view))));
 }
 
 }  // namespace transformesh::tool

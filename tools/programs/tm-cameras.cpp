@@ -31,8 +31,9 @@ const std::map<std::string, CameraFormat> formats{{"middlebury", CameraFormat::m
 
 CameraList read(const std::string& where, const Options& options, tool::Run& run) {
   run.progress()("reading cameras");
-  CameraList list = where == "-" ? parse_cameras(run.read_bytes("-"), "standard input", "camera")
-                                 : cameras_from(where);
+  CameraList list = where == "-"
+                        ? parse_cameras(run.in().read_bytes("-"), "standard input", "camera")
+                        : cameras_from(where);
   run.report("cameras", list.cameras.size());
   for (CameraRecord& record : list.cameras)
     if (options.mirror) record.camera = record.camera.mirrored();
@@ -68,7 +69,7 @@ std::string convert(const CameraList& list, const Options& options, tool::Run& r
   const CameraFormat format = formats.at(options.format);
   if (options.folder.empty()) return write_cameras(list, format);
   const auto files = write_camera_files(list, format);
-  for (const CameraText& file : files) run.write_into(options.folder, file.name, file.text);
+  for (const CameraText& file : files) run.out().write_into(options.folder, file.name, file.text);
   return {};
 }
 
@@ -76,27 +77,34 @@ std::string convert(const CameraList& list, const Options& options, tool::Run& r
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-cameras", "[OPTION]... [WHERE]",
+  tool::Program program{"tm-cameras",
+                        "[OPTION]... [WHERE]",
                         "Converts the camera files of calibrated photographs, or lists them",
-                        tool::Reads::file, tool::Writes::text};
-  program.reads_cameras = true;
-  program.choice("format", &options.format,
-                 {"middlebury", "colmap", "colmap-binary", "opencv", "matrices"},
-                 "format of the output; the input's is detected by its content");
-  program.text("folder", &options.folder, "FOLDER",
-               "write the format's own files there instead of one text to the output");
-  program.text("images", &options.images, "WHERE", "the images, for their names and sizes");
-  program.flag("mirror", &options.mirror,
-               "take the mirror image of the cameras' world, z for -z: for left-handed ones");
-  program.flag("list", &options.list, "print a table of the cameras and their pairs instead");
-  program.flag("json", &options.json, "print that table as JSON");
-  program.integer("pairs", &options.neighbors, 0, 1000, "neighbors of each view in the table");
-  program.numbers("center", &options.center, "X,Y,Z",
-                  "the scene's center for the table (default: nearest to all viewing axes)");
+                        {tool::Reads::file},
+                        {tool::Writes::text}};
+  program.input.are_cameras = true;
+  program.options.choice("format", &options.format,
+                         {"middlebury", "colmap", "colmap-binary", "opencv", "matrices"},
+                         "format of the output; the input's is detected by its content");
+  program.options.text("folder", &options.folder, "FOLDER",
+                       "write the format's own files there instead of one text to the output");
+  program.options.text("images", &options.images, "WHERE", "the images, for their names and sizes");
+  program.options.flag(
+      "mirror", &options.mirror,
+      "take the mirror image of the cameras' world, z for -z: for left-handed ones");
+  program.options.flag("list", &options.list,
+                       "print a table of the cameras and their pairs instead");
+  program.options.flag("json", &options.json, "print that table as JSON");
+  program.options.integer("pairs", &options.neighbors, 0, 1000,
+                          "neighbors of each view in the table");
+  program.options.numbers(
+      "center", &options.center, "X,Y,Z",
+      "the scene's center for the table (default: nearest to all viewing axes)");
   program.epilog = "WHERE is a file, a folder or a quoted pattern; stdin is one file.";
   return program.run(argc, argv, [&](tool::Run& run) {
-    CameraList list = read(run.input(), options, run);
+    CameraList list = read(run.in().name(), options, run);
     const bool is_table = options.list || options.json;
-    run.write_output(is_table ? table(std::move(list), options, run) : convert(list, options, run));
+    run.out().set_bytes(is_table ? table(std::move(list), options, run)
+                                 : convert(list, options, run));
   });
 }

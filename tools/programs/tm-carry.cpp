@@ -22,9 +22,9 @@ std::vector<std::string> names_in(const std::string& list) {
 }
 
 void carry(const Options& options, tool::Run& run) {
-  const Mesh first = run.read(options.from).mesh;
-  std::vector<Document>& chain = run.documents();
-  CarryOptions how{names_in(options.columns), options.closest, run.inputs()};
+  const Mesh first = run.in().read(options.from).mesh;
+  std::vector<Document>& chain = run.in().documents();
+  CarryOptions how{names_in(options.columns), options.closest, run.in().names()};
   how.names.insert(how.names.begin(), options.from);
   std::vector<const Mesh*> before{&first};
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) before.push_back(&chain[i].mesh);
@@ -36,14 +36,16 @@ void carry(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-carry", "--from FIRST [OPTION]... [BETWEEN]... [LAST]",
+  tool::Program program{"tm-carry",
+                        "--from FIRST [OPTION]... [BETWEEN]... [LAST]",
                         "Carries properties from the first mesh of a chain to the last",
-                        tool::Reads::meshes};
-  program.text("from", &options.from, "FILE", "the mesh that has the properties").is_needed = true;
-  program.text("columns", &options.columns, "NAMES",
-               "carry these, separated by commas (default: all but normals)");
-  program.flag("closest", &options.closest,
-               "what does not state where it comes from takes the closest places");
+                        {tool::Reads::meshes}};
+  program.options.text("from", &options.from, "FILE", "the mesh that has the properties")
+      .is_needed = true;
+  program.options.text("columns", &options.columns, "NAMES",
+                       "carry these, separated by commas (default: all but normals)");
+  program.options.flag("closest", &options.closest,
+                       "what does not state where it comes from takes the closest places");
   program.epilog =
       "Texture coordinates through two steps:\n"
       "  tm-clean --source a.ply > b.ply\n"

@@ -7,7 +7,7 @@ namespace {
 using namespace transformesh;
 
 void concatenate(tool::Run& run) {
-  std::vector<Document>& documents = run.documents();
+  std::vector<Document>& documents = run.in().documents();
   for (std::size_t i = 1; i < documents.size(); ++i)
     for (const std::string& line : append(documents[0], documents[i])) run.note(line);
   run.report("meshes", documents.size());
@@ -16,8 +16,8 @@ void concatenate(tool::Run& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  tool::Program program{"tm-cat", "[OPTION]... [INPUT]...", "Concatenates meshes",
-                        tool::Reads::meshes};
+  tool::Program program{
+      "tm-cat", "[OPTION]... [INPUT]...", "Concatenates meshes", {tool::Reads::meshes}};
   program.epilog = "The union of overlapping bodies: tm-cat a.ply b.ply | tm-clean > union.ply";
   return program.run(argc, argv, concatenate);
 }

@@ -20,7 +20,7 @@ void check(const Document& document, Options& options, tool::Run& run) {
     throw UsageError("--level needs --certify INPUT");
   Mesh input;
   if (!options.certify.empty()) {
-    input = run.read(options.certify).mesh;
+    input = run.in().read(options.certify).mesh;
     options.check.certified = &input;
     options.check.winding_level = static_cast<int>(options.winding_level.value_or(1));
   }
@@ -33,25 +33,27 @@ void check(const Document& document, Options& options, tool::Run& run) {
   run.report("problem", problem);
   if (!options.pass) return;
   run.note(problem);
-  run.write_nothing();
+  run.out().write_nothing();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-checkmanifold", "[OPTION]... [INPUT]",
+  tool::Program program{"tm-checkmanifold",
+                        "[OPTION]... [INPUT]",
                         "Checks that a mesh is an oriented manifold, and reports where it is not",
-                        tool::Reads::mesh, tool::Writes::answer};
-  program.flag("closed", &options.check.closed, "a border is a problem too");
-  program.flag("intersections", &options.check.intersections,
-               "faces that intersect are a problem too");
-  program.text("certify", &options.certify, "FILE",
-               "the mesh is the boundary of winding number >= LEVEL of FILE, by samples");
-  program.integer("level", &options.winding_level, 1, 1000000,
-                  "the winding level of --certify (default: 1)");
-  program.flag("pass", &options.pass,
-               "pass the mesh on; on a problem write nothing and exit with 1");
-  program.writes_mesh_if = [&] { return options.pass; };
+                        {tool::Reads::mesh},
+                        {tool::Writes::answer}};
+  program.options.flag("closed", &options.check.closed, "a border is a problem too");
+  program.options.flag("intersections", &options.check.intersections,
+                       "faces that intersect are a problem too");
+  program.options.text("certify", &options.certify, "FILE",
+                       "the mesh is the boundary of winding number >= LEVEL of FILE, by samples");
+  program.options.integer("level", &options.winding_level, 1, 1000000,
+                          "the winding level of --certify (default: 1)");
+  program.options.flag("pass", &options.pass,
+                       "pass the mesh on; on a problem write nothing and exit with 1");
+  program.output.is_mesh = [&] { return options.pass; };
   return program.run(argc, argv, [&](tool::Run& run) { check(run.document(), options, run); });
 }

@@ -46,8 +46,8 @@ int main(int argc, char** argv) {
   tool::CleanChoices choices;
   tool::Program program{"tm-clean", "[OPTION]... [INPUT]",
                         "Removes self-intersections: the boundary of winding number >= 1"};
-  program.cleans = true;
-  program.soups = tool::Soups::own;
+  program.output.is_clean = true;
+  program.input.soups = tool::Soups::own;
   tool::declare_cleaning(program, choices);
   return program.run(argc, argv,
                      [&](tool::Run& run) { clean_document(run.document(), choices, run); });

@@ -12,11 +12,14 @@ struct Options {
 };
 
 void declare(tool::Program& program, Options& options) {
-  program.text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+  program.options
+      .text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
       .is_needed = true;
-  program.text("images", &options.sources.images, "WHERE", "the photographs").is_needed = true;
-  program.flag("mirror", &options.sources.mirror,
-               "take the mirror image of the cameras' world, z for -z: for left-handed ones");
+  program.options.text("images", &options.sources.images, "WHERE", "the photographs").is_needed =
+      true;
+  program.options.flag(
+      "mirror", &options.sources.mirror,
+      "take the mirror image of the cameras' world, z for -z: for left-handed ones");
   tool::declare_texture(program, options.choices);
 }
 

@@ -22,12 +22,12 @@ void write_distances(const Mesh& reference, const std::string& path, tool::Run& 
   std::vector<double> distances = vertex_distances(document.mesh, reference, run.progress());
   document.mesh.vertex_columns.get("distance", document.style.coordinate, distances.size()).values =
       std::move(distances);
-  run.write_mesh_file(path, std::move(document));
+  run.out().write_mesh_file(path, std::move(document));
 }
 
 void compare_with_reference(const Options& options, tool::Run& run) {
-  const Mesh reference = run.read(options.reference).mesh;
-  run.set_basis(bounding_box(reference).diagonal());
+  const Mesh reference = run.in().read(options.reference).mesh;
+  run.in().set_basis(bounding_box(reference).diagonal());
   CompareOptions library_options;
   library_options.samples = static_cast<std::size_t>(options.samples);
   library_options.seed = static_cast<std::uint64_t>(options.seed);
@@ -43,18 +43,23 @@ void compare_with_reference(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-compare", "--reference FILE [OPTION]... [INPUT]",
-                        "Measures the distances between a mesh and a reference", tool::Reads::mesh,
-                        tool::Writes::answer};
-  program.text("reference", &options.reference, "FILE", "the mesh or points to compare with")
+  tool::Program program{"tm-compare",
+                        "--reference FILE [OPTION]... [INPUT]",
+                        "Measures the distances between a mesh and a reference",
+                        {tool::Reads::mesh},
+                        {tool::Writes::answer}};
+  program.options
+      .text("reference", &options.reference, "FILE", "the mesh or points to compare with")
       .is_needed = true;
-  program.length("distance", &options.distance,
-                 "completeness counts the reference up to here; 1% is of the reference's box");
-  program.length("within", &options.within, "exit with 1 where hausdorff is above this");
-  program.text("per-vertex", &options.per_vertex, "FILE",
-               "write the mesh with the property distance: of each vertex from the reference");
-  program.integer("samples", &options.samples, 0, 1000000000,
-                  "points by area on each surface; vertices are measured too");
-  program.seed(&options.seed);
+  program.options.length(
+      "distance", &options.distance,
+      "completeness counts the reference up to here; 1% is of the reference's box");
+  program.options.length("within", &options.within, "exit with 1 where hausdorff is above this");
+  program.options.text(
+      "per-vertex", &options.per_vertex, "FILE",
+      "write the mesh with the property distance: of each vertex from the reference");
+  program.options.integer("samples", &options.samples, 0, 1000000000,
+                          "points by area on each surface; vertices are measured too");
+  program.options.seed(&options.seed);
   return program.run(argc, argv, [&](tool::Run& run) { compare_with_reference(options, run); });
 }

@@ -26,22 +26,23 @@ struct Options {
 };
 
 void declare(tool::Program& program, Options& options) {
-  program
+  program.options
       .text("step", &options.step, "COMMAND",
             "filter that moves vertices: a mesh in and a mesh out, or the vertex properties vx "
             "vy vz out; TM_ITERATION holds the number of the iteration")
       .is_needed = true;
-  program.soups = tool::Soups::own;
+  program.input.soups = tool::Soups::own;
   tool::declare_iterations(program, options.loop);
-  program.text("until", &options.until, "moved:LENGTH|stalled",
-               "stop when no vertex moves as far, or nothing gets better any more");
-  program.number("alpha", &options.displace.alpha, 0, 1e300,
-                 "clamp on the movement by vx vy vz, as a fraction of the mean edge at the vertex");
-  program.number("time-step", &options.displace.time_step, -1e300, 1e300,
-                 "movement by vx vy vz is so many times as far");
-  program.text("smooth", &options.smooth, "KIND", "smoothing of tm-remesh");
-  program.length("min-edge", &options.iteration.min_edge, "collapse shorter edges");
-  program.length("max-edge", &options.iteration.max_edge, "split longer edges");
+  program.options.text("until", &options.until, "moved:LENGTH|stalled",
+                       "stop when no vertex moves as far, or nothing gets better any more");
+  program.options.number(
+      "alpha", &options.displace.alpha, 0, 1e300,
+      "clamp on the movement by vx vy vz, as a fraction of the mean edge at the vertex");
+  program.options.number("time-step", &options.displace.time_step, -1e300, 1e300,
+                         "movement by vx vy vz is so many times as far");
+  program.options.text("smooth", &options.smooth, "KIND", "smoothing of tm-remesh");
+  program.options.length("min-edge", &options.iteration.min_edge, "collapse shorter edges");
+  program.options.length("max-edge", &options.iteration.max_edge, "split longer edges");
   program.reference_edge();
   tool::declare_record(program, options.loop, "every how many iterations (default 10)",
                        "iteration");
@@ -84,7 +85,7 @@ void evolve_mesh(Options& options, tool::Run& run) {
   Document& document = tool::begin_document(record, run);
   tool::begin_run(options.loop, record, &document, run);
   EvolveOptions evolution{options.iteration, until_of(options.until, run)};
-  evolution.iteration.reference_edge = run.reference_edge();
+  evolution.iteration.reference_edge = run.in().reference_edge();
   evolution.iteration.remesh = RemeshOptions();
   tool::read_smoothing(options.smooth, evolution.iteration.remesh);
   const Step step = step_of(options, record, document.style.coordinate);
@@ -103,9 +104,11 @@ void evolve_mesh(Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-evolve", "[OPTION]... --step COMMAND [SOURCE] -o OUT",
-                        "Evolves a mesh by a filter that moves its vertices", tool::Reads::file,
-                        tool::Writes::evolved_mesh};
+  tool::Program program{"tm-evolve",
+                        "[OPTION]... --step COMMAND [SOURCE] -o OUT",
+                        "Evolves a mesh by a filter that moves its vertices",
+                        {tool::Reads::file},
+                        {tool::Writes::evolved_mesh}};
   declare(program, options);
   return program.run(argc, argv, [&](tool::Run& run) { evolve_mesh(options, run); });
 }

@@ -57,15 +57,17 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-fill", "[OPTION]... [INPUT]",
                         "Closes holes by smooth patches, never into a self-intersection"};
-  program.soups = tool::Soups::joined;
-  program.integer("max-edges", &choices.max_edges, 3, 1000000000,
-                  "leave holes with more edges open (default: none)");
-  program.length("max-diameter", &choices.max_diameter,
-                 "leave holes open whose box has a longer diagonal (default: none)");
-  program.flag("no-fair", &choices.no_fair, "do not make patches continue smoothly what is around");
-  program.flag("no-refine", &choices.no_refine, "add no vertices: flat patches of large triangles");
-  program.flag("allow-crossings", &choices.allow_self_intersections,
-               "close also where every patch intersects the mesh, for tm-clean afterwards");
+  program.input.soups = tool::Soups::joined;
+  program.options.integer("max-edges", &choices.max_edges, 3, 1000000000,
+                          "leave holes with more edges open (default: none)");
+  program.options.length("max-diameter", &choices.max_diameter,
+                         "leave holes open whose box has a longer diagonal (default: none)");
+  program.options.flag("no-fair", &choices.no_fair,
+                       "do not make patches continue smoothly what is around");
+  program.options.flag("no-refine", &choices.no_refine,
+                       "add no vertices: flat patches of large triangles");
+  program.options.flag("allow-crossings", &choices.allow_self_intersections,
+                       "close also where every patch intersects the mesh, for tm-clean afterwards");
   return program.run(argc, argv,
                      [&](tool::Run& run) { fill_document(run.document(), choices, run); });
 }

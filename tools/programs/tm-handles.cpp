@@ -40,9 +40,9 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-handles", "[OPTION]... [INPUT]",
                         "Removes thin handles and closes narrow tunnels, for tm-clean"};
-  program.soups = tool::Soups::joined;
-  program.length("max-length", &choices.max_length,
-                 "remove handles that a loop of this length goes around (default 5x)");
+  program.input.soups = tool::Soups::joined;
+  program.options.length("max-length", &choices.max_length,
+                         "remove handles that a loop of this length goes around (default 5x)");
   return program.run(argc, argv,
                      [&](tool::Run& run) { handle_document(run.document(), choices, run); });
 }

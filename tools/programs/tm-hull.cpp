@@ -22,16 +22,16 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   tool::declare_silhouettes(program, options.silhouettes);
-  program.numbers("box", &options.box, "X,Y,Z,X,Y,Z",
-                  "where to look: two corners; without it as far as the silhouettes reach");
-  program.integer("resolution", &options.resolution, 4, 4096,
-                  "cells along the longest side of the box");
-  program.length("edge", &options.edge, "or the size of a cell");
-  program.text("keep", &options.keep, "largest|all|SHARE",
-               "which components: of at least this share of the largest one's volume");
+  program.options.numbers("box", &options.box, "X,Y,Z,X,Y,Z",
+                          "where to look: two corners; without it as far as the silhouettes reach");
+  program.options.integer("resolution", &options.resolution, 4, 4096,
+                          "cells along the longest side of the box");
+  program.options.length("edge", &options.edge, "or the size of a cell");
+  program.options.text("keep", &options.keep, "largest|all|SHARE",
+                       "which components: of at least this share of the largest one's volume");
   tool::declare_view_check(program, options.check, options.silhouettes.sources);
-  program.text("write-outlines", &options.outlines, "FOLDER",
-               "also write there, as NAME.png, what the hull covers in each view");
+  program.options.text("write-outlines", &options.outlines, "FOLDER",
+                       "also write there, as NAME.png, what the hull covers in each view");
 }
 
 void make(const Options& options, tool::Run& run) {
@@ -43,7 +43,7 @@ void make(const Options& options, tool::Run& run) {
   if (!box.empty()) hull.box = Box{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
   const ViewCheck check = tool::check_views(views, options.check, run);
   if (!hull.box) hull.box = silhouette_box(views);
-  run.set_basis(hull.box->diagonal());
+  run.in().set_basis(hull.box->diagonal());
   if (options.edge) hull.edge = run.length(*options.edge);
 
   HullResult result = visual_hull(views, hull, run.progress());
@@ -58,8 +58,10 @@ void make(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-hull", "[OPTION]... --cameras WHERE --silhouettes WHERE",
-                        "Makes the visual hull of calibrated silhouettes", tool::Reads::nothing};
+  tool::Program program{"tm-hull",
+                        "[OPTION]... --cameras WHERE --silhouettes WHERE",
+                        "Makes the visual hull of calibrated silhouettes",
+                        {tool::Reads::nothing}};
   declare(program, options);
   return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

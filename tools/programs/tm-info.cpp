@@ -24,14 +24,14 @@ void write_curvatures(const std::string& path, tool::Run& run) {
   std::vector<double> curvatures = mean_curvatures(document.mesh);
   document.mesh.vertex_columns.get("curvature", document.style.coordinate, curvatures.size())
       .values = std::move(curvatures);
-  run.write_mesh_file(path, std::move(document));
+  run.out().write_mesh_file(path, std::move(document));
 }
 
 void describe(const std::string& per_vertex, tool::Run& run) {
   const Mesh& mesh = run.document().mesh;
   run.progress()("measuring");
   const Entries entries = transformesh::describe(mesh);
-  for (const auto& [key, value] : entries) check_size(key, value, *run.program().only_key);
+  for (const auto& [key, value] : entries) check_size(key, value, *run.program().output.only_key);
   run.report(entries);
   if (!per_vertex.empty()) write_curvatures(per_vertex, run);
 }
@@ -41,17 +41,20 @@ void describe(const std::string& per_vertex, tool::Run& run) {
 int main(int argc, char** argv) {
   std::string key;
   std::string per_vertex;
-  tool::Program program{"tm-info", "[OPTION]... [INPUT]",
+  tool::Program program{"tm-info",
+                        "[OPTION]... [INPUT]",
                         "Describes a mesh: counts, topology, sizes, triangle quality",
-                        tool::Reads::mesh, tool::Writes::report};
-  program.soups = tool::Soups::reported;
-  program.choice("get", &key,
-                 {"vertices", "faces", "edges", "components", "genus", "boundary_loops", "area",
-                  "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min", "edge_max",
-                  "angle_min", "angle_min_mean", "valence6"},
-                 "print the value of this key only");
-  program.text("per-vertex", &per_vertex, "FILE",
-               "write the mesh with the property curvature: the mean curvature at each vertex");
-  program.only_key = &key;
+                        {tool::Reads::mesh},
+                        {tool::Writes::report}};
+  program.input.soups = tool::Soups::reported;
+  program.options.choice("get", &key,
+                         {"vertices", "faces", "edges", "components", "genus", "boundary_loops",
+                          "area", "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min",
+                          "edge_max", "angle_min", "angle_min_mean", "valence6"},
+                         "print the value of this key only");
+  program.options.text(
+      "per-vertex", &per_vertex, "FILE",
+      "write the mesh with the property curvature: the mean curvature at each vertex");
+  program.output.only_key = &key;
   return program.run(argc, argv, [&](tool::Run& run) { describe(per_vertex, run); });
 }

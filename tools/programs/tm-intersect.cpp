@@ -63,9 +63,9 @@ void intersect(Document& document, const Options& options, tool::Run& run) {
   }
   const std::vector<FacePair> pairs = find_intersections(document.mesh, run.progress());
   run.report("pairs", pairs.size());
-  if (!options.pairs.empty()) run.write(options.pairs, pair_lines(pairs));
+  if (!options.pairs.empty()) run.out().write(options.pairs, pair_lines(pairs));
   if (!options.segments.empty()) {
-    run.write(options.segments, segment_file(intersection_segments(document.mesh, pairs)));
+    run.out().write(options.segments, segment_file(intersection_segments(document.mesh, pairs)));
   }
   if (!options.check) count_per_face(document.mesh, pairs);
   if (options.refine) {
@@ -79,18 +79,22 @@ void intersect(Document& document, const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-intersect", "[OPTION]... [INPUT]",
-                        "Finds the pairs of faces that intersect", tool::Reads::mesh,
-                        tool::Writes::answer};
-  program.flag("check", &options.check,
-               "print the number of pairs; exit 1 where there are any, write no mesh");
-  program.flag(
+  tool::Program program{"tm-intersect",
+                        "[OPTION]... [INPUT]",
+                        "Finds the pairs of faces that intersect",
+                        {tool::Reads::mesh},
+                        {tool::Writes::answer}};
+  program.options.flag("check", &options.check,
+                       "print the number of pairs; exit 1 where there are any, write no mesh");
+  program.options.flag(
       "any", &options.any,
       "report only whether there are any, which is quick where there are; exit 1 likewise");
-  program.text("pairs", &options.pairs, "FILE", "write the pairs of face numbers as text");
-  program.text("segments", &options.segments, "FILE", "write the common segments as PLY edges");
-  program.flag("refine", &options.refine,
-               "split faces along the intersections; source_face names where they come from");
-  program.writes_mesh_if = [&] { return !options.check && !options.any; };
+  program.options.text("pairs", &options.pairs, "FILE", "write the pairs of face numbers as text");
+  program.options.text("segments", &options.segments, "FILE",
+                       "write the common segments as PLY edges");
+  program.options.flag(
+      "refine", &options.refine,
+      "split faces along the intersections; source_face names where they come from");
+  program.output.is_mesh = [&] { return !options.check && !options.any; };
   return program.run(argc, argv, [&](tool::Run& run) { intersect(run.document(), options, run); });
 }

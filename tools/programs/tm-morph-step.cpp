@@ -28,26 +28,28 @@ const char* name_of(MorphDistance distance) {
 
 Target target_of(const Options& options, tool::Run& run) {
   run.progress()("read target");
-  Target target =
-      read_target(run.read_bytes(options.target), input_name(options.target), run.reading());
-  run.note_all(target.notes);
+  Target target = read_target(run.in().read_bytes(options.target), input_name(options.target),
+                              run.in().reading());
+  run.say().note_all(target.notes);
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }
   // Who wrote it in this way has been told.
   if (!target.is_prepared)
-    run.note_all(check_target(target, input_name(options.target), run.progress()));
+    run.say().note_all(check_target(target, input_name(options.target), run.progress()));
   if (options.step.gap_edges > 0 && target.thickness.empty())
-    target = with_thickness(target, options.step.gap_edges, run.reference_edge(), run.progress());
-  if (!options.written_target.empty()) run.write(options.written_target, write_target(target));
+    target =
+        with_thickness(target, options.step.gap_edges, run.in().reference_edge(), run.progress());
+  if (!options.written_target.empty())
+    run.out().write(options.written_target, write_target(target));
   return target;
 }
 
 void step(Document& document, Options options, tool::Run& run) {
   refuse_touching_borders(document.mesh);
-  if (options.step.gap_edges > 0) options.step.largest_size = run.reference_edge();
+  if (options.step.gap_edges > 0) options.step.largest_size = run.in().reference_edge();
   const Target target = target_of(options, run);
-  run.note_all(check_source(document.mesh, target, input_name(run.input())));
+  run.say().note_all(check_source(document.mesh, target, input_name(run.in().name())));
   if (options.distance == "surface") options.step.distance = MorphDistance::surface;
   if (options.distance == "points") options.step.distance = MorphDistance::points;
   if (options.distance == "vertex") options.step.distance = MorphDistance::vertex;
@@ -66,22 +68,24 @@ int main(int argc, char** argv) {
   DisplaceOptions& displace = options.step.displace;
   tool::Program program{"tm-morph-step", "[OPTION]... --target FILE [INPUT]",
                         "Moves a mesh one step towards a target"};
-  program.text("target", &options.target, "FILE", "mesh or points to move towards").is_needed =
-      true;
-  program.choice("distance", &options.distance, {"auto", "surface", "points", "vertex"},
-                 "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
-                 "surface where it has faces, else points");
-  program.number("time-step", &displace.time_step, 0, 1e300,
-                 "share of the distance to go in one step");
-  program.number("alpha", &displace.alpha, 0, 1e300,
-                 "clamp on the movement, as a fraction of the mean edge at the vertex");
-  program.text("mask", &options.step.mask, "COLUMN",
-               "multiply velocities by this vertex property; 0 holds a vertex fast");
-  program.number("gap-edges", &options.step.gap_edges, 0, 1e6,
-                 "write the vertex property 'size', for tm-remesh --size-field: so many edges "
-                 "across the target's gaps and walls, at most 1x long; 0: do not");
-  program.text("write-target", &options.written_target, "FILE",
-               "write the target as it is used: points with their normals");
+  program.options.text("target", &options.target, "FILE", "mesh or points to move towards")
+      .is_needed = true;
+  program.options.choice(
+      "distance", &options.distance, {"auto", "surface", "points", "vertex"},
+      "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
+      "surface where it has faces, else points");
+  program.options.number("time-step", &displace.time_step, 0, 1e300,
+                         "share of the distance to go in one step");
+  program.options.number("alpha", &displace.alpha, 0, 1e300,
+                         "clamp on the movement, as a fraction of the mean edge at the vertex");
+  program.options.text("mask", &options.step.mask, "COLUMN",
+                       "multiply velocities by this vertex property; 0 holds a vertex fast");
+  program.options.number(
+      "gap-edges", &options.step.gap_edges, 0, 1e6,
+      "write the vertex property 'size', for tm-remesh --size-field: so many edges "
+      "across the target's gaps and walls, at most 1x long; 0: do not");
+  program.options.text("write-target", &options.written_target, "FILE",
+                       "write the target as it is used: points with their normals");
   program.epilog =
       "One iteration of an evolution, which tm-morph repeats:\n"
       "  tm-morph-step --target b.ply < a.ply | tm-clean | tm-remesh > next.ply";

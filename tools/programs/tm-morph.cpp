@@ -16,15 +16,15 @@ using namespace transformesh;
 constexpr const char* state_target = "target.ply";
 
 void check_start(const Mesh& source, const Target& target, tool::Run& run) {
-  run.note_all(check_source(source, target, input_name(run.input())));
+  run.say().note_all(check_source(source, target, input_name(run.in().name())));
 }
 
 Target read(const std::string& name, tool::Run& run) {
-  Target target = read_target(run.read_bytes(name), input_name(name), run.reading());
-  run.note_all(target.notes);
+  Target target = read_target(run.in().read_bytes(name), input_name(name), run.in().reading());
+  run.say().note_all(target.notes);
   if (target.has_estimated_normals)
     run.note("the target's points have no normals: estimated from their neighbors");
-  run.note_all(check_target(target, input_name(name), run.progress()));
+  run.say().note_all(check_target(target, input_name(name), run.progress()));
   return target;
 }
 
@@ -55,7 +55,7 @@ void morph_to_target(const tool::MorphChoices& choices, Record& record, tool::Ru
 
 void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   Document& document = tool::begin_document(record, run);
-  const std::vector<std::string> names(run.inputs().begin() + 1, run.inputs().end());
+  const std::vector<std::string> names(run.in().names().begin() + 1, run.in().names().end());
   const MorphOptions options = tool::morphing_of(choices, run);
   tool::begin_run(choices.loop, record, &document, run);
   const auto target_of = [&](std::size_t frame) {
@@ -77,8 +77,8 @@ void follow_sequence(const tool::MorphChoices& choices, Record& record, tool::Ru
 void evolve(const tool::MorphChoices& choices, tool::Run& run) {
   tool::check_morph(choices, run);
   if (choices.print_pipeline) {
-    run.write_nothing();
-    return run.write("-", tool::pipeline_of(choices, run));
+    run.out().write_nothing();
+    return run.out().write("-", tool::pipeline_of(choices, run));
   }
   Record record = tool::open_record(choices.loop, choices.sequence ? 1 : 10, run);
   choices.sequence ? follow_sequence(choices, record, run) : morph_to_target(choices, record, run);
@@ -88,11 +88,13 @@ void evolve(const tool::MorphChoices& choices, tool::Run& run) {
 
 int main(int argc, char** argv) {
   tool::MorphChoices choices;
-  tool::Program program{"tm-morph", "[OPTION]... SOURCE --target FILE -o OUT",
-                        "Evolves a mesh until it lies on a target", tool::Reads::files,
-                        tool::Writes::evolved_mesh};
-  program.soups = tool::Soups::own;
+  tool::Program program{"tm-morph",
+                        "[OPTION]... SOURCE --target FILE -o OUT",
+                        "Evolves a mesh until it lies on a target",
+                        {tool::Reads::files},
+                        {tool::Writes::evolved_mesh}};
+  program.input.soups = tool::Soups::own;
   tool::declare_morph(program, choices);
-  program.writes_mesh_if = [&choices] { return !choices.print_pipeline; };
+  program.output.is_mesh = [&choices] { return !choices.print_pipeline; };
   return program.run(argc, argv, [&](tool::Run& run) { evolve(choices, run); });
 }

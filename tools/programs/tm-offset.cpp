@@ -39,14 +39,15 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-offset", "[OPTION]... --distance LENGTH [INPUT]",
                         "Moves a surface outwards or inwards by a distance"};
-  program.soups = tool::Soups::joined;
-  program
+  program.input.soups = tool::Soups::joined;
+  program.options
       .length("distance", &choices.distance, "how far: outwards, or inwards where negative", true)
       .is_needed = true;
-  program.length("edge", &choices.edge,
-                 "edges are 0.7 to 1.5 times as long (default the mean edge, but at most half the "
-                 "distance and a 60th of the diagonal)");
-  program.integer("iterations", &choices.offset.iterations, 1, 1000000, "at most so many");
+  program.options.length(
+      "edge", &choices.edge,
+      "edges are 0.7 to 1.5 times as long (default the mean edge, but at most half the "
+      "distance and a 60th of the diagonal)");
+  program.options.integer("iterations", &choices.offset.iterations, 1, 1000000, "at most so many");
   program.epilog =
       "A shell 2 thick: tm-offset --distance -2 a.ply | tm-stitch --flip | tm-cat a.ply -";
   return program.run(argc, argv,

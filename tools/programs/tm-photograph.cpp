@@ -27,31 +27,34 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   tool::PhotographFiles& files = options.files;
-  program.text("cameras", &files.cameras, "WHERE", "the cameras; without them a ring is made");
-  options.size_option = &program.text("size", &options.size, "WxH",
-                                      "pixels of an image, if the camera file does not state them");
-  program.integer("ring", &options.ring, 1, 100000, "cameras around the mesh");
-  program.numbers("elevations", &options.elevations, "DEGREES,DEGREES",
-                  "of the ring's cameras above the horizon, in turn");
-  program.length("distance", &options.distance, "of the ring from the middle of the mesh");
-  program.number("focal", &options.focal, 0.1, 1000,
-                 "focal length of the ring's cameras, per width");
-  program.text("write-images", &files.images, "FOLDER", "write NAME.png there");
-  program.text("write-silhouettes", &files.silhouettes, "FOLDER", "write masks NAME.png there");
-  program.choice("look", &files.look, {"texture", "shade"},
-                 "gray texture without shading, or as tm-render draws");
-  program.length("finest", &options.finest, "shortest wavelength of the texture");
-  program.length("coarsest", &options.coarsest, "longest wavelength of the texture");
-  program.integer("waves", &files.waves, 1, 10000, "that make the texture");
+  program.options.text("cameras", &files.cameras, "WHERE",
+                       "the cameras; without them a ring is made");
+  options.size_option = &program.options.text(
+      "size", &options.size, "WxH", "pixels of an image, if the camera file does not state them");
+  program.options.integer("ring", &options.ring, 1, 100000, "cameras around the mesh");
+  program.options.numbers("elevations", &options.elevations, "DEGREES,DEGREES",
+                          "of the ring's cameras above the horizon, in turn");
+  program.options.length("distance", &options.distance, "of the ring from the middle of the mesh");
+  program.options.number("focal", &options.focal, 0.1, 1000,
+                         "focal length of the ring's cameras, per width");
+  program.options.text("write-images", &files.images, "FOLDER", "write NAME.png there");
+  program.options.text("write-silhouettes", &files.silhouettes, "FOLDER",
+                       "write masks NAME.png there");
+  program.options.choice("look", &files.look, {"texture", "shade"},
+                         "gray texture without shading, or as tm-render draws");
+  program.options.length("finest", &options.finest, "shortest wavelength of the texture");
+  program.options.length("coarsest", &options.coarsest, "longest wavelength of the texture");
+  program.options.integer("waves", &files.waves, 1, 10000, "that make the texture");
   PhotographOptions& sensor = files.sensor;
-  program.number("noise", &sensor.noise, 0, 255,
-                 "standard deviation of the noise, as intensity from 0 to 255");
-  program.number("gain", &sensor.gain_spread, 0, 0.99,
-                 "intensities are multiplied by 1 -+ up to that");
-  program.number("offset", &sensor.offset_spread, 0, 255, "and shifted by up to this intensity");
-  program.text("compare-silhouettes", &files.masks, "WHERE",
-               "report how well the mesh agrees with these masks");
-  program.seed(&options.seed);
+  program.options.number("noise", &sensor.noise, 0, 255,
+                         "standard deviation of the noise, as intensity from 0 to 255");
+  program.options.number("gain", &sensor.gain_spread, 0, 0.99,
+                         "intensities are multiplied by 1 -+ up to that");
+  program.options.number("offset", &sensor.offset_spread, 0, 255,
+                         "and shifted by up to this intensity");
+  program.options.text("compare-silhouettes", &files.masks, "WHERE",
+                       "report how well the mesh agrees with these masks");
+  program.options.seed(&options.seed);
 }
 
 // Cameras multiply lengths.
@@ -63,10 +66,10 @@ void check_size(double diagonal) {
 }
 
 void photograph(Options& options, tool::Run& run) {
-  const Mesh mesh = run.read(run.input()).mesh;
+  const Mesh mesh = run.in().read(run.in().name()).mesh;
   const Box box = bounding_box(mesh);
   check_size(box.diagonal());
-  run.set_basis(box.diagonal());
+  run.in().set_basis(box.diagonal());
   CameraRing ring;
   std::tie(ring.width, ring.height) = parse_size(options.size);
   ring.count = static_cast<int>(options.ring);
@@ -79,16 +82,18 @@ void photograph(Options& options, tool::Run& run) {
                            run.length(options.coarsest), static_cast<std::uint64_t>(options.seed)};
   options.files.size_is_given = options.size_option->is_given;
   options.files.sensor.seed = static_cast<std::uint64_t>(options.seed);
-  run.write_output(tool::write_photographs(mesh, ring, options.files, run));
+  run.out().set_bytes(tool::write_photographs(mesh, ring, options.files, run));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-photograph", "[OPTION]... [INPUT]",
-                        "Takes photographs of a mesh, and writes their cameras", tool::Reads::file,
-                        tool::Writes::text};
+  tool::Program program{"tm-photograph",
+                        "[OPTION]... [INPUT]",
+                        "Takes photographs of a mesh, and writes their cameras",
+                        {tool::Reads::file},
+                        {tool::Writes::text}};
   declare(program, options);
   return program.run(argc, argv, [&](tool::Run& run) { photograph(options, run); });
 }

@@ -19,8 +19,8 @@ using namespace transformesh;
 // The mesh given, or none, with the comments that the result will have.
 Document initial_state(const std::string& start, tool::Run& run) {
   Document document;
-  if (!start.empty()) document = run.read(start);
-  run.stamp(document);
+  if (!start.empty()) document = run.in().read(start);
+  run.out().stamp(document);
   return document;
 }
 
@@ -38,7 +38,7 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   tool::begin_run(choices.loop, record, options.initial.is_given ? &document : nullptr, run,
                   run_files_of(views));
   options.spends_views = true;
-  options.on_sweep = [&run](const std::string& text) { run.progress_line(text); };
+  options.on_sweep = [&run](const std::string& text) { run.say().progress_line(text); };
   ReconstructionResult result;
   tool::evolve_or_keep(run, record, "sweep", [&] {
     result = reconstruct(document, views, options, record, run.progress());
@@ -71,7 +71,7 @@ void reconstruct_movie(const tool::ReconstructChoices& choices,
   const std::vector<TimeStep> steps = time_steps_of(choices.sequence);
   Record record = tool::open_record(choices.loop, 1, run, options.states);
   const std::string& folder = choices.loop.run;
-  if (folder.empty()) run.write_nothing();
+  if (folder.empty()) run.out().write_nothing();
 
   options.comments = initial_state("", run).style.comments;
   Document& document = run.document();
@@ -95,10 +95,12 @@ void reconstruct_movie(const tool::ReconstructChoices& choices,
 
 int main(int argc, char** argv) {
   tool::ReconstructChoices choices;
-  tool::Program program{"tm-reconstruct", "[OPTION]... --cameras WHERE --images WHERE -o OUT",
+  tool::Program program{"tm-reconstruct",
+                        "[OPTION]... --cameras WHERE --images WHERE -o OUT",
                         "Reconstructs a closed surface from calibrated photographs",
-                        tool::Reads::nothing, tool::Writes::evolved_mesh};
-  program.soups = tool::Soups::own;
+                        {tool::Reads::nothing},
+                        {tool::Writes::evolved_mesh}};
+  program.input.soups = tool::Soups::own;
   tool::declare_reconstruction(program, choices);
   return program.run(argc, argv, [&](tool::Run& run) {
     tool::give_large_blocks_back();

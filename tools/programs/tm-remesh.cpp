@@ -30,7 +30,7 @@ StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices,
 StaleColumns align_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   const AlignOptions options = tool::align_options(choices, document, run);
   const AlignResult result =
-      align_features(document.mesh, run.read(choices.align).mesh, options, run.progress());
+      align_features(document.mesh, run.in().read(choices.align).mesh, options, run.progress());
   run.report(entries_of(result));
   return result.columns;
 }
@@ -48,7 +48,7 @@ void note_reference_edge(const tool::RemeshChoices& choices, const Document& doc
   if (!is_used || is_chosen || !choices.remesh.size_column.empty()) return;
   if (!reference_edge_of(document.style.comments)) return;
   const double mean = edge_lengths(document.mesh).mean;
-  const double reference = run.reference_edge();
+  const double reference = run.in().reference_edge();
   if (reference <= most_apart * mean && mean <= most_apart * reference) return;
   run.note("edges become " + significant(reference, 3) +
            " long, as the comment tm:reference-edge " + "says, though their mean is " +
@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
   tool::RemeshChoices choices;
   tool::Program program{"tm-remesh", "[OPTION]... [INPUT]",
                         "Keeps edges between two lengths and triangles round"};
-  program.soups = tool::Soups::joined;
+  program.input.soups = tool::Soups::joined;
   tool::declare_remeshing(program, choices);
   program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { change(run.document(), choices, run); });

@@ -16,13 +16,13 @@ void render(const tool::RenderOptions& options, tool::Run& run) {
   tool::check_movie(options.frames, picture.width, picture.height,
                     picture.shade.background.is_transparent, run);
 
-  const Mesh around = options.around.empty() ? Mesh{} : run.read(options.around).mesh;
+  const Mesh around = options.around.empty() ? Mesh{} : run.in().read(options.around).mesh;
   if (!options.around.empty()) picture.around = &around;
   if (!options.segments.empty())
-    picture.shade.segments = segments_of(run.read(options.segments), options.segments);
+    picture.shade.segments = segments_of(run.in().read(options.segments), options.segments);
   if (options.occlusion) picture.shade.openness = "tm:openness";
   std::vector<const Mesh*> meshes;
-  for (Document& document : run.documents()) {
+  for (Document& document : run.in().documents()) {
     if (options.occlusion) set_openness(document.mesh, picture.shade.openness, run.progress());
     meshes.push_back(&document.mesh);
   }
@@ -33,7 +33,7 @@ void render(const tool::RenderOptions& options, tool::Run& run) {
     return is_lines ? draw_lines(meshes, picture, progress)
                     : write_png(draw_picture(meshes, picture, progress));
   };
-  if (options.frames == 0) return run.write_output(draw(0, run.progress()));
+  if (options.frames == 0) return run.out().set_bytes(draw(0, run.progress()));
   const auto draw_frame = [&](int frame) { return draw(frame, {}); };
   tool::write_frames(options.frames, draw_frame, run);
 }
@@ -42,11 +42,13 @@ void render(const tool::RenderOptions& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   tool::RenderOptions options;
-  tool::Program program{"tm-render", "[OPTION]... [INPUT]...",
+  tool::Program program{"tm-render",
+                        "[OPTION]... [INPUT]...",
                         "Draws meshes as a PNG picture, an SVG line drawing or a movie",
-                        tool::Reads::meshes, tool::Writes::picture};
+                        {tool::Reads::meshes},
+                        {tool::Writes::picture}};
   tool::declare_picture(program, options);
-  program.picture_endings = {".png", ".svg", ".mp4", ".gif"};
+  program.output.picture_endings = {".png", ".svg", ".mp4", ".gif"};
   program.epilog = "Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png";
   return program.run(argc, argv, [&](tool::Run& run) { render(options, run); });
 }

@@ -15,23 +15,24 @@ struct Options {
 };
 
 void declare(tool::Program& program, Options& options) {
-  program.integer("every", &options.page.every, 1, 999999999,
-                  "of the frames take every so many, and the last");
-  program.text("color-by", &options.color_by, "PROPERTY",
-               "color by this property at first; distance is that from the target");
-  program.choice("up", &options.up, {"auto", "x", "y", "z", "-x", "-y", "-z"},
-                 "the axis that points up; auto: in the photographs, else y");
-  program.text("title", &options.title, "TEXT", "of the page (default: the names of the runs)");
+  program.options.integer("every", &options.page.every, 1, 999999999,
+                          "of the frames take every so many, and the last");
+  program.options.text("color-by", &options.color_by, "PROPERTY",
+                       "color by this property at first; distance is that from the target");
+  program.options.choice("up", &options.up, {"auto", "x", "y", "z", "-x", "-y", "-z"},
+                         "the axis that points up; auto: in the photographs, else y");
+  program.options.text("title", &options.title, "TEXT",
+                       "of the page (default: the names of the runs)");
   program.epilog = "tm-morph a.ply --target b.ply --run morph && tm-report morph -o morph.html";
 }
 
 void report(const Options& options, tool::Run& run) {
-  if (run.inputs().empty())
+  if (run.in().names().empty())
     throw UsageError("RUN is needed: a folder that a loop has written with --run");
-  if (run.writes_to_terminal())
+  if (run.out().is_terminal())
     throw UsageError("not writing a page to a terminal: name a file with -o");
   const std::string viewer = tool::read_viewer();
-  Page page = read_runs_page(run.inputs(), options.page, run.progress());
+  Page page = read_runs_page(run.in().names(), options.page, run.progress());
   if (!options.color_by.empty() && !has_column(page, options.color_by))
     throw UsageError("--color-by: no mesh has a property '" + options.color_by + "' of numbers");
   page.color_by = options.color_by;
@@ -44,20 +45,22 @@ void report(const Options& options, tool::Run& run) {
   run.report("meshes", meshes);
   std::string html = page_html(page, viewer);
   run.report("bytes", html.size());
-  run.write_output(std::move(html));
+  run.out().set_bytes(std::move(html));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-report", "[OPTION]... RUN... [-o PAGE.html]",
+  tool::Program program{"tm-report",
+                        "[OPTION]... RUN... [-o PAGE.html]",
                         "Makes one HTML page that shows runs of the loops, in 3D and over time",
-                        tool::Reads::words, tool::Writes::page};
-  program.words_entry = {"RUN",
-                         "folder that a loop has written with --run; several are shown side "
-                         "by side"};
-  program.words_are_folders = true;
+                        {tool::Reads::words},
+                        {tool::Writes::page}};
+  program.words = {"RUN",
+                   "folder that a loop has written with --run; several are shown side "
+                   "by side"};
+  program.words.are_folders = true;
   declare(program, options);
   return program.run(argc, argv, [&](tool::Run& run) { report(options, run); });
 }

@@ -38,10 +38,11 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-sample", "[OPTION]... --count N|--distance LENGTH [INPUT]",
                         "Takes points with normals from a surface"};
-  program.integer("count", &choices.count, 0, 100000000, "so many points, evenly by area");
-  program.length("distance", &choices.distance,
-                 "instead a Poisson disk: no two points nearer than this, and no room for another");
-  program.seed(&choices.seed);
+  program.options.integer("count", &choices.count, 0, 100000000, "so many points, evenly by area");
+  program.options.length(
+      "distance", &choices.distance,
+      "instead a Poisson disk: no two points nearer than this, and no room for another");
+  program.options.seed(&choices.seed);
   program.epilog = "A surface from its points: tm-sample --distance 2% a.ply | tm-wrap > b.ply";
   return program.run(argc, argv, [&](tool::Run& run) { sample(run.document(), choices, run); });
 }

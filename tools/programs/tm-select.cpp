@@ -55,15 +55,16 @@ void write_parts(const Document& document, const Choices& c, tool::Run& run) {
                     " are the most: join a soup by tm-stitch, or state how many with --largest");
   std::vector<Mesh> parts = split_components(document.mesh, component_size_of(c.by));
   for (std::size_t i = 0; i < count; ++i)
-    run.write_mesh_file(part_name(c, i + 1, count, run.program().common.format),
-                        Document{std::move(parts[i]), document.style, document.other_elements});
+    run.out().write_mesh_file(
+        part_name(c, i + 1, count, run.program().common.format),
+        Document{std::move(parts[i]), document.style, document.other_elements});
   run.report("files", count);
 }
 
 void select_document(Document& document, const Choices& choices, tool::Run& run) {
   report(select(document.mesh, options_of(choices)), run);
   if (!choices.split.empty()) write_parts(document, choices, run);
-  if (!run.program().writes_mesh()) run.write_nothing();
+  if (!run.program().writes_mesh()) run.out().write_nothing();
 }
 
 }  // namespace
@@ -72,24 +73,29 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-select", "[OPTION]... [INPUT]",
                         "Keeps the components or faces of a mesh that meet all conditions"};
-  program.soups = tool::Soups::reported;
-  program.integer("largest", &choices.largest, 1, 1000000000, "the N largest components");
-  program.number("at-least", &choices.all.at_least, 0, 1e300, "components at least so large");
-  program.choice("by", &choices.by, {"faces", "area", "volume"}, "what makes a component large");
-  program.text("where", &choices.all.where, "CONDITION",
-               "faces by a property, such as 'intersections>0'; one of vertices at all corners");
-  program.numbers("box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1", "faces with all corners in this box");
-  program.numbers("around", &choices.around, "X,Y,Z",
-                  "the component that contains this point, of nested ones the innermost; where "
-                  "none does, the closest");
-  program.flag("invert", &choices.all.invert, "keep all other faces instead");
-  program
+  program.input.soups = tool::Soups::reported;
+  program.options.integer("largest", &choices.largest, 1, 1000000000, "the N largest components");
+  program.options.number("at-least", &choices.all.at_least, 0, 1e300,
+                         "components at least so large");
+  program.options.choice("by", &choices.by, {"faces", "area", "volume"},
+                         "what makes a component large");
+  program.options.text(
+      "where", &choices.all.where, "CONDITION",
+      "faces by a property, such as 'intersections>0'; one of vertices at all corners");
+  program.options.numbers("box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
+                          "faces with all corners in this box");
+  program.options.numbers(
+      "around", &choices.around, "X,Y,Z",
+      "the component that contains this point, of nested ones the innermost; where "
+      "none does, the closest");
+  program.options.flag("invert", &choices.all.invert, "keep all other faces instead");
+  program.options
       .text("split", &choices.split, "PREFIX",
             "write each component of what is kept to PREFIX-001.ply and so on, the largest first, "
             "and the whole to -o only where that is given")
       .affects_result = false;
-  program.writes_mesh_if = [&] {
-    return choices.split.empty() || program.find("output")->is_given;
+  program.output.is_mesh = [&] {
+    return choices.split.empty() || program.options.find("output")->is_given;
   };
   return program.run(argc, argv,
                      [&](tool::Run& run) { select_document(run.document(), choices, run); });

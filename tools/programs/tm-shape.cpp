@@ -17,7 +17,7 @@ struct Options {
 
 // The options that do not depend on what 1% refers to.
 ShapeOptions plain_options(const Options& options, tool::Run& run) {
-  const std::vector<std::string>& words = run.inputs();
+  const std::vector<std::string>& words = run.in().names();
   if (words.empty()) throw UsageError("no KIND given: sphere, for example; see --help");
   ShapeOptions shape;
   shape.kind = words[0];
@@ -30,7 +30,7 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   shape.count = options.count;
   shape.seed = static_cast<std::uint64_t>(options.seed);
   shape.center = {options.center[0], options.center[1], options.center[2]};
-  if (!options.around.empty()) shape.around = bounding_box(run.read(options.around).mesh);
+  if (!options.around.empty()) shape.around = bounding_box(run.in().read(options.around).mesh);
   return shape;
 }
 
@@ -39,7 +39,7 @@ void resolve_lengths(ShapeOptions& shape, const Options& options, tool::Run& run
   const auto resolve = [&](const std::optional<Length>& length, std::optional<double>& value) {
     if (!length) return;
     if (length->unit == Length::Unit::diagonal)
-      run.set_basis(shape.around ? shape.around->diagonal() : shape_diagonal(shape));
+      run.in().set_basis(shape.around ? shape.around->diagonal() : shape_diagonal(shape));
     value = run.length(*length);
   };
   resolve(options.radius, shape.radius);
@@ -60,21 +60,27 @@ void make(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh",
-                        tool::Reads::words};
-  program.words_entry = {"KIND [PARAMETER]...", "what to make, see below"};
-  program.word_choices = shape_kinds();
-  program.integer("faces", &options.faces, 1, 1000000000, "how many, about (default 10000)");
-  program.length("edge", &options.edge, "or how long their edges are on average, about");
-  program.length("radius", &options.radius, "of a sphere, of the ring of a torus or a knot");
-  program.length("tube", &options.tube, "of a torus or a knot: its radius");
-  program.length("gap", &options.gap, "between two spheres or tori; negative: they overlap", true);
-  program.length("neck", &options.neck, "of a dumbbell: its radius; negative: inverted", true);
-  program.integer("count", &options.count, 1, 1000000, "of many-spheres (40) or boxes (50)");
-  program.length("noise", &options.noise, "amplitude of smooth noise along the normals");
-  program.seed(&options.seed);
-  program.numbers("center", &options.center, "X,Y,Z", "where to put the shape");
-  program.text("around", &options.around, "FILE", "a sphere around the bounding box of that mesh");
+  tool::Program program{
+      "tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh", {tool::Reads::words}};
+  program.words = {"KIND [PARAMETER]...", "what to make, see below"};
+  program.words.choices = shape_kinds();
+  program.options.integer("faces", &options.faces, 1, 1000000000,
+                          "how many, about (default 10000)");
+  program.options.length("edge", &options.edge, "or how long their edges are on average, about");
+  program.options.length("radius", &options.radius,
+                         "of a sphere, of the ring of a torus or a knot");
+  program.options.length("tube", &options.tube, "of a torus or a knot: its radius");
+  program.options.length("gap", &options.gap, "between two spheres or tori; negative: they overlap",
+                         true);
+  program.options.length("neck", &options.neck, "of a dumbbell: its radius; negative: inverted",
+                         true);
+  program.options.integer("count", &options.count, 1, 1000000,
+                          "of many-spheres (40) or boxes (50)");
+  program.options.length("noise", &options.noise, "amplitude of smooth noise along the normals");
+  program.options.seed(&options.seed);
+  program.options.numbers("center", &options.center, "X,Y,Z", "where to put the shape");
+  program.options.text("around", &options.around, "FILE",
+                       "a sphere around the bounding box of that mesh");
   program.epilog =
       "Kinds: sphere, dented, ellipsoid A B C, box A B C, torus, genus N, torus-knot P Q,\n"
       "two-spheres, tori, dumbbell, bowl, figure T; intersecting themselves: folded\n"

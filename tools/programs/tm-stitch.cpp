@@ -27,15 +27,16 @@ int main(int argc, char** argv) {
   Length tolerance;
   tool::Program program{"tm-stitch", "[OPTION]... [INPUT]",
                         "Joins a soup of triangles into a manifold mesh"};
-  program.soups = tool::Soups::own;
-  program.length("tolerance", &tolerance,
-                 "join vertices within this distance; 0 joins equal positions only");
-  program.flag("orient", &options.orient,
-               "turn faces so that neighbors agree; closed components then look outwards");
-  program.flag("one-side", &options.one_side,
-               "of a double-sided model: drop faces whose reverse is there, turn faces so that "
-               "neighbors agree, and closed components outwards");
-  program.flag("flip", &options.flip, "reverse all faces");
+  program.input.soups = tool::Soups::own;
+  program.options.length("tolerance", &tolerance,
+                         "join vertices within this distance; 0 joins equal positions only");
+  program.options.flag("orient", &options.orient,
+                       "turn faces so that neighbors agree; closed components then look outwards");
+  program.options.flag(
+      "one-side", &options.one_side,
+      "of a double-sided model: drop faces whose reverse is there, turn faces so that "
+      "neighbors agree, and closed components outwards");
+  program.options.flag("flip", &options.flip, "reverse all faces");
   return program.run(argc, argv, [&](tool::Run& run) {
     stitch_document(run.document(), options, tolerance, run);
   });

@@ -19,7 +19,7 @@ void transform_document(Document& document, tool::TransformChoices& choices, too
   // The provenance has what all steps together do, as numbers.
   const Matrix4 rows = product.transpose();
   choices.matrix.assign(rows.data(), rows.data() + rows.size());
-  tool::Option& matrix = *program.find("matrix");
+  tool::Option& matrix = *program.options.find("matrix");
   matrix.affects_result = matrix.is_given = true;
   matrix.placeholder = "A11,...,A44";
   run.report("matrix", choices.matrix);

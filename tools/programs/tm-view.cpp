@@ -17,32 +17,37 @@ struct Options {
 };
 
 void declare(tool::Program& program, Options& options) {
-  program.flag("beside", &options.is_beside, "meshes side by side, not one after the other");
-  program.text("run", &options.run, "FOLDER",
-               "no meshes, but a run that a loop writes there with its --run");
-  program.flag("serve", &options.is_served,
-               "print an address of this machine and serve the page there until Ctrl-C; frames of "
-               "a run appear as they are written");
-  program.integer("port", &options.port, 0, 65535, "of --serve; 0 is any that is free");
-  program.flag("open", &options.is_opened,
-               "open the page in the browser, as is done where standard output is a terminal");
-  program.text("color-by", &options.color_by, "PROPERTY", "color by this property at first");
-  program.choice("up", &options.up, {"auto", "x", "y", "z", "-x", "-y", "-z"},
-                 "the axis that points up; auto: in the photographs, else y");
-  program.text("title", &options.title, "TEXT", "of the page (default: the names of the meshes)");
+  program.options.flag("beside", &options.is_beside,
+                       "meshes side by side, not one after the other");
+  program.options.text("run", &options.run, "FOLDER",
+                       "no meshes, but a run that a loop writes there with its --run");
+  program.options.flag(
+      "serve", &options.is_served,
+      "print an address of this machine and serve the page there until Ctrl-C; frames of "
+      "a run appear as they are written");
+  program.options.integer("port", &options.port, 0, 65535, "of --serve; 0 is any that is free");
+  program.options.flag(
+      "open", &options.is_opened,
+      "open the page in the browser, as is done where standard output is a terminal");
+  program.options.text("color-by", &options.color_by, "PROPERTY",
+                       "color by this property at first");
+  program.options.choice("up", &options.up, {"auto", "x", "y", "z", "-x", "-y", "-z"},
+                         "the axis that points up; auto: in the photographs, else y");
+  program.options.text("title", &options.title, "TEXT",
+                       "of the page (default: the names of the meshes)");
   program.epilog = "A morph as it goes on: tm-view --serve --run morph";
-  program.reads_nothing_if = [&options] { return !options.run.empty(); };
+  program.input.is_absent = [&options] { return !options.run.empty(); };
 }
 
 void serve(const Options& options, const tool::PageServer::Site& site) {
   tool::PageServer server(options.port);
-  tool::Run::print_line(server.address());
+  tool::Outputs::print_line(server.address());
   if (options.is_opened) tool::open_in_browser(server.address());
   server.serve(site);
 }
 
 void show(const Options& options, tool::Run& run) {
-  if (options.is_served && run.output() != "-")
+  if (options.is_served && run.out().name() != "-")
     throw UsageError("give either --serve or --output, not both: what is served is no file");
   const std::string viewer = tool::read_viewer();
   Page page;
@@ -56,15 +61,16 @@ void show(const Options& options, tool::Run& run) {
     serve(options, tool::live_site(live, page, viewer));
   }
   page.runs = options.run.empty()
-                  ? tool::runs_of(run.documents(), run.inputs(), options.is_beside)
+                  ? tool::runs_of(run.in().documents(), run.in().names(), options.is_beside)
                   : std::vector<PageRun>{read_run_page(options.run, {}, run.progress())};
   if (page.title.empty())
-    page.title = options.run.empty() ? tool::title_of(run.inputs()) : page.runs[0].name;
+    page.title = options.run.empty() ? tool::title_of(run.in().names()) : page.runs[0].name;
   if (options.is_served) serve(options, tool::site_of(page, viewer));
-  run.report("meshes", run.inputs().empty() ? page.runs[0].meshes.size() : run.inputs().size());
+  run.report("meshes",
+             run.in().names().empty() ? page.runs[0].meshes.size() : run.in().names().size());
   const std::string html = page_html(page, viewer);
-  if (!options.is_opened && !run.writes_to_terminal()) return run.write_output(html);
-  run.write_nothing();
+  if (!options.is_opened && !run.out().is_terminal()) return run.out().set_bytes(html);
+  run.out().write_nothing();
   const std::string path = tool::write_temporary_page(html);
   tool::open_in_browser(path);
   run.note("opened '" + path + "', which stays until you remove it");
@@ -74,8 +80,11 @@ void show(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-view", "[OPTION]... [MESH]...", "Shows meshes in a browser, in 3D",
-                        tool::Reads::meshes, tool::Writes::page};
+  tool::Program program{"tm-view",
+                        "[OPTION]... [MESH]...",
+                        "Shows meshes in a browser, in 3D",
+                        {tool::Reads::meshes},
+                        {tool::Writes::page}};
   declare(program, options);
   return program.run(argc, argv, [&](tool::Run& run) { show(options, run); });
 }

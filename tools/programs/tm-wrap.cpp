@@ -67,16 +67,17 @@ void note_without_normal(const std::vector<Vec3>& normals, tool::Run& run) {
 
 void wrap(const Options& options, tool::Run& run) {
   run.progress()("read");
-  const std::string name = input_name(run.input());
-  const ReadResult read = read_mesh_or_points(run.read_bytes(run.input()), name, run.reading());
+  const std::string name = input_name(run.in().name());
+  const ReadResult read =
+      read_mesh_or_points(run.in().read_bytes(run.in().name()), name, run.in().reading());
   const Mesh& cloud = read.document.mesh;
-  run.note_all(read.notes);
+  run.say().note_all(read.notes);
   run.report("points", cloud.positions.size());
   const auto [positions, normals] = without_outliers(
       cloud, cloud.faces.empty() ? stored_normals(cloud) : std::vector<Vec3>(), options, run);
   if (options.method == "poisson" && normals.empty())
     throw InputError(name + ": the points have no normals, which --method poisson needs");
-  run.set_basis(diagonal_of(positions));
+  run.in().set_basis(diagonal_of(positions));
   const bool is_poisson = options.method != "alpha" && !normals.empty();
   if (is_poisson) note_without_normal(normals, run);
   run.report("method", is_poisson ? "poisson" : "alpha");
@@ -90,17 +91,21 @@ void wrap(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-wrap", "[OPTION]... [POINTS]", "Wraps points in a rough closed mesh",
-                        tool::Reads::file};
-  program.choice("method", &options.method, {"auto", "poisson", "alpha"},
-                 "poisson needs normals; auto: poisson where there are normals, else alpha");
-  program.length(
+  tool::Program program{"tm-wrap",
+                        "[OPTION]... [POINTS]",
+                        "Wraps points in a rough closed mesh",
+                        {tool::Reads::file}};
+  program.options.choice(
+      "method", &options.method, {"auto", "poisson", "alpha"},
+      "poisson needs normals; auto: poisson where there are normals, else alpha");
+  program.options.length(
       "alpha", &options.alpha,
       "of alpha: radius of the smallest ball that is kept out (default: as small as does "
       "not get in between the points)");
-  program.length("offset", &options.offset, "of alpha: how far from the points vertices are");
-  program.flag("keep-outliers", &options.keep_outliers,
-               "wrap points that are far from all others, too");
+  program.options.length("offset", &options.offset,
+                         "of alpha: how far from the points vertices are");
+  program.options.flag("keep-outliers", &options.keep_outliers,
+                       "wrap points that are far from all others, too");
   program.epilog = "POINTS are PLY, OFF or lines of x y z [nx ny nz]; of a mesh, its vertices.";
   return program.run(argc, argv, [&](tool::Run& run) { wrap(options, run); });
 }

@@ -88,16 +88,18 @@ void open_page(const std::string& name) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  tool::Program program{"tm", "[OPTION]... [NAME]",
+  tool::Program program{"tm",
+                        "[OPTION]... [NAME]",
                         "Lists the programs of the suite, or shows the man page of one",
-                        tool::Reads::words, tool::Writes::text};
-  program.words_entry = {"NAME", "of a program or page, with or without tm-; tm: what all share"};
-  program.word_choices = all_names();
+                        {tool::Reads::words},
+                        {tool::Writes::text}};
+  program.words = {"NAME", "of a program or page, with or without tm-; tm: what all share"};
+  program.words.choices = all_names();
   return program.run(argc, argv, [](tool::Run& run) {
-    const std::vector<std::string>& words = run.inputs();
+    const std::vector<std::string>& words = run.in().names();
     if (words.size() > 1)
       throw UsageError("one NAME at most, but '" + words[1] + "' is a second one");
     if (!words.empty()) open_page(page_named(words[0]));
-    run.write_output(list_text());
+    run.out().set_bytes(list_text());
   });
 }

@@ -1,4 +1,4 @@
-#include "transformesh/certify.h"
+#include "clean/certify/certify.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -83,3 +83,32 @@ TEST_CASE("mean curvature is 0 on borders and planes and where no number holds i
     for (const double curvature : mean_curvatures(test::scaled(test::cube(), size)))
       CHECK(std::isfinite(curvature));
 }
+TEST_CASE("velocities are the sum of the given ones and of the speeds, times the mask") {
+  Mesh mesh = test::icosphere(3);
+  const std::size_t count = mesh.positions.size();
+  VelocityOptions options;
+  options.normal_speed = 2;
+  options.given.emplace(count, Vec3(1, 0, 0));
+  options.mask = std::string("weight");
+  Column& mask = mesh.vertex_columns.get("weight", Scalar::float64, count);
+  mask.values.assign(count, 3);
+  const std::vector<Vec3> velocities = velocities_of(mesh, options);
+  for (std::size_t v = 0; v < count; ++v)
+    CHECK((velocities[v] - 3 * (Vec3(1, 0, 0) + 2 * mesh.positions[v])).norm() < .1);
+}
+
+TEST_CASE("columns are taken if none are given, and something has to move the mesh") {
+  Mesh mesh = test::icosphere(1);
+  try {
+    velocities_of(mesh, {});
+    FAIL("nothing moves the mesh");
+  } catch (const InputError& error) {
+    CHECK(error.kind() == ErrorKind::no_velocity);
+  }
+  for (const char* name : {"vx", "vy", "vz"})
+    mesh.vertex_columns.get(name, Scalar::float64, mesh.positions.size()).values[5] = 4;
+  CHECK(velocities_of(mesh, {})[5] == Vec3(4, 4, 4));
+  VelocityOptions given;
+  given.given.emplace(mesh.positions.size(), Vec3(1, 2, 3));
+  CHECK(velocities_of(mesh, given)[5] == Vec3(1, 2, 3));
+}

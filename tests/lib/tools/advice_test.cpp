@@ -13,7 +13,7 @@ namespace {
 Program program_with(const std::vector<std::string>& flags) {
   static bool value = false;
   Program program{"tm-x", "", ""};
-  for (const std::string& name : flags) program.flag(name, &value, "");
+  for (const std::string& name : flags) program.options.flag(name, &value, "");
   return program;
 }
 

@@ -24,18 +24,18 @@ TEST_CASE("provenance holds the words and options given that affect the result")
   std::string axis = "z";
   bool keep = false;
   bool quiet = false;
-  Program program{"tm-remesh", "", "", Reads::words};
-  program.length("min-edge", &edge, "");
-  program.text("target", &target, "FILE", "");
-  program.text("axis", &axis, "AXIS", "");
-  program.flag("keep-border", &keep, "");
-  program.flag("again", &quiet, "").affects_result = false;
+  Program program{"tm-remesh", "", "", {Reads::words}};
+  program.options.length("min-edge", &edge, "");
+  program.options.text("target", &target, "FILE", "");
+  program.options.text("axis", &axis, "AXIS", "");
+  program.options.flag("keep-border", &keep, "");
+  program.options.flag("again", &quiet, "").affects_result = false;
   CHECK(options_of(program) == "");
-  program.parse({"--keep-border", "--min-edge", "0.70x", "--target", "t.ply", "--again"});
+  program.options.parse({"--keep-border", "--min-edge", "0.70x", "--target", "t.ply", "--again"});
   program.inputs = {"torus-knot", "2"};
   CHECK(options_of(program) == " torus-knot 2 --min-edge 0.7x --keep-border");
   axis = "a b\nend_header";
-  program.parse({"--axis", axis});
+  program.options.parse({"--axis", axis});
   CHECK(options_of(program).ends_with("--axis 'a b?end_header' --keep-border"));
 }
 
@@ -43,9 +43,9 @@ TEST_CASE("short names") {
   std::string output;
   bool quiet = false;
   Program program{"tm-x", "", ""};
-  program.text("output,o", &output, "FILE", "");
-  program.flag("quiet,q", &quiet, "");
-  program.parse({"-qo", "a.ply"});
+  program.options.text("output,o", &output, "FILE", "");
+  program.options.flag("quiet,q", &quiet, "");
+  program.options.parse({"-qo", "a.ply"});
   CHECK(quiet);
   CHECK(output == "a.ply");
 }
@@ -54,7 +54,7 @@ TEST_CASE("the reference edge is auto or a positive length") {
   const auto parse = [](const std::string& value) {
     Program program{"tm-x", "", ""};
     program.reference_edge();
-    program.parse({"--reference-edge", value});
+    program.options.parse({"--reference-edge", value});
   };
   CHECK_NOTHROW(parse("auto"));
   CHECK_NOTHROW(parse("0.5%"));

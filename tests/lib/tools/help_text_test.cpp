@@ -10,14 +10,15 @@ TEST_CASE("help is made from the options") {
   bool keep = false;
   std::string kind = "sphere";
   Program program{"tm-x", "[OPTION]... KIND", "Does it"};
-  program.words_entry = {"KIND", "which"};
+  program.words = {"KIND", "which"};
   program.epilog = "Once more.";
-  program.length("edge", &edge, "mean edge length");
-  program.flag("keep-border", &keep,
-               "leave every border as it is, which means that no vertex of it moves and that no "
-               "edge of it is split");
-  program.choice("kind-of-a-long-name,k", &kind, {"sphere", "box"}, "a choice");
-  program.find("kind-of-a-long-name")->is_common = true;
+  program.options.length("edge", &edge, "mean edge length");
+  program.options.flag(
+      "keep-border", &keep,
+      "leave every border as it is, which means that no vertex of it moves and that no "
+      "edge of it is split");
+  program.options.choice("kind-of-a-long-name,k", &kind, {"sphere", "box"}, "a choice");
+  program.options.find("kind-of-a-long-name")->is_common = true;
   CHECK(help_text(program) == R"(Usage: tm-x [OPTION]... KIND
 
 Does it.

@@ -24,21 +24,21 @@ struct Values {
 // A program with an option of each kind.
 struct Sample {
   Sample() {
-    program.flag("flag", &values.flag, "a flag");
-    program.number("number", &values.number, 0, 1, "a number");
-    program.integer("integer", &values.integer, 1, 9, "an integer");
-    program.integer("count", &values.count, 0, 9, "a count");
-    program.length("length", &values.length, "a length");
-    program.length("gap", &values.gap, "a signed length", true);
-    program.choice("kind", &values.kind, {"valence", "angle"}, "a kind");
-    program.text("file", &values.file, "FILE", "a file");
-    program.numbers("point", &values.point, "X,Y,Z", "a point");
+    program.options.flag("flag", &values.flag, "a flag");
+    program.options.number("number", &values.number, 0, 1, "a number");
+    program.options.integer("integer", &values.integer, 1, 9, "an integer");
+    program.options.integer("count", &values.count, 0, 9, "a count");
+    program.options.length("length", &values.length, "a length");
+    program.options.length("gap", &values.gap, "a signed length", true);
+    program.options.choice("kind", &values.kind, {"valence", "angle"}, "a kind");
+    program.options.text("file", &values.file, "FILE", "a file");
+    program.options.numbers("point", &values.point, "X,Y,Z", "a point");
   }
   std::vector<std::string> parse(const std::vector<std::string>& arguments) {
-    const auto words = program.parse(arguments);
+    const auto words = program.options.parse(arguments);
     return words;
   }
-  std::string text(const std::string& option) { return program.find(option)->text(); }
+  std::string text(const std::string& option) { return program.options.find(option)->text(); }
 
   Values values;
   Program program{"tm-x", "", ""};
@@ -73,8 +73,8 @@ TEST_CASE("options set their variables, and the other words are returned in orde
   CHECK(values.file == "a b.ply");
   CHECK(values.point == std::vector<double>{1, -2.5, 300});
   CHECK(values.length.text() == "0.7x");
-  CHECK(sample.program.find("number")->is_given);
-  CHECK_FALSE(sample.program.find("length")->is_given);
+  CHECK(sample.program.options.find("number")->is_given);
+  CHECK_FALSE(sample.program.options.find("length")->is_given);
 }
 
 TEST_CASE("the last of several values counts") {
@@ -90,8 +90,8 @@ TEST_CASE("the text of an option is that of its variable, and the default stays"
   CHECK(sample.text("--length") == "0.7x");
   CHECK(sample.text("gap") == "");
   CHECK(sample.text("count") == "");
-  sample.program.parse({"--number", "0.25", "--point", "1,2.5,3"});
-  CHECK(sample.program.find("number")->default_text == "0.5");
+  sample.program.options.parse({"--number", "0.25", "--point", "1,2.5,3"});
+  CHECK(sample.program.options.find("number")->default_text == "0.5");
   CHECK(sample.text("number") == "0.25");
   CHECK(sample.text("point") == "1,2.5,3");
 }

@@ -38,7 +38,7 @@ class Place {
       if (chdir((folder_ / ".").c_str()) != 0) _exit(99);
       dup2(open("stdout", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
       dup2(open("stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-      Program program{"tm-x", "[INPUT]", "Tests", reads, writes};
+      Program program{"tm-x", "[INPUT]", "Tests", {reads}, {writes}};
       if (declare) declare(program);
       std::string name = "tm-x";
       std::vector<char*> words{name.data()};
@@ -52,7 +52,7 @@ class Place {
   int evolve(const std::vector<std::string>& arguments, const std::function<void(Run&)>& body) {
     return run(Reads::file, Writes::evolved_mesh, arguments, body, [](Program& program) {
       program.reference_edge();
-      program.text("csv", &csv_, "FILE", "lines");
+      program.options.text("csv", &csv_, "FILE", "lines");
     });
   }
 
@@ -89,7 +89,7 @@ TEST_CASE("a no is exit code 1, and nothing is written where the body says so") 
   }) == 1);
   CHECK(place.text("stdout") == "vertices: 3\n");
   CHECK(place.run(Reads::mesh, Writes::mesh, {"t.ply", "-o", "out.ply"},
-                  [](Run& run) { run.write_nothing(); }) == 0);
+                  [](Run& run) { run.out().write_nothing(); }) == 0);
   CHECK_FALSE(place.has("out.ply"));
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("what is needed is asked for with what it is for") {
     return place.run(
         Reads::nothing, Writes::text, arguments, [](Run&) {},
         [](Program& program) {
-          program.text("target", &target, "FILE", "mesh to move towards").is_needed = true;
+          program.options.text("target", &target, "FILE", "mesh to move towards").is_needed = true;
         });
   };
   CHECK(run({}) == 2);
@@ -112,11 +112,12 @@ TEST_CASE("an evolution's meshes all have the comments that the output has, once
   Place place;
   const auto body = [](Run& run) {
     Document& document = run.read_input();
-    run.stamp(document);
+    run.out().stamp(document);
     write_file("frame.ply", write_mesh(document).bytes);
     move_up(document);
     run.report("converged", true);
-    run.when_written([] { make_file("after", std::filesystem::exists("out.ply") ? "yes" : "no"); });
+    run.out().when_written(
+        [] { make_file("after", std::filesystem::exists("out.ply") ? "yes" : "no"); });
   };
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "--report", "r.json", "--reference-edge", "auto"},
                      body) == 0);
@@ -151,7 +152,7 @@ TEST_CASE("a failure that leaves something is told with what it leaves") {
   Place place;
   const auto body = [](Run& run) {
     move_up(run.read_input());
-    run.keep("stopped in iteration 2", "the mesh of iteration 1");
+    run.out().keep("stopped in iteration 2", "the mesh of iteration 1");
     throw GoalError("no edge is left");
   };
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "-q"}, body) == 4);
@@ -168,7 +169,7 @@ TEST_CASE("a failure that leaves something is told with what it leaves") {
 TEST_CASE("outputs of one place and outputs that cannot be written are refused early") {
   Place place;
   const auto body = [](Run& run) {
-    run.check_outputs({"output", "report", "csv"});
+    run.out().check_files_of({"output", "report", "csv"});
     make_file("late", "");
   };
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "--csv", "./out.ply"}, body) == 2);
@@ -178,15 +179,15 @@ TEST_CASE("outputs of one place and outputs that cannot be written are refused e
   CHECK(place.errors() == "tm-x: cannot write 'none/out.ply': No such file or directory\n");
   CHECK_FALSE(place.has("late"));
   CHECK(place.evolve({"t.ply", "-o", "/dev/null", "--csv", "/dev/null"}, [](Run& run) {
-    run.check_outputs({"output", "csv"});
-    run.write_nothing();
+    run.out().check_files_of({"output", "csv"});
+    run.out().write_nothing();
   }) == 0);
 }
 
 TEST_CASE("a signal is told with the advice to continue") {
   Place place;
   const auto body = [](Run& run) {
-    report_interruption(run.program().name, run.output() == "-" ? "" : "; --resume continues");
+    report_interruption(run.program().name, run.out().name() == "-" ? "" : "; --resume continues");
     raise(SIGTERM);
   };
   CHECK(place.evolve({"t.ply", "-o", "out.ply"}, body) == 143);

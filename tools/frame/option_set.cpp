@@ -1,4 +1,5 @@
-// The kinds of options, and the way from a command line to their values and back.
+#include "frame/option_set.h"
+
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <cctype>
@@ -6,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-#include "frame/program.h"
+#include "frame/report.h"
 #include "support/error_prefix.h"
 #include "support/number.h"
 #include "support/suggestion.h"
@@ -56,9 +57,9 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 }
 
 // An option whose variable becomes what `read` makes of a word, or throws.
-Option& add(Program& program, const std::string& names, const std::string& placeholder,
+Option& add(std::deque<Option>& options, const std::string& names, const std::string& placeholder,
             const std::string& help, auto* variable, auto read) {
-  Option& option = program.options.emplace_back();
+  Option& option = options.emplace_back();
   option.names = names;
   option.placeholder = placeholder;
   option.help = help;
@@ -117,79 +118,66 @@ std::vector<po::option> split(const std::vector<std::string>& arguments,
   }
 }
 
-// Common options say how to write and what to tell; these three also say what.
-bool is_in_provenance(const Option& option) {
-  for (const char* file : {"FILE", "FOLDER", "WHERE"})
-    if (option.placeholder.find(file) != std::string::npos) return false;
-  const std::string name = option.name();
-  const bool changes_meaning = name == "float" || name == "double" || name == "reference-edge";
-  return option.is_given && option.affects_result && (!option.is_common || changes_meaning);
-}
-
-// A word as a shell would need it; control characters could end the comment's line.
-std::string shell_word(std::string word) {
-  for (char& character : word) {
-    if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
-  }
-  const bool is_plain = !word.empty() && word.find_first_of(" '\"\\$`*?") == std::string::npos;
-  return is_plain ? word : "'" + word + "'";
-}
-
 }  // namespace
+
+std::string Option::text() const { return text_of(value(), ","); }
 
 // --- Kinds of options ----------------------------------------------------------------------------
 
-Option& Program::flag(const std::string& names, bool* value, const std::string& help) {
-  return add(*this, names, "", help, value, [](const std::string&) { return true; });
+Option& OptionSet::flag(const std::string& names, bool* value, const std::string& help) {
+  return add(options_, names, "", help, value, [](const std::string&) { return true; });
 }
 
-Option& Program::number(const std::string& names, double* value, double minimum, double maximum,
-                        const std::string& help) {
-  return add(*this, names, "NUMBER", help, value, [=](const std::string& text) {
+Option& OptionSet::number(const std::string& names, double* value, double minimum, double maximum,
+                          const std::string& help) {
+  return add(options_, names, "NUMBER", help, value, [=](const std::string& text) {
     return in_range(parse_finite(text), text, minimum, maximum);
   });
 }
 
-Option& Program::integer(const std::string& names, Integer value, long minimum, long maximum,
-                         const std::string& help) {
+Option& OptionSet::integer(const std::string& names, Integer value, long minimum, long maximum,
+                           const std::string& help) {
   const auto read = [=](const std::string& text) {
     return in_range(parse_whole<long>(text, "a whole number"), text, minimum, maximum);
   };
   return std::visit(
-      [&](auto* variable) -> Option& { return add(*this, names, "N", help, variable, read); },
+      [&](auto* variable) -> Option& { return add(options_, names, "N", help, variable, read); },
       value);
 }
 
-Option& Program::length(const std::string& names, LengthOrNone value, const std::string& help,
-                        bool may_be_negative) {
+Option& OptionSet::length(const std::string& names, LengthOrNone value, const std::string& help,
+                          bool may_be_negative) {
   const auto read = [=](const std::string& text) {
     const Length length = parse_length(text);
     if (length.value >= 0 || may_be_negative) return length;
     throw UsageError(quoted(text) + " is too small: a length of at least 0");
   };
   return std::visit(
-      [&](auto* variable) -> Option& { return add(*this, names, "LENGTH", help, variable, read); },
+      [&](auto* variable) -> Option& {
+        return add(options_, names, "LENGTH", help, variable, read);
+      },
       value);
 }
 
-Option& Program::text(const std::string& names, std::string* value, const std::string& placeholder,
-                      const std::string& help) {
-  return add(*this, names, placeholder, help, value, [](const std::string& text) { return text; });
+Option& OptionSet::text(const std::string& names, std::string* value,
+                        const std::string& placeholder, const std::string& help) {
+  return add(options_, names, placeholder, help, value,
+             [](const std::string& text) { return text; });
 }
 
-Option& Program::choice(const std::string& names, std::string* value,
-                        const std::vector<std::string>& words, const std::string& help) {
-  return add(*this, names, join(words, "|"), help, value, [=](const std::string& text) {
+Option& OptionSet::choice(const std::string& names, std::string* value,
+                          const std::vector<std::string>& words, const std::string& help) {
+  return add(options_, names, join(words, "|"), help, value, [=](const std::string& text) {
     if (std::find(words.begin(), words.end(), text) != words.end()) return text;
     throw UsageError(quoted(text) + " is not known; did you mean " +
                      quoted(nearest_name(text, words)) + "? (" + join(words, ", ") + ")");
   });
 }
 
-Option& Program::numbers(const std::string& names, std::vector<double>* value,
-                         const std::string& placeholder, const std::string& help) {
+Option& OptionSet::numbers(const std::string& names, std::vector<double>* value,
+                           const std::string& placeholder, const std::string& help) {
   const auto count = std::count(placeholder.begin(), placeholder.end(), ',') + 1;
-  return add(*this, names, placeholder, help, value, [=](const std::string& text) {
+  return add(options_, names, placeholder, help, value, [=](const std::string& text) {
     std::vector<double> numbers;
     std::istringstream words(text + ',');
     for (std::string word; std::getline(words, word, ',');) numbers.push_back(parse_finite(word));
@@ -199,34 +187,29 @@ Option& Program::numbers(const std::string& names, std::vector<double>* value,
 }
 
 // NOLINTNEXTLINE(readability-non-const-parameter): the option writes to it
-Option& Program::seed(long* value) {
+Option& OptionSet::seed(long* value) {
   return integer("seed", value, 0, std::numeric_limits<long>::max(), "seed of the random numbers");
 }
 
-Option& Program::reference_edge() {
-  const std::string help =
-      is_evolution()
-          ? "length that x refers to; auto: the source's mean edge (default: that of its "
-            "tm:reference-edge comment, else auto)"
-          : "length that x refers to: measured anew, or set (default: the mesh's "
-            "tm:reference-edge comment, else measured)";
-  return add(*this, "reference-edge", "auto|LENGTH", help, &common.reference_edge,
-             [](const std::string& text) {
-               if (text == "auto" || parse_length(text).value > 0) return text;
-               throw UsageError(quoted(text) + " must be positive, or auto to measure it");
-             });
+Option& OptionSet::reference_edge(std::string* value, const std::string& help) {
+  return add(options_, "reference-edge", "auto|LENGTH", help, value, [](const std::string& text) {
+    if (text == "auto" || parse_length(text).value > 0) return text;
+    throw UsageError(quoted(text) + " must be positive, or auto to measure it");
+  });
 }
 
 // --- The command line ----------------------------------------------------------------------------
 
-const Option* Program::find(const std::string& option) const { return found_in(options, option); }
+const Option* OptionSet::find(const std::string& option) const {
+  return found_in(options_, option);
+}
 
-Option* Program::find(const std::string& option) { return found_in(options, option); }
+Option* OptionSet::find(const std::string& option) { return found_in(options_, option); }
 
-std::vector<std::string> Program::parse(const std::vector<std::string>& arguments) {
+std::vector<std::string> OptionSet::parse(const std::vector<std::string>& arguments) {
   std::vector<std::string> others;
-  for (const po::option& parsed : split(arguments, options)) {
-    if (parsed.unregistered) throw_unknown(parsed.original_tokens.at(0), options);
+  for (const po::option& parsed : split(arguments, options_)) {
+    if (parsed.unregistered) throw_unknown(parsed.original_tokens.at(0), options_);
     if (parsed.string_key.empty()) {
       others.insert(others.end(), parsed.value.begin(), parsed.value.end());
       continue;
@@ -243,18 +226,6 @@ std::vector<std::string> Program::parse(const std::vector<std::string>& argument
     option.is_given = true;
   }
   return others;
-}
-
-std::string provenance(const Program& program) {
-  std::string line = program.name + " " TM_VERSION;
-  if (program.reads == Reads::words)
-    for (const std::string& word : program.inputs) line += ' ' + shell_word(word);
-  for (const Option& option : program.options) {
-    if (!is_in_provenance(option)) continue;
-    line += " --" + option.name();
-    if (!option.is_flag()) line += ' ' + shell_word(option.text());
-  }
-  return line;
 }
 
 }  // namespace transformesh::tool

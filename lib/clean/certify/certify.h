@@ -25,10 +25,7 @@
 /// and O(log n) a sample on usual meshes.
 #pragma once
 
-#include <string>
-
-#include "transformesh/control.h"
-#include "transformesh/mesh.h"
+#include "transformesh/check_mesh.h"
 
 namespace transformesh {
 
@@ -36,18 +33,6 @@ struct CertifyOptions {
   int winding_level = 1;
   Scalar coordinate = Scalar::float64;  ///< the type in which the output's positions were stored
   std::size_t most_faces = 50000;       ///< of each kind; every face is sampled on both sides
-};
-
-struct Certificate {
-  bool input_is_closed = false;  ///< with equal positions joined; so winding numbers are integers
-  std::size_t samples = 0;       ///< how many were judged, wrong ones included
-  std::size_t undecided = 0;
-  std::size_t wrong = 0;
-  double margin = 0;    ///< the farthest that rounding may have moved a new face unnoticed
-  std::string problem;  ///< the first wrong sample, or too many undecided ones; empty if none
-
-  double undecided_share() const;
-  bool holds() const { return problem.empty(); }
 };
 
 /// More than this share of undecided samples is a problem.

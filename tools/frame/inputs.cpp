@@ -1,0 +1,111 @@
+#include "frame/inputs.h"
+
+#include "clean/stitch/join_soup.h"
+#include "io/formats/file_format.h"
+#include "mesh/touching_borders.h"
+#include "support/counted.h"
+#include "transformesh/errors.h"
+
+namespace transformesh::tool {
+
+std::string described(const Document& document) {
+  return std::string(name_of(document.style.format)) + ", " +
+         counted(document.mesh.positions.size(), "vertex") + ", " +
+         counted(document.mesh.faces.size(), "face");
+}
+
+Entries counts_of(const std::vector<Document>& documents) {
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  for (const Document& document : documents) {
+    vertices += document.mesh.positions.size();
+    faces += document.mesh.faces.size();
+  }
+  return {{"vertices", vertices}, {"faces", faces}};
+}
+
+Inputs::Inputs(const Program& program, Messages& messages, Phases& phases)
+    : program_(program),
+      messages_(messages),
+      phases_(phases),
+      basis_(program.common.reference_edge) {}
+
+void Inputs::read_all() {
+  documents_.clear();
+  const std::size_t count = program_.input.reads == Reads::meshes ? names().size() : 1;
+  for (std::size_t i = 0; i < count; ++i) documents_.push_back(read(names()[i]));
+  counts_ = counts_of(documents_);
+}
+
+void Inputs::continue_from(Document document) {
+  documents_[0] = std::move(document);
+  basis_ = LengthBasis("");
+  refer_to_mesh();
+}
+
+void Inputs::refer_to_mesh() {
+  basis_.set_document(&documents_[0]);
+  if (basis_.is_reference_edge_chosen()) basis_.reference_edge();
+  for (const Option& option : program_.options) resolved(option);
+}
+
+Bytes Inputs::read_once(const std::string& path) {
+  if (path == "-" && stdin_is_read_)
+    throw UsageError("standard input is named twice: name a file for one of the inputs");
+  stdin_is_read_ = stdin_is_read_ || path == "-";
+  return transformesh::read_all(path);
+}
+
+void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
+  if (program_.input.soups == Soups::joined) {
+    const StitchResult result = join_soup(mesh);
+    joined_vertices_ += result.joined_vertices;
+    if (result.joined_vertices > 0)
+      messages_.note(name + ": " + counted(result.joined_vertices, "vertex") +
+                     " joined with others in the same place, as tm-stitch does");
+    if (result.dropped_faces > 0)
+      messages_.note(name + ": " + counted(result.dropped_faces, "face") +
+                     " with two corners in one place dropped");
+  } else if (program_.input.soups == Soups::reported && !is_noted) {
+    const std::size_t count = count_touching_borders(mesh);
+    if (count > 0)
+      messages_.note(
+          Problem{ErrorKind::not_joined, name + ": " + counted(count, "border edge") +
+                                             " lie upon each other: the faces share no vertices "
+                                             "there"});
+  }
+}
+
+Document Inputs::read(const std::string& path) {
+  phases_.begin("read");
+  ReadResult result = read_mesh(read_once(path).view(), input_name(path), reading());
+  const Soups soups = program_.input.soups;
+  if (result.soup_note && soups != Soups::own && soups != Soups::joined) {
+    std::string& line = result.notes[*result.soup_note];
+    line = with_advice({ErrorKind::not_joined, line}, program_);
+  }
+  messages_.note_all(result.notes);
+  treat_soup(result.document.mesh, input_name(path), result.soup_note.has_value());
+  messages_.detail(input_name(path) + ": " + described(result.document));
+  phases_.begin("");
+  return std::move(result.document);
+}
+
+std::optional<double> Inputs::used_reference_edge() {
+  if (!basis_.has_reference_edge()) return std::nullopt;
+  return basis_.reference_edge();
+}
+
+std::optional<double> Inputs::resolved(const Option& option) {
+  const Value value = option.value();
+  const auto* length = std::get_if<Length>(&value);
+  if (length == nullptr) return std::nullopt;
+  try {
+    return basis_.resolve(*length);
+  } catch (const std::runtime_error&) {
+    // If the body needs this length, it asks again and gets the error.
+    return std::nullopt;
+  }
+}
+
+}  // namespace transformesh::tool

@@ -1,0 +1,90 @@
+/// Outputs of a run: what goes to -o, and further files. Each file is written complete or not at
+/// all, and all of them get their names together when the program has succeeded.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frame/inputs.h"
+#include "io/streams/atomic_file.h"
+
+namespace transformesh::tool {
+
+class Outputs {
+ public:
+  Outputs(Program& program, Inputs& inputs, Messages& messages)
+      : program_(program), inputs_(inputs), messages_(messages) {}
+
+  /// The name after -o; `-` is stdout.
+  const std::string& name() const { return program_.common.output; }
+  bool is_terminal() const;
+
+  /// Sets the bytes that go to -o, for a program that writes no mesh.
+  void set_bytes(std::string bytes) { bytes_ = std::move(bytes); }
+  /// Nothing goes to -o.
+  void write_nothing() { writes_nothing_ = true; }
+  bool has_main() const { return !writes_nothing_; }
+  /// Adds a further file.
+  void write(const std::string& path, std::string bytes);
+  /// Adds a mesh with the provenance, in the format of the name as with -o. --format and --float
+  /// count if the program has them.
+  void write_mesh_file(const std::string& path, Document document);
+  /// Adds a file in a folder. The folder is made if it is missing, as are folders of the name.
+  void write_into(const std::string& folder, const std::string& name, std::string bytes);
+  /// Prints a line at once on stdout, for a program that then goes on until it is ended.
+  static void print_line(const std::string& text);
+
+  /// Throws UsageError for a name that cannot be an output of the program.
+  void check_name() const;
+  /// Throws UsageError if two of these options (names without dashes) name the same file, and
+  /// OutputError if one of the files cannot be written.
+  void check_files_of(const std::vector<std::string>& options) const;
+  /// Converts a document to the format and coordinates of -o.
+  void set_style(Document& document);
+  /// Adds the comments of the output to a document, so that all meshes of a run have the same.
+  void stamp(Document& document);
+  void set_stamped() { is_stamped_ = true; }
+
+  /// If the body fails, the input document is written to -o all the same. After the message of the
+  /// failure follows "`stopped`; 'OUT' holds `content`", or "is not written".
+  void keep(const std::string& stopped, const std::string& content) { kept_ = {stopped, content}; }
+  void write_kept();
+  /// Called when all outputs have their names. The body has ended by then.
+  void when_written(std::function<void()> hook) { when_written_ = std::move(hook); }
+
+  /// Writes the main output and the further files under temporary names.
+  void stage_all();
+  /// Writes one more file under a temporary name.
+  void stage(const std::string& path, std::string bytes);
+  /// Gives all files their names.
+  void commit();
+  /// Vertices and faces of the mesh written; empty if there is none.
+  const Entries& counts() const { return counts_; }
+
+ private:
+  void set_style_of(Document& document, const std::string& path);
+  void add_comments(Document& document);
+  /// Notes once how many pairs of faces intersect only because coordinates are floats.
+  void note_rounding_intersections(std::size_t pairs);
+  void stage_mesh();
+
+  Program& program_;
+  Inputs& inputs_;
+  Messages& messages_;
+  Entries counts_;
+  std::string bytes_;
+  std::vector<std::pair<std::string, std::string>> further_files_;
+  std::vector<AtomicFile> staged_;
+  std::set<std::string> staged_places_;
+  std::optional<std::pair<std::string, std::string>> kept_;
+  std::function<void()> when_written_;
+  bool is_stamped_ = false;
+  bool are_intersections_noted_ = false;
+  bool writes_nothing_ = false;
+};
+
+}  // namespace transformesh::tool

@@ -1,0 +1,59 @@
+#include "frame/run_report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "support/number.h"
+
+namespace transformesh::tool {
+
+void RunReport::add(const std::string& key, const Value& value) {
+  result_.emplace_back(key, value);
+}
+
+void RunReport::show_settings() {
+  if (settings_are_shown_ || !messages_.are_detailed()) return;
+  settings_are_shown_ = true;
+  for (const Option& option : program_.options) {
+    const std::string value = option.text();
+    if (option.is_common || value.empty() || value == "false") continue;
+    const auto absolute = inputs_.resolved(option);
+    messages_.detail("--" + option.name() + (option.is_flag() ? "" : " " + value) +
+                     (absolute ? " = " + shortest_text(*absolute) : ""));
+  }
+  if (const auto edge = inputs_.used_reference_edge())
+    messages_.detail("reference edge " + shortest_text(*edge));
+}
+
+void RunReport::show_entries() const {
+  for (const auto& [key, value] : result_) messages_.detail(key + ": " + text_of(value));
+}
+
+std::string RunReport::text() const {
+  const std::string* only = program_.output.only_key;
+  std::string lines;
+  for (const auto& [key, value] : result_) {
+    if (only != nullptr && key == *only) return text_of(value) + '\n';
+    lines += key + ": " + text_of(value) + '\n';
+  }
+  return program_.common.json ? json_text(object_of(result_)) : lines;
+}
+
+std::string RunReport::full(const Entries& output_counts, const Phases& phases) {
+  Json report = {{"tool", program_.name}, {"version", TM_VERSION}, {"options", Json::object()}};
+  for (const Option& option : program_.options) {
+    if (option.is_common && !option.is_given) continue;
+    std::string key = option.name();
+    std::replace(key.begin(), key.end(), '-', '_');
+    const auto absolute = inputs_.resolved(option);
+    report["options"][key] = absolute ? Json(*absolute) : json_of(option.value());
+  }
+  if (!inputs_.counts().empty()) report["input"] = object_of(inputs_.counts());
+  if (!output_counts.empty()) report["output"] = object_of(output_counts);
+  report["result"] = object_of(result_);
+  report["timings"] = phases.seconds();
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  return json_text(report);
+}
+
+}  // namespace transformesh::tool

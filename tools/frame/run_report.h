@@ -1,0 +1,37 @@
+/// The report of a run: its entries, the settings, counts of inputs and outputs, and timings.
+#pragma once
+
+#include <string>
+
+#include "frame/inputs.h"
+
+namespace transformesh::tool {
+
+class RunReport {
+ public:
+  RunReport(const Program& program, Inputs& inputs, Messages& messages)
+      : program_(program), inputs_(inputs), messages_(messages) {}
+
+  void add(const std::string& key, const Value& value);
+  void add(const Entries& entries) { append(result_, entries); }
+  /// Prints the settings with -v, once.
+  void show_settings();
+  /// Prints the entries with -v, unless they are the output.
+  void show_entries() const;
+  /// True if the report of a program that prints none will be shown to anyone.
+  bool is_shown() const { return messages_.are_detailed() || !program_.common.report.empty(); }
+
+  /// The report as the output of the program: lines, JSON with --json, or one entry.
+  std::string text() const;
+  /// The JSON of --report.
+  std::string full(const Entries& output_counts, const Phases& phases);
+
+ private:
+  const Program& program_;
+  Inputs& inputs_;
+  Messages& messages_;
+  Entries result_;
+  bool settings_are_shown_ = false;
+};
+
+}  // namespace transformesh::tool
