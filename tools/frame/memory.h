@@ -1,17 +1,15 @@
-/// How a program takes memory from the system: rarely, blocks of medium size as a whole, and large
-/// ones in huge pages where the system gives them, as first touches of small pages cost a sixth of
-/// a large mesh's time. (Huge pages for medium blocks too were slower by half on a virtual machine
-/// that hands unused memory back to its host.)
+/// Settings of the C library's heap for programs that run for milliseconds. The heap is reserved at
+/// once, and the system is asked for huge pages there. First touches of small pages would take up
+/// to a quarter of the time of cleaning a large mesh.
 #pragma once
 
 namespace transformesh::tool {
 
-/// Before anything large is allocated.
+/// Call before anything large is allocated, and after the limits of memory are set.
 void prepare_memory();
 
-/// From here on each large block is taken from the system by itself and given back when it is not
-/// needed any more: for programs that run for long and hold much, of which no more than that is to
-/// count.
+/// From then on, the system provides each large block separately and gets it back when it is freed.
+/// For programs that run for a long time and hold much memory at different times.
 void give_large_blocks_back();
 
 }  // namespace transformesh::tool
