@@ -2,7 +2,7 @@
 #include <map>
 
 #include "views/cameras/camera_formats.h"
-#include "views/cameras/xml_text.h"
+#include "views/cameras/xml_elements.h"
 
 namespace transformesh {
 namespace {
@@ -16,15 +16,15 @@ struct Sensor {
   bool is_calibrated = false;
 };
 
-double number(const XmlElement& calibration, const char* name, const Source& source) {
-  const auto element = xml_element(calibration.text, name);
+double number(const pugi::xml_node& calibration, const char* name, const Source& source) {
+  const auto element = xml_element(calibration, name);
   if (!element) return 0;
-  const auto numbers = xml_numbers(element->text, name, source);
+  const auto numbers = xml_numbers(element.child_value(), name, source);
   if (numbers.size() != 1) source.fail(std::string(name) + " of a sensor is not one number");
   return numbers.front();
 }
 
-int side(const XmlElement& resolution, const char* name, const Source& source) {
+int side(const pugi::xml_node& resolution, const char* name, const Source& source) {
   const auto text = xml_attribute(resolution, name);
   const auto numbers = xml_numbers(text.value_or(""), name, source);
   if (numbers.size() != 1 || !(numbers[0] >= 1 && numbers[0] <= 1e9))
@@ -33,28 +33,28 @@ int side(const XmlElement& resolution, const char* name, const Source& source) {
 }
 
 /// What was found, where the file has also what was there before.
-std::optional<XmlElement> calibration_of(const XmlElement& sensor) {
-  std::optional<XmlElement> found;
-  for (const XmlElement& calibration : xml_elements(sensor.text, "calibration"))
+pugi::xml_node calibration_of(const pugi::xml_node& sensor) {
+  pugi::xml_node found;
+  for (const pugi::xml_node& calibration : xml_elements(sensor, "calibration"))
     if (!found || xml_attribute(calibration, "class") == "adjusted") found = calibration;
   return found;
 }
 
 /// The model of frame cameras in Metashape's manual, whose p1 and p2 are OpenCV's p2 and p1. The
 /// principal point is counted from the image's center.
-Sensor read_sensor(const XmlElement& element, const Source& source) {
+Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
   Sensor sensor;
   const auto calibration = calibration_of(element);
   if (!calibration) return sensor;
-  if (const auto type = xml_attribute(*calibration, "type"); type && *type != "frame")
+  if (const auto type = xml_attribute(calibration, "type"); type && *type != "frame")
     source.fail("a sensor is of the type " + quoted(*type) +
                 ": undistort the photographs of cameras that are no frame cameras");
-  auto resolution = xml_element(calibration->text, "resolution");
-  if (!resolution) resolution = xml_element(element.text, "resolution");
+  pugi::xml_node resolution = xml_element(calibration, "resolution");
+  if (!resolution) resolution = xml_element(element, "resolution");
   if (!resolution) source.fail("a sensor has no resolution");
-  sensor.width = side(*resolution, "width", source);
-  sensor.height = side(*resolution, "height", source);
-  const auto get = [&](const char* name) { return number(*calibration, name, source); };
+  sensor.width = side(resolution, "width", source);
+  sensor.height = side(resolution, "height", source);
+  const auto get = [&](const char* name) { return number(calibration, name, source); };
   const double f = get("f");
   sensor.intrinsics << f + get("b1"), get("b2"), (sensor.width - 1) / 2.0 + get("cx"),  //
       0, f, (sensor.height - 1) / 2.0 + get("cy"), 0, 0, 1;
@@ -88,7 +88,7 @@ PinholeCamera pose_of(const std::vector<double>& numbers, const std::string& who
   return pose;
 }
 
-CameraRecord read_camera(const XmlElement& element, const XmlElement& transform,
+CameraRecord read_camera(const pugi::xml_node& element, const pugi::xml_node& transform,
                          const std::map<std::string, Sensor>& sensors, const Source& source) {
   CameraRecord record;
   record.name = xml_attribute(element, "label").value_or("");
@@ -97,7 +97,7 @@ CameraRecord read_camera(const XmlElement& element, const XmlElement& transform,
   const auto sensor = sensors.find(xml_attribute(element, "sensor_id").value_or(""));
   if (sensor == sensors.end()) source.fail("there is no sensor of " + who);
   if (!sensor->second.is_calibrated) source.fail("the sensor of " + who + " has no calibration");
-  const auto numbers = xml_numbers(transform.text, "the transform of " + who, source);
+  const auto numbers = xml_numbers(transform.child_value(), "the transform of " + who, source);
   record.camera = pose_of(numbers, who, source);
   record.camera.intrinsics = sensor->second.intrinsics;
   record.distortion = sensor->second.distortion;
@@ -109,20 +109,20 @@ CameraRecord read_camera(const XmlElement& element, const XmlElement& transform,
 }  // namespace
 
 CameraList read_metashape(const Source& source) {
-  const std::string text = without_xml_comments(source.bytes);
-  const auto chunks = xml_elements(text, "chunk");
+  const pugi::xml_document document = parse_xml(source);
+  const auto chunks = xml_elements(document, "chunk");
   if (chunks.size() != 1)
-    source.fail(chunks.empty() ? "Metashape's file ends within its chunk"
+    source.fail(chunks.empty() ? "Metashape's file has no chunk"
                                : "Metashape's file has several chunks: export one alone");
   std::map<std::string, Sensor> sensors;
-  for (const XmlElement& element : xml_elements(chunks[0].text, "sensor"))
+  for (const pugi::xml_node& element : xml_elements(chunks[0], "sensor"))
     sensors[xml_attribute(element, "id").value_or("")] = read_sensor(element, source);
   CameraList list;
   list.names_images = true;
-  for (const XmlElement& element : xml_elements(chunks[0].text, "camera")) {
+  for (const pugi::xml_node& element : xml_elements(chunks[0], "camera")) {
     // Cameras that could not be aligned have no place.
-    if (const auto transform = xml_element(element.text, "transform"))
-      list.cameras.push_back(read_camera(element, *transform, sensors, source));
+    if (const auto transform = xml_element(element, "transform"))
+      list.cameras.push_back(read_camera(element, transform, sensors, source));
   }
   if (list.cameras.empty()) source.fail("no camera of Metashape's file is aligned");
   return list;

@@ -8,7 +8,7 @@
 #include "support/elementary/trigonometric.h"
 #include "support/number.h"
 #include "views/cameras/camera_formats.h"
-#include "views/cameras/xml_text.h"
+#include "views/cameras/xml_elements.h"
 
 namespace transformesh {
 namespace {
@@ -158,21 +158,21 @@ CameraList read_table(const Source& source) {
 }
 
 /// A value is an attribute of the description, or an element in it.
-std::vector<double> values(const XmlElement& description, const std::string& name,
+std::vector<double> values(const pugi::xml_node& description, const std::string& name,
                            const Source& source) {
-  if (const auto attribute = xml_attribute(description, name))
+  if (const auto attribute = xml_attribute(description, name.c_str()))
     return xml_numbers(*attribute, name, source);
-  const auto element = xml_element(description.text, name);
-  return element ? xml_numbers(element->text, name, source) : std::vector<double>();
+  const pugi::xml_node element = xml_element(description, name.c_str());
+  return element ? xml_numbers(element.child_value(), name, source) : std::vector<double>();
 }
 
-double value(const XmlElement& description, const std::string& name, double otherwise,
+double value(const pugi::xml_node& description, const std::string& name, double otherwise,
              const Source& source) {
   const auto numbers = values(description, name, source);
   return numbers.empty() ? otherwise : numbers.front();
 }
 
-Lens lens_of(const XmlElement& description, const Source& source) {
+Lens lens_of(const pugi::xml_node& description, const Source& source) {
   Lens lens;
   lens.focal_mm = value(description, "xcr:FocalLength35mm", 0, source);
   lens.aspect = value(description, "xcr:AspectRatio", 1, source);
@@ -196,12 +196,12 @@ Lens lens_of(const XmlElement& description, const Source& source) {
 
 CameraList read_reality_capture(const Source& source, const std::string& stem) {
   if (source.bytes.find("xcr:") == std::string_view::npos) return read_table(source);
-  const std::string text = without_xml_comments(source.bytes);
-  const auto description = xml_element(text, "rdf:Description");
+  const pugi::xml_document document = parse_xml(source);
+  const pugi::xml_node description = xml_element(document, "rdf:Description");
   if (!description) source.fail("RealityCapture's XMP file has no rdf:Description");
-  CameraRecord record = record_of(lens_of(*description, source), "the camera", source);
-  const auto rotation = values(*description, "xcr:Rotation", source);
-  const auto center = values(*description, "xcr:Position", source);
+  CameraRecord record = record_of(lens_of(description, source), "the camera", source);
+  const auto rotation = values(description, "xcr:Rotation", source);
+  const auto center = values(description, "xcr:Position", source);
   if (rotation.size() != 9 || center.size() != 3)
     source.fail("RealityCapture's XMP file has no xcr:Rotation of 9 numbers and xcr:Position of 3");
   Eigen::Matrix3d& r = record.camera.rotation;
