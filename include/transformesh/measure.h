@@ -3,19 +3,20 @@
 /// any size do; an area or volume that no double can hold is infinite.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "transformesh/mesh.h"
 
 namespace transformesh {
 
-struct Box {
-  Vec3 minimum = Vec3::Zero();
-  Vec3 maximum = Vec3::Zero();
-  double diagonal() const;
-};
+using Box = Eigen::AlignedBox3d;
 
-/// The box of all vertices that faces use; of all vertices where there is no face.
+/// The length of the diagonal; 0 for an empty box. Cannot overflow on the way.
+double diagonal_of(const Box& box);
+
+/// The box of all vertices that faces use; of all vertices if there is no face. If there is no
+/// vertex, both corners are the origin.
 Box bounding_box(const Mesh& mesh);
 
 /// Area of one face; 0 if it is degenerate.

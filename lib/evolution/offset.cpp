@@ -160,7 +160,7 @@ Topology Offset::drop_shards(Mesh& mesh, double edge, const Topology& known) con
 }  // namespace
 
 double offset_edge(const Mesh& mesh, double distance) {
-  const double diagonal = bounding_box(mesh).diagonal();
+  const double diagonal = diagonal_of(bounding_box(mesh));
   const double edge = std::min(
       {measured_reference_edge(mesh), most_share * std::abs(distance), most_edge * diagonal});
   return std::max(edge, least_edge * diagonal);

@@ -1,28 +1,19 @@
 #include "fill/slit_clearance.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "geometry/solid_angle_winding.h"
 #include "transformesh/intersect.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
 
-using Bounds = std::pair<Vec3, Vec3>;
-
-Bounds bounds_of(const std::vector<Triangle>& triangles) {
-  Bounds bounds{triangles[0][0], triangles[0][0]};
+Box box_of(const std::vector<Triangle>& triangles) {
+  Box box;
   for (const Triangle& triangle : triangles)
-    for (const Vec3& corner : triangle) {
-      bounds.first = bounds.first.cwiseMin(corner);
-      bounds.second = bounds.second.cwiseMax(corner);
-    }
-  return bounds;
-}
-
-bool overlap(const Bounds& a, const Bounds& b) {
-  return (a.first.array() <= b.second.array()).all() && (b.first.array() <= a.second.array()).all();
+    for (const Vec3& corner : triangle) box.extend(corner);
+  return box;
 }
 
 void append(Mesh& mesh, const std::vector<Triangle>& triangles) {
@@ -89,12 +80,11 @@ std::vector<Triangle> SlitClearance::surface_of(const std::vector<Index>& loop,
   return surface;
 }
 
-std::vector<Triangle> SlitClearance::others_near(const std::vector<Index>& loop, const Vec3& low,
-                                                 const Vec3& high) {
+std::vector<Triangle> SlitClearance::others_near(const std::vector<Index>& loop, const Box& box) {
   if (faces_.empty()) faces_ = Bvh(mesh_);
   const std::vector<Index> near = near_vertices(loop);
   std::vector<Index> found;
-  faces_.visit_overlaps(float_box(low, high), [&](Index f) {
+  faces_.visit_overlaps(float_box(box.min(), box.max()), [&](Index f) {
     const bool counts = std::ranges::none_of(
         mesh_.faces[f], [&](Index v) { return std::ranges::binary_search(near, v); });
     if (counts) found.push_back(f);
@@ -103,7 +93,7 @@ std::vector<Triangle> SlitClearance::others_near(const std::vector<Index>& loop,
   std::vector<Triangle> others;
   for (const Index f : found) others.push_back(triangle_of(mesh_, f));
   for (const std::vector<Triangle>& triangles : taken_)
-    if (overlap(bounds_of(triangles), {low, high}))
+    if (box_of(triangles).intersects(box))
       others.insert(others.end(), triangles.begin(), triangles.end());
   return others;
 }
@@ -111,8 +101,7 @@ std::vector<Triangle> SlitClearance::others_near(const std::vector<Index>& loop,
 bool SlitClearance::is_free(const std::vector<Index>& loop, const SlitSides& sides,
                             const ClosedSlit& slit) {
   const std::vector<Triangle> surface = surface_of(loop, sides, slit);
-  const auto [low, high] = bounds_of(surface);
-  const std::vector<Triangle> others = others_near(loop, low, high);
+  const std::vector<Triangle> others = others_near(loop, box_of(surface));
   if (others.empty()) return true;
   if (intersect(others, surface)) return false;
   const Mesh slab = slab_of(slit);

@@ -13,6 +13,7 @@
 #include "fill/twin_patches.h"
 #include "geometry/search/bvh.h"
 #include "mesh/triangle.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 
@@ -29,8 +30,7 @@ class SlitClearance {
  private:
   std::vector<Triangle> surface_of(const std::vector<Index>& loop, const SlitSides& sides,
                                    const ClosedSlit& slit) const;
-  std::vector<Triangle> others_near(const std::vector<Index>& loop, const Vec3& low,
-                                    const Vec3& high);
+  std::vector<Triangle> others_near(const std::vector<Index>& loop, const Box& box);
   std::vector<Index> near_vertices(const std::vector<Index>& loop) const;
 
   const Mesh& mesh_;

@@ -100,9 +100,9 @@ OneWay measure(const Mesh& from, const Mesh& to, const CompareOptions& options,
 void check_extent(const Mesh& mesh, const Mesh& reference) {
   const Box a = bounding_box(mesh);
   const Box b = bounding_box(reference);
-  const Box both{a.minimum.cwiseMin(b.minimum), a.maximum.cwiseMax(b.maximum)};
-  if (both.diagonal() < largest_extent) return;
-  throw InputError("the meshes are " + shortest_text(both.diagonal()) +
+  const Box both{a.min().cwiseMin(b.min()), a.max().cwiseMax(b.max())};
+  if (diagonal_of(both) < largest_extent) return;
+  throw InputError("the meshes are " + shortest_text(diagonal_of(both)) +
                    " across, too large to compare them: scale both to less than " +
                    shortest_text(largest_extent));
 }
@@ -212,7 +212,7 @@ Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions
   const OneWay there = measure(mesh, reference, options, progress, "to the reference");
   const OneWay back = measure(reference, mesh, options, progress, "from the reference");
   const double distance = options.distance < 0
-                              ? default_distance_share * bounding_box(reference).diagonal()
+                              ? default_distance_share * diagonal_of(bounding_box(reference))
                               : options.distance;
   Comparison result;
   result.accuracy = quantile(there.by_area, accuracy_share);

@@ -18,7 +18,7 @@ namespace {
 double safe_scale(const Mesh& mesh, const Vec3& point) {
   const Box box = bounding_box(mesh);
   const double largest =
-      box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).cwiseMax(point.cwiseAbs()).maxCoeff();
+      box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).cwiseMax(point.cwiseAbs()).maxCoeff();
   return largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1;
 }
 

@@ -10,6 +10,7 @@
 #include "mesh/location_text.h"
 #include "support/parallel.h"
 #include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
@@ -18,24 +19,14 @@ constexpr std::size_t faces_per_task = 256;
 constexpr double undecided = 0.25;  ///< of a winding number
 constexpr double rounding = 1e-14;  ///< of coordinates
 
-struct DoubleBox {
-  Vec3 low = Vec3::Constant(HUGE_VAL);
-  Vec3 high = Vec3::Constant(-HUGE_VAL);
+void extend(Box& box, std::span<const Triangle> triangles) {
+  for (const Triangle& triangle : triangles)
+    for (const Vec3& corner : triangle) box.extend(corner);
+}
 
-  void extend(std::span<const Triangle> triangles) {
-    for (const Triangle& triangle : triangles)
-      for (const Vec3& corner : triangle) {
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
-      }
-  }
-  FloatBox widened(double by) const {
-    return float_box(low - Vec3::Constant(by), high + Vec3::Constant(by));
-  }
-  bool holds(const Vec3& point) const {
-    return (point.array() >= low.array()).all() && (point.array() <= high.array()).all();
-  }
-};
+FloatBox widened(const Box& box, double by) {
+  return float_box(box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by));
+}
 
 /// Whether the segment meets the triangle in a point, exactly; not where both lie in one plane.
 bool pierces(const Vec3& from, const Vec3& to, const Triangle& triangle) {
@@ -128,11 +119,11 @@ KeepOut::KeepOut(const KeepOutOptions& options)
 }
 
 double KeepOut::distance(const Triangle& triangle, double bound) const {
-  DoubleBox box;
-  box.extend({&triangle, 1});
+  Box box;
+  extend(box, {&triangle, 1});
   double least = bound;
   const Vec3 normal = unit_normal(triangle);
-  bvh_.visit_overlaps(box.widened(bound), [&](Index face) {
+  bvh_.visit_overlaps(widened(box, bound), [&](Index face) {
     if (!is_apart(triangle, normal, face, least))
       least = std::min(least, distance_of(triangle, triangle_of(*surface_, face)));
     return least > 0;
@@ -141,10 +132,10 @@ double KeepOut::distance(const Triangle& triangle, double bound) const {
 }
 
 std::vector<Index> KeepOut::faces_near(Triangles made, Triangles replaced, Triangles sides) const {
-  DoubleBox box;
-  for (const Triangles part : {made, replaced, sides}) box.extend(part);
+  Box box;
+  for (const Triangles part : {made, replaced, sides}) extend(box, part);
   std::vector<Index> faces;
-  bvh_.visit_overlaps(box.widened(gap_), [&](Index face) {
+  bvh_.visit_overlaps(widened(box, gap_), [&](Index face) {
     faces.push_back(face);
     return true;
   });
@@ -195,11 +186,11 @@ bool KeepOut::allows(Triangles made, Triangles replaced, Triangles sides) const 
   if (meets(sides, faces)) return false;
 
   // What is enclosed has all corners in the box.
-  DoubleBox box;
-  for (const Triangles part : {made, replaced, sides}) box.extend(part);
+  Box box;
+  for (const Triangles part : {made, replaced, sides}) extend(box, part);
   return std::ranges::none_of(faces, [&](Index face) {
     const Triangle corners = triangle_of(*surface_, face);
-    return box.holds(corners[0]) && box.holds(corners[1]) && box.holds(corners[2]) &&
+    return box.contains(corners[0]) && box.contains(corners[1]) && box.contains(corners[2]) &&
            is_between(made, replaced, sides, face);
   });
 }

@@ -33,7 +33,7 @@ RayCastWinding::RayCastWinding(const Mesh& mesh) : mesh_(&mesh), frame_(mesh.pos
 std::optional<int> RayCastWinding::cast(const Vec3& point, int axis, bool towards_infinity) const {
   FloatBox ray = frame_.box(point, point);
   const auto along = static_cast<std::size_t>(axis);
-  (towards_infinity ? ray.maximum[along] : ray.minimum[along]) =
+  (towards_infinity ? ray.max()[along] : ray.min()[along]) =
       towards_infinity ? infinity : -infinity;
 
   const PlaneProjection view{(axis + 1) % 3, (axis + 2) % 3};

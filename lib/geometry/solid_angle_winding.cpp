@@ -53,7 +53,7 @@ double safe_scale(double largest) {
 
 SolidAngleWinding::SolidAngleWinding(const Mesh& mesh) : mesh_(&mesh) {
   const Box box = bounding_box(mesh);
-  largest_coordinate_ = box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).maxCoeff();
+  largest_coordinate_ = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
 }
 
 BoundedWindingNumber SolidAngleWinding::sum(const Vec3& point,

@@ -12,7 +12,7 @@ namespace transformesh {
 double LengthBasis::diagonal() {
   if (!diagonal_) {
     if (document_ == nullptr) throw UsageError("a length in % needs a mesh to refer to");
-    diagonal_ = bounding_box(document_->mesh).diagonal();
+    diagonal_ = diagonal_of(bounding_box(document_->mesh));
   }
   return *diagonal_;
 }

@@ -47,10 +47,10 @@ Vec3 middle_of(const Mesh& mesh, const std::vector<char>& is_used) {
     const Vec3& point = mesh.positions[v];
     if (is_empty) box = {point, point};
     is_empty = false;
-    box.minimum = box.minimum.cwiseMin(point);
-    box.maximum = box.maximum.cwiseMax(point);
+    box.min() = box.min().cwiseMin(point);
+    box.max() = box.max().cwiseMax(point);
   }
-  return box.minimum + (box.maximum - box.minimum) / 2;
+  return box.min() + (box.max() - box.min()) / 2;
 }
 
 /// Counts faces and vertices, and sums up volumes.

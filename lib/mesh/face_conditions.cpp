@@ -153,7 +153,7 @@ std::vector<bool> faces_in_box(const Mesh& mesh, const Box& box) {
   for (std::size_t f = 0; f < keep.size(); ++f)
     keep[f] = std::all_of(mesh.faces[f].begin(), mesh.faces[f].end(), [&](Index v) {
       const Vec3& p = mesh.positions[v];
-      return (p.array() >= box.minimum.array()).all() && (p.array() <= box.maximum.array()).all();
+      return (p.array() >= box.min().array()).all() && (p.array() <= box.max().array()).all();
     });
   return keep;
 }

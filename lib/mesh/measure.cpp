@@ -78,14 +78,14 @@ void extend(Box& box, const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int axis = 0; axis < 3; ++axis) {
     const double low = lesser(lesser(a[axis], b[axis]), c[axis]);
     const double high = greater(greater(a[axis], b[axis]), c[axis]);
-    box.minimum[axis] = lesser(low, box.minimum[axis]);
-    box.maximum[axis] = greater(high, box.maximum[axis]);
+    box.min()[axis] = lesser(low, box.min()[axis]);
+    box.max()[axis] = greater(high, box.max()[axis]);
   }
 }
 
 }  // namespace
 
-double Box::diagonal() const { return length_of(maximum - minimum); }
+double diagonal_of(const Box& box) { return box.isEmpty() ? 0 : length_of(box.max() - box.min()); }
 
 std::vector<Vec3> used_positions(const Mesh& mesh) {
   std::vector<bool> is_used(mesh.positions.size(), false);
@@ -130,7 +130,7 @@ double volume(const Mesh& mesh) {
   // Tetrahedra end in the middle of the mesh, because with the origin far away they would cancel
   // out.
   const Box box = bounding_box(mesh);
-  const Vec3 apex = box.minimum + (box.maximum - box.minimum) / 2;
+  const Vec3 apex = box.min() + (box.max() - box.min()) / 2;
   double sum = 0;
   for (const Face& face : mesh.faces) {
     const Vec3 a = mesh.positions[face[0]] - apex;

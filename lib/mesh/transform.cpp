@@ -148,11 +148,11 @@ Matrix4 mirroring_in(const Vec3& normal, double offset) {
 }
 
 Matrix4 centering(const Box& box) {
-  return translation_by(-(box.minimum + (box.maximum - box.minimum) / 2));
+  return translation_by(-(box.min() + (box.max() - box.min()) / 2));
 }
 
 Matrix4 fitting_unit_box(const Box& box) {
-  const double side = (box.maximum - box.minimum).maxCoeff();
+  const double side = (box.max() - box.min()).maxCoeff();
   if (!(side > 0) || !std::isfinite(1 / side) || !std::isfinite(side))
     throw InputError("the mesh has no size that could become 1");
   const Matrix4 scaling = scaling_by(Vec3::Constant(1 / side));
@@ -165,8 +165,8 @@ Box mapped_box(const Mesh& mesh, const Matrix4& matrix) {
   Box box;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3 point = mapped(matrix, points[i]);
-    box.minimum = i == 0 ? point : Vec3(box.minimum.cwiseMin(point));
-    box.maximum = i == 0 ? point : Vec3(box.maximum.cwiseMax(point));
+    box.min() = i == 0 ? point : Vec3(box.min().cwiseMin(point));
+    box.max() = i == 0 ? point : Vec3(box.max().cwiseMax(point));
   }
   return box;
 }

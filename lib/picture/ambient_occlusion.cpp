@@ -43,7 +43,7 @@ class ParallelRays {
   /// Whether the ray from the vertex meets a face that is not one of its own.
   bool is_blocked(Index vertex, double least) const {
     FloatBox ray = frame_.box(turned_[vertex], turned_[vertex]);
-    ray.maximum[2] = std::numeric_limits<float>::infinity();
+    ray.max()[2] = std::numeric_limits<float>::infinity();
     bool is_blocked = false;
     bvh_.visit_overlaps(ray, [&](Index f) {
       const Face& face = mesh_.faces[f];
@@ -90,7 +90,7 @@ class ParallelRays {
 
 void set_openness(Mesh& mesh, const std::string& column, const Progress& progress) {
   const std::vector<Vec3> normals = vertex_normals(mesh);
-  const double least = least_distance * bounding_box(mesh).diagonal();
+  const double least = least_distance * diagonal_of(bounding_box(mesh));
   const std::size_t count = mesh.positions.size();
   std::vector<double> reached(count, 0.0);
   std::vector<double> all(count, 0.0);

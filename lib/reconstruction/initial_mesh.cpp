@@ -54,7 +54,7 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
 /// anyway.
 double affordable(double edge, const Box& box) {
   constexpr double most_cells = 1 << 26;
-  const Vec3 size = box.maximum - box.minimum;
+  const Vec3 size = box.max() - box.min();
   while (size.prod() > most_cells * edge * edge * edge) edge *= 1.25;
   return edge;
 }

@@ -57,13 +57,13 @@ Mesh make_sphere_kind(const ShapeOptions& options, std::size_t faces, const Prog
   // Faces are flat and come closer to the box than the sphere does, but stay clear of it.
   const Box& box = *options.around;
   const double inner = geodesic_inner_radius(geodesic_frequency(static_cast<double>(faces)));
-  const double radius = 1.05 * box.diagonal() / 2 / inner;
+  const double radius = 1.05 * diagonal_of(box) / 2 / inner;
   if (!(radius > 0)) throw InputError("the mesh to go around has no size");
   if (!is_sensible_length(radius)) {
-    throw InputError("the mesh to go around is " + shortest_text(box.diagonal()) +
+    throw InputError("the mesh to go around is " + shortest_text(diagonal_of(box)) +
                      " across: scale it to a size from 1e-50 to 1e50");
   }
-  return make_sphere(box.minimum + (box.maximum - box.minimum) / 2, radius, faces);
+  return make_sphere(box.min() + (box.max() - box.min()) / 2, radius, faces);
 }
 
 Mesh make_dented(const ShapeOptions& options, std::size_t faces, const Progress&) {

@@ -147,7 +147,7 @@ Mesh make_shape(const ShapeOptions& options, const Progress& progress) {
   const bool can_be_thin = has_option(kind, "tube") || !options.center.isZero(0);
   const double thin = can_be_thin ? thickness(mesh) : std::numeric_limits<double>::infinity();
 
-  const double diagonal = bounding_box(mesh).diagonal();
+  const double diagonal = diagonal_of(bounding_box(mesh));
   const double noise = options.noise.value_or(kind.noise * diagonal);
   if (noise > 0)
     shapes::add_noise(mesh, noise, noise_wavelength * diagonal, options.seed, progress);
@@ -161,7 +161,7 @@ double shape_diagonal(ShapeOptions options) {
   options.edge.reset();
   options.noise = 0;
   if (options.kind != "boxes") options.faces = coarse_faces;
-  return bounding_box(make_shape(options)).diagonal();
+  return diagonal_of(bounding_box(make_shape(options)));
 }
 
 Mesh make_sphere(const Vec3& center, double radius, std::size_t faces) {

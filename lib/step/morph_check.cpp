@@ -40,7 +40,7 @@ std::size_t check_orientation(const Mesh& mesh, const std::string& what) {
 }
 
 std::string box_text(const Box& box) {
-  return "from " + point_text(box.minimum) + " to " + point_text(box.maximum);
+  return "from " + point_text(box.min()) + " to " + point_text(box.max());
 }
 
 }  // namespace
@@ -73,8 +73,8 @@ std::vector<Problem> check_source(const Mesh& source, const Target& target,
   if (source.positions.empty()) return {};
   const Box ours = bounding_box(source);
   const Box theirs = bounding_box(target.mesh);
-  const bool overlaps = (ours.minimum.array() <= theirs.maximum.array()).all() &&
-                        (theirs.minimum.array() <= ours.maximum.array()).all();
+  const bool overlaps = (ours.min().array() <= theirs.max().array()).all() &&
+                        (theirs.min().array() <= ours.max().array()).all();
   if (overlaps) return {};
   return {{ErrorKind::source_apart,
            "the source lies " + box_text(ours) + ", apart from the target, " + box_text(theirs) +

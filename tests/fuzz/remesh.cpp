@@ -19,7 +19,7 @@ namespace {
 
 RemeshOptions remesh_options(Choices& choices, const Mesh& mesh) {
   RemeshOptions options;
-  const double diagonal = bounding_box(mesh).diagonal();
+  const double diagonal = diagonal_of(bounding_box(mesh));
   options.max_edge = diagonal * (0.15 + choices.byte() / 256.0);
   options.min_edge = options.max_edge / (1.5 + choices.byte() / 64.0);
   options.iterations = static_cast<int>(choices.below(4));

@@ -29,7 +29,7 @@ Target target_of(Choices& choices) {
   if (is_points) mesh.faces.clear();
   Target target = make_target(std::move(mesh));
   if (has_thickness) {
-    const double reach = bounding_box(target.mesh).diagonal();
+    const double reach = diagonal_of(bounding_box(target.mesh));
     if (reach > 0) target.thickness = local_thickness(target, reach);
   }
   return target;
@@ -57,7 +57,7 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
     const Mesh before = mesh;
     if (!target.thickness.empty()) {
       options.gap_edges = 1 + choices.below(8);
-      options.largest_size = bounding_box(mesh).diagonal();
+      options.largest_size = diagonal_of(bounding_box(mesh));
     }
     const TargetQuery query(target);
     morph_step(mesh, query, options);

@@ -15,7 +15,7 @@ namespace transformesh::test {
 namespace {
 
 Vec3 point_in_box(const Box& box, Random& random) {
-  return box.minimum + random.point(0, 1).cwiseProduct(box.maximum - box.minimum);
+  return box.min() + random.point(0, 1).cwiseProduct(box.max() - box.min());
 }
 
 Vec3 point_in_face(const Mesh& mesh, const Face& face, Random& random) {
@@ -46,8 +46,8 @@ void add_points_near_face(const Mesh& mesh, Random& random, std::vector<Vec3>& p
 std::vector<Vec3> draw_samples(const Mesh& input, const Mesh& output,
                                const WindingOracleOptions& options) {
   Box box = bounding_box(input);
-  const Vec3 margin = 0.1 * (box.maximum - box.minimum);
-  box = {box.minimum - margin, box.maximum + margin};
+  const Vec3 margin = 0.1 * (box.max() - box.min());
+  box = {box.min() - margin, box.max() + margin};
 
   Random random(options.seed);
   std::vector<Vec3> points;
@@ -103,7 +103,7 @@ std::vector<char> mark_near(const Mesh& mesh, const std::vector<Vec3>& points, d
 
 double largest_coordinate(const Mesh& mesh) {
   const Box box = bounding_box(mesh);
-  return box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).maxCoeff();
+  return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ CleanOptions clean_options(const CleanChoices& choices, Run& run) {
                     : choices.source_faces ? CleanSources::faces
                                            : CleanSources::none;
   const std::vector<double>& b = choices.box;
-  if (!b.empty()) options.box = Box{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+  if (!b.empty()) options.box = Box(Vec3(b.data()), Vec3(b.data() + 3));
   return options;
 }
 

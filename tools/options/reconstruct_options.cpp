@@ -232,7 +232,7 @@ std::vector<View> checked_views(const ViewSources& sources, const ReconstructCho
   telling.on_note = [&run](const std::string& text) { run.note(text); };
   std::vector<View> views = views_from(telling);
   const std::vector<double>& box = choices.box;
-  if (!box.empty()) keep_in_box(views, {{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
+  if (!box.empty()) keep_in_box(views, Box(Vec3(box.data()), Vec3(box.data() + 3)));
   if (choices.silhouettes_show == "exact") check_views(views, choices.check, run);
   return views;
 }

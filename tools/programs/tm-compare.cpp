@@ -27,7 +27,7 @@ void write_distances(const Mesh& reference, const std::string& path, tool::Run& 
 
 void compare_with_reference(const Options& options, tool::Run& run) {
   const Mesh reference = run.in().read(options.reference).mesh;
-  run.in().set_basis(bounding_box(reference).diagonal());
+  run.in().set_basis(diagonal_of(bounding_box(reference)));
   CompareOptions library_options;
   library_options.samples = static_cast<std::size_t>(options.samples);
   library_options.seed = static_cast<std::uint64_t>(options.seed);

@@ -40,10 +40,10 @@ void make(const Options& options, tool::Run& run) {
   hull.keep = tool::hull_share(options.keep);
   std::vector<View> views = tool::views_with_silhouettes(options.silhouettes, run);
   const std::vector<double>& box = options.box;
-  if (!box.empty()) hull.box = Box{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+  if (!box.empty()) hull.box = Box(Vec3(box.data()), Vec3(box.data() + 3));
   const ViewCheck check = tool::check_views(views, options.check, run);
   if (!hull.box) hull.box = silhouette_box(views);
-  run.in().set_basis(hull.box->diagonal());
+  run.in().set_basis(diagonal_of(*hull.box));
   if (options.edge) hull.edge = run.length(*options.edge);
 
   HullResult result = visual_hull(views, hull, run.progress());

@@ -68,14 +68,14 @@ void check_size(double diagonal) {
 void photograph(Options& options, tool::Run& run) {
   const Mesh mesh = run.in().read(run.in().name()).mesh;
   const Box box = bounding_box(mesh);
-  check_size(box.diagonal());
-  run.in().set_basis(box.diagonal());
+  check_size(diagonal_of(box));
+  run.in().set_basis(diagonal_of(box));
   CameraRing ring;
   std::tie(ring.width, ring.height) = parse_size(options.size);
   ring.count = static_cast<int>(options.ring);
   ring.elevations_deg = options.elevations;
   ring.focal_length = options.focal * ring.width;
-  ring.center = box.minimum + (box.maximum - box.minimum) / 2;
+  ring.center = box.min() + (box.max() - box.min()) / 2;
   ring.distance =
       options.distance ? run.length(*options.distance) : distance_for(mesh.positions, ring);
   options.files.texture = {static_cast<int>(options.files.waves), run.length(options.finest),

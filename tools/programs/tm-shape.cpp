@@ -39,7 +39,7 @@ void resolve_lengths(ShapeOptions& shape, const Options& options, tool::Run& run
   const auto resolve = [&](const std::optional<Length>& length, std::optional<double>& value) {
     if (!length) return;
     if (length->unit == Length::Unit::diagonal)
-      run.in().set_basis(shape.around ? shape.around->diagonal() : shape_diagonal(shape));
+      run.in().set_basis(shape.around ? diagonal_of(*shape.around) : shape_diagonal(shape));
     value = run.length(*length);
   };
   resolve(options.radius, shape.radius);

@@ -43,7 +43,7 @@ std::vector<bool> faces_of_box(const Mesh& mesh, const Box& box) {
   for (std::size_t f = 0; f < result.size(); ++f) {
     const Vec3& first = mesh.positions[mesh.faces[f][0]];
     result[f] =
-        (first.array() >= box.minimum.array()).all() && (first.array() < box.maximum.array()).all();
+        (first.array() >= box.min().array()).all() && (first.array() < box.max().array()).all();
   }
   return result;
 }
@@ -54,15 +54,15 @@ Box box_around(const Mesh& mesh, const std::vector<bool>& faces) {
   for (Index f = 0; f < faces.size(); ++f) {
     if (!faces[f]) continue;
     for (const Index v : mesh.faces[f]) {
-      box.minimum = box.minimum.cwiseMin(mesh.positions[v]);
-      box.maximum = box.maximum.cwiseMax(mesh.positions[v]);
+      box.min() = box.min().cwiseMin(mesh.positions[v]);
+      box.max() = box.max().cwiseMax(mesh.positions[v]);
     }
   }
   return box;
 }
 
 std::vector<bool> faces_near(const Mesh& mesh, const Box& box, double margin) {
-  const Vec3 low = box.minimum.array() - margin, high = box.maximum.array() + margin;
+  const Vec3 low = box.min().array() - margin, high = box.max().array() + margin;
   std::vector<bool> result(mesh.faces.size());
   for (Index f = 0; f < result.size(); ++f) {
     const Triangle t = triangle_of(mesh, f);

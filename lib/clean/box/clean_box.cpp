@@ -55,7 +55,7 @@ class BoxPart {
 
 std::vector<bool> BoxPart::near(const std::vector<bool>& faces) const {
   const Box box = box_around(mesh_, faces);
-  const Vec3 farthest = box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs());
+  const Vec3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
   return faces_near(mesh_, box, margin_spacings * spacing_around(farthest, options_.coordinate));
 }
 
@@ -103,7 +103,7 @@ std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
   for (const Index f : welded_->face_of)
     around.is_complete.push_back(is_complete_[part_.face_of[f]] ? 1 : 0);
   const Box reach = box_around(mesh_, is_complete_);
-  around.faces = FarFaces(mesh_, is_in_part_, reach.minimum, reach.maximum);
+  around.faces = FarFaces(mesh_, is_in_part_, reach.min(), reach.max());
 
   const ExteriorArrangement exterior =
       arrange_exterior(welded_, meetings_, {options_.winding_level, false, &around}, progress_);
@@ -194,19 +194,18 @@ void finish_counts(const CleanOptions& options, CleanResult& counts) {
 std::optional<std::array<Box, 2>> split(const Mesh& mesh, const std::vector<bool>& is_own,
                                         const Box& box) {
   const Box around = box_around(mesh, is_own);
-  const Vec3 low = around.minimum.cwiseMax(box.minimum),
-             high = around.maximum.cwiseMin(box.maximum);
+  const Vec3 low = around.min().cwiseMax(box.min()), high = around.max().cwiseMin(box.max());
   int axis = 0;
   (high / 2 - low / 2).maxCoeff(&axis);
   std::array<Box, 2> halves{box, box};
-  halves[0].maximum[axis] = halves[1].minimum[axis] = low[axis] / 2 + high[axis] / 2;
+  halves[0].max()[axis] = halves[1].min()[axis] = low[axis] / 2 + high[axis] / 2;
   const std::size_t first = count(faces_of_box(mesh, halves[0]));
   if (first == 0 || first == count(is_own)) return std::nullopt;
   return halves;
 }
 
 void check_input(const Mesh& mesh, const CleanOptions& options) {
-  if (!(options.box->minimum.array() < options.box->maximum.array()).all())
+  if (!(options.box->min().array() < options.box->max().array()).all())
     throw UsageError("the box has no inside: its first corner must be below the second");
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
   if (is_closed_chain(mesh)) return;

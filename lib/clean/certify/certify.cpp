@@ -221,7 +221,7 @@ Mesh scaled(Mesh mesh, double scale) {
 
 Meshes scale_near_1(const Mesh& input, const Mesh& output) {
   const Box box = bounding_box(input);
-  const double largest = box.minimum.cwiseAbs().cwiseMax(box.maximum.cwiseAbs()).maxCoeff();
+  const double largest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
   const int exponent = largest > 0 ? std::clamp(std::ilogb(largest), -1000, 1000) : 0;
   const double scale = std::ldexp(1.0, -exponent);
   return {scaled(input, scale), scaled(output, scale), std::ldexp(1.0, exponent)};

@@ -120,11 +120,11 @@ std::optional<int> BoundingSubsegments::winding_at_edge(Index p, const KnownWind
 // w where the straight way from where it is known arrives at a point.
 std::optional<int> BoundingSubsegments::winding_at(Index p, const KnownWinding& known) const {
   const ExactPoint &from = known.at, &to = point(p);
-  const SegmentCrossings::Box box = crossings_.box_of(from, to);
+  const Eigen::AlignedBox2d box = crossings_.box_of(from, to);
   int w = known.w;
   for (Index s = 0; s < in_.segments.size(); ++s) {
     const PlanarSegment& other = segment(s);
-    if (other.from == p || other.to == p || !box.overlaps(crossings_.box(s))) continue;
+    if (other.from == p || other.to == p || !box.intersects(crossings_.box(s))) continue;
     const int a = geometry_.orient2d(from, to, point(other.from), in_.projection);
     const int b = geometry_.orient2d(from, to, point(other.to), in_.projection);
     if (a == b && a != 0) continue;

@@ -32,13 +32,14 @@ int SegmentCrossings::side(Index s, const ExactPoint& of) const {
   return line.jump * geometry_.orient3d(*plane, of);
 }
 
-SegmentCrossings::Box SegmentCrossings::box_of(const ExactPoint& from, const ExactPoint& to) const {
-  Box box{};
+Eigen::AlignedBox2d SegmentCrossings::box_of(const ExactPoint& from, const ExactPoint& to) const {
+  Eigen::AlignedBox2d box;
   const std::array<int, 2> axes{in_.projection.u, in_.projection.v};
   for (std::size_t i = 0; i < 2; ++i) {
     const int axis = axes[i];
-    box.low[i] = std::min(from.center[axis] - from.radius[axis], to.center[axis] - to.radius[axis]);
-    box.high[i] =
+    box.min()[i] =
+        std::min(from.center[axis] - from.radius[axis], to.center[axis] - to.radius[axis]);
+    box.max()[i] =
         std::max(from.center[axis] + from.radius[axis], to.center[axis] + to.radius[axis]);
   }
   return box;
@@ -49,12 +50,13 @@ bool SegmentCrossings::find() {
   for (const PlanarSegment& s : in_.segments) boxes_.push_back(box_of(point(s.from), point(s.to)));
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return boxes_[a].low[0] < boxes_[b].low[0] || (boxes_[a].low[0] == boxes_[b].low[0] && a < b);
+    return boxes_[a].min()[0] < boxes_[b].min()[0] ||
+           (boxes_[a].min()[0] == boxes_[b].min()[0] && a < b);
   });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const Box& a = boxes_[order[i]];
-    for (std::size_t k = i + 1; k < order.size() && boxes_[order[k]].low[0] <= a.high[0]; ++k) {
-      if (!a.overlaps(boxes_[order[k]])) continue;
+    const Eigen::AlignedBox2d& a = boxes_[order[i]];
+    for (std::size_t k = i + 1; k < order.size() && boxes_[order[k]].min()[0] <= a.max()[0]; ++k) {
+      if (!a.intersects(boxes_[order[k]])) continue;
       if (!add(order[i], order[k])) return false;
     }
   }

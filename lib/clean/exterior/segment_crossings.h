@@ -2,6 +2,7 @@
 /// Cost: O(s log s + p) for s segments of which p pairs have boxes that overlap.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 #include <span>
@@ -43,14 +44,6 @@ struct Crossing {
 
 class SegmentCrossings {
  public:
-  struct Box {
-    std::array<double, 2> low, high;
-    bool overlaps(const Box& other) const {
-      return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
-             other.low[1] <= high[1];
-    }
-  };
-
   /// Keeps references.
   SegmentCrossings(const ExactGeometry& geometry, const SegmentsInFace& in)
       : geometry_(geometry), in_(in) {}
@@ -74,8 +67,8 @@ class SegmentCrossings {
 
   /// +1 for what is left of a segment.
   int side(Index s, const ExactPoint& of) const;
-  Box box_of(const ExactPoint& from, const ExactPoint& to) const;
-  const Box& box(Index s) const { return boxes_[s]; }
+  Eigen::AlignedBox2d box_of(const ExactPoint& from, const ExactPoint& to) const;
+  const Eigen::AlignedBox2d& box(Index s) const { return boxes_[s]; }
 
  private:
   struct Height;
@@ -94,7 +87,7 @@ class SegmentCrossings {
 
   const ExactGeometry& geometry_;
   const SegmentsInFace& in_;
-  std::vector<Box> boxes_;                   ///< per segment
+  std::vector<Eigen::AlignedBox2d> boxes_;   ///< per segment
   std::vector<Crossing> found_, crossings_;  ///< as found, and by segments
   std::vector<Index> first_;
   mutable std::vector<std::optional<ExactPlane>> planes_;  ///< that cross, where they were needed

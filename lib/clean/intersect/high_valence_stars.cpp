@@ -69,7 +69,7 @@ void HighValenceStars::add(Index center, Index halfedge) {
     star.is_late.push_back(is_ahead(star, star.rim[0], star.rim.back()) ? 0 : 1);
     Index& owner = star_of_[h / 3];
     if (owner == no_index) owner = static_cast<Index>(stars_.size() - 1);
-    star.box = united(star.box, boxes_[h / 3]);
+    star.box = star.box.merged(boxes_[h / 3]);
   }
 }
 
@@ -134,7 +134,7 @@ void HighValenceStars::add_pairs(Index number, Index face, std::vector<Bvh::Pair
   const auto [first, count] = sectors(star, welded_->faces[face]);
   for (std::size_t i = 0; i < count; ++i) {
     const Index other = star.faces[(first + i) % star.faces.size()];
-    if (star_of_[other] == number && overlap(boxes_[other], boxes_[face]))
+    if (star_of_[other] == number && boxes_[other].intersects(boxes_[face]))
       pairs.emplace_back(std::min(face, other), std::max(face, other));
   }
 }

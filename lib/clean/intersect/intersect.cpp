@@ -35,7 +35,7 @@ std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> 
   parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const auto& [a, b, c] = welded.faces[faces[i]];
-      boxes[i] = united(united(around[a], around[b]), around[c]);
+      boxes[i] = around[a].merged(around[b]).merged(around[c]);
     }
   });
   return boxes;

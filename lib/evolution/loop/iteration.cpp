@@ -28,7 +28,7 @@ RemeshOptions remesh_options(const Document& document, const IterationOptions& o
     const bool is_factor = !options.remesh.size_column.empty();
     const double base = is_factor ? 1 : options.reference_edge;
     const bool needs_diagonal = length.unit == Length::Unit::diagonal;
-    const double diagonal = needs_diagonal ? bounding_box(document.mesh).diagonal() : 0;
+    const double diagonal = needs_diagonal ? diagonal_of(bounding_box(document.mesh)) : 0;
     return length.resolve(diagonal, base);
   };
   RemeshOptions result = options.remesh;

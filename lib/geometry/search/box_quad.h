@@ -14,14 +14,14 @@ struct alignas(16) BoxQuad {
   std::array<std::array<float, 4>, 3> maximum;
 
   FloatBox box(unsigned lane) const {
-    return {{minimum[0][lane], minimum[1][lane], minimum[2][lane]},
-            {maximum[0][lane], maximum[1][lane], maximum[2][lane]}};
+    return FloatBox(Eigen::Vector3f(minimum[0][lane], minimum[1][lane], minimum[2][lane]),
+                    Eigen::Vector3f(maximum[0][lane], maximum[1][lane], maximum[2][lane]));
   }
 
   void set(unsigned lane, const FloatBox& box) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      minimum[axis][lane] = box.minimum[axis];
-      maximum[axis][lane] = box.maximum[axis];
+      minimum[axis][lane] = box.min()[static_cast<Eigen::Index>(axis)];
+      maximum[axis][lane] = box.max()[static_cast<Eigen::Index>(axis)];
     }
   }
 };
@@ -32,6 +32,8 @@ struct alignas(16) GroupQuad {
 };
 
 inline constexpr float unused = std::numeric_limits<float>::quiet_NaN();
-inline constexpr FloatBox unused_box{{unused, unused, unused}, {unused, unused, unused}};
+inline FloatBox unused_box() {
+  return FloatBox(Eigen::Vector3f::Constant(unused), Eigen::Vector3f::Constant(unused));
+}
 
 }  // namespace transformesh

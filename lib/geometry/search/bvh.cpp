@@ -20,8 +20,8 @@ FloatBox united(const BoxQuad& quad) {
   for (int axis = 0; axis < 3; ++axis)
     for (int lane = 1; lane < 4; ++lane) {
       // In this order a comparison with the NaN of an unused box changes nothing.
-      box.minimum[axis] = std::min(box.minimum[axis], quad.minimum[axis][lane]);
-      box.maximum[axis] = std::max(box.maximum[axis], quad.maximum[axis][lane]);
+      box.min()[axis] = std::min(box.min()[axis], quad.minimum[axis][lane]);
+      box.max()[axis] = std::max(box.max()[axis], quad.maximum[axis][lane]);
     }
   return box;
 }
@@ -32,7 +32,7 @@ std::vector<BoxQuad> pack(std::size_t count, const BoxOf& box_of) {
   std::vector<BoxQuad> quads((count + 3) / 4);
   parallel_for(quads.size(), quads_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = 4 * first; i < 4 * last; ++i)
-      quads[i / 4].set(i % 4, i < count ? box_of(i) : unused_box);
+      quads[i / 4].set(i % 4, i < count ? box_of(i) : unused_box());
   });
   return quads;
 }

@@ -62,8 +62,10 @@ float float_above(double value) {
 float float_below(double value) { return -float_above(-value); }
 
 FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
-  return {{float_below(minimum.x()), float_below(minimum.y()), float_below(minimum.z())},
-          {float_above(maximum.x()), float_above(maximum.y()), float_above(maximum.z())}};
+  return FloatBox(
+      Eigen::Vector3f(float_below(minimum.x()), float_below(minimum.y()), float_below(minimum.z())),
+      Eigen::Vector3f(float_above(maximum.x()), float_above(maximum.y()),
+                      float_above(maximum.z())));
 }
 
 // Rounding keeps the order of numbers, and so boxes that overlap still do.

@@ -2,8 +2,8 @@
 /// doubles is missed. Coordinates beyond the floats' range give infinite bounds.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -12,26 +12,7 @@
 
 namespace transformesh {
 
-struct FloatBox {
-  std::array<float, 3> minimum;
-  std::array<float, 3> maximum;
-};
-
-inline bool overlap(const FloatBox& a, const FloatBox& b) {
-  bool result = true;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    result = result && a.minimum[axis] <= b.maximum[axis] && b.minimum[axis] <= a.maximum[axis];
-  return result;
-}
-
-inline FloatBox united(const FloatBox& a, const FloatBox& b) {
-  FloatBox box;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.minimum[axis] = std::min(a.minimum[axis], b.minimum[axis]);
-    box.maximum[axis] = std::max(a.maximum[axis], b.maximum[axis]);
-  }
-  return box;
-}
+using FloatBox = Eigen::AlignedBox3f;
 
 /// The largest float that is not above the value, and the smallest that is not below it.
 float float_below(double value);
@@ -64,8 +45,8 @@ class BoxFrame {
 /// The middle of a box along an axis, infinite bounds counted as the largest float.
 inline double center(const FloatBox& box, std::size_t axis) {
   constexpr float largest = std::numeric_limits<float>::max();
-  const double low = std::clamp(box.minimum[axis], -largest, largest);
-  const double high = std::clamp(box.maximum[axis], -largest, largest);
+  const double low = std::clamp(box.min()[static_cast<Eigen::Index>(axis)], -largest, largest);
+  const double high = std::clamp(box.max()[static_cast<Eigen::Index>(axis)], -largest, largest);
   return (low + high) / 2;
 }
 

@@ -88,7 +88,7 @@ std::uint64_t leading_index(const std::array<std::uint32_t, 3>& cell) {
 
 // In registers.
 [[gnu::always_inline]] inline std::array<double, 3> center(const FloatBox& box) {
-  return {center(box, 0), center(box, 1), center(box, 2)};
+  return {transformesh::center(box, 0), transformesh::center(box, 1), transformesh::center(box, 2)};
 }
 
 /// Maps centers to cells: cubes that fill the box around all centers along its longest side.

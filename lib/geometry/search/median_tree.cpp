@@ -12,8 +12,8 @@ constexpr std::size_t boxes_per_task = 8192;
 
 void extend(FloatBox& box, const FloatBox& by) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.minimum[axis] = std::min(box.minimum[axis], by.minimum[axis]);
-    box.maximum[axis] = std::max(box.maximum[axis], by.maximum[axis]);
+    box.min()[axis] = std::min(box.min()[axis], by.min()[axis]);
+    box.max()[axis] = std::max(box.max()[axis], by.max()[axis]);
   }
 }
 
@@ -37,16 +37,18 @@ std::size_t widest_axis(std::span<const Center> centers) {
 
 MedianTree::Halves::Halves(const FloatBox& left, const FloatBox& right) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    minimum[axis] = {left.minimum[axis], right.minimum[axis]};
-    maximum[axis] = {left.maximum[axis], right.maximum[axis]};
+    minimum[axis] = {left.min()[static_cast<Eigen::Index>(axis)],
+                     right.min()[static_cast<Eigen::Index>(axis)]};
+    maximum[axis] = {left.max()[static_cast<Eigen::Index>(axis)],
+                     right.max()[static_cast<Eigen::Index>(axis)]};
   }
 }
 
 FloatBox MedianTree::Halves::both() const {
   FloatBox box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.minimum[axis] = std::min(minimum[axis][0], minimum[axis][1]);
-    box.maximum[axis] = std::max(maximum[axis][0], maximum[axis][1]);
+    box.min()[axis] = std::min(minimum[axis][0], minimum[axis][1]);
+    box.max()[axis] = std::max(maximum[axis][0], maximum[axis][1]);
   }
   return box;
 }

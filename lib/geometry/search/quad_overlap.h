@@ -14,10 +14,10 @@ inline unsigned overlap_mask(const BoxQuad& quad, const FloatBox& box) {
 #ifdef __SSE2__
   __m128 overlap = _mm_castsi128_ps(_mm_set1_epi32(-1));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const __m128 is_below =
-        _mm_cmple_ps(_mm_load_ps(quad.minimum[axis].data()), _mm_set1_ps(box.maximum[axis]));
-    const __m128 is_above =
-        _mm_cmple_ps(_mm_set1_ps(box.minimum[axis]), _mm_load_ps(quad.maximum[axis].data()));
+    const __m128 is_below = _mm_cmple_ps(_mm_load_ps(quad.minimum[axis].data()),
+                                         _mm_set1_ps(box.max()[static_cast<Eigen::Index>(axis)]));
+    const __m128 is_above = _mm_cmple_ps(_mm_set1_ps(box.min()[static_cast<Eigen::Index>(axis)]),
+                                         _mm_load_ps(quad.maximum[axis].data()));
     overlap = _mm_and_ps(overlap, _mm_and_ps(is_below, is_above));
   }
   return static_cast<unsigned>(_mm_movemask_ps(overlap));
@@ -26,8 +26,8 @@ inline unsigned overlap_mask(const BoxQuad& quad, const FloatBox& box) {
   for (unsigned lane = 0; lane < 4; ++lane) {
     bool overlap = true;
     for (int axis = 0; axis < 3; ++axis)
-      overlap &= (quad.minimum[axis][lane] <= box.maximum[axis]) &
-                 (box.minimum[axis] <= quad.maximum[axis][lane]);
+      overlap &= (quad.minimum[axis][lane] <= box.max()[static_cast<Eigen::Index>(axis)]) &
+                 (box.min()[static_cast<Eigen::Index>(axis)] <= quad.maximum[axis][lane]);
     mask |= static_cast<unsigned>(overlap) << lane;
   }
   return mask;

@@ -142,7 +142,7 @@ SimplexLinks find_simplex_links(std::span<const Vec3> points, std::span<const Fa
 bool are_apart(const LinkBoxes& a, const LinkBoxes& b) {
   bool apart = false;
   for_each_common(
-      a, b, [&](const LinkBox& i, const LinkBox& k) { apart = apart || !overlap(i.box, k.box); });
+      a, b, [&](const LinkBox& i, const LinkBox& k) { apart = apart || !i.box.intersects(k.box); });
   return apart;
 }
 
@@ -150,7 +150,7 @@ LinkBoxes common_links(const LinkBoxes& a, const LinkBoxes& b) {
   LinkBoxes result;
   std::size_t count = 0;
   for_each_common(a, b, [&](const LinkBox& i, const LinkBox& k) {
-    result[count++] = {i.link, united(i.box, k.box)};
+    result[count++] = {i.link, i.box.merged(k.box)};
   });
   return result;
 }

@@ -21,7 +21,7 @@ std::vector<Vec3> positions_of(const EditableMesh& mesh) {
 
 bool holds(const FloatBox& outer, const FloatBox& inner) {
   for (std::size_t i = 0; i < 3; ++i)
-    if (outer.minimum[i] > inner.minimum[i] || outer.maximum[i] < inner.maximum[i]) return false;
+    if (outer.min()[i] > inner.min()[i] || outer.max()[i] < inner.max()[i]) return false;
   return true;
 }
 
@@ -63,7 +63,7 @@ void ExactGuard::divide(Index face, std::span<const Index> parts) {
 /// Lets the boxes of a node and of those above it hold another one, as rounding moves parts.
 void ExactGuard::widen(Index node, const FloatBox& box) {
   while (!holds(nodes_[node].box, box)) {
-    nodes_[node].box = united(nodes_[node].box, box);
+    nodes_[node].box = nodes_[node].box.merged(box);
     if (nodes_[node].parent == no_index) {
       widened_.push_back(node);
       return;
@@ -78,7 +78,7 @@ bool ExactGuard::visit_below(Index root, const FloatBox& box,
   while (!waiting.empty()) {
     const Node& node = nodes_[waiting.back()];
     waiting.pop_back();
-    if (!overlap(node.box, box)) continue;
+    if (!node.box.intersects(box)) continue;
     if (node.face != no_index && mesh_.has_face(node.face) && !visit(node.face)) return false;
     for (Index i = 0; i < node.children; ++i) waiting.push_back(node.first_child + i);
   }

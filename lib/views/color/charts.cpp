@@ -123,19 +123,10 @@ class ChartGrower {
   std::vector<Vec3> axis_;
 };
 
-struct Extent {
-  Eigen::Vector2d low = Eigen::Vector2d::Zero();
-  Eigen::Vector2d high = Eigen::Vector2d::Zero();
-};
-
-Extent extent_of(const std::vector<Corners>& faces) {
-  Extent extent{faces.front()[0], faces.front()[0]};
-  for (const Corners& corners : faces) {
-    for (const Eigen::Vector2d& corner : corners) {
-      extent.low = extent.low.cwiseMin(corner);
-      extent.high = extent.high.cwiseMax(corner);
-    }
-  }
+Eigen::AlignedBox2d extent_of(const std::vector<Corners>& faces) {
+  Eigen::AlignedBox2d extent;
+  for (const Corners& corners : faces)
+    for (const Eigen::Vector2d& corner : corners) extent.extend(corner);
   return extent;
 }
 
@@ -154,11 +145,10 @@ std::vector<Corners> well_turned(const std::vector<Corners>& faces) {
   double least = HUGE_VAL;
   for (int i = 0; i < turns; ++i) {
     std::vector<Corners> next = turned(faces, i * std::numbers::pi / 2 / turns);
-    const Extent extent = extent_of(next);
-    const double area = (extent.high - extent.low).prod();
+    const double area = extent_of(next).sizes().prod();
     if (area < least) least = area, best = std::move(next);
   }
-  const Eigen::Vector2d size = extent_of(best).high - extent_of(best).low;
+  const Eigen::Vector2d size = extent_of(best).sizes();
   return size.x() < size.y() ? turned(best, std::numbers::pi / 2) : best;
 }
 
@@ -175,10 +165,10 @@ Chart flattened(const Mesh& mesh, std::vector<Index> faces, const Vec3& axis) {
     }
   }
   chart.corners = well_turned(chart.corners);
-  const Extent extent = extent_of(chart.corners);
+  const Eigen::AlignedBox2d extent = extent_of(chart.corners);
   for (Corners& corners : chart.corners)
-    for (Eigen::Vector2d& corner : corners) corner -= extent.low;
-  chart.size = extent.high - extent.low;
+    for (Eigen::Vector2d& corner : corners) corner -= extent.min();
+  chart.size = extent.sizes();
   return chart;
 }
 

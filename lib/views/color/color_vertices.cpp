@@ -62,7 +62,7 @@ double usual_pixel(const Mesh& mesh, std::span<const PictureView> views) {
   std::vector<PinholeCamera> cameras;
   for (const PictureView& view : views) cameras.push_back(view.camera);
   const Box box = bounding_box(mesh);
-  return pixel_size(cameras, (box.minimum + box.maximum) / 2);
+  return pixel_size(cameras, (box.min() + box.max()) / 2);
 }
 
 ColorSamples vertex_color_samples(const Mesh& mesh, std::span<const Vec3> normals) {

@@ -66,7 +66,7 @@ bool could_fit(const std::vector<Chart>& charts, double texel, int most_size) {
 
 Layout lay_out(const Mesh& mesh, double texel, const AtlasOptions& options) {
   // Lengths that no picture could hold are none of a chart's either.
-  const double least = bounding_box(mesh).diagonal() / options.most_size;
+  const double least = diagonal_of(bounding_box(mesh)) / options.most_size;
   Layout layout{make_charts(mesh, std::max(texel, least / 4)), {}, texel};
   for (int i = 0; i < most_shrinkings; ++i, layout.texel *= 1.1) {
     if (!could_fit(layout.charts, layout.texel, options.most_size)) continue;

@@ -49,7 +49,7 @@ Opening open_at(double size_px, std::span<const View> views, const OpenedHullOpt
   const Vec3 center = viewed_point(cameras);
   const double pixel = pixel_size(cameras, center);
   const Box box = silhouette_box(views);
-  const double scale = std::max(1.0, (box.maximum - box.minimum).maxCoeff() / pixel / size_px);
+  const double scale = std::max(1.0, (box.max() - box.min()).maxCoeff() / pixel / size_px);
 
   Opening opening{
       hull_values(views, {.box = box, .edge = options.cell_px * scale * pixel}, progress),

@@ -22,8 +22,7 @@ constexpr int most_planes = 400;
 struct Extent {
   double near = std::numeric_limits<double>::infinity();
   double far = 0;
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d high = -low;
+  Eigen::AlignedBox2d image;
 
   bool is_before_camera() const { return near > 0 && near < far; }
 };
@@ -39,8 +38,7 @@ Extent extent_of(const ValueGrid& hull, const Projection& projection) {
         extent.near = std::min(extent.near, q.z());
         extent.far = std::max(extent.far, q.z());
         if (!(q.z() > 0)) continue;
-        extent.low = extent.low.cwiseMin(q.hnormalized());
-        extent.high = extent.high.cwiseMax(q.hnormalized());
+        extent.image.extend(q.hnormalized());
       }
     }
   }
@@ -128,12 +126,12 @@ bool Sweep::find_planes() {
   const auto clamped = [](double value, int end) {
     return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(end)));
   };
-  left_ = clamped(std::floor(extent.low.x()), image_.width);
-  top_ = clamped(std::floor(extent.low.y()), image_.height);
-  columns_ = clamped(std::ceil(extent.high.x()) + 1, image_.width) - left_;
-  rows_ = clamped(std::ceil(extent.high.y()) + 1, image_.height) - top_;
+  left_ = clamped(std::floor(extent.image.min().x()), image_.width);
+  top_ = clamped(std::floor(extent.image.min().y()), image_.height);
+  columns_ = clamped(std::ceil(extent.image.max().x()) + 1, image_.width) - left_;
+  rows_ = clamped(std::ceil(extent.image.max().y()) + 1, image_.height) - top_;
   if (columns_ < 1 || rows_ < 1) return false;
-  const Eigen::Vector2d middle = (extent.low + extent.high) / 2;
+  const Eigen::Vector2d middle = extent.image.center();
   double way = 0;
   for (const Neighbor& neighbor : neighbors_)
     way = std::max(

@@ -85,7 +85,7 @@ struct Footprint {
     for (int corner = 0; corner < 8; ++corner) {
       Vec3 point;
       for (int axis = 0; axis < 3; ++axis)
-        point[axis] = (corner >> axis & 1) != 0 ? box.maximum[axis] : box.minimum[axis];
+        point[axis] = (corner >> axis & 1) != 0 ? box.max()[axis] : box.min()[axis];
       const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
       is_before_camera = is_before_camera && q.z() > 0;
       low = low.cwiseMin(q.hnormalized());
@@ -189,13 +189,13 @@ void check(const HullOptions& options) {
   if (options.edge && !(*options.edge > 0)) throw UsageError("the cells of a hull need a size > 0");
   if (!(options.keep >= 0 && options.keep <= 1))
     throw UsageError("the share of components to keep must be between 0 and 1");
-  if (options.box && !((options.box->maximum - options.box->minimum).minCoeff() > 0))
+  if (options.box && !((options.box->max() - options.box->min()).minCoeff() > 0))
     throw UsageError("the box of a hull must have its smaller corner first");
 }
 
 /// The box lies within the outermost nodes, which are always outside.
 ValueGrid make_grid(const Box& box, const HullOptions& options) {
-  const Vec3 size = box.maximum - box.minimum;
+  const Vec3 size = box.max() - box.min();
   ValueGrid grid;
   grid.spacing = options.edge.value_or(size.maxCoeff() / options.resolution);
   double count = 1;
@@ -206,7 +206,7 @@ ValueGrid make_grid(const Box& box, const HullOptions& options) {
   for (int axis = 0; axis < 3; ++axis) {
     const double cells = std::ceil(size[axis] / grid.spacing) + 2;
     grid.nodes[axis] = static_cast<std::size_t>(cells) + 1;
-    grid.origin[axis] = (box.minimum[axis] + box.maximum[axis]) / 2 - cells * grid.spacing / 2;
+    grid.origin[axis] = (box.min()[axis] + box.max()[axis]) / 2 - cells * grid.spacing / 2;
   }
   return grid;
 }

@@ -99,8 +99,8 @@ Box silhouette_box(std::span<const View> views) {
   const LinearProgram program = program_of(half_spaces(views));
   Box box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.minimum[axis] = least(program, axis, 1);
-    box.maximum[axis] = least(program, axis, -1);
+    box.min()[axis] = least(program, axis, 1);
+    box.max()[axis] = least(program, axis, -1);
   }
   return box;
 }

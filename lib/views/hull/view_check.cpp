@@ -154,7 +154,7 @@ std::vector<double> suspicions(const std::vector<View>& views) {
     const Eigen::Array3d place(i % vote_points, i / vote_points % vote_points,
                                i / vote_points / vote_points);
     const Vec3 share = (place + 0.5) / vote_points;
-    const Vec3 point = box.minimum + share.cwiseProduct(box.maximum - box.minimum);
+    const Vec3 point = box.min() + share.cwiseProduct(box.max() - box.min());
     carvers.clear();
     std::size_t others = 0;
     for (std::size_t v = 0; v < views.size() && 3 * carvers.size() <= views.size(); ++v) {

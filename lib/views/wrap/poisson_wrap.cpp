@@ -139,9 +139,9 @@ std::unique_ptr<Function> rising_function(const std::vector<Oriented>& cloud, do
 ValueGrid sampled(const Function& function, const Box& box, double cell) {
   ValueGrid grid;
   grid.spacing = cell;
-  const Vec3 margin = Vec3::Constant(margin_by_diagonal * box.diagonal() + 2 * cell);
-  grid.origin = box.minimum - margin;
-  const Vec3 size = box.maximum + margin - grid.origin;
+  const Vec3 margin = Vec3::Constant(margin_by_diagonal * diagonal_of(box) + 2 * cell);
+  grid.origin = box.min() - margin;
+  const Vec3 size = box.max() + margin - grid.origin;
   for (int axis = 0; axis < 3; ++axis)
     grid.nodes[axis] = static_cast<std::size_t>(std::ceil(size[axis] / cell)) + 1;
   // Nodes are visited in a row, because the function begins its search where the last one ended.
@@ -160,7 +160,7 @@ Mesh unit_wrap(const std::vector<Oriented>& cloud) {
   const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(
       cloud, neighbors, CGAL::parameters::point_map(PointMap()));
   const double cell =
-      std::clamp(spacing, box.diagonal() / most_cells, box.diagonal() / least_cells);
+      std::clamp(spacing, diagonal_of(box) / most_cells, diagonal_of(box) / least_cells);
 
   const std::unique_ptr<Function> function = rising_function(cloud, spacing);
   if (function == nullptr) return {};

@@ -55,7 +55,7 @@ double diagonal_of(std::span<const Vec3> points) {
   Mesh cloud;
   cloud.positions.assign(points.begin(), points.end());
   const Box box = bounding_box(cloud);
-  return (box.maximum - box.minimum).stableNorm();
+  return (box.max() - box.min()).stableNorm();
 }
 
 std::vector<std::size_t> first_equals(std::span<const Vec3> points) {

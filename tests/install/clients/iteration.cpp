@@ -18,5 +18,5 @@ int main() {
   if (result.displaced.moved != vertices) return 1;
   const Box box = bounding_box(document.mesh);
   if (smoothed_by(0.1).smoothing != Smoothing::laplace) return 1;
-  return std::abs(box.minimum.z() + box.maximum.z() - 0.04) < 0.01 ? 0 : 1;
+  return std::abs(box.min().z() + box.max().z() - 0.04) < 0.01 ? 0 : 1;
 }

@@ -20,5 +20,5 @@ int main() {
   const std::vector<Vec3> normals = vertex_normals(mesh);
   for (std::size_t v = 0; v < normals.size(); ++v)
     if ((normals[v] - mesh.positions[v]).norm() > 0.02) return 1;
-  return std::abs(bounding_box(mesh).diagonal() - std::sqrt(12)) < 0.05 ? 0 : 1;
+  return std::abs(diagonal_of(bounding_box(mesh)) - std::sqrt(12)) < 0.05 ? 0 : 1;
 }

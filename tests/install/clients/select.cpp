@@ -11,7 +11,7 @@ int main() {
   if (result.selected_faces + result.dropped_faces != both.faces.size()) return 1;
   if (connected_components(one).components.size() != 1 || result.dropped_faces == 0) return 1;
   Mesh around = both;
-  const Vec3 inside = 0.5 * (bounding_box(one).minimum + bounding_box(one).maximum);
+  const Vec3 inside = 0.5 * (bounding_box(one).min() + bounding_box(one).max());
   const SelectionResult found = select(around, {.around = inside});
   if (!found.contains_point || !*found.contains_point || around.faces != one.faces) return 1;
   Mesh marked = both;

@@ -18,8 +18,8 @@ int main() {
   const Box mapped = mapped_box(mesh, fitting_unit_box(bounding_box(mesh)));
   transform(mesh, fitting_unit_box(bounding_box(mesh)));
   const Box box = bounding_box(mesh);
-  if ((box.maximum - mapped.maximum).norm() > 1e-12) return 1;
-  if (std::abs((box.maximum - box.minimum).maxCoeff() - 1) > 1e-12) return 1;
+  if ((box.max() - mapped.max()).norm() > 1e-12) return 1;
+  if (std::abs((box.max() - box.min()).maxCoeff() - 1) > 1e-12) return 1;
   try {
     transform(mesh, Matrix4::Zero());
   } catch (const UsageError&) {

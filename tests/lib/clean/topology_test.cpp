@@ -115,12 +115,12 @@ Mesh check_clean(const Mesh& input, const Expected& expected) {
 double volume_by_counting(const Mesh& mesh) {
   constexpr int cells = 32;
   const Box box = bounding_box(mesh);
-  const Vec3 cell = (box.maximum - box.minimum) / cells;
+  const Vec3 cell = (box.max() - box.min()) / cells;
   const SolidAngleWinding winding(mesh);
   int inside = 0;
   for (int i = 0; i < cells * cells * cells; ++i) {
     const Vec3 at(i % cells + 0.5, i / cells % cells + 0.5, i / cells / cells + 0.5);
-    inside += winding(box.minimum + cell.cwiseProduct(at)).number > 0.5 ? 1 : 0;
+    inside += winding(box.min() + cell.cwiseProduct(at)).number > 0.5 ? 1 : 0;
   }
   return inside * cell.prod();
 }

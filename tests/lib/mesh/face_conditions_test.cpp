@@ -61,7 +61,7 @@ TEST_CASE("conditions on properties and boxes") {
   CHECK(faces_where(mesh, "label>=2") == Mask{false, false, true, true});
   CHECK(faces_where(mesh, "label != 2") == Mask{true, true, false, true});
   CHECK(faces_where(mesh, "height < 1") == Mask{true, false, false, false});
-  CHECK(faces_in_box(mesh, {{0, 0, 0}, {1, 1, 0.5}}) == Mask{true, false, false, false});
+  CHECK(faces_in_box(mesh, Box(Vec3::Zero(), Vec3(1, 1, 0.5))) == Mask{true, false, false, false});
   for (const char* text : {"", "label", "label>", ">3", "label=>3", "label>3x"})
     CHECK_THROWS_AS(faces_where(mesh, text), UsageError);
   CHECK_THROWS_AS(faces_where(mesh, "none>0"), InputError);

@@ -74,10 +74,10 @@ TEST_CASE("mirrors, boxes and scales") {
   Mesh mesh = test::cuboid({-1, 2, 3}, {3, 4, 4});
   Mesh copy = mesh;
   transform(mesh, fitting_unit_box(mapped_box(mesh, Matrix4::Identity())));
-  CHECK(bounding_box(mesh).minimum == Vec3(0, 0.25, 0.375));
-  CHECK(bounding_box(mesh).maximum == Vec3(1, 0.75, 0.625));
+  CHECK(bounding_box(mesh).min() == Vec3(0, 0.25, 0.375));
+  CHECK(bounding_box(mesh).max() == Vec3(1, 0.75, 0.625));
   transform(copy, centering(mapped_box(copy, Matrix4::Identity())));
-  CHECK(bounding_box(copy).minimum == Vec3(-2, -1, -0.5));
+  CHECK(bounding_box(copy).min() == Vec3(-2, -1, -0.5));
   CHECK(scale_of(scaling_by({-3, 3, 3})) == 3);
   CHECK(scale_of(rotation_about({1, 2, 3}, 40)) == 1);
 }

@@ -47,10 +47,10 @@ TEST_CASE("the figure stands, and is within the cube of all shapes") {
   for (const char* time : {"0", "0.5", "1"}) {
     CAPTURE(time);
     const Box box = bounding_box(make_shape(shape("figure", 4000, {time})));
-    CHECK(box.minimum.y() == doctest::Approx(-1.15).epsilon(0.02));
-    CHECK(box.maximum.y() == doctest::Approx(1.02).epsilon(0.02));
-    CHECK(box.minimum.minCoeff() > -1.2);
-    CHECK(box.maximum.maxCoeff() < 1.2);
+    CHECK(box.min().y() == doctest::Approx(-1.15).epsilon(0.02));
+    CHECK(box.max().y() == doctest::Approx(1.02).epsilon(0.02));
+    CHECK(box.min().minCoeff() > -1.2);
+    CHECK(box.max().maxCoeff() < 1.2);
   }
 }
 

@@ -57,7 +57,7 @@ TEST_CASE("a sphere around a box contains it, faces included") {
   ShapeOptions options = shape("sphere");
   options.around = Box{Vec3(1, 2, 3), Vec3(2, 4, 4)};
   const Vec3 middle(1.5, 3, 3.5);
-  const double reach = options.around->diagonal() / 2;
+  const double reach = diagonal_of(*options.around) / 2;
   const Mesh mesh = shapes::kinds()[0].make(options, 80, {});
   REQUIRE(shapes::kinds()[0].name == "sphere");
   for (const auto& [a, b, c] : mesh.faces) {

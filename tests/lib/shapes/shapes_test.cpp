@@ -131,8 +131,8 @@ TEST_CASE("a box has its exact volume, and its corners where they belong") {
   const Mesh mesh = make_shape(shape("box", 3000, {"2", "1", "0.5"}));
   CHECK(signed_volume(mesh) == doctest::Approx(1).epsilon(1e-12));
   const Box box = bounding_box(mesh);
-  CHECK(box.minimum == Vec3(-1, -0.5, -0.25));
-  CHECK(box.maximum == Vec3(1, 0.5, 0.25));
+  CHECK(box.min() == Vec3(-1, -0.5, -0.25));
+  CHECK(box.max() == Vec3(1, 0.5, 0.25));
   CHECK(make_shape(shape("box", 1)).faces.size() == 12);
 }
 
@@ -157,10 +157,10 @@ TEST_CASE("edges are as long as asked for") {
 TEST_CASE("center moves, and around contains with little room") {
   ShapeOptions options = shape("sphere", 320);
   options.center = {5, -3, 2};
-  CHECK((bounding_box(make_shape(options)).minimum - Vec3(4, -4, 1)).norm() < 0.1);
+  CHECK((bounding_box(make_shape(options)).min() - Vec3(4, -4, 1)).norm() < 0.1);
 
   options = shape("sphere", 20);
-  options.around = Box{{1, 2, 3}, {2, 4, 6}};
+  options.around = Box(Vec3(1, 2, 3), Vec3(2, 4, 6));
   for (const std::size_t faces : {20, 320, 5000}) {
     options.faces = faces;
     const Mesh mesh = make_shape(options);
@@ -244,7 +244,7 @@ TEST_CASE("senseless options are refused") {
   options.edge = 1;
   refused(options);
   options = shape("torus");
-  options.around = Box{{0, 0, 0}, {1, 1, 1}};
+  options.around = Box(Vec3::Zero(), Vec3::Ones());
   refused(options);
   refused(shape("sphere", 2000000000));
 }

@@ -73,8 +73,7 @@ TEST_CASE("an open target and one that intersects itself are told with their num
 
 TEST_CASE("a source apart from the target is told, one that touches its box is not") {
   const Target target = target_of(test::cube());
-  const double width =
-      bounding_box(target.mesh).maximum.x() - bounding_box(target.mesh).minimum.x();
+  const double width = bounding_box(target.mesh).max().x() - bounding_box(target.mesh).min().x();
   CHECK(check_source(moved(test::cube(), {width, 0, 0}), target, "b.ply").empty());
   const auto warnings = check_source(moved(test::cube(), {0, 0, 1.01 * width}), target, "b.ply");
   REQUIRE(warnings.size() == 1);

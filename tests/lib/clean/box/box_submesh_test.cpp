@@ -21,7 +21,7 @@ TEST_CASE("a box has its lower sides and not its upper ones") {
 
 TEST_CASE("faces near a box are those whose own boxes reach it") {
   const Mesh ball = test::icosphere(3);
-  const Box box{{.5, .5, .5}, {1, 1, 1}};
+  const Box box(Vec3::Constant(.5), Vec3::Ones());
   const std::vector<bool> near = faces_near(ball, box, .1);
   for (Index f = 0; f < ball.faces.size(); ++f) {
     bool reaches = true;

@@ -40,15 +40,15 @@ std::vector<Corners> sorted_triangles(const Mesh& mesh) {
 /// Eight boxes that cover a mesh, from a corner somewhere inside of it.
 std::vector<Box> octants(const Mesh& mesh, const Vec3& share) {
   const Box all = bounding_box(mesh);
-  const Vec3 low = all.minimum.array() - 1, high = all.maximum.array() + 1;
+  const Vec3 low = all.min().array() - 1, high = all.max().array() + 1;
   const Vec3 middle = low + share.cwiseProduct(high - low);
   std::vector<Box> boxes;
   for (int i = 0; i < 8; ++i) {
     Box box{low, middle};
     for (int k = 0; k < 3; ++k)
       if (i >> k & 1) {
-        box.minimum[k] = middle[k];
-        box.maximum[k] = high[k];
+        box.min()[k] = middle[k];
+        box.max()[k] = high[k];
       }
     boxes.push_back(box);
   }
@@ -174,8 +174,8 @@ TEST_CASE("a box in which nothing crosses changes nothing, though it may be cut 
   const Mesh input = test::workload("two-spheres", 2000, 1);
   const Box all = bounding_box(input);
   CleanOptions options;
-  options.box = {all.minimum, all.minimum + .2 * (all.maximum - all.minimum)};
-  options.box->maximum.y() = options.box->maximum.z() = all.maximum.z() + 1;
+  options.box = {all.min(), all.min() + .2 * (all.max() - all.min())};
+  options.box->max().y() = options.box->max().z() = all.max().z() + 1;
   const CleanResult result = clean(input, options);
   CHECK(result.box_faces > 0);
   CHECK(!result.changed);
@@ -183,12 +183,12 @@ TEST_CASE("a box in which nothing crosses changes nothing, though it may be cut 
   CHECK(result.mesh.faces == input.faces);
   // Half a crossing: what is outside keeps its name and place.
   options.box = octants(input, {.5, .5, .5})[0];
-  options.box->maximum.x() = 100;
+  options.box->max().x() = 100;
   const Mesh half = clean(input, options).mesh;
   std::size_t stayed = 0, outside = 0;
   for (const Face& face : input.faces) {
     const Vec3& first = input.positions[face[0]];
-    outside += (first.array() < options.box->maximum.array()).all() ? 0 : 1;
+    outside += (first.array() < options.box->max().array()).all() ? 0 : 1;
   }
   const auto triangles = sorted_triangles(input);
   for (const Corners& t : sorted_triangles(half))
@@ -206,7 +206,7 @@ TEST_CASE("what a box cannot do is said") {
   const Mesh input = test::workload("two-spheres", 1000, 1);
   options.refuse = true;
   CHECK_THROWS_AS(clean(input, options), GoalError);
-  options.box->maximum.x() = -9;
+  options.box->max().x() = -9;
   CHECK_THROWS_AS(clean(input, options), UsageError);
   // A box beside the mesh.
   options.box = {Vec3::Constant(50), Vec3::Constant(60)};

@@ -18,7 +18,7 @@ constexpr auto every_pair = [](Index, Index) { return true; };
 
 bool touch(const FloatBox& a, const FloatBox& b) {
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (a.maximum[axis] < b.minimum[axis] || b.maximum[axis] < a.minimum[axis]) return false;
+    if (a.max()[axis] < b.min()[axis] || b.max()[axis] < a.min()[axis]) return false;
   return true;
 }
 
@@ -55,8 +55,8 @@ std::vector<FloatBox> lattice_boxes(std::uint64_t seed, std::size_t count) {
   std::vector<FloatBox> boxes(count);
   for (FloatBox& box : boxes)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.minimum[axis] = static_cast<float>(random.below(8));
-      box.maximum[axis] = box.minimum[axis] + static_cast<float>(random.below(3));
+      box.min()[axis] = static_cast<float>(random.below(8));
+      box.max()[axis] = box.min()[axis] + static_cast<float>(random.below(3));
     }
   return boxes;
 }
@@ -107,7 +107,7 @@ TEST_CASE("boxes at the ends of the float range and beyond are paired") {
   }
   constexpr float infinity = std::numeric_limits<float>::infinity();
   std::vector<FloatBox> boxes = lattice_boxes(5, 50);
-  boxes.push_back({{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}});
+  boxes.emplace_back(Eigen::Vector3f::Constant(-infinity), Eigen::Vector3f::Constant(infinity));
   CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("boxes of one group are not paired, those of none are") {
     for (const Index groups : {1, 2, 40}) {
       std::vector<Index> group_of(count);
       for (Index i = 0; i < count; ++i)
-        group_of[i] = i % 5 == 0 ? no_index : boxes[i].minimum[0] < 0 ? 0 : i % groups;
+        group_of[i] = i % 5 == 0 ? no_index : boxes[i].min()[0] < 0 ? 0 : i % groups;
       std::vector<Bvh::Pair> expected;
       for (const auto& [i, j] : pairs_by_search(boxes))
         if (group_of[i] == no_index || group_of[i] != group_of[j]) expected.emplace_back(i, j);

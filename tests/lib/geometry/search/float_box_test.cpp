@@ -60,13 +60,13 @@ TEST_CASE("face boxes hold their corners, also of a selection of faces") {
         low = std::min(low, mesh.positions[vertex][static_cast<Eigen::Index>(axis)]);
         high = std::max(high, mesh.positions[vertex][static_cast<Eigen::Index>(axis)]);
       }
-      CHECK(boxes[f].minimum[axis] == float_below(low));
-      CHECK(boxes[f].maximum[axis] == float_above(high));
+      CHECK(boxes[f].min()[axis] == float_below(low));
+      CHECK(boxes[f].max()[axis] == float_above(high));
     }
   const std::vector<Index> some{7, 3, 7};
   const auto selected = face_boxes(mesh, some);
   REQUIRE(selected.size() == 3);
-  for (std::size_t i = 0; i < 3; ++i) CHECK(selected[i].minimum == boxes[some[i]].minimum);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(selected[i].min() == boxes[some[i]].min());
 }
 TEST_CASE("a point that is far away does not keep boxes from being told apart") {
   std::vector<Vec3> points;
@@ -74,8 +74,8 @@ TEST_CASE("a point that is far away does not keep boxes from being told apart") 
   points.emplace_back(1e15, -2e17, 0);
   const BoxFrame frame(points);
   for (std::size_t i = 0; i + 2 < points.size(); ++i)
-    CHECK(frame.box(points[i], points[i]).maximum[0] <
-          frame.box(points[i + 1], points[i + 1]).minimum[0]);
+    CHECK(frame.box(points[i], points[i]).max()[0] <
+          frame.box(points[i + 1], points[i + 1]).min()[0]);
 }
 
 TEST_CASE("magnitudes that floats do not hold are distinguished, and keep their order") {
@@ -91,9 +91,9 @@ TEST_CASE("magnitudes that floats do not hold are distinguished, and keep their 
       const FloatBox at_p = frame.box(p, p), at_q = frame.box(q, q);
       for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        CHECK(at_p.minimum[i] <= at_p.maximum[i]);
-        if (p[axis] < q[axis]) CHECK(at_p.maximum[i] < at_q.minimum[i]);
-        if (p[axis] == q[axis]) CHECK(at_p.minimum[i] <= at_q.maximum[i]);
+        CHECK(at_p.min()[i] <= at_p.max()[i]);
+        if (p[axis] < q[axis]) CHECK(at_p.max()[i] < at_q.min()[i]);
+        if (p[axis] == q[axis]) CHECK(at_p.min()[i] <= at_q.max()[i]);
       }
     }
   }
@@ -102,7 +102,7 @@ TEST_CASE("magnitudes that floats do not hold are distinguished, and keep their 
   const FloatBox all = frame.box(Vec3::Constant(-farthest), Vec3::Constant(farthest));
   for (const Vec3& p : points)
     for (std::size_t i = 0; i < 3; ++i) {
-      CHECK(all.minimum[i] <= frame.box(p, p).minimum[i]);
-      CHECK(all.maximum[i] >= frame.box(p, p).maximum[i]);
+      CHECK(all.min()[i] <= frame.box(p, p).min()[i]);
+      CHECK(all.max()[i] >= frame.box(p, p).max()[i]);
     }
 }

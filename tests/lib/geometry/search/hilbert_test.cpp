@@ -12,7 +12,7 @@ using namespace transformesh;
 
 namespace {
 
-FloatBox box_at(float x, float y, float z) { return {{x, y, z}, {x, y, z}}; }
+FloatBox box_at(float x, float y, float z) { return FloatBox(Eigen::Vector3f(x, y, z)); }
 
 bool is_permutation_of_indices(std::vector<Index> order) {
   std::sort(order.begin(), order.end());
@@ -58,7 +58,7 @@ TEST_CASE("boxes come in the order of their centers along the curve") {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     std::array<std::uint32_t, 3> cell;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      cell[axis] = static_cast<std::uint32_t>(boxes[i].minimum[axis]);
+      cell[axis] = static_cast<std::uint32_t>(boxes[i].min()[axis]);
     expected.emplace_back(hilbert_index(cell), static_cast<Index>(i));
   }
   std::sort(expected.begin(), expected.end());
@@ -77,9 +77,9 @@ TEST_CASE("odd boxes are ordered too: none, one place, extremes of the range") {
 
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr float tiny = std::numeric_limits<float>::denorm_min();
-  CHECK(is_permutation_of_indices(hilbert_order(
-      std::vector{box_at(-infinity, 0, 1), box_at(infinity, infinity, 3),
-                  FloatBox{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}})));
+  CHECK(is_permutation_of_indices(hilbert_order(std::vector{
+      box_at(-infinity, 0, 1), box_at(infinity, infinity, 3),
+      FloatBox(Eigen::Vector3f::Constant(-infinity), Eigen::Vector3f::Constant(infinity))})));
   CHECK(is_permutation_of_indices(
       hilbert_order(std::vector{box_at(0, 0, 0), box_at(tiny, 0, 0), box_at(0, 2 * tiny, tiny)})));
 }

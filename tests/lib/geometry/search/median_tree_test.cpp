@@ -30,7 +30,7 @@ double squared_distance(const Vec3& query, const FloatBox& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double at = query[static_cast<Eigen::Index>(axis)];
     way[static_cast<Eigen::Index>(axis)] =
-        std::max({box.minimum[axis] - at, at - box.maximum[axis], 0.0});
+        std::max({box.min()[axis] - at, at - box.max()[axis], 0.0});
   }
   return MedianTree::squared_length(way.x(), way.y(), way.z());
 }

@@ -99,8 +99,8 @@ TEST_CASE("a box seen along its axes is its own hull") {
   const HullResult result = visual_hull(views, {.edge = 0.7});
   const Box box = bounding_box(result.mesh);
   for (int axis = 0; axis < 3; ++axis) {
-    CHECK(box.maximum[axis] == doctest::Approx(half[axis]).epsilon(0.02));
-    CHECK(box.minimum[axis] == doctest::Approx(-half[axis]).epsilon(0.02));
+    CHECK(box.max()[axis] == doctest::Approx(half[axis]).epsilon(0.02));
+    CHECK(box.min()[axis] == doctest::Approx(-half[axis]).epsilon(0.02));
   }
   CHECK(volume(result.mesh) == doctest::Approx(8 * half.prod()).epsilon(0.03));
   CHECK(result.cell == 0.7);
@@ -124,7 +124,7 @@ TEST_CASE("what an image does not show is not carved") {
   const Box box{Vec3::Constant(-70), Vec3::Constant(70)};
   const HullResult cut = visual_hull(single, {.box = box, .edge = 4});
   check_surface(cut.mesh);
-  CHECK(bounding_box(cut.mesh).maximum.x() == doctest::Approx(70).epsilon(0.06));
+  CHECK(bounding_box(cut.mesh).max().x() == doctest::Approx(70).epsilon(0.06));
 }
 
 TEST_CASE("skipping blocks of cells changes nothing: cells of any size agree about a far point") {
@@ -144,12 +144,12 @@ TEST_CASE("skipping blocks of cells changes nothing: cells of any size agree abo
   for (const Component& part : connected_components(all.mesh).components)
     is_found = is_found || std::abs(part.volume - 4.0 / 3 * 3.14159 * 64) < 110;
   CHECK(is_found);
-  CHECK(bounding_box(all.mesh).maximum.x() == doctest::Approx(59).epsilon(0.03));
+  CHECK(bounding_box(all.mesh).max().x() == doctest::Approx(59).epsilon(0.03));
 
   const HullResult largest = visual_hull(views, {.resolution = 90, .keep = 1});
   CHECK(connected_components(largest.mesh).components.size() == 1);
   CHECK(largest.dropped_components + 1 == connected_components(all.mesh).components.size());
-  CHECK(bounding_box(largest.mesh).maximum.x() < 10);
+  CHECK(bounding_box(largest.mesh).max().x() < 10);
 }
 
 TEST_CASE("the same hull for any number of threads") {

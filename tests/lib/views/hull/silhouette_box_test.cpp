@@ -51,10 +51,10 @@ TEST_CASE("a ball seen from three far away places: its own box, a pixel wider") 
   const Box box = silhouette_box(views_of_ball(eyes, center, 40));
   for (int axis = 0; axis < 3; ++axis) {
     // A pixel is about 1 long here; perspective adds a few percent.
-    CHECK(box.minimum[axis] < center[axis] - 40);
-    CHECK(box.maximum[axis] > center[axis] + 40);
-    CHECK(box.minimum[axis] > center[axis] - 40 - 5);
-    CHECK(box.maximum[axis] < center[axis] + 40 + 5);
+    CHECK(box.min()[axis] < center[axis] - 40);
+    CHECK(box.max()[axis] > center[axis] + 40);
+    CHECK(box.min()[axis] > center[axis] - 40 - 5);
+    CHECK(box.max()[axis] < center[axis] + 40 + 5);
   }
 }
 
@@ -75,13 +75,13 @@ TEST_CASE("what lies in all rectangles reaches to the sides of the box, and not 
     for (std::size_t v = 0; v < views.size(); ++v)
       is_in_all = is_in_all && rectangles[v].contains(projected(views[v], point));
     if (!is_in_all) continue;
-    reached.minimum = reached.minimum.cwiseMin(point);
-    reached.maximum = reached.maximum.cwiseMax(point);
+    reached.min() = reached.min().cwiseMin(point);
+    reached.max() = reached.max().cwiseMax(point);
   }
-  CHECK((reached.minimum - box.minimum).minCoeff() >= -1e-9);
-  CHECK((box.maximum - reached.maximum).minCoeff() >= -1e-9);
-  CHECK((reached.minimum - box.minimum).maxCoeff() < 4);  // the grid's step is 1.7
-  CHECK((box.maximum - reached.maximum).maxCoeff() < 4);
+  CHECK((reached.min() - box.min()).minCoeff() >= -1e-9);
+  CHECK((box.max() - reached.max()).minCoeff() >= -1e-9);
+  CHECK((reached.min() - box.min()).maxCoeff() < 4);  // the grid's step is 1.7
+  CHECK((box.max() - reached.max()).maxCoeff() < 4);
 }
 
 TEST_CASE("what cannot be bounded is refused") {
@@ -98,9 +98,9 @@ TEST_CASE("what cannot be bounded is refused") {
     for (int x = 0; x < 160; ++x) views[0].silhouette.at(x, y) = 255;
   const Box open = silhouette_box(views);
   // The image of the first eye has y to its right.
-  CHECK(whole.minimum.y() == doctest::Approx(-21).epsilon(0.1));
-  CHECK(open.minimum.y() == doctest::Approx(-41).epsilon(0.1));
-  CHECK(open.maximum.y() == doctest::Approx(whole.maximum.y()).epsilon(0.01));
+  CHECK(whole.min().y() == doctest::Approx(-21).epsilon(0.1));
+  CHECK(open.min().y() == doctest::Approx(-41).epsilon(0.1));
+  CHECK(open.max().y() == doctest::Approx(whole.max().y()).epsilon(0.01));
   views.pop_back();
   CHECK_THROWS_AS(silhouette_box(views), InputError);
 }
