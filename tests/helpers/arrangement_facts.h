@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "clean/arrange/arrange.h"
+#include "clean/exterior/exterior_arrangement.h"
 #include "clean/intersect/find_meetings.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
@@ -19,6 +20,14 @@ namespace transformesh::test {
 inline Arrangement arranged(const Mesh& mesh) {
   const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
   return arrange(welded, find_meetings(*welded, Progress()), Progress());
+}
+
+/// The pieces of a mesh whose faces are in these open components, as cleaning has them.
+inline Arrangement arranged_open(const Mesh& mesh, std::vector<Index> component_of_face) {
+  const auto welded = std::make_shared<WeldedMesh>(weld(mesh));
+  welded->open_component = std::move(component_of_face);
+  const std::vector<Meeting> meetings = find_meetings(*welded, Progress());
+  return arrange_exterior(welded, meetings, {1, false, nullptr}, Progress()).arrangement;
 }
 
 /// Balls about random points, every third of them inside out.

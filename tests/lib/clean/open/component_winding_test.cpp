@@ -1,0 +1,57 @@
+#include "clean/open/component_winding.h"
+
+#include <doctest/doctest.h>
+
+#include "helpers/arrangement_facts.h"
+
+namespace transformesh {
+namespace {
+
+/// A box without its top face, which is two triangles.
+Mesh open_box(const Vec3& low, const Vec3& high) {
+  Mesh mesh = test::cuboid(low, high);
+  mesh.faces.erase(mesh.faces.begin() + 2, mesh.faces.begin() + 4);
+  return mesh;
+}
+
+std::vector<Index> all_pieces(const Arrangement& arrangement) {
+  std::vector<Index> pieces(arrangement.pieces.size());
+  for (Index p = 0; p < pieces.size(); ++p) pieces[p] = p;
+  return pieces;
+}
+
+}  // namespace
+
+TEST_CASE("a flat sheet has the number 0 on itself, and is no body") {
+  const Arrangement arrangement = test::arranged_open(test::grid(4), std::vector<Index>(32, 0));
+  ComponentWinding winding(arrangement);
+  CHECK(std::abs(winding.on_itself(0)) < 1e-9);
+  CHECK(!winding.is_body(0));
+}
+
+TEST_CASE("a ball with a small hole has a number near 1/2 on itself, and is a body") {
+  Mesh ball = test::icosphere(3);
+  ball.faces.pop_back();
+  const Arrangement arrangement =
+      test::arranged_open(ball, std::vector<Index>(ball.faces.size(), 0));
+  ComponentWinding winding(arrangement);
+  CHECK(winding.on_itself(0) == doctest::Approx(.5).epsilon(.02));
+  CHECK(winding.is_body(0));
+}
+
+TEST_CASE("the median at pieces of another component is the solid angle there") {
+  // A small open box in the middle of a large one: the open side takes a sixth of all directions.
+  const Mesh small = open_box(Vec3::Constant(-.01), Vec3::Constant(.01));
+  const Mesh large = open_box(Vec3::Constant(-1), Vec3::Constant(1));
+  std::vector<Index> components(large.faces.size() + small.faces.size(), 0);
+  std::fill(components.begin() + std::ssize(large.faces), components.end(), 1);
+  const Arrangement arrangement = test::arranged_open(test::joined(large, small), components);
+  const ComponentWinding winding(arrangement);
+  std::vector<Index> pieces;
+  for (const Index p : all_pieces(arrangement))
+    if (test::corners_of(arrangement, arrangement.pieces[p])[0].norm() < .1) pieces.push_back(p);
+  REQUIRE(pieces.size() == small.faces.size());
+  CHECK(winding.median(0, pieces) == doctest::Approx(5. / 6).epsilon(.02));
+}
+
+}  // namespace transformesh

@@ -1,0 +1,55 @@
+#include "lib/io/bytes.h"
+#include "transformesh/mesh_io.h"
+
+using namespace transformesh;
+using namespace transformesh::testing;
+
+namespace {
+
+const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+}  // namespace
+
+TEST_CASE("obj: texture coordinates of corners") {
+  const std::string text = points +
+                           "vt 0.1 0.25\nvt 1 0\nvt -3 2\n"
+                           "f 1/1 2/2 3/3\nf 1 3 4\nf 4/3 2/1 1/1\n";
+  const Document document = read_document(text);
+  const Column& lists = column(document.mesh.face_columns, "texcoord");
+  CHECK(lists.type == Scalar::float32);
+  CHECK(lists.list_offsets == std::vector<std::size_t>{0, 6, 6, 12});
+  CHECK(lists.values ==
+        std::vector<double>{0.1F, 0.25, 1, 0, -3, 2, -3, 2, 0.1F, 0.25, 0.1F, 0.25});
+  CHECK(write_mesh(document).bytes == text);
+  CHECK(write_mesh(document).notes.empty());
+
+  // Doubles where floats would lose digits; a polygon is cut together with its coordinates.
+  const Document polygon =
+      read_document(points + "vt 0.123456789 0\nvt 1\nvt 1 1 0\nvt 0 1\nf 4/-4/7 1/-3 2/3 3/4//\n");
+  const Column& fan = column(polygon.mesh.face_columns, "texcoord");
+  CHECK(fan.type == Scalar::float64);
+  CHECK(fan.values == std::vector<double>{0.123456789, 0, 1, 0, 1, 1, 0.123456789, 0, 1, 1, 0, 1});
+}
+
+TEST_CASE("obj: texture coordinates that vertices have by their numbers") {
+  const std::string text =
+      points + "vt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nf 1/1 2/2 3/3\nf 4/4 2/2 1/1\n";
+  const Document document = read_document(text);
+  CHECK(document.mesh.face_columns.columns.empty());
+  CHECK(column(document.mesh.vertex_columns, "s").values == std::vector<double>{0, 1, 0, 1});
+  CHECK(column(document.mesh.vertex_columns, "t").values == std::vector<double>{0, 0, 1, 1});
+  CHECK(write_mesh(document).bytes == text);
+}
+
+TEST_CASE("obj: texture coordinates that are not there") {
+  const ReadResult result = read_mesh(
+      points + "vt 0 0\nvt nan 0\nvt 1 1 7\nf 1/1 2/2 3/1\nf 1/1 2/1 3/4\nf 1/1 2 3/1\n", "input");
+  CHECK(result.document.mesh.face_columns.columns.empty());
+  CHECK(result.document.mesh.faces.size() == 3);
+  CHECK(has_note(result.notes,
+                 "obj: 3 faces with texture coordinates that are not there left without"));
+  CHECK(has_note(result.notes, "obj: third numbers of 1 texture coordinate left out"));
+  CHECK(read_error("v 0 0 0\nvt a 0\n") ==
+        "a texture coordinate is not a number: 'a' (input line 2)");
+  CHECK(read_error("v 0 0 0\nvt\n") == "a texture coordinate is missing (input line 2)");
+}

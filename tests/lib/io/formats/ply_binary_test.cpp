@@ -1,0 +1,78 @@
+// Rows of binary PLY written by hand, cut short at every byte, and with counts that lie.
+#include "lib/io/bytes.h"
+#include "lib/io/ply_text.h"
+
+using namespace transformesh;
+using namespace transformesh::testing;
+
+namespace {
+
+std::string head(bool is_big, const std::string& rest) {
+  return std::string("ply\nformat ") + (is_big ? "binary_big_endian" : "binary_little_endian") +
+         " 1.0\n" + rest + "end_header\n";
+}
+
+const std::string three_vertices =
+    "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+
+/// A triangle with a list of shorts and an 8-byte number at its face.
+std::string triangle(bool is_big) {
+  Bytes file(is_big);
+  file.text(head(is_big, three_vertices +
+                             "element face 1\nproperty list uchar int vertex_indices\n"
+                             "property list ushort short marks\nproperty double weight\n"));
+  for (const float value : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) file.f32(value);
+  file.u8(3).u32(0).u32(1).u32(2).u16(2).u16(7).u16(0xffff).f64(0.25);
+  return file.str();
+}
+
+}  // namespace
+
+TEST_CASE("binary ply: lists and numbers of a face in both byte orders") {
+  for (const bool is_big : {false, true}) {
+    const Document document = read_document(triangle(is_big));
+    CHECK(document.mesh.positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    CHECK(document.mesh.faces == std::vector<Face>{{0, 1, 2}});
+    const Column& marks = column(document.mesh.face_columns, "marks");
+    CHECK(marks.values == std::vector<double>{7, -1});
+    CHECK(marks.list_offsets == std::vector<std::size_t>{0, 2});
+    CHECK(column(document.mesh.face_columns, "weight").values == std::vector<double>{0.25});
+    CHECK(rewritten(triangle(is_big)) == triangle(is_big));
+  }
+}
+
+TEST_CASE("binary ply: a file that is cut at any byte is refused") {
+  const std::string whole = triangle(false);
+  const std::size_t data = whole.find("end_header\n") + 11;
+  for (std::size_t size = data; size < whole.size(); ++size) {
+    CAPTURE(size);
+    CHECK(read_error(whole.substr(0, size)) != "read");
+  }
+}
+
+TEST_CASE("binary ply: counts and indices beyond the file are refused before memory is taken") {
+  Bytes many;
+  many.text(head(false,
+                 "element vertex 4000000000\nproperty float x\nproperty float y\n"
+                 "property float z\n"));
+  many.f32(0).f32(0).f32(0);
+  CHECK(read_error(many.str()) != "read");
+
+  for (const std::uint64_t index : {std::uint64_t{3}, std::uint64_t{0xffffffff}}) {
+    Bytes file;
+    file.text(
+        head(false, three_vertices + "element face 1\nproperty list uchar int vertex_indices\n"));
+    for (int i = 0; i < 9; ++i) file.f32(static_cast<float>(i * i));
+    file.u8(3).u32(0).u32(1).u32(index);
+    CHECK(read_error(file.str()) != "read");
+  }
+}
+
+TEST_CASE("binary ply: strict reading refuses a coordinate that is not finite, with its vertex") {
+  Bytes file;
+  file.text(head(false, three_vertices));
+  for (int i = 0; i < 8; ++i) file.f32(1);
+  file.f32(std::numeric_limits<float>::infinity());
+  CHECK(contains(strict_error(file.str()), "vertex 2"));
+  CHECK(read_document(file.str()).mesh.positions.size() == 2);
+}

@@ -1,0 +1,74 @@
+#include "lib/io/bytes.h"
+#include "transformesh/mesh_io.h"
+
+using namespace transformesh;
+using namespace transformesh::testing;
+
+namespace {
+
+Bytes binary_start(const std::string& header, std::uint64_t facets) {
+  Bytes file;
+  file.text(header + std::string(80 - header.size(), '\0')).u32(facets);
+  return file;
+}
+
+void add_facet(Bytes& file, float x, std::uint64_t attribute) {
+  file.f32(0).f32(0).f32(1);
+  file.f32(x).f32(0).f32(0).f32(x + 1).f32(0).f32(0).f32(x).f32(1).f32(0).u16(attribute);
+}
+
+const std::string text_file =
+    "solid box\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0.1\n"
+    "endloop\nendfacet\nendsolid box\n";
+
+}  // namespace
+
+TEST_CASE("stl: attributes, headers that say solid, bytes behind the end") {
+  Bytes file = binary_start("solid but binary", 2);
+  add_facet(file, 0, 0);
+  add_facet(file, 5, 0xfffe);
+  const ReadResult result = read_mesh(file.str() + "rest", "input.stl");
+  CHECK(column(result.document.mesh.face_columns, "attribute").values ==
+        std::vector<double>{0, 65534});
+  CHECK(has_note(result.notes, "stl: 4 bytes after the last facet ignored"));
+  // Written without `solid`, by which others would take it for text.
+  CHECK(write_mesh(result.document).bytes.substr(0, 11) == std::string("but binary\0", 11));
+}
+
+TEST_CASE("stl: a name is written as it will be read") {
+  Document document;
+  document.style.format = Format::stl_ascii;
+  for (const auto& [comment, name] :
+       {std::pair("solidarity", "arity"), std::pair(" a  b ", "a  b"),
+        std::pair("solid solid x", "x"), std::pair("\tsolid", ""), std::pair(" tm:x", "")}) {
+    document.style.comments = {comment};
+    const Document again = read_document(write_mesh(document).bytes);
+    CHECK(again.style.comments ==
+          (*name ? std::vector<std::string>{name} : std::vector<std::string>{}));
+  }
+  // Bytes beyond ASCII are no name on any machine, whether its characters have a sign or not.
+  Bytes file = binary_start("COLOR=\xff\xff", 0);
+  CHECK(read_document(file.str()).style.comments.empty());
+}
+
+TEST_CASE("stl: what is written by hand") {
+  Document document;
+  document.mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {9, 9, 9}};
+  document.mesh.faces = {{0, 2, 1}, {0, 0, 1}};
+  document.style.format = Format::stl_ascii;
+  document.style.comments = {"tm-shape 0.1.0 box", "a name", "another"};
+  document.mesh.face_columns.get("attribute", Scalar::uint16, 2);
+  const WriteResult result = write_mesh(document);
+  CHECK(result.bytes ==
+        "solid a name\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 2 0\n"
+        "vertex 2 0 0\nendloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n"
+        "vertex 0 0 0\nvertex 2 0 0\nendloop\nendfacet\nendsolid a name\n");
+  CHECK(result.notes ==
+        std::vector<std::string>{"stl: face property 'attribute' cannot be stored in STL, dropped",
+                                 "stl: 1 comment cannot be stored in STL, dropped",
+                                 "stl: 1 point without a face cannot be stored in STL, dropped"});
+  document.mesh.positions[1][0] = 0.1;
+  CHECK(has_note(write_mesh(document).notes, "stl: coordinates are rounded to float"));
+  document.mesh.positions[1][0] = 1e300;
+  CHECK_THROWS_AS(write_mesh(document), GoalError);
+}

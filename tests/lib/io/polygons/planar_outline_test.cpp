@@ -1,0 +1,78 @@
+#include "io/polygons/planar_outline.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+using namespace transformesh;
+
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+PlanarTriangles triangulated(const Points& points) {
+  std::vector<std::uint32_t> outline(points.size());
+  std::iota(outline.begin(), outline.end(), 0);
+  return triangulate_outline(points, outline);
+}
+
+double signed_area(const Points& points, const std::vector<CornerTriangle>& triangles) {
+  double area = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const Eigen::Vector2d ab = points[b] - points[a], ac = points[c] - points[a];
+    area += (ab.x() * ac.y() - ab.y() * ac.x()) / 2;
+  }
+  return area;
+}
+
+/// A star with n tips: every second corner is nearer to the middle.
+Points star(int n) {
+  Points points;
+  for (int i = 0; i < 2 * n; ++i) {
+    const double angle = std::numbers::pi * i / n, radius = i % 2 == 0 ? 2 : 1;
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("a star of n tips has 2n - 2 triangles with its area") {
+  for (const int n : {2, 3, 5, 50}) {
+    const Points points = star(n);
+    const PlanarTriangles result = triangulated(points);
+    CHECK(result.is_complete);
+    CHECK(result.triangles.size() == points.size() - 2);
+    CHECK(result.folds == 0);
+    // n kites of two triangles with sides 2 and 1 and the angle pi / n between them.
+    CHECK(signed_area(points, result.triangles) ==
+          doctest::Approx(2 * n * std::sin(std::numbers::pi / n)));
+  }
+}
+
+TEST_CASE("a clockwise outline gives clockwise triangles") {
+  Points points = star(4);
+  const double area = signed_area(points, triangulated(points).triangles);
+  std::reverse(points.begin(), points.end());
+  CHECK(signed_area(points, triangulated(points).triangles) == doctest::Approx(-area));
+}
+
+TEST_CASE("a bridge to a hole leaves the hole open") {
+  // A square of side 3 around one of side 1, with a bridge from corner to corner, there and back.
+  const Points points{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0},
+                      {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}};
+  const PlanarTriangles result = triangulated(points);
+  CHECK(result.is_complete);
+  CHECK(signed_area(points, result.triangles) == doctest::Approx(8));
+}
+
+TEST_CASE("edges that cross are named, and collinear points have no triangles") {
+  const PlanarTriangles bow = triangulated({{0, 0}, {1, 1}, {1, 0}, {0, 1}});
+  CHECK(!bow.is_complete);
+  CHECK(!bow.crossing.empty());
+  const PlanarTriangles line = triangulated({{0, 0}, {1, 0}, {2, 0}, {1.5, 0}});
+  CHECK(!line.is_complete);
+  CHECK(line.triangles.empty());
+}
