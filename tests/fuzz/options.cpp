@@ -26,16 +26,16 @@ struct Values {
 class FuzzedProgram {
  public:
   FuzzedProgram() {
-    program_.flag("flag,f", &values_.flag, "a flag");
-    program_.number("number,n", &values_.number, -10, 1e9, "a number");
-    program_.integer("integer", &values_.integer, 0, 1000, "an integer");
-    program_.integer("optional-integer", &values_.optional_integer, -5, 5, "perhaps one");
-    program_.length("length", &values_.length, "a length", true);
-    program_.length("optional-length,l", &values_.optional_length, "perhaps one");
-    program_.text("text,t", &values_.text, "COLUMN", "a text");
-    program_.choice("choice", &values_.choice, {"one", "two", "three"}, "a choice");
-    program_.numbers("numbers", &values_.numbers, "X,Y,Z", "three numbers");
-    program_.seed(&values_.seed);
+    program_.options.flag("flag,f", &values_.flag, "a flag");
+    program_.options.number("number,n", &values_.number, -10, 1e9, "a number");
+    program_.options.integer("integer", &values_.integer, 0, 1000, "an integer");
+    program_.options.integer("optional-integer", &values_.optional_integer, -5, 5, "perhaps one");
+    program_.options.length("length", &values_.length, "a length", true);
+    program_.options.length("optional-length,l", &values_.optional_length, "perhaps one");
+    program_.options.text("text,t", &values_.text, "COLUMN", "a text");
+    program_.options.choice("choice", &values_.choice, {"one", "two", "three"}, "a choice");
+    program_.options.numbers("numbers", &values_.numbers, "X,Y,Z", "three numbers");
+    program_.options.seed(&values_.seed);
     program_.reference_edge();
   }
   tool::Program& program() { return program_; }
@@ -65,7 +65,7 @@ void check_texts(const tool::Program& parsed) {
     if (!option.is_flag() && !has_text) arguments.emplace_back();
   }
   FuzzedProgram again;
-  again.program().parse(arguments);
+  again.program().options.parse(arguments);
   for (std::size_t i = 0; i < parsed.options.size(); ++i)
     demand(parsed.options[i].text() == again.program().options[i].text(),
            "--" + parsed.options[i].name() + " is not what it was");
@@ -92,7 +92,7 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
   }
   FuzzedProgram fuzzed;
   try {
-    fuzzed.program().parse(arguments);
+    fuzzed.program().options.parse(arguments);
   } catch (const UsageError&) {
     return;
   }

@@ -72,6 +72,7 @@ class OptionSet {
   auto end() const { return options_.end(); }
   std::size_t size() const { return options_.size(); }
   Option& operator[](std::size_t i) { return options_[i]; }
+  const Option& operator[](std::size_t i) const { return options_[i]; }
 
  private:
   std::deque<Option> options_;
