@@ -42,10 +42,7 @@ Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
                   {.counts = {result.pairs, result.removed_faces, result.copied_vertices}});
 }
 
-CleanResult clean_whole_mesh(const Mesh& mesh, const CleanOptions& options,
-                             const Progress& progress) {
-  if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
-  CleanPass pass = run_clean_pass(mesh, {options.winding_level, options.method, true}, progress);
+CleanResult counts_of(const CleanPass& pass) {
   CleanResult result;
   result.pairs = pass.pairs;
   result.pieces = pass.pieces;
@@ -56,38 +53,51 @@ CleanResult clean_whole_mesh(const Mesh& mesh, const CleanOptions& options,
   result.least_margin = pass.least_margin;
   result.rays = pass.rays;
   result.changed = !pass.unchanged;
+  return result;
+}
+
+void take_rounded(SnapRoundingResult rounded, CleanResult& result) {
+  result.cut_faces += rounded.cut_faces;
+  result.removed_faces += rounded.removed_faces;
+  result.new_vertices = rounded.new_vertices;
+  result.copied_vertices = rounded.copied_vertices;
+  result.rounding_repairs = rounded.repairs;
+  result.rounding_places = rounded.places;
+  result.rounding_faces = rounded.faces;
+  result.rounding_pairs = rounded.pairs;
+  result.rounding_level = rounded.level;
+  result.rounding_displacement = rounded.displacement.length;
+  result.rounding_spacings = rounded.displacement.spacings;
+  result.mesh = std::move(rounded.mesh);
+  if (result.cut_faces == 0) return;
+  result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
+  result.dropped_source_points = drop_source_points(result.mesh);
+}
+
+void drop_enclosed(CleanResult& result) {
+  const auto& known = result.connectivity;
+  result.dropped_components =
+      known ? drop_enclosed_components(result.mesh, connected_components(result.mesh, *known))
+            : drop_enclosed_components(result.mesh);
+  if (result.dropped_components == 0) return;
+  result.changed = true;
+  result.connectivity.reset();
+}
+
+CleanResult clean_faces_of(const Mesh& mesh, const CleanOptions& options,
+                           const Progress& progress) {
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
+  CleanPass pass = run_clean_pass(mesh, {options.winding_level, options.method, true}, progress);
+  CleanResult result = counts_of(pass);
   if (pass.unchanged) {
     result.mesh = mesh;
   } else {
     const SnapRoundingOptions how{options.winding_level, options.method, pass.is_open,
                                   options.coordinate};
-    SnapRoundingResult rounded = snap_round(mesh, pass, how, progress);
-    result.cut_faces += rounded.cut_faces;
-    result.removed_faces += rounded.removed_faces;
-    result.new_vertices = rounded.new_vertices;
-    result.copied_vertices = rounded.copied_vertices;
-    result.rounding_repairs = rounded.repairs;
-    result.rounding_places = rounded.places;
-    result.rounding_faces = rounded.faces;
-    result.rounding_pairs = rounded.pairs;
-    result.rounding_level = rounded.level;
-    result.rounding_displacement = rounded.displacement.length;
-    result.rounding_spacings = rounded.displacement.spacings;
-    result.mesh = std::move(rounded.mesh);
-    if (result.cut_faces > 0) {
-      result.dropped_columns = drop_corner_lists(result.mesh.face_columns);
-      result.dropped_source_points = drop_source_points(result.mesh);
-    }
+    take_rounded(snap_round(mesh, pass, how, progress), result);
   }
   result.connectivity = std::move(pass.connectivity);
-  if (options.outermost) {
-    const auto& known = result.connectivity;
-    result.dropped_components =
-        known ? drop_enclosed_components(result.mesh, connected_components(result.mesh, *known))
-              : drop_enclosed_components(result.mesh);
-    result.changed |= result.dropped_components > 0;
-    if (result.dropped_components > 0) result.connectivity.reset();
-  }
+  if (options.outermost) drop_enclosed(result);
   if (options.refuse && result.changed) refuse_changes(result);
   return result;
 }
@@ -96,7 +106,7 @@ CleanResult clean_whole_mesh(const Mesh& mesh, const CleanOptions& options,
 
 CleanResult clean_whole(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   try {
-    return clean_whole_mesh(mesh, options, progress);
+    return clean_faces_of(mesh, options, progress);
   } catch (const GoalError&) {
     const auto faces = static_cast<double>(mesh.faces.size());
     const std::size_t both = options.refuse ? 0 : count_double_sided(mesh);
