@@ -1,11 +1,12 @@
 // Options of clean() beyond the whole mesh: columns of sources, copies moved apart, boxes.
+#include "transformesh/clean.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "geometry/source_points.h"
 #include "helpers/shapes.h"
-#include "transformesh/clean.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 

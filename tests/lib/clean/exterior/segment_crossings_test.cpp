@@ -40,7 +40,7 @@ bool do_cross(const Segments& all, Index s, Index t) {
          turn(all.from(t), all.to(t), all.from(s)) * turn(all.from(t), all.to(t), all.to(s)) < 0;
 }
 
-/// Where t crosses s, as a share of the length of s.
+/// The place at which t crosses s, as a share of the length of s.
 double share(const Segments& all, Index s, Index t) {
   const double from = turn(all.from(t), all.to(t), all.from(s));
   const double to = turn(all.from(t), all.to(t), all.to(s));
