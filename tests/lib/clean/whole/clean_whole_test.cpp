@@ -1,5 +1,3 @@
-#include "transformesh/clean.h"
-
 #include <doctest/doctest.h>
 
 #include "geometry/numbers/predicates.h"
@@ -10,6 +8,7 @@
 #include "mesh/adjacency.h"
 #include "mesh/coordinate_spacing.h"
 #include "support/parallel.h"
+#include "transformesh/clean.h"
 #include "transformesh/components.h"
 #include "transformesh/control.h"
 #include "transformesh/intersect.h"
