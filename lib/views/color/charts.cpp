@@ -29,7 +29,7 @@ using Corners = std::array<Eigen::Vector2d, 3>;
 class ChartGrower {
  public:
   explicit ChartGrower(const Mesh& mesh)
-      : mesh_(mesh), label_(mesh.faces.size(), no_index), normal_(mesh.faces.size()) {
+      : label_(mesh.faces.size(), no_index), normal_(mesh.faces.size()) {
     const Edges edges(mesh);
     across_ = neighbors_across(edges, mesh.faces.size());
     for (std::size_t f = 0; f < normal_.size(); ++f)
@@ -114,7 +114,6 @@ class ChartGrower {
     return best;
   }
 
-  const Mesh& mesh_;
   std::vector<Index> label_;
   std::vector<Vec3> normal_;
   std::vector<Index> across_;
