@@ -14,9 +14,10 @@
 ///
 /// A `box` restricts cleaning to faces whose first vertex is in it (paper 4.6). A box includes its
 /// lower sides and excludes its upper ones. The pieces of boxes side by side are together those of
-/// the whole mesh, unless rounding has to be repaired (docs/design/rounding.md). A box needs a
-/// closed oriented mesh (InputError), and excludes static_test, `outermost` and `separate`
-/// (UsageError). Cost: that of the faces in and around the box, and O(n log n) for the mesh.
+/// the whole mesh. If rounding has to be repaired in a box, its pieces are taken from the cleaned
+/// whole mesh. A box needs a closed oriented mesh (InputError), and excludes static_test,
+/// `outermost` and `separate` (UsageError). Cost: that of the faces in and around the box, and
+/// O(n log n) for the mesh.
 #pragma once
 
 #include <optional>

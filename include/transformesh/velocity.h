@@ -21,7 +21,7 @@ struct VelocityOptions {
 
 /// The sum of the velocities given, or else of the columns if the mesh has them, and of those by
 /// the two speeds. Throws InputError (no_velocity) if there are none of these, and for a mesh whose
-/// border edges coincide if there is a speed.
+/// border edges coincide if there is a speed. Throws UsageError for a wrong number of velocities.
 std::vector<Vec3> velocities_of(const Mesh& mesh, const VelocityOptions& options);
 
 /// The vertex columns vx, vy and vz. Throws InputError naming those that are missing.

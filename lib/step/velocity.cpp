@@ -74,7 +74,12 @@ void add(const std::vector<Vec3>& more, std::vector<Vec3>& velocities) {
 
 /// The velocities that do not follow from a speed.
 std::vector<Vec3> start_of(const Mesh& mesh, const VelocityOptions& options, bool has_speed) {
-  if (options.given) return *options.given;
+  if (options.given) {
+    if (options.given->size() != mesh.positions.size())
+      throw UsageError(std::to_string(options.given->size()) + " velocities for " +
+                       std::to_string(mesh.positions.size()) + " vertices");
+    return *options.given;
+  }
   if (has_column_velocities(mesh)) return column_velocities(mesh);
   if (!has_speed)
     throw InputError(ErrorKind::no_velocity,

@@ -360,6 +360,8 @@ def test_refusals_are_exceptions_with_the_sentence_of_the_program(bodies):
         (tm.UsageError, "gap must be above 0", lambda: tm.decimate(mesh, 9, keep_out=mesh, gap=0)),
         (tm.InputError, "nothing to keep", lambda: tm.displace(mesh, normal_speed=1, gap=1,
                                                               keep_out=tm.Mesh(np.zeros((3, 3))))),
+        (tm.UsageError, "9999 velocities for 512 vertices",
+         lambda: tm.displace(mesh, np.zeros((9999, 3)), normal_speed=1)),
         (tm.UsageError, "the first mesh", lambda: tm.carry(mesh)),
         (tm.UsageError, "'soft' is none of auto, on, off", lambda: tm.morph(mesh, mesh, features="soft")),
         (tm.InputError, "", lambda: tm.fill(tm.Mesh(np.zeros((3, 3)), [[0, 1, 2], [0, 1, 2]]))),

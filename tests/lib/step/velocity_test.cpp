@@ -112,3 +112,14 @@ TEST_CASE("columns are taken if none are given, and something has to move the me
   given.given.emplace(mesh.positions.size(), Vec3(1, 2, 3));
   CHECK(velocities_of(mesh, given)[5] == Vec3(1, 2, 3));
 }
+
+TEST_CASE("a wrong number of velocities is refused before any is added") {
+  const Mesh mesh = test::icosphere(1);
+  for (const std::size_t count :
+       {std::size_t{0}, mesh.positions.size() - 1, mesh.positions.size() + 9}) {
+    VelocityOptions options;
+    options.given.emplace(count, Vec3(1, 0, 0));
+    options.normal_speed = 1;
+    CHECK_THROWS_AS(velocities_of(mesh, options), UsageError);
+  }
+}
