@@ -12,8 +12,6 @@ struct Candidates {
   std::string words;  ///< with blanks between them
   bool are_files = false;
   bool are_folders = false;
-
-  bool are_known() const { return are_files || are_folders || !words.empty(); }
 };
 
 // `auto|LENGTH`: what is in lower case is a word, the rest says what the user makes up.

@@ -114,7 +114,6 @@ class PlanarTriangulation {
                  const std::array<Index, 3>& line);
   void split_facet(Index facet, Index point);
   void split_edge(Index edge, Index point);
-  void add_lines_of_edge(Index edge, Index point);
   Index flip(Index edge);
   bool is_convex(Index edge) const;
   bool wants_flip(Index edge, bool breaks_ties) const;

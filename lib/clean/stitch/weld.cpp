@@ -9,7 +9,6 @@
 
 #include "geometry/numbers/predicates.h"
 #include "geometry/search/kd_tree.h"
-#include "geometry/search/point_grid.h"
 #include "mesh/disjoint_sets.h"
 
 namespace transformesh {
@@ -154,28 +153,6 @@ std::vector<Index> weld_positions(const std::vector<Vec3>& positions, double tol
   }
   std::vector<Index> representative(positions.size());
   for (Index i = 0; i < representative.size(); ++i) representative[i] = sets.find(i);
-  return representative;
-}
-
-std::vector<Index> snap_positions(const std::vector<Vec3>& positions, std::size_t fixed,
-                                  double distance) {
-  // In cells this wide doubles tell neighboring cells apart, even where the distance is as small as
-  // the spacing of doubles.
-  PointGrid grid(16 * distance);
-  std::vector<Index> representative(positions.size());
-  for (Index i = 0; i < positions.size(); ++i) {
-    representative[i] = i;
-    double least = distance;
-    if (i >= fixed) {
-      grid.visit_around(positions[i], [&](Index k) {
-        const double length = (positions[k] - positions[i]).stableNorm();
-        if (length > least || (length == least && representative[i] < i)) return;
-        least = length;
-        representative[i] = k;
-      });
-    }
-    if (representative[i] == i) grid.add(positions[i], i);
-  }
   return representative;
 }
 

@@ -73,38 +73,4 @@ TEST_CASE("heaps of points within the tolerance are welded as by steps") {
   }
 }
 
-TEST_CASE("snapped positions go to the nearest that is kept, and those are apart") {
-  std::size_t snapped = 0;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    CAPTURE(seed);
-    const std::vector<Vec3> positions = clumps(seed, 0.05);
-    const std::size_t fixed = 3 * seed;
-    for (const double distance : {0.03, 0.1}) {
-      const std::vector<Index> to = snap_positions(positions, fixed, distance);
-      const auto apart = [&](Index i, Index k) { return (positions[i] - positions[k]).norm(); };
-      for (Index i = 0; i < positions.size(); ++i) {
-        CHECK(to[to[i]] == to[i]);
-        if (i < fixed) CHECK(to[i] == i);
-        // The nearest of those kept before it decides whether it is kept.
-        Index nearest = no_index;
-        for (Index k = 0; k < i; ++k)
-          if (to[k] == k && (nearest == no_index || apart(i, k) < apart(i, nearest))) nearest = k;
-        const bool is_kept = i < fixed || nearest == no_index || apart(i, nearest) > distance;
-        CHECK((to[i] == i) == is_kept);
-        if (!is_kept) CHECK(apart(i, to[i]) == apart(i, nearest));
-        snapped += is_kept ? 0 : 1;
-      }
-    }
-  }
-  CHECK(snapped > 500);
-}
-
-TEST_CASE("snapping tells positions apart that differ by one spacing of doubles") {
-  const double spacing = 0x1p-52;
-  const std::vector<Vec3> row = {{1, 1, 1}, {1 + spacing, 1, 1}, {1 + 2 * spacing, 1, 1}};
-  CHECK(snap_positions(row, 0, spacing) == std::vector<Index>{0, 0, 2});
-  CHECK(snap_positions(row, 2, spacing) == std::vector<Index>{0, 1, 1});
-  CHECK(snap_positions(row, 0, 2 * spacing) == std::vector<Index>{0, 0, 0});
-}
-
 }  // namespace transformesh
