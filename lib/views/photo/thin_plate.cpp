@@ -1,8 +1,5 @@
 #include "views/photo/thin_plate.h"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
-#include <cmath>
 #include <numeric>
 
 #include "mesh/edges.h"
@@ -22,56 +19,50 @@ void for_vertices(std::size_t count, const std::function<void(std::size_t)>& bod
   });
 }
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
+double dot(std::span<const double> a, std::span<const double> b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
 
-/// The system of the energy's minimum: matrix * steps = force.
-struct PlateSystem {
-  SparseMatrix matrix;  ///< H + stiffness N^T L^T L N; H has the curvatures, N the normals
-  Eigen::VectorXd force;
-  Eigen::VectorXd scale;  ///< 1 / root of the diagonal of a regular mesh; 0 if nothing moves
+/// The matrix H + stiffness N^T L^T L N, with H the diagonal of the curvatures and N the normals.
+class Plate {
+ public:
+  Plate(const UniformLaplacian& laplacian, const ThinPlateProblem& problem)
+      : laplacian_(laplacian),
+        problem_(problem),
+        moved_(problem.normals.size()),
+        bent_(problem.normals.size()) {}
+
+  void apply(std::span<const double> steps, std::vector<double>& result) {
+    for (std::size_t v = 0; v < steps.size(); ++v) moved_[v] = steps[v] * problem_.normals[v];
+    laplacian_.apply_bending(moved_, bent_);
+    for (std::size_t v = 0; v < steps.size(); ++v) {
+      result[v] =
+          problem_.curvature[v] * steps[v] + problem_.stiffness * problem_.normals[v].dot(bent_[v]);
+    }
+  }
+
+  /// The negative derivative of the energy by the movements, where they are 0.
+  std::vector<double> force(std::span<const Vec3> positions) {
+    laplacian_.apply_bending(positions, bent_);
+    std::vector<double> result(positions.size());
+    for (std::size_t v = 0; v < result.size(); ++v) {
+      result[v] = -problem_.gradient[v] - problem_.stiffness * problem_.normals[v].dot(bent_[v]);
+    }
+    return result;
+  }
+
+  double diagonal(std::size_t vertex) const {
+    const bool can_move = problem_.normals[vertex] != Vec3::Zero();
+    const double bending = can_move ? problem_.stiffness * bending_diagonal : 0;
+    return problem_.curvature[vertex] + bending;
+  }
+
+ private:
+  const UniformLaplacian& laplacian_;
+  const ThinPlateProblem& problem_;
+  std::vector<Vec3> moved_;
+  std::vector<Vec3> bent_;
 };
-
-void scale_to_normals(const ThinPlateProblem& problem, SparseMatrix& bending) {
-  for (Eigen::Index j = 0; j < bending.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator entry(bending, j); entry; ++entry)
-      entry.valueRef() *=
-          problem.stiffness * problem.normals[static_cast<std::size_t>(entry.row())].dot(
-                                  problem.normals[static_cast<std::size_t>(j)]);
-}
-
-Eigen::VectorXd force_of(std::span<const Vec3> positions, const SparseMatrix& umbrella,
-                         const ThinPlateProblem& problem) {
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> points(
-      positions.data()->data(), std::ssize(positions), 3);
-  const Eigen::MatrixXd bent = umbrella.transpose() * (umbrella * points).eval();
-  Eigen::VectorXd force(std::ssize(positions));
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const auto row = static_cast<Eigen::Index>(v);
-    force[row] = -problem.gradient[v] -
-                 problem.stiffness * bent.row(row).dot(problem.normals[v].transpose());
-  }
-  return force;
-}
-
-PlateSystem system_of(std::span<const Vec3> positions, const UniformLaplacian& laplacian,
-                      const ThinPlateProblem& problem) {
-  const SparseMatrix umbrella = laplacian.matrix();
-  PlateSystem system;
-  system.force = force_of(positions, umbrella, problem);
-  system.matrix = umbrella.transpose() * umbrella;
-  scale_to_normals(problem, system.matrix);
-  system.scale.resize(system.force.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const auto row = static_cast<Eigen::Index>(v);
-    system.matrix.coeffRef(row, row) += problem.curvature[v];
-    const bool can_bend = problem.normals[v] != Vec3::Zero();
-    const double diagonal =
-        problem.curvature[v] + (can_bend ? problem.stiffness * bending_diagonal : 0);
-    const bool can_move = system.matrix.coeff(row, row) > 0;
-    system.scale[row] = can_move ? 1 / std::sqrt(diagonal) : 0;
-  }
-  return system;
-}
 
 }  // namespace
 
@@ -115,34 +106,55 @@ void UniformLaplacian::apply(std::span<const Vec3> values, std::vector<Vec3>& re
   });
 }
 
-Eigen::SparseMatrix<double> UniformLaplacian::matrix() const {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(ids_.size() + share_.size());
-  for (Index v = 0; v < share_.size(); ++v) {
-    // An entry of each diagonal, so that others can be added there.
-    entries.emplace_back(v, v, share_[v] == 0 ? 0 : -1);
-    if (share_[v] == 0) continue;
-    for (const Index neighbor : neighbors(v)) entries.emplace_back(v, neighbor, share_[v]);
-  }
-  const auto count = std::ssize(share_);
-  SparseMatrix result(count, count);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+void UniformLaplacian::apply_bending(std::span<const Vec3> values,
+                                     std::vector<Vec3>& result) const {
+  std::vector<Vec3> bend;
+  apply(values, bend);
+  for_vertices(values.size(), [&](std::size_t v) {
+    if (share_[v] == 0) bend[v].setZero();
+  });
+  result.resize(values.size());
+  for_vertices(values.size(), [&](std::size_t v) {
+    Vec3 sum = -bend[v];
+    for (const Index neighbor : neighbors(static_cast<Index>(v)))
+      sum += share_[neighbor] * bend[neighbor];
+    result[v] = sum;
+  });
 }
 
 std::vector<double> thin_plate_step(const Mesh& mesh, const UniformLaplacian& laplacian,
                                     const ThinPlateProblem& problem) {
-  if (mesh.positions.empty()) return {};
-  const PlateSystem system = system_of(mesh.positions, laplacian, problem);
-  const auto scale = system.scale.asDiagonal();
-  const SparseMatrix scaled = scale * system.matrix * scale;
-  Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper, Eigen::IdentityPreconditioner>
-      solver;
-  solver.setMaxIterations(most_iterations);
-  solver.setTolerance(residual_share);
-  solver.compute(scaled);
-  const Eigen::VectorXd steps = scale * solver.solve(scale * system.force);
-  return {steps.begin(), steps.end()};
+  const std::size_t count = mesh.positions.size();
+  Plate plate(laplacian, problem);
+  std::vector<double> residual = plate.force(mesh.positions);
+  std::vector<double> steps(count, 0);
+  std::vector<double> scaled(count, 0);
+  std::vector<double> image(count);
+  const auto precondition = [&] {
+    for (std::size_t v = 0; v < count; ++v) {
+      const double diagonal = plate.diagonal(v);
+      scaled[v] = diagonal > 0 ? residual[v] / diagonal : 0;
+    }
+    return dot(residual, scaled);
+  };
+
+  double left = precondition();
+  const double enough = residual_share * residual_share * left;
+  std::vector<double> direction = scaled;
+  for (int i = 0; i < most_iterations && left > 0 && left >= enough; ++i) {
+    plate.apply(direction, image);
+    const double curvature = dot(direction, image);
+    if (!(curvature > 0)) break;
+    const double length = left / curvature;
+    for (std::size_t v = 0; v < count; ++v) {
+      steps[v] += length * direction[v];
+      residual[v] -= length * image[v];
+    }
+    const double before = left;
+    left = precondition();
+    for (std::size_t v = 0; v < count; ++v) direction[v] = scaled[v] + left / before * direction[v];
+  }
+  return steps;
 }
 
 }  // namespace transformesh
