@@ -40,7 +40,7 @@ Components numbered_components(const Mesh& mesh) {
 
 /// The middle of the box around the vertices that faces use: whoever counts them knows these.
 Vec3 middle_of(const Mesh& mesh, const std::vector<char>& is_used) {
-  Box box;
+  Box box(Vec3::Zero(), Vec3::Zero());
   bool is_empty = true;
   for (std::size_t v = 0; v < is_used.size(); ++v) {
     if (!is_used[v]) continue;

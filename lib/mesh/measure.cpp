@@ -98,7 +98,7 @@ std::vector<Vec3> used_positions(const Mesh& mesh) {
 }
 
 Box bounding_box(const Mesh& mesh) {
-  if (mesh.positions.empty()) return {};
+  if (mesh.positions.empty()) return Box(Vec3::Zero(), Vec3::Zero());
   const Vec3& first = mesh.positions[mesh.faces.empty() ? 0 : mesh.faces[0][0]];
   Box box{first, first};
   for (const auto& [a, b, c] : mesh.faces)

@@ -162,7 +162,7 @@ Matrix4 fitting_unit_box(const Box& box) {
 Box mapped_box(const Mesh& mesh, const Matrix4& matrix) {
   std::vector<Vec3> points = used_positions(mesh);
   if (points.empty()) points = mesh.positions;
-  Box box;
+  Box box(Vec3::Zero(), Vec3::Zero());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3 point = mapped(matrix, points[i]);
     box.min() = i == 0 ? point : Vec3(box.min().cwiseMin(point));

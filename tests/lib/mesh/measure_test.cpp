@@ -156,3 +156,9 @@ TEST_CASE("over halfedges an edge of two faces counts twice, at its ends too") {
   CHECK(square.vertex_mean[4] == 0);
   CHECK(halfedge_lengths(Mesh{}).mean == 0);
 }
+
+TEST_CASE("the box of a mesh without vertices is the origin") {
+  CHECK(bounding_box(Mesh()).min() == Vec3::Zero());
+  CHECK(bounding_box(Mesh()).max() == Vec3::Zero());
+  CHECK(diagonal_of(bounding_box(Mesh())) == 0);
+}
