@@ -1,3 +1,5 @@
+#include "io/formats/obj_labels.h"
+
 #include "lib/io/bytes.h"
 #include "transformesh/mesh_io.h"
 
@@ -47,4 +49,43 @@ TEST_CASE("obj: names that could be taken for numbers, and comments that are non
   CHECK(contains(write_mesh(odd).bytes, "g a_b_\nf 1 2 3\ng 2\nf 1 2 4\ng 3\n"));
   CHECK(
       read_document(points + "g\nf 1 2 3\ng default\nf 1 2 4\n").mesh.face_columns.columns.empty());
+}
+
+TEST_CASE("obj: a name ends before comments and line ends, and has no blanks around it") {
+  CHECK(as_obj_name(" \t a#b\\\tc \r\n") == "a_b_ c");
+  CHECK(as_obj_name(" \n ").empty());
+  CHECK(as_obj_name("").empty());
+}
+
+TEST_CASE("obj: labels count for the rows behind them, and names get numbers that are free") {
+  ObjLabelReader reader;
+  reader.set(1, "wing");
+  reader.set(3, "gone");
+  reader.set(3, "1");
+  reader.set(4, "2147483648");
+  reader.set(5, "-7");
+  reader.set(6, "behind the last row");
+  Document document;
+  reader.move_into(obj_label_kinds[1], 6, document);
+  // 1 is taken by its name. Beyond 32 bits a number is a name.
+  CHECK(column(document.mesh.face_columns, "group").values ==
+        std::vector<double>{0, 2, 2, 1, 4, -7});
+  CHECK(document.style.comments ==
+        std::vector<std::string>{"tm:group 2 wing", "tm:group 4 2147483648"});
+}
+
+TEST_CASE("obj: labels of an appended document keep their names, not their numbers") {
+  Document all, other;
+  all.style.comments = {"tm:group 1 wing", "tm:group 2 tail"};
+  all.mesh.face_columns.get("group", Scalar::int32, 3).values = {0, 1, 2};
+  other.style.comments = {"tm:group 1 tail", "made by hand", "tm:group 2 fin"};
+  other.mesh.face_columns.get("group", Scalar::int32, 4).values = {1, 2, 3, 0};
+  CHECK(have_obj_labels(all, other));
+  separate_obj_labels(all, other);
+  CHECK(column(other.mesh.face_columns, "group").values == std::vector<double>{2, 4, 3, 0});
+  CHECK(other.style.comments ==
+        std::vector<std::string>{"tm:group 2 tail", "made by hand", "tm:group 4 fin"});
+
+  const Document none;
+  CHECK_FALSE(have_obj_labels(all, none));
 }

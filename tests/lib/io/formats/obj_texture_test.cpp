@@ -53,3 +53,25 @@ TEST_CASE("obj: texture coordinates that are not there") {
         "a texture coordinate is not a number: 'a' (input line 2)");
   CHECK(read_error("v 0 0 0\nvt\n") == "a texture coordinate is missing (input line 2)");
 }
+
+TEST_CASE("obj: numbers of texture points count back from those read so far") {
+  // The second face is read when two more points are there.
+  const Document document = read_document(points +
+                                          "vt 0 0\nvt 1 0\nvt 0 1\nf 1/-3 2/-2 3/-1\n"
+                                          "vt 4 4\nvt 5 5\nf 1/-5 2/-2 4/-1\n");
+  CHECK(column(document.mesh.face_columns, "texcoord").values ==
+        std::vector<double>{0, 0, 1, 0, 0, 1, 0, 0, 4, 4, 5, 5});
+}
+
+TEST_CASE("obj: numbers of texture points as large as they get name no point") {
+  for (const std::string number : {"9223372036854775807", "-9223372036854775808", "4294967297",
+                                   "-2", "2", "99999999999999999999"}) {
+    CAPTURE(number);
+    const ReadResult result =
+        read_mesh(points + "vt 0 0\nf 1/1 2/1 3/1\nf 1/1 2/1 4/" + number + "\n", "input");
+    const Column& lists = column(result.document.mesh.face_columns, "texcoord");
+    CHECK(lists.list_offsets == std::vector<std::size_t>{0, 6, 6});
+    CHECK(has_note(result.notes,
+                   "obj: 1 face with texture coordinates that are not there left without"));
+  }
+}

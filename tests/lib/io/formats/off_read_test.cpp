@@ -143,3 +143,16 @@ TEST_CASE("off: errors name the place") {
   CHECK(read_error("OFF\n1 9223372036854775808 0\n0 0 0\n") ==
         "the data ends before face 0 of 9223372036854775808 (input line 4)");
 }
+
+TEST_CASE("off: a file that is cut at any byte, or lies about its counts, is refused") {
+  const std::string text = "OFF\n4 2 0\n" + points + "3 0 1 2\n3 0 1 3\n";
+  for (std::size_t size = 0; size + 1 < text.size(); ++size) {
+    CAPTURE(size);
+    CHECK(read_error(text.substr(0, size), "a.off") != "read");
+  }
+  CHECK(read_error("OFF\n4 1 0\n" + points + "18446744073709551615 0 1 2\n") ==
+        "a corner of face 0 is missing (input line 7)");
+  CHECK(read_error("OFF\n4 1 0\n" + points + "3 0 1 1.5\n") != "read");
+  CHECK(has_note(read_mesh("OFF\n4 1 0\n" + points + "3 0 1 2\n3 0 1 3\n", "input").notes,
+                 "off: what follows the last face is ignored"));
+}

@@ -76,3 +76,35 @@ TEST_CASE("binary ply: strict reading refuses a coordinate that is not finite, w
   CHECK(contains(strict_error(file.str()), "vertex 2"));
   CHECK(read_document(file.str()).mesh.positions.size() == 2);
 }
+
+namespace {
+
+/// Three vertices and the row of one face.
+std::string face_row(const std::string& list, const Bytes& row) {
+  Bytes file;
+  file.text(
+      head(false, three_vertices + "element face 1\nproperty list " + list + " vertex_indices\n"));
+  for (int i = 0; i < 9; ++i) file.f32(static_cast<float>(i * i));
+  return file.text(row.str()).str();
+}
+
+}  // namespace
+
+TEST_CASE("binary ply: errors name the face, its value and the byte") {
+  const auto check = [](const std::string& list, const Bytes& row, const std::string& what,
+                        std::size_t end) {
+    const std::size_t place = face_row(list, Bytes()).size() + end;
+    CHECK(read_error(face_row(list, row)) == what + " (input byte " + std::to_string(place) + ")");
+  };
+  const std::string index = "face 0 has vertex index ", count = ", but there are 3 vertices";
+  // Rows of the common layout and rows with shorts are read by different loops.
+  check("uchar int", Bytes().u8(3).u32(0).u32(1).u32(3), index + "3" + count, 13);
+  check("uchar int", Bytes().u8(3).u32(0).u32(0xffffffff).u32(1), index + "-1" + count, 9);
+  check("uchar short", Bytes().u8(3).u16(0).u16(1).u16(0xffff), index + "-1" + count, 7);
+
+  const std::string length = "the length of property 'vertex_indices' of face 0 is ";
+  const std::string left = ", with only 12 bytes left";
+  check("int int", Bytes().u32(0xffffffff).u32(0).u32(1).u32(2), length + "-1" + left, 4);
+  check("uint int", Bytes().u32(0xffffffff).u32(0).u32(1).u32(2), length + "4294967295" + left, 4);
+  check("char int", Bytes().u8(0x83).u32(0).u32(1).u32(2), length + "-125" + left, 1);
+}

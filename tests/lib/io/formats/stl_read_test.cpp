@@ -98,3 +98,37 @@ TEST_CASE("stl: 0 in the header, no end and blank lines at the start") {
   CHECK(contains(strict_error(endless), "before 'endsolid'"));
   CHECK(read_document("\n \r\n\n" + text_file).mesh.faces.size() == 1);
 }
+
+TEST_CASE("stl: a file that is cut at any byte never has facets that are incomplete") {
+  Bytes file = binary_start("x", 2);
+  add_facet(file, 0, 0);
+  add_facet(file, 1, 0);
+  for (std::size_t size = 0; size < file.str().size(); ++size) {
+    CAPTURE(size);
+    CHECK(read_error(file.str().substr(0, size), "a.stl") != "read");
+  }
+  const std::size_t complete = text_file.find("endfacet") + std::string("endfacet").size();
+  const std::size_t end = text_file.find("endsolid") + std::string("endsolid").size();
+  for (std::size_t size = 0; size < text_file.size(); ++size) {
+    CAPTURE(size);
+    const std::string cut = text_file.substr(0, size);
+    if (size < end) CHECK(strict_error(cut, "a.stl") != "read");
+    if (read_error(cut, "a.stl") != "read") continue;
+    CHECK(read_mesh(cut, "a.stl").document.mesh.faces.size() == (size < complete ? 0 : 1));
+  }
+}
+
+TEST_CASE("stl: facets beyond the bytes are refused before memory is taken") {
+  Bytes file = binary_start("x", 0xffffffff);
+  add_facet(file, 0, 0);
+  CHECK(read_error(file.str(), "a.stl") ==
+        "the header announces 4294967295 facets, but only 1 follow: the file is cut off or not STL "
+        "(a.stl byte 80)");
+  // Fewer are announced than follow.
+  add_facet(file, 1, 0);
+  std::string bytes = file.str();
+  bytes.replace(80, 4, std::string("\1\0\0\0", 4));
+  const ReadResult result = read_mesh(bytes, "a.stl");
+  CHECK(result.document.mesh.faces.size() == 1);
+  CHECK(has_note(result.notes, "stl: 50 bytes after the last facet ignored"));
+}

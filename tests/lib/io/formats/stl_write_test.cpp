@@ -53,3 +53,21 @@ TEST_CASE("stl: what is written by hand") {
   document.mesh.positions[1][0] = 1e300;
   CHECK_THROWS_AS(write_mesh(document), GoalError);
 }
+
+TEST_CASE("stl: binary, byte by byte") {
+  Document document;
+  document.mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+  document.mesh.faces = {{0, 1, 2}, {0, 2, 1}, {0, 0, 1}};
+  document.mesh.face_columns.get("attribute", Scalar::uint16, 3).values = {0, 258, 65535};
+  document.style.format = Format::stl_binary;
+  document.style.comments = {std::string(100, 'n')};
+  Bytes file;
+  file.text(std::string(80, 'n')).u32(3);
+  file.f32(0).f32(0).f32(1);
+  file.f32(0).f32(0).f32(0).f32(2).f32(0).f32(0).f32(0).f32(2).f32(0).u16(0);
+  file.f32(0).f32(0).f32(-1);
+  file.f32(0).f32(0).f32(0).f32(0).f32(2).f32(0).f32(2).f32(0).f32(0).u16(258);
+  file.f32(0).f32(0).f32(0);
+  file.f32(0).f32(0).f32(0).f32(0).f32(0).f32(0).f32(2).f32(0).f32(0).u16(65535);
+  CHECK(write_mesh(document).bytes == file.str());
+}
