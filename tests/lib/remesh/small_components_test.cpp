@@ -61,8 +61,10 @@ TEST_CASE("components with a border stay if borders are kept") {
 }
 
 TEST_CASE("sizes of the mesh multiply the edge") {
-  Mesh mesh = box({1, 1, 1});
-  mesh.vertex_columns.get("size", Scalar::float64, mesh.positions.size()).values.assign(8, 10);
-  EditableMesh editable(mesh);
-  CHECK(remove_small_components(editable, 0.1, false).count == 0);
+  // The cube goes between edges of 1.41 and 1.74, which are ten times these.
+  for (const auto& [edge, count] : {std::pair(0.141, 0U), std::pair(0.174, 1U)}) {
+    EditableMesh editable(box({1, 1, 1}));
+    editable.set_sizes(std::vector<double>(8, 10));
+    CHECK(remove_small_components(editable, edge, false).count == count);
+  }
 }
