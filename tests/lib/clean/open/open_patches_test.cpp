@@ -58,4 +58,28 @@ TEST_CASE("two sheets that do not meet both stay, however they look") {
   }
 }
 
+TEST_CASE("of two sheets that pass through each other the half in front of the other is left") {
+  for (const bool is_reversed : {false, true}) {
+    CAPTURE(is_reversed);
+    Mesh upright = test::reversed(sheet(1, 0));
+    for (Vec3& p : upright.positions) p = {p.z(), p.y(), p.x()};  // looks to +x
+    if (is_reversed) upright = test::reversed(upright);
+    const Arrangement arrangement =
+        test::arranged_open(test::joined(sheet(1, 0), upright), {0, 0, 1, 1});
+    const OpenPatches patches = find_exterior_patches(arrangement, 1);
+    CHECK(patches.patches == 4);
+    CHECK(patches.decided_by_number == 0);
+    double area = 0;
+    for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
+      const Triangle t = test::corners_of(arrangement, arrangement.pieces[p]);
+      const Vec3 middle = (t[0] + t[1] + t[2]) / 3;
+      const bool is_flat = t[0].z() == 0 && t[1].z() == 0 && t[2].z() == 0;
+      const bool is_in_front = is_flat ? (middle.x() > 0) != is_reversed : middle.z() > 0;
+      CHECK((patches.kept[p] != 0) == is_in_front);
+      if (patches.kept[p]) area += normal_of(t[0], t[1], t[2]).norm() / 2;
+    }
+    CHECK(area == doctest::Approx(4));
+  }
+}
+
 }  // namespace transformesh

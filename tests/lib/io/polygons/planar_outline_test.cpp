@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "helpers/random.h"
+
 using namespace transformesh;
 
 namespace {
@@ -71,8 +73,48 @@ TEST_CASE("a bridge to a hole leaves the hole open") {
 TEST_CASE("edges that cross are named, and collinear points have no triangles") {
   const PlanarTriangles bow = triangulated({{0, 0}, {1, 1}, {1, 0}, {0, 1}});
   CHECK(!bow.is_complete);
-  CHECK(!bow.crossing.empty());
+  CHECK(bow.crossing == std::vector<std::uint32_t>{2});
   const PlanarTriangles line = triangulated({{0, 0}, {1, 0}, {2, 0}, {1.5, 0}});
   CHECK(!line.is_complete);
   CHECK(line.triangles.empty());
+}
+
+TEST_CASE("the triangles of a convex outline are those whose circles are empty") {
+  test::Random random(1);
+  for (const int size : {4, 7, 30}) {
+    Points points;
+    for (int i = 0; i < size; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + random.uniform(0, 0.9)) / size;
+      points.emplace_back(3 * std::cos(angle), std::sin(angle));
+    }
+    const PlanarTriangles result = triangulated(points);
+    CHECK(result.triangles.size() == points.size() - 2);
+    for (const auto& [a, b, c] : result.triangles) {
+      Eigen::Matrix2d sides;
+      sides << (points[b] - points[a]).transpose(), (points[c] - points[a]).transpose();
+      const Eigen::Vector2d squares(sides.row(0).squaredNorm(), sides.row(1).squaredNorm());
+      const Eigen::Vector2d center = points[a] + sides.inverse() * squares / 2;
+      const double radius = (points[a] - center).norm();
+      for (const Eigen::Vector2d& p : points) CHECK((p - center).norm() > radius * (1 - 1e-9));
+    }
+  }
+}
+
+TEST_CASE("an outline that goes around twice has each triangle twice, one of them a fold") {
+  const Points points{{0, 0}, {1, 0}, {0, 1}, {0, 0}, {1, 0}, {0, 1}};
+  const PlanarTriangles result = triangulated(points);
+  CHECK(result.is_complete);
+  CHECK(result.triangles.size() == 2);
+  CHECK(result.folds == 1);
+  CHECK(signed_area(points, result.triangles) == doctest::Approx(1));
+}
+
+TEST_CASE("an edge through another corner has a triangle without area") {
+  // The tip of a notch, corner 3, is on the edge from 0 to 1.
+  const Points points{{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}};
+  const PlanarTriangles result = triangulated(points);
+  CHECK(result.is_complete);
+  CHECK(result.flat == std::vector<CornerTriangle>{{0, 1, 3}});
+  CHECK(result.triangles.size() == 2);
+  CHECK(signed_area(points, result.triangles) == doctest::Approx(4));
 }

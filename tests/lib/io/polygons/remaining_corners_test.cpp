@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "lib/io/polygons/outlines.h"
+
 using namespace transformesh;
 
 namespace {
@@ -65,4 +67,37 @@ TEST_CASE("collinearity is exact") {
   CHECK(is_collinear({0, 0, 0}, {1, 2, 3}, {3, 6, 9}));
   CHECK(is_collinear({.5, .5, .5}, {.5, .5, .5}, {1, 2, 3}));
   CHECK(!is_collinear({0, 0, 0}, {1, 2, 3}, {3, 6, std::nextafter(9.0, 10.0)}));
+}
+
+TEST_CASE("whatever is cut off, the triangles and the rest have the boundary of the polygon") {
+  test::Random random(4);
+  for (int round = 0; round < 50; ++round) {
+    const auto size = static_cast<std::uint32_t>(4 + random.below(9));
+    std::vector<Eigen::Vector2d> places;
+    for (std::uint32_t i = 0; i < size; ++i) places.emplace_back(random.below(3), random.below(3));
+    const Polygon polygon(places);
+    RemainingCorners corners = polygon.corners();
+    corners.remove_coincident();
+    for (int i = 0; i < 3; ++i)
+      corners.cut_edge(static_cast<std::uint32_t>(random.below(size)), 1 + random.below(2));
+    const Corners rest = corners.corners();
+    CHECK(rest.size() == corners.size());
+    CHECK(corners.triangles.size() + rest.size() == size);
+    testing::Boundary boundary = testing::boundary_of(corners.triangles, polygon.vertices);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      testing::add_edge(boundary, rest[i], rest[(i + 1) % rest.size()]);
+    CHECK(boundary == testing::boundary_of(polygon.vertices));
+  }
+}
+
+TEST_CASE("triangles without area in the projection count if they have one in space") {
+  Polygon polygon({{0, 0}, {0, 0}, {1, 0}, {2, 0}, {0, 1}});
+  polygon.positions[1].z() = 1;  // above corner 0
+  RemainingCorners corners = polygon.corners();
+  corners.remove_coincident();
+  CHECK(corners.size() == 4);
+  CHECK(corners.upright == 1);
+  corners.add_flat({0, 2, 3});  // on a line in space, too
+  CHECK(corners.upright == 1);
+  CHECK(corners.folds == 0);
 }
