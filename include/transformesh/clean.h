@@ -16,8 +16,11 @@
 /// lower sides and excludes its upper ones. The pieces of boxes side by side are together those of
 /// the whole mesh. If rounding has to be repaired in a box, its pieces are taken from the cleaned
 /// whole mesh. A box needs a closed oriented mesh (InputError), and excludes static_test,
-/// `outermost` and `separate` (UsageError). Cost: that of the faces in and around the box, and
-/// O(n log n) for the mesh.
+/// `outermost`, `merge_flat` and `separate` (UsageError). Cost: that of the faces in and around the
+/// box, and O(n log n) for the mesh.
+///
+/// `merge_flat` covers flat regions around cuts with as few triangles as their outlines need. Then
+/// the surface moves by `merge_displacement`; sharp edges and borders of face columns stay.
 #pragma once
 
 #include <optional>
@@ -39,6 +42,7 @@ struct CleanOptions {
   ExteriorMethod method = ExteriorMethod::grow;
   int winding_level = 1;                ///< 1 is the union, 2 the intersection of two operands
   bool outermost = false;               ///< drop cavities, and components inside them
+  bool merge_flat = false;              ///< merge what lies in one plane at cuts
   bool refuse = false;                  ///< throw rather than change anything
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
   double separate = 0;                  ///< distance between copies of a vertex; 0: do not move

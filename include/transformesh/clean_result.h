@@ -23,12 +23,15 @@ struct CleanResult {
   std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds and places of repair
   std::size_t rounding_faces = 0, rounding_pairs = 0;     ///< in all rounds: broken, intersecting
   std::size_t rounding_level = 0;                         ///< doublings of a grid
-  double rounding_displacement = 0;            ///< largest distance that rounding moved a vertex
-  double rounding_spacings = 0;                ///< the same in spacings of the coordinates there
-  std::size_t separated_vertices = 0;          ///< vertices that `separate` moved
-  std::size_t separation_refused = 0;          ///< vertices that still have a copy in their place
-  std::size_t box_faces = 0;                   ///< faces that belong to the box
-  bool is_whole = false;                       ///< the whole mesh was cleaned to repair rounding
+  double rounding_displacement = 0;    ///< largest distance that rounding moved a vertex
+  double rounding_spacings = 0;        ///< the same in spacings of the coordinates there
+  std::size_t merged_faces = 0;        ///< faces that `merge_flat` saved
+  std::size_t merge_refused = 0;       ///< flat regions that stayed, as faces would intersect
+  double merge_displacement = 0;       ///< a bound of how far `merge_flat` moved the surface
+  std::size_t separated_vertices = 0;  ///< vertices that `separate` moved
+  std::size_t separation_refused = 0;  ///< vertices that still have a copy in their place
+  std::size_t box_faces = 0;           ///< faces that belong to the box
+  bool is_whole = false;               ///< the whole mesh was cleaned to repair rounding
   std::vector<std::string> dropped_columns{};  ///< texture coordinates of faces that were cut
   bool dropped_source_points = false;          ///< source points of the input are gone (carry.h)
   std::optional<Connectivity> connectivity{};  ///< set if there was nothing to change

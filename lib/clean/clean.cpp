@@ -21,6 +21,7 @@ void check_options(const CleanOptions& options) {
   if (!options.box) return;
   const char* const refused = options.method != ExteriorMethod::grow ? "the static test"
                               : options.outermost                    ? "outermost"
+                              : options.merge_flat                   ? "merging flat faces"
                               : options.separate > 0                 ? "separate"
                                                                      : nullptr;
   if (refused) throw UsageError(std::string(refused) + " is for whole meshes, not for a box");

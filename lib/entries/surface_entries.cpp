@@ -33,6 +33,9 @@ Entries entries_of(const CleanResult& result) {
           {"rounding_level", result.rounding_level},
           {"rounding_displacement", result.rounding_displacement},
           {"rounding_spacings", result.rounding_spacings},
+          {"merged_faces", result.merged_faces},
+          {"merge_refused", result.merge_refused},
+          {"merge_displacement", result.merge_displacement},
           {"separated_vertices", result.separated_vertices},
           {"separation_refused", result.separation_refused}};
 }

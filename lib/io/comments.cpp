@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t provenance_lines_kept = 20;
 constexpr std::string_view reference_edge_key = "tm:reference-edge";
+constexpr std::string_view planarity_key = "tm:planarity";
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
@@ -28,13 +29,16 @@ bool is_provenance(const std::string& comment) {
   return dots == 2 && digits >= 3 && dots + digits == static_cast<long>(version.size());
 }
 
-bool is_reference_edge(const std::string& comment) {
-  return comment == reference_edge_key ||
-         comment.starts_with(std::string(reference_edge_key) + ' ');
+bool has_key(const std::string& comment, std::string_view key) {
+  return comment == key || comment.starts_with(std::string(key) + ' ');
 }
 
-std::optional<double> length_in(const std::string& comment) {
-  const std::string text = comment.substr(std::min(comment.size(), reference_edge_key.size() + 1));
+bool is_reference_edge(const std::string& comment) { return has_key(comment, reference_edge_key); }
+
+bool is_planarity(const std::string& comment) { return has_key(comment, planarity_key); }
+
+std::optional<double> length_in(const std::string& comment, std::string_view key) {
+  const std::string text = comment.substr(std::min(comment.size(), key.size() + 1));
   const auto length = number_in<double>(text);
   return length && std::isfinite(*length) && *length > 0 ? length : std::nullopt;
 }
@@ -58,14 +62,14 @@ void add_provenance(std::vector<std::string>& comments, const std::string& line)
 std::optional<double> reference_edge_of(const std::vector<std::string>& comments) {
   const auto last = std::find_if(comments.rbegin(), comments.rend(), is_reference_edge);
   if (last == comments.rend()) return std::nullopt;
-  if (const auto length = length_in(*last)) return length;
+  if (const auto length = length_in(*last, reference_edge_key)) return length;
   throw InputError(ErrorKind::bad_reference_edge,
                    "the comment '" + *last + "' does not hold a positive length");
 }
 
 std::size_t drop_bad_reference_edges(std::vector<std::string>& comments) {
   return std::erase_if(comments, [](const std::string& comment) {
-    return is_reference_edge(comment) && !length_in(comment);
+    return is_reference_edge(comment) && !length_in(comment, reference_edge_key);
   });
 }
 
@@ -78,6 +82,28 @@ void set_reference_edge(std::vector<std::string>& comments, double length) {
   }
   *first = line;
   comments.erase(std::remove_if(first + 1, comments.end(), is_reference_edge), comments.end());
+}
+
+double planarity_of(const std::vector<std::string>& comments) {
+  double largest = 0;
+  for (const std::string& comment : comments)
+    if (is_planarity(comment))
+      largest = std::max(largest, length_in(comment, planarity_key).value_or(0));
+  return largest;
+}
+
+void add_planarity(std::vector<std::string>& comments, double movement) {
+  const double sum = planarity_of(comments) + movement;
+  std::erase_if(comments, is_planarity);
+  if (sum > 0) comments.push_back(std::string(planarity_key) + ' ' + shortest_text(sum));
+}
+
+void scale_lengths(std::vector<std::string>& comments, double factor) {
+  if (const auto edge = reference_edge_of(comments)) set_reference_edge(comments, *edge * factor);
+  if (const double planarity = planarity_of(comments); planarity > 0) {
+    std::erase_if(comments, is_planarity);
+    add_planarity(comments, planarity * factor);
+  }
 }
 
 }  // namespace transformesh

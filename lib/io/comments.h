@@ -1,5 +1,5 @@
-/// The two kinds of comments that go with a mesh through an evolution: which programs made it, and
-/// the mean edge length when it began.
+/// The comments that go with a mesh through an evolution. They hold which programs made it, the
+/// mean edge length when it began, and how far merging of flat faces moved its surface.
 #pragma once
 
 #include <optional>
@@ -20,5 +20,14 @@ std::size_t drop_bad_reference_edges(std::vector<std::string>& comments);
 
 /// Replaces all `tm:reference-edge` comments by one.
 void set_reference_edge(std::vector<std::string>& comments, double length);
+
+/// The largest length in a `tm:planarity` comment: a bound of how far flat faces moved; else 0.
+double planarity_of(const std::vector<std::string>& comments);
+
+/// Replaces all `tm:planarity` comments by one of their largest length and a further movement.
+void add_planarity(std::vector<std::string>& comments, double movement);
+
+/// Scales the lengths of both.
+void scale_lengths(std::vector<std::string>& comments, double factor);
 
 }  // namespace transformesh

@@ -95,8 +95,7 @@ MeshPointer transform_mesh(const PythonMesh& mesh, const py::kwargs& steps) {
       product = step_of(py::cast<std::string>(name), value, document.mesh, product) * product;
   const TransformResult result =
       without_lock(py::none(), [&](const Progress&) { return transform(document.mesh, product); });
-  if (const auto edge = reference_edge_of(document.style.comments))
-    set_reference_edge(document.style.comments, *edge * result.scale);
+  scale_lengths(document.style.comments, result.scale);
   py::array_t<double> matrix({4, 4});
   for (Eigen::Index i = 0; i < 4; ++i)
     for (Eigen::Index j = 0; j < 4; ++j) matrix.mutable_at(i, j) = product(i, j);

@@ -4,6 +4,7 @@
 #include "python_mesh.h"
 #include "support/counted.h"
 #include "support/number.h"
+#include "io/comments.h"
 #include "transformesh/clean.h"
 #include "transformesh/displace.h"
 #include "transformesh/document.h"
@@ -19,7 +20,7 @@ namespace {
 
 // --- clean, stitch, cat --------------------------------------------------------------------------
 
-MeshPointer clean_mesh(const PythonMesh& mesh, int winding_level, bool outermost,
+MeshPointer clean_mesh(const PythonMesh& mesh, int winding_level, bool outermost, bool merge_flat,
                        const std::string& method, const PythonLength& separate_by,
                        const py::object& box, bool only, bool refuse, bool source, bool source_face,
                        const py::object& progress) {
@@ -27,6 +28,7 @@ MeshPointer clean_mesh(const PythonMesh& mesh, int winding_level, bool outermost
   CleanOptions options;
   options.winding_level = winding_level;
   options.outermost = outermost;
+  options.merge_flat = merge_flat;
   options.refuse = refuse;
   if (choice("method", method, {"grow", "static"}) == 1)
     options.method = ExteriorMethod::static_test;
@@ -40,6 +42,7 @@ MeshPointer clean_mesh(const PythonMesh& mesh, int winding_level, bool outermost
   CleanResult result =
       without_lock(progress, [&](const Progress& to) { return clean(document.mesh, options, to); });
   document.mesh = std::move(result.mesh);
+  add_planarity(document.style.comments, result.merge_displacement);
   Entries report = entries_of(result);
   if (box.is_none()) return mesh_of(std::move(document), report);
   append(report, {{"box_faces", result.box_faces}, {"whole_mesh", result.is_whole}});
@@ -161,14 +164,15 @@ void bind_filters(py::module_& module) {
   const py::object none = py::none();
   module.def(
       "clean", &clean_mesh, arg("mesh"), py::kw_only(), arg("level") = 1, arg("outermost") = false,
-      arg("method") = "grow", arg("separate") = PythonLength(0.0), arg("box") = none,
-      arg("only") = false, arg("refuse") = false, arg("source") = false, arg("source_face") = false,
-      arg("progress") = none,
+      arg("merge_flat") = false, arg("method") = "grow", arg("separate") = PythonLength(0.0),
+      arg("box") = none, arg("only") = false, arg("refuse") = false, arg("source") = false,
+      arg("source_face") = false, arg("progress") = none,
       "Removes self-intersections: the boundary of winding number at least `level`, exactly, "
       "closed, manifold, without a self-intersection in the numbers as written. 2 intersects two "
-      "bodies. `outermost` drops cavities and what floats in them. In a `box` ((x, y, z), "
-      "(x, y, z)) what intersects there is resolved and all else left, or with `only` left "
-      "out. `source` writes where on the input each vertex comes from, for carry(), "
+      "bodies. `outermost` drops cavities and what floats in them. `merge_flat` covers flat "
+      "regions with few triangles where faces were cut. In a `box` ((x, y, z), (x, y, z)) what "
+      "intersects there is resolved and all else left, or with `only` left out. `source` writes "
+      "where on the input each vertex comes from, for carry(), "
       "`source_face` the input face of each face. See tm-clean(1).");
   module.def("stitch", &stitch_mesh, arg("mesh"), py::kw_only(),
              arg("tolerance") = PythonLength(0.0), arg("orient") = false, arg("one_side") = false,

@@ -54,6 +54,7 @@ def clean(
     *,
     level: int = 1,
     outermost: bool = False,
+    merge_flat: bool = False,
     method: Literal["grow", "static"] = "grow",
     separate: Length = 0.0,
     box: Optional[ArrayLike] = None,

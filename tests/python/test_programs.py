@@ -23,6 +23,7 @@ def crossing():
     [
         ({}, []),
         ({"outermost": True}, ["--outermost"]),
+        ({"merge_flat": True}, ["--merge-flat"]),
         ({"level": 2}, ["--level", 2]),
         ({"method": "static"}, ["--method", "static"]),
         ({"separate": "0.01x"}, ["--separate", "0.01x"]),

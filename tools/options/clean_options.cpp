@@ -15,6 +15,8 @@ void declare_cleaning(Program& program, CleanChoices& choices) {
       "box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
       "clean the faces whose first vertex is in this box, and leave all others");
   program.options.flag("only", &choices.clean.only, "write the faces of the box alone");
+  program.options.flag("merge-flat", &choices.clean.merge_flat,
+                       "cover flat regions with few triangles where faces were cut");
   program.options.flag("refuse", &choices.clean.refuse, "exit 4 rather than change anything");
   program.options.flag("source-face", &choices.source_faces,
                        "write the input face of each face as the face property source_face");

@@ -1,6 +1,7 @@
 /// tm-clean: removes self-intersections (paper 3).
 #include "frame/column_notes.h"
 #include "frame/run.h"
+#include "io/comments.h"
 #include "options/clean_options.h"
 #include "support/counted.h"
 #include "support/number.h"
@@ -18,6 +19,10 @@ void note_changes(const CleanResult& result, tool::Run& run) {
   tool::note_dropped_sources(result.dropped_source_points, tool::source_of_step, run);
   if (result.is_whole)
     run.note("rounding makes faces intersect in the box: the whole mesh was cleaned to mend that");
+  if (result.merge_refused > 0)
+    run.note(counted(result.merge_refused, "flat region") +
+             (result.merge_refused == 1 ? " keeps its faces" : " keep their faces") +
+             ": covered with fewer, they would intersect others or fold");
   if (result.separation_refused > 0)
     run.note(counted(result.separation_refused, "vertex") +
              (result.separation_refused == 1 ? " stays" : " stay") +
@@ -32,6 +37,7 @@ void clean_document(Document& document, const tool::CleanChoices& choices, tool:
   const CleanOptions options = tool::clean_options(choices, run);
   CleanResult result = clean(document.mesh, options, run.progress());
   document.mesh = std::move(result.mesh);
+  add_planarity(document.style.comments, result.merge_displacement);
   note_changes(result, run);
   if (options.box) run.report({{"box_faces", result.box_faces}, {"whole_mesh", result.is_whole}});
   run.report(entries_of(result));

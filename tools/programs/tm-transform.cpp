@@ -13,8 +13,7 @@ void transform_document(Document& document, tool::TransformChoices& choices, too
   Matrix4 product = Matrix4::Identity();
   for (const auto& step : choices.steps) product = step(run, product) * product;
   const TransformResult result = transform(document.mesh, product);
-  if (const auto edge = reference_edge_of(document.style.comments))
-    set_reference_edge(document.style.comments, *edge * result.scale);
+  scale_lengths(document.style.comments, result.scale);
 
   // The provenance has what all steps together do, as numbers.
   const Matrix4 rows = product.transpose();

@@ -279,6 +279,8 @@ SnapRoundingResult SnapRounder::snap_round() {
   result_.new_vertices = static_cast<std::size_t>(std::count(is_new.begin(), is_new.end(), 1));
   result_.copied_vertices = assembly_.copies;
   result_.level = grids_.largest_level();
+  result_.face_is_new = std::move(assembly_.face_is_new);
+  result_.source_face = std::move(assembly_.source_face);
   result_.mesh = std::move(assembly_.mesh);
   return std::move(result_);
 }

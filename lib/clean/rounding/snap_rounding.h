@@ -38,6 +38,8 @@ struct SnapRoundingOptions {
 
 struct SnapRoundingResult {
   Mesh mesh;
+  std::vector<char> face_is_new;   ///< per face: not a whole face of the input
+  std::vector<Index> source_face;  ///< per face: the input face that it is, or is cut from
   std::size_t new_vertices = 0;
   std::size_t copied_vertices = 0;
   std::size_t cut_faces = 0;      ///< input faces that were whole after `pass` and are cut now

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "clean/exterior/exterior.h"
+#include "clean/flat/changed_faces.h"
+#include "clean/flat/merge_flat.h"
 #include "clean/pass/clean_pass.h"
 #include "clean/rounding/snap_rounding.h"
 #include "clean/stitch/double_sided.h"
@@ -74,6 +76,19 @@ void take_rounded(SnapRoundingResult rounded, CleanResult& result) {
   result.dropped_source_points = drop_source_points(result.mesh);
 }
 
+/// How far corners may be from the plane of a flat region, in spacings of the coordinates
+/// (docs/design/flat-faces.md).
+constexpr double flat_spacings = 64;
+
+void merge_changed(std::vector<char> changed, Scalar coordinate, CleanResult& result,
+                   const Progress& progress) {
+  const MergeFlatResult merged =
+      merge_flat(result.mesh, std::move(changed), flat_spacings, coordinate, progress);
+  result.merged_faces = merged.removed_faces;
+  result.merge_refused = merged.kept_regions;
+  result.merge_displacement = merged.displacement;
+}
+
 void drop_enclosed(CleanResult& result) {
   const auto& known = result.connectivity;
   result.dropped_components =
@@ -94,7 +109,12 @@ CleanResult clean_faces_of(const Mesh& mesh, const CleanOptions& options,
   } else {
     const SnapRoundingOptions how{options.winding_level, options.method, pass.is_open,
                                   options.coordinate};
-    take_rounded(snap_round(mesh, pass, how, progress), result);
+    SnapRoundingResult rounded = snap_round(mesh, pass, how, progress);
+    std::vector<char> changed;
+    if (options.merge_flat)
+      changed = find_changed_faces(mesh, rounded.mesh, rounded.source_face, rounded.face_is_new);
+    take_rounded(std::move(rounded), result);
+    if (options.merge_flat) merge_changed(std::move(changed), options.coordinate, result, progress);
   }
   result.connectivity = std::move(pass.connectivity);
   if (options.outermost) drop_enclosed(result);

@@ -50,9 +50,10 @@ struct Part {
 
 class OutlineTriangulation {
  public:
+  /// `next`: the place of the corner behind each one.
   OutlineTriangulation(std::span<const Eigen::Vector2d> points,
-                       std::span<const std::uint32_t> outline)
-      : points_(points), outline_(outline) {}
+                       std::span<const std::uint32_t> outline, std::span<const std::size_t> next)
+      : points_(points), outline_(outline), next_(next) {}
 
   PlanarTriangles run() {
     if (!insert_points() || !insert_edges()) return std::move(result_);
@@ -64,8 +65,6 @@ class OutlineTriangulation {
   }
 
  private:
-  std::size_t next(std::size_t place) const { return place + 1 < outline_.size() ? place + 1 : 0; }
-
   /// Whether the points span the plane. Three that do are inserted first: as long as all points are
   /// on one line, CGAL searches it from end to end.
   bool insert_points() {
@@ -118,7 +117,7 @@ class OutlineTriangulation {
   /// fewer visits, as it goes around the point.
   std::vector<Part> parts_of(std::size_t place) const {
     Vertex from = vertices_[place];
-    Vertex to = vertices_[next(place)];
+    Vertex to = vertices_[next_[place]];
     const bool is_reversed = from->info().visits > to->info().visits;
     if (is_reversed) std::swap(from, to);
     std::vector<Part> parts;
@@ -141,7 +140,12 @@ class OutlineTriangulation {
     std::size_t touches = 0;
     for (std::size_t place = 0; place < outline_.size(); ++place) {
       Vertex from = vertices_[place];
-      Vertex to = vertices_[next(place)];
+      Vertex to = vertices_[next_[place]];
+      if (from == to) {
+        // An outline of one corner, or an edge without length.
+        if (next_[place] != place) result_.crossing.push_back(outline_[place]);
+        continue;
+      }
       if (from->info().visits > to->info().visits) std::swap(from, to);
       try {
         triangulation_.insert_constraint(from, to);
@@ -159,7 +163,7 @@ class OutlineTriangulation {
     for (std::size_t place = 0; place < outline_.size(); ++place) {
       const std::vector<Part> parts = parts_of(place);
       const std::uint32_t first = outline_[place];
-      std::uint32_t last = outline_[next(place)];
+      std::uint32_t last = outline_[next_[place]];
       for (std::size_t i = parts.size(); i-- > 0;) {
         const Part& part = parts[i];
         ++part.left->info().turns[opposite(part.left, part)];
@@ -199,7 +203,7 @@ class OutlineTriangulation {
       for (int i = 0; i < 3; ++i)
         face->info().corners[static_cast<std::size_t>(i)] = face->vertex(i)->info().corner;
     for (std::size_t place = 0; place < outline_.size(); ++place) {
-      if (vertices_[place]->info().visits == 1) continue;
+      if (vertices_[place]->info().visits == 1 || next_[place] == place) continue;
       const Part part = parts_of(place).front();
       if (part.left->info().winding > 0) sweep(part.from, part.left, ccw, outline_[place]);
       if (part.right->info().winding < 0) sweep(part.from, part.right, cw, outline_[place]);
@@ -237,6 +241,7 @@ class OutlineTriangulation {
 
   std::span<const Eigen::Vector2d> points_;
   std::span<const std::uint32_t> outline_;
+  std::span<const std::size_t> next_;
   Triangulation triangulation_;
   FaceHandle near_;               ///< where the last point is
   std::vector<Vertex> vertices_;  ///< of the outline
@@ -247,7 +252,22 @@ class OutlineTriangulation {
 
 PlanarTriangles triangulate_outline(std::span<const Eigen::Vector2d> points,
                                     std::span<const std::uint32_t> outline) {
-  return OutlineTriangulation(points, outline).run();
+  std::vector<std::size_t> next(outline.size());
+  for (std::size_t i = 0; i < next.size(); ++i) next[i] = i + 1 < next.size() ? i + 1 : 0;
+  return OutlineTriangulation(points, outline, next).run();
+}
+
+PlanarTriangles triangulate_outlines(std::span<const Eigen::Vector2d> points,
+                                     const std::vector<std::vector<std::uint32_t>>& outlines) {
+  std::vector<std::uint32_t> corners;
+  std::vector<std::size_t> next;
+  for (const std::vector<std::uint32_t>& outline : outlines) {
+    const std::size_t first = corners.size();
+    corners.insert(corners.end(), outline.begin(), outline.end());
+    for (std::size_t i = first; i < corners.size(); ++i)
+      next.push_back(i + 1 < corners.size() ? i + 1 : first);
+  }
+  return OutlineTriangulation(points, corners, next).run();
 }
 
 }  // namespace transformesh

@@ -47,3 +47,24 @@ TEST_CASE("the reference edge is read, replaced and checked") {
     CHECK_THROWS_AS(reference_edge_of({std::string("tm:reference-edge") + bad}), InputError);
   }
 }
+
+TEST_CASE("movements of flat faces add up, the largest first") {
+  std::vector<std::string> comments = {"a"};
+  add_planarity(comments, 0);
+  CHECK(comments == std::vector<std::string>{"a"});
+  add_planarity(comments, 0.25);
+  CHECK(comments == std::vector<std::string>{"a", "tm:planarity 0.25"});
+  comments = {"tm:planarity 0.25", "tm:planarity 2", "tm:planarity nan", "tm:planarity-x"};
+  CHECK(planarity_of(comments) == 2);
+  add_planarity(comments, 0.5);
+  CHECK(comments == std::vector<std::string>{"tm:planarity-x", "tm:planarity 2.5"});
+}
+
+TEST_CASE("both lengths are scaled, and nothing else") {
+  std::vector<std::string> comments = {"tm:reference-edge 0.5", "a", "tm:planarity 0.25"};
+  scale_lengths(comments, 2);
+  CHECK(comments == std::vector<std::string>{"tm:reference-edge 1", "a", "tm:planarity 0.5"});
+  comments = {"a"};
+  scale_lengths(comments, 2);
+  CHECK(comments == std::vector<std::string>{"a"});
+}

@@ -118,3 +118,43 @@ TEST_CASE("an edge through another corner has a triangle without area") {
   CHECK(result.triangles.size() == 2);
   CHECK(signed_area(points, result.triangles) == doctest::Approx(4));
 }
+
+TEST_CASE("several outlines bound a part with a hole, an edge and a point inside") {
+  const Points points = {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {1, 1}, {1, 3},
+                         {3, 3}, {3, 1}, {5, 5}, {6, 5}, {6, 2}};
+  const PlanarTriangles result =
+      triangulate_outlines(points, {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9}, {10}});
+  REQUIRE(result.is_complete);
+  CHECK(result.folds == 0);
+  // 8 corners and a hole have 8 triangles, and 3 vertices inside add two each.
+  CHECK(result.triangles.size() == 14);
+  CHECK(signed_area(points, result.triangles) == doctest::Approx(60));
+  const auto has = [&](std::uint32_t from, std::uint32_t to) {
+    return std::count_if(result.triangles.begin(), result.triangles.end(), [&](const auto& t) {
+      return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) ||
+             (t[2] == from && t[0] == to);
+    });
+  };
+  CHECK(has(8, 9) == 1);
+  CHECK(has(9, 8) == 1);
+  CHECK(has(4, 5) == 1);
+  CHECK(has(5, 4) == 0);
+}
+
+TEST_CASE("two outlines beside each other are two parts, and a point outside is in none") {
+  const Points points = {{0, 0}, {1, 0}, {0, 1}, {4, 0}, {5, 0}, {4, 1}, {9, 9}};
+  const PlanarTriangles result = triangulate_outlines(points, {{0, 1, 2}, {3, 4, 5}, {6}});
+  CHECK(result.is_complete);
+  CHECK(result.triangles.size() == 2);
+}
+
+TEST_CASE("outlines that cross, and edges without length, are not complete") {
+  const Points points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 2}, {6, 2}, {6, 3}};
+  const PlanarTriangles crossing = triangulate_outlines(points, {{0, 1, 2, 3}, {4, 5, 6}});
+  CHECK(!crossing.is_complete);
+  CHECK(!crossing.crossing.empty());
+  const Points twice = {{0, 0}, {4, 0}, {4, 0}, {0, 4}};
+  const PlanarTriangles without_length = triangulated(twice);
+  CHECK(!without_length.is_complete);
+  CHECK(without_length.crossing == std::vector<std::uint32_t>{1});
+}

@@ -1,0 +1,17 @@
+/// Faces of a cleaned mesh at which something changed. They are pieces of cut faces, and faces at
+/// the corners of input faces that were cut or removed. Cost: O(n log n). Deterministic.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+/// The faces of the result are whole faces of the input unless they are new.
+std::vector<char> find_changed_faces(const Mesh& input, const Mesh& result,
+                                     std::span<const Index> source_face,
+                                     std::span<const char> face_is_new);
+
+}  // namespace transformesh
