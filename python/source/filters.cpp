@@ -1,10 +1,10 @@
 /// Functions that make a mesh from others: clean, stitch, cat, displace, offset, shape, intersect.
 #include "arguments.h"
 #include "call.h"
+#include "io/comments.h"
 #include "python_mesh.h"
 #include "support/counted.h"
 #include "support/number.h"
-#include "io/comments.h"
 #include "transformesh/clean.h"
 #include "transformesh/displace.h"
 #include "transformesh/document.h"
