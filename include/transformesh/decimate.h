@@ -1,9 +1,10 @@
 /// Fewer faces: collapses the edges whose collapse changes the surface least, by the squared
-/// distances from the planes of the input's faces, until as many faces are left as are wanted.
-/// Reference: Garland & Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH
-/// 1997; every collapse keeps what remesh.h promises: the topology, an embedding without
-/// self-intersections (embedding_guard.h), attributes blended. Deterministic; O(n log n) for n
-/// faces; about 300 bytes per face.
+/// distances from the planes of the input's faces, until as many faces are left as are wanted. An
+/// edge becomes the point of the least sum, its middle or one of its ends. Reference: Garland &
+/// Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997; every collapse
+/// keeps what remesh.h promises: the topology, an embedding without self-intersections
+/// (embedding_guard.h), attributes blended. Deterministic; O(n log n) for n faces; about 300 bytes
+/// per face.
 #pragma once
 
 #include "transformesh/control.h"

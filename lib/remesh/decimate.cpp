@@ -5,6 +5,7 @@
 #include <optional>
 #include <queue>
 #include <string>
+#include <vector>
 
 #include "mesh/surface_columns.h"
 #include "remesh/operations/edge_collapser.h"
@@ -21,8 +22,11 @@ constexpr double stage_share = 0.4;  ///< of the faces of the stage before
 constexpr double longest_edge = 5;   ///< in a stage, as a multiple of what its faces take
 constexpr double stage_growth = 1.6;
 constexpr double border_weight = 10;  ///< of a border's planes, as a multiple of a face's
-constexpr double shortness = 1e-6;    ///< how much an edge's length counts where all is flat
+constexpr double shortness = 3e-8;    ///< weight of an edge's squared length
 constexpr double tolerance = 0.01;
+
+/// A stage ends after so many collapses that would make edges too long: others are dearer.
+std::size_t most_too_long(std::size_t faces) { return std::max<std::size_t>(10, faces / 50); }
 
 /// Positions relative to a corner of the box, so that squares stay small.
 class Decimator {
@@ -33,10 +37,16 @@ class Decimator {
   Mesh to_mesh() const { return mesh_.to_mesh(); }
 
  private:
+  /// A place to which an edge may be collapsed.
+  struct Place {
+    double cost;
+    Vec3 position;
+  };
   struct Candidate {
     double cost;
     Index halfedge, source, target;
     std::uint32_t source_version, target_version;
+    std::size_t rank;  ///< place of this rank by cost
     bool operator<(const Candidate& other) const {
       return cost != other.cost ? cost > other.cost : halfedge > other.halfedge;
     }
@@ -45,9 +55,9 @@ class Decimator {
   void add_quadrics();
   void add_border(Index halfedge);
   void run_stage(std::size_t wanted, double longest);
-  void push(Index halfedge);
+  void push(Index halfedge, std::size_t rank = 0);
   bool is_current(const Candidate& candidate) const;
-  Vec3 best_position(Index source, Index target) const;
+  std::vector<Place> places(Index source, Index target) const;
   void merge(Index stays, Index goes);
 
   EditableMesh mesh_;
@@ -57,6 +67,7 @@ class Decimator {
   Vec3 origin_;
   double area_;
   std::size_t first_faces_;
+  std::optional<VertexRoles> roles_;
   std::vector<Quadric> quadrics_;        ///< per vertex
   std::vector<std::uint32_t> versions_;  ///< per vertex: how often it moved
   std::priority_queue<Candidate> queue_;
@@ -77,6 +88,7 @@ Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, const Pro
     keep_out_.emplace(options.keep_out);
     result_.near_keep_out = keep_out_->count_near(mesh);
   }
+  roles_.emplace(mesh_, options.keep_border);
   add_quadrics();
 }
 
@@ -87,7 +99,7 @@ void Decimator::add_quadrics() {
     const Vec3 normal = mesh_.face_normal(face);
     const double length = normal.stableNorm();
     if (!(length > 0)) continue;
-    const Quadric plane(mesh_.position(mesh_.source(3 * face)) - origin_, normal / length, length);
+    const Quadric plane(mesh_.position(mesh_.source(3 * face)) - origin_, normal / length, 1);
     for (Index i = 0; i < 3; ++i) quadrics_[mesh_.source(3 * face + i)] += plane;
   }
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
@@ -99,24 +111,46 @@ void Decimator::add_border(Index halfedge) {
   const Vec3 from = mesh_.position(mesh_.source(halfedge));
   const Vec3 along = mesh_.position(mesh_.target(halfedge)) - from;
   const Vec3 across = along.cross(mesh_.face_normal(halfedge / 3)).stableNormalized();
-  const Quadric plane(from - origin_, across, border_weight * along.squaredNorm());
+  const Quadric plane(from - origin_, across, border_weight);
   quadrics_[mesh_.source(halfedge)] += plane;
   quadrics_[mesh_.target(halfedge)] += plane;
 }
 
-Vec3 Decimator::best_position(Index source, Index target) const {
-  const Vec3 middle = 0.5 * mesh_.position(source) + 0.5 * mesh_.position(target);
+/// The best place of all, both ends and the middle, the cheapest first. An end that is bound more
+/// than the other one is the only place. A place that is refused gives way to the next one when
+/// that is the cheapest of all edges.
+std::vector<Decimator::Place> Decimator::places(Index source, Index target) const {
   const Quadric sum = quadrics_[source] + quadrics_[target];
-  return sum.least_near(middle - origin_) + origin_;
+  const Vec3 &from = mesh_.position(source), &to = mesh_.position(target);
+  const Vec3 middle = 0.5 * from + 0.5 * to;
+  const VertexRole first = (*roles_)[source], second = (*roles_)[target];
+  std::vector<Place> places;
+  const auto add = [&](const Vec3& position) {
+    places.push_back({sum.at(position - origin_), position});
+  };
+  if (first > second) {
+    add(from);
+  } else if (first < second) {
+    add(to);
+  } else {
+    add(sum.least_near(middle - origin_) + origin_);
+    add(middle);
+    add(from);
+    add(to);
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.cost < b.cost; });
+  }
+  for (Place& place : places) place.cost += shortness * (to - from).squaredNorm();
+  return places;
 }
 
-void Decimator::push(Index halfedge) {
+/// Does nothing if there are not as many places.
+void Decimator::push(Index halfedge, std::size_t rank) {
   const Index source = mesh_.source(halfedge), target = mesh_.target(halfedge);
-  const Quadric sum = quadrics_[source] + quadrics_[target];
-  const double squared = mesh_.squared_length(halfedge);
-  const double cost =
-      sum.at(best_position(source, target) - origin_) + shortness * squared * squared;
-  queue_.push({cost, halfedge, source, target, versions_[source], versions_[target]});
+  const std::vector<Place> all = places(source, target);
+  if (rank < all.size())
+    queue_.push(
+        {all[rank].cost, halfedge, source, target, versions_[source], versions_[target], rank});
 }
 
 bool Decimator::is_current(const Candidate& candidate) const {
@@ -134,9 +168,9 @@ void Decimator::merge(Index stays, Index goes) {
 }
 
 void Decimator::run_stage(std::size_t wanted, double longest) {
-  const VertexRoles roles(mesh_, options_.keep_border);
   EmbeddingGuard guard(mesh_, longest, keep_out_ ? &*keep_out_ : nullptr);
-  EdgeCollapser collapser(mesh_, guard, roles, longest);
+  EdgeCollapser collapser(mesh_, guard, *roles_, longest);
+  std::size_t too_long = 0;
   queue_ = {};
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
     if (mesh_.is_edge(h)) push(h);
@@ -145,9 +179,13 @@ void Decimator::run_stage(std::size_t wanted, double longest) {
     queue_.pop();
     if (!is_current(next)) continue;
     const std::size_t gone = mesh_.is_border(next.halfedge) ? 1 : 2;
-    const Index stays =
-        collapser.collapse_to(next.halfedge, best_position(next.source, next.target));
-    if (stays == no_index) continue;
+    const Place place = places(next.source, next.target)[next.rank];
+    const Index stays = collapser.collapse_to(next.halfedge, place.position);
+    if (stays == no_index) {
+      if (collapser.was_too_long() && ++too_long > most_too_long(result_.faces)) break;
+      push(next.halfedge, next.rank + 1);
+      continue;
+    }
     result_.faces -= gone;
     if (++result_.collapses % 1024 == 0)
       progress_("decimate", static_cast<double>(first_faces_ - result_.faces) /

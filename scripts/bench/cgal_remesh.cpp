@@ -1,38 +1,18 @@
 // Isotropic remeshing by CGAL, for comparison with tm-remesh: reads and writes through the library,
 // prints the CPU seconds that remeshing took.
 //   cgal-remesh EDGE ITERATIONS INPUT OUTPUT
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 
 #include <ctime>
 #include <iostream>
 
+#include "cgal_surface.h"
 #include "driver.h"
-#include "helpers/cgal_mesh.h"
 #include "mesh_file.h"
 
 using namespace transformesh;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 namespace {
-
-Mesh plain_mesh(SurfaceMesh& surface) {
-  surface.collect_garbage();
-  Mesh mesh;
-  for (const auto vertex : surface.vertices()) {
-    const auto& p = surface.point(vertex);
-    mesh.positions.emplace_back(p.x(), p.y(), p.z());
-  }
-  for (const auto face : surface.faces()) {
-    Face corners{};
-    std::size_t i = 0;
-    for (const auto vertex : surface.vertices_around_face(surface.halfedge(face)))
-      corners[i++] = static_cast<Index>(vertex);
-    mesh.faces.push_back(corners);
-  }
-  return mesh;
-}
 
 void measure(double edge, unsigned iterations, const std::string& input,
              const std::string& output) {

@@ -11,7 +11,7 @@ constexpr double least_turn_cosine = 0.5;
 /// Triangles at least this round are good enough; others must not get worse.
 constexpr double round_enough = 0.3;
 /// The same where the shape of the surface counts for more than that of its triangles.
-constexpr double round_enough_for_shape = 0.05;
+constexpr double round_enough_for_shape = 0.001;
 /// The normal of a triangle that is no rounder than this is mostly rounding error.
 constexpr double normal_roundness = 0.02;
 /// Around vertices of high valence all triangles are narrow, and collapses make some a little
@@ -29,14 +29,13 @@ Index EdgeCollapser::collapse(Index halfedge) {
   return done ? stays_ : no_index;
 }
 
-Index EdgeCollapser::collapse_to(Index halfedge, const Vec3& wanted) {
+Index EdgeCollapser::collapse_to(Index halfedge, const Vec3& position) {
   round_enough_ = round_enough_for_shape;
+  was_too_long_ = false;
   if (!prepare(halfedge)) return no_index;
-  if (roles_[goes_] != roles_[stays_]) return try_bound_end() ? stays_ : no_index;
   const Vec3 along = mesh_.position(goes_) - mesh_.position(stays_);
-  const double share = along.dot(wanted - mesh_.position(stays_)) / along.squaredNorm();
-  const bool done = try_position(wanted, share > 0 ? std::min(share, 1.0) : 0);
-  return done || try_free_positions() ? stays_ : no_index;
+  const double share = along.dot(position - mesh_.position(stays_)) / along.squaredNorm();
+  return try_position(position, share > 0 ? std::min(share, 1.0) : 0) ? stays_ : no_index;
 }
 
 bool EdgeCollapser::prepare(Index halfedge) {
@@ -124,11 +123,12 @@ Vec3 EdgeCollapser::volume_keeping_shift(const Vec3& position) const {
   return (volume_ - (position - origin).dot(ring)) / squared * ring;
 }
 
-bool EdgeCollapser::is_sound(const Vec3& position) const {
+bool EdgeCollapser::is_sound(const Vec3& position) {
   double least = 1;
   for (const Spoke& spoke : spokes_) {
-    if ((spoke.first - position).squaredNorm() > spoke.first_limit) return false;
-    if ((spoke.second - position).squaredNorm() > spoke.second_limit) return false;
+    was_too_long_ = (spoke.first - position).squaredNorm() > spoke.first_limit ||
+                    (spoke.second - position).squaredNorm() > spoke.second_limit;
+    if (was_too_long_) return false;
     const Vec3& before = spoke.has_normal ? spoke.normal : mean_normal_;
     const Vec3 after = normal_of(position, spoke.first, spoke.second);
     if (turns(before, after, least_turn_cosine)) return false;

@@ -19,9 +19,11 @@ class EdgeCollapser {
 
   /// The vertex that the edge became; no_index where it stays.
   Index collapse(Index halfedge);
-  /// The same, where possible to that position, if neither end is bound more than the other, and
-  /// with flatter triangles.
-  Index collapse_to(Index halfedge, const Vec3& wanted);
+  /// The same, to that position only, and with narrower triangles. If one end is bound more than
+  /// the other, the position has to be its own.
+  Index collapse_to(Index halfedge, const Vec3& position);
+  /// Whether the last position was refused because an edge would be too long.
+  bool was_too_long() const { return was_too_long_; }
 
  private:
   /// A triangle that stays, without its corner at the edge.
@@ -42,7 +44,7 @@ class EdgeCollapser {
   bool try_position(const Vec3& wanted, double source_share);
   bool try_free_positions();
   Vec3 volume_keeping_shift(const Vec3& position) const;
-  bool is_sound(const Vec3& position) const;
+  bool is_sound(const Vec3& position);
   double least_roundness_before() const;
   void fill_patch(const Vec3& position);
 
@@ -51,6 +53,7 @@ class EdgeCollapser {
   const VertexRoles& roles_;
   double longest_;
   double round_enough_ = 0;
+  bool was_too_long_ = false;
   Index edge_ = no_index;
   Index goes_ = no_index;
   Index stays_ = no_index;

@@ -2,7 +2,7 @@
 /// Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997.
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include "transformesh/mesh.h"
 
@@ -29,17 +29,22 @@ class Quadric {
     const double sum = p.dot(matrix_ * p) + 2 * linear_.dot(p) + constant_;
     return sum > 0 ? sum : 0;
   }
-  /// Where it is least. In directions in which it hardly changes, that is near `start`: by iterated
-  /// Tikhonov regularization.
+  /// Where it is least. In directions in which it hardly changes, that is as near to `start` as can
+  /// be: by the pseudoinverse, and steps that correct its rounding.
   Vec3 least_near(const Vec3& start) const {
-    constexpr double stiffness = 1e-3;
-    constexpr int steps = 4;
-    const double trace = matrix_.trace();
-    if (!(trace > 0)) return start;
-    const Eigen::Matrix3d stiff = matrix_ + stiffness * trace * Eigen::Matrix3d::Identity();
-    const auto factors = stiff.ldlt();
+    constexpr double least_share = 1e-4;
+    constexpr int steps = 3;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_);
+    const Vec3& values = solver.eigenvalues();
+    if (!(values[2] > 0)) return start;
+    Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < 3; ++i)
+      if (values[i] > least_share * values[2]) {
+        const Vec3 axis = solver.eigenvectors().col(i);
+        inverse += axis * axis.transpose() / values[i];
+      }
     Vec3 point = start;
-    for (int step = 0; step < steps; ++step) point -= factors.solve(matrix_ * point + linear_);
+    for (int step = 0; step < steps; ++step) point -= inverse * (matrix_ * point + linear_);
     return point;
   }
 

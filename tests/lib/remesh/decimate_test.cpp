@@ -87,6 +87,42 @@ TEST_CASE("what is flat goes first: a fine cube becomes twelve triangles with ei
   CHECK(volume(mesh) == doctest::Approx(1).epsilon(1e-9));
 }
 
+TEST_CASE("flat sides stay flat at every number of faces, and no vertex leaves the cube") {
+  // Two squares a side: a corner that was merged with the middle of an edge left the cube.
+  for (const auto& [steps, faces] : {std::pair(2, 44), {2, 20}, {12, 1000}, {12, 100}, {12, 30}}) {
+    CAPTURE(steps);
+    CAPTURE(faces);
+    const Mesh mesh = decimated(fine_cube(steps), static_cast<std::size_t>(faces));
+    CHECK(volume(mesh) == doctest::Approx(1).epsilon(1e-12));
+    for (const Vec3& p : mesh.positions)
+      CHECK((p - Vec3::Constant(0.5)).cwiseAbs().maxCoeff() == doctest::Approx(0.5).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("long edges of a rod do not cost its ends their shape") {
+  // A rod 40 times as long as it is wide, with 32 sides, in 80 slices: the sides are flat along it.
+  constexpr int around = 32, slices = 80;
+  Mesh rod;
+  for (int slice = 0; slice <= slices; ++slice)
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around;
+      rod.positions.emplace_back(std::cos(angle), std::sin(angle), slice);
+    }
+  const auto at = [](int slice, int i) { return static_cast<Index>(slice * around + i % around); };
+  for (int slice = 0; slice < slices; ++slice)
+    for (int i = 0; i < around; ++i) {
+      rod.faces.push_back({at(slice, i), at(slice, i + 1), at(slice + 1, i + 1)});
+      rod.faces.push_back({at(slice, i), at(slice + 1, i + 1), at(slice + 1, i)});
+    }
+  for (int i = 1; i + 1 < around; ++i) {
+    rod.faces.push_back({at(0, 0), at(0, i + 1), at(0, i)});
+    rod.faces.push_back({at(slices, 0), at(slices, i), at(slices, i + 1)});
+  }
+  // Two triangles for each of the sides, and two ends of 30.
+  const Mesh mesh = decimated(rod, 124);
+  CHECK(volume(mesh) == doctest::Approx(volume(rod)).epsilon(1e-9));
+}
+
 TEST_CASE("edges that are sharp stay where they are") {
   DecimateOptions options;
   options.feature_angle_deg = 40;
