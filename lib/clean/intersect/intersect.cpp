@@ -4,6 +4,7 @@
 
 #include "clean/intersect/contacts.h"
 #include "clean/intersect/embedded_stars.h"
+#include "clean/intersect/face_strips.h"
 #include "clean/intersect/faces_to_search.h"
 #include "clean/intersect/find_meetings.h"
 #include "clean/intersect/high_valence_stars.h"
@@ -134,6 +135,31 @@ std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded,
 
 }  // namespace
 
+namespace {
+
+// The meetings of pairs of boxes that share no embedded star.
+std::vector<std::vector<Meeting>> box_meetings(const WeldedMesh& welded, const Bvh& bvh,
+                                               std::span<const Index> faces,
+                                               const std::vector<char>& is_embedded) {
+  const FaceStrips strips(welded, faces);
+  std::vector<std::vector<Meeting>> lists;
+  bvh.visit_pairs(
+      [&](std::size_t count) { lists.resize(count); },
+      [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
+        thread_local std::vector<Bvh::Pair> others;
+        list_others(welded, faces, is_embedded, pairs, others);
+        for (const auto& [i, k] : others) {
+          const Index f = faces[i], g = faces[k];
+          if (strips.are_apart(i, k)) continue;
+          const Contacts contacts = find_contacts(welded, f, g);
+          if (contacts.meet) lists[list].push_back({f, g, contacts});
+        }
+      });
+  return lists;
+}
+
+}  // namespace
+
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
   IntersectionFreeRegions regions = find_intersection_free_regions(welded);
@@ -158,19 +184,10 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
     fill_bvh();
   }
   bvh.set_groups(regions_of(faces, regions.of_face));
-  std::vector<std::vector<Meeting>> lists;
-  if (!stars.empty()) lists = star_meetings(welded, stars, faces, is_embedded, regions.of_face);
-  const std::size_t known = lists.size();
-  bvh.visit_pairs([&](std::size_t count) { lists.resize(known + count); },
-                  [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
-                    thread_local std::vector<Bvh::Pair> others;
-                    list_others(welded, faces, is_embedded, pairs, others);
-                    for (const auto& [i, k] : others) {
-                      const Contacts contacts = find_contacts(welded, faces[i], faces[k]);
-                      if (contacts.meet)
-                        lists[known + list].push_back({faces[i], faces[k], contacts});
-                    }
-                  });
+  auto lists = box_meetings(welded, bvh, faces, is_embedded);
+  if (!stars.empty())
+    for (auto& list : star_meetings(welded, stars, faces, is_embedded, regions.of_face))
+      lists.push_back(std::move(list));
   std::vector<Meeting> meetings = joined(lists);
   sort_pairs(meetings, welded.faces.size());
   return meetings;
