@@ -143,18 +143,16 @@ std::vector<std::vector<Meeting>> box_meetings(const WeldedMesh& welded, const B
                                                const std::vector<char>& is_embedded) {
   const FaceStrips strips(welded, faces);
   std::vector<std::vector<Meeting>> lists;
-  bvh.visit_pairs(
-      [&](std::size_t count) { lists.resize(count); },
-      [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
-        thread_local std::vector<Bvh::Pair> others;
-        list_others(welded, faces, is_embedded, pairs, others);
-        for (const auto& [i, k] : others) {
-          const Index f = faces[i], g = faces[k];
-          if (strips.are_apart(i, k)) continue;
-          const Contacts contacts = find_contacts(welded, f, g);
-          if (contacts.meet) lists[list].push_back({f, g, contacts});
-        }
-      });
+  bvh.visit_pairs([&](std::size_t count) { lists.resize(count); },
+                  [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
+                    thread_local std::vector<Bvh::Pair> others;
+                    list_others(welded, faces, is_embedded, pairs, others);
+                    for (const auto& [i, k] : others) {
+                      if (strips.are_apart(i, k)) continue;
+                      const Contacts contacts = find_contacts(welded, faces[i], faces[k]);
+                      if (contacts.meet) lists[list].push_back({faces[i], faces[k], contacts});
+                    }
+                  });
   return lists;
 }
 

@@ -9,6 +9,7 @@
 #include "clean/rounding/flat_vertices.h"
 #include "clean/rounding/slivers.h"
 #include "clean/rounding/thin_cells.h"
+#include "clean/rounding/unsplittable_edges.h"
 #include "clean/rounding/vertex_grids.h"
 #include "mesh/location_text.h"
 #include "transformesh/components.h"
@@ -84,6 +85,7 @@ class SnapRounder {
   bool is_in_vain(std::size_t broken);
   void note_broken(const std::vector<Index>& broken);
   void begin_anew();
+  void drop_collapsed();
   void mend();
   bool clean_again(bool gives_cells, int winding_level = 1);
   bool has_changed() const;
@@ -118,13 +120,21 @@ void SnapRounder::throw_nothing_left() {
                   "the faces enclose nothing that is thicker than rounding moves it");
 }
 
+// Faces without area at a singular edge may come from an attempt to split it.
+void SnapRounder::drop_collapsed() {
+  while (drop_collapsed_faces(assembly_) &&
+         contract_unsplittable_edges(assembly_, result_.repairs > 1, options_.coordinate,
+                                     result_.displacement)) {
+  }
+}
+
 // Makes simpler what lies around the broken faces, until none is left. Grids that a restart made
 // coarse move no vertices: they would turn faces beyond the sheets beside them.
 void SnapRounder::mend() {
   BrokenFaces broken;
   const auto is_mended = [&](bool is_changed) {
     if (is_changed) {
-      drop_collapsed_faces(assembly_);
+      drop_collapsed();
       broken = find_broken_faces(assembly_);
     }
     return broken.faces.empty();
