@@ -94,7 +94,9 @@ Entries entries_of(const RemeshResult& result) {
 }
 
 Entries entries_of(const DecimateResult& result) {
-  return {{"collapses", result.collapses}, {"faces", result.faces}, {"kept_out", result.kept_out}};
+  return {{"collapses", result.collapses},         {"faces", result.faces},
+          {"kept_out", result.kept_out},           {"merged_faces", result.merged_faces},
+          {"error_refused", result.error_refused}, {"error_bound", result.error_bound}};
 }
 
 Entries entries_of(const AlignResult& result) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "clean/flat/merge_flat.h"
 #include "mesh/surface_columns.h"
 #include "remesh/operations/edge_collapser.h"
 #include "remesh/operations/quadric.h"
@@ -24,6 +25,10 @@ constexpr double stage_growth = 1.6;
 constexpr double border_weight = 10;  ///< of a border's planes, as a multiple of a face's
 constexpr double shortness = 3e-8;    ///< weight of an edge's squared length
 constexpr double tolerance = 0.01;
+constexpr std::size_t least_faces = 4;  ///< of a closed surface
+/// A stage within an error is the last one if it removes at most a 200th of the faces, and no more
+/// edges would become too long. A larger part leaves more faces; a smaller one repeats refusals.
+constexpr std::size_t few_share = 200;
 
 /// A stage ends after so many collapses that would make edges too long: others are dearer.
 std::size_t most_too_long(std::size_t faces) { return std::max<std::size_t>(10, faces / 50); }
@@ -31,7 +36,9 @@ std::size_t most_too_long(std::size_t faces) { return std::max<std::size_t>(10, 
 /// Positions relative to a corner of the box, so that squares stay small.
 class Decimator {
  public:
-  Decimator(const Mesh& mesh, const DecimateOptions& options, const Progress& progress);
+  /// Keeps references. `error`: allowed distance from this mesh.
+  Decimator(const Mesh& mesh, const DecimateOptions& options, std::optional<double> error,
+            const Progress& progress);
 
   DecimateResult run();
   Mesh to_mesh() const { return mesh_.to_mesh(); }
@@ -54,7 +61,7 @@ class Decimator {
 
   void add_quadrics();
   void add_border(Index halfedge);
-  void run_stage(std::size_t wanted, double longest);
+  std::size_t run_stage(std::size_t wanted, double longest);
   void push(Index halfedge, std::size_t rank = 0);
   bool is_current(const Candidate& candidate) const;
   std::vector<Place> places(Index source, Index target) const;
@@ -62,21 +69,25 @@ class Decimator {
 
   EditableMesh mesh_;
   const DecimateOptions& options_;
+  std::size_t wanted_;
   std::optional<KeepOut> keep_out_;
   const Progress& progress_;
   Vec3 origin_;
   double area_;
   std::size_t first_faces_;
   std::optional<VertexRoles> roles_;
+  std::optional<ErrorBound> bound_;
   std::vector<Quadric> quadrics_;        ///< per vertex
   std::vector<std::uint32_t> versions_;  ///< per vertex: how often it moved
   std::priority_queue<Candidate> queue_;
   DecimateResult result_;
 };
 
-Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, const Progress& progress)
+Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, std::optional<double> error,
+                     const Progress& progress)
     : mesh_(mesh),
       options_(options),
+      wanted_(std::max(options.faces, least_faces)),
       progress_(progress),
       origin_(mesh.positions[mesh.faces[0][0]]),
       area_(surface_area(mesh)),
@@ -89,6 +100,7 @@ Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, const Pro
     result_.near_keep_out = keep_out_->count_near(mesh);
   }
   roles_.emplace(mesh_, options.keep_border);
+  if (error) bound_.emplace(mesh_, mesh, *error);
   add_quadrics();
 }
 
@@ -167,9 +179,10 @@ void Decimator::merge(Index stays, Index goes) {
   mesh_.for_each_neighbor(stays, [&](Index, Index halfedge) { push(halfedge); });
 }
 
-void Decimator::run_stage(std::size_t wanted, double longest) {
+/// Returns how many edges would have become too long.
+std::size_t Decimator::run_stage(std::size_t wanted, double longest) {
   EmbeddingGuard guard(mesh_, longest, keep_out_ ? &*keep_out_ : nullptr);
-  EdgeCollapser collapser(mesh_, guard, *roles_, longest);
+  EdgeCollapser collapser(mesh_, guard, *roles_, longest, bound_ ? &*bound_ : nullptr);
   std::size_t too_long = 0;
   queue_ = {};
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
@@ -189,23 +202,31 @@ void Decimator::run_stage(std::size_t wanted, double longest) {
     result_.faces -= gone;
     if (++result_.collapses % 1024 == 0)
       progress_("decimate", static_cast<double>(first_faces_ - result_.faces) /
-                                static_cast<double>(first_faces_ - options_.faces));
+                                static_cast<double>(first_faces_ - wanted_));
     merge(stays, stays == next.source ? next.target : next.source);
   }
   result_.kept_out += guard.kept_out();
+  return too_long;
 }
 
 DecimateResult Decimator::run() {
   double allowance = longest_edge;
-  while (result_.faces > options_.faces) {
+  while (result_.faces > wanted_) {
     const std::size_t before = result_.faces;
     const auto share = static_cast<std::size_t>(stage_share * static_cast<double>(before));
-    const std::size_t wanted = std::max(options_.faces, share);
+    const std::size_t wanted = std::max(wanted_, share);
     const double edge = std::sqrt(4 / std::sqrt(3.0) * area_ / static_cast<double>(wanted));
-    run_stage(wanted, allowance * edge);
+    const std::size_t too_long = run_stage(wanted, allowance * edge);
     if (result_.faces <= wanted) continue;
-    if (result_.faces == before && allowance > longest_edge * 1000) break;
+    const std::size_t removed = before - result_.faces;
+    if (removed == 0 && allowance > longest_edge * 1000) break;
+    if (bound_ && std::max(removed, too_long) <= before / few_share) break;
     allowance *= stage_growth;
+  }
+  if (bound_) {
+    progress_("measure");
+    result_.error_refused = bound_->refused();
+    result_.error_bound = bound_->certified();
   }
   return result_;
 }
@@ -213,18 +234,67 @@ DecimateResult Decimator::run() {
 void check(const Mesh& mesh, const DecimateOptions& options) {
   if (mesh.faces.empty())
     throw InputError("the mesh has no faces, so there is nothing to decimate");
-  if (options.faces < 4)
+  const bool is_chosen = options.faces > 0 || !options.error;
+  if (is_chosen && options.faces < least_faces)
     throw UsageError("a closed surface has at least 4 faces; " + std::to_string(options.faces) +
                      " are too few");
+  if (options.error && !(*options.error >= 0)) throw UsageError("the error must not be negative");
+  const bool is_bound = options.keep_border || options.keep_out.surface != nullptr;
+  if (options.error == 0.0 && is_bound)
+    throw UsageError(
+        "an error of 0 merges flat faces, which moves borders and distances by rounding errors: "
+        "allow an error above 0 where borders are kept or a surface is kept out");
+}
+
+/// Merges flat faces, which a bound would have to follow through many collapses. Nothing is merged
+/// if that could move what is to stay, or exceeds the error.
+MergeFlatResult merge_flat_faces(Mesh& mesh, const DecimateOptions& options,
+                                 const Progress& progress) {
+  if (options.keep_border || options.keep_out.surface != nullptr) return {};
+  const EditableMesh is_manifold(mesh);  // throws if it is not
+  Mesh merged = mesh;
+  const MergeFlatResult result = merge_flat(merged, std::vector<char>(mesh.faces.size(), 1),
+                                            flat_spacings, options.coordinate, progress);
+  const bool is_within = *options.error == 0 || result.displacement < *options.error;
+  if (!is_within || result.removed_faces == 0) return {};
+  mesh = std::move(merged);
+  return result;
+}
+
+DecimateResult without_collapses(const Mesh& mesh) {
+  DecimateResult result;
+  result.faces = mesh.faces.size();
+  return result;
+}
+
+DecimateResult decimate_within(Mesh& mesh, const DecimateOptions& options,
+                               const Progress& progress) {
+  Mesh start = mesh;
+  const MergeFlatResult merged = merge_flat_faces(start, options, progress);
+  DecimateResult result = without_collapses(start);
+  if (*options.error > 0) {
+    Decimator decimator(start, options, *options.error - merged.displacement, progress);
+    result = decimator.run();
+    start = decimator.to_mesh();
+  }
+  result.merged_faces = merged.removed_faces;
+  result.error_bound += merged.displacement;
+  mesh = std::move(start);
+  return result;
 }
 
 }  // namespace
 
 DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progress& progress) {
   check(mesh, options);
-  if (mesh.faces.size() <= options.faces) return {0, mesh.faces.size(), 0, 0, {}};
+  if (mesh.faces.size() <= options.faces) return without_collapses(mesh);
   progress("connect");
-  Decimator decimator(mesh, options, progress);
+  if (options.error) {
+    DecimateResult result = decimate_within(mesh, options, progress);
+    result.columns = refresh_columns(mesh);
+    return result;
+  }
+  Decimator decimator(mesh, options, std::nullopt, progress);
   DecimateResult result = decimator.run();
   if (static_cast<double>(result.faces) > (1 + tolerance) * static_cast<double>(options.faces)) {
     throw GoalError(

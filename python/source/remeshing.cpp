@@ -127,15 +127,19 @@ MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength
 
 // --- decimate ------------------------------------------------------------------------------------
 
-MeshPointer decimate_mesh(const PythonMesh& mesh, std::size_t faces, double feature_angle,
+MeshPointer decimate_mesh(const PythonMesh& mesh, std::optional<std::size_t> faces,
+                          const std::optional<PythonLength>& error, double feature_angle,
                           bool keep_border, const std::optional<MeshPointer>& keep_out,
                           const std::optional<PythonLength>& gap, bool source,
                           const py::object& progress) {
+  if (!faces && !error) throw UsageError("give faces, error or both");
+  if (faces == 0) throw UsageError("a closed surface has at least 4 faces; 0 are too few");
   Document document = mesh.document;
   const std::size_t joined = join_places(document.mesh);
   Lengths lengths(document);
-  const DecimateOptions options{faces, feature_angle, keep_border, document.style.coordinate,
-                                keep_out_of(keep_out, gap, lengths)};
+  DecimateOptions options{faces.value_or(0), feature_angle, keep_border, document.style.coordinate,
+                          keep_out_of(keep_out, gap, lengths)};
+  if (error) options.error = lengths(*error);
   const DecimateResult result = without_lock(progress, [&](const Progress& to) {
     return change_with_source_points(source, document.mesh,
                                      [&](Mesh& changed) { return decimate(changed, options, to); });
@@ -163,11 +167,13 @@ void bind_remeshing(py::module_& module) {
       "`keep_out`. `source` writes where on the input each vertex comes from, for carry(). "
       "See tm-remesh(1).");
   module.def(
-      "decimate", &decimate_mesh, arg("mesh"), arg("faces"), py::kw_only(),
-      arg("feature_angle") = 180.0, arg("keep_border") = false, arg("keep_out") = none,
-      arg("gap") = none, arg("source") = false, arg("progress") = none,
+      "decimate", &decimate_mesh, arg("mesh"), arg("faces") = none, py::kw_only(),
+      arg("error") = none, arg("feature_angle") = 180.0, arg("keep_border") = false,
+      arg("keep_out") = none, arg("gap") = none, arg("source") = false, arg("progress") = none,
       "Collapses edges where the surface changes least until so many faces are left, "
-      "without making a self-intersection. `keep_out`, `gap` and `source` are as of remesh(). See "
+      "without making a self-intersection. With `error` input and result stay that close to each "
+      "other in both directions; without `faces` it goes on while they do. `keep_out`, `gap` and "
+      "`source` are as of remesh(). See "
       "tm-remesh(1).");
 }
 

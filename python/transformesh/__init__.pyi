@@ -95,8 +95,9 @@ def remesh(
 ) -> Mesh: ...
 def decimate(
     mesh: Mesh,
-    faces: int,
+    faces: Optional[int] = None,
     *,
+    error: Optional[Length] = None,
     feature_angle: float = 180.0,
     keep_border: bool = False,
     keep_out: Optional[Mesh] = None,

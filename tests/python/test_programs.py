@@ -104,6 +104,11 @@ def test_joins_places(tmp_path):
 def test_decimate():
     ball = shape("torus", "--faces", 3000)
     assert same(tm.decimate(tm.parse(ball), 500), "tm-remesh", "--faces", 500, stdin=ball)
+    close = tm.decimate(tm.parse(ball), error="0.2%")
+    assert same(close, "tm-remesh", "--error", "0.2%", stdin=ball)
+    assert 0 < close.report["error_bound"] <= 0.002 * np.linalg.norm(np.ptp(tm.parse(ball).positions, axis=0))
+    both = ["tm-remesh", "--error", 0.1, "--faces", 1000]
+    assert same(tm.decimate(tm.parse(ball), 1000, error=0.1), *both, stdin=ball)
 
 
 @pytest.fixture(scope="module")
@@ -359,6 +364,8 @@ def test_refusals_are_exceptions_with_the_sentence_of_the_program(bodies):
         (tm.UsageError, "outermost is for whole", lambda: tm.clean(mesh, box=range(6), outermost=True)),
         (tm.UsageError, "go together", lambda: tm.remesh(mesh, gap=1)),
         (tm.UsageError, "gap must be above 0", lambda: tm.decimate(mesh, 9, keep_out=mesh, gap=0)),
+        (tm.UsageError, "give faces, error or both", lambda: tm.decimate(mesh)),
+        (tm.UsageError, "0 are too few", lambda: tm.decimate(mesh, 0, error=0.1)),
         (tm.InputError, "nothing to keep", lambda: tm.displace(mesh, normal_speed=1, gap=1,
                                                               keep_out=tm.Mesh(np.zeros((3, 3))))),
         (tm.UsageError, "9999 velocities for 512 vertices",

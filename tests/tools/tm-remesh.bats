@@ -311,6 +311,62 @@ border() {
   jq -e --argjson edge "$edge" '.rms < 0.05 * $edge' "$BATS_TEST_TMPDIR/distance.json"
 }
 
+@test "--error decimates while input and result stay that close, in both directions" {
+  cd "$BATS_TEST_TMPDIR"
+  # Closed and noisy, folded, and with a border.
+  tm-shape genus 3 --faces 8000 --noise 10% -o noisy.ply
+  tm-shape folded --faces 8000 | tm-clean -q -o folded.ply
+  tm-shape sphere --faces 8000 | tm-select --box=-9,-9,-9,9,9,0.5 -o open.ply
+  local mesh error
+  for mesh in noisy folded open; do
+    for error in 0.05 0.01; do
+      tm-remesh --error "$error" "$mesh.ply" -o out.ply --report r.json
+      tm-compare --json --samples 100000 --reference "$mesh.ply" out.ply >distance.json
+      # Both distances come close to the error, or it would not be used.
+      jq -e --argjson error "$error" '.hausdorff <= $error and .hausdorff > 0.7 * $error' distance.json ||
+        fail "$mesh $error: $(cat distance.json)"
+      jq -e --argjson error "$error" --slurpfile distance distance.json \
+        '.result | .error_bound <= $error and .error_bound >= $distance[0].hausdorff' r.json
+      tm-intersect --check out.ply
+      [ "$(tm-info --get faces out.ply)" -eq "$(jq .result.faces r.json)" ]
+    done
+  done
+}
+
+@test "--error with --faces ends at whichever comes first, and says so" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape torus --faces 4000 -o in.ply
+  run tm-remesh --error 0.1 --faces 1000 in.ply -o out.ply
+  assert_status 0
+  [ -z "$output" ]
+  [ "$(tm-info --get faces out.ply)" -eq 1000 ]
+  run tm-remesh --error 0.01 --faces 20 in.ply -o out.ply
+  assert_status 0
+  [[ $output == *" faces left, more than the 20 wanted: "*"a larger --error leaves fewer"* ]]
+  # The advice holds.
+  run tm-remesh --error 1 --faces 20 in.ply -o out.ply
+  [ -z "$output" ]
+  [ "$(tm-info --get faces out.ply)" -eq 20 ]
+  tm-shape box 1 1 1 --faces 3000 -o box.ply
+  run tm-remesh --error 0.01 --faces 500 box.ply -o out.ply
+  [[ $output == *"12 faces left, fewer than the 500 wanted, as flat faces were merged"* ]]
+}
+
+@test "--error 0 merges flat faces and moves nothing" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 1 1 3 --faces 3000 | tm-transform --rotate 1,2,3,17 -o box.ply
+  tm-remesh --error 0 box.ply -o out.ply --report r.json
+  [ "$(tm-info --get faces out.ply)" -eq 12 ]
+  jq -e '.result | .merged_faces > 2800 and .error_bound < 1e-13' r.json
+  tm-compare --reference box.ply --within 1e-13 out.ply
+  run tm-remesh --error 0 --keep-border box.ply
+  assert_status 2
+  [[ $output == *"allow an error above 0"* ]]
+  run tm-remesh --error 0.1 --iterations 2 box.ply
+  assert_status 2
+  [[ $output == *"--iterations remeshes"* ]]
+}
+
 @test "--faces leaves a mesh with fewer alone and says so, and is not mixed with remeshing" {
   tm-shape sphere --faces 100 -o "$BATS_TEST_TMPDIR/in.ply"
   run tm-remesh --faces 5000 "$BATS_TEST_TMPDIR/in.ply" -o "$BATS_TEST_TMPDIR/out.ply"

@@ -48,6 +48,9 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
   program.options.integer(
       "faces", &choices.faces, 4, std::numeric_limits<long>::max(),
       "decimate to so many faces, where the surface changes least, and do nothing else");
+  program.options.length("error", &choices.error,
+                         "decimate while the surface stays this close to the input, and do nothing "
+                         "else; 0 merges flat faces");
   program.options.text(
       "align", &choices.align, "FILE",
       "move vertices and turn edges onto the sharp edges of this mesh, which lies near, "
@@ -114,10 +117,13 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
 }
 
 DecimateOptions decimate_options(RemeshChoices& choices, const Document& document, Run& run) {
-  refuse_others(run.program(), "faces", "decimates",
-                {"feature-angle", "keep-border", "source", "keep-out", "gap"});
-  return {static_cast<std::size_t>(*choices.faces), feature_angle(choices.feature_angle, 180),
-          choices.remesh.keep_border, document.style.coordinate, choices.keep_out.options(run)};
+  refuse_others(run.program(), choices.faces ? "faces" : "error", "decimates",
+                {"faces", "error", "feature-angle", "keep-border", "source", "keep-out", "gap"});
+  DecimateOptions options{static_cast<std::size_t>(choices.faces.value_or(0)),
+                          feature_angle(choices.feature_angle, 180), choices.remesh.keep_border,
+                          document.style.coordinate, choices.keep_out.options(run)};
+  if (choices.error) options.error = run.length(*choices.error);
+  return options;
 }
 
 AlignOptions align_options(RemeshChoices& choices, const Document& document, Run& run) {

@@ -15,8 +15,9 @@ namespace transformesh::tool {
 
 /// Options as they are written; the rest are in `remesh`.
 struct RemeshChoices {
-  std::optional<long> faces;  ///< to decimate to, instead of remeshing
-  std::string align;          ///< the mesh to whose sharp edges to align, instead
+  std::optional<long> faces;    ///< to decimate to, instead of remeshing
+  std::string align;            ///< the mesh to whose sharp edges to align, instead
+  std::optional<Length> error;  ///< to decimate within, instead of or besides
   std::optional<Length> min_edge, max_edge, adaptive;
   std::string only = "all";
   std::string flip = "valence";

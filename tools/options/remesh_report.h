@@ -1,10 +1,12 @@
-/// Notes of tm-remesh about components that it dropped and slivers that it kept.
+/// Notes of tm-remesh about components that it dropped, slivers that it kept, and faces that an
+/// error leaves.
 #pragma once
 
 #include "frame/run.h"
 #include "mesh/location_text.h"
 #include "support/counted.h"
 #include "support/number.h"
+#include "transformesh/decimate.h"
 #include "transformesh/remesh.h"
 
 namespace transformesh::tool {
@@ -27,6 +29,17 @@ inline void note_slivers(const RemeshResult& result, Run& run) {
       counted(result.slivers_kept, "sliver") + " kept, the first at " +
       point_text(result.first_sliver) +
       ": removing such thin faces would make the surface intersect itself or change its topology");
+}
+
+inline void note_error(const DecimateResult& result, const DecimateOptions& options, Run& run) {
+  if (!options.error || options.faces == 0) return;
+  if (result.merged_faces > 0 && result.faces + 1 < options.faces)
+    run.note(counted(result.faces, "face") + " left, fewer than the " +
+             std::to_string(options.faces) + " wanted, as flat faces were merged");
+  if (result.faces <= options.faces) return;
+  run.note(counted(result.faces, "face") + " left, more than the " + std::to_string(options.faces) +
+           " wanted: further collapses would exceed the error, change the topology or make the "
+           "surface touch itself; a larger --error leaves fewer");
 }
 
 }  // namespace transformesh::tool

@@ -23,6 +23,7 @@ StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices,
              std::to_string(options.faces) + ": it stays as it is; --max-edge makes more");
   const DecimateResult result = decimate(document.mesh, options, run.progress());
   run.report(entries_of(result));
+  tool::note_error(result, options, run);
   choices.keep_out.note_near(result.near_keep_out, run);
   return result.columns;
 }
@@ -67,9 +68,9 @@ StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, t
 }
 
 void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
-  const auto& step = choices.faces           ? decimate_document
-                     : choices.align.empty() ? remesh_document
-                                             : align_document;
+  const auto& step = choices.faces || choices.error ? decimate_document
+                     : choices.align.empty()        ? remesh_document
+                                                    : align_document;
   const StaleColumns columns = change_with_source_points(
       choices.source_points, document.mesh, [&](Mesh&) { return step(document, choices, run); });
   tool::note_new_normals(columns.new_normals, run);

@@ -17,6 +17,10 @@
 
 namespace transformesh {
 
+/// How far corners may be from the plane of a flat region, in spacings of the coordinates
+/// (docs/design/flat-faces.md).
+inline constexpr double flat_spacings = 64;
+
 struct MergeFlatResult {
   std::size_t regions = 0;        ///< that have fewer faces now
   std::size_t kept_regions = 0;   ///< that would intersect something, or have no triangulation

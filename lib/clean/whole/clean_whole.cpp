@@ -76,10 +76,6 @@ void take_rounded(SnapRoundingResult rounded, CleanResult& result) {
   result.dropped_source_points = drop_source_points(result.mesh);
 }
 
-/// How far corners may be from the plane of a flat region, in spacings of the coordinates
-/// (docs/design/flat-faces.md).
-constexpr double flat_spacings = 64;
-
 void merge_changed(std::vector<char> changed, Scalar coordinate, CleanResult& result,
                    const Progress& progress) {
   const MergeFlatResult merged =

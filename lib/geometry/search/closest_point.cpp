@@ -141,6 +141,10 @@ Index ClosestPointQuery::face_within(const Vec3& query, double distance, Index h
   return found;
 }
 
+Index ClosestPointQuery::closest_face_within(const Vec3& query, double distance, Index hint) const {
+  return search(query, 1, accept_all, hint, distance * distance).face;
+}
+
 Vec3 ClosestPointQuery::nearby(const Vec3& query, double tolerance) const {
   return search(query, 1 / ((1 + tolerance) * (1 + tolerance)), accept_all).place.point;
 }

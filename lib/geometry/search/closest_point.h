@@ -61,6 +61,8 @@ class ClosestPointQuery {
                                      const Accept& accept) const;
   /// A face that comes at least as near as that, the first that is met; no_index if there is none.
   Index face_within(const Vec3& query, double distance, Index hint = no_index) const;
+  /// The face of the closest point; no_index if that is farther than `distance`.
+  Index closest_face_within(const Vec3& query, double distance, Index hint = no_index) const;
   /// A point of the mesh that is farther than the closest by no more than that share of the
   /// distance. Much faster far from the mesh, where many points are almost the closest.
   Vec3 nearby(const Vec3& query, double tolerance) const;

@@ -103,6 +103,7 @@ void Patch::clear() {
   cone.reset();
   replaced.clear();
   vertices.clear();
+  spokes.clear();
 }
 
 EmbeddingGuard::EmbeddingGuard(const EditableMesh& mesh, double longest_edge,

@@ -36,6 +36,8 @@ struct Patch {
   double reach_squared = -1;    ///< from the center to the farthest of `vertices`; < 0: not known
   std::vector<Index> replaced;  ///< the faces that give way
   std::vector<Index> vertices;  ///< the corners of the new triangles
+  /// Per new triangle of a collapse, the halfedge from the center of the face that becomes it.
+  std::vector<Index> spokes;
 
   void clear();
 };

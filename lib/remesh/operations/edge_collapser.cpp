@@ -88,6 +88,7 @@ void EdgeCollapser::gather_star(Index vertex) {
     volume_ += (corner - origin).dot((a - origin).cross(b - origin));
     patch_.vertices.push_back(first);
     patch_.vertices.push_back(second);
+    patch_.spokes.push_back(halfedge);
   });
 }
 
@@ -167,7 +168,9 @@ bool EdgeCollapser::try_position(const Vec3& wanted, double source_share) {
   if (!is_sound(position)) return false;
   fill_patch(position);
   if (guard_ != nullptr && !guard_->allows(patch_)) return false;
+  if (bound_ != nullptr && !bound_->allows(patch_)) return false;
   mesh_.collapse(edge_, position, source_share);
+  if (bound_ != nullptr) bound_->commit(patch_);
   if (guard_ == nullptr) return true;
   guard_->forget(goes_);
   guard_->commit(patch_);

@@ -4,18 +4,24 @@
 #include <vector>
 
 #include "remesh/guards/embedding_guard.h"
+#include "remesh/guards/error_bound.h"
 #include "remesh/halfedges/vertex_role.h"
 
 namespace transformesh {
 
 class EdgeCollapser {
  public:
+  /// Positions keep the bound, if there is one.
   EdgeCollapser(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-                double max_edge)
-      : mesh_(mesh), guard_(&guard), roles_(roles), longest_(max_edge * max_edge) {}
+                double max_edge, ErrorBound* bound = nullptr)
+      : mesh_(mesh), guard_(&guard), bound_(bound), roles_(roles), longest_(max_edge * max_edge) {}
   /// Without a guard: the caller looks for intersections.
   EdgeCollapser(EditableMesh& mesh, const VertexRoles& roles, double max_edge)
-      : mesh_(mesh), guard_(nullptr), roles_(roles), longest_(max_edge * max_edge) {}
+      : mesh_(mesh),
+        guard_(nullptr),
+        bound_(nullptr),
+        roles_(roles),
+        longest_(max_edge * max_edge) {}
 
   /// The vertex that the edge became; no_index where it stays.
   Index collapse(Index halfedge);
@@ -50,6 +56,7 @@ class EdgeCollapser {
 
   EditableMesh& mesh_;
   EmbeddingGuard* guard_;
+  ErrorBound* bound_;
   const VertexRoles& roles_;
   double longest_;
   double round_enough_ = 0;

@@ -1,0 +1,130 @@
+#include "remesh/guards/projected_faces.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace transformesh {
+namespace {
+
+/// Least squared sine of the angles at a triangle's first corner, as its height over its width:
+/// shares of edges in narrower triangles have rounding errors above 1e-10.
+constexpr double least_squared_sine = 1e-12;
+/// Edges that pass the triangle at this share of its size may meet it. Rounding errors of shares
+/// are a tenth of that; a larger margin only collects more faces.
+constexpr double margin = 1e-9;
+
+}  // namespace
+
+/// The plane of a triangle, with two of its edges as axes.
+class ProjectedFaces::Plane {
+ public:
+  explicit Plane(const Triangle& triangle)
+      : corner_(triangle[0]),
+        first_(triangle[1] - triangle[0]),
+        second_(triangle[2] - triangle[0]) {
+    const Vec3 normal = first_.cross(second_);
+    const double squared = normal.squaredNorm();
+    const double longest =
+        std::max({first_.squaredNorm(), second_.squaredNorm(), (second_ - first_).squaredNorm()});
+    is_sound_ = squared > least_squared_sine * longest * longest;
+    if (!is_sound_) return;
+    first_dual_ = second_.cross(normal) / squared;
+    second_dual_ = normal.cross(first_) / squared;
+  }
+  bool is_sound() const { return is_sound_; }
+  Place operator()(const Vec3& point) const {
+    const Vec3 way = point - corner_;
+    const double first = first_dual_.dot(way), second = second_dual_.dot(way);
+    return {first, second, way - first * first_ - second * second_};
+  }
+
+ private:
+  Vec3 corner_, first_, second_;
+  Vec3 first_dual_, second_dual_;
+  bool is_sound_;
+};
+
+ProjectedFaces::ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites)
+    : mesh_(mesh), opposites_(std::move(opposites)), stamps_(mesh.faces.size(), 0) {}
+
+/// Whether an edge comes to the triangle, by separating lines along the triangle's edges and along
+/// the edge.
+bool ProjectedFaces::may_meet(const Place& from, const Place& to) {
+  if (std::max(from.first, to.first) < -margin || std::max(from.second, to.second) < -margin ||
+      std::max(from.rest(), to.rest()) < -margin)
+    return false;
+  const double x = to.first - from.first, y = to.second - from.second;
+  const double origin = y * from.first - x * from.second;
+  const double least =
+      margin * (1 + x * x + y * y + from.first * from.first + from.second * from.second);
+  const auto [low, high] = std::minmax({origin, origin - y, origin + x});
+  return !(low > least || high < -least);
+}
+
+/// How often the edge passes the ray from the triangle's middle along the first axis, to the left
+/// less to the right. Both halfedges of an edge have opposite numbers, as ends are put in order.
+int ProjectedFaces::turns_around_middle(const Place& from, const Place& to) {
+  constexpr double middle = 1.0 / 3;
+  const bool is_above = from.second > middle;
+  if (is_above == (to.second > middle)) return 0;
+  const Place &below = is_above ? to : from, &above = is_above ? from : to;
+  const double side = (above.first - below.first) * (middle - below.second) -
+                      (middle - below.first) * (above.second - below.second);
+  if (!(side > 0)) return 0;
+  return is_above ? -1 : 1;
+}
+
+/// Whether the part of a face over the triangle is.
+bool ProjectedFaces::is_within(const Places& face, double squared_limit) {
+  const auto is_near = [&](const Place& place) {
+    return place.away.squaredNorm() <= squared_limit;
+  };
+  if (std::all_of(face.begin(), face.end(), is_near)) return true;
+  std::vector<Place> part(face.begin(), face.end()), rest;
+  const auto clip = [&](const auto& share) {
+    rest.clear();
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Place &here = part[i], &next = part[(i + 1) % part.size()];
+      const double a = share(here), b = share(next);
+      if (a >= 0) rest.push_back(here);
+      if ((a >= 0) == (b >= 0)) continue;
+      const double t = a / (a - b);
+      rest.push_back({here.first + t * (next.first - here.first),
+                      here.second + t * (next.second - here.second),
+                      here.away + t * (next.away - here.away)});
+    }
+    std::swap(part, rest);
+  };
+  clip([](const Place& place) { return place.first; });
+  clip([](const Place& place) { return place.second; });
+  clip([](const Place& place) { return place.rest(); });
+  return std::all_of(part.begin(), part.end(), is_near);
+}
+
+bool ProjectedFaces::covers(const Triangle& triangle, Index seed, double squared_limit,
+                            std::size_t most_faces) {
+  const Plane plane(triangle);
+  if (!plane.is_sound()) return false;
+  stamps_[seed] = ++stamp_;
+  found_.assign(1, seed);
+  int degree = 0;
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    const Index face = found_[i];
+    const Triangle corners = triangle_of(mesh_, face);
+    const Places places{plane(corners[0]), plane(corners[1]), plane(corners[2])};
+    if (!is_within(places, squared_limit)) return false;
+    for (Index k = 0; k < 3; ++k) {
+      const Place &from = places[k], &to = places[(k + 1) % 3];
+      degree += turns_around_middle(from, to);
+      if (!may_meet(from, to)) continue;
+      const Index across = opposites_[3 * face + k];
+      if (across == no_index || found_.size() == most_faces) return false;
+      if (stamps_[across / 3] == stamp_) continue;
+      stamps_[across / 3] = stamp_;
+      found_.push_back(across / 3);
+    }
+  }
+  return degree != 0;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,51 @@
+/// Certifies that all points of a triangle are within a distance of a surface, by projection.
+///
+/// The faces around a seed are projected onto the plane of the triangle. Faces are collected from
+/// neighbor to neighbor across edges that meet the triangle in the projection, so that the boundary
+/// of what is collected does not meet it. Then all points of the triangle are covered equally
+/// often, counted with the sense of the faces (the degree of the projection). If that is not zero,
+/// each point of the triangle is the projection of a point of the surface. How far these are apart
+/// is a convex function on each face, which is largest at the corners of the part of the face over
+/// the triangle. The certificate may be missed, where the surface folds or ends, but it is never
+/// wrong. Cost: O(faces over the triangle).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle.h"
+
+namespace transformesh {
+
+class ProjectedFaces {
+ public:
+  /// Keeps a reference to the mesh, which has those opposite halfedges.
+  ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites);
+
+  /// Whether the triangle is certified by the faces around the seed, of which there are no more
+  /// than `most_faces`.
+  bool covers(const Triangle& triangle, Index seed, double squared_limit, std::size_t most_faces);
+
+ private:
+  class Plane;
+  /// A point of the surface over the plane: its shares of two edges of the triangle, and its way
+  /// from there.
+  struct Place {
+    double first, second;
+    Vec3 away;
+    double rest() const { return 1 - first - second; }
+  };
+  using Places = std::array<Place, 3>;
+
+  static bool may_meet(const Place& from, const Place& to);
+  static bool is_within(const Places& face, double squared_limit);
+  static int turns_around_middle(const Place& from, const Place& to);
+
+  const Mesh& mesh_;
+  std::vector<Index> opposites_;
+  std::uint32_t stamp_ = 0;
+  std::vector<std::uint32_t> stamps_;  ///< per face
+  std::vector<Index> found_;
+};
+
+}  // namespace transformesh

@@ -1,0 +1,59 @@
+/// How far samples of one mesh are from another, by testing all faces. Shares no code with the
+/// library.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "transformesh/mesh.h"
+
+namespace transformesh::test {
+
+/// From a segment.
+inline double squared_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const double length = (b - a).squaredNorm();
+  const double t = length > 0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
+  return (a + t * (b - a) - p).squaredNorm();
+}
+
+/// From a triangle: from its plane if the point is over it, else from its sides.
+inline double squared_to_triangle(const Vec3& p, const std::array<Vec3, 3>& t) {
+  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[1]);
+  bool is_over = normal.squaredNorm() > 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = t[i], &b = t[(i + 1) % 3];
+    is_over = is_over && normal.cross(b - a).dot(p - a) >= 0;
+    least = std::min(least, squared_to_segment(p, a, b));
+  }
+  if (!is_over) return least;
+  const double height = normal.normalized().dot(p - t[0]);
+  return std::min(least, height * height);
+}
+
+/// The largest distance of samples of `from` from `to`. Each face has samples at all places whose
+/// shares of the corners are multiples of 1 / `steps`, among them the corners.
+inline double sampled_distance(const Mesh& from, const Mesh& to, int steps) {
+  const auto corners = [](const Mesh& mesh, const Face& face) {
+    return std::array{mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]};
+  };
+  double largest = 0;
+  for (const Face& face : from.faces) {
+    const auto [a, b, c] = corners(from, face);
+    for (int i = 0; i <= steps; ++i)
+      for (int k = 0; i + k <= steps; ++k) {
+        const Vec3 p =
+            a + static_cast<double>(i) / steps * (b - a) + static_cast<double>(k) / steps * (c - a);
+        double least = std::numeric_limits<double>::infinity();
+        for (const Face& other : to.faces) {
+          least = std::min(least, squared_to_triangle(p, corners(to, other)));
+          if (least <= largest) break;  // it can not become the largest
+        }
+        largest = std::max(largest, least);
+      }
+  }
+  return std::sqrt(largest);
+}
+
+}  // namespace transformesh::test
