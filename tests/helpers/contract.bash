@@ -2,7 +2,7 @@
 
 # name|kind|arguments beside the input; MESH stands for a file with the mesh itself, SCENE
 # for a folder with par.txt and masks, and with photos.txt and photos of the mesh. The input of a converter is in the file
-# $NAME_input, for example $tm_cameras_input. RUN is the folder of a run. A loop is a filter whose output is always PLY; the state of
+# $NAME_input, for example $tm_cameras_input. RUN is the folder of a run, TILES that of clean tiles. A loop is a filter whose output is always PLY; the state of
 # one may stay beside a named output.
 contract_programs() {
   cat <<'TABLE'
@@ -35,6 +35,7 @@ tm-sample|filter|--count 200
 tm-select|filter|--largest 1
 tm-shape|source|sphere --faces 500
 tm-stitch|filter|
+tm-tile|source|join TILES
 tm-transform|filter|--scale 2 --rotate 1,2,3,40
 tm-view|viewer|
 tm-wrap|converter|
@@ -89,6 +90,9 @@ make_contract_inputs() {
   tm-convert --no-provenance --format ply -o "$binary" "$mesh"
   export run=$1/run
   tm-evolve -q --step cat --iterations 1 --run "$run" "$mesh"
+  export tiles=$1/tiles
+  tm-tile split --tiles 2 -o "$tiles" "$binary"
+  for tile in 0 1; do tm-clean "$tiles/tile-$tile.ply" -o "$tiles/clean-$tile.ply"; done
   torus 24 12 1.1 | tm-cat --no-provenance --format ply -o "$crossing" "$mesh" -
 }
 
@@ -121,6 +125,7 @@ for_each() {
     arguments=("${row[@]/MESH/$mesh}")
     arguments=("${arguments[@]/SCENE/$scene}")
     arguments=("${arguments[@]/RUN/$run}")
+    arguments=("${arguments[@]/TILES/$tiles}")
     # Not as a condition: bash would then go on after a failing line of the function.
     set +e
     (

@@ -66,7 +66,7 @@ link_what_is_built() { # FOLDER TARGET...
   root/usr/local/bin/tm | grep -q tm-clean
 }
 
-@test "core needs no library of images, and is 22 programs" {
+@test "core needs no library of images, and is 23 programs" {
   "$tm_build/bin-test/core_alone"
   nm -C "$tm_build/bin-test/core_alone" | grep -q 'transformesh::clean('
   local disabled=()
@@ -96,6 +96,7 @@ tm-sample
 tm-select
 tm-shape
 tm-stitch
+tm-tile
 tm-transform
 END
 }

@@ -1,4 +1,5 @@
 /// tm-clean: removes self-intersections (paper 3).
+#include "clean/box/clean_box.h"
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "io/comments.h"
@@ -35,11 +36,18 @@ void note_changes(const CleanResult& result, tool::Run& run) {
 
 void clean_document(Document& document, const tool::CleanChoices& choices, tool::Run& run) {
   const CleanOptions options = tool::clean_options(choices, run);
-  CleanResult result = clean(document.mesh, options, run.progress());
+  const std::optional<Tile> tile = tile_of(document.style.comments);
+  CleanResult result = tile ? clean_tile(document.mesh, *tile, options, run.progress())
+                            : clean(document.mesh, options, run.progress());
   document.mesh = std::move(result.mesh);
+  if (tile) {
+    drop_tile_comments(document.style.comments);
+    document.style.comments.push_back(cleaned_tile_comment(tile->name));
+  }
   add_planarity(document.style.comments, result.merge_displacement);
   note_changes(result, run);
-  if (options.box) run.report({{"box_faces", result.box_faces}, {"whole_mesh", result.is_whole}});
+  if (options.box || tile)
+    run.report({{"box_faces", result.box_faces}, {"whole_mesh", result.is_whole}});
   run.report(entries_of(result));
   if (!run.shows_report()) return;
   const Components components = connected_components(document.mesh);

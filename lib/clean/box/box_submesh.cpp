@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "geometry/numbers/predicates.h"
+#include "mesh/coordinate_spacing.h"
 
 namespace transformesh {
 namespace {
@@ -16,7 +17,7 @@ std::uint64_t mixed(std::uint64_t h) {
   return h ^ (h >> 29);
 }
 
-std::uint64_t hash(const Vec3& p) {
+std::uint64_t hash_of(const Vec3& p) {
   std::uint64_t h = 0x9e3779b97f4a7c15ULL;
   for (int i = 0; i < 3; ++i)
     h = mixed(h ^ std::bit_cast<std::uint64_t>(p[i] + 0.0));  // the sum turns -0 into 0
@@ -32,7 +33,7 @@ class RoughPositions {
   bool has(const Vec3& position) const { return bits_[place(position)]; }
 
  private:
-  std::size_t place(const Vec3& position) const { return hash(position) & (bits_.size() - 1); }
+  std::size_t place(const Vec3& position) const { return hash_of(position) & (bits_.size() - 1); }
   std::vector<bool> bits_;
 };
 
@@ -61,8 +62,26 @@ Box box_around(const Mesh& mesh, const std::vector<bool>& faces) {
   return box;
 }
 
-std::vector<bool> faces_near(const Mesh& mesh, const Box& box, double margin) {
-  const Vec3 low = box.min().array() - margin, high = box.max().array() + margin;
+Box first_vertices(const Mesh& mesh, const std::vector<bool>& faces) {
+  Box box;
+  for (Index f = 0; f < faces.size(); ++f)
+    if (faces[f]) box.extend(mesh.positions[mesh.faces[f][0]]);
+  return box;
+}
+
+double margin_around(const Box& box, Scalar coordinate) {
+  constexpr double margin_spacings = 64;
+  const Vec3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+  return margin_spacings * spacing_around(farthest, coordinate);
+}
+
+Box with_margin(const Box& box, Scalar coordinate) {
+  const double margin = margin_around(box, coordinate);
+  return {box.min().array() - margin, box.max().array() + margin};
+}
+
+std::vector<bool> faces_near(const Mesh& mesh, const Box& box) {
+  const Vec3 &low = box.min(), &high = box.max();
   std::vector<bool> result(mesh.faces.size());
   for (Index f = 0; f < result.size(); ++f) {
     const Triangle t = triangle_of(mesh, f);
@@ -103,17 +122,19 @@ BoxSubmesh take_submesh(const Mesh& mesh, const std::vector<bool>& faces) {
   return part;
 }
 
-bool is_closed_chain(const Mesh& mesh) {
+void FaceSums::add(const Triangle& t) {
   const auto edge = [](std::uint64_t from, std::uint64_t to) { return mixed(from ^ (3 * to)); };
-  std::uint64_t sum = 0;
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const Triangle t = triangle_of(mesh, f);
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || collinear(t[0], t[1], t[2])) continue;
-    const std::array h{hash(t[0]), hash(t[1]), hash(t[2])};
-    for (std::size_t i = 0; i < 3; ++i)
-      sum += edge(h[i], h[(i + 1) % 3]) - edge(h[(i + 1) % 3], h[i]);
-  }
-  return sum == 0;
+  const std::array h{hash_of(t[0]), hash_of(t[1]), hash_of(t[2])};
+  for (const std::uint64_t corner : h) faces_ = mixed(faces_ ^ corner) + 1;
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || collinear(t[0], t[1], t[2])) return;
+  for (std::size_t i = 0; i < 3; ++i)
+    edges_ += edge(h[i], h[(i + 1) % 3]) - edge(h[(i + 1) % 3], h[i]);
+}
+
+FaceSums face_sums(const Mesh& mesh) {
+  FaceSums sums;
+  for (Index f = 0; f < mesh.faces.size(); ++f) sums.add(triangle_of(mesh, f));
+  return sums;
 }
 
 }  // namespace transformesh

@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "clean/box/box_part.h"
 #include "clean/box/box_submesh.h"
-#include "clean/box/replace_faces.h"
-#include "clean/exterior/exterior_arrangement.h"
-#include "clean/intersect/find_meetings.h"
-#include "clean/rounding/snap_rounding.h"
-#include "clean/stitch/assemble.h"
 #include "clean/whole/clean_whole.h"
-#include "mesh/coordinate_spacing.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -19,109 +14,11 @@
 namespace transformesh {
 namespace {
 
-constexpr double margin_spacings = 64;
-constexpr std::size_t most_faces_at_once = std::size_t{1} << 16;
+constexpr std::size_t most_faces_at_once = std::size_t{1} << 18;
 constexpr char source_name[] = "source face of a box";
 
 std::size_t count(const std::vector<bool>& faces) {
   return static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
-}
-
-/// What is in and around a box, arranged.
-class BoxPart {
- public:
-  BoxPart(const Mesh& mesh, const std::vector<bool>& is_own, const CleanOptions& options,
-          const Progress& progress)
-      : mesh_(mesh), is_own_(is_own), options_(options), progress_(progress) {}
-
-  /// Nothing where rounding breaks faces in or beside the box.
-  std::optional<CleanedFaces> clean(CleanResult& counts);
-
- private:
-  std::vector<bool> near(const std::vector<bool>& faces) const;
-  void find_complete();
-  bool complete_planes();
-  void count_pairs(CleanResult& counts) const;
-
-  const Mesh& mesh_;
-  const std::vector<bool>& is_own_;
-  const CleanOptions& options_;
-  const Progress& progress_;
-  std::vector<bool> is_complete_, is_in_part_;  ///< per face of the mesh
-  BoxSubmesh part_;
-  std::shared_ptr<const WeldedMesh> welded_;
-  std::vector<Meeting> meetings_;
-};
-
-std::vector<bool> BoxPart::near(const std::vector<bool>& faces) const {
-  const Box box = box_around(mesh_, faces);
-  const Vec3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
-  return faces_near(mesh_, box, margin_spacings * spacing_around(farthest, options_.coordinate));
-}
-
-// The pieces of the box's faces depend on those beside them where they are rounded; these on all
-// that meet them, and on whether that lies in one plane with others. Each adds a ring.
-void BoxPart::find_complete() {
-  is_complete_ = near(near(is_own_));
-  do {
-    progress_("intersect");
-    is_in_part_ = near(near(is_complete_));
-    part_ = take_submesh(mesh_, is_in_part_);
-    welded_ = std::make_shared<const WeldedMesh>(weld(part_.mesh));
-    meetings_ = find_meetings(*welded_, progress_);
-  } while (complete_planes());
-}
-
-// Faces that are cut together must all be complete. Returns whether there are more now.
-bool BoxPart::complete_planes() {
-  const Planes planes(*welded_, meetings_);
-  std::vector<char> is_wanted(planes.size(), 0);
-  const auto is_complete = [&](Index f) {
-    return is_complete_[part_.face_of[welded_->face_of[f]]];
-  };
-  for (Index f = 0; f < welded_->faces.size(); ++f)
-    if (!planes.is_whole(f) && is_complete(f)) is_wanted[planes.plane_of(f)] = 1;
-  bool has_more = false;
-  for (Index f = 0; f < welded_->faces.size(); ++f) {
-    if (planes.is_whole(f) || !is_wanted[planes.plane_of(f)] || is_complete(f)) continue;
-    is_complete_[part_.face_of[welded_->face_of[f]]] = true;
-    has_more = true;
-  }
-  return has_more;
-}
-
-void BoxPart::count_pairs(CleanResult& counts) const {
-  const auto is_own = [&](Index f) { return is_own_[part_.face_of[welded_->face_of[f]]]; };
-  for (const Meeting& meeting : meetings_)
-    if (is_own(meeting.first) || is_own(meeting.second)) ++counts.pairs;
-}
-
-std::optional<CleanedFaces> BoxPart::clean(CleanResult& counts) {
-  find_complete();
-  count_pairs(counts);
-  Surroundings around;
-  for (const Index f : welded_->face_of)
-    around.is_complete.push_back(is_complete_[part_.face_of[f]] ? 1 : 0);
-  const Box reach = box_around(mesh_, is_complete_);
-  around.faces = FarFaces(mesh_, is_in_part_, reach.min(), reach.max());
-
-  const ExteriorArrangement exterior =
-      arrange_exterior(welded_, meetings_, {options_.winding_level, false, &around}, progress_);
-  counts.pieces = exterior.arrangement.pieces.size();
-  counts.rays = exterior.rays;
-  const std::vector<char> kept(exterior.arrangement.pieces.size(), 1);
-  progress_("stitch");
-  Assembly assembly = assemble(part_.mesh, exterior.arrangement, kept);
-  progress_("round");
-  const FirstRound rounded = round_once(assembly, options_.coordinate);
-  if (rounded.places > 0) {
-    counts.rounding_places = rounded.places;
-    return std::nullopt;
-  }
-  counts.rounding_displacement = rounded.displacement.length;
-  counts.rounding_spacings = rounded.displacement.spacings;
-  for (Index& face : assembly.source_face) face = part_.face_of[face];
-  return CleanedFaces{std::move(assembly.mesh), std::move(assembly.source_face)};
 }
 
 // The whole mesh cleaned, with its faces numbered on the way.
@@ -208,10 +105,24 @@ void check_input(const Mesh& mesh, const CleanOptions& options) {
   if (!(options.box->min().array() < options.box->max().array()).all())
     throw UsageError("the box has no inside: its first corner must be below the second");
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
-  if (is_closed_chain(mesh)) return;
+  if (face_sums(mesh).is_closed()) return;
   throw InputError(ErrorKind::box_in_open_mesh,
                    "a box can be cleaned in a closed oriented mesh only, and here faces are left "
                    "over along edges");
+}
+
+// A tile has a box of its own, and only its own faces have results.
+void check_tile_options(const Tile& tile, const CleanOptions& options) {
+  if (options.coordinate == Scalar::float32 && tile.coordinate != Scalar::float32)
+    throw UsageError("floats are coarser than the coordinates for which the tile was made");
+  const char* const refused = options.box                              ? "a box"
+                              : options.method != ExteriorMethod::grow ? "the static test"
+                              : options.outermost                      ? "outermost"
+                              : options.merge_flat                     ? "merging flat faces"
+                              : options.separate > 0                   ? "separate"
+                              : options.sources != CleanSources::none  ? "a source"
+                                                                       : nullptr;
+  if (refused) throw UsageError(std::string(refused) + " is for whole meshes, not for a tile");
 }
 
 void drop_stale_columns(CleanResult& counts) {
@@ -226,7 +137,9 @@ CleanResult clean_in_place(const Mesh& mesh, const CleanOptions& options,
   const std::vector<bool> is_own = faces_of_box(mesh, *options.box);
   const std::size_t box_faces = count(is_own);
   if (box_faces > 0) {
-    std::optional<CleanedFaces> cleaned = BoxPart(mesh, is_own, options, progress).clean(counts);
+    const Region region = whole_region(mesh);
+    std::optional<CleanedFaces> cleaned =
+        BoxPart(mesh, region, is_own, options, progress).clean(counts);
     const bool is_whole = !cleaned;
     if (!cleaned) cleaned = clean_numbered(mesh, options, counts, progress);
     counts.is_whole = is_whole;
@@ -244,8 +157,9 @@ CleanResult clean_in_place(const Mesh& mesh, const CleanOptions& options,
 /// grow with the box.
 class Pieces {
  public:
-  Pieces(const Mesh& mesh, const CleanOptions& options, const Progress& progress)
-      : mesh_(mesh), options_(options), progress_(progress) {}
+  Pieces(const Mesh& mesh, const Region& region, const CleanOptions& options,
+         const Progress& progress)
+      : mesh_(mesh), region_(region), options_(options), progress_(progress) {}
   CleanResult collect();
 
  private:
@@ -254,6 +168,7 @@ class Pieces {
   void add(const Mesh& pieces);
 
   const Mesh& mesh_;
+  const Region& region_;
   const CleanOptions& options_;
   const Progress& progress_;
   CleanResult result_;
@@ -274,12 +189,12 @@ bool Pieces::collect_from(const Box& box) {
   const std::vector<bool> is_own = faces_of_box(mesh_, box);
   const std::size_t faces = count(is_own);
   if (faces == 0) return true;
-  if (faces > most_faces_at_once) {
+  if (region_.is_whole && faces > most_faces_at_once) {
     const auto halves = split(mesh_, is_own, box);
     if (halves) return collect_from((*halves)[0]) && collect_from((*halves)[1]);
   }
   CleanResult counts;
-  const auto cleaned = BoxPart(mesh_, is_own, options_, progress_).clean(counts);
+  const auto cleaned = BoxPart(mesh_, region_, is_own, options_, progress_).clean(counts);
   if (!cleaned) return false;
   count_faces(mesh_, is_own, *cleaned, counts);
   CleanResult& sum = result_;
@@ -296,6 +211,9 @@ bool Pieces::collect_from(const Box& box) {
 }
 
 void Pieces::collect_from_whole() {
+  if (!region_.is_whole)
+    throw GoalError(
+        "rounding makes faces intersect in the tile, and mending that needs the whole mesh");
   const std::vector<bool> is_own = faces_of_box(mesh_, *options_.box);
   const CleanedFaces cleaned = clean_numbered(mesh_, options_, result_, progress_);
   result_.is_whole = true;
@@ -316,8 +234,25 @@ CleanResult Pieces::collect() {
 
 CleanResult clean_box(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   check_input(mesh, options);
-  return options.only ? Pieces(mesh, options, progress).collect()
-                      : clean_in_place(mesh, options, progress);
+  if (!options.only) return clean_in_place(mesh, options, progress);
+  const Region region = whole_region(mesh);
+  return Pieces(mesh, region, options, progress).collect();
+}
+
+CleanResult clean_tile(const Mesh& mesh, const Tile& tile, const CleanOptions& options,
+                       const Progress& progress) {
+  check_tile_options(tile, options);
+  if (face_sums(mesh).hash() != tile.faces)
+    throw InputError("the mesh has the comment of a tile, but is not that tile: it has changed");
+  CellSize least;
+  for (Index f = 0; f < mesh.faces.size(); ++f) least.add(triangle_of(mesh, f));
+  if (!mesh.faces.empty() && !(tile.cell_size >= least.least()))
+    throw InputError("the comment of the tile has cells that are too small");
+  CleanOptions how = options;
+  how.box = tile.own;
+  how.only = true;
+  const Region region{false, tile.held, tile.reference, tile.cell_size};
+  return Pieces(mesh, region, how, progress).collect();
 }
 
 }  // namespace transformesh

@@ -16,11 +16,19 @@
 /// mesh, and 300 per face in and around the box; with `only`, per face of one part of 65536 faces.
 #pragma once
 
+#include "clean/box/tile.h"
 #include "transformesh/clean.h"
 
 namespace transformesh {
 
 /// Uses `box`, `only`, `winding_level`, `refuse` and `coordinate` of the options.
 CleanResult clean_box(const Mesh& mesh, const CleanOptions& options, const Progress& progress);
+
+/// Cleans the own faces of a tile as clean_box() does with `only` in the whole mesh. Uses
+/// `winding_level`, `refuse` and `coordinate` of the options. Throws UsageError if others are set,
+/// and InputError if the mesh is not the tile. Throws GoalError if faces are needed that are not in
+/// the tile: if rounding breaks faces, or if faces in one plane reach far beyond the tile.
+CleanResult clean_tile(const Mesh& mesh, const Tile& tile, const CleanOptions& options,
+                       const Progress& progress);
 
 }  // namespace transformesh

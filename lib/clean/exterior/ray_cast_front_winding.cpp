@@ -12,6 +12,9 @@ namespace {
 
 constexpr int most_attempts = 20000;  // whose squares fit into an int
 constexpr std::size_t few_rays = 8;
+/// Reference points that are tried for one origin. Three can be in the plane of the piece, from
+/// where no segment is of use.
+constexpr int references_per_origin = 4;
 
 Bvh build_bvh(const WeldedMesh& welded) {
   std::vector<FloatBox> boxes;
@@ -58,8 +61,13 @@ std::array<int, 3> weights(int attempt) { return {1, attempt, attempt * attempt}
 
 RayCastFrontWinding::RayCastFrontWinding(const WeldedMesh& welded, std::size_t rays,
                                          const Surroundings* around)
-    : welded_(welded), around_(around) {
-  if (rays > few_rays) bvh_ = build_bvh(welded_);
+    : welded_(welded) {
+  if (rays > few_rays || around) bvh_ = build_bvh(welded_);
+  if (!around) return;
+  references_ = std::make_unique<LocalReferences>(
+      *around, [this](const Vec3& low, const Vec3& high, const LocalReferences::Visit& visit) {
+        visit_overlaps(low, high, [&](Index f) { return visit(welded_.triangle(f)); });
+      });
 }
 
 void RayCastFrontWinding::visit_overlaps(const Vec3& low, const Vec3& high,
@@ -84,8 +92,7 @@ int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part, Inde
 }
 
 std::optional<int> RayCastFrontWinding::in_front_of(const ExactPoint& point, Index face) const {
-  const auto [axis, direction] = axis_and_direction({face, false});
-  const Count count = cast(point, axis, direction);
+  const Count count = cast(point, {face, false});
   return count.grazes ? std::nullopt : std::optional(count.winding);
 }
 
@@ -98,22 +105,36 @@ std::pair<int, int> RayCastFrontWinding::axis_and_direction(const PieceSource& s
 
 int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
                                      const PieceSource& source) const {
-  const auto [axis, direction] = axis_and_direction(source);
   const ExactGeometry geometry(welded_.points, welded_.faces);
   // A ray grazes an edge where its origin lies on the projection of that edge to the piece: a
   // segment, which has at most two points on the conic. So every edge spoils at most two attempts.
+  // The same holds for segments from a reference point that is not in the plane of the piece.
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     const ExactPoint origin = geometry.mean(part[0], part[1], part[2], weights(attempt));
-    const Count count = cast(origin, axis, direction);
+    const Count count = cast(origin, source);
     if (!count.grazes) return count.winding;
   }
+  const int axis = axis_and_direction(source).first;
   throw GoalError("more than " + std::to_string(most_attempts / 2) + " edges line up along the " +
                   "xyz"[axis] + " axis at " + point_text(geometry.position(part[0])) +
                   ": turn the mesh a little");
 }
 
-RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin, int axis,
-                                                     int direction) const {
+RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin,
+                                                     const PieceSource& source) const {
+  if (!references_) return cast_ray(origin, source);
+  for (int attempt = 0; attempt < references_per_origin; ++attempt) {
+    const std::optional<ReferencePoint> from = references_->near(origin.center, attempt);
+    if (!from) continue;
+    const Count count = cross_segment(*from, origin, source);
+    if (!count.grazes) return count;
+  }
+  return {true, 0};
+}
+
+RayCastFrontWinding::Count RayCastFrontWinding::cast_ray(const ExactPoint& origin,
+                                                         const PieceSource& source) const {
+  const auto [axis, direction] = axis_and_direction(source);
   const PlaneProjection projection{(axis + 1) % 3, (axis + 2) % 3};
   const ExactGeometry geometry(welded_.points, welded_.faces);
   const SideFilter filter(origin, projection);
@@ -122,7 +143,7 @@ RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin, i
   (direction > 0 ? high : low)[axis] = direction * std::numeric_limits<double>::max();
 
   Count count;
-  const auto cross = [&](const Triangle& t) {
+  const auto cross = [&, direction = direction](const Triangle& t) {
     bool left = false, right = false, on = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = t[k], &b = t[(k + 1) % 3];
@@ -146,7 +167,40 @@ RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin, i
   };
   visit_overlaps(low, high,
                  [&](Index i) { return welded_.is_open(i) || cross(welded_.triangle(i)); });
-  if (around_ && !count.grazes) around_->faces.visit_overlaps(low, high, axis, cross);
+  return count;
+}
+
+// The segment ends just in front of the piece. If the origin is in the plane of a face, that face
+// is coplanar with the piece, and its orientation decides on which side the segment ends. If the
+// reference point is in the plane of a face, the segment does not cross that face.
+RayCastFrontWinding::Count RayCastFrontWinding::cross_segment(const ReferencePoint& from,
+                                                              const ExactPoint& origin,
+                                                              const PieceSource& source) const {
+  const ExactGeometry geometry(welded_.points, welded_.faces);
+  const Triangle piece = welded_.triangle(source.face);
+  const Vec3& start = from.position;
+  Count count{false, from.winding};
+  const auto cross = [&](Index f) {
+    const Triangle t = welded_.triangle(f);
+    const int side_of_start = orient3d(t[0], t[1], t[2], start);
+    if (side_of_start == 0) return true;
+    int side_of_end = geometry.orient3d(t, origin);
+    if (side_of_end == 0) side_of_end = normals_dot(t, piece) * (source.reversed ? -1 : 1);
+    if (side_of_end == side_of_start) return true;
+    bool left = false, right = false, on = side_of_end == 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int side = geometry.orient3d(Triangle{start, t[k], t[(k + 1) % 3]}, origin);
+      left |= side > 0;
+      right |= side < 0;
+      on |= side == 0;
+    }
+    if (left && right) return true;
+    count.grazes = on;
+    if (!on) count.winding += side_of_start;
+    return !on;
+  };
+  visit_overlaps(start.cwiseMin(origin.center - origin.radius),
+                 start.cwiseMax(origin.center + origin.radius), cross);
   return count;
 }
 

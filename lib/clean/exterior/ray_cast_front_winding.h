@@ -5,25 +5,27 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "clean/arrange/arrange.h"
-#include "clean/exterior/surroundings.h"
+#include "clean/exterior/local_references.h"
 #include "geometry/search/bvh.h"
 
 namespace transformesh {
 
 class RayCastFrontWinding {
  public:
-  /// Rays meet the closed faces, and those around the mesh if there are any. `rays` is about how
-  /// many will be cast: if they are few, each is tested with all faces, which costs less than
-  /// building a hierarchy. Keeps references.
+  /// `rays` is about how many will be cast: if they are few, each is tested with all faces, which
+  /// costs less than building a hierarchy. In a part of a mesh, `around` replaces rays by segments
+  /// from points nearby (local_references.h). Keeps references.
   RayCastFrontWinding(const WeldedMesh& welded, std::size_t rays,
                       const Surroundings* around = nullptr);
 
-  /// The winding number just in front of a piece. A ray that grazes an edge or a corner is replaced
-  /// by one from another point of the piece, until one crosses faces in their interiors only.
+  /// The winding number just in front of a piece. A ray or segment that grazes an edge or a corner
+  /// is replaced by one at another point of the piece, until one crosses faces in their interiors
+  /// only.
   /// Throws GoalError where there is none among 20000.
   int in_front_of(const Arrangement& arrangement, const Piece& piece) const;
   /// Just in front of a part of a face, which is a triangle within it.
@@ -39,13 +41,16 @@ class RayCastFrontWinding {
   };
   int in_front_of(const std::array<ExactPoint, 3>& part, const PieceSource& source) const;
   std::pair<int, int> axis_and_direction(const PieceSource& source) const;
-  Count cast(const ExactPoint& origin, int axis, int direction) const;
+  Count cast(const ExactPoint& origin, const PieceSource& source) const;
+  Count cast_ray(const ExactPoint& origin, const PieceSource& source) const;
+  Count cross_segment(const ReferencePoint& from, const ExactPoint& origin,
+                      const PieceSource& source) const;
   void visit_overlaps(const Vec3& low, const Vec3& high,
                       const std::function<bool(Index)>& visit) const;
 
   const WeldedMesh& welded_;
-  const Surroundings* around_;  ///< null if there are none
-  Bvh bvh_;                     ///< all faces; empty if rays are few
+  Bvh bvh_;                                      ///< all faces; empty if rays are few
+  std::unique_ptr<LocalReferences> references_;  ///< null for a whole mesh
 };
 
 }  // namespace transformesh

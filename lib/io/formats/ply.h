@@ -31,6 +31,9 @@ struct PlyHeader {
 /// Reads the header alone. Throws InputError naming the line.
 PlyHeader read_ply_header(const Source& source);
 
+/// The text of a header with the format, comments and spelling of the style.
+std::string ply_header_text(const Style& style, const std::vector<PlyElement>& elements);
+
 /// See read_mesh and write_mesh.
 ReadResult read_ply(const Source& source);
 WriteResult write_ply(const Document& document);

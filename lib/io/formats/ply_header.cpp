@@ -164,7 +164,35 @@ class HeaderReader {
   std::unordered_set<std::string> names_;  ///< of its elements
 };
 
+void add_header_line(const std::string& keyword, std::string text, std::string& header) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  header += keyword + (text.empty() ? "" : " ") + text + '\n';
+}
+
 }  // namespace
+
+std::string ply_header_text(const Style& style, const std::vector<PlyElement>& elements) {
+  const auto name_of = [&](Scalar type) {
+    return std::string(scalar_name(type, style.sized_type_names)) + ' ';
+  };
+  std::string header = "ply\nformat ";
+  header += style.format == Format::ply_ascii ? "ascii"
+            : style.format == Format::ply_big ? "binary_big_endian"
+                                              : "binary_little_endian";
+  header += " 1.0\n";
+  for (const std::string& comment : style.comments) add_header_line("comment", comment, header);
+  for (const std::string& info : style.obj_info) add_header_line("obj_info", info, header);
+  for (const PlyElement& element : elements) {
+    header += "element " + element.name + ' ' + std::to_string(element.rows) + '\n';
+    for (const PlyProperty& property : element.properties) {
+      header += "property ";
+      if (property.count_type) header += "list " + name_of(*property.count_type);
+      header += name_of(property.type) + property.name + '\n';
+    }
+  }
+  return header + "end_header\n";
+}
 
 PlyHeader read_ply_header(const Source& source) { return HeaderReader(source).read(); }
 

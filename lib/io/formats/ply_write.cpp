@@ -126,32 +126,14 @@ std::vector<OutElement> out_elements(const Document& document) {
   return elements;
 }
 
-void add_header_line(const std::string& keyword, std::string text, std::string& header) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  header += keyword + (text.empty() ? "" : " ") + text + '\n';
-}
-
 std::string header_of(const Style& style, const std::vector<OutElement>& elements) {
-  const auto name_of = [&](Scalar type) {
-    return std::string(scalar_name(type, style.sized_type_names)) + ' ';
-  };
-  std::string header = "ply\nformat ";
-  header += style.format == Format::ply_ascii ? "ascii"
-            : style.format == Format::ply_big ? "binary_big_endian"
-                                              : "binary_little_endian";
-  header += " 1.0\n";
-  for (const std::string& comment : style.comments) add_header_line("comment", comment, header);
-  for (const std::string& info : style.obj_info) add_header_line("obj_info", info, header);
+  std::vector<PlyElement> described;
   for (const OutElement& element : elements) {
-    header += "element " + element.name + ' ' + std::to_string(element.rows) + '\n';
-    for (const OutProperty& property : element.properties) {
-      header += "property ";
-      if (property.count_type) header += "list " + name_of(*property.count_type);
-      header += name_of(property.type) + property.name + '\n';
-    }
+    PlyElement& one = described.emplace_back(PlyElement{element.name, element.rows, {}});
+    for (const OutProperty& property : element.properties)
+      one.properties.push_back({property.name, property.type, property.count_type});
   }
-  return header + "end_header\n";
+  return ply_header_text(style, described);
 }
 
 void add_text_value(Scalar type, double value, TextBuffer& text) {

@@ -87,6 +87,25 @@ AtomicFile::AtomicFile(const std::string& path, std::string bytes)
   is_direct_ ? bytes_.swap(bytes) : write_temporary(bytes);
 }
 
+AtomicFile::AtomicFile(const std::string& path)
+    : target_(end_of_links(path)), is_direct_(is_written_directly(target_)) {
+  if (is_direct_) return;
+  descriptor_ = open_temporary(target_, temporary_);
+  if (const auto mode = existing_mode(target_)) fchmod(descriptor_, *mode & 07777);
+}
+
+void AtomicFile::append(std::string_view bytes) {
+  if (descriptor_ < 0) descriptor_ = target_ == "-" ? STDOUT_FILENO : open_directly(target_);
+  if (!write_all(descriptor_, bytes)) throw_not_written(target_);
+}
+
+// Stdout is closed too, as some file systems tell only then that they have failed.
+void AtomicFile::finish() {
+  is_finished_ = true;
+  const int descriptor = std::exchange(descriptor_, -1);
+  if (descriptor >= 0 && close(descriptor) != 0) throw_not_written(target_);
+}
+
 void AtomicFile::write_temporary(std::string_view bytes) {
   const int descriptor = open_temporary(target_, temporary_);
   if (const auto mode = existing_mode(target_)) fchmod(descriptor, *mode & 07777);
@@ -102,11 +121,18 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : target_(std::move(other.target_)),
       is_direct_(other.is_direct_),
       bytes_(std::move(other.bytes_)),
-      temporary_(std::exchange(other.temporary_, "")) {}
+      temporary_(std::exchange(other.temporary_, "")),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      is_finished_(other.is_finished_) {}
 
-AtomicFile::~AtomicFile() { remove_temporary(temporary_); }
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  remove_temporary(temporary_);
+}
 
 void AtomicFile::commit() {
+  if (descriptor_ >= 0) finish();
+  if (is_direct_ && is_finished_) return;
   if (is_direct_) return write_directly(target_, std::exchange(bytes_, ""));
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw_not_written(target_);

@@ -19,12 +19,19 @@ class AtomicFile {
  public:
   /// Writes all bytes to where they wait for commit(). Throws OutputError.
   AtomicFile(const std::string& path, std::string bytes);
+  /// Opens an empty file, for outputs larger than memory. One that is written directly is opened by
+  /// the first append(). Throws OutputError.
+  explicit AtomicFile(const std::string& path);
   /// Removes what was not committed.
   ~AtomicFile();
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   AtomicFile& operator=(AtomicFile&&) = delete;
+
+  /// Appends bytes to a file that was opened empty, and finish() closes it. Throw OutputError.
+  void append(std::string_view bytes);
+  void finish();
 
   /// Gives the file its name, or writes what is written directly. Throws OutputError.
   void commit();
@@ -41,6 +48,8 @@ class AtomicFile {
   bool is_direct_;
   std::string bytes_;      ///< to be written directly
   std::string temporary_;  ///< empty once there is none
+  int descriptor_ = -1;    ///< open while a file grows
+  bool is_finished_ = false;
 };
 
 /// The whole file at once. Throws OutputError.

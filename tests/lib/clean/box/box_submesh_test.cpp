@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "helpers/shapes.h"
 
@@ -22,13 +23,13 @@ TEST_CASE("a box has its lower sides and not its upper ones") {
 TEST_CASE("faces near a box are those whose own boxes reach it") {
   const Mesh ball = test::icosphere(3);
   const Box box(Vec3::Constant(.5), Vec3::Ones());
-  const std::vector<bool> near = faces_near(ball, box, .1);
+  const std::vector<bool> near = faces_near(ball, box);
   for (Index f = 0; f < ball.faces.size(); ++f) {
     bool reaches = true;
     for (int i = 0; i < 3; ++i) {
       double most = -9;
       for (const Index v : ball.faces[f]) most = std::max(most, ball.positions[v][i]);
-      reaches &= most >= .5 - .1;
+      reaches &= most >= .5;
     }
     CHECK(near[f] == reaches);
   }
@@ -49,12 +50,30 @@ TEST_CASE("a part keeps order and columns, and the first vertex of every place c
 
 TEST_CASE("closed is what has as many faces one way as the other along every edge") {
   Mesh mesh = test::joined(test::icosphere(2), test::cuboid({0, 0, 0}, {3, 3, 3}));
-  CHECK(is_closed_chain(mesh));
+  CHECK(face_sums(mesh).is_closed());
   std::swap(mesh.faces[7][0], mesh.faces[7][1]);
-  CHECK(!is_closed_chain(mesh));
+  CHECK(!face_sums(mesh).is_closed());
   std::swap(mesh.faces[7][0], mesh.faces[7][1]);
   mesh.faces.erase(mesh.faces.begin() + 3);
-  CHECK(!is_closed_chain(mesh));
+  CHECK(!face_sums(mesh).is_closed());
+}
+
+TEST_CASE("the hash of faces depends on every corner and on the order, not on indices") {
+  const Mesh ball = test::icosphere(1);
+  const std::uint64_t hash = face_sums(ball).hash();
+  CHECK(face_sums(test::soup_of(ball)).hash() == hash);
+  Mesh changed = ball;
+  std::swap(changed.faces[3], changed.faces[4]);
+  CHECK(face_sums(changed).hash() != hash);
+  changed = ball;
+  changed.positions[5].z() = std::nextafter(changed.positions[5].z(), 9);
+  CHECK(face_sums(changed).hash() != hash);
+}
+
+TEST_CASE("a margin is 64 spacings of the coordinates as they are written") {
+  const Box box(Vec3(-1, -4, 0), Vec3(3, 1, 1));
+  CHECK(with_margin(box, Scalar::float64).max().x() == 3 + 0x1p-44);
+  CHECK(with_margin(box, Scalar::float32).min().y() == -4 - 0x1p-15);
 }
 
 }  // namespace transformesh

@@ -1,10 +1,13 @@
 /// Boxes against the whole: together they are the triangles of clean(), and one alone leaves all
 /// else as it was.
+#include "clean/box/clean_box.h"
+
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "clean/box/box_submesh.h"
 #include "geometry/numbers/predicates.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
@@ -212,6 +215,32 @@ TEST_CASE("what a box cannot do is said") {
   options.box = {Vec3::Constant(50), Vec3::Constant(60)};
   options.only = true;
   CHECK(clean(input, options).mesh.faces.empty());
+}
+
+TEST_CASE("a tile that is the whole mesh has the pieces of its box") {
+  const Mesh input = test::workload("many-spheres", 4000, 2);
+  const Box all = bounding_box(input);
+  CleanOptions options;
+  options.only = true;
+  options.box = octants(input, {.5, .5, .5})[3];
+  const Box held(all.min().array() - 1, all.max().array() + 1);
+  const Tile tile{{1, 0, 1}, face_sums(input).hash(), *options.box, held, {held.min(), 0}};
+  const CleanResult expected = clean(input, options);
+  const CleanResult result = clean_tile(input, tile, {}, Progress());
+  CHECK(expected.cut_faces > 0);
+  CHECK(sorted_triangles(result.mesh) == sorted_triangles(expected.mesh));
+  CHECK(result.box_faces == expected.box_faces);
+
+  // If the reference point has a wrong winding number, the result differs.
+  Tile wrong = tile;
+  wrong.reference.winding = 1;
+  CHECK(sorted_triangles(clean_tile(input, wrong, {}, Progress()).mesh) !=
+        sorted_triangles(expected.mesh));
+
+  Mesh changed = input;
+  std::swap(changed.faces[0], changed.faces[1]);
+  CHECK_THROWS_AS(clean_tile(changed, tile, {}, Progress()), InputError);
+  CHECK_THROWS_AS(clean_tile(input, tile, options, Progress()), UsageError);
 }
 
 }  // namespace transformesh

@@ -133,3 +133,21 @@ TEST_CASE("what waits for its commit is removed when the process has to end") {
   CHECK(content_of(folder / "b") == "new");
   CHECK_THROWS_AS(first.commit(), OutputError);
 }
+
+TEST_CASE("a file that grows appears once it is committed, and goes if it is not") {
+  const TemporaryFolder folder;
+  {
+    AtomicFile file(folder / "a");
+    file.append("one ");
+    AtomicFile moved(std::move(file));
+    moved.append("two");
+    moved.finish();
+    CHECK(content_of(folder / "a").empty());
+    moved.commit();
+  }
+  CHECK(content_of(folder / "a") == "one two");
+  { AtomicFile(folder / "b").append("lost"); }
+  CHECK(folder.count() == 1);
+  AtomicFile full("/dev/full");
+  CHECK_THROWS_AS(full.append("bytes"), OutputError);
+}

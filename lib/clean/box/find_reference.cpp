@@ -1,0 +1,27 @@
+#include "clean/box/find_reference.h"
+
+#include "geometry/axis_path.h"
+#include "mesh/location_text.h"
+#include "transformesh/errors.h"
+
+namespace transformesh {
+namespace {
+
+/// A path grazes an edge only by chance, or if a box is a few numbers wide. Twice as many attempts
+/// would find no more points, and four attempts would make that chance felt.
+constexpr int most_attempts = 64;
+
+}  // namespace
+
+ReferencePoint find_reference(const Mesh& mesh, const ReferencePoint& known, const Box& box) {
+  for (int i = 0; i < most_attempts; ++i) {
+    const Vec3 point = spread_point(box, i);
+    AxisPath path(known.position, point);
+    for (Index f = 0; f < mesh.faces.size(); ++f) path.add(triangle_of(mesh, f));
+    if (const std::optional<int> change = path.change()) return {point, known.winding + *change};
+  }
+  throw GoalError("no point with a known winding number is found between " + point_text(box.min()) +
+                  " and " + point_text(box.max()));
+}
+
+}  // namespace transformesh

@@ -1,0 +1,37 @@
+/// Change of the winding number of a closed oriented mesh along a path that is parallel to the
+/// axes. Faces are added one by one, in any order, so they can come from a stream. Each crossing is
+/// decided by exact predicates. Deterministic; O(1) per face.
+#pragma once
+
+#include <optional>
+
+#include "mesh/triangle.h"
+
+namespace transformesh {
+
+/// A path from one point to another: along x, then along y, then along z.
+class AxisPath {
+ public:
+  /// Coordinates of `to` may be infinite if those of `from` are finite.
+  AxisPath(const Vec3& from, const Vec3& to) : from_(from), to_(to) {}
+
+  /// Faces without area count for nothing.
+  void add(const Triangle& triangle);
+  /// Returns the winding number at the end minus that at the start. Empty if the path meets an edge
+  /// or a corner, or if it bends or ends on a face.
+  std::optional<int> change() const { return is_certain_ ? std::optional(change_) : std::nullopt; }
+
+ private:
+  void cross(const Triangle& triangle, const Vec3& start, int axis);
+
+  Vec3 from_, to_;
+  int change_ = 0;
+  bool is_certain_ = true;
+};
+
+/// Returns point i of a sequence that fills a box evenly. No plane that is parallel to two axes
+/// contains two of the points, unless the box is only a few numbers wide.
+/// Reference: Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018 (R3).
+Vec3 spread_point(const Eigen::AlignedBox3d& box, int i);
+
+}  // namespace transformesh

@@ -1,0 +1,68 @@
+/// The rows of a binary PLY file, read where they are needed: for meshes larger than memory. All
+/// rows of an element have one size, so that each is found by its number.
+#pragma once
+
+#include "io/formats/ply.h"
+#include "io/streams/mapped_file.h"
+#include "mesh/triangle.h"
+
+namespace transformesh {
+
+class PlyRows {
+ public:
+  /// Throws InputError if the path is no regular file of binary PLY, or if a list holds anything
+  /// but corners of triangles. Throws it also if there are other elements than vertices and faces,
+  /// or if the size is not that which the header announces.
+  explicit PlyRows(const std::string& path);
+
+  const PlyHeader& header() const { return header_; }
+  const PlyElement& vertex_element() const { return header_.elements[vertices_.element]; }
+  const PlyElement& face_element() const { return header_.elements[faces_.element]; }
+  std::size_t vertex_count() const { return vertices_.count; }
+  std::size_t face_count() const { return faces_.count; }
+  /// The type in which coordinates are written.
+  Scalar coordinate() const;
+
+  /// Throws InputError if a coordinate is not finite.
+  Vec3 position(std::size_t vertex) const;
+  /// Throws InputError for a polygon, and for an index out of range. Gives pages of the file back
+  /// now and then.
+  Face face(std::size_t face) const;
+  Triangle triangle(const Face& face) const;
+
+  /// Appends the row of a vertex, and that of a face with other corners in `index_type`.
+  void append_vertex(std::size_t vertex, std::string& bytes) const;
+  void append_face(std::size_t face, const Face& corners, Scalar index_type,
+                   std::string& bytes) const;
+  /// The header for so many rows, with the index type of the corners.
+  std::string header_text(const std::vector<std::string>& comments, std::size_t vertices,
+                          std::size_t faces, Scalar index_type) const;
+  Scalar index_type() const { return face_element().properties[list_].type; }
+
+ private:
+  struct Table {
+    std::size_t element = 0;  ///< of the header
+    std::size_t count = 0;
+    std::size_t stride = 0;
+    const char* first = nullptr;
+    const char* row(std::size_t i) const { return first + i * stride; }
+  };
+
+  Table& table_of(const std::string& name);
+  void place_tables();
+  void find_coordinates();
+  void find_corners();
+
+  MappedFile file_;
+  Source source_;
+  PlyHeader header_;
+  Table vertices_, faces_;
+  std::array<std::size_t, 3> axis_offset_{};
+  std::array<Scalar, 3> axis_type_{};
+  std::size_t list_ = 0;         ///< the property of the corners
+  std::size_t list_offset_ = 0;  ///< offset of its count in a row
+  bool is_swapped_ = false;
+  mutable std::size_t reads_ = 0;
+};
+
+}  // namespace transformesh

@@ -1,0 +1,34 @@
+#include "clean/box/box_part.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "helpers/mesh_facts.h"
+#include "helpers/shape_options.h"
+#include "helpers/shapes.h"
+#include "transformesh/errors.h"
+
+namespace transformesh {
+TEST_CASE("the whole mesh holds everything, and its reference point is outside") {
+  const Mesh mesh = test::moved(test::workload("folded", 2000, 1), {3, 4, 5});
+  const Region region = whole_region(mesh);
+  CHECK(region.is_whole);
+  CHECK(region.held.contains(Vec3(1e300, -1e300, 0)));
+  CHECK(std::abs(test::winding_number(mesh, region.reference.position)) < 1e-6);
+  CHECK(region.reference.winding == 0);
+}
+
+TEST_CASE("a region that does not reach as far as the faces need is refused") {
+  const Mesh mesh = test::workload("folded", 2000, 1);
+  std::vector<bool> own(mesh.faces.size(), false);
+  for (Index f = 0; f < 100; ++f) own[f] = true;
+  CleanResult counts;
+  Region region = whole_region(mesh);
+  CHECK(BoxPart(mesh, region, own, {}, Progress()).clean(counts));
+  region.is_whole = false;
+  CHECK(BoxPart(mesh, region, own, {}, Progress()).clean(counts));
+}
+
+}  // namespace transformesh
