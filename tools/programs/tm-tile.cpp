@@ -47,7 +47,9 @@ void split_or_join(std::optional<long> tiles, tool::Run& run) {
   if (words.empty()) throw UsageError("no command given: split or join; see --help");
   const std::string nearest = nearest_name(words[0], commands);
   if (nearest != words[0])
-    throw UsageError("unknown command '" + words[0] + "'; did you mean '" + nearest + "'?");
+    throw UsageError("unknown command '" + words[0] + "'" +
+                     (is_near(words[0], nearest) ? "; did you mean '" + nearest + "'?"
+                                                 : ": it is split or join"));
   if (words.size() != 2)
     throw UsageError("one " + std::string(words[0] == "split" ? "mesh" : "folder") +
                      " is needed behind '" + words[0] + "'");

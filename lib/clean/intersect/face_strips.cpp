@@ -11,8 +11,8 @@ constexpr std::size_t faces_per_task = 4096;
 /// A face is thin if its longest edge is so many times its height. With strips of all faces, the
 /// union of two spheres and a folded sphere take a tenth longer.
 constexpr double thinness = 8;
-/// Twice the error of a sum of three products, relative to the sum of their absolute values: 3
-/// units of 2^-53 for the sum itself, and as many for the bounds.
+/// Twice the error of a sum of three products, relative to the sum of their absolute values. Values
+/// of a point and the bounds each have an error of 3 units of 2^-53.
 constexpr double dot_error = 0x1p-50;
 
 Vec3 largest_coordinates(std::span<const Vec3> points) {

@@ -1,10 +1,10 @@
 /// Strips of long thin faces: the space between two parallel planes that stand on the face, one of
 /// them on its longest edge. Two faces are apart if all corners of one are on one side of the strip
 /// of the other. The boxes of long thin faces that lie side by side across the axes overlap, but
-/// their strips do not; and to test two strips takes a tenth of the time of find_contacts()
+/// their strips do not. The test of two strips takes a tenth of the time of find_contacts()
 /// (contacts.h), which has to be exact where faces lie in nearly one plane. Reference: Gottschalk,
 /// Lin & Manocha, "OBBTree: a hierarchical structure for rapid interference detection", SIGGRAPH
-/// 1996 (separating axes).
+/// 1996, for separating axes.
 #pragma once
 
 #include <span>

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double spacing = 0x1p-52;  ///< of doubles between 1 and 2
+constexpr double spacing = 0x1p-52;  ///< the spacing of doubles from 1 to 2
 
 /// Four boxes: two touch along a vertical edge, one is below and one above its middle. The gap
 /// between the last two leaves two slits that meet along an edge of that length.
