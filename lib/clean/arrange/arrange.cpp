@@ -16,6 +16,18 @@ namespace {
 constexpr double largest_coordinate = 1e306;
 constexpr std::size_t planes_per_task = 4;
 
+// As many as there are without copies, or more: to move them takes longer than to add them.
+void reserve_pieces(const WeldedMesh& welded, const std::vector<PlaneCut>& cuts,
+                    Arrangement& result) {
+  std::size_t pieces = welded.faces.size(), sources = pieces;
+  for (const PlaneCut& cut : cuts) {
+    pieces += cut.facets.size();
+    sources += cut.sources.size();
+  }
+  result.pieces.reserve(pieces);
+  result.sources.reserve(sources);
+}
+
 void add_whole_pieces(const WeldedMesh& welded, const Planes& planes,
                       const std::vector<char>& is_left_out, Arrangement& result) {
   for (Index f = 0; f < welded.faces.size(); ++f) {
@@ -123,6 +135,7 @@ Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Pla
   result.welded = welded;
   UnifiedPoints unified = unify_points(*welded, cuts);
   result.cut_points = std::move(unified.cut_points);
+  reserve_pieces(*welded, cuts, result);
   add_whole_pieces(*welded, planes, is_left_out, result);
   const Copies copies(*welded);
   for (std::size_t i = 0; i < cuts.size(); ++i)
