@@ -16,7 +16,8 @@ namespace {
 constexpr double largest_coordinate = 1e306;
 constexpr std::size_t planes_per_task = 4;
 
-// As many as there are without copies, or more: to move them takes longer than to add them.
+// Reserves room for all pieces and for their sources without copies: to move them takes longer than
+// to add them.
 void reserve_pieces(const WeldedMesh& welded, const std::vector<PlaneCut>& cuts,
                     Arrangement& result) {
   std::size_t pieces = welded.faces.size(), sources = pieces;
