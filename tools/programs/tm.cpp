@@ -50,9 +50,10 @@ std::string page_named(const std::string& word) {
   for (const std::string& name : {word, "tm-" + word})
     if (std::find(names.begin(), names.end(), name) != names.end()) return name;
   const std::string nearest = nearest_name("tm-" + word, names);
-  throw UsageError("there is no program '" + word + "'; " +
-                   (is_near("tm-" + word, nearest) ? "did you mean '" + nearest + "'?"
-                                                   : "tm lists those that there are"));
+  const bool is_meant = is_near(word, nearest.starts_with("tm-") ? nearest.substr(3) : nearest);
+  throw UsageError(
+      "there is no program '" + word + "'; " +
+      (is_meant ? "did you mean '" + nearest + "'?" : "tm lists those that there are"));
 }
 
 /// Replaces this process by one of the commands, the first that is there.
