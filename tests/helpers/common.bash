@@ -20,6 +20,19 @@ pipe_apart() {
   run --separate-stderr bash -o pipefail -c "$1"
 }
 
+# triangles MESH: a line for each, from its first corner in the order of text on, sorted.
+triangles() {
+  tm-convert -q --no-provenance --format off "$1" | awk '
+    !started { if ($1 ~ /^[0-9]+$/) { vertices = $1; started = 1 } next }
+    row < vertices { point[row++] = $0; next }
+    {
+      a = point[$2]; b = point[$3]; c = point[$4]
+      if (b < a && b < c) { t = a; a = b; b = c; c = t }
+      else if (c < a && c < b) { t = c; c = b; b = a; a = t }
+      print a "|" b "|" c
+    }' | sort
+}
+
 # needs_shared meshes/cgal/bones.off: sets $shared_file to that of the folder TM_DATA, or skips.
 needs_shared() {
   shared_file=${TM_DATA:-$tm_root/../shared/data}/$1

@@ -6,19 +6,6 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# triangles MESH: a line for each, from its first corner in the order of text on, sorted.
-triangles() {
-  tm-convert -q --no-provenance --format off "$1" | awk '
-    !started { if ($1 ~ /^[0-9]+$/) { vertices = $1; started = 1 } next }
-    row < vertices { point[row++] = $0; next }
-    {
-      a = point[$2]; b = point[$3]; c = point[$4]
-      if (b < a && b < c) { t = a; a = b; b = c; c = t }
-      else if (c < a && c < b) { t = c; c = b; b = a; a = t }
-      print a "|" b "|" c
-    }' | sort
-}
-
 # clean_tiles FOLDER [OPTION]...
 clean_tiles() {
   local tile folder=$1

@@ -12,13 +12,6 @@
 #include "transformesh/errors.h"
 
 namespace transformesh {
-namespace {
-
-/// Faces around others are found by smaller cells than those of the region. With 4, marking them
-/// took most of the time in a tile with long faces; with 1, dense tiles have a sixth more faces.
-constexpr double cells_per_region_cell = 2;
-
-}  // namespace
 
 Region whole_region(const Mesh& mesh) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -36,7 +29,7 @@ BoxPart::BoxPart(const Mesh& mesh, const Region& region, const std::vector<bool>
       is_own_(is_own),
       options_(options),
       progress_(progress),
-      grid_(region.cell_size / cells_per_region_cell) {}
+      grid_(region.cell_size) {}
 
 // The part also has what touches the box in which ways between own faces run.
 void BoxPart::find_complete() {
@@ -84,13 +77,12 @@ bool BoxPart::complete_planes() {
 // Two rings around faces are in the mesh if these are in the first two rings around own faces.
 // Planes can add others, around which all is in the mesh if their cells are held.
 void BoxPart::check_held() const {
-  const CellGrid grid(region_.cell_size);
-  FacesAround around(mesh_, is_own_, grid, options_.coordinate);
+  FacesAround around(mesh_, is_own_, grid_, options_.coordinate);
   for (int ring = 0; ring < rings_of_complete; ++ring) around.grow();
   std::vector<bool> others = is_complete_;
   for (std::size_t f = 0; f < others.size(); ++f) others[f] = others[f] && !around.faces()[f];
   if (std::find(others.begin(), others.end(), true) == others.end()) return;
-  const FacesAround around_others(mesh_, others, grid, options_.coordinate);
+  const FacesAround around_others(mesh_, others, grid_, options_.coordinate);
   if (are_held(others) && are_held(around_others.next())) return;
   throw GoalError(
       "faces in one plane reach beyond the tile and are cut together: that needs fewer and larger "

@@ -1,6 +1,6 @@
-/// The faces of a box, cut and rounded as clean() of the whole mesh does, from what is around them.
-/// Where they are rounded, the pieces of a face depend on the faces beside it. These depend on all
-/// faces that meet them, and on what lies in one plane with those.
+/// Cuts and rounds the faces of a box as clean() of the whole mesh does, and reads only faces
+/// around them. How a face is rounded depends on the pieces of the faces beside it. These pieces
+/// depend on every face that intersects their faces, and on the faces in one plane with that face.
 #pragma once
 
 #include <memory>

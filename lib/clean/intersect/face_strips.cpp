@@ -29,6 +29,8 @@ Vec3 longest_edge(const Triangle& t) {
 
 Vec3 twice_area(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
+// Edges above 1e77 or below 1e-81 have no fourth power among the doubles. Then no face is thin, so
+// that values of strips neither overflow nor underflow.
 bool is_thin(const Triangle& t) {
   const double length = longest_edge(t).squaredNorm();
   return length * length > thinness * thinness * twice_area(t).squaredNorm();

@@ -17,14 +17,15 @@
 namespace transformesh {
 namespace {
 
-/// Positions that decide where tiles are. With a tenth of them, tiles differ by some percent.
+/// Positions that decide where tiles are. With a tenth of them, 16 tiles of a million faces have as
+/// many faces within 0.1 %. Thousands of tiles need a hundred positions each.
 constexpr std::size_t most_samples = 1000000;
 /// Rows that are written at once.
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 /// Rings of faces around the own ones that a tile has.
 constexpr Index rings = rings_of_complete + rings_around_complete;
-/// Cells along the side of a coarse cell. Fewer are slower to look up, and more leave fewer faces
-/// out.
+/// Cells along the side of a coarse cell. With 4 or 16, tiles of a million folded faces are the
+/// same and the time differs by less than a tenth.
 constexpr double cells_per_coarse_cell = 8;
 constexpr std::size_t faces_per_report = std::size_t{1} << 16;
 

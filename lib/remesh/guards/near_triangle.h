@@ -8,39 +8,28 @@
 
 #include <algorithm>
 
-#include "mesh/triangle.h"
+#include "remesh/guards/triangle_axes.h"
 
 namespace transformesh {
 
 class NearTriangle {
  public:
-  explicit NearTriangle(const Triangle& triangle)
-      : corner_(triangle[0]),
-        first_(triangle[1] - triangle[0]),
-        second_(triangle[2] - triangle[0]) {
-    const Vec3 normal = first_.cross(second_);
-    const double squared = normal.squaredNorm();
-    if (!(squared > 0)) return;
-    first_dual_ = second_.cross(normal) / squared;
-    second_dual_ = normal.cross(first_) / squared;
-  }
+  explicit NearTriangle(const Triangle& triangle) : axes_(triangle) {}
 
   double squared_distance(const Vec3& point) const {
-    const Vec3 way = point - corner_;
-    const double first = first_dual_.dot(way), second = second_dual_.dot(way);
-    const double rest = 1 - first - second;
-    // Without area, both duals are zero.
-    if (first > 0 && second > 0 && rest > 0)
-      return (way - first * first_ - second * second_).squaredNorm();
+    const TriangleAxes::Place place = axes_.place_of(point);
+    if (place.first > 0 && place.second > 0 && place.rest() > 0) return place.away.squaredNorm();
+    const Vec3 way = point - axes_.corner;
+    const Vec3 &first = axes_.first, &second = axes_.second;
     double least = -1;
     const auto offer = [&](const Vec3& from, const Vec3& along) {
       const double squared = squared_distance_of_segment(from, along);
       least = least < 0 ? squared : std::min(least, squared);
     };
     // The closest point is on an edge whose line separates the point from the triangle.
-    if (!(first > 0)) offer(way, second_);
-    if (!(second > 0)) offer(way, first_);
-    if (!(rest > 0)) offer(way - first_, second_ - first_);
+    if (!(place.first > 0)) offer(way, second);
+    if (!(place.second > 0)) offer(way, first);
+    if (!(place.rest() > 0)) offer(way - first, second - first);
     return least;
   }
 
@@ -52,10 +41,7 @@ class NearTriangle {
     return (point - (product < squared ? product / squared : 1.0) * along).squaredNorm();
   }
 
-  Vec3 corner_;
-  Vec3 first_, second_;             ///< edges from the corner
-  Vec3 first_dual_ = Vec3::Zero();  ///< its product with a way is the share of the edge
-  Vec3 second_dual_ = Vec3::Zero();
+  TriangleAxes axes_;
 };
 
 }  // namespace transformesh

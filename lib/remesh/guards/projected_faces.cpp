@@ -13,36 +13,13 @@ constexpr double least_squared_sine = 1e-12;
 /// are a tenth of that; a larger margin only collects more faces.
 constexpr double margin = 1e-9;
 
+bool is_wide(const TriangleAxes& axes) {
+  const double longest = std::max({axes.first.squaredNorm(), axes.second.squaredNorm(),
+                                   (axes.second - axes.first).squaredNorm()});
+  return axes.squared_normal > least_squared_sine * longest * longest;
+}
+
 }  // namespace
-
-/// The plane of a triangle, with two of its edges as axes.
-class ProjectedFaces::Plane {
- public:
-  explicit Plane(const Triangle& triangle)
-      : corner_(triangle[0]),
-        first_(triangle[1] - triangle[0]),
-        second_(triangle[2] - triangle[0]) {
-    const Vec3 normal = first_.cross(second_);
-    const double squared = normal.squaredNorm();
-    const double longest =
-        std::max({first_.squaredNorm(), second_.squaredNorm(), (second_ - first_).squaredNorm()});
-    is_sound_ = squared > least_squared_sine * longest * longest;
-    if (!is_sound_) return;
-    first_dual_ = second_.cross(normal) / squared;
-    second_dual_ = normal.cross(first_) / squared;
-  }
-  bool is_sound() const { return is_sound_; }
-  Place operator()(const Vec3& point) const {
-    const Vec3 way = point - corner_;
-    const double first = first_dual_.dot(way), second = second_dual_.dot(way);
-    return {first, second, way - first * first_ - second * second_};
-  }
-
- private:
-  Vec3 corner_, first_, second_;
-  Vec3 first_dual_, second_dual_;
-  bool is_sound_;
-};
 
 ProjectedFaces::ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites)
     : mesh_(mesh), opposites_(std::move(opposites)), stamps_(mesh.faces.size(), 0) {}
@@ -103,15 +80,16 @@ bool ProjectedFaces::is_within(const Places& face, double squared_limit) {
 
 bool ProjectedFaces::covers(const Triangle& triangle, Index seed, double squared_limit,
                             std::size_t most_faces) {
-  const Plane plane(triangle);
-  if (!plane.is_sound()) return false;
+  const TriangleAxes plane(triangle);
+  if (!is_wide(plane)) return false;
   stamps_[seed] = ++stamp_;
   found_.assign(1, seed);
   int degree = 0;
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const Index face = found_[i];
     const Triangle corners = triangle_of(mesh_, face);
-    const Places places{plane(corners[0]), plane(corners[1]), plane(corners[2])};
+    const Places places{plane.place_of(corners[0]), plane.place_of(corners[1]),
+                        plane.place_of(corners[2])};
     if (!is_within(places, squared_limit)) return false;
     for (Index k = 0; k < 3; ++k) {
       const Place &from = places[k], &to = places[(k + 1) % 3];

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/triangle.h"
+#include "remesh/guards/triangle_axes.h"
 
 namespace transformesh {
 
@@ -27,14 +27,7 @@ class ProjectedFaces {
   bool covers(const Triangle& triangle, Index seed, double squared_limit, std::size_t most_faces);
 
  private:
-  class Plane;
-  /// A point of the surface over the plane: its shares of two edges of the triangle, and its way
-  /// from there.
-  struct Place {
-    double first, second;
-    Vec3 away;
-    double rest() const { return 1 - first - second; }
-  };
+  using Place = TriangleAxes::Place;
   using Places = std::array<Place, 3>;
 
   static bool may_meet(const Place& from, const Place& to);
