@@ -2,6 +2,7 @@
 #pragma once
 
 #include "transformesh/align_features.h"
+#include "transformesh/boolean.h"
 #include "transformesh/carry.h"
 #include "transformesh/check_mesh.h"
 #include "transformesh/clean.h"

@@ -91,6 +91,14 @@ void reverse_corner_lists(Mesh& mesh, Index face) {
   }
 }
 
+void reverse_faces(Mesh& mesh) {
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    reverse_corner_lists(mesh, f);
+  }
+  reverse_normals(mesh);
+}
+
 bool is_corner_list(const Column& column) {
   const bool is_floating = column.type == Scalar::float32 || column.type == Scalar::float64;
   return column.list_count_type && is_floating &&

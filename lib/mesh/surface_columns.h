@@ -24,6 +24,9 @@ void reverse_normals(Mesh& mesh);
 /// Exchanges what corner lists have for the last two corners of a face.
 void reverse_corner_lists(Mesh& mesh, Index face);
 
+/// Turns all faces around, with their normals and corner lists.
+void reverse_faces(Mesh& mesh);
+
 bool is_corner_list(const Column& column);
 
 /// For faces that are no longer the same: erases corner lists, and returns their names.

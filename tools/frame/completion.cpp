@@ -72,7 +72,9 @@ std::string bash_values(const Option& option) {
 
 std::string bash_arguments(const Program& program) {
   if (program.reads_mesh()) {
-    std::string text;
+    std::string text = program.has_command()
+                           ? "  _tm_offer -W " + in_quotes(words_of(program)) + " -- \"$word\"\n"
+                           : "";
     for (const char* ending : {"ply", "off", "obj", "stl"})
       text += std::string("  _tm_offer -f -X '!*.") + ending + "' -- \"$word\"\n";
     return text + "  _tm_offer -d -- \"$word\"\n";
@@ -137,6 +139,7 @@ std::string zsh(const Program& program) {
   std::string text = "#compdef " + program.name + "\n_arguments -s -S \\\n";
   for (const Option& option : program.options)
     if (option.is_listed) text += zsh_option(option);
+  if (program.has_command()) text += "  '1:command:(" + words_of(program) + ")' \\\n";
   if (program.reads_mesh()) return text + "  '*:mesh:_files -g \"*.(ply|off|obj|stl)(-.)\"'\n";
   if (!program.words.choices.empty()) return text + "  '*:word:(" + words_of(program) + ")'\n";
   if (program.words.are_folders) return text + "  '*:folder:_files -/'\n";
@@ -160,6 +163,7 @@ std::string fish(const Program& program) {
   const std::string start = "complete -c " + program.name + " ";
   std::string text = "# fish completion of " + program.name + "\n" + start + "-f\n";
   if (program.reads_mesh()) {
+    if (program.has_command()) text += start + "-a " + in_quotes(words_of(program)) + "\n";
     text += start + "-ka '(__fish_complete_suffix .ply .off .obj .stl)'\n";
   } else if (!program.words.choices.empty()) {
     text += start + "-a " + in_quotes(words_of(program)) + "\n";

@@ -13,6 +13,7 @@
 #include "frame/run.h"
 #include "io/streams/streams.h"
 #include "support/parallel.h"
+#include "support/suggestion.h"
 #include "transformesh/control.h"
 #include "transformesh/errors.h"
 
@@ -24,6 +25,14 @@ void prepare_process() {
   // CGAL says what it cannot do.
   std::cerr.setstate(std::ios::failbit);
   prepare_streams_and_signals();
+}
+
+/// Takes the command off the words in front of meshes.
+void take_command(Program& program, std::vector<std::string>& words) {
+  if (!program.has_command()) return;
+  check_command(program, words);
+  program.word = words[0];
+  words.erase(words.begin());
 }
 
 /// Those named, else stdin.
@@ -170,8 +179,21 @@ Option& Program::reference_edge() {
             "tm:reference-edge comment, else measured)");
 }
 
+void check_command(const Program& program, const std::vector<std::string>& words) {
+  const std::vector<std::string>& commands = program.words.choices;
+  std::string listed;
+  for (const std::string& command : commands) listed += (listed.empty() ? "" : ", ") + command;
+  if (words.empty()) throw UsageError("no command given: " + listed + "; see --help");
+  const std::string nearest = nearest_name(words[0], commands);
+  if (nearest != words[0])
+    throw UsageError("unknown command '" + words[0] + "'" +
+                     (is_near(words[0], nearest) ? "; did you mean '" + nearest + "'?"
+                                                 : ": it is one of " + listed));
+}
+
 std::string provenance(const Program& program) {
   std::string line = program.name + " " TM_VERSION;
+  if (!program.word.empty()) line += ' ' + program.word;
   if (program.input.reads == Reads::words)
     for (const std::string& word : program.inputs) line += ' ' + shell_word(word);
   for (const Option& option : program.options) {
@@ -189,7 +211,7 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
   try {
     declare_common(*this);
     command.assign(argv, argv + argc);
-    const std::vector<std::string> arguments = options.parse({argv + 1, argv + argc});
+    std::vector<std::string> arguments = options.parse({argv + 1, argv + argc});
     if (const std::string text = about(*this); !text.empty()) {
       write_file("-", text);
       return exit_done;
@@ -201,6 +223,7 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
       write_all(STDERR_FILENO, short_help_text(*this));
       return exit_usage;
     }
+    take_command(*this, arguments);
     inputs = inputs_of(*this, arguments);
     check_needed(*this);
     // In this order: what the heap takes at once must be within the limit.

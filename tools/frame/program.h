@@ -51,10 +51,11 @@ struct InputRules {
   std::function<bool()> is_absent = {};  ///< true if the options given leave no input
 };
 
-/// Words of Reads::words, for help and completion.
+/// Words that are no file names, for help and completion: those of Reads::words, and the command in
+/// front of meshes.
 struct WordRules {
   std::string placeholder = {}, help = {};
-  std::vector<std::string> choices = {};  ///< the first word is one of these
+  std::vector<std::string> choices = {};  ///< the first word is one of these: the command
   bool are_folders = false;
 };
 
@@ -103,6 +104,7 @@ struct Program {
   CommonValues common = CommonValues();  // {} would make GCC 12 warn
   /// Called once all options have their values, to derive some from others; may throw UsageError.
   std::function<void()> settle = {};
+  std::string word = {};                  ///< the command, of a program that reads meshes
   std::vector<std::string> inputs = {};   ///< or words
   std::vector<std::string> command = {};  ///< the whole command line
 
@@ -121,6 +123,7 @@ struct Program {
     return input.reads != Reads::nothing && input.reads != Reads::words &&
            !(input.is_absent && input.is_absent());
   }
+  bool has_command() const { return reads_mesh() && !words.choices.empty(); }
   bool reads_points() const { return reads_input() && !input.are_cameras; }
   bool may_write_mesh() const {
     return output.writes == Writes::mesh || is_evolution() || output.is_mesh;
@@ -130,6 +133,9 @@ struct Program {
   }
   bool writes_mesh() const { return output.is_mesh ? output.is_mesh() : may_write_mesh(); }
 };
+
+/// Throws UsageError, with a suggestion, unless the first of the words is a command of the program.
+void check_command(const Program& program, const std::vector<std::string>& words);
 
 /// The whole help: usage, summary, own options, common options, epilog, exit codes.
 std::string help_text(const Program& program);

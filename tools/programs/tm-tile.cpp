@@ -5,7 +5,6 @@
 #include "clean/tiles/split_tiles.h"
 #include "frame/run.h"
 #include "support/counted.h"
-#include "support/suggestion.h"
 #include "transformesh/errors.h"
 
 namespace {
@@ -43,13 +42,7 @@ void join(const std::string& folder, tool::Run& run) {
 
 void split_or_join(std::optional<long> tiles, tool::Run& run) {
   const std::vector<std::string>& words = run.in().names();
-  const std::vector<std::string>& commands = run.program().words.choices;
-  if (words.empty()) throw UsageError("no command given: split or join; see --help");
-  const std::string nearest = nearest_name(words[0], commands);
-  if (nearest != words[0])
-    throw UsageError("unknown command '" + words[0] + "'" +
-                     (is_near(words[0], nearest) ? "; did you mean '" + nearest + "'?"
-                                                 : ": it is split or join"));
+  tool::check_command(run.program(), words);
   if (words.size() != 2)
     throw UsageError("one " + std::string(words[0] == "split" ? "mesh" : "folder") +
                      " is needed behind '" + words[0] + "'");

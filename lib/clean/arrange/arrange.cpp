@@ -108,16 +108,21 @@ void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, const Co
     // A piece is oriented as most of its sources are.
     if (piece.multiplicity < 0) {
       piece.multiplicity = -piece.multiplicity;
-      std::swap(piece.corners[1], piece.corners[2]);
-      for (Index s = piece.first_source; s < result.sources.size(); ++s) {
-        result.sources[s].reversed = !result.sources[s].reversed;
-      }
+      reverse_piece(result, piece);
     }
     result.pieces.push_back(piece);
   }
 }
 
 }  // namespace
+
+void reverse_piece(Arrangement& arrangement, Piece& piece) {
+  std::swap(piece.corners[1], piece.corners[2]);
+  for (std::uint32_t s = 0; s < piece.source_count; ++s) {
+    bool& is_reversed = arrangement.sources[piece.first_source + s].reversed;
+    is_reversed = !is_reversed;
+  }
+}
 
 void refuse_overflow(const WeldedMesh& welded) {
   for (const Vec3& point : welded.points) {

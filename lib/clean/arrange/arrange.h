@@ -47,6 +47,9 @@ struct Arrangement {
   }
 };
 
+/// Turns a piece of the arrangement around.
+void reverse_piece(Arrangement& arrangement, Piece& piece);
+
 /// `meetings` are those of the intersecting pairs of welded faces, sorted, without those of copies,
 /// which are cut as one: the work does not grow with their number, but for the sources. Throws as
 /// refuse_overflow does. Parallel; deterministic for any number of threads.

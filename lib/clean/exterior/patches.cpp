@@ -78,4 +78,17 @@ DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patch
   return sides;
 }
 
+void keep_boundary(Arrangement& arrangement, const Patches& patches,
+                   const std::vector<char>& is_inside, std::vector<char>& kept) {
+  for (std::size_t p = 0; p < kept.size(); ++p) {
+    const Index patch = patches.patch_of[p];
+    if (patch == no_index) continue;
+    const char front = is_inside[std::size_t{2} * patch];
+    const char behind = is_inside[std::size_t{2} * patch + 1];
+    if (front > 1 || behind > 1) continue;
+    kept[p] = front != behind ? 1 : 0;
+    if (kept[p] && front) reverse_piece(arrangement, arrangement.pieces[p]);
+  }
+}
+
 }  // namespace transformesh

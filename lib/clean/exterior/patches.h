@@ -34,4 +34,10 @@ class Patches {
 /// side in front of a patch, 2 * patch + 1 that behind it.
 DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches);
 
+/// Marks the pieces of patches that part what is inside from what is not, turns them so that the
+/// inside is behind them, and unmarks those of other patches. `is_inside` is per side; at a patch
+/// with a side that is neither 0 nor 1, nothing changes.
+void keep_boundary(Arrangement& arrangement, const Patches& patches,
+                   const std::vector<char>& is_inside, std::vector<char>& kept);
+
 }  // namespace transformesh

@@ -87,6 +87,23 @@ int RayCastFrontWinding::in_front_of(const Arrangement& arrangement, const Piece
                      arrangement.sources_of(piece).front());
 }
 
+std::vector<FaceCrossing> RayCastFrontWinding::crossings_in_front_of(const Arrangement& arrangement,
+                                                                     const Piece& piece) const {
+  const auto& [a, b, c] = piece.corners;
+  std::vector<FaceCrossing> crossings;
+  in_front_of({arrangement.point(a), arrangement.point(b), arrangement.point(c)},
+              arrangement.sources_of(piece).front(), &crossings);
+  return crossings;
+}
+
+std::vector<FaceCrossing> RayCastFrontWinding::crossings_in_front_of(Index face) const {
+  const ExactGeometry geometry(welded_.points, welded_.faces);
+  const auto& [a, b, c] = welded_.faces[face];
+  std::vector<FaceCrossing> crossings;
+  in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, {face, false}, &crossings);
+  return crossings;
+}
+
 int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part, Index face) const {
   return in_front_of(part, PieceSource{face, false});
 }
@@ -104,14 +121,16 @@ std::pair<int, int> RayCastFrontWinding::axis_and_direction(const PieceSource& s
 }
 
 int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
-                                     const PieceSource& source) const {
+                                     const PieceSource& source,
+                                     std::vector<FaceCrossing>* crossings) const {
   const ExactGeometry geometry(welded_.points, welded_.faces);
   // A ray grazes an edge where its origin lies on the projection of that edge to the piece: a
   // segment, which has at most two points on the conic. So every edge spoils at most two attempts.
   // The same holds for segments from a reference point that is not in the plane of the piece.
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     const ExactPoint origin = geometry.mean(part[0], part[1], part[2], weights(attempt));
-    const Count count = cast(origin, source);
+    if (crossings) crossings->clear();
+    const Count count = cast(origin, source, crossings);
     if (!count.grazes) return count.winding;
   }
   const int axis = axis_and_direction(source).first;
@@ -121,8 +140,9 @@ int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
 }
 
 RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin,
-                                                     const PieceSource& source) const {
-  if (!references_) return cast_ray(origin, source);
+                                                     const PieceSource& source,
+                                                     std::vector<FaceCrossing>* crossings) const {
+  if (!references_) return cast_ray(origin, source, crossings);
   for (int attempt = 0; attempt < references_per_origin; ++attempt) {
     const std::optional<ReferencePoint> from = references_->near(origin.center, attempt);
     if (!from) continue;
@@ -132,8 +152,9 @@ RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin,
   return {true, 0};
 }
 
-RayCastFrontWinding::Count RayCastFrontWinding::cast_ray(const ExactPoint& origin,
-                                                         const PieceSource& source) const {
+RayCastFrontWinding::Count RayCastFrontWinding::cast_ray(
+    const ExactPoint& origin, const PieceSource& source,
+    std::vector<FaceCrossing>* crossings) const {
   const auto [axis, direction] = axis_and_direction(source);
   const PlaneProjection projection{(axis + 1) % 3, (axis + 2) % 3};
   const ExactGeometry geometry(welded_.points, welded_.faces);
@@ -143,7 +164,8 @@ RayCastFrontWinding::Count RayCastFrontWinding::cast_ray(const ExactPoint& origi
   (direction > 0 ? high : low)[axis] = direction * std::numeric_limits<double>::max();
 
   Count count;
-  const auto cross = [&, direction = direction](const Triangle& t) {
+  const auto cross = [&, direction = direction](Index face) {
+    const Triangle t = welded_.triangle(face);
     bool left = false, right = false, on = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = t[k], &b = t[(k + 1) % 3];
@@ -162,11 +184,12 @@ RayCastFrontWinding::Count RayCastFrontWinding::cast_ray(const ExactPoint& origi
     }
     const int up = left ? 1 : -1;  // the sign of the normal along the axis
     const int side = geometry.orient3d(t, origin);
-    if (side * up * direction < 0) count.winding += up * direction;
+    if (side * up * direction >= 0) return true;
+    count.winding += up * direction;
+    if (crossings) crossings->push_back({face, up * direction});
     return true;
   };
-  visit_overlaps(low, high,
-                 [&](Index i) { return welded_.is_open(i) || cross(welded_.triangle(i)); });
+  visit_overlaps(low, high, [&](Index face) { return welded_.is_open(face) || cross(face); });
   return count;
 }
 

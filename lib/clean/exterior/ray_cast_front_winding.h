@@ -15,6 +15,12 @@
 
 namespace transformesh {
 
+/// A face that a ray crosses, and what it adds to w at the origin.
+struct FaceCrossing {
+  Index face;
+  int winding;
+};
+
 class RayCastFrontWinding {
  public:
   /// `rays` is about how many will be cast: if they are few, each is tested with all faces, which
@@ -28,6 +34,11 @@ class RayCastFrontWinding {
   /// only.
   /// Throws GoalError where there is none among 20000.
   int in_front_of(const Arrangement& arrangement, const Piece& piece) const;
+  /// The faces that the ray from there crosses, and by how much w changes at each: in sum, w just
+  /// in front of the piece.
+  std::vector<FaceCrossing> crossings_in_front_of(const Arrangement& arrangement,
+                                                  const Piece& piece) const;
+  std::vector<FaceCrossing> crossings_in_front_of(Index face) const;
   /// Just in front of a part of a face, which is a triangle within it.
   int in_front_of(const std::array<ExactPoint, 3>& part, Index face) const;
   /// Just in front of a face at a point inside it, which is on no other face. Nothing where the ray
@@ -39,10 +50,13 @@ class RayCastFrontWinding {
     bool grazes = false;
     int winding = 0;
   };
-  int in_front_of(const std::array<ExactPoint, 3>& part, const PieceSource& source) const;
+  int in_front_of(const std::array<ExactPoint, 3>& part, const PieceSource& source,
+                  std::vector<FaceCrossing>* crossings = nullptr) const;
   std::pair<int, int> axis_and_direction(const PieceSource& source) const;
-  Count cast(const ExactPoint& origin, const PieceSource& source) const;
-  Count cast_ray(const ExactPoint& origin, const PieceSource& source) const;
+  Count cast(const ExactPoint& origin, const PieceSource& source,
+             std::vector<FaceCrossing>* crossings = nullptr) const;
+  Count cast_ray(const ExactPoint& origin, const PieceSource& source,
+                 std::vector<FaceCrossing>* crossings) const;
   Count cross_segment(const ReferencePoint& from, const ExactPoint& origin,
                       const PieceSource& source) const;
   void visit_overlaps(const Vec3& low, const Vec3& high,

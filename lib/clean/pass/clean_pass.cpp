@@ -56,6 +56,7 @@ class CleanPassRun {
   void find_open_faces(const std::vector<Meeting>& meetings);
   void find_exterior_growing(const std::vector<Meeting>& meetings);
   void find_exterior_by_ray(const std::vector<Meeting>& meetings);
+  void choose_pieces(const std::vector<Meeting>& meetings);
   void keep_exterior_patches();
 
   const Mesh& mesh_;
@@ -135,6 +136,20 @@ void CleanPassRun::keep_exterior_patches() {
   pass_.least_margin = patches.least_margin;
 }
 
+void CleanPassRun::choose_pieces(const std::vector<Meeting>& meetings) {
+  if (welded_->open_component.empty()) {
+    arrangement_ = arrange(welded_, meetings, progress_);
+    whole_faces_ = arrangement_.whole_pieces;
+  } else {
+    ExteriorArrangement whole =
+        arrange_exterior(welded_, meetings, {options_.winding_level, true, nullptr}, progress_);
+    arrangement_ = std::move(whole.arrangement);
+    whole_faces_ = whole.whole_faces;
+  }
+  kept_.assign(arrangement_.pieces.size(), 0);
+  options_.chooser->choose(arrangement_, kept_);
+}
+
 void CleanPassRun::find_exterior_by_ray(const std::vector<Meeting>& meetings) {
   if (!borders_.loops.empty()) refuse_static_test(borders_.loops.size());
   arrangement_ = arrange(welded_, meetings, progress_);
@@ -147,23 +162,30 @@ void CleanPassRun::find_exterior_by_ray(const std::vector<Meeting>& meetings) {
 
 CleanPass CleanPassRun::run() {
   std::vector<Meeting> meetings;
+  if (options_.chooser) options_.chooser->mark_open(*welded_);
   parallel_invoke([&] { find_borders_or_none(); },
                   [&] { meetings = find_meetings(*welded_, Progress()); });
   pass_.pairs = count_pairs(*welded_, meetings);
   if (pass_.pairs > options_.most_pairs) return std::move(pass_);
   pass_.is_open = !borders_.loops.empty();
-  if (pass_.is_open) find_open_faces(meetings);
+  if (pass_.is_open && !options_.chooser) find_open_faces(meetings);
+  const bool chooses = options_.chooser && !options_.chooser->is_level_set(*welded_, meetings);
   const bool is_static = options_.method == ExteriorMethod::static_test;
-  if (!is_static && !options_.change_kept && pass_.pairs == 0 && find_all_exterior()) {
+  const bool takes_all = !chooses && !is_static && !options_.change_kept;
+  if (takes_all && pass_.pairs == 0 && find_all_exterior()) {
     progress_("stitch");
     pass_.unchanged = true;
     return std::move(pass_);
   }
-  if (is_static) {
+  if (chooses) {
+    choose_pieces(meetings);
+  } else if (is_static) {
     find_exterior_by_ray(meetings);
   } else {
     find_exterior_growing(meetings);
   }
+  if (std::find(kept_.begin(), kept_.end(), 1) == kept_.end() && chooses)
+    throw GoalError(ErrorKind::no_positive_winding, "no place belongs to the region");
   if (std::find(kept_.begin(), kept_.end(), 1) == kept_.end())
     throw GoalError(nothing_kept(*welded_, has_surface_, options_.winding_level));
   if (options_.change_kept) options_.change_kept(arrangement_, kept_);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "clean/arrange/arrange.h"
+#include "clean/pass/piece_chooser.h"
 #include "clean/stitch/assemble.h"
 #include "transformesh/clean.h"
 #include "transformesh/components.h"
@@ -35,7 +36,8 @@ struct CleanPass {
 struct CleanPassOptions {
   int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
-  bool check_orientation = true;  ///< refuse a mesh that is not oriented
+  bool check_orientation = true;          ///< refuse a mesh that is not oriented
+  const PieceChooser* chooser = nullptr;  ///< null: the winding level alone decides
   /// Changes which pieces of a closed mesh are kept, before these are stitched.
   std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
   /// The clean pass ends if more pairs intersect.

@@ -87,7 +87,7 @@ class SnapRounder {
   void begin_anew();
   void drop_collapsed();
   void mend();
-  bool clean_again(bool gives_cells, int winding_level = 1);
+  bool clean_again(bool gives_cells, int winding_level = 1, const PieceChooser* chooser = nullptr);
   bool has_changed() const;
   void count_faces(const std::vector<char>& was_whole);
   [[noreturn]] void give_up() const;
@@ -151,9 +151,9 @@ void SnapRounder::mend() {
 }
 
 // Cleans what was rounded. Returns whether nothing is left to be rounded again.
-bool SnapRounder::clean_again(bool gives_cells, int winding_level) {
+bool SnapRounder::clean_again(bool gives_cells, int winding_level, const PieceChooser* chooser) {
   const std::size_t most_pairs = most_pairs_share * (first_.pairs + mesh_.faces.size());
-  CleanPassOptions options{winding_level, options_.method, false, {}, most_pairs};
+  CleanPassOptions options{winding_level, options_.method, false, chooser, {}, most_pairs};
   const std::vector<std::uint8_t> levels = grids_.levels_of_faces(assembly_.mesh);
   bool is_given = false;
   if (gives_cells && !options_.is_open)
@@ -190,7 +190,7 @@ void SnapRounder::begin_anew() {
   for (Index f = 0; f < is_broken_.size(); ++f)
     if (is_broken_[f]) broken.push_back(f);
   for (int i = 0; i < doublings_of_restart; ++i) grids_.coarsen(mesh_, broken);
-  clean_again(true, options_.winding_level);
+  clean_again(true, options_.winding_level, options_.chooser);
 }
 
 // Whether a round left no fewer faces broken than the one before.

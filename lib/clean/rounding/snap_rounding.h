@@ -32,8 +32,9 @@ namespace transformesh {
 struct SnapRoundingOptions {
   int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
-  bool is_open = false;                 ///< the mesh has borders: its cells are unknown
-  Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
+  bool is_open = false;                   ///< the mesh has borders: its cells are unknown
+  Scalar coordinate = Scalar::float64;    ///< the type in which positions will be written
+  const PieceChooser* chooser = nullptr;  ///< that of `pass`
 };
 
 struct SnapRoundingResult {

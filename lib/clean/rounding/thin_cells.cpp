@@ -184,21 +184,10 @@ bool LabeledCells::give_thin_ones_away(Displacement& moved) {
 }
 
 void LabeledCells::keep_boundary(std::vector<char>& kept) const {
-  for (std::size_t p = 0; p < kept.size(); ++p) {
-    const Index patch = patches_.patch_of[p];
-    if (patch == no_index) continue;
-    const char front = is_inside_[cell_of_[std::size_t{2} * patch]];
-    const char behind = is_inside_[cell_of_[std::size_t{2} * patch + 1]];
-    if (front == unknown || behind == unknown) continue;
-    kept[p] = front != behind ? 1 : 0;
-    if (!kept[p] || !front) continue;
-    Piece& piece = arrangement_.pieces[p];
-    std::swap(piece.corners[1], piece.corners[2]);
-    for (Index s = 0; s < piece.source_count; ++s) {
-      bool& is_reversed = arrangement_.sources[piece.first_source + s].reversed;
-      is_reversed = !is_reversed;
-    }
-  }
+  std::vector<char> of_side;
+  of_side.reserve(cell_of_.size());
+  for (const Index cell : cell_of_) of_side.push_back(is_inside_[cell]);
+  transformesh::keep_boundary(arrangement_, patches_, of_side, kept);
 }
 
 }  // namespace

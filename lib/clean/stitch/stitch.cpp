@@ -108,15 +108,6 @@ std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
   return splits.edges;
 }
 
-// With what says how they look.
-void reverse_faces(Mesh& mesh) {
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
-    reverse_corner_lists(mesh, f);
-  }
-  reverse_normals(mesh);
-}
-
 }  // namespace
 
 StitchResult stitch(Mesh& mesh, const StitchOptions& options) {

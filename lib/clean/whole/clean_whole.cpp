@@ -96,15 +96,16 @@ void drop_enclosed(CleanResult& result) {
 }
 
 CleanResult clean_faces_of(const Mesh& mesh, const CleanOptions& options,
-                           const Progress& progress) {
+                           const PieceChooser* chooser, const Progress& progress) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
-  CleanPass pass = run_clean_pass(mesh, {options.winding_level, options.method, true}, progress);
+  CleanPass pass =
+      run_clean_pass(mesh, {options.winding_level, options.method, true, chooser}, progress);
   CleanResult result = counts_of(pass);
   if (pass.unchanged) {
     result.mesh = mesh;
   } else {
     const SnapRoundingOptions how{options.winding_level, options.method, pass.is_open,
-                                  options.coordinate};
+                                  options.coordinate, chooser};
     SnapRoundingResult rounded = snap_round(mesh, pass, how, progress);
     std::vector<char> changed;
     if (options.merge_flat)
@@ -122,13 +123,18 @@ CleanResult clean_faces_of(const Mesh& mesh, const CleanOptions& options,
 
 CleanResult clean_whole(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   try {
-    return clean_faces_of(mesh, options, progress);
+    return clean_faces_of(mesh, options, nullptr, progress);
   } catch (const GoalError&) {
     const auto faces = static_cast<double>(mesh.faces.size());
     const std::size_t both = options.refuse ? 0 : count_double_sided(mesh);
     if (static_cast<double>(both) < std::max(1.0, double_sided_share * faces)) throw;
     throw GoalError(problem_of_reverses(mesh, both));
   }
+}
+
+CleanResult clean_region(const Mesh& mesh, const CleanOptions& options, const PieceChooser& chooser,
+                         const Progress& progress) {
+  return clean_faces_of(mesh, options, &chooser, progress);
 }
 
 }  // namespace transformesh

@@ -1,0 +1,160 @@
+#include "boolean/boolean_script.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "support/suggestion.h"
+#include "transformesh/errors.h"
+
+namespace transformesh {
+namespace {
+
+[[noreturn]] void refuse(std::size_t line, const std::string& what) {
+  throw InputError("line " + std::to_string(line) + " of the script: " + what);
+}
+
+constexpr std::string_view blanks = " \t\r";
+
+// Separated by blanks; one in double quotes may hold blanks.
+std::vector<std::string> words_of(std::string_view line, std::size_t number) {
+  std::vector<std::string> words;
+  for (;;) {
+    const std::size_t begin = line.find_first_not_of(blanks);
+    if (begin == std::string_view::npos || line[begin] == '#') return words;
+    const bool is_quoted = line[begin] == '"';
+    line.remove_prefix(is_quoted ? begin + 1 : begin);
+    std::size_t end = is_quoted ? line.find('"') : line.find_first_of(blanks);
+    if (end == std::string_view::npos && is_quoted) refuse(number, "a quote is not closed");
+    end = std::min(end, line.size());
+    words.emplace_back(line.substr(0, end));
+    line.remove_prefix(std::min(line.size(), is_quoted ? end + 1 : end));
+  }
+}
+
+ScriptLine line_of(const std::vector<std::string>& words, std::size_t number) {
+  if (words.size() < 4 || words[1] != "=") refuse(number, "expected NAME = OPERATION OPERAND...");
+  const std::vector<std::string>& names = boolean_operation_names();
+  const std::string nearest = nearest_name(words[2], names);
+  if (nearest != words[2])
+    refuse(number, "unknown operation '" + words[2] + "'; did you mean '" + nearest + "'?");
+  return {number, words[0], boolean_operation(words[2]), {words.begin() + 3, words.end()}};
+}
+
+/// A mesh that a line made, or that was read.
+struct Value {
+  Mesh mesh;
+  double displacement = 0;  ///< a bound of how far merging moved its surface
+};
+
+class ScriptRun {
+ public:
+  ScriptRun(const std::vector<ScriptLine>& lines,
+            const std::function<Mesh(const std::string&)>& read, const BooleanOptions& options,
+            const Progress& progress)
+      : lines_(lines), read_(read), options_(options), progress_(progress) {}
+  ScriptResult run();
+
+ private:
+  void find_last_uses();
+  Value run_line(std::size_t at);
+  const Value& value_of(const std::string& name);
+  void drop_unused(std::size_t at);
+
+  const std::vector<ScriptLine>& lines_;
+  const std::function<Mesh(const std::string&)>& read_;
+  const BooleanOptions& options_;
+  const Progress& progress_;
+  std::map<std::string, std::size_t> last_use_;  ///< the last line that names it as an operand
+  std::map<std::string, Value> values_;
+  ScriptResult result_;
+};
+
+void ScriptRun::find_last_uses() {
+  for (std::size_t at = 0; at < lines_.size(); ++at)
+    for (const std::string& operand : lines_[at].operands) last_use_[operand] = at;
+}
+
+const Value& ScriptRun::value_of(const std::string& name) {
+  const auto known = values_.find(name);
+  if (known != values_.end()) return known->second;
+  return values_.emplace(name, Value{read_(name)}).first->second;
+}
+
+Value ScriptRun::run_line(std::size_t at) {
+  const ScriptLine& line = lines_[at];
+  std::vector<Operand> operands;
+  double displacement = 0;
+  for (const std::string& name : line.operands) {
+    const Value& value = value_of(name);
+    operands.push_back({&value.mesh, name});
+    displacement = std::max(displacement, value.displacement);
+  }
+  CleanResult made = boolean(line.operation, operands, options_);
+  result_.pairs += made.pairs;
+  result_.rounding_repairs += made.rounding_repairs;
+  return {std::move(made.mesh), displacement + made.merge_displacement};
+}
+
+void ScriptRun::drop_unused(std::size_t at) {
+  std::erase_if(values_, [&](const auto& value) {
+    const auto use = last_use_.find(value.first);
+    return use == last_use_.end() || use->second <= at;
+  });
+}
+
+ScriptResult ScriptRun::run() {
+  find_last_uses();
+  for (std::size_t at = 0; at < lines_.size(); ++at) {
+    progress_("combine", static_cast<double>(at) / static_cast<double>(lines_.size()));
+    Value made = [&] {
+      try {
+        return run_line(at);
+      } catch (const GoalError& error) {
+        throw GoalError(error.kind(),
+                        "line " + std::to_string(lines_[at].number) + ": " + error.what(),
+                        error.data());
+      }
+    }();
+    if (at + 1 == lines_.size()) {
+      result_.mesh = std::move(made.mesh);
+      result_.merge_displacement = made.displacement;
+      break;
+    }
+    drop_unused(at);
+    values_[lines_[at].result] = std::move(made);
+  }
+  return std::move(result_);
+}
+
+}  // namespace
+
+const std::vector<std::string>& boolean_operation_names() {
+  static const std::vector<std::string> names{"union", "intersection", "difference", "xor"};
+  return names;
+}
+
+BooleanOperation boolean_operation(std::string_view name) {
+  const std::vector<std::string>& names = boolean_operation_names();
+  return static_cast<BooleanOperation>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+std::vector<ScriptLine> parse_boolean_script(std::string_view text) {
+  std::vector<ScriptLine> lines;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::vector<std::string> words = words_of(text.substr(0, end), number);
+    if (!words.empty()) lines.push_back(line_of(words, number));
+    text.remove_prefix(std::min(text.size(), end + 1));
+  }
+  if (lines.empty()) throw InputError("the script has no line with an operation");
+  return lines;
+}
+
+ScriptResult run_boolean_script(const std::vector<ScriptLine>& lines,
+                                const std::function<Mesh(const std::string& file)>& read,
+                                const BooleanOptions& options, const Progress& progress) {
+  return ScriptRun(lines, read, options, progress).run();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,163 @@
+#include "boolean/selected_cells.h"
+
+#include <map>
+#include <utility>
+
+#include "boolean/operand_windings.h"
+#include "clean/exterior/patches.h"
+#include "clean/exterior/ray_cast_front_winding.h"
+
+namespace transformesh {
+namespace {
+
+/// By how much the winding number of each operand grows from the front of a piece to its back, for
+/// those where it does; ascending.
+using Jumps = std::vector<std::pair<Index, int>>;
+
+/// The jumps at the pieces of an arrangement. Pieces get the number of theirs as multiplicity, so
+/// that patches are of pieces with the same jumps.
+class PieceJumps {
+ public:
+  PieceJumps(const JoinedOperands& operands, Arrangement& arrangement);
+  const Jumps& of(const Piece& piece) const {
+    return *numbered_[static_cast<std::size_t>(piece.multiplicity)];
+  }
+
+ private:
+  std::map<Jumps, std::int32_t> numbers_;
+  std::vector<const Jumps*> numbered_;  ///< at 0, without any jump
+};
+
+PieceJumps::PieceJumps(const JoinedOperands& operands, Arrangement& arrangement) {
+  const auto number_of = [this](const Jumps& jumps) {
+    const auto [at, is_new] =
+        numbers_.try_emplace(jumps, static_cast<std::int32_t>(numbers_.size()));
+    if (is_new) numbered_.push_back(&at->first);
+    return at->second;
+  };
+  number_of({});
+  std::map<Index, int> sums;
+  for (Piece& piece : arrangement.pieces) {
+    sums.clear();
+    for (const PieceSource& source : arrangement.sources_of(piece)) {
+      const Index operand = operands.operand_of[arrangement.welded->face_of[source.face]];
+      sums[operand] += source.reversed == (operands.is_reversed[operand] != 0) ? 1 : -1;
+    }
+    std::erase_if(sums, [](const auto& sum) { return sum.second == 0; });
+    piece.multiplicity = number_of(Jumps(sums.begin(), sums.end()));
+  }
+}
+
+class SelectedCells {
+ public:
+  SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
+                Arrangement& arrangement);
+  /// Per side of a patch (patches.h): whether its cell is selected.
+  std::vector<char> find();
+  const Patches& patches() const { return patches_; }
+
+ private:
+  struct Step {
+    Index cell;
+    Index through;         ///< the side of a patch by which the cell was left, or no_index
+    std::size_t next = 0;  ///< of the sides of the cell
+  };
+
+  void cross(OperandWindings& windings, Index side, int sign) const;
+  OperandWindings windings_at(Index side) const;
+  void spread_from(Index side);
+  void enter(Index cell, const OperandWindings& windings);
+
+  static constexpr char unknown = 2;
+
+  BooleanOperation operation_;
+  const JoinedOperands& operands_;
+  Arrangement& arrangement_;
+  PieceJumps jumps_;
+  Patches patches_;
+  RayCastFrontWinding ray_;
+  std::vector<Index> cell_of_;             ///< per side
+  std::vector<std::vector<Index>> sides_;  ///< per cell, which is named by one of its sides
+  std::vector<char> is_selected_;          ///< per cell, or unknown
+  std::vector<Step> way_;                  ///< from the first cell to the one just entered
+};
+
+SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
+                             Arrangement& arrangement)
+    : operation_(operation),
+      operands_(operands),
+      arrangement_(arrangement),
+      jumps_(operands, arrangement),
+      patches_(arrangement),
+      ray_(*arrangement.welded, patches_.size()) {
+  DisjointSets sides = join_sides_around_edges(arrangement, patches_);
+  sides_.resize(2 * patches_.size());
+  for (Index side = 0; side < sides_.size(); ++side) {
+    cell_of_.push_back(sides.find(side));
+    sides_[cell_of_[side]].push_back(side);
+  }
+  is_selected_.assign(sides_.size(), unknown);
+}
+
+// From the cell on that side of a patch to the cell on its other side, or back.
+void SelectedCells::cross(OperandWindings& windings, Index side, int sign) const {
+  const Piece& piece = arrangement_.pieces[patches_.pieces[side / 2].front()];
+  const int direction = side % 2 == 0 ? sign : -sign;
+  for (const auto& [operand, jump] : jumps_.of(piece)) windings.change(operand, direction * jump);
+}
+
+OperandWindings SelectedCells::windings_at(Index side) const {
+  OperandWindings windings(operation_, operands_.is_reversed.size());
+  const Piece& piece = arrangement_.pieces[patches_.pieces[side / 2].front()];
+  for (const FaceCrossing& crossing : ray_.crossings_in_front_of(arrangement_, piece)) {
+    const Index operand = operands_.operand_of[arrangement_.welded->face_of[crossing.face]];
+    windings.change(operand, operands_.is_reversed[operand] ? -crossing.winding : crossing.winding);
+  }
+  if (side % 2 == 1) cross(windings, side - 1, 1);
+  return windings;
+}
+
+void SelectedCells::enter(Index cell, const OperandWindings& windings) {
+  is_selected_[cell] = windings.is_selected() ? 1 : 0;
+}
+
+// Depth first, so that one set of winding numbers is enough: on the way back, what the way there
+// changed is taken back.
+void SelectedCells::spread_from(Index side) {
+  OperandWindings windings = windings_at(side);
+  enter(cell_of_[side], windings);
+  way_.push_back({cell_of_[side], no_index});
+  while (!way_.empty()) {
+    Step& step = way_.back();
+    if (step.next == sides_[step.cell].size()) {
+      if (step.through != no_index) cross(windings, step.through, -1);
+      way_.pop_back();
+      continue;
+    }
+    const Index through = sides_[step.cell][step.next++];
+    const Index beyond = cell_of_[through ^ 1U];
+    if (is_selected_[beyond] != unknown) continue;
+    cross(windings, through, 1);
+    enter(beyond, windings);
+    way_.push_back({beyond, through});
+  }
+}
+
+std::vector<char> SelectedCells::find() {
+  for (Index side = 0; side < sides_.size(); ++side)
+    if (is_selected_[cell_of_[side]] == unknown) spread_from(side);
+  std::vector<char> of_side;
+  of_side.reserve(sides_.size());
+  for (const Index cell : cell_of_) of_side.push_back(is_selected_[cell]);
+  return of_side;
+}
+
+}  // namespace
+
+void choose_selected(BooleanOperation operation, const JoinedOperands& operands,
+                     Arrangement& arrangement, std::vector<char>& kept) {
+  SelectedCells cells(operation, operands, arrangement);
+  keep_boundary(arrangement, cells.patches(), cells.find(), kept);
+}
+
+}  // namespace transformesh

@@ -1,0 +1,34 @@
+#include "options/clean_notes.h"
+
+#include "frame/column_notes.h"
+#include "support/counted.h"
+#include "support/number.h"
+
+namespace transformesh::tool {
+namespace {
+
+/// A generalized winding number that is this close to the other decision is reported.
+constexpr double small_margin = 0.1;
+
+}  // namespace
+
+void note_cleaning(const CleanResult& result, Run& run) {
+  note_dropped_lists(result.dropped_columns, run);
+  note_dropped_sources(result.dropped_source_points, source_of_step, run);
+  if (result.is_whole)
+    run.note("rounding makes faces intersect in the box: the whole mesh was cleaned to mend that");
+  if (result.merge_refused > 0)
+    run.note(counted(result.merge_refused, "flat region") +
+             (result.merge_refused == 1 ? " keeps its faces" : " keep their faces") +
+             ": covered with fewer, they would intersect others or fold");
+  if (result.separation_refused > 0)
+    run.note(counted(result.separation_refused, "vertex") +
+             (result.separation_refused == 1 ? " stays" : " stay") +
+             " in the place of another: on a border, or faces would intersect");
+  if (result.decided_by_number > 0 && result.least_margin < small_margin)
+    run.note("generalized winding numbers decided " + counted(result.decided_by_number, "part") +
+             " of the open mesh, one of them by a margin of only " +
+             shortest_text(result.least_margin));
+}
+
+}  // namespace transformesh::tool
