@@ -10,8 +10,12 @@
 namespace transformesh {
 namespace {
 
+std::string in_line(std::size_t line, const std::string& what) {
+  return "line " + std::to_string(line) + " of the script: " + what;
+}
+
 [[noreturn]] void refuse(std::size_t line, const std::string& what) {
-  throw InputError("line " + std::to_string(line) + " of the script: " + what);
+  throw InputError(in_line(line, what));
 }
 
 constexpr std::string_view blanks = " \t\r";
@@ -58,6 +62,7 @@ class ScriptRun {
  private:
   void find_last_uses();
   Value run_line(std::size_t at);
+  Value run_named_line(std::size_t at);
   const Value& value_of(const std::string& name);
   void drop_unused(std::size_t at);
 
@@ -96,6 +101,19 @@ Value ScriptRun::run_line(std::size_t at) {
   return {std::move(made.mesh), displacement + made.merge_displacement};
 }
 
+Value ScriptRun::run_named_line(std::size_t at) {
+  const auto in_this_line = [&](const Error& error) {
+    return in_line(lines_[at].number, error.what());
+  };
+  try {
+    return run_line(at);
+  } catch (const GoalError& error) {
+    throw GoalError(error.kind(), in_this_line(error), error.data());
+  } catch (const InputError& error) {
+    throw InputError(error.kind(), in_this_line(error), error.data());
+  }
+}
+
 void ScriptRun::drop_unused(std::size_t at) {
   std::erase_if(values_, [&](const auto& value) {
     const auto use = last_use_.find(value.first);
@@ -107,15 +125,7 @@ ScriptResult ScriptRun::run() {
   find_last_uses();
   for (std::size_t at = 0; at < lines_.size(); ++at) {
     progress_("combine", static_cast<double>(at) / static_cast<double>(lines_.size()));
-    Value made = [&] {
-      try {
-        return run_line(at);
-      } catch (const GoalError& error) {
-        throw GoalError(error.kind(),
-                        "line " + std::to_string(lines_[at].number) + ": " + error.what(),
-                        error.data());
-      }
-    }();
+    Value made = run_named_line(at);
     if (at + 1 == lines_.size()) {
       result_.mesh = std::move(made.mesh);
       result_.merge_displacement = made.displacement;

@@ -1,5 +1,6 @@
-/// Functions that make a mesh from others: clean, stitch, cat, displace, offset, shape, intersect.
+/// Functions that make a mesh from others: clean, stitch, cat, boolean, displace, offset, shape, intersect.
 #include "arguments.h"
+#include "boolean/boolean_documents.h"
 #include "call.h"
 #include "io/comments.h"
 #include "python_mesh.h"
@@ -65,6 +66,27 @@ MeshPointer cat(const py::args& meshes) {
     for (const std::string& note : append(all, py::cast<const PythonMesh&>(meshes[i]).document))
       if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
   return mesh_of(std::move(all));
+}
+
+MeshPointer boolean_of(const std::string& operation, const py::args& meshes, bool inside,
+                       bool merge_flat, bool source_operand, const py::object& progress) {
+  choice("operation", operation, boolean_commands());
+  if (meshes.empty()) throw UsageError("boolean: at least one mesh is needed");
+  std::vector<Document> documents;
+  std::vector<std::string> names;
+  for (const auto& mesh : meshes) {
+    documents.push_back(py::cast<const PythonMesh&>(mesh).document);
+    names.push_back("mesh " + std::to_string(names.size()));
+  }
+  const SheetSide side = inside ? SheetSide::inside : SheetSide::outside;
+  const DocumentsBoolean combined = without_lock(progress, [&](const Progress& to) {
+    return combine_documents(operation, side, documents, names, {merge_flat, source_operand}, to);
+  });
+  for (const std::string& note : combined.notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+  Entries report{{"operands", names.size()}};
+  append(report, entries_of(combined.result));
+  return mesh_of(std::move(documents[0]), report);
 }
 
 // --- displace, offset, shape ---------------------------------------------------------------------
@@ -180,6 +202,12 @@ void bind_filters(py::module_& module) {
              "Joins a soup of triangles into a manifold mesh; turns and reverses faces. See "
              "tm-stitch(1).");
   module.def("cat", &cat, "Concatenates meshes.");
+  module.def("boolean", &boolean_of, arg("operation"), arg("inside") = false,
+             arg("merge_flat") = true, arg("source_operand") = false, arg("progress") = none,
+             "Combines solids, each by its own winding number: 'union', 'intersection', "
+             "'difference', 'xor', or 'cut' for the part of a sheet outside a solid, `inside` for "
+             "that inside it. `source_operand` writes the number of the mesh that each face comes "
+             "from. See tm-boolean(1).");
   module.def("displace", &displace_mesh, arg("mesh"), arg("velocities") = none, py::kw_only(),
              arg("normal_speed") = none, arg("curvature_speed") = 0.0, arg("time_step") = 1.0,
              arg("alpha") = DisplaceOptions().alpha, arg("mask") = "", arg("keep_out") = none,

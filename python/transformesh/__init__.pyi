@@ -73,6 +73,14 @@ def stitch(
     flip: bool = False,
 ) -> Mesh: ...
 def cat(*meshes: Mesh) -> Mesh: ...
+def boolean(
+    operation: Literal["union", "intersection", "difference", "xor", "cut"],
+    *meshes: Mesh,
+    inside: bool = False,
+    merge_flat: bool = True,
+    source_operand: bool = False,
+    progress: Progress = None,
+) -> Mesh: ...
 def remesh(
     mesh: Mesh,
     *,

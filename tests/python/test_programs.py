@@ -240,6 +240,29 @@ def test_fill(holes, options, words, tmp_path):
     assert filled.report["filled"] == (0 if "max_edges" in options or "max_diameter" in options else 2)
 
 
+@pytest.mark.parametrize("operation", ["union", "intersection", "difference", "xor", "cut"])
+def test_boolean(operation, tmp_path):
+    ball, box = shape("sphere", "--faces", 2000), shape("box", 1, 1, 3, "--faces", 500)
+    (tmp_path / "box.ply").write_bytes(box)
+    options = {"source_operand": True, "merge_flat": False, "inside": operation == "cut"}
+    combined = tm.boolean(operation, tm.parse(ball), tm.parse(box), **options)
+    words = [operation, "-", tmp_path / "box.ply", "--source-operand", "--no-merge-flat", "--report", tmp_path / "report"]
+    words += ["--inside"] if operation == "cut" else []
+    assert same(combined, "tm-boolean", *words, stdin=ball)
+    assert combined.report == json.loads((tmp_path / "report").read_text())["result"]
+    assert set(combined.face_columns["source_operand"]) <= {0, 1}
+
+
+def test_boolean_refuses():
+    ball = tm.shape("sphere", faces=500)
+    with pytest.raises(tm.UsageError, match="operation"):
+        tm.boolean("sum", ball)
+    with pytest.raises(tm.UsageError, match="at least one mesh"):
+        tm.boolean("union")
+    with pytest.raises(tm.InputError, match="mesh 1 has 1 border"):
+        tm.boolean("union", ball, tm.Mesh(ball.positions, ball.faces[1:]))
+
+
 @pytest.mark.parametrize("options, words", [({}, []), ({"max_length": 3.5}, ["--max-length", 3.5])])
 def test_handles(options, words, tmp_path):
     torus = shape("torus", "--faces", 2000)

@@ -29,6 +29,13 @@ void refuse_static_test(std::size_t borders) {
       {.counts = {borders}});
 }
 
+// Pieces of whole faces have one source, or are copies of each other.
+bool has_turned_piece(const Arrangement& arrangement, const std::vector<char>& kept) {
+  for (std::size_t p = 0; p < arrangement.whole_pieces; ++p)
+    if (kept[p] && arrangement.sources_of(arrangement.pieces[p]).front().reversed) return true;
+  return false;
+}
+
 void count_faces(const Mesh& mesh, const Arrangement& arrangement, std::size_t whole_faces,
                  const std::vector<char>& kept, const Borders& borders, CleanPass& pass) {
   const auto whole_end = kept.begin() + static_cast<std::ptrdiff_t>(arrangement.whole_pieces);
@@ -38,7 +45,7 @@ void count_faces(const Mesh& mesh, const Arrangement& arrangement, std::size_t w
       whole_faces - static_cast<std::size_t>(std::count(kept.begin(), whole_end, 1));
   pass.unchanged = pass.cut_faces == 0 && pass.removed_faces == 0 &&
                    arrangement.welded->faces.size() == mesh.faces.size() &&
-                   is_stitched(mesh, borders);
+                   !has_turned_piece(arrangement, kept) && is_stitched(mesh, borders);
 }
 
 class CleanPassRun {

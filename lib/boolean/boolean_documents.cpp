@@ -1,0 +1,61 @@
+#include "boolean/boolean_documents.h"
+
+#include <utility>
+
+#include "boolean/boolean_script.h"
+#include "io/comments.h"
+#include "transformesh/errors.h"
+
+namespace transformesh {
+namespace {
+
+constexpr const char* cut_command = "cut";
+
+CleanResult combine(const std::string& command, SheetSide side,
+                    const std::vector<Operand>& operands, const BooleanOptions& options,
+                    const Progress& progress) {
+  if (command != cut_command)
+    return boolean(boolean_operation(command), operands, options, progress);
+  if (operands.size() != 2) throw UsageError("cut needs two meshes: a sheet and a solid");
+  return cut_sheet(operands[0], operands[1], side, options, progress);
+}
+
+void clear_rows(Mesh& mesh) {
+  mesh.positions.clear();
+  mesh.faces.clear();
+  mesh.vertex_columns = mesh.vertex_columns.select({});
+  mesh.face_columns = mesh.face_columns.select({});
+}
+
+}  // namespace
+
+const std::vector<std::string>& boolean_commands() {
+  static const std::vector<std::string> commands = [] {
+    std::vector<std::string> all = boolean_operation_names();
+    all.emplace_back(cut_command);
+    return all;
+  }();
+  return commands;
+}
+
+DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
+                                   std::vector<Document>& documents,
+                                   const std::vector<std::string>& names, BooleanOptions options,
+                                   const Progress& progress) {
+  std::vector<Operand> operands;
+  options.coordinate = Scalar::float32;
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    operands.push_back({&documents[i].mesh, names[i]});
+    if (documents[i].style.coordinate == Scalar::float64) options.coordinate = Scalar::float64;
+  }
+  DocumentsBoolean combined{combine(command, side, operands, options, progress), {}};
+  for (Document& document : documents) clear_rows(document.mesh);
+  for (std::size_t i = 1; i < documents.size(); ++i)
+    for (std::string& line : append(documents[0], documents[i]))
+      combined.notes.push_back(std::move(line));
+  documents[0].mesh = std::exchange(combined.result.mesh, {});
+  add_planarity(documents[0].style.comments, combined.result.merge_displacement);
+  return combined;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,29 @@
+/// Boolean operations on documents: their meshes are combined, their comments and further elements
+/// united.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "transformesh/boolean.h"
+#include "transformesh/document.h"
+
+namespace transformesh {
+
+/// The commands: those of boolean_operation_names(), and cut, for the part of a sheet outside or
+/// inside of a solid.
+const std::vector<std::string>& boolean_commands();
+
+struct DocumentsBoolean {
+  CleanResult result;              ///< without the mesh
+  std::vector<std::string> notes;  ///< lines that append() returns
+};
+
+/// Makes the first document that of the result. `names` are those of the documents, for messages.
+/// Positions are rounded to doubles as soon as one document has doubles. `side` is for cut.
+DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
+                                   std::vector<Document>& documents,
+                                   const std::vector<std::string>& names, BooleanOptions options,
+                                   const Progress& progress);
+
+}  // namespace transformesh

@@ -1,0 +1,219 @@
+// Laws of Boolean operations on random operands that overlap themselves, touch, equal and contain
+// each other, judged by solid angles; and the cases with closed forms.
+#include "transformesh/boolean.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <cstdlib>
+
+#include "helpers/mesh_facts.h"
+#include "helpers/random.h"
+#include "helpers/shapes.h"
+#include "transformesh/errors.h"
+#include "transformesh/intersect.h"
+
+namespace transformesh {
+namespace {
+
+using Operation = BooleanOperation;
+
+CleanResult combine(Operation operation, const std::vector<Mesh>& meshes,
+                    BooleanOptions options = {}) {
+  std::vector<Operand> operands;
+  for (const Mesh& mesh : meshes)
+    operands.push_back({&mesh, "operand " + std::to_string(operands.size())});
+  return boolean(operation, operands, options);
+}
+
+/// On a coarse grid, so that faces lie upon each other, or in general position.
+Mesh random_part(test::Random& random, const Eigen::Matrix3d& rotation) {
+  const auto steps = [&](std::uint64_t least, std::uint64_t below) {
+    return static_cast<double>(least + random.below(below));
+  };
+  Mesh part = random.below(3) == 0 ? test::tetrahedron() : test::cube();
+  const Vec3 size(steps(1, 3), steps(1, 3), steps(1, 3));
+  const Vec3 at(steps(0, 4), steps(0, 4), steps(0, 4));
+  for (Vec3& p : part.positions) p = rotation * (p.cwiseProduct(size) + at);
+  return random.below(8) == 0 ? test::reversed(part) : part;
+}
+
+/// Up to three parts, of which some may be inside out.
+Mesh random_operand(test::Random& random) {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  if (random.below(3) == 0)
+    rotation = Eigen::AngleAxisd(random.uniform(0, 3), random.point(-1, 1).normalized())
+                   .toRotationMatrix();
+  Mesh operand = random_part(random, rotation);
+  for (std::uint64_t i = random.below(3); i > 0; --i)
+    operand = test::joined(operand, random_part(random, rotation));
+  if (random.below(5) == 0) {
+    const Mesh speck = test::moved(test::scaled(test::cube(), 0.1), Vec3(1.33, 1.37, 1.41));
+    operand = test::joined(operand, random.below(2) == 0 ? speck : test::reversed(speck));
+  }
+  return operand;
+}
+
+bool is_selected(Operation operation, const std::vector<int>& windings) {
+  std::size_t inside = 0;
+  for (const int winding : windings) inside += winding >= 1 ? 1 : 0;
+  switch (operation) {
+    case Operation::unite:
+      return inside > 0;
+    case Operation::intersect:
+      return inside == windings.size();
+    case Operation::subtract:
+      return inside == 1 && windings[0] >= 1;
+    case Operation::exclude:
+      break;
+  }
+  return inside % 2 == 1;
+}
+
+/// Empty near a surface.
+std::optional<int> winding_at(const Mesh& mesh, const Vec3& point) {
+  const double winding = test::winding_number(mesh, point);
+  if (std::abs(winding - std::round(winding)) > 1e-6) return std::nullopt;
+  return static_cast<int>(std::round(winding));
+}
+
+void check_solid(const Mesh& mesh) {
+  CHECK(find_intersections(mesh).empty());
+  const test::Count count = test::count(mesh);
+  CHECK(count.is_closed_and_oriented);
+  CHECK(count.is_manifold);
+}
+
+void check_samples(Operation operation, const std::vector<Mesh>& operands, const Mesh& result,
+                   test::Random& random) {
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 point = random.point(-0.5, 6.5);
+    std::vector<int> windings;
+    for (const Mesh& operand : operands)
+      if (const auto winding = winding_at(operand, point)) windings.push_back(*winding);
+    const auto found = winding_at(result, point);
+    if (windings.size() < operands.size() || !found) continue;
+    CHECK(*found == (is_selected(operation, windings) ? 1 : 0));
+  }
+}
+
+double area_of(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.faces)
+    sum +=
+        (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]).norm();
+  return sum / 2;
+}
+
+std::uint64_t rounds() {
+  const char* wanted = std::getenv("TM_ROUNDS");
+  return wanted != nullptr ? static_cast<std::uint64_t>(std::atoi(wanted)) : 1;
+}
+
+}  // namespace
+
+TEST_CASE("Boolean operations select what winding numbers say: 100 cases, TM_ROUNDS=20 for 2000") {
+  for (std::uint64_t seed = 0; seed < 25 * rounds(); ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    std::vector<Mesh> operands;
+    for (std::uint64_t i = 1 + random.below(4); i > 0; --i)
+      operands.push_back(random_operand(random));
+    if (operands.size() > 1 && random.below(6) == 0) operands.back() = operands.front();
+    for (const Operation operation :
+         {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}) {
+      CAPTURE(static_cast<int>(operation));
+      const Mesh result = combine(operation, operands).mesh;
+      check_solid(result);
+      check_samples(operation, operands, result, random);
+    }
+  }
+}
+
+TEST_CASE("inclusion and exclusion, and de Morgan's laws in a box") {
+  for (std::uint64_t seed = 0; seed < 10 * rounds(); ++seed) {
+    CAPTURE(seed);
+    test::Random random(1000 + seed);
+    const Mesh a = random_operand(random), b = random_operand(random);
+    const Mesh all = test::cuboid(Vec3::Constant(-20), Vec3::Constant(20));
+    const auto volume = [](Operation operation, const std::vector<Mesh>& meshes) {
+      return test::signed_volume(combine(operation, meshes).mesh);
+    };
+    const Mesh either = combine(Operation::unite, {a, b}).mesh;
+    const Mesh both = combine(Operation::intersect, {a, b}).mesh;
+    CHECK(test::signed_volume(either) + test::signed_volume(both) ==
+          doctest::Approx(volume(Operation::unite, {a}) + volume(Operation::unite, {b})));
+    CHECK(test::signed_volume(either) - test::signed_volume(both) ==
+          doctest::Approx(volume(Operation::exclude, {a, b})));
+    const Mesh not_a = combine(Operation::subtract, {all, a}).mesh;
+    const Mesh not_b = combine(Operation::subtract, {all, b}).mesh;
+    const double outside = volume(Operation::subtract, {all, a, b});
+    CHECK(volume(Operation::intersect, {not_a, not_b}) == doctest::Approx(outside));
+    CHECK(volume(Operation::subtract, {all, either}) == doctest::Approx(outside));
+    CHECK(volume(Operation::exclude, {not_a, not_b}) ==
+          doctest::Approx(volume(Operation::exclude, {a, b})));
+  }
+}
+
+TEST_CASE("a body inside another is cut out, and one inside out is empty") {
+  const Mesh large = test::cuboid(Vec3::Zero(), Vec3::Constant(3));
+  const Mesh small = test::moved(test::cube(), Vec3::Ones());
+  CHECK(test::signed_volume(combine(Operation::exclude, {large, small}).mesh) == 26);
+  CHECK(test::signed_volume(combine(Operation::exclude, {small, large}).mesh) == 26);
+  CHECK(test::signed_volume(combine(Operation::subtract, {large, small}).mesh) == 26);
+  CHECK(combine(Operation::subtract, {small, large}).mesh.faces.empty());
+  CHECK(combine(Operation::unite, {test::reversed(large)}).mesh.faces.empty());
+  CHECK(test::signed_volume(combine(Operation::subtract, {large, test::reversed(small)}).mesh) ==
+        27);
+}
+
+TEST_CASE("disjoint operands pass unchanged") {
+  const Mesh first = test::icosphere(2), second = test::moved(first, Vec3(5, 0, 0));
+  const CleanResult result = combine(Operation::unite, {first, second});
+  const Mesh both = test::joined(first, second);
+  CHECK(result.mesh.positions == both.positions);
+  CHECK(result.mesh.faces == both.faces);
+}
+
+TEST_CASE("operands that are open or empty") {
+  Mesh open = test::cube();
+  open.faces.pop_back();
+  CHECK_THROWS_WITH_AS(combine(Operation::unite, {test::cube(), open}),
+                       "operand 1 has 1 border: it is not a solid", InputError);
+  CHECK(combine(Operation::unite, {Mesh{}, Mesh{}}).mesh.faces.empty());
+  CHECK(combine(Operation::intersect, {test::cube(), Mesh{}}).mesh.faces.empty());
+  CHECK(combine(Operation::subtract, {test::cube(), Mesh{}}).mesh.faces.size() == 12);
+}
+
+TEST_CASE("every face says which operand it comes from") {
+  const Mesh small = test::moved(test::cube(), Vec3::Constant(0.5));
+  for (const Operation operation : {Operation::subtract, Operation::exclude}) {
+    BooleanOptions options;
+    options.source_operand = true;
+    const Mesh result = combine(operation, {test::cube(), small}, options).mesh;
+    const Column& operand = *result.face_columns.find("source_operand");
+    std::array<double, 2> area{};
+    for (std::size_t f = 0; f < result.faces.size(); ++f) {
+      const auto& [a, b, c] = result.faces[f];
+      const auto& p = result.positions;
+      area[operand.values[f] == 0 ? 0 : 1] += (p[b] - p[a]).cross(p[c] - p[a]).norm() / 2;
+    }
+    CHECK(area[0] == doctest::Approx(operation == Operation::subtract ? 5.25 : 6));
+    CHECK(area[1] == doctest::Approx(operation == Operation::subtract ? 0.75 : 6));
+  }
+}
+
+TEST_CASE("a sheet is cut by the surface of a solid") {
+  Mesh sheet = test::moved(test::scaled(test::grid(3), 4), Vec3(-1, -1, 0.5));
+  const Mesh cube = test::cuboid(Vec3::Zero(), Vec3(2, 2, 1));
+  const auto area = [&](SheetSide side) {
+    return area_of(cut_sheet({&sheet, "sheet"}, {&cube, "cube"}, side).mesh);
+  };
+  CHECK(area(SheetSide::inside) == doctest::Approx(4));
+  CHECK(area(SheetSide::outside) == doctest::Approx(12));
+  for (Vec3& p : sheet.positions) p.z() = 3;
+  CHECK(area(SheetSide::inside) == 0);
+  CHECK(area(SheetSide::outside) == doctest::Approx(16));
+}
+
+}  // namespace transformesh
