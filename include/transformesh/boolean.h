@@ -2,9 +2,9 @@
 /// difference, in one arrangement of all operands. An operand is the solid { p : w(p) >= 1 }, w
 /// being its own winding number, so it may overlap itself, be nested, touch or equal others.
 ///
-/// Guarantees: the result is closed, oriented outwards and manifold, and the boundary of exactly
-/// that region, without membranes or faces that touch from both sides; rounded to `coordinate`, it
-/// has no self-intersection and no face without area. Where operands do not meet, faces keep
+/// Guarantees: the result is closed, oriented outwards and manifold. It is the boundary of exactly
+/// that region, without walls of no thickness. Rounded to `coordinate`, it has no self-intersection
+/// and no face without area. Where operands do not meet, faces keep
 /// coordinates, columns and order. Faces of subtracted operands are reversed. Every face has the
 /// columns of the operand face that it is a piece of; missing columns are zero. An empty region is
 /// an empty mesh.

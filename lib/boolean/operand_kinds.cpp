@@ -47,7 +47,7 @@ class OperandParts {
   std::vector<Index> opposites_;     ///< per halfedge within its operand; no_index at its borders
   std::vector<Index> component_of_;  ///< per face
   std::vector<Index> seeds_;         ///< the first face of each component
-  std::unordered_map<Index, std::set<Index>> copies_;  ///< of each first copy, with itself
+  std::unordered_map<Index, std::set<Index>> copies_;  ///< equal faces, by the first of them
 };
 
 // Faces of other operands at an edge do not count.

@@ -14,7 +14,7 @@ struct JoinedOperands {
   std::vector<char> is_reversed;  ///< per operand
 };
 
-/// Of a difference, all operands but the first are subtracted.
+/// A difference subtracts all operands but the first.
 JoinedOperands join_operands(BooleanOperation operation, const std::vector<Operand>& operands);
 
 /// Throws InputError, naming the operand, unless each is closed and oriented.

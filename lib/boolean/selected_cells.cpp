@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// By how much the winding number of each operand grows from the front of a piece to its back, for
-/// those where it does; ascending.
+/// The operands whose winding numbers change from the front of a piece to its back, ascending, and
+/// by how much they grow.
 using Jumps = std::vector<std::pair<Index, int>>;
 
 /// The jumps at the pieces of an arrangement. Pieces get the number of theirs as multiplicity, so

@@ -1,6 +1,6 @@
 /// Chooses the pieces between cells of space that a Boolean operation selects and cells that it
-/// does not (Zhou et al. 2016). The winding numbers of all operands are known in one cell of every
-/// connected set of pieces, from a ray, and change from cell to cell by the sources of the pieces
+/// does not (Zhou et al. 2016). A ray finds the winding numbers of all operands in one cell of
+/// every connected set of pieces. From cell to cell they change by the sources of the pieces
 /// between them. Exact. Cost: O(n log n), whatever the number of operands. Deterministic.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace transformesh {
 
-/// As PieceChooser::choose.
+/// Does what PieceChooser::choose() says.
 void choose_selected(BooleanOperation operation, const JoinedOperands& operands,
                      Arrangement& arrangement, std::vector<char>& kept);
 

@@ -1,4 +1,4 @@
-/// What programs say where faces were cut.
+/// Notes of programs that cut faces.
 #pragma once
 
 #include "frame/run.h"
@@ -6,7 +6,7 @@
 
 namespace transformesh::tool {
 
-/// What was dropped, what stayed, and what was decided by a small margin.
+/// Says on stderr what was dropped, what stayed, and what was decided by a small margin.
 void note_cleaning(const CleanResult& result, Run& run);
 
 }  // namespace transformesh::tool
