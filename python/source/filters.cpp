@@ -70,7 +70,7 @@ MeshPointer cat(const py::args& meshes) {
 
 MeshPointer boolean_of(const std::string& operation, const py::args& meshes, bool inside,
                        bool merge_flat, bool source_operand, const py::object& progress) {
-  choice("operation", operation, boolean_commands());
+  choice("operation", operation, {"union", "intersection", "difference", "xor", "cut"});
   if (meshes.empty()) throw UsageError("boolean: at least one mesh is needed");
   std::vector<Document> documents;
   std::vector<std::string> names;
