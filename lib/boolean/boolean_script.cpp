@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "boolean/local_boolean.h"
 #include "support/suggestion.h"
 #include "transformesh/errors.h"
 
@@ -45,10 +47,17 @@ ScriptLine line_of(const std::vector<std::string>& words, std::size_t number) {
   return {number, words[0], boolean_operation(words[2]), {words.begin() + 3, words.end()}};
 }
 
-/// A mesh that a line made, or that was read.
+/// A mesh that was read or that a line made, which is then a solid that can be changed in place.
 struct Value {
   Mesh mesh;
-  double displacement = 0;  ///< a bound of how far merging moved its surface
+  std::optional<EditedSolid> solid;  ///< in place of the mesh
+  double displacement = 0;           ///< a bound of how far merging moved its surface
+
+  Mesh& whole() {
+    if (solid) mesh = solid->take();
+    solid.reset();
+    return mesh;
+  }
 };
 
 class ScriptRun {
@@ -61,9 +70,10 @@ class ScriptRun {
 
  private:
   void find_last_uses();
+  bool run_in_place(const ScriptLine& line);
   Value run_line(std::size_t at);
-  Value run_named_line(std::size_t at);
-  const Value& value_of(const std::string& name);
+  void run_named_line(std::size_t at);
+  Value& value_of(const std::string& name);
   void drop_unused(std::size_t at);
 
   const std::vector<ScriptLine>& lines_;
@@ -80,10 +90,29 @@ void ScriptRun::find_last_uses() {
     for (const std::string& operand : lines_[at].operands) last_use_[operand] = at;
 }
 
-const Value& ScriptRun::value_of(const std::string& name) {
+Value& ScriptRun::value_of(const std::string& name) {
   const auto known = values_.find(name);
   if (known != values_.end()) return known->second;
-  return values_.emplace(name, Value{read_(name)}).first->second;
+  return values_.emplace(name, Value{read_(name), {}, 0}).first->second;
+}
+
+// If a line changes the result of an earlier one by one operand, and not by itself.
+bool ScriptRun::run_in_place(const ScriptLine& line) {
+  const bool can_be =
+      line.operation == BooleanOperation::unite || line.operation == BooleanOperation::subtract;
+  const std::vector<std::string>& names = line.operands;
+  if (!can_be || names.size() != 2 || names[0] != line.result || names[1] == names[0]) return false;
+  Value& changed = value_of(names[0]);
+  if (!changed.solid) return false;
+  Value& other = value_of(names[1]);
+  const std::optional<LocalBooleanResult> made =
+      combine_in_place(line.operation, *changed.solid, other.whole(), options_);
+  if (!made) return false;
+  result_.pairs += made->pairs;
+  changed.displacement =
+      std::max(changed.displacement, other.displacement) + made->merge_displacement;
+  ++result_.in_place;
+  return true;
 }
 
 Value ScriptRun::run_line(std::size_t at) {
@@ -91,22 +120,24 @@ Value ScriptRun::run_line(std::size_t at) {
   std::vector<Operand> operands;
   double displacement = 0;
   for (const std::string& name : line.operands) {
-    const Value& value = value_of(name);
-    operands.push_back({&value.mesh, name});
+    Value& value = value_of(name);
+    operands.push_back({&value.whole(), name});
     displacement = std::max(displacement, value.displacement);
   }
   CleanResult made = boolean(line.operation, operands, options_);
   result_.pairs += made.pairs;
   result_.rounding_repairs += made.rounding_repairs;
-  return {std::move(made.mesh), displacement + made.merge_displacement};
+  return {{}, EditedSolid(std::move(made.mesh)), displacement + made.merge_displacement};
 }
 
-Value ScriptRun::run_named_line(std::size_t at) {
+void ScriptRun::run_named_line(std::size_t at) {
   const auto in_this_line = [&](const Error& error) {
     return in_line(lines_[at].number, error.what());
   };
   try {
-    return run_line(at);
+    if (run_in_place(lines_[at])) return;
+    Value made = run_line(at);
+    values_.insert_or_assign(lines_[at].result, std::move(made));
   } catch (const GoalError& error) {
     throw GoalError(error.kind(), in_this_line(error), error.data());
   } catch (const InputError& error) {
@@ -117,7 +148,8 @@ Value ScriptRun::run_named_line(std::size_t at) {
 void ScriptRun::drop_unused(std::size_t at) {
   std::erase_if(values_, [&](const auto& value) {
     const auto use = last_use_.find(value.first);
-    return use == last_use_.end() || use->second <= at;
+    const bool is_used = use != last_use_.end() && use->second > at;
+    return !is_used && value.first != lines_[at].result;
   });
 }
 
@@ -125,15 +157,12 @@ ScriptResult ScriptRun::run() {
   find_last_uses();
   for (std::size_t at = 0; at < lines_.size(); ++at) {
     progress_("combine", static_cast<double>(at) / static_cast<double>(lines_.size()));
-    Value made = run_named_line(at);
-    if (at + 1 == lines_.size()) {
-      result_.mesh = std::move(made.mesh);
-      result_.merge_displacement = made.displacement;
-      break;
-    }
+    run_named_line(at);
     drop_unused(at);
-    values_[lines_[at].result] = std::move(made);
   }
+  Value& last = values_.at(lines_.back().result);
+  result_.merge_displacement = last.displacement;
+  result_.mesh = std::move(last.whole());
   return std::move(result_);
 }
 

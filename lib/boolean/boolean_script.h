@@ -38,6 +38,7 @@ struct ScriptResult {
   Mesh mesh;
   std::size_t pairs = 0;             ///< that intersected, in all operations
   std::size_t rounding_repairs = 0;  ///< in all operations
+  std::size_t in_place = 0;          ///< operations for which a part of the mesh was enough
   double merge_displacement = 0;     ///< a bound of how far merging moved the surface, in all
 };
 

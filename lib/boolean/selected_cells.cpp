@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "boolean/operand_windings.h"
+#include "clean/exterior/angular_order.h"
 #include "clean/exterior/patches.h"
 #include "clean/exterior/ray_cast_front_winding.h"
 
@@ -21,6 +22,10 @@ class PieceJumps {
   PieceJumps(const JoinedOperands& operands, Arrangement& arrangement);
   const Jumps& of(const Piece& piece) const {
     return *numbered_[static_cast<std::size_t>(piece.multiplicity)];
+  }
+  int of_first_operand(const Piece& piece) const {
+    const Jumps& jumps = of(piece);
+    return !jumps.empty() && jumps.front().first == 0 ? jumps.front().second : 0;
   }
 
  private:
@@ -50,9 +55,10 @@ PieceJumps::PieceJumps(const JoinedOperands& operands, Arrangement& arrangement)
 
 class SelectedCells {
  public:
-  SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
+  SelectedCells(BooleanOperation operation, const JoinedOperands& operands, FirstOperand first,
                 Arrangement& arrangement);
-  /// Per side of a patch (patches.h): whether its cell is selected.
+  /// Per side of a patch (patches.h): whether its cell is selected. Empty if a part of the first
+  /// operand does not tell.
   std::vector<char> find();
   const Patches& patches() const { return patches_; }
 
@@ -63,7 +69,10 @@ class SelectedCells {
     std::size_t next = 0;  ///< of the sides of the cell
   };
 
+  const Piece& piece_at(Index side) const;
   void cross(OperandWindings& windings, Index side, int sign) const;
+  bool is_whole_edge(std::span<const Index> halfedges) const;
+  bool can_begin_at(Index side) const;
   OperandWindings windings_at(Index side) const;
   void spread_from(Index side);
   void enter(Index cell, const OperandWindings& windings);
@@ -72,6 +81,7 @@ class SelectedCells {
 
   BooleanOperation operation_;
   const JoinedOperands& operands_;
+  FirstOperand first_;
   Arrangement& arrangement_;
   PieceJumps jumps_;
   Patches patches_;
@@ -83,14 +93,18 @@ class SelectedCells {
 };
 
 SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
-                             Arrangement& arrangement)
+                             FirstOperand first, Arrangement& arrangement)
     : operation_(operation),
       operands_(operands),
+      first_(first),
       arrangement_(arrangement),
       jumps_(operands, arrangement),
       patches_(arrangement),
       ray_(*arrangement.welded, patches_.size()) {
-  DisjointSets sides = join_sides_around_edges(arrangement, patches_);
+  IsWholeEdge is_whole;
+  if (first == FirstOperand::part)
+    is_whole = [this](std::span<const Index> halfedges) { return is_whole_edge(halfedges); };
+  DisjointSets sides = join_sides_around_edges(arrangement, patches_, is_whole);
   sides_.resize(2 * patches_.size());
   for (Index side = 0; side < sides_.size(); ++side) {
     cell_of_.push_back(sides.find(side));
@@ -101,18 +115,39 @@ SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& o
 
 // From the cell on that side of a patch to the cell on its other side, or back.
 void SelectedCells::cross(OperandWindings& windings, Index side, int sign) const {
-  const Piece& piece = arrangement_.pieces[patches_.pieces[side / 2].front()];
+  const Piece& piece = piece_at(side);
   const int direction = side % 2 == 0 ? sign : -sign;
   for (const auto& [operand, jump] : jumps_.of(piece)) windings.change(operand, direction * jump);
 }
 
+const Piece& SelectedCells::piece_at(Index side) const {
+  return arrangement_.pieces[patches_.pieces[side / 2].front()];
+}
+
+// Not so at the borders of a part.
+bool SelectedCells::is_whole_edge(std::span<const Index> halfedges) const {
+  int sum = 0;
+  for (const Index h : halfedges) {
+    const int jump = jumps_.of_first_operand(arrangement_.pieces[h / 3]);
+    sum += is_forward(arrangement_.pieces, h) ? jump : -jump;
+  }
+  return sum == 0;
+}
+
+bool SelectedCells::can_begin_at(Index side) const {
+  return first_ == FirstOperand::whole || jumps_.of_first_operand(piece_at(side)) != 0;
+}
+
 OperandWindings SelectedCells::windings_at(Index side) const {
   OperandWindings windings(operation_, operands_.is_reversed.size());
-  const Piece& piece = arrangement_.pieces[patches_.pieces[side / 2].front()];
+  const Piece& piece = piece_at(side);
+  const bool is_part = first_ == FirstOperand::part;
   for (const FaceCrossing& crossing : ray_.crossings_in_front_of(arrangement_, piece)) {
     const Index operand = operands_.operand_of[arrangement_.welded->face_of[crossing.face]];
+    if (is_part && operand == 0) continue;
     windings.change(operand, operands_.is_reversed[operand] ? -crossing.winding : crossing.winding);
   }
+  if (is_part && jumps_.of_first_operand(piece) < 0) windings.change(0, 1);
   if (side % 2 == 1) cross(windings, side - 1, 1);
   return windings;
 }
@@ -145,19 +180,25 @@ void SelectedCells::spread_from(Index side) {
 
 std::vector<char> SelectedCells::find() {
   for (Index side = 0; side < sides_.size(); ++side)
-    if (is_selected_[cell_of_[side]] == unknown) spread_from(side);
+    if (is_selected_[cell_of_[side]] == unknown && can_begin_at(side)) spread_from(side);
   std::vector<char> of_side;
   of_side.reserve(sides_.size());
-  for (const Index cell : cell_of_) of_side.push_back(is_selected_[cell]);
+  for (const Index cell : cell_of_) {
+    if (is_selected_[cell] == unknown) return {};
+    of_side.push_back(is_selected_[cell]);
+  }
   return of_side;
 }
 
 }  // namespace
 
-void choose_selected(BooleanOperation operation, const JoinedOperands& operands,
+bool choose_selected(BooleanOperation operation, const JoinedOperands& operands, FirstOperand first,
                      Arrangement& arrangement, std::vector<char>& kept) {
-  SelectedCells cells(operation, operands, arrangement);
-  keep_boundary(arrangement, cells.patches(), cells.find(), kept);
+  SelectedCells cells(operation, operands, first, arrangement);
+  const std::vector<char> is_selected = cells.find();
+  if (is_selected.empty() && cells.patches().size() > 0) return false;
+  keep_boundary(arrangement, cells.patches(), is_selected, kept);
+  return true;
 }
 
 }  // namespace transformesh

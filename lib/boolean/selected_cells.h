@@ -9,8 +9,13 @@
 
 namespace transformesh {
 
-/// Does what PieceChooser::choose() says.
-void choose_selected(BooleanOperation operation, const JoinedOperands& operands,
+/// What the arrangement has of the first operand: all faces, or a part of a solid without
+/// intersections. In front of such faces it has the winding number 0, behind them 1.
+enum class FirstOperand { whole, part };
+
+/// Does what PieceChooser::choose() says. Returns false if a part does not tell whether pieces are
+/// to be chosen: nothing connects them with a face of the part.
+bool choose_selected(BooleanOperation operation, const JoinedOperands& operands, FirstOperand first,
                      Arrangement& arrangement, std::vector<char>& kept);
 
 }  // namespace transformesh

@@ -35,6 +35,7 @@ void run_script(const Choices& choices, tool::Run& run) {
   run.document().mesh = std::move(result.mesh);
   add_planarity(run.document().style.comments, result.merge_displacement);
   run.report({{"operations", lines.size()},
+              {"in_place", result.in_place},
               {"pairs", result.pairs},
               {"rounding_repairs", result.rounding_repairs},
               {"merge_displacement", result.merge_displacement}});

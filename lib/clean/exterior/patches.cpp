@@ -55,7 +55,8 @@ void Patches::collect_patch(Index first, const std::vector<Index>& neighbor) {
 
 // Joins the facing sides of neighbors in angular order, as between them lies one cell. So the two
 // sides of a patch become one around a free border.
-DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches) {
+DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches,
+                                     const IsWholeEdge& is_whole) {
   DisjointSets sides(2 * patches.size());
   std::vector<char> counts(arrangement.pieces.size());
   for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = patches.patch_of[p] != no_index;
@@ -68,6 +69,7 @@ DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patch
         forward(halfedges[0]) != forward(halfedges[1])) {
       continue;
     }
+    if (is_whole && !is_whole(halfedges)) continue;
     const std::vector<Index> sorted = sort_around_edge(arrangement, halfedges);
     for (std::size_t i = 0; i < sorted.size(); ++i) {
       const Index next = sorted[(i + 1) % sorted.size()];

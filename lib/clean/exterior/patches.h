@@ -5,6 +5,7 @@
 /// geometry", ACM TOG 35(4), 2016.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,9 +31,14 @@ class Patches {
   const Arrangement& arrangement_;
 };
 
+/// Says whether the pieces at an edge, named by their halfedges, are all that there are.
+using IsWholeEdge = std::function<bool(std::span<const Index> halfedges)>;
+
 /// Joins the sides of patches that bound one cell of space beside a common edge: 2 * patch is the
-/// side in front of a patch, 2 * patch + 1 that behind it.
-DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches);
+/// side in front of a patch, 2 * patch + 1 that behind it. Edges that are not whole join nothing;
+/// without the function all edges are whole.
+DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches,
+                                     const IsWholeEdge& is_whole = {});
 
 /// Marks the pieces of patches that part what is inside from what is not, turns them so that the
 /// inside is behind them, and unmarks those of other patches. `is_inside` is per side; at a patch

@@ -239,9 +239,10 @@ MergeFlatResult FlatMerger::run(const Progress& progress) {
 }  // namespace
 
 MergeFlatResult merge_flat(Mesh& mesh, std::vector<char> wanted, double spacings, Scalar coordinate,
-                           const Progress& progress) {
+                           const Progress& progress, const std::vector<char>& fixed) {
   const std::size_t before = mesh.faces.size();
-  const std::vector<char> has_copy = find_copies(mesh);
+  std::vector<char> has_copy = find_copies(mesh);
+  for (std::size_t v = 0; v < fixed.size(); ++v) has_copy[v] = has_copy[v] | fixed[v];
   const Displacement moved = collapse_short_edges(mesh, wanted, has_copy, spacings, coordinate);
   const std::size_t collapsed = before - mesh.faces.size();
   MergeFlatResult result = FlatMerger(mesh, wanted, has_copy, spacings, coordinate).run(progress);

@@ -29,8 +29,9 @@ struct MergeFlatResult {
 };
 
 /// Merges the flat regions that hold a face marked in `wanted`: within `spacings` of the numbers of
-/// type `coordinate`, in which positions are stored.
+/// type `coordinate`, in which positions are stored. Vertices marked in `fixed` stay; it may be
+/// empty.
 MergeFlatResult merge_flat(Mesh& mesh, std::vector<char> wanted, double spacings, Scalar coordinate,
-                           const Progress& progress);
+                           const Progress& progress, const std::vector<char>& fixed = {});
 
 }  // namespace transformesh

@@ -1,0 +1,28 @@
+/// A Boolean operation in the place where a small operand meets a large solid. The faces of the
+/// solid there and all of the operand are arranged; the rest of the solid stays as it is.
+///
+/// The winding number in front of a face of the solid is 0, so that the rest need not be known. If
+/// a part does not suffice, nothing is changed: the operand meets no face of the solid, is not a
+/// simple solid or has other columns, rounding has to be repaired, or the part is a large share of
+/// the whole. Cost: that of the faces in the box around the faces that the operand's box touches,
+/// and a scan of the boxes of all faces. Exact as boolean() is; deterministic.
+#pragma once
+
+#include <optional>
+
+#include "boolean/edited_solid.h"
+#include "transformesh/boolean.h"
+
+namespace transformesh {
+
+struct LocalBooleanResult {
+  std::size_t pairs = 0;          ///< that intersected
+  double merge_displacement = 0;  ///< a bound of how far merging moved the surface
+};
+
+/// `operation` is unite or subtract. The solid is a result of boolean().
+std::optional<LocalBooleanResult> combine_in_place(BooleanOperation operation, EditedSolid& solid,
+                                                   const Mesh& operand,
+                                                   const BooleanOptions& options);
+
+}  // namespace transformesh
