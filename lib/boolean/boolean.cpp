@@ -29,7 +29,7 @@ class SolidChooser : public PieceChooser {
   void mark_open(WeldedMesh& /*welded*/) const override {}
   bool is_level_set(const WeldedMesh& welded, const std::vector<Meeting>& meetings) const override;
   void choose(Arrangement& arrangement, std::vector<char>& kept) const override {
-    choose_selected(operation_, joined_, FirstOperand::whole, arrangement, kept);
+    choose_selected(operation_, joined_, WindingAt(), arrangement, kept);
   }
 
  private:

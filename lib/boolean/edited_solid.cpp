@@ -1,19 +1,35 @@
 #include "boolean/edited_solid.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "geometry/axis_path.h"
 #include "mesh/triangle.h"
 #include "transformesh/components.h"
 
 namespace transformesh {
+namespace {
+
+/// Faces in a block. Of 1.5 million faces a box touches few blocks, and 23,000 are tested.
+constexpr std::size_t block_size = 64;
+
+}  // namespace
 
 EditedSolid::EditedSolid(Mesh mesh) : mesh_(std::move(mesh)) { index_faces(); }
 
 void EditedSolid::index_faces() {
   frame_ = BoxFrame(mesh_.positions);
   boxes_.clear();
-  for (const Face& face : mesh_.faces) boxes_.push_back(box_of(face));
+  blocks_.clear();
+  for (const Face& face : mesh_.faces) add_box(face);
   gone_ = 0;
+}
+
+void EditedSolid::add_box(const Face& face) {
+  if (boxes_.size() % block_size == 0) blocks_.emplace_back();
+  boxes_.push_back(box_of(face));
+  blocks_.back().extend(boxes_.back());
 }
 
 FloatBox EditedSolid::box_of(const Face& face) const {
@@ -24,9 +40,25 @@ FloatBox EditedSolid::box_of(const Face& face) const {
 std::vector<Index> EditedSolid::faces_touching(const Box& box) const {
   const FloatBox wanted = frame_.box(box.min(), box.max());
   std::vector<Index> faces;
-  for (Index f = 0; f < boxes_.size(); ++f)
-    if (boxes_[f].intersects(wanted)) faces.push_back(f);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!blocks_[b].intersects(wanted)) continue;
+    const std::size_t end = std::min(boxes_.size(), (b + 1) * block_size);
+    for (std::size_t f = b * block_size; f < end; ++f)
+      if (boxes_[f].intersects(wanted)) faces.push_back(static_cast<Index>(f));
+  }
   return faces;
+}
+
+std::optional<int> EditedSolid::winding_at(const Vec3& point) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 end = point;
+    end[axis] = std::numeric_limits<double>::infinity();
+    AxisPath path(point, end);
+    for (const Index face : faces_touching({point, end}))
+      path.add(triangle_of(mesh_.positions, mesh_.faces[face]));
+    if (path.change()) return -*path.change();
+  }
+  return std::nullopt;
 }
 
 void EditedSolid::append_vertices(const Mesh& added, std::vector<Index>& vertex_of) {
@@ -49,7 +81,7 @@ void EditedSolid::replace(const std::vector<Index>& removed, const Mesh& added,
   mesh_.face_columns.concatenate(added.face_columns, mesh_.faces.size(), added.faces.size());
   for (const auto& [a, b, c] : added.faces) {
     mesh_.faces.push_back({vertex_of[a], vertex_of[b], vertex_of[c]});
-    boxes_.push_back(box_of(mesh_.faces.back()));
+    add_box(mesh_.faces.back());
   }
   if (gone_ <= faces()) return;
   mesh_ = take();

@@ -81,7 +81,6 @@ bool LocalBoolean::find_part() {
   const Mesh& mesh = solid_.mesh();
   reach_ = bounding_box(operand_);
   const std::vector<Index> core = solid_.faces_touching(reach_);
-  if (core.empty()) return false;
   std::vector<Index> corners;
   for (const Index face : core)
     for (const Index v : mesh.faces[face]) corners.push_back(v);
@@ -136,7 +135,8 @@ std::optional<Arrangement> LocalBoolean::arranged() {
 
 bool LocalBoolean::assemble_chosen(Arrangement& arrangement) {
   kept_.assign(arrangement.pieces.size(), 0);
-  if (!choose_selected(operation_, joined_, FirstOperand::part, arrangement, kept_)) return false;
+  const WindingAt first_at = [this](const Vec3& point) { return solid_.winding_at(point); };
+  if (!choose_selected(operation_, joined_, first_at, arrangement, kept_)) return false;
   assembly_ = assemble(joined_.mesh, arrangement, kept_);
   return round_once(assembly_, options_.coordinate).places == 0;
 }

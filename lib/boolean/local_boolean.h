@@ -1,11 +1,12 @@
 /// A Boolean operation in the place where a small operand meets a large solid. The faces of the
 /// solid there and all of the operand are arranged; the rest of the solid stays as it is.
 ///
-/// The winding number in front of a face of the solid is 0, so that the rest need not be known. If
-/// a part does not suffice, nothing is changed: the operand meets no face of the solid, is not a
-/// simple solid or has other columns, rounding has to be repaired, or the part is a large share of
-/// the whole. Cost: that of the faces in the box around the faces that the operand's box touches,
-/// and a scan of the boxes of all faces. Exact as boolean() is; deterministic.
+/// The winding number in front of a face of the solid is 0, so that the rest need not be known; a
+/// ray finds that of an operand which meets no face. If a part does not suffice, nothing is
+/// changed: the operand is not a simple solid or has other columns, rounding has to be repaired, or
+/// the part is a large share of the whole. Cost: that of the faces in the box around the faces that
+/// the operand's box touches, and a scan of the boxes of all faces. Exact as boolean() is;
+/// deterministic.
 #pragma once
 
 #include <optional>

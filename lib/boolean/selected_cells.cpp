@@ -55,8 +55,8 @@ PieceJumps::PieceJumps(const JoinedOperands& operands, Arrangement& arrangement)
 
 class SelectedCells {
  public:
-  SelectedCells(BooleanOperation operation, const JoinedOperands& operands, FirstOperand first,
-                Arrangement& arrangement);
+  SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
+                const WindingAt& first_at, Arrangement& arrangement);
   /// Per side of a patch (patches.h): whether its cell is selected. Empty if a part of the first
   /// operand does not tell.
   std::vector<char> find();
@@ -72,16 +72,17 @@ class SelectedCells {
   const Piece& piece_at(Index side) const;
   void cross(OperandWindings& windings, Index side, int sign) const;
   bool is_whole_edge(std::span<const Index> halfedges) const;
-  bool can_begin_at(Index side) const;
-  OperandWindings windings_at(Index side) const;
-  void spread_from(Index side);
+  std::optional<int> first_at_patch(Index patch) const;
+  std::optional<int> first_in_front_of(Index patch) const;
+  std::optional<OperandWindings> windings_at(Index side) const;
+  bool spread_from(Index side);
   void enter(Index cell, const OperandWindings& windings);
 
   static constexpr char unknown = 2;
 
   BooleanOperation operation_;
   const JoinedOperands& operands_;
-  FirstOperand first_;
+  const WindingAt& first_at_;  ///< null if the first operand is whole
   Arrangement& arrangement_;
   PieceJumps jumps_;
   Patches patches_;
@@ -93,16 +94,16 @@ class SelectedCells {
 };
 
 SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
-                             FirstOperand first, Arrangement& arrangement)
+                             const WindingAt& first_at, Arrangement& arrangement)
     : operation_(operation),
       operands_(operands),
-      first_(first),
+      first_at_(first_at),
       arrangement_(arrangement),
       jumps_(operands, arrangement),
       patches_(arrangement),
       ray_(*arrangement.welded, patches_.size()) {
   IsWholeEdge is_whole;
-  if (first == FirstOperand::part)
+  if (first_at)
     is_whole = [this](std::span<const Index> halfedges) { return is_whole_edge(halfedges); };
   DisjointSets sides = join_sides_around_edges(arrangement, patches_, is_whole);
   sides_.resize(2 * patches_.size());
@@ -134,20 +135,36 @@ bool SelectedCells::is_whole_edge(std::span<const Index> halfedges) const {
   return sum == 0;
 }
 
-bool SelectedCells::can_begin_at(Index side) const {
-  return first_ == FirstOperand::whole || jumps_.of_first_operand(piece_at(side)) != 0;
+// The first operand does not meet the patch: the number is the same at all of its corners.
+std::optional<int> SelectedCells::first_at_patch(Index patch) const {
+  const std::size_t given = arrangement_.welded->points.size();
+  for (const Index piece : patches_.pieces[patch])
+    for (const Index corner : arrangement_.pieces[piece].corners) {
+      if (corner >= given) continue;
+      if (const auto winding = first_at_(arrangement_.welded->points[corner])) return winding;
+    }
+  return std::nullopt;
 }
 
-OperandWindings SelectedCells::windings_at(Index side) const {
+std::optional<int> SelectedCells::first_in_front_of(Index patch) const {
+  const int jump = jumps_.of_first_operand(piece_at(2 * patch));
+  if (jump == 0) return first_at_patch(patch);
+  return jump > 0 ? 0 : 1;
+}
+
+std::optional<OperandWindings> SelectedCells::windings_at(Index side) const {
   OperandWindings windings(operation_, operands_.is_reversed.size());
   const Piece& piece = piece_at(side);
-  const bool is_part = first_ == FirstOperand::part;
   for (const FaceCrossing& crossing : ray_.crossings_in_front_of(arrangement_, piece)) {
     const Index operand = operands_.operand_of[arrangement_.welded->face_of[crossing.face]];
-    if (is_part && operand == 0) continue;
+    if (first_at_ && operand == 0) continue;
     windings.change(operand, operands_.is_reversed[operand] ? -crossing.winding : crossing.winding);
   }
-  if (is_part && jumps_.of_first_operand(piece) < 0) windings.change(0, 1);
+  if (first_at_) {
+    const std::optional<int> first = first_in_front_of(side / 2);
+    if (!first) return std::nullopt;
+    windings.change(0, *first);
+  }
   if (side % 2 == 1) cross(windings, side - 1, 1);
   return windings;
 }
@@ -158,8 +175,10 @@ void SelectedCells::enter(Index cell, const OperandWindings& windings) {
 
 // Depth first, so that one set of winding numbers is enough: on the way back, what the way there
 // changed is taken back.
-void SelectedCells::spread_from(Index side) {
-  OperandWindings windings = windings_at(side);
+bool SelectedCells::spread_from(Index side) {
+  std::optional<OperandWindings> begin = windings_at(side);
+  if (!begin) return false;
+  OperandWindings& windings = *begin;
   enter(cell_of_[side], windings);
   way_.push_back({cell_of_[side], no_index});
   while (!way_.empty()) {
@@ -176,25 +195,28 @@ void SelectedCells::spread_from(Index side) {
     enter(beyond, windings);
     way_.push_back({beyond, through});
   }
+  return true;
 }
 
+// Patches of the first operand come first, as no ray has to be cast there.
 std::vector<char> SelectedCells::find() {
-  for (Index side = 0; side < sides_.size(); ++side)
-    if (is_selected_[cell_of_[side]] == unknown && can_begin_at(side)) spread_from(side);
   std::vector<char> of_side;
-  of_side.reserve(sides_.size());
-  for (const Index cell : cell_of_) {
-    if (is_selected_[cell] == unknown) return {};
-    of_side.push_back(is_selected_[cell]);
+  for (Index side = 0; side < sides_.size(); ++side) {
+    const bool is_known = !first_at_ || jumps_.of_first_operand(piece_at(side)) != 0;
+    if (is_known && is_selected_[cell_of_[side]] == unknown) spread_from(side);
   }
+  for (Index side = 0; side < sides_.size(); ++side)
+    if (is_selected_[cell_of_[side]] == unknown && !spread_from(side)) return {};
+  of_side.reserve(sides_.size());
+  for (const Index cell : cell_of_) of_side.push_back(is_selected_[cell]);
   return of_side;
 }
 
 }  // namespace
 
-bool choose_selected(BooleanOperation operation, const JoinedOperands& operands, FirstOperand first,
-                     Arrangement& arrangement, std::vector<char>& kept) {
-  SelectedCells cells(operation, operands, first, arrangement);
+bool choose_selected(BooleanOperation operation, const JoinedOperands& operands,
+                     const WindingAt& first_at, Arrangement& arrangement, std::vector<char>& kept) {
+  SelectedCells cells(operation, operands, first_at, arrangement);
   const std::vector<char> is_selected = cells.find();
   if (is_selected.empty() && cells.patches().size() > 0) return false;
   keep_boundary(arrangement, cells.patches(), is_selected, kept);

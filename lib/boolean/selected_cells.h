@@ -4,18 +4,21 @@
 /// between them. Exact. Cost: O(n log n), whatever the number of operands. Deterministic.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "boolean/operands.h"
 #include "clean/arrange/arrange.h"
 
 namespace transformesh {
 
-/// What the arrangement has of the first operand: all faces, or a part of a solid without
-/// intersections. In front of such faces it has the winding number 0, behind them 1.
-enum class FirstOperand { whole, part };
+/// The winding number at a point of a solid of which the arrangement has a part only. Empty near
+/// the surface. In front of faces of a solid that number is 0, and 1 behind them.
+using WindingAt = std::function<std::optional<int>(const Vec3& point)>;
 
-/// Does what PieceChooser::choose() says. Returns false if a part does not tell whether pieces are
-/// to be chosen: nothing connects them with a face of the part.
-bool choose_selected(BooleanOperation operation, const JoinedOperands& operands, FirstOperand first,
-                     Arrangement& arrangement, std::vector<char>& kept);
+/// Does what PieceChooser::choose() says. If `first_at` is given, the first operand is part of a
+/// solid. Returns false if it does not tell a winding number that is needed.
+bool choose_selected(BooleanOperation operation, const JoinedOperands& operands,
+                     const WindingAt& first_at, Arrangement& arrangement, std::vector<char>& kept);
 
 }  // namespace transformesh

@@ -16,7 +16,7 @@ std::array<double, 6> chosen_areas(BooleanOperation operation, const std::vector
   const auto welded = std::make_shared<WeldedMesh>(weld(joined.mesh));
   Arrangement arrangement = arrange(welded, find_meetings(*welded, Progress()), Progress());
   std::vector<char> kept(arrangement.pieces.size(), 0);
-  choose_selected(operation, joined, FirstOperand::whole, arrangement, kept);
+  choose_selected(operation, joined, WindingAt(), arrangement, kept);
   std::array<double, 6> areas{};
   for (std::size_t p = 0; p < kept.size(); ++p) {
     const auto& [a, b, c] = arrangement.pieces[p].corners;
