@@ -43,15 +43,17 @@ struct BooleanOptions {
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
 };
 
+struct BooleanResult : CleanResult {
+  std::vector<std::size_t> empty_operands{};  ///< those that enclose nothing: inside out
+};
+
 /// The counts are of all operands together. `operands` is not empty.
-CleanResult boolean(BooleanOperation operation, const std::vector<Operand>& operands,
-                    const BooleanOptions& options = {}, const Progress& progress = Progress());
+BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& operands,
+                      const BooleanOptions& options = {}, const Progress& progress = Progress());
 
-/// Part of an open sheet that cut_sheet() keeps.
 enum class SheetSide { outside, inside };
-
-/// The part of a sheet outside or inside of a solid, cut along the surface of the solid. The sheet
-/// may intersect itself and is not cleaned. Throws as boolean() does, for the solid.
+/// The part of a sheet outside or inside of a solid, cut along the surface of the solid. Throws as
+/// boolean() does, for the solid.
 CleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,
                       const BooleanOptions& options = {}, const Progress& progress = Progress());
 

@@ -23,19 +23,20 @@ constexpr std::array empty_region_kinds{ErrorKind::no_positive_winding, ErrorKin
 class SolidChooser : public PieceChooser {
  public:
   SolidChooser(BooleanOperation operation, const std::vector<Operand>& operands,
-               const JoinedOperands& joined)
-      : operation_(operation), operands_(operands), joined_(joined) {}
+               const JoinedOperands& joined, std::vector<char>& encloses)
+      : operation_(operation), operands_(operands), joined_(joined), encloses_(encloses) {}
 
   void mark_open(WeldedMesh& /*welded*/) const override {}
   bool is_level_set(const WeldedMesh& welded, const std::vector<Meeting>& meetings) const override;
   void choose(Arrangement& arrangement, std::vector<char>& kept) const override {
-    choose_selected(operation_, joined_, WindingAt(), arrangement, kept);
+    encloses_ = choose_selected(operation_, joined_, WindingAt(), arrangement, kept).encloses;
   }
 
  private:
   BooleanOperation operation_;
   const std::vector<Operand>& operands_;
   const JoinedOperands& joined_;
+  std::vector<char>& encloses_;  ///< per operand; set when pieces are chosen
 };
 
 // The sum of winding numbers is at least 1 where any is, if none is negative. It reaches the number
@@ -116,19 +117,27 @@ CleanResult clean_joined(JoinedOperands& joined, const PieceChooser& chooser, in
 
 }  // namespace
 
-CleanResult boolean(BooleanOperation operation, const std::vector<Operand>& operands,
-                    const BooleanOptions& options, const Progress& progress) {
+BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& operands,
+                      const BooleanOptions& options, const Progress& progress) {
   JoinedOperands joined = join_operands(operation, operands);
-  if (joined.mesh.faces.empty()) return {.mesh = std::move(joined.mesh)};
+  BooleanResult result;
+  if (joined.mesh.faces.empty()) {
+    result.mesh = std::move(joined.mesh);
+    return result;
+  }
   const bool intersects = operation == BooleanOperation::intersect;
-  const SolidChooser chooser(operation, operands, joined);
+  std::vector<char> encloses(operands.size(), 1);
+  const SolidChooser chooser(operation, operands, joined, encloses);
   try {
-    return clean_joined(joined, chooser, intersects ? static_cast<int>(operands.size()) : 1,
-                        options, progress);
+    static_cast<CleanResult&>(result) = clean_joined(
+        joined, chooser, intersects ? static_cast<int>(operands.size()) : 1, options, progress);
   } catch (const InputError&) {
     check_solids(operands);  // which names the operand
     throw;
   }
+  for (std::size_t i = 0; i < operands.size(); ++i)
+    if (!encloses[i] && !operands[i].mesh->faces.empty()) result.empty_operands.push_back(i);
+  return result;
 }
 
 CleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,

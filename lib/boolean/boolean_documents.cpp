@@ -11,13 +11,13 @@ namespace {
 
 constexpr const char* cut_command = "cut";
 
-CleanResult combine(const std::string& command, SheetSide side,
-                    const std::vector<Operand>& operands, const BooleanOptions& options,
-                    const Progress& progress) {
+BooleanResult combine(const std::string& command, SheetSide side,
+                      const std::vector<Operand>& operands, const BooleanOptions& options,
+                      const Progress& progress) {
   if (command != cut_command)
     return boolean(boolean_operation(command), operands, options, progress);
   if (operands.size() != 2) throw UsageError("cut needs two meshes: a sheet and a solid");
-  return cut_sheet(operands[0], operands[1], side, options, progress);
+  return {cut_sheet(operands[0], operands[1], side, options, progress), {}};
 }
 
 void clear_rows(Mesh& mesh) {
@@ -48,7 +48,9 @@ DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
     operands.push_back({&documents[i].mesh, names[i]});
     if (documents[i].style.coordinate == Scalar::float64) options.coordinate = Scalar::float64;
   }
-  DocumentsBoolean combined{combine(command, side, operands, options, progress), {}};
+  DocumentsBoolean combined{combine(command, side, operands, options, progress), {}, {}};
+  for (const std::size_t i : combined.result.empty_operands)
+    combined.problems.push_back(enclosing_nothing(names[i]));
   for (Document& document : documents) clear_rows(document.mesh);
   for (std::size_t i = 1; i < documents.size(); ++i)
     for (std::string& line : append(documents[0], documents[i]))

@@ -7,6 +7,7 @@
 
 #include "transformesh/boolean.h"
 #include "transformesh/document.h"
+#include "transformesh/errors.h"
 
 namespace transformesh {
 
@@ -15,7 +16,8 @@ namespace transformesh {
 const std::vector<std::string>& boolean_commands();
 
 struct DocumentsBoolean {
-  CleanResult result;              ///< without the mesh
+  BooleanResult result;            ///< without the mesh
+  std::vector<Problem> problems;   ///< operands that enclose nothing
   std::vector<std::string> notes;  ///< lines that append() returns
 };
 

@@ -124,7 +124,9 @@ Value ScriptRun::run_line(std::size_t at) {
     operands.push_back({&value.whole(), name});
     displacement = std::max(displacement, value.displacement);
   }
-  CleanResult made = boolean(line.operation, operands, options_);
+  BooleanResult made = boolean(line.operation, operands, options_);
+  for (const std::size_t i : made.empty_operands)
+    result_.problems.push_back(enclosing_nothing(in_line(line.number, line.operands[i])));
   result_.pairs += made.pairs;
   result_.rounding_repairs += made.rounding_repairs;
   return {{}, EditedSolid(std::move(made.mesh)), displacement + made.merge_displacement};
@@ -176,6 +178,10 @@ const std::vector<std::string>& boolean_operation_names() {
 BooleanOperation boolean_operation(std::string_view name) {
   const std::vector<std::string>& names = boolean_operation_names();
   return static_cast<BooleanOperation>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+Problem enclosing_nothing(const std::string& name) {
+  return {ErrorKind::inside_out, name + " encloses nothing: its faces look inwards"};
 }
 
 std::vector<ScriptLine> parse_boolean_script(std::string_view text) {

@@ -136,7 +136,7 @@ std::optional<Arrangement> LocalBoolean::arranged() {
 bool LocalBoolean::assemble_chosen(Arrangement& arrangement) {
   kept_.assign(arrangement.pieces.size(), 0);
   const WindingAt first_at = [this](const Vec3& point) { return solid_.winding_at(point); };
-  if (!choose_selected(operation_, joined_, first_at, arrangement, kept_)) return false;
+  if (!choose_selected(operation_, joined_, first_at, arrangement, kept_).is_known) return false;
   assembly_ = assemble(joined_.mesh, arrangement, kept_);
   return round_once(assembly_, options_.coordinate).places == 0;
 }

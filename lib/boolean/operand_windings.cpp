@@ -8,6 +8,7 @@ void OperandWindings::change(Index operand, int by) {
   winding += by;
   const bool is_inside = winding >= 1;
   if (is_inside && !was_inside) ++inside_of_;
+  if (is_inside) encloses_[operand] = 1;
   if (was_inside && !is_inside) --inside_of_;
 }
 

@@ -61,6 +61,8 @@ class SelectedCells {
   /// operand does not tell.
   std::vector<char> find();
   const Patches& patches() const { return patches_; }
+  /// Per operand, once the sides are found.
+  const std::vector<char>& encloses() const { return encloses_; }
 
  private:
   struct Step {
@@ -90,6 +92,7 @@ class SelectedCells {
   std::vector<Index> cell_of_;             ///< per side
   std::vector<std::vector<Index>> sides_;  ///< per cell, which is named by one of its sides
   std::vector<char> is_selected_;          ///< per cell, or unknown
+  std::vector<char> encloses_;             ///< per operand
   std::vector<Step> way_;                  ///< from the first cell to the one just entered
 };
 
@@ -101,7 +104,8 @@ SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& o
       arrangement_(arrangement),
       jumps_(operands, arrangement),
       patches_(arrangement),
-      ray_(*arrangement.welded, patches_.size()) {
+      ray_(*arrangement.welded, patches_.size()),
+      encloses_(operands.is_reversed.size(), 0) {
   IsWholeEdge is_whole;
   if (first_at)
     is_whole = [this](std::span<const Index> halfedges) { return is_whole_edge(halfedges); };
@@ -155,11 +159,13 @@ std::optional<int> SelectedCells::first_in_front_of(Index patch) const {
 std::optional<OperandWindings> SelectedCells::windings_at(Index side) const {
   OperandWindings windings(operation_, operands_.is_reversed.size());
   const Piece& piece = piece_at(side);
+  std::map<Index, int> sums;
   for (const FaceCrossing& crossing : ray_.crossings_in_front_of(arrangement_, piece)) {
     const Index operand = operands_.operand_of[arrangement_.welded->face_of[crossing.face]];
     if (first_at_ && operand == 0) continue;
-    windings.change(operand, operands_.is_reversed[operand] ? -crossing.winding : crossing.winding);
+    sums[operand] += operands_.is_reversed[operand] ? -crossing.winding : crossing.winding;
   }
+  for (const auto& [operand, sum] : sums) windings.change(operand, sum);
   if (first_at_) {
     const std::optional<int> first = first_in_front_of(side / 2);
     if (!first) return std::nullopt;
@@ -195,6 +201,7 @@ bool SelectedCells::spread_from(Index side) {
     enter(beyond, windings);
     way_.push_back({beyond, through});
   }
+  for (std::size_t i = 0; i < encloses_.size(); ++i) encloses_[i] |= windings.encloses()[i];
   return true;
 }
 
@@ -214,13 +221,14 @@ std::vector<char> SelectedCells::find() {
 
 }  // namespace
 
-bool choose_selected(BooleanOperation operation, const JoinedOperands& operands,
-                     const WindingAt& first_at, Arrangement& arrangement, std::vector<char>& kept) {
+Selection choose_selected(BooleanOperation operation, const JoinedOperands& operands,
+                          const WindingAt& first_at, Arrangement& arrangement,
+                          std::vector<char>& kept) {
   SelectedCells cells(operation, operands, first_at, arrangement);
   const std::vector<char> is_selected = cells.find();
-  if (is_selected.empty() && cells.patches().size() > 0) return false;
-  keep_boundary(arrangement, cells.patches(), is_selected, kept);
-  return true;
+  const bool is_known = !is_selected.empty() || cells.patches().size() == 0;
+  if (is_known) keep_boundary(arrangement, cells.patches(), is_selected, kept);
+  return {is_known, cells.encloses()};
 }
 
 }  // namespace transformesh

@@ -16,9 +16,15 @@ namespace transformesh {
 /// the surface. In front of faces of a solid that number is 0, and 1 behind them.
 using WindingAt = std::function<std::optional<int>(const Vec3& point)>;
 
+struct Selection {
+  bool is_known = true;          ///< false if `first_at` did not tell a winding number
+  std::vector<char> encloses{};  ///< per operand: it has w >= 1 somewhere
+};
+
 /// Does what PieceChooser::choose() says. If `first_at` is given, the first operand is part of a
-/// solid. Returns false if it does not tell a winding number that is needed.
-bool choose_selected(BooleanOperation operation, const JoinedOperands& operands,
-                     const WindingAt& first_at, Arrangement& arrangement, std::vector<char>& kept);
+/// solid.
+Selection choose_selected(BooleanOperation operation, const JoinedOperands& operands,
+                          const WindingAt& first_at, Arrangement& arrangement,
+                          std::vector<char>& kept);
 
 }  // namespace transformesh

@@ -1,4 +1,6 @@
-/// Functions that make a mesh from others: clean, stitch, cat, boolean, displace, offset, shape, intersect.
+/// Functions that make a mesh from others: clean, stitch, cat, boolean, displace, offset, shape,
+/// intersect.
+#include "advice.h"
 #include "arguments.h"
 #include "boolean/boolean_documents.h"
 #include "call.h"
@@ -82,8 +84,8 @@ MeshPointer boolean_of(const std::string& operation, const py::args& meshes, boo
   const DocumentsBoolean combined = without_lock(progress, [&](const Progress& to) {
     return combine_documents(operation, side, documents, names, {merge_flat, source_operand}, to);
   });
-  for (const std::string& note : combined.notes)
-    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+  warn(with_advice(combined.problems));
+  warn(combined.notes);
   Entries report{{"operands", names.size()}};
   append(report, entries_of(combined.result));
   return mesh_of(std::move(documents[0]), report);

@@ -100,6 +100,18 @@ volume_of() {
   [ "$(tm-info --get faces result.ply)" = 0 ]
 }
 
+@test "a mesh that is inside out encloses nothing, which a note says" {
+  cube 0 3 >a.off
+  cube 1 2 | tm-stitch --flip -o b.off
+  run --separate-stderr tm-boolean difference a.off b.off -o result.ply
+  [ "$status" -eq 0 ]
+  [ "$stderr" = "tm-boolean: b.off encloses nothing: its faces look inwards; reverse it with tm-stitch --flip" ]
+  [ "$(tm-info --get volume result.ply)" = 27 ]
+  echo "c = difference a.off b.off" >steps.txt
+  run --separate-stderr tm-boolean --script steps.txt -o result.ply
+  [[ $stderr = "tm-boolean: line 1 of the script: b.off encloses nothing: "* ]]
+}
+
 @test "a mesh with borders is refused by its name" {
   cube 0 1 >a.off
   sed -e 's/^8 12 0$/8 11 0/' -e '$d' a.off >"open =1.off"

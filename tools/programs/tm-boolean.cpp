@@ -22,6 +22,7 @@ void combine_inputs(const Choices& choices, tool::Run& run) {
   const DocumentsBoolean combined =
       combine_documents(run.program().word, choices.inside ? SheetSide::inside : SheetSide::outside,
                         run.in().documents(), run.in().names(), choices.options, run.progress());
+  for (const Problem& problem : combined.problems) run.say().note(problem);
   for (const std::string& line : combined.notes) run.note(line);
   tool::note_cleaning(combined.result, run);
   run.report("operands", run.in().names().size());
@@ -32,6 +33,7 @@ void run_script(const Choices& choices, tool::Run& run) {
   const std::vector<ScriptLine> lines = parse_boolean_script(run.in().read_bytes(choices.script));
   const auto read = [&](const std::string& file) { return run.in().read(file).mesh; };
   ScriptResult result = run_boolean_script(lines, read, choices.options, run.progress());
+  for (const Problem& problem : result.problems) run.say().note(problem);
   run.document().mesh = std::move(result.mesh);
   add_planarity(run.document().style.comments, result.merge_displacement);
   run.report({{"operations", lines.size()},

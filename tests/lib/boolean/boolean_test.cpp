@@ -18,8 +18,8 @@ namespace {
 
 using Operation = BooleanOperation;
 
-CleanResult combine(Operation operation, const std::vector<Mesh>& meshes,
-                    BooleanOptions options = {}) {
+BooleanResult combine(Operation operation, const std::vector<Mesh>& meshes,
+                      BooleanOptions options = {}) {
   std::vector<Operand> operands;
   for (const Mesh& mesh : meshes)
     operands.push_back({&mesh, "operand " + std::to_string(operands.size())});
@@ -162,7 +162,12 @@ TEST_CASE("a body inside another is cut out, and one inside out is empty") {
   CHECK(test::signed_volume(combine(Operation::exclude, {small, large}).mesh) == 26);
   CHECK(test::signed_volume(combine(Operation::subtract, {large, small}).mesh) == 26);
   CHECK(combine(Operation::subtract, {small, large}).mesh.faces.empty());
-  CHECK(combine(Operation::unite, {test::reversed(large)}).mesh.faces.empty());
+  const BooleanResult nothing = combine(Operation::unite, {test::reversed(large)});
+  CHECK(nothing.mesh.faces.empty());
+  CHECK(nothing.empty_operands == std::vector<std::size_t>{0});
+  CHECK(combine(Operation::subtract, {large, test::reversed(small)}).empty_operands ==
+        std::vector<std::size_t>{1});
+  CHECK(combine(Operation::subtract, {small, large, Mesh{}}).empty_operands.empty());
   CHECK(test::signed_volume(combine(Operation::subtract, {large, test::reversed(small)}).mesh) ==
         27);
 }
