@@ -44,7 +44,7 @@ struct BooleanOptions {
 };
 
 struct BooleanResult : CleanResult {
-  std::vector<std::size_t> empty_operands{};  ///< those that enclose nothing: inside out
+  std::vector<std::size_t> empty_operands{};  ///< inside out: they enclose nothing
 };
 
 /// The counts are of all operands together. `operands` is not empty.

@@ -15,7 +15,7 @@ class EditedSolid {
  public:
   explicit EditedSolid(Mesh mesh);
 
-  /// With faces that are gone, and vertices that no face uses.
+  /// Has faces that are gone, and vertices that no face uses.
   const Mesh& mesh() const { return mesh_; }
   std::size_t faces() const { return mesh_.faces.size() - gone_; }
   /// The faces whose boxes touch this box, ascending. Cost: O(n) with a small factor, as faces that

@@ -31,7 +31,7 @@ bool have_same_columns(const Columns& a, const Columns& b) {
                     is_alike);
 }
 
-/// With the smallest vertex first.
+/// The face from its smallest vertex on.
 Face normalized(Face face) {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   return face;
@@ -66,8 +66,8 @@ class LocalBoolean {
   const Mesh& operand_;
   const BooleanOptions& options_;
   Box reach_;                    ///< that faces of the part touch
-  std::vector<Index> faces_;     ///< of the solid, in the part; ascending
-  std::vector<Index> vertices_;  ///< of these faces, ascending
+  std::vector<Index> faces_;     ///< faces of the solid in the part; ascending
+  std::vector<Index> vertices_;  ///< their vertices; ascending
   std::vector<char> is_inner_;   ///< per vertex of the part: all faces around it are in the part
   JoinedOperands joined_;        ///< the part and the operand
   std::vector<char> kept_;       ///< per piece

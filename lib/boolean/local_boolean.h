@@ -1,10 +1,10 @@
 /// A Boolean operation in the place where a small operand meets a large solid. The faces of the
 /// solid there and all of the operand are arranged; the rest of the solid stays as it is.
 ///
-/// The winding number in front of a face of the solid is 0, so that the rest need not be known; a
-/// ray finds that of an operand which meets no face. If a part does not suffice, nothing is
-/// changed: the operand is not a simple solid or has other columns, rounding has to be repaired, or
-/// the part is a large share of the whole. Cost: that of the faces in the box around the faces that
+/// The rest need not be known, as the winding number in front of a face of the solid is 0. A ray
+/// finds the winding number at an operand that meets no face. Nothing is changed if the operand is
+/// not a simple solid or has other columns, or if the part is a large share of the whole. The same
+/// holds if rounding has to be repaired. Cost: that of the faces in the box around the faces that
 /// the operand's box touches, and a scan of the boxes of all faces. Exact as boolean() is;
 /// deterministic.
 #pragma once
