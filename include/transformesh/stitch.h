@@ -21,21 +21,31 @@
 namespace transformesh {
 
 struct StitchOptions {
-  double tolerance = 0;  ///< join positions within this distance, input units; 0: only equal ones
+  /// Join positions within this distance, and split border edges at border vertices within it;
+  /// input units; 0: join equal positions only.
+  double tolerance = 0;
   bool orient = false;  ///< reverse faces so that neighbors agree; closed parts that needed it then
                         ///< look outwards, open ones the way most of their faces did
+  /// Drop all but the first of faces that lie upon each other and have the same direction.
+  bool drop_copies = false;
   bool one_side = false;  ///< drop faces whose reverse is there (double_sided.h), orient, and turn
                           ///< closed parts outwards
-  bool flip = false;      ///< reverse all faces, at the end
+  /// Reverse closed bodies that are inside out, with their cavities. With `orient`, a component
+  /// that needed it first looks the way most of its faces did. With `one_side`, nested components
+  /// look outwards and inwards in turn.
+  bool outwards = false;
+  bool flip = false;  ///< reverse all faces, at the end
 };
 
 struct StitchResult {
   std::size_t joined_vertices = 0;  ///< how many positions were given more than once
   std::size_t copied_vertices = 0;  ///< duplicates made at singular vertices, edges, triangles
+  std::size_t split_borders = 0;    ///< border edges split by `tolerance` at vertices near them
   std::size_t split_edges = 0;      ///< singular edges split in the middle
   std::size_t dropped_faces = 0;
+  std::size_t dropped_copies = 0;     ///< faces that `drop_copies` dropped
   std::size_t dropped_reverses = 0;   ///< by `one_side`
-  std::size_t reversed_faces = 0;     ///< by `orient` and `one_side`
+  std::size_t reversed_faces = 0;     ///< because of `orient`, `one_side`, `outwards`
   std::size_t misoriented_edges = 0;  ///< edges at which several are, in the same direction
   std::size_t border_edges = 0;       ///< edges at which one face is left over
   bool new_normals = false;           ///< of a surface that `orient` or `one_side` turned

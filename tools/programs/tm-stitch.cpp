@@ -32,10 +32,14 @@ int main(int argc, char** argv) {
                          "join vertices within this distance; 0 joins equal positions only");
   program.options.flag("orient", &options.orient,
                        "turn faces so that neighbors agree; closed components then look outwards");
+  program.options.flag("drop-copies", &options.drop_copies,
+                       "keep one of faces that lie upon each other and look the same way");
   program.options.flag(
       "one-side", &options.one_side,
       "of a double-sided model: drop faces whose reverse is there, turn faces so that "
       "neighbors agree, and closed components outwards");
+  program.options.flag("outwards", &options.outwards,
+                       "turn closed bodies that are inside out, together with their cavities");
   program.options.flag("flip", &options.flip, "reverse all faces");
   return program.run(argc, argv, [&](tool::Run& run) {
     stitch_document(run.document(), options, tolerance, run);

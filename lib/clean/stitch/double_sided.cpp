@@ -1,6 +1,7 @@
 #include "clean/stitch/double_sided.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <vector>
 
@@ -29,9 +30,9 @@ SortedFace sorted_face(const Face& v, Index face) {
   return sorted;
 }
 
-// Calls visit(first, last) for the faces that lie upon each other, where some are reversed.
+// Calls visit(first, last) for each set of faces that lie upon each other.
 template <class Visit>
-void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
+void visit_coincident(const std::vector<Face>& faces, const Visit& visit) {
   std::vector<SortedFace> sorted;
   for (Index f = 0; f < faces.size(); ++f)
     if (!is_collapsed(faces[f])) sorted.push_back(sorted_face(faces[f], f));
@@ -41,11 +42,33 @@ void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
     const auto last = std::find_if(first, sorted.end(), [&](const SortedFace& other) {
       return other.corners != first->corners;
     });
+    visit(first, last);
+    first = last;
+  }
+}
+
+// The same for sets in which some faces are reversed.
+template <class Visit>
+void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
+  visit_coincident(faces, [&](auto first, auto last) {
     const bool is_double = std::any_of(
         first, last, [&](const SortedFace& other) { return other.is_odd != first->is_odd; });
     if (is_double) visit(first, last);
-    first = last;
+  });
+}
+
+std::size_t drop_faces(Mesh& mesh, const std::vector<char>& is_dropped) {
+  std::vector<Face> faces;
+  std::vector<Index> rows;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (is_dropped[f]) continue;
+    faces.push_back(mesh.faces[f]);
+    rows.push_back(f);
   }
+  const std::size_t dropped = mesh.faces.size() - faces.size();
+  if (dropped > 0) mesh.face_columns = mesh.face_columns.select(rows);
+  mesh.faces = std::move(faces);
+  return dropped;
 }
 
 // The faces with one vertex for all that have one position.
@@ -81,17 +104,19 @@ std::size_t drop_reverses(Mesh& mesh) {
   visit_double_sided(mesh.faces, [&](auto first, auto last) {
     for (auto other = first + 1; other != last; ++other) is_dropped[other->face] = 1;
   });
-  std::vector<Face> faces;
-  std::vector<Index> rows;
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (is_dropped[f]) continue;
-    faces.push_back(mesh.faces[f]);
-    rows.push_back(f);
-  }
-  const std::size_t dropped = mesh.faces.size() - faces.size();
-  if (dropped > 0) mesh.face_columns = mesh.face_columns.select(rows);
-  mesh.faces = std::move(faces);
-  return dropped;
+  return drop_faces(mesh, is_dropped);
+}
+
+std::size_t drop_copies(Mesh& mesh) {
+  std::vector<char> is_dropped(mesh.faces.size(), 0);
+  visit_coincident(mesh.faces, [&](auto first, auto last) {
+    std::array<bool, 2> is_met{};
+    for (; first != last; ++first) {
+      is_dropped[first->face] = is_met[first->is_odd] ? 1 : 0;
+      is_met[first->is_odd] = true;
+    }
+  });
+  return drop_faces(mesh, is_dropped);
 }
 
 std::size_t turn_outwards(Mesh& mesh) {

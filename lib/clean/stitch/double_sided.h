@@ -20,6 +20,10 @@ bool one_side_is_open(const Mesh& mesh);
 /// went.
 std::size_t drop_reverses(Mesh& mesh);
 
+/// Drops all but the first of faces that lie upon each other and have the same direction. Vertices
+/// are the same when their indices are. Columns follow; vertices stay. Returns how many went.
+std::size_t drop_copies(Mesh& mesh);
+
 /// Reverses the connected components that are closed and have a negative volume; returns how many
 /// faces that were.
 std::size_t turn_outwards(Mesh& mesh);

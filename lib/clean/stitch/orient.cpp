@@ -30,7 +30,7 @@ struct Sheet {
 
 class Orienter {
  public:
-  explicit Orienter(const Mesh& mesh);
+  Orienter(const Mesh& mesh, bool keeps_most);
   std::vector<char> find_reversed();
 
  private:
@@ -48,6 +48,7 @@ class Orienter {
   void reverse_group(const std::vector<Index>& group);
 
   const Mesh& mesh_;
+  const bool keeps_most_;
   const Edges edges_;
   std::vector<Index> across_;      ///< per halfedge: the one that continues its sheet
   std::vector<Index> sheet_of_;    ///< per face
@@ -58,8 +59,9 @@ class Orienter {
   DisjointSets copies_{0};  ///< sheets that lie upon each other: if one needs it, all are turned
 };
 
-Orienter::Orienter(const Mesh& mesh)
+Orienter::Orienter(const Mesh& mesh, bool keeps_most)
     : mesh_(mesh),
+      keeps_most_(keeps_most),
       edges_(without_collapsed(mesh.faces), mesh.positions.size()),
       across_(neighbors_in_layers(mesh, edges_)),
       sheet_of_(mesh.faces.size(), no_index),
@@ -232,7 +234,7 @@ void Orienter::orient_group(const std::vector<Index>& group) {
     face_as_most(group);
   } else {
     if (group.size() > 1) try_outwards(group);
-    face_outwards(group);
+    keeps_most_ ? face_as_most(group) : face_outwards(group);
   }
 }
 
@@ -250,8 +252,8 @@ std::vector<char> Orienter::find_reversed() {
 
 }  // namespace
 
-std::size_t orient_faces(Mesh& mesh) {
-  const std::vector<char> is_reversed = Orienter(mesh).find_reversed();
+std::size_t orient_faces(Mesh& mesh, bool keeps_most) {
+  const std::vector<char> is_reversed = Orienter(mesh, keeps_most).find_reversed();
   for (std::size_t f = 0; f < is_reversed.size(); ++f) {
     if (!is_reversed[f]) continue;
     std::swap(mesh.faces[f][1], mesh.faces[f][2]);

@@ -6,7 +6,9 @@
 #include "clean/stitch/double_sided.h"
 #include "clean/stitch/orient.h"
 #include "clean/stitch/orientation_check.h"
+#include "clean/stitch/outward_bodies.h"
 #include "clean/stitch/pair_halfedges.h"
+#include "clean/stitch/split_border_edges.h"
 #include "clean/stitch/split_singular_edges.h"
 #include "clean/stitch/weld.h"
 #include "mesh/surface_columns.h"
@@ -108,13 +110,24 @@ std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
   return splits.edges;
 }
 
+// Pieces inherit from the face that they are cut from.
+std::size_t split_borders(Mesh& mesh, double tolerance) {
+  const BorderSplits splits = split_border_edges(mesh, tolerance);
+  for (const Index face : splits.face_source)
+    mesh.face_columns.append({{face, face, face}, {1, 0, 0}});
+  return splits.edges;
+}
+
 }  // namespace
 
 StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   StitchResult result;
   result.joined_vertices = join_vertices(mesh, options.tolerance);
+  if (options.tolerance > 0) result.split_borders = split_borders(mesh, options.tolerance);
   if (options.one_side) result.dropped_reverses = drop_reverses(mesh);
-  if (options.orient || options.one_side) result.reversed_faces = orient_faces(mesh);
+  if (options.drop_copies) result.dropped_copies = drop_copies(mesh);
+  if (options.orient || options.one_side)
+    result.reversed_faces = orient_faces(mesh, options.outwards);
   const std::vector<Face> all_faces = mesh.faces;
   result.dropped_faces = drop_collapsed_faces(mesh);
 
@@ -130,7 +143,13 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   }
   result.copied_vertices = separate_umbrellas(mesh, find_umbrellas(mesh.faces, opposite));
   result.split_edges = split_edges(mesh, opposite);
-  if (options.one_side) result.reversed_faces += turn_outwards(mesh);
+  if (options.one_side && options.outwards) {
+    result.reversed_faces += turn_nested_alternately(mesh);
+  } else if (options.one_side) {
+    result.reversed_faces += turn_outwards(mesh);
+  } else if (options.outwards) {
+    result.reversed_faces += turn_bodies_outwards(mesh);
+  }
   if (options.flip) reverse_faces(mesh);
   if (result.reversed_faces > 0) result.new_normals = refresh_normals(mesh);
   return result;

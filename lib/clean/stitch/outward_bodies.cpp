@@ -1,0 +1,185 @@
+#include "clean/stitch/outward_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/ray_cast_winding.h"
+#include "geometry/solid_angle_winding.h"
+#include "mesh/surface_columns.h"
+#include "transformesh/components.h"
+#include "transformesh/measure.h"
+
+namespace transformesh {
+namespace {
+
+/// Vertices of a component that vote on whether it is in another one. Vertices upon the other one
+/// cannot vote, and components that intersect have votes for both.
+constexpr std::size_t voters = 9;
+
+class Bodies {
+ public:
+  explicit Bodies(const Mesh& mesh);
+  /// Per component, true if it is part of a body that is inside out.
+  std::vector<char> inward() const;
+  /// Per component, true if it is closed and looks the other way than its nesting asks for.
+  std::vector<char> against_nesting() const;
+  bool any_negative() const;
+  Index of_face(std::size_t face) const { return parts_.of_face[face]; }
+
+ private:
+  std::vector<std::vector<Index>> containers() const;
+  double volume(Index part) const { return parts_.components[part].volume; }
+  bool is_closed(Index part) const { return parts_.components[part].boundary_loops == 0; }
+  bool is_in_open(Index inner) const;
+  bool most_vote(Index inner, const std::function<std::optional<bool>(const Vec3&)>& vote) const;
+  Mesh mesh_of(Index part) const;
+
+  const Mesh& mesh_;
+  Components parts_;
+  std::vector<Box> boxes_;
+  std::vector<std::vector<Index>> faces_;
+};
+
+Bodies::Bodies(const Mesh& mesh) : mesh_(mesh), parts_(connected_components(mesh)) {
+  boxes_.resize(parts_.components.size());
+  faces_.resize(parts_.components.size());
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    faces_[parts_.of_face[f]].push_back(f);
+    for (const Index v : mesh.faces[f]) boxes_[parts_.of_face[f]].extend(mesh.positions[v]);
+  }
+}
+
+bool Bodies::any_negative() const {
+  for (Index part = 0; part < faces_.size(); ++part)
+    if (is_closed(part) && parts_.components[part].volume < 0) return true;
+  return false;
+}
+
+Mesh Bodies::mesh_of(Index part) const {
+  Mesh result;
+  std::unordered_map<Index, Index> numbers;
+  for (const Index f : faces_[part]) {
+    Face face = mesh_.faces[f];
+    for (Index& v : face) {
+      const auto [entry, is_new] =
+          numbers.try_emplace(v, static_cast<Index>(result.positions.size()));
+      if (is_new) result.positions.push_back(mesh_.positions[v]);
+      v = entry->second;
+    }
+    result.faces.push_back(face);
+  }
+  return result;
+}
+
+// True if most voters of `inner` have that property.
+bool Bodies::most_vote(Index inner,
+                       const std::function<std::optional<bool>(const Vec3&)>& vote) const {
+  std::size_t yes = 0, no = 0;
+  const std::size_t stride = std::max<std::size_t>(1, faces_[inner].size() / voters);
+  for (std::size_t i = 0; i < faces_[inner].size(); i += stride) {
+    const auto answer = vote(mesh_.positions[mesh_.faces[faces_[inner][i]][0]]);
+    if (answer) ++(*answer ? yes : no);
+  }
+  return yes > no;
+}
+
+// Lists for each component the closed ones that contain it.
+std::vector<std::vector<Index>> Bodies::containers() const {
+  const auto count = static_cast<Index>(faces_.size());
+  std::vector<std::vector<Index>> around(count);
+  for (Index outer = 0; outer < count; ++outer) {
+    if (!is_closed(outer)) continue;
+    std::optional<RayCastWinding> winding;
+    Mesh outer_mesh;
+    for (Index inner = 0; inner < count; ++inner) {
+      if (inner == outer || !boxes_[outer].contains(boxes_[inner])) continue;
+      if (!winding) {
+        outer_mesh = mesh_of(outer);
+        winding.emplace(outer_mesh);
+      }
+      const auto is_inside = [&](const Vec3& point) -> std::optional<bool> {
+        const std::optional<int> number = (*winding)(point);
+        return number ? std::optional(*number != 0) : std::nullopt;
+      };
+      if (most_vote(inner, is_inside)) around[inner].push_back(outer);
+    }
+  }
+  return around;
+}
+
+// True if a component with borders encloses that one, by generalized winding numbers.
+bool Bodies::is_in_open(Index inner) const {
+  for (Index outer = 0; outer < faces_.size(); ++outer) {
+    if (is_closed(outer) || !boxes_[outer].contains(boxes_[inner])) continue;
+    const Mesh outer_mesh = mesh_of(outer);
+    const SolidAngleWinding winding(outer_mesh);
+    if (most_vote(inner, [&](const Vec3& point) -> std::optional<bool> {
+          return std::abs(winding(point).number) > 0.5;
+        }))
+      return true;
+  }
+  return false;
+}
+
+// The smallest outermost component around each component decides; a component of its own if none.
+std::vector<char> Bodies::inward() const {
+  const std::vector<std::vector<Index>> around = containers();
+  std::vector<char> is_inward(around.size(), 0);
+  const auto is_root = [&](Index part) {
+    return is_closed(part) && volume(part) < 0 && around[part].empty() && !is_in_open(part);
+  };
+  for (Index part = 0; part < around.size(); ++part) is_inward[part] = is_root(part) ? 1 : 0;
+  for (Index part = 0; part < around.size(); ++part) {
+    Index root = no_index;
+    for (const Index outer : around[part])
+      if (around[outer].empty() &&
+          (root == no_index || std::abs(volume(outer)) < std::abs(volume(root))))
+        root = outer;
+    if (root != no_index) is_inward[part] = is_inward[root];
+  }
+  return is_inward;
+}
+
+std::vector<char> Bodies::against_nesting() const {
+  const std::vector<std::vector<Index>> around = containers();
+  std::vector<char> is_wrong(around.size(), 0);
+  for (Index part = 0; part < around.size(); ++part) {
+    const bool is_cavity = around[part].size() % 2 == 1;
+    is_wrong[part] = is_closed(part) && (volume(part) < 0) != is_cavity ? 1 : 0;
+  }
+  return is_wrong;
+}
+
+std::size_t turn(Mesh& mesh, const Bodies& bodies, const std::vector<char>& is_turned) {
+  std::size_t turned = 0;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (!is_turned[bodies.of_face(f)]) continue;
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    reverse_corner_lists(mesh, f);
+    ++turned;
+  }
+  return turned;
+}
+
+}  // namespace
+
+bool has_inward_bodies(const Mesh& mesh) {
+  const Bodies bodies(mesh);
+  return bodies.any_negative() && std::ranges::count(bodies.inward(), 1) > 0;
+}
+
+std::size_t turn_bodies_outwards(Mesh& mesh) {
+  const Bodies bodies(mesh);
+  return bodies.any_negative() ? turn(mesh, bodies, bodies.inward()) : 0;
+}
+
+std::size_t turn_nested_alternately(Mesh& mesh) {
+  const Bodies bodies(mesh);
+  return turn(mesh, bodies, bodies.against_nesting());
+}
+
+}  // namespace transformesh

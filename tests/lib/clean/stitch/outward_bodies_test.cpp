@@ -1,0 +1,74 @@
+/// Nested shells of known directions.
+#include "clean/stitch/outward_bodies.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "helpers/mesh_facts.h"
+#include "helpers/shapes.h"
+#include "transformesh/stitch.h"
+
+namespace transformesh {
+namespace {
+
+Mesh ball(double radius) { return test::scaled(test::icosphere(1), radius); }
+
+/// A ball with a cavity in which a smaller ball floats.
+Mesh nested() { return test::joined(test::joined(ball(3), test::reversed(ball(2))), ball(1)); }
+
+double volume_of(const Mesh& mesh) { return test::signed_volume(mesh); }
+
+}  // namespace
+
+TEST_CASE("bodies that look outwards, with cavities, stay") {
+  Mesh mesh = test::joined(nested(), test::moved(ball(1), {5, 0, 0}));
+  const std::vector<Face> faces = mesh.faces;
+  CHECK_FALSE(has_inward_bodies(mesh));
+  CHECK(turn_bodies_outwards(mesh) == 0);
+  CHECK(turn_nested_alternately(mesh) == 0);
+  CHECK(mesh.faces == faces);
+}
+
+TEST_CASE("a body that is inside out is turned with all that is in it, and no other") {
+  const Mesh other = test::moved(nested(), {9, 0, 0});
+  Mesh mesh = test::joined(test::reversed(nested()), other);
+  CHECK(has_inward_bodies(mesh));
+  CHECK(turn_bodies_outwards(mesh) == nested().faces.size());
+  CHECK(volume_of(mesh) == doctest::Approx(2 * volume_of(nested())));
+  CHECK_FALSE(has_inward_bodies(mesh));
+}
+
+TEST_CASE("a cavity of a body with a hole stays a cavity") {
+  Mesh mesh = test::joined(ball(3), test::reversed(ball(1)));
+  mesh.faces.erase(mesh.faces.begin());
+  CHECK_FALSE(has_inward_bodies(mesh));
+  CHECK(turn_bodies_outwards(mesh) == 0);
+}
+
+TEST_CASE("nested components of any directions look outwards and inwards in turn") {
+  for (int directions = 0; directions < 8; ++directions) {
+    Mesh mesh;
+    for (int i = 0; i < 3; ++i) {
+      const Mesh shell = ball(3 - i);
+      mesh = test::joined(mesh, (directions >> i & 1) != 0 ? test::reversed(shell) : shell);
+    }
+    turn_nested_alternately(mesh);
+    CHECK(volume_of(mesh) == doctest::Approx(volume_of(nested())));
+  }
+}
+
+TEST_CASE("with outwards, a cavity in faces of all directions keeps that of most") {
+  Mesh mesh = nested();
+  for (std::size_t f = 0; f < mesh.faces.size(); f += 3)
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+  Mesh alone = mesh;
+  stitch(mesh, {.orient = true, .outwards = true});
+  CHECK(volume_of(mesh) == doctest::Approx(volume_of(nested())));
+  // Without, all components that needed it look outwards.
+  stitch(alone, {.orient = true});
+  CHECK(volume_of(alone) ==
+        doctest::Approx(volume_of(ball(3)) + volume_of(ball(2)) + volume_of(ball(1))));
+}
+
+}  // namespace transformesh
