@@ -1,4 +1,6 @@
 // Entries of operations that change a surface once.
+#include <array>
+
 #include "entries/entries.h"
 #include "transformesh/align_features.h"
 #include "transformesh/carry.h"
@@ -7,11 +9,31 @@
 #include "transformesh/fill.h"
 #include "transformesh/handles.h"
 #include "transformesh/remesh.h"
+#include "transformesh/repair.h"
 #include "transformesh/select.h"
 #include "transformesh/stitch.h"
 #include "transformesh/transform.h"
 
 namespace transformesh {
+namespace {
+
+std::vector<double> numbers_of(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
+
+void append_step(Entries& entries, const std::string& name, const RepairStep& step) {
+  constexpr std::array operations{"stitch", "fill", "clean", "select"};
+  std::string found;
+  for (const std::string& finding : step.findings) found += (found.empty() ? "" : ", ") + finding;
+  append(entries, {{name, operations[step.operation.index()]},
+                   {name + "_found", found},
+                   {name + "_count", step.count},
+                   {name + "_place", numbers_of(step.place)},
+                   {name + "_area_change", step.area_change},
+                   {name + "_volume_change", step.volume_change},
+                   {name + "_lost_share", step.lost_share},
+                   {name + "_lost_place", numbers_of(step.lost_place)}});
+}
+
+}  // namespace
 
 Entries entries_of(const CleanResult& result) {
   return {{"changed", result.changed},
@@ -41,14 +63,12 @@ Entries entries_of(const CleanResult& result) {
 }
 
 Entries entries_of(const StitchResult& result) {
-  return {{"joined_vertices", result.joined_vertices},
-          {"copied_vertices", result.copied_vertices},
-          {"split_edges", result.split_edges},
-          {"dropped_faces", result.dropped_faces},
-          {"dropped_reverses", result.dropped_reverses},
-          {"turned_faces", result.reversed_faces},
-          {"misoriented_edges", result.misoriented_edges},
-          {"border_edges", result.border_edges}};
+  return {
+      {"joined_vertices", result.joined_vertices},     {"copied_vertices", result.copied_vertices},
+      {"split_borders", result.split_borders},         {"split_edges", result.split_edges},
+      {"dropped_faces", result.dropped_faces},         {"dropped_copies", result.dropped_copies},
+      {"dropped_reverses", result.dropped_reverses},   {"turned_faces", result.reversed_faces},
+      {"misoriented_edges", result.misoriented_edges}, {"border_edges", result.border_edges}};
 }
 
 Entries entries_of(const FillResult& result) {
@@ -71,6 +91,15 @@ Entries entries_of(const HandleResult& result) {
           {"blocked", result.blocked},
           {"new_vertices", result.new_vertices},
           {"new_faces", result.new_faces}};
+}
+
+Entries entries_of(const RepairResult& result) {
+  Entries entries{{"steps", result.steps.size()},          {"crack_width", result.crack_width},
+                  {"area_before", result.area_before},     {"area_after", result.area_after},
+                  {"volume_before", result.volume_before}, {"volume_after", result.volume_after}};
+  for (std::size_t i = 0; i < result.steps.size(); ++i)
+    append_step(entries, "step_" + std::to_string(i + 1), result.steps[i]);
+  return entries;
 }
 
 Entries entries_of(const RemeshResult& result) {

@@ -12,6 +12,12 @@ std::string point_text(const Vec3& point) {
   return text + shortest_text(point.z()) + ")";
 }
 
+std::string rough_point_text(const Vec3& point) {
+  constexpr int digits = 4;
+  return '(' + significant(point.x(), digits) + ", " + significant(point.y(), digits) + ", " +
+         significant(point.z(), digits) + ')';
+}
+
 std::string vertex_text(const Mesh& mesh, Index vertex) {
   return "vertex " + std::to_string(vertex) + " at " + point_text(mesh.positions[vertex]);
 }

@@ -12,6 +12,9 @@ namespace transformesh {
 /// "(1, 0, 0.5)"
 std::string point_text(const Vec3& point);
 
+/// "(1, 0, 0.3333)", with four significant digits
+std::string rough_point_text(const Vec3& point);
+
 /// "vertex 3 at (1, 0, 0.5)"
 std::string vertex_text(const Mesh& mesh, Index vertex);
 

@@ -1,5 +1,5 @@
-/// Functions that make a mesh from others: clean, stitch, cat, boolean, displace, offset, shape,
-/// intersect.
+/// Functions that make a mesh from others: clean, stitch, repair, cat, boolean, displace, offset,
+/// shape, intersect.
 #include "advice.h"
 #include "arguments.h"
 #include "boolean/boolean_documents.h"
@@ -14,6 +14,7 @@
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 #include "transformesh/offset.h"
+#include "transformesh/repair.h"
 #include "transformesh/shapes.h"
 #include "transformesh/stitch.h"
 #include "transformesh/velocity.h"
@@ -21,7 +22,7 @@
 namespace transformesh::python {
 namespace {
 
-// --- clean, stitch, cat --------------------------------------------------------------------------
+// --- clean, stitch, repair, cat ------------------------------------------------------------------
 
 MeshPointer clean_mesh(const PythonMesh& mesh, int winding_level, bool outermost, bool merge_flat,
                        const std::string& method, const PythonLength& separate_by,
@@ -53,11 +54,25 @@ MeshPointer clean_mesh(const PythonMesh& mesh, int winding_level, bool outermost
 }
 
 MeshPointer stitch_mesh(const PythonMesh& mesh, const PythonLength& tolerance, bool orient,
-                        bool one_side, bool flip) {
+                        bool drop_copies, bool one_side, bool outwards, bool flip) {
   Document document = mesh.document;
-  const StitchOptions options{Lengths(document)(tolerance), orient, one_side, flip};
+  const StitchOptions options{
+      Lengths(document)(tolerance), orient, drop_copies, one_side, outwards, flip};
   const StitchResult result =
       without_lock(py::none(), [&](const Progress&) { return stitch(document.mesh, options); });
+  return mesh_of(std::move(document), entries_of(result));
+}
+
+MeshPointer repair_mesh(const PythonMesh& mesh, bool keep_open,
+                        const std::optional<PythonLength>& max_change, const py::object& progress) {
+  Document document = mesh.document;
+  RepairOptions options;
+  options.keep_open = keep_open;
+  options.max_change = Lengths(document)(max_change, options.max_change);
+  options.coordinate = document.style.coordinate;
+  RepairResult result = without_lock(
+      progress, [&](const Progress& to) { return repair(document.mesh, options, to); });
+  document.mesh = std::move(result.mesh);
   return mesh_of(std::move(document), entries_of(result));
 }
 
@@ -199,10 +214,15 @@ void bind_filters(py::module_& module) {
       "where on the input each vertex comes from, for carry(), "
       "`source_face` the input face of each face. See tm-clean(1).");
   module.def("stitch", &stitch_mesh, arg("mesh"), py::kw_only(),
-             arg("tolerance") = PythonLength(0.0), arg("orient") = false, arg("one_side") = false,
+             arg("tolerance") = PythonLength(0.0), arg("orient") = false,
+             arg("drop_copies") = false, arg("one_side") = false, arg("outwards") = false,
              arg("flip") = false,
              "Joins a soup of triangles into a manifold mesh; turns and reverses faces. See "
              "tm-stitch(1).");
+  module.def("repair", &repair_mesh, arg("mesh"), py::kw_only(), arg("keep_open") = false,
+             arg("max_change") = none, arg("progress") = none,
+             "Makes a solid of any mesh by the least change; the report has each step, its place, "
+             "and how much area and volume changed. See tm-repair(1).");
   module.def("cat", &cat, "Concatenates meshes.");
   module.def("boolean", &boolean_of, arg("operation"), arg("inside") = false,
              arg("merge_flat") = true, arg("source_operand") = false, arg("progress") = none,

@@ -36,6 +36,7 @@ from ._transformesh import (
     reconstruct,
     remesh,
     render,
+    repair,
     report,
     sample,
     select,

@@ -69,8 +69,17 @@ def stitch(
     *,
     tolerance: Length = 0.0,
     orient: bool = False,
+    drop_copies: bool = False,
     one_side: bool = False,
+    outwards: bool = False,
     flip: bool = False,
+) -> Mesh: ...
+def repair(
+    mesh: Mesh,
+    *,
+    keep_open: bool = False,
+    max_change: Optional[Length] = None,
+    progress: Progress = None,
 ) -> Mesh: ...
 def cat(*meshes: Mesh) -> Mesh: ...
 def boolean(

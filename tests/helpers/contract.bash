@@ -31,6 +31,7 @@ tm-photograph|converter|--size 40x30 --ring 3
 tm-reconstruct|source|--cameras SCENE/photos.txt --images SCENE/photos --silhouettes SCENE/outlines --coarsest 1 --edge 5 --passes 1 --iterations 1 --robust 0
 tm-remesh|filter|
 tm-render|picture|
+tm-repair|filter|
 tm-report|reporter|RUN
 tm-sample|filter|--count 200
 tm-select|filter|--largest 1

@@ -66,7 +66,7 @@ link_what_is_built() { # FOLDER TARGET...
   root/usr/local/bin/tm | grep -q tm-clean
 }
 
-@test "core needs no library of images, and is 23 programs" {
+@test "core needs no library of images, and is 24 programs" {
   "$tm_build/bin-test/core_alone"
   nm -C "$tm_build/bin-test/core_alone" | grep -q 'transformesh::clean('
   local disabled=()
@@ -92,6 +92,7 @@ tm-morph
 tm-morph-step
 tm-offset
 tm-remesh
+tm-repair
 tm-sample
 tm-select
 tm-shape

@@ -263,6 +263,15 @@ def test_boolean_refuses():
         tm.boolean("union", ball, tm.Mesh(ball.positions, ball.faces[1:]))
 
 
+@pytest.mark.parametrize("options, words", [({}, []), ({"keep_open": True}, ["--keep-open"])])
+def test_repair(holes, options, words):
+    repaired = tm.repair(tm.parse(holes), **options)
+    assert same(repaired, "tm-repair", *words, stdin=holes)
+    assert tm.info(repaired)["boundary_loops"] == (2 if options else 0)
+    with pytest.raises(tm.GoalError, match="away from the input"):
+        tm.repair(tm.parse(holes), max_change=1e-6)
+
+
 @pytest.mark.parametrize("options, words", [({}, []), ({"max_length": 3.5}, ["--max-length", 3.5])])
 def test_handles(options, words, tmp_path):
     torus = shape("torus", "--faces", 2000)

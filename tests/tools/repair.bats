@@ -1,4 +1,4 @@
-# The pipelines of tm-repair(7) on broken real meshes, and rows of its table on generated shapes.
+# The rows of tm-repair(1), BY HAND, on generated shapes, and their pipeline on broken real meshes.
 load ../helpers/common
 
 setup() {
@@ -24,7 +24,7 @@ has_volume() {
 
 # row MESSAGE FILTER: the page has a row from that message to that filter.
 row() {
-  grep -F "$1" "$tm_root/man/tm-repair.7.md" | grep -qF "**${2/--/\\--}** |" || fail "no row: $1 | $2"
+  grep -F "$1" "$tm_root/man/tm-repair.1.md" | grep -qF "**${2/--/\\--}** |" || fail "no row: $1 | $2"
 }
 
 # is_solid FILE VOLUME: closed, oriented, free of self-intersections, and of that volume.
@@ -114,8 +114,10 @@ refused() {
   tm-transform --translate 5,0,0 box.ply | tm-stitch --flip | tm-cat box.ply - -o both.ply
   tm-clean -o one.ply both.ply
   is_solid one.ply 3
-  tm-stitch --one-side both.ply | tm-clean -o two.ply
-  is_solid two.ply 6
+  for option in --one-side --outwards; do
+    tm-stitch "$option" both.ply | tm-clean -o two.ply
+    is_solid two.ply 6
+  done
 }
 
 # cracked FILE WIDTH: its triangles, every corner moved by up to WIDTH/2 in each direction.
@@ -127,8 +129,8 @@ cracked() {
 }
 
 @test "row --tolerance: cracks are joined by a tolerance, which the page warns of" {
-  grep -qF '| has no face across, along cracks: borders nearly meet | **tm-stitch \--tolerance** *LENGTH*; see CRACKS |' \
-    "$tm_root/man/tm-repair.7.md"
+  grep -qF '| has no face across, along cracks: borders nearly meet | **tm-stitch \--tolerance** *LENGTH*, larger' \
+    "$tm_root/man/tm-repair.1.md"
   tm-shape box 1 1 3 --faces 500 -o box.ply
   cracked box.ply 2e-6 >cracked.off
   tm-stitch -q cracked.off -o equal.ply

@@ -50,6 +50,7 @@ tm-morph-step --target TARGET
 tm-offset --distance 5%
 tm-photograph --ring 2 --size 40x30
 tm-remesh
+tm-repair
 tm-render
 tm-sample --count 100
 tm-sample --distance 5%

@@ -1,4 +1,4 @@
-# tm: the programs of the suite, and their pages.
+# tm: the programs of the suite, and their man pages.
 
 load ../helpers/common
 
@@ -6,13 +6,13 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-@test "every program and page is listed with what the page says under NAME" {
+@test "every program is listed with what the page says under NAME" {
   tm >list
-  for page in "$tm_root"/man/tm-*.[17].md; do
+  for page in "$tm_root"/man/tm-*.1.md; do
     line=$(grep -m 1 -- ' - ' "$page")
     grep -qE "^${line%% - *} +${line#* - }$" list || fail "$line"
   done
-  [ "$(grep -c '^tm-' list)" -eq "$(find "$tm_root/man" -name 'tm-*.[17].md' | wc -l)" ]
+  [ "$(grep -c '^tm-' list)" -eq "$(find "$tm_root/man" -name 'tm-*.1.md' | wc -l)" ]
 }
 
 @test "a name opens its page, with and without tm-" {
@@ -24,24 +24,10 @@ setup() {
   tm tm | grep -q 'DATA MODEL'
 }
 
-@test "a page of section 7 opens as those of programs do" {
-  needs_command man
-  needs_command pandoc
-  for page in "$tm_root"/man/tm-*.7.md; do
-    name=$(basename "$page" .7.md)
-    tm "$name" | grep -q "$(grep -m 1 -- ' - ' "$page")"
-    cmp <(tm "$name") <(tm "${name#tm-}")
-  done
-  tm repair | grep -q 'which filter mends which mesh'
-}
-
 @test "without man the help is shown" {
   mkdir bin
   cp "$tm_build/bin/tm" "$tm_build/bin/tm-clean" bin
   diff <(bin/tm clean) <(tm-clean --help)
-  run --separate-stderr bin/tm repair
-  assert_status 4
-  [ "$stderr" = "tm: the page tm-repair(7) cannot be shown: man or the page itself is not installed" ]
 }
 
 @test "an unknown name and two names are refused" {

@@ -76,9 +76,19 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
   }
 }
 
+void Inputs::keep_bytes(std::string_view bytes, const ReadResult& result) {
+  if (!program_.input.keeps_bytes) return;
+  // That faces share no vertices is the only note that is about nothing left out.
+  const bool is_exact = result.notes.size() == (result.soup_note ? 1U : 0U);
+  bytes_ = is_exact ? std::string(bytes) : std::string();
+  format_ = result.document.style.format;
+}
+
 Document Inputs::read(const std::string& path) {
   phases_.begin("read");
-  ReadResult result = read_mesh(read_once(path).view(), input_name(path), reading());
+  const Bytes bytes = read_once(path);
+  ReadResult result = read_mesh(bytes.view(), input_name(path), reading());
+  keep_bytes(bytes.view(), result);
   const Soups soups = program_.input.soups;
   if (result.soup_note && soups != Soups::own && soups != Soups::joined) {
     std::string& line = result.notes[*result.soup_note];

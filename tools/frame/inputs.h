@@ -53,6 +53,11 @@ class Inputs {
   /// that the length could refer to.
   std::optional<double> resolved(const Option& option);
 
+  /// The bytes of the mesh that was read last, and their format, with InputRules::keeps_bytes.
+  /// Empty if something in them was left out or changed while reading.
+  const std::string& bytes() const { return bytes_; }
+  Format format() const { return format_; }
+
   /// Vertices and faces of all inputs; empty if no mesh was read.
   const Entries& counts() const { return counts_; }
   /// Vertices that Soups::joined joined with others.
@@ -60,6 +65,7 @@ class Inputs {
 
  private:
   Bytes read_once(const std::string& path);
+  void keep_bytes(std::string_view bytes, const ReadResult& result);
   /// Joins a soup or notes it, by the rules of the program. `is_noted`: the reader has noted it.
   void treat_soup(Mesh& mesh, const std::string& name, bool is_noted);
 
@@ -70,6 +76,8 @@ class Inputs {
   std::vector<Document> documents_ = std::vector<Document>(1);
   Entries counts_;
   std::size_t joined_vertices_ = 0;
+  std::string bytes_;
+  Format format_ = Format::ply_little;
   bool stdin_is_read_ = false;
 };
 

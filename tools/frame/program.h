@@ -47,6 +47,7 @@ enum class Soups {
 struct InputRules {
   Reads reads = Reads::mesh;
   Soups soups = Soups::kept;
+  bool keeps_bytes = false;              ///< the bytes of the mesh stay in memory (Inputs::bytes)
   bool are_cameras = false;              ///< the file holds cameras: no mesh and no points
   std::function<bool()> is_absent = {};  ///< true if the options given leave no input
 };

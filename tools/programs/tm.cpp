@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 #include "frame/run.h"
@@ -15,31 +14,19 @@ namespace {
 using namespace transformesh;
 namespace fs = std::filesystem;
 
-std::string lines_of(const auto& list) {
+std::string list_text() {
   std::string text;
-  for (const auto& [name, does] : list) {
+  for (const auto& [name, does] : tool::program_list) {
     std::string line = name;
     line.resize(18, ' ');
     text += line + does + '\n';
   }
-  return text;
-}
-
-std::string list_text() {
-  return lines_of(tool::program_list) + '\n' + lines_of(tool::page_list) +
-         "\n`tm NAME` shows a page, `tm tm` what all programs share.\n";
-}
-
-/// Those of section 7; tm(7) is about the suite itself.
-bool is_no_program(const std::string& name) {
-  return name == "tm" || std::any_of(std::begin(tool::page_list), std::end(tool::page_list),
-                                     [&](const auto& page) { return page.first == name; });
+  return text + "\n`tm NAME` shows a page, `tm tm` what all programs share.\n";
 }
 
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
   for (const auto& program : tool::program_list) names.emplace_back(program.first);
-  for (const auto& page : tool::page_list) names.emplace_back(page.first);
   return names;
 }
 
@@ -70,20 +57,16 @@ void run_first_of(std::vector<std::vector<std::string>> commands) {
 void open_page(const std::string& name) {
   // Pages lie beside the programs, where these were built and where they are installed.
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
-  const bool is_program = !is_no_program(name);
-  const std::string page = is_program ? "man1/" + name + ".1" : "man7/" + name + ".7";
+  const std::string page = name == "tm" ? "man7/tm.7" : "man1/" + name + ".1";
   std::vector<std::vector<std::string>> commands;
   if (const fs::path file = here / "../share/man" / page; fs::exists(file)) {
     commands.push_back({"man", file.string()});
   } else if (fs::exists(file.string() + ".gz")) {
     commands.push_back({"man", file.string() + ".gz"});
   }
-  if (is_program || name == "tm") commands.push_back({(here / name).string(), "--help"});
+  commands.push_back({(here / name).string(), "--help"});
   run_first_of(std::move(commands));
-  throw GoalError(is_program ? "neither man nor " + name + " can be run"
-                             : "the page " + name +
-                                   "(7) cannot be shown: man or the page itself is "
-                                   "not installed");
+  throw GoalError("neither man nor " + name + " can be run");
 }
 
 }  // namespace
@@ -94,7 +77,7 @@ int main(int argc, char** argv) {
                         "Lists the programs of the suite, or shows the man page of one",
                         {tool::Reads::words},
                         {tool::Writes::text}};
-  program.words = {"NAME", "of a program or page, with or without tm-; tm: what all share"};
+  program.words = {"NAME", "of a program, with or without tm-; tm: what all share"};
   program.words.choices = all_names();
   return program.run(argc, argv, [](tool::Run& run) {
     const std::vector<std::string>& words = run.in().names();

@@ -1,0 +1,146 @@
+#include "repair/crack_tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clean/stitch/border_edges.h"
+#include "clean/stitch/weld.h"
+#include "mesh/coordinate_spacing.h"
+#include "mesh/edges.h"
+#include "transformesh/measure.h"
+
+namespace transformesh {
+namespace {
+
+/// Least ratio between the next length and the crack width. Rounded coordinates leave ratios of
+/// thousands. A lower one would take narrow slots for cracks, a much higher one would miss cracks
+/// in finely meshed files with six digits.
+constexpr double clear_gap = 8;
+
+/// Largest crack width as a share of the diagonal: files with four digits have 1e-4. At 1e-3 thin
+/// walls without an edge face would be joined.
+constexpr double widest_crack = 2e-4;
+
+/// Share of edges, of the vertices at cracks, that may be shorter than the tolerance and vanish.
+/// A mesh whose shortest edges are as short as its cracks are wide is joined all the same.
+constexpr double lost_edges = 0.1;
+
+/// Cosine of the angle between two faces at an edge, 25 degrees, below which they fold back.
+constexpr double folded_back = 0.9;
+
+/// The mesh with one vertex for all positions that are joined. Faces that lose a corner have no
+/// edges.
+Mesh welded(const Mesh& mesh, double tolerance) {
+  const std::vector<Index> joined = weld_positions(mesh.positions, tolerance);
+  Mesh result{mesh.positions, mesh.faces, {}, {}};
+  for (Face& face : result.faces) {
+    for (Index& v : face) v = joined[v];
+  }
+  result.faces = without_collapsed(result.faces);
+  return result;
+}
+
+struct Distance {
+  double length;
+  Vec3 place;
+};
+
+struct Lengths {
+  std::vector<double> edges;      ///< ascending
+  std::vector<Distance> borders;  ///< each border vertex from the nearest edge, ascending
+};
+
+std::vector<double> lengths_of(const Mesh& mesh, const Edges& edges) {
+  std::vector<double> lengths;
+  lengths.reserve(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Index h = edges.halfedges(e)[0];
+    lengths.push_back(
+        (mesh.positions[halfedge_source(mesh, h)] - mesh.positions[halfedge_target(mesh, h)])
+            .norm());
+  }
+  std::ranges::sort(lengths);
+  return lengths;
+}
+
+/// The distances of border vertices from the nearest border edges that do not end in them, up to
+/// `farthest`, which stands for longer ones.
+std::vector<Distance> border_distances(const Mesh& mesh, const BorderEdges& borders,
+                                       double farthest) {
+  std::vector<Distance> distances;
+  for (const Index v : borders.vertices()) {
+    double nearest = farthest;
+    borders.visit_near(v, farthest, [&](const BorderEdges::Near& near) {
+      nearest = std::min(nearest, near.distance);
+    });
+    distances.push_back({nearest, mesh.positions[v]});
+  }
+  std::ranges::stable_sort(distances, {}, &Distance::length);
+  return distances;
+}
+
+std::size_t count_up_to(const std::vector<double>& sorted, double length) {
+  return static_cast<std::size_t>(std::ranges::upper_bound(sorted, length) - sorted.begin());
+}
+
+/// The widest distance that is clearly shorter than the next one and than almost all edges.
+/// Distances below `least` count as that.
+Cracks widest_clear(const Lengths& lengths, double least, double diagonal) {
+  Cracks found;
+  const auto& borders = lengths.borders;
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    const double width = std::max(least, borders[k].length);
+    if (width > widest_crack * diagonal) break;
+    const std::size_t shorter = count_up_to(lengths.edges, width);
+    double next = k + 1 < borders.size() ? borders[k + 1].length : diagonal;
+    if (shorter < lengths.edges.size()) next = std::min(next, lengths.edges[shorter]);
+    const bool is_clear = next >= clear_gap * width;
+    if (!is_clear || static_cast<double>(shorter) > lost_edges * static_cast<double>(k + 1))
+      continue;
+    found = {width, width * std::min(4.0, std::sqrt(next / width)), k + 1, borders[k].place};
+  }
+  return found;
+}
+
+Vec3 direction_into(const Mesh& mesh, Index halfedge) {
+  const Vec3& a = mesh.positions[halfedge_source(mesh, halfedge)];
+  const Vec3& b = mesh.positions[halfedge_target(mesh, halfedge)];
+  const Vec3& c = mesh.positions[halfedge_source(mesh, previous_halfedge(halfedge))];
+  const Vec3 along = (b - a).stableNormalized();
+  return (c - a - along * along.dot(c - a)).stableNormalized();
+}
+
+/// True if most edges that the tolerance closes do not fold back, as a thin plate's rim would.
+bool continues(const Edges& edges_before, const Mesh& after) {
+  std::vector<char> was_border(3 * after.faces.size(), 0);
+  for (std::size_t e = 0; e < edges_before.size(); ++e) {
+    if (edges_before.halfedges(e).size() == 1) was_border[edges_before.halfedges(e)[0]] = 1;
+  }
+  const Edges edges(after);
+  std::size_t straight = 0, folded = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    if (halfedges.size() != 2 || !was_border[halfedges[0]]) continue;
+    const double cosine =
+        direction_into(after, halfedges[0]).dot(direction_into(after, halfedges[1]));
+    ++(cosine > folded_back ? folded : straight);
+  }
+  return straight >= folded;
+}
+
+}  // namespace
+
+Cracks find_cracks(const Mesh& mesh) {
+  const Mesh exact = welded(mesh, 0);
+  const BorderEdges borders(exact);
+  if (borders.vertices().size() < 2) return {};
+  const double diagonal = diagonal_of(bounding_box(mesh));
+  const Edges edges(exact);
+  const Lengths lengths{lengths_of(exact, edges),
+                        border_distances(exact, borders, clear_gap * widest_crack * diagonal)};
+  const Cracks found = widest_clear(lengths, coordinate_spacing(mesh), diagonal);
+  if (found.tolerance == 0 || !continues(edges, welded(mesh, found.tolerance))) return {};
+  return found;
+}
+
+}  // namespace transformesh

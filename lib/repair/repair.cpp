@@ -1,0 +1,205 @@
+#include "transformesh/repair.h"
+
+#include <cmath>
+
+#include "clean/stitch/double_sided.h"
+#include "clean/stitch/orientation_check.h"
+#include "clean/stitch/outward_bodies.h"
+#include "clean/stitch/weld.h"
+#include "geometry/search/closest_point.h"
+#include "mesh/location_text.h"
+#include "repair/crack_tolerance.h"
+#include "repair/losses.h"
+#include "repair/repair_steps.h"
+#include "repair/shards.h"
+#include "support/number.h"
+#include "transformesh/check_mesh.h"
+#include "transformesh/compare.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+
+namespace transformesh {
+namespace {
+
+/// Share of the faces from which on a model is double-sided: bodies that touch have a few faces
+/// upon reverses, double-sided models all or most.
+constexpr double double_sided_share = 0.5;
+
+/// Holes whose box has a diagonal of up to this share of the model's get patches that continue the
+/// surface smoothly. Larger ones get flat patches: there the generalized winding number of the open
+/// surface is 1/2, while a smooth patch over an open bowl would be a ball.
+constexpr double small_hole = 0.1;
+
+/// Rounds of filling and cleaning: cleaning closes slits that filling leaves, and a second round
+/// fills holes that cleaning left. More never helped.
+constexpr int most_rounds = 3;
+
+bool is_oriented_manifold(const ManifoldReport& found) {
+  return found.isolated_vertices.empty() && found.is_manifold() && found.is_oriented() &&
+         found.touching_borders == 0;
+}
+
+bool is_solid(const MeshCheck& check, bool may_be_open) {
+  return check.problems.empty() && check.degenerate_faces == 0 &&
+         check.manifold.isolated_vertices.empty() && check.manifold.touching_borders == 0 &&
+         (may_be_open || check.manifold.is_closed());
+}
+
+/// True if the reverses of faces are a second side. In a model that is oriented, a few reverses are
+/// walls between bodies that touch, which cancel out.
+bool has_one_side_too_many(const Mesh& mesh) {
+  const auto reverses = static_cast<double>(count_double_sided(mesh));
+  if (reverses == 0) return false;
+  if (reverses >= double_sided_share * static_cast<double>(mesh.faces.size())) return true;
+  Mesh welded = mesh;
+  const std::vector<Index> joined = weld_positions(mesh.positions, 0);
+  for (Face& face : welded.faces)
+    for (Index& v : face) v = joined[v];
+  return !describe_misorientation(welded).empty();
+}
+
+/// True if every face has its corners in the same places, in the same order.
+bool has_same_triangles(const Mesh& before, const Mesh& after) {
+  if (before.faces.size() != after.faces.size()) return false;
+  for (std::size_t f = 0; f < before.faces.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (before.positions[before.faces[f][i]] != after.positions[after.faces[f][i]]) return false;
+  return true;
+}
+
+class Repair {
+ public:
+  Repair(const Mesh& mesh, const RepairOptions& options, const Progress& progress)
+      : input_(mesh),
+        options_(options),
+        progress_(progress),
+        steps_(mesh, options.coordinate, progress) {}
+
+  RepairResult run();
+
+ private:
+  MeshCheck check() const;
+  void join();
+  void stitch(StitchOptions options);
+  void fill_and_clean();
+  void fill();
+  void turn();
+  void drop_shards();
+  void refuse_unless_solid() const;
+  void refuse_large_change() const;
+
+  const Mesh& input_;
+  const RepairOptions& options_;
+  const Progress& progress_;
+  RepairSteps steps_;
+  double crack_width_ = 0;
+};
+
+MeshCheck Repair::check() const {
+  CheckMeshOptions options;
+  options.closed = !options_.keep_open;
+  options.intersections = true;
+  options.coordinate = options_.coordinate;
+  return check_mesh(steps_.mesh(), options, progress_);
+}
+
+// A surface with one side cannot be oriented: it is left open where faces disagree.
+void Repair::stitch(StitchOptions options) {
+  try {
+    steps_.stitch(options);
+  } catch (const InputError& error) {
+    if (error.kind() != ErrorKind::one_sided) throw;
+    options.orient = options.one_side = false;
+    steps_.stitch(options);
+  }
+}
+
+void Repair::join() {
+  const Mesh& mesh = steps_.mesh();
+  const Cracks cracks = find_cracks(mesh);
+  crack_width_ = cracks.width;
+  StitchOptions options;
+  options.tolerance = cracks.tolerance;
+  options.one_side = has_one_side_too_many(mesh);
+  options.orient = !options.one_side;
+  options.outwards = options.drop_copies = true;
+  const bool needs_none =
+      cracks.tolerance == 0 && !options.one_side && is_oriented_manifold(check_manifold(mesh));
+  if (!needs_none) stitch(options);
+}
+
+void Repair::fill() {
+  const double diameter = small_hole * diagonal_of(bounding_box(steps_.mesh()));
+  steps_.fill(true, diameter);
+  steps_.fill(false, std::numeric_limits<double>::infinity());
+}
+
+void Repair::turn() {
+  if (!has_inward_bodies(steps_.mesh())) return;
+  StitchOptions options;
+  options.outwards = true;
+  steps_.stitch(options);
+}
+
+void Repair::fill_and_clean() {
+  for (int round = 0; round < most_rounds; ++round) {
+    if (!options_.keep_open) fill();
+    turn();
+    steps_.clean();
+    if (options_.keep_open || check_manifold(steps_.mesh()).is_closed()) return;
+  }
+}
+
+void Repair::drop_shards() {
+  const double area = least_area(steps_.mesh());
+  if (area > 0) steps_.drop_components(area);
+}
+
+void Repair::refuse_unless_solid() const {
+  const MeshCheck found = check();
+  if (is_solid(found, options_.keep_open)) return;
+  if (found.problems.empty())
+    throw GoalError("the mesh has faces without area that cannot be removed");
+  throw GoalError(found.problems.front());
+}
+
+void Repair::refuse_large_change() const {
+  if (!std::isfinite(options_.max_change) || steps_.mesh().faces.empty()) return;
+  const Farthest farthest = farthest_from(ClosestPointQuery(input_), steps_.mesh());
+  if (farthest.distance <= options_.max_change) return;
+  throw GoalError("the repaired surface is " + significant(farthest.distance, 3) +
+                  " away from the input at " + rough_point_text(farthest.point) +
+                  ", more than the change that is allowed");
+}
+
+RepairResult Repair::run() {
+  RepairResult result;
+  const Sizes before = sizes_of(input_);
+  if (!is_solid(check(), options_.keep_open) || has_inward_bodies(input_)) {
+    join();
+    fill_and_clean();
+    drop_shards();
+    refuse_unless_solid();
+    refuse_large_change();
+  }
+  result.same_triangles = has_same_triangles(input_, steps_.mesh());
+  result.steps = steps_.take_steps();
+  result.mesh = steps_.take_mesh();
+  const Sizes after = sizes_of(result.mesh);
+  result.crack_width = crack_width_;
+  result.area_before = before.area;
+  result.area_after = after.area;
+  result.volume_before = before.volume;
+  result.volume_after = after.volume;
+  return result;
+}
+
+}  // namespace
+
+RepairResult repair(const Mesh& mesh, const RepairOptions& options, const Progress& progress) {
+  if (!(options.max_change > 0)) throw UsageError("the largest change must be greater than 0");
+  if (mesh.faces.empty()) throw GoalError("a mesh without faces cannot be a solid");
+  return Repair(mesh, options, progress).run();
+}
+
+}  // namespace transformesh

@@ -1,0 +1,193 @@
+# tm-repair: damaged solids become the solids that they were, which tm-checkmanifold checks.
+load ../helpers/common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 1 1 3 --faces 500 -o box.ply
+}
+
+# is_solid FILE VOLUME: closed, oriented, free of self-intersections, and of that volume.
+is_solid() {
+  tm-checkmanifold -q --closed --intersections "$1" >verdict || fail "$1 is no solid: $(cat verdict)"
+  awk -v is="$(tm-info --get volume "$1")" -v is_to_be="$2" \
+    'BEGIN { exit !(is > 0.999 * is_to_be && is < 1.001 * is_to_be) }' || fail "volume, not $2"
+}
+
+# repairs FILE VOLUME: the mesh becomes that solid, by tm-repair and by the pipeline that it prints.
+repairs() {
+  tm-repair -q --no-provenance "$1" >repaired || fail "$1 is refused"
+  tm-repair -q --no-provenance --print-pipeline "$1" >pipeline
+  bash -o pipefail pipeline 2>/dev/null | cmp - repaired || fail "$(cat pipeline) gives another mesh"
+  is_solid repaired "$2"
+}
+
+# The faces of box.ply as OFF, each line through an awk program; the vertices stay.
+edited() {
+  tm-convert -q --no-provenance --double --format off box.ply | grep -v '^#' |
+    awk "BEGIN { srand(1) } NR == 2 { vertices = \$1; faces = \$2 } NR <= 2 + vertices { print; next } $1" >lines
+  # Counts are corrected.
+  awk 'FNR == NR { if (FNR > 2 && NF == 4) ++faces; next } FNR == 2 { $2 = faces } { print }' lines lines
+}
+
+# cracked WIDTH: the triangles of box.ply, every corner moved by up to WIDTH / 2 in each direction.
+cracked() {
+  tm-convert -q --no-provenance --double --format stl box.ply |
+    tm-convert -q --no-provenance --double --format off |
+    awk -v width="$1" 'BEGIN { srand(1) }
+      NR > 2 && NF == 3 { print $1 + width * (rand() - 0.5), $2 + width * (rand() - 0.5), $3 + width * (rand() - 0.5); next }
+      { print }'
+}
+
+@test "a damaged solid becomes the solid, and the pipeline that is printed gives the same bytes" {
+  tm-convert -q --format stl box.ply >soup.stl
+  edited '{ if (rand() < 0.3) print $1, $3, $2, $4; else print }' >reversed.off
+  edited '{ print } rand() < 0.2 { print $1, $3, $4, $2 }' >copies.off
+  edited '{ print; print $1, $4, $3, $2 }' >sides.off
+  edited 'NR > 4 + vertices { print }' >hole.off
+  edited '{ print; if (NR == 9 + vertices) print $1, $2, $2, $3 }' >collapsed.off
+  tm-stitch --flip box.ply -o inside-out.ply
+  for file in soup.stl reversed.off copies.off sides.off hole.off collapsed.off inside-out.ply; do
+    repairs "$file" 3
+  done
+  tm-transform --translate 0.3,0.4,0.5 box.ply | tm-cat box.ply - -o overlap.ply
+  repairs overlap.ply "$(tm-clean -q overlap.ply | tm-info --get volume)"
+  tm-transform --translate 5,0,0 inside-out.ply | tm-cat box.ply - -o beside.ply
+  repairs beside.ply 6
+}
+
+@test "cracks and T-junctions are measured, not filled" {
+  for width in 1e-9 2e-6 1e-4; do
+    cracked "$width" >cracked.off
+    repairs cracked.off 3
+    [ "$(tm-info --get genus repaired)" -eq 0 ]
+    ! grep -q tm-fill pipeline
+    tm-repair -q --dry-run --report r.json cracked.off
+    jq -e --argjson width "$width" '.result.crack_width > 0.1 * $width and .result.crack_width < 3 * $width' r.json
+  done
+  # One face in five is cut in two, and its neighbors are not.
+  tm-convert -q --no-provenance --double --format off box.ply | grep -v '^#' | awk 'BEGIN { srand(2) }
+    NR == 2 { count = vertices = $1; next }
+    NR > 2 && NR <= 2 + count { x[NR - 3] = $1; y[NR - 3] = $2; z[NR - 3] = $3; next }
+    NR > 2 && rand() < 0.2 {
+      x[vertices] = (x[$2] + x[$3]) / 2; y[vertices] = (y[$2] + y[$3]) / 2; z[vertices] = (z[$2] + z[$3]) / 2
+      face[faces++] = "3 " $2 " " vertices " " $4; face[faces++] = "3 " vertices++ " " $3 " " $4; next
+    }
+    NR > 2 { face[faces++] = $0 }
+    END {
+      print "OFF\n" vertices, faces, 0
+      for (i = 0; i < vertices; ++i) printf "%.17g %.17g %.17g\n", x[i], y[i], z[i]
+      for (i = 0; i < faces; ++i) print face[i]
+    }' >junctions.off
+  repairs junctions.off 3
+  ! grep -q tm-fill pipeline
+}
+
+@test "the two sides of a thin plate without a rim are no crack" {
+  printf 'OFF\n8 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1e-4\n1 0 1e-4\n1 1 1e-4\n0 1 1e-4\n' >plate.off
+  printf '3 %s\n' "0 2 1" "0 3 2" "4 5 6" "4 6 7" >>plate.off
+  tm-repair -q --dry-run --report r.json plate.off || true
+  tm-repair -q --print-pipeline plate.off >pipeline || true
+  ! grep -q tolerance pipeline
+}
+
+@test "a cavity stays a cavity, inside out, in faces of all directions, and with two sides" {
+  tm-shape sphere --radius 0.3 --faces 300 | tm-stitch --flip | tm-cat box.ply - -o hollow.ply
+  volume=$(tm-info --get volume hollow.ply)
+  tm-repair --no-provenance hollow.ply | cmp - hollow.ply
+  tm-stitch --flip hollow.ply -o turned.ply
+  repairs turned.ply "$volume"
+  tm-cat hollow.ply turned.ply -o sides.ply
+  repairs sides.ply "$volume"
+  cp hollow.ply box.ply
+  edited '{ if (rand() < 0.3) print $1, $3, $2, $4; else print }' >reversed.off
+  repairs reversed.off "$volume"
+  edited 'NR > 4 + vertices { print }' >hole.off
+  repairs hole.off "$volume"
+}
+
+@test "a solid passes byte for byte, in any format" {
+  for format in ply ply-ascii ply-be off obj stl; do
+    tm-convert -q --no-provenance --float --format "$format" box.ply >"solid.$format"
+    tm-repair -q "solid.$format" -o "out.${format%%-*}" --format "$format"
+    cmp "solid.$format" "out.${format%%-*}"
+    [ "$(tm-repair -q --print-pipeline --format "$format" "solid.$format")" = "cat solid.$format" ]
+  done
+  # Numbers that the suite would write otherwise.
+  sed 's/^0 /0.000e0 /' solid.off >other.off
+  tm-repair other.off | cmp - other.off
+}
+
+@test "--keep-open leaves holes and mends the rest" {
+  edited 'NR > 4 + vertices { if (rand() < 0.3) print $1, $3, $2, $4; else print }' >hole.off
+  tm-repair -q --keep-open hole.off -o open.ply
+  tm-checkmanifold --intersections open.ply
+  [ "$(tm-info --get boundary_loops open.ply)" -eq 1 ]
+}
+
+@test "--max-change refuses what is farther away, and writes nothing" {
+  tm-shape sphere --faces 1000 -o ball.ply
+  tm-select --box -2,-2,-2,2,2,0.2 ball.ply -o bowl.ply
+  tm-repair -q --max-change 2 bowl.ply -o solid.ply
+  run --separate-stderr tm-repair -q --max-change 0.2 bowl.ply -o refused.ply
+  assert_status 4
+  one_line "$stderr"
+  [[ $stderr == *"away from the input at ("*"more than the change that is allowed" ]]
+  [ ! -e refused.ply ]
+}
+
+@test "--dry-run writes no mesh, and reports the steps" {
+  tm-convert -q --format stl box.ply >soup.stl
+  tm-repair --dry-run --report r.json soup.stl >out 2>log
+  [ ! -s out ]
+  grep -q 'tm-stitch --orient --drop-copies --outwards: .* joined with others' log
+  jq -e '.result.steps == 1 and .result.step_1_count > 0' r.json
+}
+
+@test "a sheet beside a body is dropped, which is said with the place" {
+  printf 'OFF\n4 2 0\n5 5 5\n9 5 5\n9 9 5\n5 9 5\n3 0 1 2\n3 0 2 3\n' | tm-cat box.ply - -o sheet.ply
+  run --separate-stderr tm-repair sheet.ply -o solid.ply
+  assert_status 0
+  [[ $stderr == *"tm-clean drops 70 % of the area, most of it around ("[59]", "[59]", 5)"* ]] || fail "$stderr"
+  is_solid solid.ply 3
+}
+
+@test "a sheet alone is refused: exit code 4, one sentence, nothing written" {
+  printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >sheet.off
+  run --separate-stderr tm-repair -q sheet.off -o solid.ply
+  assert_status 4
+  one_line "$stderr"
+  [[ $stderr == *"the faces enclose nothing"* ]]
+  [ ! -e solid.ply ]
+}
+
+@test "shards are dropped and counted" {
+  tm-shape sphere --radius 1e-4 --center 4,0,0 --faces 100 | tm-cat box.ply - -o shard.ply
+  # A solid with a small part is a solid.
+  tm-repair shard.ply | cmp - shard.ply
+  tm-transform --translate 0.3,0.4,0.5 box.ply | tm-cat shard.ply - -o crossing.ply
+  run --separate-stderr tm-repair crossing.ply -o solid.ply
+  assert_status 0
+  [[ $stderr == *"1 component dropped as shards"* ]] || fail "$stderr"
+}
+
+@test "vertices that are not numbers are dropped with their faces, and the hole is closed" {
+  edited '{ print }' | awk 'NR == 40 { print "nan 0 0"; next } { print }' >nan.off
+  run --separate-stderr tm-repair nan.off -o solid.ply
+  assert_status 0
+  [[ $stderr == *"not finite"* ]] || fail "$stderr"
+  tm-checkmanifold --closed --intersections solid.ply
+}
+
+@test "broken real meshes become solids by the pipeline that is printed" {
+  for name in cgal/pig.stl cgal/elephant-with-holes.off trimesh/featuretype.STL transformesh/knot-1000.off; do
+    needs_shared "meshes/$name"
+    tm-repair -q --no-provenance "$shared_file" >repaired
+    tm-checkmanifold --closed --intersections repaired
+    tm-repair -q --no-provenance --print-pipeline "$shared_file" >pipeline
+    bash -o pipefail pipeline 2>/dev/null | cmp - repaired
+  done
+}
+
+@test "all kinds of damage: at least nine in ten are right" {
+  "$tm_build/bin-test/repair_grid" --seeds 1 >table || fail "$(cat table)"
+}

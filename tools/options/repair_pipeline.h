@@ -1,0 +1,19 @@
+/// Steps of a repair as messages, and as commands of a shell.
+#pragma once
+
+#include <string>
+
+#include "frame/run.h"
+#include "transformesh/repair.h"
+
+namespace transformesh::tool {
+
+/// Notes each step: its program with options, what was done, where, and how area and volume
+/// changed. Notes also where most of the area was that a step dropped, if it is more than 1 %.
+void note_steps(const RepairResult& result, const Run& run);
+
+/// Returns the commands that give the bytes of the output, joined by pipes. `passes_bytes`: the
+/// output is the input.
+std::string pipeline_of(const RepairResult& result, bool passes_bytes, const Run& run);
+
+}  // namespace transformesh::tool

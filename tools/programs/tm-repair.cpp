@@ -1,0 +1,83 @@
+/// tm-repair: makes a solid of any mesh.
+#include "frame/run.h"
+#include "io/formats/file_format.h"
+#include "options/repair_pipeline.h"
+#include "transformesh/repair.h"
+
+namespace {
+
+using namespace transformesh;
+
+struct Choices {
+  RepairOptions options;
+  std::optional<Length> max_change;
+  bool dry_run = false;
+  bool print_pipeline = false;
+  bool passes_bytes = false;  ///< the output is the input, byte for byte
+
+  bool writes_mesh() const { return !dry_run && !print_pipeline && !passes_bytes; }
+};
+
+/// True if the output would have the triangles of the input in the format of the input.
+bool is_unchanged(const RepairResult& result, const Document& document, const tool::Run& run) {
+  const tool::CommonValues& common = run.program().common;
+  const bool has_indices =
+      document.style.format != Format::stl_ascii && document.style.format != Format::stl_binary;
+  return result.same_triangles && (result.steps.empty() || !has_indices) &&
+         !run.in().bytes().empty() && run.in().format() == document.style.format &&
+         !common.as_float && !common.as_double;
+}
+
+/// Without a mesh to write, the mesh is repaired as it would be written to standard output.
+void set_style_of_stdout(Document& document, const tool::Run& run) {
+  const tool::CommonValues& common = run.program().common;
+  std::optional<Scalar> coordinate;
+  if (common.as_float || common.as_double)
+    coordinate = common.as_float ? Scalar::float32 : Scalar::float64;
+  set_format(document, format_for(run.in().format(), common.format, "-"), coordinate);
+}
+
+void repair_document(Document& document, Choices& choices, tool::Run& run) {
+  if (!choices.writes_mesh()) set_style_of_stdout(document, run);
+  if (choices.max_change) choices.options.max_change = run.length(*choices.max_change);
+  choices.options.coordinate = document.style.coordinate;
+  RepairResult result = repair(document.mesh, choices.options, run.progress());
+  choices.passes_bytes = is_unchanged(result, document, run);
+  if (choices.passes_bytes) result.steps.clear();
+  tool::note_steps(result, run);
+  run.report(entries_of(result));
+  const std::string commands = tool::pipeline_of(result, choices.passes_bytes, run);
+  run.report("pipeline", commands);
+  document.mesh = std::move(result.mesh);
+  if (choices.print_pipeline) {
+    run.out().set_bytes(commands + '\n');
+  } else if (choices.dry_run) {
+    run.out().write_nothing();
+  } else if (choices.passes_bytes) {
+    run.out().set_bytes(run.in().bytes());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Choices choices;
+  tool::Program program{"tm-repair", "[OPTION]... [INPUT]",
+                        "Makes a solid of any mesh by the least change, and says what changed"};
+  program.output.is_clean = true;
+  program.input.soups = tool::Soups::own;
+  program.input.keeps_bytes = true;
+  program.options.flag("keep-open", &choices.options.keep_open,
+                       "leave holes open; all else as for a solid");
+  program.options.length("max-change", &choices.max_change,
+                         "refuse a result that is farther from the input (default: none)");
+  program.options.flag("dry-run", &choices.dry_run, "report what would be done; write no mesh")
+      .affects_result = false;
+  program.options
+      .flag("print-pipeline", &choices.print_pipeline,
+            "print the pipeline of filters that does the same, instead of the mesh")
+      .affects_result = false;
+  program.output.is_mesh = [&] { return choices.writes_mesh(); };
+  return program.run(argc, argv,
+                     [&](tool::Run& run) { repair_document(run.document(), choices, run); });
+}
