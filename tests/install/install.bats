@@ -66,7 +66,7 @@ link_what_is_built() { # FOLDER TARGET...
   root/usr/local/bin/tm | grep -q tm-clean
 }
 
-@test "core needs no library of images, and is 24 programs" {
+@test "core needs no library of images, and is 25 programs" {
   "$tm_build/bin-test/core_alone"
   nm -C "$tm_build/bin-test/core_alone" | grep -q 'transformesh::clean('
   local disabled=()
@@ -76,6 +76,7 @@ link_what_is_built() { # FOLDER TARGET...
   ninja -C core -t targets all | sed -n 's|^bin/\(tm[^:]*\): .*|\1|p' | sort >built
   diff built - <<END
 tm
+tm-boolean
 tm-carry
 tm-cat
 tm-checkmanifold
