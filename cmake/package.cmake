@@ -25,7 +25,7 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "man-db, jq, gnuplot-nox")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtransformesh-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libgmp-dev, libmpfr-dev, \
-libjpeg-dev, libpng-dev, libpugixml-dev, libtiff-dev, zlib1g-dev")
+libjpeg-dev, libminizip-dev, libpng-dev, libpugixml-dev, libtiff-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
     "The library and its headers: exact removal of self-intersections of triangle
 meshes, remeshing, morphing, evolution with any velocity, and reconstruction

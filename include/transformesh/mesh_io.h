@@ -1,6 +1,7 @@
-/// Reads and writes meshes: PLY, OFF and its variants, OBJ and STL; writes GLB and VTP as well.
+/// Reads and writes meshes: PLY, OFF and its variants, OBJ, STL, glTF (written as GLB), 3MF, VTP
+/// and points as text (XYZ); reads VTK and PCD as well.
 ///
-/// The format is detected from the first bytes; the name helps only if bytes cannot decide.
+/// Bytes compressed by gzip are expanded. The format is detected from the first bytes; the name helps only if bytes cannot decide.
 /// Polygons are triangulated without folds. Memory grows with the bytes that are there, never with
 /// a count that a header states. Every index and number is checked. Vertices with a coordinate that
 /// is not finite are dropped with the faces that use them; normals and colors that are not finite
@@ -24,6 +25,8 @@ struct ReadOptions {
   /// Throw InputError for content that is otherwise dropped or skipped with a note: values that are
   /// not finite, unknown lines, a missing end.
   bool strict = false;
+  /// Folder of the files that a .gltf file names; empty: such files are refused.
+  std::string folder = {};
 };
 
 struct ReadResult {

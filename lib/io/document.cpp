@@ -91,6 +91,10 @@ const char* name_of(Format format) {
       return "glb";
     case Format::vtp:
       return "vtp";
+    case Format::three_mf:
+      return "3mf";
+    case Format::xyz:
+      return "xyz";
     default:
       return "ply";
   }

@@ -8,9 +8,13 @@
 #include "io/formats/off.h"
 #include "io/formats/ply.h"
 #include "io/formats/stl.h"
+#include "io/formats/three_mf.h"
 #include "io/formats/vtp.h"
+#include "io/formats/xyz.h"
 #include "io/streams/atomic_file.h"
+#include "io/streams/expand.h"
 #include "io/streams/streams.h"
+#include "support/counted.h"
 
 namespace transformesh {
 namespace {
@@ -22,9 +26,8 @@ std::string_view without_byte_order_mark(std::string_view bytes) {
   return is_marked ? bytes.substr(mark.size()) : bytes;
 }
 
-}  // namespace
-
-ReadResult read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+ReadResult read_expanded(std::string_view bytes, const std::string& name,
+                         const ReadOptions& options) {
   const Source source{without_byte_order_mark(bytes), name, options.strict};
   switch (detect_format(source)) {
     case FileKind::ply:
@@ -35,9 +38,25 @@ ReadResult read_mesh(std::string_view bytes, const std::string& name, const Read
       return read_obj(source);
     case FileKind::stl_ascii:
       return read_stl_text(source);
+    case FileKind::gltf:
+      return read_glb(source, options.folder);
+    case FileKind::three_mf:
+      return read_three_mf(source);
     default:
       return read_stl_binary(source);
   }
+}
+
+}  // namespace
+
+ReadResult read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  if (!is_gzip(bytes)) return read_expanded(bytes, name, options);
+  const Expanded expanded = expand_gzip({bytes, name, options.strict});
+  ReadResult result = read_expanded(expanded.bytes, name, options);
+  if (expanded.rest > 0)
+    result.notes.push_back("gzip: " + counted(expanded.rest, "byte") +
+                           " after the compressed data ignored");
+  return result;
 }
 
 WriteResult write_mesh(const Document& document) {
@@ -53,6 +72,11 @@ WriteResult write_mesh(const Document& document) {
     case Format::vtp:
       if (document.style.coordinate == Scalar::float32) check_float_range(document.mesh);
       return write_vtp(document);
+    case Format::three_mf:
+      if (document.style.coordinate == Scalar::float32) check_float_range(document.mesh);
+      return write_three_mf(document);
+    case Format::xyz:
+      return write_xyz(document);
     case Format::stl_ascii:
     case Format::stl_binary:
       check_float_range(document.mesh);
@@ -65,7 +89,7 @@ WriteResult write_mesh(const Document& document) {
 
 Mesh read_mesh_file(const std::string& path) {
   const Bytes bytes = read_all(path);
-  return read_mesh(bytes.view(), input_name(path)).document.mesh;
+  return read_mesh(bytes.view(), input_name(path), {.folder = input_folder(path)}).document.mesh;
 }
 
 void write_mesh_file(const std::string& path, const Mesh& mesh) {

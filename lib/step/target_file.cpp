@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/formats/detect_format.h"
+#include "io/streams/expand.h"
 #include "step/point_text.h"
 #include "step/prepare_target.h"
 #include "transformesh/errors.h"
@@ -21,9 +22,9 @@ bool has_comment(const Document& document, const char* comment) {
 }
 
 // What is neither names all that there is, and why its lines are no points.
-ReadResult read_as_mesh(const Source& source) {
+ReadResult read_as_mesh(const Source& source, const ReadOptions& options) {
   try {
-    return read_mesh(source.bytes, source.name, {source.is_strict});
+    return read_mesh(source.bytes, source.name, options);
   } catch (const InputError& error) {
     if (error.kind() != ErrorKind::unknown_format) throw;
     check_point_text(source);
@@ -47,8 +48,10 @@ Target read_target(std::string_view bytes, const std::string& name, const ReadOp
 
 ReadResult read_mesh_or_points(std::string_view bytes, const std::string& name,
                                const ReadOptions& options) {
-  const Source source{bytes, name, options.strict};
-  return is_point_text(source) ? read_point_text(source) : read_as_mesh(source);
+  const Expanded expanded =
+      is_gzip(bytes) ? expand_gzip({bytes, name, options.strict}) : Expanded{};
+  const Source source{is_gzip(bytes) ? expanded.bytes : bytes, name, options.strict};
+  return is_point_text(source) ? read_point_text(source) : read_as_mesh(source, options);
 }
 
 std::string write_target(const Target& target) {

@@ -70,7 +70,7 @@ link_what_is_built() { # FOLDER TARGET...
   "$tm_build/bin-test/core_alone"
   nm -C "$tm_build/bin-test/core_alone" | grep -q 'transformesh::clean('
   local disabled=()
-  for package in JPEG PNG TIFF ZLIB pugixml; do disabled+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"); done
+  for package in JPEG PNG TIFF; do disabled+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"); done
   cmake -S "$tm_root" -B core -G Ninja -DTM_VIEWS=OFF -DTM_SHOW=OFF "${disabled[@]}" >log 2>&1 ||
     fail "$(cat log)"
   ninja -C core -t targets all | sed -n 's|^bin/\(tm[^:]*\): .*|\1|p' | sort >built

@@ -87,7 +87,7 @@ void Inputs::keep_bytes(std::string_view bytes, const ReadResult& result) {
 Document Inputs::read(const std::string& path) {
   phases_.begin("read");
   const Bytes bytes = read_once(path);
-  ReadResult result = read_mesh(bytes.view(), input_name(path), reading());
+  ReadResult result = read_mesh(bytes.view(), input_name(path), reading(path));
   keep_bytes(bytes.view(), result);
   const Soups soups = program_.input.soups;
   if (result.soup_note && soups != Soups::own && soups != Soups::joined) {

@@ -36,8 +36,10 @@ class Inputs {
   /// Reads a further mesh or file, which an option names. Stdin can be read once.
   Document read(const std::string& path);
   std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
-  /// Returns the options for reading that --strict sets.
-  ReadOptions reading() const { return {program_.common.strict}; }
+  /// Returns the options for reading a file that --strict sets.
+  ReadOptions reading(const std::string& path) const {
+    return {program_.common.strict, input_folder(path)};
+  }
 
   /// Returns a length in input units. 1% is of the diagonal of the first mesh (or of `set_basis`),
   /// 0.7x of the reference edge: the tm:reference-edge comment, or else the mean edge, which is

@@ -29,7 +29,7 @@ const char* name_of(MorphDistance distance) {
 Target target_of(const Options& options, tool::Run& run) {
   run.progress()("read target");
   Target target = read_target(run.in().read_bytes(options.target), input_name(options.target),
-                              run.in().reading());
+                              run.in().reading(options.target));
   run.say().note_all(target.notes);
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");

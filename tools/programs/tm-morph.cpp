@@ -20,7 +20,7 @@ void check_start(const Mesh& source, const Target& target, tool::Run& run) {
 }
 
 Target read(const std::string& name, tool::Run& run) {
-  Target target = read_target(run.in().read_bytes(name), input_name(name), run.in().reading());
+  Target target = read_target(run.in().read_bytes(name), input_name(name), run.in().reading(name));
   run.say().note_all(target.notes);
   if (target.has_estimated_normals)
     run.note("the target's points have no normals: estimated from their neighbors");

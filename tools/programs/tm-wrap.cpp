@@ -67,9 +67,9 @@ void note_without_normal(const std::vector<Vec3>& normals, tool::Run& run) {
 
 void wrap(const Options& options, tool::Run& run) {
   run.progress()("read");
-  const std::string name = input_name(run.in().name());
+  const std::string& path = run.in().name();
   const ReadResult read =
-      read_mesh_or_points(run.in().read_bytes(run.in().name()), name, run.in().reading());
+      read_mesh_or_points(run.in().read_bytes(path), input_name(path), run.in().reading(path));
   const Mesh& cloud = read.document.mesh;
   run.say().note_all(read.notes);
   run.report("points", cloud.positions.size());

@@ -51,4 +51,18 @@ const Column* corner_texture(const Columns& face_columns) {
   return are_finite ? column : nullptr;
 }
 
+void add_missing_colors(Columns& first, std::size_t first_rows, Columns& second,
+                        std::size_t second_rows) {
+  const auto add = [](const Columns& from, Columns& to, std::size_t rows) {
+    for (const char* channel : color_channels) {
+      const Column* given = from.find(channel);
+      if (given == nullptr || given->list_count_type || to.find(channel) != nullptr) continue;
+      const double white = is_floating(given->type) ? 1 : 255;
+      to.get(channel, given->type, rows).values.assign(rows, white);
+    }
+  };
+  if (first_rows > 0) add(second, first, first_rows);
+  if (second_rows > 0) add(first, second, second_rows);
+}
+
 }  // namespace transformesh

@@ -6,8 +6,11 @@
 #include <optional>
 
 #include "io/document/scalar_bytes.h"
+#include "io/formats/gltf_file.h"
 #include "io/formats/off.h"
 #include "io/formats/text_rows.h"
+#include "io/streams/expand.h"
+#include "io/streams/zip_archive.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
@@ -25,7 +28,7 @@ std::string lower_case(std::string_view text) {
 }
 
 bool has_extension(const Source& source, std::string_view extension) {
-  const std::string name = lower_case(source.name);
+  const std::string name = lower_case(without_gz(source.name));
   return name.size() >= extension.size() &&
          std::string_view(name).substr(name.size() - extension.size()) == extension;
 }
@@ -101,6 +104,8 @@ bool is_utf16(std::string_view bytes) {
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   const std::string_view word = first_word(bytes);
   if (is_ply_start(bytes)) return FileKind::ply;
+  if (bytes.starts_with("glTF") || is_gltf_text(bytes)) return FileKind::gltf;
+  if (is_zip(bytes)) return FileKind::three_mf;
   // No text has the size that its characters would mean.
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
   if (is_off_keyword(word)) return FileKind::off;
@@ -133,10 +138,9 @@ FileKind detect_format(const Source& source) {
   const std::string_view bytes = source.bytes;
   if (bytes.empty()) source.fail("the input is empty: not a single byte of a mesh");
   if (const auto kind = kind_of_bytes(bytes)) return *kind;
-  if (bytes.substr(0, 2) == "\x1f\x8b")
-    source.fail("the input is compressed: unpack it with gzip -dc");
-  if (bytes.starts_with("glTF") || bytes.substr(0, 200).find("<VTKFile") != std::string_view::npos)
-    source.fail("GLB and VTP are written, not read: PLY, OFF, OBJ and STL are read");
+  if (is_gzip(bytes)) source.fail("the input is compressed twice by gzip: expand it once");
+  if (bytes.substr(0, 200).find("<VTKFile") != std::string_view::npos)
+    source.fail("VTP is written, not read");
   if (is_utf16(bytes))
     source.fail("the input is text in UTF-16: convert it with iconv -f UTF-16 -t UTF-8");
   if (const auto kind = kind_of_name(source)) return *kind;

@@ -5,7 +5,7 @@
 
 namespace transformesh {
 
-enum class FileKind { ply, off, obj, stl_ascii, stl_binary };
+enum class FileKind { ply, off, obj, stl_ascii, stl_binary, gltf, three_mf };
 
 /// The name's extension decides only where bytes cannot: OFF without its keyword, binary STL of the
 /// wrong size, files of comments. Throws InputError showing the first bytes where nothing fits.

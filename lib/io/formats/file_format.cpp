@@ -32,6 +32,8 @@ Format format_for(Format input, std::string_view wanted, std::string_view name) 
   if (extension == ".obj") return Format::obj;
   if (extension == ".glb") return Format::glb;
   if (extension == ".vtp") return Format::vtp;
+  if (extension == ".3mf") return Format::three_mf;
+  if (extension == ".xyz") return Format::xyz;
   const bool is_text_stl = input == Format::stl_ascii;
   if (extension == ".stl") return is_text_stl ? Format::stl_ascii : Format::stl_binary;
   if (extension == ".ply") return is_ply(input) ? input : Format::ply_little;
@@ -39,7 +41,8 @@ Format format_for(Format input, std::string_view wanted, std::string_view name) 
 }
 
 const std::vector<std::string>& written_endings() {
-  static const std::vector<std::string> endings{".ply", ".off", ".obj", ".stl", ".glb", ".vtp"};
+  static const std::vector<std::string> endings{".ply", ".off", ".obj", ".stl",
+                                                 ".glb", ".vtp", ".3mf", ".xyz"};
   return endings;
 }
 
@@ -70,7 +73,7 @@ bool holds_floats(Format format) {
 
 bool is_text(Format format) {
   return format == Format::ply_ascii || format == Format::off || format == Format::obj ||
-         format == Format::stl_ascii;
+         format == Format::stl_ascii || format == Format::xyz;
 }
 
 }  // namespace transformesh

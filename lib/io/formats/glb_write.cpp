@@ -12,6 +12,7 @@
 #include "io/formats/column_groups.h"
 #include "io/formats/glb.h"
 #include "io/streams/source.h"
+#include "mesh/adjacency.h"
 #include "mesh/coordinate_spacing.h"
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
@@ -92,7 +93,11 @@ Mesh split_at_seams(const Mesh& mesh, const Column& lists) {
 
 class GlbWriter {
  public:
-  explicit GlbWriter(const Document& document) : document_(document), mesh_(document.mesh) {
+  explicit GlbWriter(const Document& document)
+      : document_(document),
+        mesh_(document.mesh),
+        is_manifold_(!mesh_.faces.empty() &&
+                     closed_opposites(mesh_, opposite_halfedges(mesh_)).has_value()) {
     const Column* const lists = corner_texture(mesh_.face_columns);
     if (lists == nullptr || mesh_.faces.empty()) return;
     mesh_ = split_at_seams(document.mesh, *lists);
@@ -124,6 +129,7 @@ class GlbWriter {
     json["scenes"] = {{{"nodes", {0}}}};
     json["nodes"] = {{{"mesh", 0}}};
     json["meshes"] = {{{"primitives", {primitive}}}};
+    if (is_manifold_) add_manifold(primitive, json);
     // By default a surface would be of metal, and invisible from behind.
     json["materials"] = {
         {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"doubleSided", true}}};
@@ -144,7 +150,41 @@ class GlbWriter {
     Json& material = json["materials"][0];
     material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
     material["extensions"] = {{"KHR_materials_unlit", Json::object()}};
-    json["extensionsUsed"] = {"KHR_materials_unlit"};
+    json["extensionsUsed"].push_back("KHR_materials_unlit");
+  }
+
+  /// The manifold primitive has the indices of the primitive, in which the sparse part of its
+  /// accessor replaces vertices repeated for the texture.
+  void add_manifold(const Json& primitive, Json& json) {
+    const std::size_t indices = primitive["indices"];
+    Json manifold = {{"attributes", {{"POSITION", primitive["attributes"]["POSITION"]}}},
+                     {"indices", indices},
+                     {"mode", as_triangles}};
+    Json extension;
+    std::vector<std::uint32_t> places, values;
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index vertex = document_.mesh.faces[f][i];
+        if (mesh_.faces[f][i] == vertex) continue;
+        places.push_back(static_cast<std::uint32_t>(3 * f + i));
+        values.push_back(vertex);
+      }
+    if (!places.empty()) {
+      const std::size_t at = add(places, 1, 0), with = add(values, 1, 0);
+      Json merged = accessors_[indices];
+      const auto view = [&](std::size_t accessor) { return accessors_[accessor]["bufferView"]; };
+      merged["sparse"] = {
+          {"count", places.size()},
+          {"indices", {{"bufferView", view(at)}, {"componentType", component_type(Index{})}}},
+          {"values", {{"bufferView", view(with)}}}};
+      manifold["indices"] = accessors_.size();
+      accessors_.push_back(merged);
+      extension["mergeIndices"] = at;
+      extension["mergeValues"] = with;
+    }
+    extension["manifoldPrimitive"] = manifold;
+    json["meshes"][0]["extensions"]["EXT_mesh_manifold"] = extension;
+    json["extensionsUsed"].push_back("EXT_mesh_manifold");
   }
 
   Json attributes() {
@@ -251,7 +291,8 @@ class GlbWriter {
     for (const Column* column : group) kept_.push_back(column->name);
   }
 
-  /// Stores values, `width` of them to an element, and returns the number of their accessor.
+  /// Stores values, `width` of them to an element, and returns the number of their accessor. A
+  /// target of 0 says that they are neither vertices nor corners.
   template <class T>
   std::size_t add(const std::vector<T>& values, std::size_t width, int target) {
     const std::size_t start = binary_.size();
@@ -261,10 +302,9 @@ class GlbWriter {
       store_scalar(to, value, !host_is_little);
       to += sizeof(T);
     }
-    views_.push_back({{"buffer", 0},
-                      {"byteOffset", start},
-                      {"byteLength", binary_.size() - start},
-                      {"target", target}});
+    views_.push_back(
+        {{"buffer", 0}, {"byteOffset", start}, {"byteLength", binary_.size() - start}});
+    if (target != 0) views_.back()["target"] = target;
     constexpr std::array<const char*, 5> types{"", "SCALAR", "VEC2", "VEC3", "VEC4"};
     accessors_.push_back({{"bufferView", views_.size() - 1},
                           {"componentType", component_type(T{})},
@@ -289,6 +329,7 @@ class GlbWriter {
 
   const Document& document_;
   Mesh mesh_;
+  bool is_manifold_;
   std::string binary_;
   Json views_ = Json::array();
   Json accessors_ = Json::array();

@@ -81,6 +81,14 @@ std::string input_name(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
 
+std::string input_folder(const std::string& path) {
+  struct stat status {};
+  if (path == "-" || stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  const std::size_t slash = path.rfind('/');
+  if (slash == std::string::npos) return ".";
+  return slash == 0 ? "/" : path.substr(0, slash);
+}
+
 Bytes read_all(const std::string& path) {
   const Descriptor descriptor(path);
   if (descriptor.number() < 0) throw_unreadable(path);

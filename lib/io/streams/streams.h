@@ -31,6 +31,10 @@ Bytes read_all(const std::string& path);
 /// What messages call an input.
 std::string input_name(const std::string& path);
 
+/// The folder of a file that is given by its name, `.` for one here. Empty for `-`, and for what is
+/// no regular file.
+std::string input_folder(const std::string& path);
+
 /// Writes all bytes; false with errno set on failure.
 bool write_all(int descriptor, std::string_view bytes);
 

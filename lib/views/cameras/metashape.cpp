@@ -2,7 +2,7 @@
 #include <map>
 
 #include "views/cameras/camera_formats.h"
-#include "views/cameras/xml_elements.h"
+#include "io/formats/xml_elements.h"
 
 namespace transformesh {
 namespace {

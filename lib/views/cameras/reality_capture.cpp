@@ -8,7 +8,7 @@
 #include "support/elementary/trigonometric.h"
 #include "support/number.h"
 #include "views/cameras/camera_formats.h"
-#include "views/cameras/xml_elements.h"
+#include "io/formats/xml_elements.h"
 
 namespace transformesh {
 namespace {

@@ -1,4 +1,4 @@
-/// Elements of XML camera files, which pugixml parses.
+/// Elements of XML files, which pugixml parses.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-#include "views/cameras/xml_elements.h"
+#include "io/formats/xml_elements.h"
 
 #include <cmath>
 #include <sstream>

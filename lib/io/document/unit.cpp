@@ -1,0 +1,44 @@
+#include "io/document/unit.h"
+
+#include <algorithm>
+#include <array>
+
+namespace transformesh {
+namespace {
+
+constexpr std::string_view mark = "tm:unit ";
+
+// The inch has been 25.4 mm by definition since 1959, and the foot has 12 inches.
+constexpr std::array<Unit, 6> units{{{"micron", "um", 1e-3},
+                                     {"millimeter", "mm", 1},
+                                     {"centimeter", "cm", 10},
+                                     {"inch", "in", 25.4},
+                                     {"foot", "ft", 304.8},
+                                     {"meter", "m", 1000}}};
+
+}  // namespace
+
+std::span<const Unit> all_units() { return units; }
+
+const Unit* find_unit(std::string_view name) {
+  const auto* const found = std::find_if(units.begin(), units.end(), [&](const Unit& unit) {
+    return unit.name == name || unit.short_name == name;
+  });
+  return found == units.end() ? nullptr : found;
+}
+
+const Unit* unit_of(const Document& document) {
+  for (const std::string& comment : document.style.comments)
+    if (comment.starts_with(mark)) return find_unit(std::string_view(comment).substr(mark.size()));
+  const Format format = document.style.format;
+  const bool is_stl = format == Format::stl_ascii || format == Format::stl_binary;
+  return is_stl ? find_unit("mm") : nullptr;
+}
+
+void set_unit(Document& document, const Unit& unit) {
+  std::vector<std::string>& comments = document.style.comments;
+  std::erase_if(comments, [](const std::string& comment) { return comment.starts_with(mark); });
+  comments.push_back(std::string(mark).append(unit.name));
+}
+
+}  // namespace transformesh

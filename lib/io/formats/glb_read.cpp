@@ -1,0 +1,128 @@
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "io/formats/column_groups.h"
+#include "io/formats/finite_values.h"
+#include "io/formats/glb.h"
+#include "io/formats/gltf_mesh.h"
+#include "io/formats/gltf_scene.h"
+#include "mesh/surface_columns.h"
+#include "support/counted.h"
+
+namespace transformesh {
+namespace {
+
+using Json = GltfFile::Json;
+
+class GlbReader {
+ public:
+  GlbReader(const Source& source, const std::string& folder)
+      : source_(source), budget_(source), file_(source, folder) {}
+
+  ReadResult read() {
+    Style& style = result_.document.style;
+    style.format = Format::glb;
+    style.coordinate = Scalar::float32;
+    read_comments();
+    const std::vector<GltfInstance> instances = gltf_instances(file_);
+    for (const GltfInstance& instance : instances) add_instance(instance);
+    Mesh& mesh = result_.document.mesh;
+    zero_values_not_finite(mesh.vertex_columns, source_, "vertex", "glb", result_.notes);
+    drop_points_not_finite(mesh, 0, "glb", result_.notes);
+    if (instances.size() > 1)
+      note(counted(instances.size(), "mesh node") + " read as one mesh");
+    note_losses();
+    return std::move(result_);
+  }
+
+ private:
+  void note(const std::string& text) { result_.notes.push_back("glb: " + text); }
+
+  void read_comments() {
+    const Json& json = file_.json();
+    const auto list = json["asset"].find("extras");
+    if (list == json["asset"].end() || !list->is_object() || !list->contains("comments")) return;
+    for (const Json& comment : (*list)["comments"])
+      if (comment.is_string())
+        result_.document.style.comments.push_back(comment.get<std::string>());
+  }
+
+  void add_instance(const GltfInstance& instance) {
+    // Visiting costs, even of a mesh without anything in it.
+    constexpr std::size_t cost_of_visit = 64;
+    budget_.spend(cost_of_visit);
+    Document part;
+    part.mesh = gltf_mesh(file_, instance.mesh, budget_, losses_);
+    part.style.coordinate = Scalar::float32;
+    if (!instance.to_scene.matrix().isIdentity(0)) {
+      place(instance.to_scene, part.mesh);
+      part.style.coordinate = Scalar::float64;
+    }
+    Mesh& all = result_.document.mesh;
+    if (all.positions.size() + part.mesh.positions.size() >= no_index ||
+        all.faces.size() + part.mesh.faces.size() >= no_index / 3)
+      file_.fail("more vertices or triangles than 32 bits can count");
+    add_missing_colors(all.vertex_columns, all.positions.size(), part.mesh.vertex_columns,
+                       part.mesh.positions.size());
+    add_missing_colors(all.face_columns, all.faces.size(), part.mesh.face_columns,
+                       part.mesh.faces.size());
+    for (const std::string& line : append(result_.document, part)) note(line);
+  }
+
+  /// A mirror image has its faces turned, so that outside stays outside.
+  static void place(const Eigen::Affine3d& to_scene, Mesh& mesh) {
+    for (Vec3& position : mesh.positions) position = to_scene * position;
+    const Eigen::Matrix3d linear = to_scene.linear();
+    const double sign = linear.determinant() < 0 ? -1 : 1;
+    // Up to a factor, this is the inverse transposed, and needs no division.
+    Eigen::Matrix3d normal_matrix;
+    normal_matrix << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
+        linear.col(0).cross(linear.col(1));
+    turn_normals(sign * normal_matrix, mesh.vertex_columns);
+    if (sign > 0) return;
+    for (Index f = 0; f < mesh.faces.size(); ++f) {
+      std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+      reverse_corner_lists(mesh, f);
+    }
+  }
+
+  static void turn_normals(const Eigen::Matrix3d& matrix, Columns& columns) {
+    Column* const x = columns.find("nx");
+    Column* const y = columns.find("ny");
+    Column* const z = columns.find("nz");
+    if (x == nullptr || y == nullptr || z == nullptr) return;
+    for (std::size_t v = 0; v < x->values.size(); ++v) {
+      const Vec3 normal = matrix * Vec3(x->values[v], y->values[v], z->values[v]);
+      const Vec3 unit = normal.stableNormalized();
+      x->values[v] = unit.x(), y->values[v] = unit.y(), z->values[v] = unit.z();
+    }
+  }
+
+  void note_losses() {
+    const auto left_out = [&](std::size_t count, const std::string& what) {
+      if (count > 0) note(counted(count, what) + " left out");
+    };
+    left_out(losses_.line_primitives, "primitive of lines");
+    left_out(losses_.unread_attributes, "vertex attribute that is no column");
+    left_out(losses_.unused_merges, "mesh extension EXT_mesh_manifold that does not fit");
+    left_out(file_.count("images"), "picture");
+    left_out(file_.count("animations"), "animation");
+    left_out(file_.count("skins"), "skin");
+    left_out(file_.count("cameras"), "camera");
+    if (file_.rest() > 0) note(counted(file_.rest(), "byte") + " after the last chunk ignored");
+  }
+
+  const Source& source_;
+  ExpansionBudget budget_;
+  GltfFile file_;
+  GltfLosses losses_;
+  ReadResult result_;
+};
+
+}  // namespace
+
+ReadResult read_glb(const Source& source, const std::string& folder) {
+  return GlbReader(source, folder).read();
+}
+
+}  // namespace transformesh

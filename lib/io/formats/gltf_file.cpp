@@ -1,0 +1,239 @@
+#include "io/formats/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "io/document/scalar_bytes.h"
+#include "io/streams/expand.h"
+#include "io/streams/streams.h"
+#include "support/base64.h"
+#include "support/counted.h"
+
+namespace transformesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t header_size = 12;
+constexpr std::size_t chunk_header_size = 8;
+constexpr std::string_view json_chunk = "JSON";
+constexpr std::string_view binary_chunk("BIN\0", 4);
+
+/// Extensions whose absence leaves the shape as it is: they are about light and pictures.
+bool is_about_looks(std::string_view extension) {
+  for (const std::string_view start : {"KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_",
+                                       "KHR_xmp", "MSFT_texture_"})
+    if (extension.starts_with(start)) return true;
+  return extension == "KHR_mesh_quantization" || extension == "EXT_mesh_manifold";
+}
+
+std::string compression_name(std::string_view extension) {
+  if (extension == "KHR_draco_mesh_compression") return "Draco";
+  if (extension.ends_with("meshopt_compression")) return "meshopt";
+  return {};
+}
+
+/// Replaces %20 and the like by the bytes that they stand for.
+std::string without_escapes(std::string_view uri) {
+  const auto digit = [](char c) {
+    constexpr std::string_view digits = "0123456789abcdef0123456789ABCDEF";
+    const std::size_t at = digits.find(c);
+    return at == std::string_view::npos ? -1 : static_cast<int>(at % 16);
+  };
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool is_escape = uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 &&
+                           digit(uri[i + 2]) >= 0;
+    text += is_escape ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
+    if (is_escape) i += 2;
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_gltf_text(std::string_view bytes) {
+  constexpr std::size_t searched = 1U << 16U;  // writers put the asset first, or behind few nodes
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || bytes[first] != '{') return false;
+  const std::string_view start = bytes.substr(0, searched);
+  const bool is_small = bytes.size() <= searched;
+  return start.find("\"asset\"") != std::string_view::npos ||
+         (!is_small && start.find("\"bufferView\"") != std::string_view::npos);
+}
+
+GltfFile::GltfFile(const Source& source, std::string folder)
+    : source_(source), folder_(std::move(folder)) {
+  if (source_.bytes.starts_with("glTF")) {
+    read_container();
+  } else {
+    parse(source_.bytes);
+  }
+  check_version();
+  check_extensions();
+  read_buffers();
+}
+
+void GltfFile::read_container() {
+  const std::string_view bytes = source_.bytes;
+  const auto number = [&](std::size_t at) -> std::size_t {
+    if (at + sizeof(std::uint32_t) > bytes.size())
+      source_.fail_at_byte(bytes.data() + bytes.size(), "the GLB file is cut off in a header");
+    return load_scalar<std::uint32_t>(bytes.data() + at, !host_is_little);
+  };
+  if (const std::size_t version = number(4); version != 2)
+    source_.fail("GLB of version " + std::to_string(version) + " is not read, only version 2");
+  const std::size_t end = number(8);
+  if (end > bytes.size())
+    source_.fail("the GLB header announces " + counted(end, "byte") + ", but there are " +
+                 std::to_string(bytes.size()) + ": the file is cut off");
+  rest_ = bytes.size() - end;
+  bool has_json = false;
+  for (std::size_t at = header_size; at < end;) {
+    const std::size_t size = number(at);
+    number(at + 4);
+    if (size > end - std::min(end, at + chunk_header_size))
+      source_.fail_at_byte(bytes.data() + at, "a chunk of GLB reaches beyond the end of the file");
+    const std::string_view kind = bytes.substr(at + 4, 4);
+    const std::string_view content = bytes.substr(at + chunk_header_size, size);
+    if (kind == json_chunk && !has_json) has_json = true, parse(content);
+    if (kind == binary_chunk && !has_binary_) has_binary_ = true, binary_ = content;
+    at += chunk_header_size + size;
+  }
+  if (!has_json) source_.fail("the GLB file has no chunk of JSON");
+}
+
+void GltfFile::parse(std::string_view text) {
+  try {
+    json_ = Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    const std::size_t at = std::min(error.byte, text.size());
+    source_.fail_at_byte(text.data() + (at > 0 ? at - 1 : 0), "the JSON of glTF is malformed");
+  }
+  if (!json_.is_object()) fail("the JSON is no object");
+}
+
+void GltfFile::check_version() const {
+  const auto asset = json_.find("asset");
+  const bool has_version = asset != json_.end() && asset->is_object() &&
+                           asset->contains("version") && (*asset)["version"].is_string();
+  if (!has_version) fail("the JSON has no asset with a version");
+  const std::string version = (*asset)["version"];
+  if (!version.starts_with("2.")) fail("version " + transformesh::quoted(version) + " is not read, only 2");
+}
+
+/// Extensions that the file merely uses have a fallback for readers without them.
+void GltfFile::check_extensions() const {
+  const auto list = json_.find("extensionsRequired");
+  if (list == json_.end() || !list->is_array()) return;
+  for (const Json& entry : *list) {
+    const std::string name = entry.is_string() ? entry.get<std::string>() : "";
+    if (is_about_looks(name)) continue;
+    const std::string compression = compression_name(name);
+    if (!compression.empty())
+      fail("meshes are compressed by " + compression + " (" + name +
+           "), which is not read: write the file without compression");
+    fail("the file requires the extension " + transformesh::quoted(name) + ", which is not read");
+  }
+}
+
+// --- Elements ------------------------------------------------------------------------------------
+
+std::size_t GltfFile::count(const char* array) const {
+  const auto found = json_.find(array);
+  return found != json_.end() && found->is_array() ? found->size() : 0;
+}
+
+const GltfFile::Json& GltfFile::element(const char* array, std::size_t index) const {
+  if (index >= count(array))
+    fail("element " + std::to_string(index) + " of " + array + " is used, but " +
+         there_are(count(array), "element"));
+  const Json& found = json_.find(array)->at(index);
+  if (!found.is_object()) fail("element " + std::to_string(index) + " of " + array + " is no object");
+  return found;
+}
+
+std::size_t GltfFile::whole(const Json& object, const char* key, const std::string& what,
+                            std::optional<std::size_t> fallback) const {
+  const auto found = object.find(key);
+  if (found == object.end()) {
+    if (fallback) return *fallback;
+    fail(what + " has no " + key);
+  }
+  if (!found->is_number_unsigned())
+    fail(std::string(key) + " of " + what + " is no whole number of 0 or more");
+  return found->get<std::size_t>();
+}
+
+// --- Buffers -------------------------------------------------------------------------------------
+
+void GltfFile::read_buffers() {
+  buffers_.resize(count("buffers"));
+  for (std::size_t i = 0; i < buffers_.size(); ++i) {
+    const Json& entry = element("buffers", i);
+    const auto uri = entry.find("uri");
+    if (uri == entry.end()) continue;
+    if (!uri->is_string()) fail("uri of buffer " + std::to_string(i) + " is no text");
+    buffers_[i] = read_uri(i, uri->get<std::string>());
+  }
+}
+
+std::string GltfFile::read_uri(std::size_t index, const std::string& uri) const {
+  if (!uri.starts_with("data:")) return read_beside(without_escapes(uri));
+  constexpr std::string_view mark = ";base64,";
+  const std::size_t at = uri.find(mark);
+  const auto bytes = at == std::string::npos
+                         ? std::nullopt
+                         : bytes_of_base64(std::string_view(uri).substr(at + mark.size()));
+  if (!bytes) fail("the data of buffer " + std::to_string(index) + " is no base64");
+  return *bytes;
+}
+
+/// A name must not lead out of the folder, neither by itself nor by a symbolic link, and not to a
+/// device, whose bytes may have no end.
+std::string GltfFile::read_beside(const std::string& name) const {
+  const fs::path path(name);
+  const bool leaves = path.is_absolute() || name.find("://") != std::string::npos ||
+                      std::find(path.begin(), path.end(), "..") != path.end() ||
+                      name.find('\0') != std::string::npos;
+  if (leaves) fail("the buffer " + transformesh::quoted(name) + " is not in the folder of the file");
+  if (folder_.empty())
+    fail("the buffer " + transformesh::quoted(name) +
+         " is in a file of its own, which is found only if the input is a file given by its name");
+  std::error_code error;
+  const fs::path folder = fs::canonical(folder_, error);
+  const fs::path place = fs::canonical(folder / path, error);
+  if (error || !fs::is_regular_file(place, error))
+    fail("the buffer " + transformesh::quoted(name) + " is not there, beside the file");
+  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
+  if (end != folder.end())
+    fail("the buffer " + transformesh::quoted(name) + " is not in the folder of the file");
+  return std::string(read_all(place.string()).view());
+}
+
+std::string_view GltfFile::buffer(std::size_t index) const {
+  const Json& entry = element("buffers", index);
+  const std::string what = "buffer " + std::to_string(index);
+  const bool is_binary_chunk = !entry.contains("uri");
+  if (is_binary_chunk && (index != 0 || !has_binary_)) fail(what + " has no data");
+  const std::string_view bytes = is_binary_chunk ? binary_ : buffers_[index];
+  const std::size_t size = whole(entry, "byteLength", what);
+  if (size > bytes.size())
+    fail(what + " announces " + counted(size, "byte") + ", but there are " +
+         std::to_string(bytes.size()));
+  return bytes.substr(0, size);
+}
+
+std::string_view GltfFile::view(std::size_t index) const {
+  const Json& entry = element("bufferViews", index);
+  const std::string what = "bufferView " + std::to_string(index);
+  const std::string_view bytes = buffer(whole(entry, "buffer", what));
+  const std::size_t start = whole(entry, "byteOffset", what, 0);
+  const std::size_t size = whole(entry, "byteLength", what);
+  if (start > bytes.size() || size > bytes.size() - start)
+    fail(what + " reaches beyond its buffer of " + counted(bytes.size(), "byte"));
+  return bytes.substr(start, size);
+}
+
+}  // namespace transformesh

@@ -1,0 +1,63 @@
+/// A file of glTF 2.0 (ISO/IEC 12113:2022), binary (GLB) or text: its JSON and its buffers, of
+/// which no number is trusted.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/streams/source.h"
+
+namespace transformesh {
+
+class GltfFile {
+ public:
+  using Json = nlohmann::json;
+
+  /// Reads the container and the buffers. Files that it names are read from `folder` and the
+  /// folders in it; an empty folder refuses them. Throws InputError.
+  GltfFile(const Source& source, std::string folder);
+
+  const Source& source() const { return source_; }
+  const Json& json() const { return json_; }
+  /// Bytes behind the end that the header of a GLB file states.
+  std::size_t rest() const { return rest_; }
+
+  /// Returns the number of elements of an array of the file: nodes, meshes, and so on.
+  std::size_t count(const char* array) const;
+  /// Returns an element of such an array. Throws InputError if there is none or it is no object.
+  const Json& element(const char* array, std::size_t index) const;
+  /// Returns a member that is a whole number of 0 or more, or `fallback` if it is missing. Throws
+  /// InputError if it is something else, or is missing without a fallback; `what` has it.
+  std::size_t whole(const Json& object, const char* key, const std::string& what,
+                    std::optional<std::size_t> fallback = {}) const;
+  /// Returns the bytes of a buffer view. Throws InputError if it leaves its buffer.
+  std::string_view view(std::size_t index) const;
+
+  [[noreturn]] void fail(const std::string& what) const { source_.fail("glTF: " + what); }
+
+ private:
+  void read_container();
+  void parse(std::string_view text);
+  void check_version() const;
+  void check_extensions() const;
+  std::string_view buffer(std::size_t index) const;
+  void read_buffers();
+  std::string read_uri(std::size_t index, const std::string& uri) const;
+  std::string read_beside(const std::string& name) const;
+
+  Source source_;
+  std::string folder_;
+  Json json_;
+  std::string_view binary_;           ///< the binary chunk of GLB
+  bool has_binary_ = false;           ///< there is one
+  std::vector<std::string> buffers_;  ///< bytes of the buffers that are not the binary chunk
+  std::size_t rest_ = 0;
+};
+
+/// True if the bytes are JSON that states the version of glTF in its first kilobytes.
+bool is_gltf_text(std::string_view bytes);
+
+}  // namespace transformesh

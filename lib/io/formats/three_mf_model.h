@@ -1,0 +1,47 @@
+/// One model part of a 3MF archive: its objects and the colors that they use.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <map>
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "io/streams/source.h"
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+/// Red, green, blue and alpha, from 0 to 255.
+using ByteColor = std::array<std::uint8_t, 4>;
+
+struct ThreeMfComponent {
+  std::string object;           ///< its identifier
+  std::string part;             ///< another part that has the object; empty: the same one
+  Eigen::Affine3d to_parent;    ///< to the coordinates of what contains it
+};
+
+struct ThreeMfObject {
+  std::vector<Vec3> positions;
+  std::vector<Face> faces;
+  std::vector<std::array<std::optional<ByteColor>, 3>> colors;  ///< of the corners of each face
+  std::vector<ThreeMfComponent> components;
+  bool is_other = false;  ///< of a type that is no part of the model
+};
+
+struct ThreeMfModel {
+  std::string unit = "millimeter";
+  std::string description;  ///< metadata
+  std::size_t other_metadata = 0;
+  std::map<std::string, ThreeMfObject> objects;  ///< by identifier
+  std::vector<ThreeMfComponent> items;           ///< of the build
+  std::size_t unread_properties = 0;  ///< groups of materials that are no colors, such as textures
+  std::size_t beam_lattices = 0;
+};
+
+/// Reads a model part. `source` has its XML, and the name of the archive. Throws InputError.
+ThreeMfModel read_three_mf_model(const Source& source, const std::string& part);
+
+}  // namespace transformesh

@@ -1,0 +1,49 @@
+/// PolyData of VTK on its way from a file into a mesh, for the legacy and the XML format.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/streams/source.h"
+#include "transformesh/mesh_io.h"
+
+namespace transformesh {
+
+struct VtkArray {
+  std::string name;
+  std::string role;  ///< Normals, TCoords or Scalars if the file says so
+  Scalar type = Scalar::float32;
+  std::size_t components = 1;
+  std::vector<double> values;
+};
+
+/// Cells of one kind: the connectivity of cell i is from offsets[i] to offsets[i + 1].
+struct VtkCells {
+  std::vector<std::uint64_t> offsets{0};
+  std::vector<std::uint64_t> connectivity;
+  std::vector<std::size_t> rows;  ///< of the cells in the arrays of cells
+
+  std::size_t size() const { return offsets.size() - 1; }
+};
+
+struct VtkPiece {
+  VtkArray points;  ///< three components
+  VtkCells polygons;
+  VtkCells strips;
+  std::size_t cells = 0;       ///< of all kinds
+  std::size_t other_cells = 0; ///< lines, and cells of volumes
+  std::vector<VtkArray> point_arrays;
+  std::vector<VtkArray> cell_arrays;
+};
+
+/// Returns the mesh of a piece. Arrays become columns: Normals nx ny nz, TCoords s t, three or four
+/// bytes red green blue alpha, any other of several components a list. Throws InputError for an
+/// index out of range and for an array of another length.
+ReadResult mesh_of_vtk(const Source& source, VtkPiece piece);
+
+/// The type of column that holds the numbers of a type of VTK of so many bytes; double for integers
+/// of 64 bits, unless all values fit in 32.
+Scalar column_type(bool is_floating, bool is_signed, std::size_t bytes,
+                   const std::vector<double>& values);
+
+}  // namespace transformesh

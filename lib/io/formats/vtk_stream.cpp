@@ -1,0 +1,135 @@
+#include "io/formats/vtk_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "io/document/scalar_bytes.h"
+#include "io/streams/number_text.h"
+#include "support/counted.h"
+
+namespace transformesh {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// Calls f with a zero of the type of this name; false for other names.
+template <class Function>
+bool with_vtk_type(const std::string& name, const Function& f) {
+  if (name == "float") return f(float{}), true;
+  if (name == "double") return f(double{}), true;
+  if (name == "unsigned_char") return f(std::uint8_t{}), true;
+  if (name == "char" || name == "signed_char") return f(std::int8_t{}), true;
+  if (name == "unsigned_short") return f(std::uint16_t{}), true;
+  if (name == "short") return f(std::int16_t{}), true;
+  if (name == "unsigned_int") return f(std::uint32_t{}), true;
+  if (name == "int" || name == "vtkidtype") return f(std::int32_t{}), true;
+  if (name == "unsigned_long" || name == "vtktypeuint64") return f(std::uint64_t{}), true;
+  if (name == "long" || name == "vtktypeint64") return f(std::int64_t{}), true;
+  return false;
+}
+
+}  // namespace
+
+void VtkStream::skip_blanks() {
+  while (place_ != source_->end() && is_blank(*place_)) ++place_;
+}
+
+std::string_view VtkStream::raw_word() {
+  skip_blanks();
+  const char* first = place_;
+  while (place_ != source_->end() && !is_blank(*place_)) ++place_;
+  return {first, static_cast<std::size_t>(place_ - first)};
+}
+
+std::string VtkStream::word() {
+  std::string result(raw_word());
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+bool VtkStream::has_word_in_line() const {
+  const char* next = place_;
+  while (next != source_->end() && (*next == ' ' || *next == '\t')) ++next;
+  return next != source_->end() && *next != '\n' && *next != '\r';
+}
+
+std::string_view VtkStream::line() {
+  const char* first = place_;
+  place_ = std::find(place_, source_->end(), '\n');
+  std::string_view text(first, static_cast<std::size_t>(place_ - first));
+  if (place_ != source_->end()) ++place_;
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  return text;
+}
+
+std::uint64_t VtkStream::count(const std::string& what) {
+  const std::string_view text = raw_word();
+  const char* first = text.data();
+  const char* last = first + text.size();
+  std::uint64_t value = 0;
+  if (parse_number(first, last, value) != Parsed::ok || first != last)
+    fail(what + " is no whole number of 0 or more, but " + quoted(text));
+  return value;
+}
+
+void VtkStream::numbers(const std::string& type, std::uint64_t count, VtkArray& array) {
+  const auto left = static_cast<std::size_t>(source_->end() - place_);
+  const bool is_known = with_vtk_type(type, [&](auto zero) {
+    using T = decltype(zero);
+    // A number as text takes a digit and a blank.
+    const std::size_t size = is_binary_ ? sizeof(T) : 2;
+    if (count > left / size + 1)
+      fail(counted(count, "number") + " of " + quoted(array.name) + " are announced, but only " +
+           counted(left, "byte") + " follow: the file is cut off or wrong");
+    is_binary_ ? read_bytes<T>(count, array) : read_text(count, array);
+    array.type = column_type(std::is_floating_point_v<T>, std::is_signed_v<T>, sizeof(T), array.values);
+  });
+  if (!is_known) fail("numbers of the type " + quoted(type) + " are not read");
+}
+
+void VtkStream::read_text(std::uint64_t count, VtkArray& array) {
+  array.values.reserve(count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::string_view text = raw_word();
+    const char* first = text.data();
+    const char* last = first + text.size();
+    double value = 0;
+    const Parsed parsed = parse_number(first, last, value);
+    if (parsed == Parsed::malformed || first != last)
+      fail("number " + std::to_string(i) + " of " + quoted(array.name) + " is " + quoted(text));
+    array.values.push_back(parsed == Parsed::ok ? value : std::nan(""));
+  }
+}
+
+/// The bytes start behind the end of the line.
+template <class T>
+void VtkStream::read_bytes(std::uint64_t count, VtkArray& array) {
+  line();
+  if (count > static_cast<std::size_t>(source_->end() - place_) / sizeof(T))
+    fail("the data ends within the numbers of " + quoted(array.name));
+  array.values.reserve(count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    array.values.push_back(static_cast<double>(load_scalar<T>(place_, host_is_little)));
+    place_ += sizeof(T);
+  }
+}
+
+std::vector<std::uint64_t> VtkStream::indices(const std::string& type, std::uint64_t count,
+                                              const std::string& what) {
+  VtkArray array;
+  array.name = what;
+  numbers(type, count, array);
+  std::vector<std::uint64_t> result;
+  result.reserve(array.values.size());
+  constexpr double most = 9007199254740992.0;  // 2^53, up to which doubles hold all whole numbers
+  for (const double value : array.values) {
+    if (!(value >= 0 && value <= most) || value != std::floor(value))
+      fail(what + " has an index that is no whole number of 0 or more");
+    result.push_back(static_cast<std::uint64_t>(value));
+  }
+  return result;
+}
+
+}  // namespace transformesh

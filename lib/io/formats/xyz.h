@@ -1,0 +1,13 @@
+/// Points as text: lines of x y z, or of x y z nx ny nz if vertices have normals, with comments
+/// behind `#`. Read by point_text.h.
+#pragma once
+
+#include "transformesh/document.h"
+#include "transformesh/mesh_io.h"
+
+namespace transformesh {
+
+/// See write_mesh.
+WriteResult write_xyz(const Document& document);
+
+}  // namespace transformesh

@@ -1,0 +1,53 @@
+/// Files in a ZIP archive in memory, by minizip. Reference: PKWARE APPNOTE 6.3 (ISO/IEC 21320-1).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/streams/expand.h"
+#include "io/streams/source.h"
+
+namespace transformesh {
+
+/// True if the bytes start as a ZIP archive does.
+bool is_zip(std::string_view bytes);
+
+class ZipReader {
+ public:
+  /// Throws InputError if the bytes hold no list of files.
+  ZipReader(const Source& source, ExpansionBudget& budget);
+  ~ZipReader();
+  ZipReader(const ZipReader&) = delete;
+  ZipReader& operator=(const ZipReader&) = delete;
+
+  /// Returns the bytes of a file, in whose name upper and lower case are the same. Nothing if there
+  /// is none. Throws InputError for damage, and beyond the budget.
+  std::optional<std::string> read(const std::string& name) const;
+
+ private:
+  struct State;
+  const Source& source_;
+  ExpansionBudget& budget_;
+  std::unique_ptr<State> state_;
+};
+
+class ZipWriter {
+ public:
+  ZipWriter();
+  ~ZipWriter();
+  ZipWriter(const ZipWriter&) = delete;
+  ZipWriter& operator=(const ZipWriter&) = delete;
+
+  /// Appends a compressed file, dated 1980 so that the same files give the same bytes.
+  void add(const std::string& name, std::string_view bytes);
+  /// Ends the archive and hands it over.
+  std::string finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace transformesh
