@@ -10,7 +10,19 @@
 
 namespace transformesh {
 
-enum class Format { ply_ascii, ply_little, ply_big, off, obj, stl_ascii, stl_binary, glb, vtp, three_mf, xyz };
+enum class Format {
+  ply_ascii,
+  ply_little,
+  ply_big,
+  off,
+  obj,
+  stl_ascii,
+  stl_binary,
+  glb,
+  vtp,
+  three_mf,
+  xyz
+};
 
 /// A PLY element other than vertices and faces, kept as it is.
 struct OtherElement {
@@ -49,7 +61,8 @@ struct Document {
 /// a list in one document and a number in the other. O(n).
 std::vector<std::string> append(Document& all, const Document& other);
 
-/// Returns the name of a format for messages: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp, 3mf or xyz.
+/// Returns the name of a format for messages: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp, 3mf
+/// or xyz.
 const char* name_of(Format format);
 
 }  // namespace transformesh

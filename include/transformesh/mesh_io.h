@@ -1,11 +1,11 @@
 /// Reads and writes meshes: PLY, OFF and its variants, OBJ, STL, glTF (written as GLB), 3MF, VTP
 /// and points as text (XYZ); reads VTK and PCD as well.
 ///
-/// Bytes compressed by gzip are expanded. The format is detected from the first bytes; the name helps only if bytes cannot decide.
-/// Polygons are triangulated without folds. Memory grows with the bytes that are there, never with
-/// a count that a header states. Every index and number is checked. Vertices with a coordinate that
-/// is not finite are dropped with the faces that use them; normals and colors that are not finite
-/// become 0. A note counts what was dropped or skipped.
+/// Bytes compressed by gzip are expanded. The format is detected from the first bytes; the name
+/// helps only if bytes cannot decide. Polygons are triangulated without folds. Memory grows with
+/// the bytes that are there, never with a count that a header states. Every index and number is
+/// checked. Vertices with a coordinate that is not finite are dropped with the faces that use them;
+/// normals and colors that are not finite become 0. A note counts what was dropped or skipped.
 ///
 /// Writing what was read gives the same mesh bit for bit. ASCII numbers are the shortest that read
 /// back the same. Cost: O(n). Deterministic; independent of the locale.

@@ -1,8 +1,10 @@
 #include "transformesh/document.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "io/document/unit.h"
 #include "io/formats/obj_labels.h"
 
 namespace transformesh {
@@ -46,15 +48,23 @@ void append_elements(std::vector<OtherElement>& all, const std::vector<OtherElem
   }
 }
 
-// Lines that are not there yet. A reference edge belongs to one mesh: the first keeps its own.
+// Lines that are not there yet. A reference edge and a unit belong to one mesh: the first keeps its
+// own.
 void append_lines(std::vector<std::string>& all, const std::vector<std::string>& other) {
   std::unordered_set<std::string> present(all.begin(), all.end());
+  const bool has_unit = std::any_of(all.begin(), all.end(), is_unit_comment);
   for (const std::string& line : other)
-    if (!line.starts_with("tm:reference-edge") && present.insert(line).second) all.push_back(line);
+    if (!(has_unit && is_unit_comment(line)) && !line.starts_with("tm:reference-edge") &&
+        present.insert(line).second)
+      all.push_back(line);
 }
 
 std::vector<std::string> append_separated(Document& all, const Document& other) {
   Notes notes;
+  const Unit *first = unit_of(all), *second = unit_of(other);
+  if (first != nullptr && second != nullptr && first != second)
+    notes.push_back("the units differ, " + std::string(first->name) + " and " +
+                    std::string(second->name) + ": numbers are joined as they are");
   append_mesh(all.mesh, other.mesh, notes);
   append_elements(all.other_elements, other.other_elements, notes);
   append_lines(all.style.comments, other.style.comments);

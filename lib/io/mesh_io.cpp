@@ -6,9 +6,13 @@
 #include "io/formats/glb.h"
 #include "io/formats/obj.h"
 #include "io/formats/off.h"
+#include "io/formats/pcd.h"
 #include "io/formats/ply.h"
+#include "io/formats/point_table.h"
+#include "io/formats/point_text.h"
 #include "io/formats/stl.h"
 #include "io/formats/three_mf.h"
+#include "io/formats/vtk.h"
 #include "io/formats/vtp.h"
 #include "io/formats/xyz.h"
 #include "io/streams/atomic_file.h"
@@ -42,6 +46,16 @@ ReadResult read_expanded(std::string_view bytes, const std::string& name,
       return read_glb(source, options.folder);
     case FileKind::three_mf:
       return read_three_mf(source);
+    case FileKind::vtk:
+      return read_vtk(source);
+    case FileKind::vtp:
+      return read_vtp(source);
+    case FileKind::pcd:
+      return read_pcd(source);
+    case FileKind::points:
+      return read_point_text(source);
+    case FileKind::point_table:
+      return read_point_table(source);
     default:
       return read_stl_binary(source);
   }

@@ -60,7 +60,7 @@ PageMesh read_frame(std::size_t number, const std::string& path, const Mesh& tar
 }
 
 Mesh read_run_target(const std::string& path) {
-  return read_mesh_or_points(read_all(path).view(), path).document.mesh;
+  return read_mesh(read_all(path).view(), path).document.mesh;
 }
 
 const RunPaths::value_type* shown_with(std::size_t number, const RunPaths& paths) {

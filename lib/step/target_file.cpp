@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "io/formats/detect_format.h"
-#include "io/streams/expand.h"
-#include "step/point_text.h"
 #include "step/prepare_target.h"
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
@@ -21,21 +18,10 @@ bool has_comment(const Document& document, const char* comment) {
   return std::find(comments.begin(), comments.end(), comment) != comments.end();
 }
 
-// What is neither names all that there is, and why its lines are no points.
-ReadResult read_as_mesh(const Source& source, const ReadOptions& options) {
-  try {
-    return read_mesh(source.bytes, source.name, options);
-  } catch (const InputError& error) {
-    if (error.kind() != ErrorKind::unknown_format) throw;
-    check_point_text(source);
-    refuse_unknown_format(source, ", and points as lines of x y z [nx ny nz]");
-  }
-}
-
 }  // namespace
 
 Target read_target(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-  auto [document, notes, soup] = read_mesh_or_points(bytes, name, options);
+  auto [document, notes, soup] = read_mesh(bytes, name, options);
   Target target = make_target(std::move(document.mesh));
   target.notes = std::move(notes);
   target.is_prepared = has_comment(document, spatial_order);
@@ -44,14 +30,6 @@ Target read_target(std::string_view bytes, const std::string& name, const ReadOp
   const Column* gaps = target.mesh.vertex_columns.find(gap_column);
   if (has_comment(document, measured_gaps) && gaps != nullptr) target.thickness = gaps->values;
   return target;
-}
-
-ReadResult read_mesh_or_points(std::string_view bytes, const std::string& name,
-                               const ReadOptions& options) {
-  const Expanded expanded =
-      is_gzip(bytes) ? expand_gzip({bytes, name, options.strict}) : Expanded{};
-  const Source source{is_gzip(bytes) ? expanded.bytes : bytes, name, options.strict};
-  return is_point_text(source) ? read_point_text(source) : read_as_mesh(source, options);
 }
 
 std::string write_target(const Target& target) {

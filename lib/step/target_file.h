@@ -11,10 +11,6 @@
 
 namespace transformesh {
 
-/// The mesh or the points of such a file, for what is no target.
-ReadResult read_mesh_or_points(std::string_view bytes, const std::string& name,
-                               const ReadOptions& = {});
-
 /// Binary PLY that reads back as the same target, and sooner: points with their normals,
 /// thickness as the vertex column `gap`, faces in spatial order; comments state which.
 std::string write_target(const Target& target);

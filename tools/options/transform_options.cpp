@@ -1,5 +1,6 @@
 #include "options/transform_options.h"
 
+#include "io/document/unit.h"
 #include "io/matrix_file.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
@@ -59,6 +60,28 @@ void take_files(Option& matrix, TransformChoices& choices) {
   };
 }
 
+/// The matrix that a change of units is. Throws InputError if the unit is not known.
+Matrix4 change_of_unit(const TransformChoices& c, const Document& document) {
+  const Unit* from = c.from.empty() ? unit_of(document) : find_unit(c.from);
+  if (from == nullptr) throw InputError("the mesh states no unit: name it with --from");
+  return scaling_by(Vec3::Constant(from->millimeters / find_unit(c.to)->millimeters));
+}
+
+void declare_units(Program& program, TransformChoices& c) {
+  std::vector<std::string> names;
+  for (const Unit& unit : all_units()) names.emplace_back(unit.short_name);
+  Option& to = program.options.choice(
+      "to", &c.to, names, "scale to this unit, from that of the mesh (or of --from), and state it");
+  to.affects_result = false;
+  to.assign = [&c, assign = to.assign](const std::string& text) {
+    assign(text);
+    c.steps.emplace_back(
+        [&c](Run& run, const Matrix4&) { return change_of_unit(c, run.document()); });
+  };
+  program.options.choice("from", &c.from, names, "unit of the mesh, for --to").affects_result =
+      false;
+}
+
 }  // namespace
 
 void declare_transforms(Program& program, TransformChoices& c) {
@@ -86,6 +109,7 @@ void declare_transforms(Program& program, TransformChoices& c) {
                            "scale the longest side of the box to 1, and center it in the box "
                            "from 0 to 1"),
       c, fitting_unit_box);
+  declare_units(program, c);
   Option& matrix = program.options.numbers(
       "matrix", &c.matrix, ",,,,,,,,,,,,,,,",
       "16 numbers, row by row, that act on columns x y z 1, or a text file of them");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "frame/run.h"
@@ -11,6 +12,7 @@ namespace transformesh::tool {
 
 struct TransformChoices {
   std::vector<double> translate, rotate, scale, scales, mirror, matrix;
+  std::string from, to;  ///< units; empty: that of the mesh, and none
   bool center = false, unit_box = false;
   /// In the order of the command line: the next matrix, given the product of those before.
   std::vector<std::function<Matrix4(Run&, const Matrix4&)>> steps;

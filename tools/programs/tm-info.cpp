@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "frame/run.h"
+#include "io/document/unit.h"
 #include "transformesh/errors.h"
 #include "transformesh/velocity.h"
 
@@ -27,9 +28,15 @@ void write_curvatures(const std::string& path, tool::Run& run) {
   run.out().write_mesh_file(path, std::move(document));
 }
 
-void describe(const std::string& per_vertex, tool::Run& run) {
+std::string unit_name(const Document& document) {
+  const Unit* unit = unit_of(document);
+  return unit == nullptr ? "unknown" : std::string(unit->name);
+}
+
+void describe(const std::string& per_vertex, bool with_unit, tool::Run& run) {
   const Mesh& mesh = run.document().mesh;
   run.progress()("measuring");
+  if (with_unit) run.report("unit", unit_name(run.document()));
   const Entries entries = transformesh::describe(mesh);
   for (const auto& [key, value] : entries) check_size(key, value, *run.program().output.only_key);
   run.report(entries);
@@ -41,6 +48,7 @@ void describe(const std::string& per_vertex, tool::Run& run) {
 int main(int argc, char** argv) {
   std::string key;
   std::string per_vertex;
+  bool with_unit = false;
   tool::Program program{"tm-info",
                         "[OPTION]... [INPUT]",
                         "Describes a mesh: counts, topology, sizes, triangle quality",
@@ -52,9 +60,10 @@ int main(int argc, char** argv) {
                           "area", "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min",
                           "edge_max", "angle_min", "angle_min_mean", "valence6"},
                          "print the value of this key only");
+  program.options.flag("units", &with_unit, "also report the unit of lengths, if the file has one");
   program.options.text(
       "per-vertex", &per_vertex, "FILE",
       "write the mesh with the property curvature: the mean curvature at each vertex");
   program.output.only_key = &key;
-  return program.run(argc, argv, [&](tool::Run& run) { describe(per_vertex, run); });
+  return program.run(argc, argv, [&](tool::Run& run) { describe(per_vertex, with_unit, run); });
 }

@@ -1,6 +1,7 @@
 /// tm-transform: moves, turns, scales and mirrors a mesh.
 #include "frame/run.h"
 #include "io/comments.h"
+#include "io/document/unit.h"
 #include "options/transform_options.h"
 #include "transformesh/transform.h"
 
@@ -14,6 +15,7 @@ void transform_document(Document& document, tool::TransformChoices& choices, too
   for (const auto& step : choices.steps) product = step(run, product) * product;
   const TransformResult result = transform(document.mesh, product);
   scale_lengths(document.style.comments, result.scale);
+  if (!choices.to.empty()) set_unit(document, *find_unit(choices.to));
 
   // The provenance has what all steps together do, as numbers.
   const Matrix4 rows = product.transpose();

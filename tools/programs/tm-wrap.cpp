@@ -69,7 +69,7 @@ void wrap(const Options& options, tool::Run& run) {
   run.progress()("read");
   const std::string& path = run.in().name();
   const ReadResult read =
-      read_mesh_or_points(run.in().read_bytes(path), input_name(path), run.in().reading(path));
+      read_mesh(run.in().read_bytes(path), input_name(path), run.in().reading(path));
   const Mesh& cloud = read.document.mesh;
   run.say().note_all(read.notes);
   run.report("points", cloud.positions.size());

@@ -37,8 +37,18 @@ const Unit* unit_of(const Document& document) {
 
 void set_unit(Document& document, const Unit& unit) {
   std::vector<std::string>& comments = document.style.comments;
-  std::erase_if(comments, [](const std::string& comment) { return comment.starts_with(mark); });
+  std::erase_if(comments, is_unit_comment);
   comments.push_back(std::string(mark).append(unit.name));
 }
+
+void note_lost_unit(const Document& document, const std::string& format, std::string_view usual,
+                    std::vector<std::string>& notes) {
+  const Unit* unit = unit_of(document);
+  if (unit == nullptr || unit->name == usual) return;
+  notes.push_back(format + ": the unit " + std::string(unit->name) + " is not stated" +
+                  (usual.empty() ? "" : ", and programs will take it for " + std::string(usual)));
+}
+
+bool is_unit_comment(std::string_view comment) { return comment.starts_with(mark); }
 
 }  // namespace transformesh

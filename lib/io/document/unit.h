@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "transformesh/document.h"
 
@@ -29,5 +30,12 @@ const Unit* unit_of(const Document& document);
 
 /// Replaces the comment by one that states this unit.
 void set_unit(Document& document, const Unit& unit);
+
+/// Appends a line for a format that cannot state the document's unit, unless the unit is `usual`.
+void note_lost_unit(const Document& document, const std::string& format, std::string_view usual,
+                    std::vector<std::string>& notes);
+
+/// True if the comment states a unit.
+bool is_unit_comment(std::string_view comment);
 
 }  // namespace transformesh

@@ -51,6 +51,15 @@ const Column* corner_texture(const Columns& face_columns) {
   return are_finite ? column : nullptr;
 }
 
+std::string column_name(std::string_view given) {
+  std::string name(given.empty() ? "_" : given);
+  for (char& c : name)
+    if (c < '!' || c > '~') c = '_';
+  for (const char* taken : {"x", "y", "z", "vertex_indices", "vertex_index"})
+    if (name == taken) return name + '_';
+  return name;
+}
+
 void add_missing_colors(Columns& first, std::size_t first_rows, Columns& second,
                         std::size_t second_rows) {
   const auto add = [](const Columns& from, Columns& to, std::size_t rows) {

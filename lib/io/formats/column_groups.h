@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "transformesh/columns.h"
@@ -15,6 +17,10 @@ using ColumnGroup = std::vector<const Column*>;
 ColumnGroup normal_group(const Columns& columns);   ///< nx ny nz
 ColumnGroup color_group(const Columns& columns);    ///< red green blue, and alpha where it is there
 ColumnGroup texture_group(const Columns& columns);  ///< s t, u v or texture_u texture_v
+
+/// Returns a name for a column of PLY: bytes that are no printable ASCII, and blanks, become `_`. A
+/// name that means something else in PLY, such as `x` or `vertex_indices`, gets a `_` at its end.
+std::string column_name(std::string_view given);
 
 inline constexpr std::array<const char*, 4> color_channels{"red", "green", "blue", "alpha"};
 

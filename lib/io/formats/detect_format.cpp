@@ -8,7 +8,12 @@
 #include "io/document/scalar_bytes.h"
 #include "io/formats/gltf_file.h"
 #include "io/formats/off.h"
+#include "io/formats/pcd.h"
+#include "io/formats/point_table.h"
+#include "io/formats/point_text.h"
 #include "io/formats/text_rows.h"
+#include "io/formats/vtk.h"
+#include "io/formats/vtp.h"
 #include "io/streams/expand.h"
 #include "io/streams/zip_archive.h"
 #include "transformesh/errors.h"
@@ -106,6 +111,9 @@ std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   if (is_ply_start(bytes)) return FileKind::ply;
   if (bytes.starts_with("glTF") || is_gltf_text(bytes)) return FileKind::gltf;
   if (is_zip(bytes)) return FileKind::three_mf;
+  if (is_vtk(bytes)) return FileKind::vtk;
+  if (is_vtk_xml(bytes)) return FileKind::vtp;
+  if (is_pcd(bytes)) return FileKind::pcd;
   // No text has the size that its characters would mean.
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
   if (is_off_keyword(word)) return FileKind::off;
@@ -139,20 +147,22 @@ FileKind detect_format(const Source& source) {
   if (bytes.empty()) source.fail("the input is empty: not a single byte of a mesh");
   if (const auto kind = kind_of_bytes(bytes)) return *kind;
   if (is_gzip(bytes)) source.fail("the input is compressed twice by gzip: expand it once");
-  if (bytes.substr(0, 200).find("<VTKFile") != std::string_view::npos)
-    source.fail("VTP is written, not read");
   if (is_utf16(bytes))
     source.fail("the input is text in UTF-16: convert it with iconv -f UTF-16 -t UTF-8");
+  if (is_point_text(source)) return FileKind::points;
+  if (is_point_table(source)) return FileKind::point_table;
   if (const auto kind = kind_of_name(source)) return *kind;
-  refuse_unknown_format(source, "");
+  check_point_text(source);
+  refuse_unknown_format(source);
 }
 
-void refuse_unknown_format(const Source& source, const std::string& further_formats) {
-  throw InputError(ErrorKind::unknown_format,
-                   "unknown mesh format, starting with " + quoted(source.bytes.substr(0, 16)) +
-                       ": PLY, OFF, OBJ and STL are read" + further_formats + " (" + source.name +
-                       ")",
-                   {.name = source.name});
+void refuse_unknown_format(const Source& source) {
+  throw InputError(
+      ErrorKind::unknown_format,
+      "unknown mesh format, starting with " + quoted(source.bytes.substr(0, 16)) +
+          ": PLY, OFF, OBJ, STL, glTF, 3MF, VTK, VTP, PCD and points as text are read" + " (" +
+          source.name + ")",
+      {.name = source.name});
 }
 
 }  // namespace transformesh

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/document/round_as_written.h"
+#include "io/document/unit.h"
 
 namespace transformesh {
 namespace {
@@ -42,7 +43,7 @@ Format format_for(Format input, std::string_view wanted, std::string_view name) 
 
 const std::vector<std::string>& written_endings() {
   static const std::vector<std::string> endings{".ply", ".off", ".obj", ".stl",
-                                                 ".glb", ".vtp", ".3mf", ".xyz"};
+                                                ".glb", ".vtp", ".3mf", ".xyz"};
   return endings;
 }
 
@@ -60,6 +61,9 @@ std::string unknown_ending(std::string_view name, const std::vector<std::string>
 
 std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate) {
   Style& style = document.style;
+  // The standard of glTF has meters, and the convention of STL millimeters.
+  if (const Unit* unit = unit_of(document); unit != nullptr && format == Format::glb)
+    set_unit(document, *unit);
   style.format = format;
   if (holds_floats(format)) coordinate = Scalar::float32;
   if (!coordinate && !is_ply(format)) coordinate = Scalar::float64;

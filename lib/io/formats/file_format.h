@@ -12,9 +12,9 @@
 namespace transformesh {
 
 /// Returns the format in which to write. `wanted` is ply, ply-ascii, ply-be, off, obj, stl, glb,
-/// vtp, 3mf or xyz. If `wanted` is empty, the ending of `name` decides, in upper or lower case. If that is none
-/// of written_endings(), the format is the input's, or PLY for input in OBJ or STL. The encoding is
-/// the input's if the formats are the same.
+/// vtp, 3mf or xyz. If `wanted` is empty, the ending of `name` decides, in upper or lower case. If
+/// that is none of written_endings(), the format is the input's, or PLY for input in OBJ or STL.
+/// The encoding is the input's if the formats are the same.
 Format format_for(Format input, std::string_view wanted, std::string_view name);
 
 /// Endings of names that choose a format: .ply .off .obj .stl .glb .vtp .3mf .xyz.
@@ -25,8 +25,8 @@ const std::vector<std::string>& written_endings();
 std::string unknown_ending(std::string_view name, const std::vector<std::string>& known);
 
 /// Changes the document's format, and its type of coordinates: by default float for STL and GLB,
-/// double for OFF, OBJ, VTP, 3MF and XYZ, unchanged for PLY. Rounds positions and returns the number of faces
-/// that collapse, as round_positions() does.
+/// double for OFF, OBJ, VTP, 3MF and XYZ, unchanged for PLY. Rounds positions and returns the
+/// number of faces that collapse, as round_positions() does.
 std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate = {});
 
 /// True if coordinates of the format are always floats.

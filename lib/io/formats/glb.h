@@ -5,10 +5,10 @@
 /// v`, `texture_u texture_v`) as TEXCOORD_0, whose v runs downwards; any other as the attribute
 /// `_NAME` of floats. The face column `texcoord` (obj.h) is TEXCOORD_0 instead: a vertex whose
 /// corners have several places in the texture is repeated behind the others. Document::texture is
-/// the base color, shown as it is, since photographs have their light in them (KHR_materials_unlit).
-/// If the mesh is closed, oriented and manifold, EXT_mesh_manifold (E. Lalish, Khronos glTF
-/// extensions, 2024) says so and which repeated vertices are one. Comments are in the extras of
-/// `asset`.
+/// the base color, shown as it is, since photographs have their light in them
+/// (KHR_materials_unlit). If the mesh is closed, oriented and manifold, EXT_mesh_manifold (E.
+/// Lalish, Khronos glTF extensions, 2024) says so and which repeated vertices are one. Comments are
+/// in the extras of `asset`.
 ///
 /// Reading joins all meshes of the scene, moved by their nodes: see gltf_mesh.h for what of a mesh
 /// is read. Colors of vertices and materials are taken as the numbers that they are, without a

@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "io/document/unit.h"
 #include "io/formats/column_groups.h"
 #include "io/formats/finite_values.h"
 #include "io/formats/glb.h"
@@ -24,13 +25,13 @@ class GlbReader {
     style.format = Format::glb;
     style.coordinate = Scalar::float32;
     read_comments();
+    set_missing_unit();
     const std::vector<GltfInstance> instances = gltf_instances(file_);
     for (const GltfInstance& instance : instances) add_instance(instance);
     Mesh& mesh = result_.document.mesh;
     zero_values_not_finite(mesh.vertex_columns, source_, "vertex", "glb", result_.notes);
     drop_points_not_finite(mesh, 0, "glb", result_.notes);
-    if (instances.size() > 1)
-      note(counted(instances.size(), "mesh node") + " read as one mesh");
+    if (instances.size() > 1) note(counted(instances.size(), "mesh node") + " read as one mesh");
     note_losses();
     return std::move(result_);
   }
@@ -42,9 +43,14 @@ class GlbReader {
     const Json& json = file_.json();
     const auto list = json["asset"].find("extras");
     if (list == json["asset"].end() || !list->is_object() || !list->contains("comments")) return;
-    for (const Json& comment : (*list)["comments"])
+    for (const Json& comment : list->at("comments"))
       if (comment.is_string())
         result_.document.style.comments.push_back(comment.get<std::string>());
+  }
+
+  /// Lengths are in meters, says the standard; comments of this suite may say otherwise.
+  void set_missing_unit() {
+    if (unit_of(result_.document) == nullptr) set_unit(result_.document, *find_unit("meter"));
   }
 
   void add_instance(const GltfInstance& instance) {

@@ -71,10 +71,12 @@ class AccessorReader {
     constexpr std::array<std::pair<std::string_view, std::size_t>, 4> widths{
         {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
     const auto type = entry_.find("type");
-    const std::string text = type != entry_.end() && type->is_string() ? type->get<std::string>() : "";
+    const std::string text =
+        type != entry_.end() && type->is_string() ? type->get<std::string>() : "";
     for (const auto& [name, width] : widths)
       if (name == text) return width;
-    file_.fail(name_ + " has the type " + transformesh::quoted(text) + ", not a scalar or a vector");
+    file_.fail(name_ + " has the type " + transformesh::quoted(text) +
+               ", not a scalar or a vector");
   }
 
   void read_dense() {
@@ -137,11 +139,11 @@ class AccessorReader {
   void check_range(std::string_view bytes, std::size_t start, std::size_t step, std::size_t size,
                    std::size_t count) const {
     if (count == 0) return;
-    const bool fits = start <= bytes.size() && size <= bytes.size() - start &&
-                      step >= size && (count - 1) <= (bytes.size() - start - size) / step;
+    const bool fits = start <= bytes.size() && size <= bytes.size() - start && step >= size &&
+                      (count - 1) <= (bytes.size() - start - size) / step;
     if (!fits)
-      file_.fail(name_ + " of " + counted(count, "element") + " reaches beyond its buffer view of " +
-                 counted(bytes.size(), "byte"));
+      file_.fail(name_ + " of " + counted(count, "element") +
+                 " reaches beyond its buffer view of " + counted(bytes.size(), "byte"));
   }
 
   const GltfFile& file_;

@@ -22,8 +22,8 @@ constexpr std::string_view binary_chunk("BIN\0", 4);
 
 /// Extensions whose absence leaves the shape as it is: they are about light and pictures.
 bool is_about_looks(std::string_view extension) {
-  for (const std::string_view start : {"KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_",
-                                       "KHR_xmp", "MSFT_texture_"})
+  for (const std::string_view start : {"KHR_materials_", "KHR_texture_", "KHR_lights_",
+                                       "EXT_texture_", "KHR_xmp", "MSFT_texture_"})
     if (extension.starts_with(start)) return true;
   return extension == "KHR_mesh_quantization" || extension == "EXT_mesh_manifold";
 }
@@ -43,8 +43,8 @@ std::string without_escapes(std::string_view uri) {
   };
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool is_escape = uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 &&
-                           digit(uri[i + 2]) >= 0;
+    const bool is_escape =
+        uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
     text += is_escape ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
     if (is_escape) i += 2;
   }
@@ -120,7 +120,8 @@ void GltfFile::check_version() const {
                            asset->contains("version") && (*asset)["version"].is_string();
   if (!has_version) fail("the JSON has no asset with a version");
   const std::string version = (*asset)["version"];
-  if (!version.starts_with("2.")) fail("version " + transformesh::quoted(version) + " is not read, only 2");
+  if (!version.starts_with("2."))
+    fail("version " + transformesh::quoted(version) + " is not read, only 2");
 }
 
 /// Extensions that the file merely uses have a fallback for readers without them.
@@ -150,7 +151,8 @@ const GltfFile::Json& GltfFile::element(const char* array, std::size_t index) co
     fail("element " + std::to_string(index) + " of " + array + " is used, but " +
          there_are(count(array), "element"));
   const Json& found = json_.find(array)->at(index);
-  if (!found.is_object()) fail("element " + std::to_string(index) + " of " + array + " is no object");
+  if (!found.is_object())
+    fail("element " + std::to_string(index) + " of " + array + " is no object");
   return found;
 }
 
@@ -197,7 +199,8 @@ std::string GltfFile::read_beside(const std::string& name) const {
   const bool leaves = path.is_absolute() || name.find("://") != std::string::npos ||
                       std::find(path.begin(), path.end(), "..") != path.end() ||
                       name.find('\0') != std::string::npos;
-  if (leaves) fail("the buffer " + transformesh::quoted(name) + " is not in the folder of the file");
+  if (leaves)
+    fail("the buffer " + transformesh::quoted(name) + " is not in the folder of the file");
   if (folder_.empty())
     fail("the buffer " + transformesh::quoted(name) +
          " is in a file of its own, which is found only if the input is a file given by its name");

@@ -57,7 +57,8 @@ class MeshReader {
  private:
   void read_primitive(const Json& primitive) {
     const std::size_t mode = file_.whole(primitive, "mode", name_, as_triangles);
-    if (mode > as_fan) file_.fail("a primitive of " + name_ + " has the unknown mode " + std::to_string(mode));
+    if (mode > as_fan)
+      file_.fail("a primitive of " + name_ + " has the unknown mode " + std::to_string(mode));
     if (mode != as_points && mode < as_triangles) {
       ++losses_.line_primitives;
       return;
@@ -117,7 +118,7 @@ class MeshReader {
       add_group({"s", "t"}, found, columns);
       for (double& value : columns.find("t")->values) value = 1 - value;  // their v runs downwards
     } else if (key.starts_with('_') && key.size() > 1 && found.width == 1) {
-      const std::string name = lower_case(key.substr(1));
+      const std::string name = column_name(lower_case(key.substr(1)));
       add_group({name.c_str()}, found, columns);
     } else {
       ++losses_.unread_attributes;
@@ -165,8 +166,8 @@ class MeshReader {
     for (std::size_t i = 0; i < found.values.size(); ++i) {
       const double value = found.values[i];
       if (!(value >= 0 && value < static_cast<double>(vertices)) || value != std::floor(value))
-        file_.fail("corner " + std::to_string(i) + " of " + name_ + " has a vertex index out of range, as " +
-                   there_are(vertices, "vertex"));
+        file_.fail("corner " + std::to_string(i) + " of " + name_ +
+                   " has a vertex index out of range, as " + there_are(vertices, "vertex"));
       result.push_back(static_cast<Index>(first_ + static_cast<std::size_t>(value)));
     }
     return result;
@@ -179,7 +180,8 @@ class MeshReader {
     };
     if (mode == as_triangles) {
       if (list.size() % 3 != 0)
-        file_.fail("a primitive of triangles of " + name_ + " has " + counted(list.size(), "corner"));
+        file_.fail("a primitive of triangles of " + name_ + " has " +
+                   counted(list.size(), "corner"));
       for (std::size_t i = 2; i < list.size(); i += 3) add(i - 2, i - 1, i);
     }
     const bool is_strip = mode == as_strip;
@@ -202,7 +204,8 @@ class MeshReader {
         file_.element("materials", file_.whole(primitive, "material", "a primitive of " + name_));
     const Json& looks = member(material, "pbrMetallicRoughness");
     const auto factor = looks.find("baseColorFactor");
-    if (factor == looks.end() || !factor->is_array() || factor->size() != color.size()) return color;
+    if (factor == looks.end() || !factor->is_array() || factor->size() != color.size())
+      return color;
     for (std::size_t i = 0; i < color.size(); ++i)
       if ((*factor)[i].is_number()) color[i] = (*factor)[i].get<double>();
     return color;

@@ -18,7 +18,8 @@ std::array<double, size> numbers_of(const GltfFile& file, const Json& node, cons
     if (is_fit) fallback[i] = (*found)[i].template get<double>();
   }
   if (!is_fit)
-    file.fail(std::string(key) + " of a node is not an array of " + std::to_string(size) + " numbers");
+    file.fail(std::string(key) + " of a node is not an array of " + std::to_string(size) +
+              " numbers");
   return fallback;
 }
 
@@ -38,7 +39,8 @@ Eigen::Affine3d transform_of(const GltfFile& file, const Json& node) {
   transform.translate(Eigen::Vector3d(t[0], t[1], t[2]));
   // Quaternions are stored in floats, so their length is not exactly 1.
   const Eigen::Quaterniond rotation(r[3], r[0], r[1], r[2]);
-  if (node.contains("rotation") && rotation.squaredNorm() > 0) transform.rotate(rotation.normalized());
+  if (node.contains("rotation") && rotation.squaredNorm() > 0)
+    transform.rotate(rotation.normalized());
   transform.scale(Eigen::Vector3d(s[0], s[1], s[2]));
   return transform;
 }
@@ -103,8 +105,7 @@ class Walk {
     is_visited_[index] = 1;
     const Eigen::Affine3d transform = parent * transform_of(file_, node);
     if (node.contains("mesh"))
-      instances_.push_back(
-          {file_.whole(node, "mesh", "node " + std::to_string(index)), transform});
+      instances_.push_back({file_.whole(node, "mesh", "node " + std::to_string(index)), transform});
     push(indices_in(node, "children"), transform);
   }
 

@@ -14,8 +14,8 @@ struct GltfInstance {
 };
 
 /// Returns the instances of the default scene, else of the first one, else of all nodes, in the
-/// order of a walk that visits parents before children. Throws InputError for a node that is reached
-/// twice: the standard allows trees alone, and circles would have no end.
+/// order of a walk that visits parents before children. Throws InputError for a node that is
+/// reached twice: the standard allows trees alone, and circles would have no end.
 std::vector<GltfInstance> gltf_instances(const GltfFile& file);
 
 }  // namespace transformesh

@@ -4,6 +4,7 @@
 #include "io/document/losses.h"
 #include "io/document/scalar.h"
 #include "io/document/scalar_bytes.h"
+#include "io/document/unit.h"
 #include "io/formats/stl.h"
 #include "io/streams/source.h"
 #include "io/streams/text_buffer.h"
@@ -135,6 +136,7 @@ WriteResult write_stl(const Document& document) {
   WriteResult result;
   result.notes = losses(document, keeps);
   add_geometry_losses(document.mesh, result.notes);
+  note_lost_unit(document, "stl", "millimeter", result.notes);
   result.bytes =
       is_text ? text_of(document)
               : bytes_of(document,

@@ -1,7 +1,7 @@
-/// 3MF: 3D Manufacturing Format, Core Specification 1.3, Materials and Properties 1.2, Production 1.1
-/// (3MF Consortium; ISO/IEC 25422:2025). All items of the build are joined in one mesh, moved by
-/// their transforms, with the unit as the comment `tm:unit`. Base materials and color groups are
-/// colors of vertices if all faces at a vertex agree, else of faces.
+/// 3MF: 3D Manufacturing Format, Core Specification 1.3, Materials and Properties 1.2,
+/// Production 1.1 (3MF Consortium; ISO/IEC 25422:2025). All items of the build are joined in one
+/// mesh, moved by their transforms, with the unit as the comment `tm:unit`. Base materials and
+/// color groups are colors of vertices if all faces at a vertex agree, else of faces.
 ///
 /// Written are one object and one item, with the unit of the comment, else millimeter. Colors in
 /// bytes, of vertices or else of faces, become a color group. Coordinates are doubles. Other

@@ -71,7 +71,9 @@ class ModelReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { source_.fail(quoted(part_) + ' ' + what); }
+  [[noreturn]] void fail(const std::string& what) const {
+    source_.fail(quoted(part_) + ' ' + what);
+  }
 
   void check_extensions(const Node& root) const {
     std::string_view prefixes = attribute(root, "requiredextensions");
@@ -103,6 +105,8 @@ class ModelReader {
       read_colors(node, "displaycolor", colors_[id]);
     } else if (kind == "colorgroup") {
       read_colors(node, "color", colors_[id]);
+    } else if (kind == "metadata") {
+      ++model_.other_metadata;
     } else if (kind == "object") {
       const auto [place, is_new] = model_.objects.emplace(id, ThreeMfObject());
       if (!is_new) fail("has two objects " + quoted(id));
@@ -180,7 +184,8 @@ class ModelReader {
   }
 
   /// Missing attributes are those of the object, or of the first corner.
-  std::array<std::optional<ByteColor>, 3> colors_of(const Node& triangle, const Node& object) const {
+  std::array<std::optional<ByteColor>, 3> colors_of(const Node& triangle,
+                                                    const Node& object) const {
     std::array<std::optional<ByteColor>, 3> result;
     const pugi::xml_attribute own = triangle.attribute("pid");
     const pugi::xml_attribute group = own ? own : object.attribute("pid");
@@ -192,9 +197,8 @@ class ModelReader {
       pugi::xml_attribute given = triangle.attribute(keys[i]);
       if (!given) given = first ? first : object.attribute("pindex");
       if (!given) continue;
-      result[i] = colors->second[index(given, colors->second.size(), [&] {
-        return "a color of " + object_;
-      })];
+      result[i] = colors->second[index(given, colors->second.size(),
+                                       [&] { return "a color of " + object_; })];
     }
     return result;
   }

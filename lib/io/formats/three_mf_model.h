@@ -18,9 +18,9 @@ namespace transformesh {
 using ByteColor = std::array<std::uint8_t, 4>;
 
 struct ThreeMfComponent {
-  std::string object;           ///< its identifier
-  std::string part;             ///< another part that has the object; empty: the same one
-  Eigen::Affine3d to_parent;    ///< to the coordinates of what contains it
+  std::string object;         ///< its identifier
+  std::string part;           ///< another part that has the object; empty: the same one
+  Eigen::Affine3d to_parent;  ///< to the coordinates of what contains it
 };
 
 struct ThreeMfObject {

@@ -34,9 +34,9 @@ class ThreeMfReader {
     style.coordinate = Scalar::float64;
     add_description(model.description);
     set_unit();
-    for (const ThreeMfComponent& item : model.items)
-      add(item, root_, Eigen::Affine3d::Identity());
-    if (model.items.empty() && !model.objects.empty()) note("the build has no items: the mesh is empty");
+    for (const ThreeMfComponent& item : model.items) add(item, root_, Eigen::Affine3d::Identity());
+    if (model.items.empty() && !model.objects.empty())
+      note("the build has no items: the mesh is empty");
     add_colors();
     note_losses();
     return std::move(result_);
@@ -89,7 +89,8 @@ class ThreeMfReader {
 
   // --- Objects -----------------------------------------------------------------------------------
 
-  void add(const ThreeMfComponent& component, const std::string& from, const Eigen::Affine3d& to_build) {
+  void add(const ThreeMfComponent& component, const std::string& from,
+           const Eigen::Affine3d& to_build) {
     constexpr std::size_t deepest = 256;  // a level takes half a kilobyte of the stack
     constexpr std::size_t cost_of_visit = 64;
     budget_.spend(cost_of_visit);
@@ -137,7 +138,8 @@ class ThreeMfReader {
 
   void add_colors() {
     const auto has_color = [](const CornerColors& colors) {
-      return std::any_of(colors.begin(), colors.end(), [](const auto& color) { return color.has_value(); });
+      return std::any_of(colors.begin(), colors.end(),
+                         [](const auto& color) { return color.has_value(); });
     };
     if (std::none_of(colors_.begin(), colors_.end(), has_color)) return;
     const bool are_uniform = std::all_of(colors_.begin(), colors_.end(), [](const CornerColors& c) {

@@ -21,7 +21,8 @@ constexpr std::string_view content_types =
     "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
     "<Default Extension=\"rels\" "
     "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
-    "<Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>"
+    "<Default Extension=\"model\" "
+    "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>"
     "</Types>\n";
 
 constexpr std::string_view relationships =
@@ -70,7 +71,8 @@ class ThreeMfWriter {
     are_of_vertices_ = of_bytes(colors_);
     if (!are_of_vertices_) colors_ = color_group(mesh_.face_columns);
     if (!of_bytes(colors_)) colors_.clear();
-    std::vector<std::string_view>& kept = are_of_vertices_ ? kept_vertex_columns_ : kept_face_columns_;
+    std::vector<std::string_view>& kept =
+        are_of_vertices_ ? kept_vertex_columns_ : kept_face_columns_;
     for (const Column* column : colors_) kept.push_back(column->name);
   }
 

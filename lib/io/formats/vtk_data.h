@@ -30,8 +30,8 @@ struct VtkPiece {
   VtkArray points;  ///< three components
   VtkCells polygons;
   VtkCells strips;
-  std::size_t cells = 0;       ///< of all kinds
-  std::size_t other_cells = 0; ///< lines, and cells of volumes
+  std::size_t cells = 0;        ///< of all kinds
+  std::size_t other_cells = 0;  ///< lines, and cells of volumes
   std::vector<VtkArray> point_arrays;
   std::vector<VtkArray> cell_arrays;
 };

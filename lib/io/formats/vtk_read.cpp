@@ -23,7 +23,8 @@ class VtkReader {
 
   ReadResult read() {
     read_header();
-    for (std::string word = stream_.word(); !word.empty(); word = stream_.word()) read_section(word);
+    for (std::string word = stream_.word(); !word.empty(); word = stream_.word())
+      read_section(word);
     gather_cells();
     ReadResult result = mesh_of_vtk(source_, std::move(piece_));
     if (!title_.empty()) result.document.style.comments.push_back(title_);
@@ -97,7 +98,8 @@ class VtkReader {
       cells.offsets.push_back(cells.connectivity.size());
     }
     if (cells.size() != count)
-      stream_.fail(counted(count, "cell") + " are announced, but " + there_are(cells.size(), "cell"));
+      stream_.fail(counted(count, "cell") + " are announced, but " +
+                   there_are(cells.size(), "cell"));
   }
 
   void read_offsets(std::uint64_t count, std::uint64_t size, VtkCells& cells) {
@@ -206,7 +208,8 @@ class VtkReader {
   void read_color_scalars() {
     VtkArray array{std::string(stream_.raw_word()), "Scalars", {}, 1, {}};
     array.components = checked_components();
-    stream_.numbers(stream_.is_binary() ? "unsigned_char" : "float", rows_ * array.components, array);
+    stream_.numbers(stream_.is_binary() ? "unsigned_char" : "float", rows_ * array.components,
+                    array);
     if (!stream_.is_binary())
       for (double& value : array.values)
         value = std::isnan(value) ? 0 : std::round(255 * std::clamp(value, 0.0, 1.0));

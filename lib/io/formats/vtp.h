@@ -1,15 +1,21 @@
-/// PolyData of VTK in XML (file version 1.0), written only: inline base64, so that it is XML which
-/// any parser reads. Points without faces become vertex cells. Kept are all columns in their types,
-/// named as VTK names what it reads from PLY: `nx ny nz` as Normals, `red green blue (alpha)` as
-/// RGB or RGBA, `s t` (or `u v`, `texture_u texture_v`) of vertices as TCoords, any other by its
-/// own name; lists where all of a column are equally long, as components.
+/// VTP: PolyData of VTK as XML (docs.vtk.org, "VTK XML Formats"). Written in one piece, inline in
+/// base64; read in all encodings and byte orders, compressed by zlib or not, with pieces joined.
+/// Columns of vertices are PointData and columns of faces CellData; normals (nx ny nz), colors (red
+/// green blue, with alpha) and texture coordinates (s t) are arrays of several components, and
+/// lists of one length for all rows are too.
 #pragma once
 
+#include "io/streams/source.h"
 #include "transformesh/document.h"
 #include "transformesh/mesh_io.h"
 
 namespace transformesh {
 
+/// True if the bytes are XML whose first element is of VTK.
+bool is_vtk_xml(std::string_view bytes);
+
+/// See read_mesh and write_mesh.
+ReadResult read_vtp(const Source& source);
 WriteResult write_vtp(const Document& document);
 
 }  // namespace transformesh

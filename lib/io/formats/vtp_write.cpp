@@ -3,6 +3,7 @@
 #include "io/document/losses.h"
 #include "io/document/scalar.h"
 #include "io/document/scalar_bytes.h"
+#include "io/document/unit.h"
 #include "io/formats/column_groups.h"
 #include "io/formats/vtp.h"
 #include "io/streams/text_buffer.h"
@@ -81,7 +82,9 @@ class VtpWriter {
     add_points();
     has_faces ? add_cells("Polys", mesh_.faces.size(), 3) : add_cells("Verts", points, 1);
     text_.add("</Piece>\n</PolyData>\n</VTKFile>\n");
-    return {text_.take(), losses(document_, keeps)};
+    WriteResult result{text_.take(), losses(document_, keeps)};
+    note_lost_unit(document_, "vtp", "", result.notes);
+    return result;
   }
 
  private:

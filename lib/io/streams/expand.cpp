@@ -77,7 +77,7 @@ std::uint64_t expansion_limit(std::size_t size) {
   // refused; without it a file could take a thousand times its size, which is Deflate's maximum.
   constexpr std::uint64_t ratio = 200;
   // Small files may shrink more, and this much memory hurts nobody.
-  constexpr std::uint64_t always_allowed = std::uint64_t{1} << 28U;
+  constexpr std::uint64_t always_allowed = std::uint64_t{1} << 26U;
   return std::max(always_allowed, ratio * size);
 }
 

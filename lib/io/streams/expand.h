@@ -1,4 +1,5 @@
-/// Expands compressed bytes in memory, within a limit. References: RFC 1950 (zlib), RFC 1952 (gzip).
+/// Expands compressed bytes in memory, within a limit. References: RFC 1950 (zlib), RFC 1952
+/// (gzip).
 #pragma once
 
 #include <cstdint>

@@ -57,8 +57,8 @@ int close_memory(voidpf /*opaque*/, voidpf /*stream*/) { return 0; }
 int no_error(voidpf /*opaque*/, voidpf /*stream*/) { return 0; }
 
 zlib_filefunc64_def functions_for(MemoryFile& file) {
-  return {open_memory,  read_memory, write_memory, place_in_memory, seek_memory,
-          close_memory, no_error,    &file};
+  return {open_memory, read_memory,  write_memory, place_in_memory,
+          seek_memory, close_memory, no_error,     &file};
 }
 
 }  // namespace
@@ -89,7 +89,9 @@ std::optional<std::string> ZipReader::read(const std::string& name) const {
   constexpr int ignoring_case = 2;
   constexpr std::size_t block = 1U << 16U;
   if (unzLocateFile(state_->file, name.c_str(), ignoring_case) != UNZ_OK) return std::nullopt;
-  const auto fail = [&](const char* what) { source_.fail(quoted(name) + " in the archive " + what); };
+  const auto fail = [&](const char* what) {
+    source_.fail(quoted(name) + " in the archive " + what);
+  };
   unz_file_info64 info{};
   unzGetCurrentFileInfo64(state_->file, &info, nullptr, 0, nullptr, 0, nullptr, 0);
   budget_.spend(info.uncompressed_size);

@@ -1,8 +1,8 @@
 #include <Eigen/LU>
 #include <map>
 
-#include "views/cameras/camera_formats.h"
 #include "io/formats/xml_elements.h"
+#include "views/cameras/camera_formats.h"
 
 namespace transformesh {
 namespace {

@@ -5,10 +5,10 @@
 #include <map>
 #include <numbers>
 
+#include "io/formats/xml_elements.h"
 #include "support/elementary/trigonometric.h"
 #include "support/number.h"
 #include "views/cameras/camera_formats.h"
-#include "io/formats/xml_elements.h"
 
 namespace transformesh {
 namespace {

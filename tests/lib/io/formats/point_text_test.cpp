@@ -1,4 +1,4 @@
-#include "step/point_text.h"
+#include "io/formats/point_text.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "step/point_text.h"
+#include "io/formats/point_text.h"
 
 #include <algorithm>
 #include <array>
@@ -103,6 +103,8 @@ void check_point_text(const Source& source) {
 
 ReadResult read_point_text(const Source& source) {
   ReadResult result;
+  result.document.style.format = Format::xyz;
+  result.document.style.element_order = {"vertex"};
   Mesh& mesh = result.document.mesh;
   std::array<std::vector<double>, 3> normals;
   TextRows rows(source, 0, rules);
@@ -118,6 +120,7 @@ ReadResult read_point_text(const Source& source) {
     Column& column = mesh.vertex_columns.get(value_names[3 + i], Scalar::float64, 0);
     column.values = std::move(normals[i]);
   }
+  result.document.style.comments = std::move(rows.comments);
   zero_values_not_finite(mesh.vertex_columns, source, "point", "points", result.notes);
   drop_points_not_finite(mesh, 0, "points", result.notes);
   return result;

@@ -1,0 +1,19 @@
+/// Points as text with a header: a line of names such as `x y z nx ny nz` or `X,Y,Z,R,G,B`, perhaps
+/// behind `//`; or the number of points alone in the first line, as .pts files of scanners have it.
+/// Blanks, commas and semicolons separate. Read only.
+#pragma once
+
+#include "io/streams/source.h"
+#include "transformesh/mesh_io.h"
+
+namespace transformesh {
+
+/// True if the first line is such a header and the second one starts with numbers.
+bool is_point_table(const Source& source);
+
+/// Reads a mesh without faces. Normals become nx ny nz, colors red green blue alpha, and every
+/// other name a column; without names a line is x y z, x y z intensity, x y z red green blue, or x
+/// y z intensity red green blue. Throws InputError with the line for anything else.
+ReadResult read_point_table(const Source& source);
+
+}  // namespace transformesh

@@ -1,0 +1,51 @@
+/// DataArray elements of VTK's XML format: numbers as text, in base64, or appended to the XML.
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/formats/vtk_data.h"
+#include "io/streams/expand.h"
+#include "io/streams/source.h"
+
+namespace transformesh {
+
+/// How a file stores numbers, by the attributes of its first element.
+struct VtpEncoding {
+  bool is_big_endian = false;
+  bool has_wide_headers = false;  ///< sizes are 64 bits, not 32
+  bool is_compressed = false;     ///< by zlib, in blocks
+  bool is_appended_text = false;  ///< the appended data is base64
+  std::string_view appended;      ///< the appended data
+};
+
+class VtpArrays {
+ public:
+  VtpArrays(const Source& source, const VtpEncoding& encoding, ExpansionBudget& budget)
+      : source_(source), encoding_(encoding), budget_(budget) {}
+
+  /// Returns the array of an element. Throws InputError.
+  VtkArray read(const pugi::xml_node& element) const;
+  /// Returns an array of whole numbers of 0 or more.
+  std::vector<std::uint64_t> indices(const pugi::xml_node& element) const;
+
+ private:
+  void read_text(const pugi::xml_node& element, VtkArray& array) const;
+  std::string bytes_of(const pugi::xml_node& element, const std::string& what) const;
+  std::string decoded(std::string_view text, const std::string& what) const;
+  std::string plain_block(std::string_view bytes, const std::string& what) const;
+  std::string compressed_blocks(std::string_view header, std::string_view data,
+                                const std::string& what) const;
+  std::uint64_t header_number(std::string_view bytes, std::size_t index,
+                              const std::string& what) const;
+  std::size_t header_size() const { return encoding_.has_wide_headers ? 8 : 4; }
+  void set_numbers(const std::string& type, std::string_view bytes, VtkArray& array) const;
+
+  const Source& source_;
+  VtpEncoding encoding_;
+  ExpansionBudget& budget_;
+};
+
+}  // namespace transformesh
