@@ -79,9 +79,10 @@ void add_mesh_files(const Mesh& mesh, Seeds& seeds) {
   constexpr std::size_t largest = 4096;
   for (Document document : {Document{mesh, {}, {}}, documented(mesh)}) {
     const std::pair<const char*, Format> kinds[] = {
-        {"ply", Format::ply_ascii}, {"ply", Format::ply_little}, {"ply", Format::ply_big},
-        {"off", Format::off},       {"obj", Format::obj},        {"stl", Format::stl_ascii},
-        {"stl", Format::stl_binary}};
+        {"ply", Format::ply_ascii},  {"ply", Format::ply_little}, {"ply", Format::ply_big},
+        {"off", Format::off},        {"obj", Format::obj},        {"stl", Format::stl_ascii},
+        {"stl", Format::stl_binary}, {"gltf", Format::glb},       {"three_mf", Format::three_mf},
+        {"vtp", Format::vtp},        {"points", Format::xyz}};
     for (const auto& [target, format] : kinds) {
       document.style.format = format;
       try {
@@ -120,6 +121,47 @@ void add_odd_mesh_files(Seeds& seeds) {
             "\nsolid x\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 2 0 0\n"
             "vertex .5 .5 0\nvertex 0 2 0\nendloop\nendfacet\n");
   seeds.add("stl", std::string(84, '\0') + std::string(100, '\x3f'));
+}
+
+/// Adds small files of formats that are read only, and of what other programs write.
+void add_further_formats(Seeds& seeds) {
+  const std::string vtk = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\n";
+  const std::string points = "POINTS 4 float\n0 0 0 1 0 0 1 1 0 0 1 0\n";
+  seeds.add("vtk", vtk + points +
+                       "POLYGONS 1 5 4 0 1 2 3\nTRIANGLE_STRIPS 1 5 4 0 1 3 2\nCELL_DATA 2\n"
+                       "SCALARS a int\nLOOKUP_TABLE default\n1 2\nPOINT_DATA 4\nNORMALS n float\n"
+                       "0 0 1 0 0 1 0 0 1 0 0 1\nFIELD f 1\nb 2 4 double\n1 2 3 4 5 6 7 8\n");
+  seeds.add("vtk", "# vtk DataFile Version 2.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\n" + points +
+                       "CELLS 2 9\n4 0 1 2 3\n3 0 1 2\nCELL_TYPES 2\n10 5\n");
+  seeds.add("vtk", "# vtk DataFile Version 5.1\n\nBINARY\nDATASET POLYDATA\nPOINTS 1 float\n" +
+                       std::string(12, '\0') + "\nVERTICES 2 1\nOFFSETS vtktypeint64\n" +
+                       std::string(16, '\0') + "\nCONNECTIVITY vtktypeint64\n" +
+                       std::string(8, '\0'));
+  const std::string fields =
+      "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n";
+  seeds.add("pcd", fields + "WIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3 4\n");
+  seeds.add("pcd", fields + "POINTS 1\nDATA binary\n" + std::string(16, '\x3f'));
+  seeds.add("pcd", fields + "POINTS 1\nDATA binary_compressed\n" +
+                       std::string("\x11\0\0\0\x10\0\0\0\x0f", 9) + std::string(16, '\x3f'));
+  seeds.add("points", "x,y,z,r,g,b\n1,2,3,255,0,0\n4,5,6,0,255,0\n");
+  seeds.add("points", "2\n1 2 3 -7 255 0 0\n4 5 6 7 0 255 0\n");
+  seeds.add(
+      "three_mf",
+      "<model unit=\"inch\"><resources><colorgroup id=\"2\"><color color=\"#FF0000\"/>"
+      "</colorgroup><object id=\"1\" pid=\"2\" pindex=\"0\"><mesh><vertices><vertex x=\"0\" "
+      "y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"0\"/>"
+      "</vertices><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\" p1=\"0\"/></triangles></mesh>"
+      "</object><object id=\"3\"><components><component objectid=\"1\" transform=\"1 0 0 0 1 0 "
+      "0 0 1 0 0 5\"/></components></object></resources><build><item objectid=\"3\"/></build>"
+      "</model>");
+  seeds.add(
+      "gltf",
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,)"
+      R"("scale":[1,-1,1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":5}]}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","sparse":)"
+      R"({"count":1,"indices":{"bufferView":0,"componentType":5121},"values":{"bufferView":0}}}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":)"
+      R"("data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
 }
 
 void add_meshes(Seeds& seeds) {
@@ -195,6 +237,7 @@ int main(int argc, char** argv) {
   Seeds seeds(argv[1]);
   add_meshes(seeds);
   add_odd_mesh_files(seeds);
+  add_further_formats(seeds);
   add_images(seeds);
   add_cameras(seeds);
   add_words(seeds);

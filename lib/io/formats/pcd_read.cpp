@@ -217,7 +217,8 @@ class PcdReader {
       add_colors(field, columns);
     } else {
       const bool is_normal = field.name.starts_with("normal_") && field.name.size() == 8;
-      const std::string name = is_normal ? "n" + field.name.substr(7) : column_name(field.name);
+      const std::string name =
+          is_normal ? std::string{'n', field.name[7]} : column_name(field.name);
       columns.get(name, type_of(field), 0).values = std::move(field.values);
     }
   }

@@ -13,4 +13,12 @@ TEST_CASE("base64 as RFC 4648 has it") {
   CHECK(base64(std::string("\xff\xfe\x00\xfb", 4)) == "//4A+w==");
 }
 
+TEST_CASE("base64 back to bytes, with blanks and padding inside") {
+  CHECK(bytes_of_base64("Zm9vYmFy") == "foobar");
+  CHECK(bytes_of_base64("Zm9v\n Y\tg==") == "foob");
+  CHECK(bytes_of_base64("Zg==Zm8=") == "ffo");
+  CHECK(bytes_of_base64("//4A+w==") == std::string("\xff\xfe\x00\xfb", 4));
+  CHECK_FALSE(bytes_of_base64("Zm9v-").has_value());
+}
+
 }  // namespace transformesh

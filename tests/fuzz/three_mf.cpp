@@ -1,0 +1,9 @@
+// Archives of 3MF, or models of such: in an archive with sums of its bytes, changed models would
+// not be read.
+#include "fuzz/round_trip.h"
+#include "lib/io/stored_zip.h"
+
+void transformesh::fuzz::run_target(std::string_view bytes) {
+  const std::string text(bytes);
+  check_mesh_file(bytes.starts_with("PK") ? text : testing::three_mf_of(text), "input.3mf");
+}

@@ -1,0 +1,4 @@
+// Files of VTK's XML, or what passes for one.
+#include "fuzz/round_trip.h"
+
+void transformesh::fuzz::run_target(std::string_view bytes) { check_mesh_file(bytes, "input.vtp"); }

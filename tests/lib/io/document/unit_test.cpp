@@ -1,0 +1,28 @@
+#include "io/document/unit.h"
+
+#include "lib/io/bytes.h"
+
+using namespace transformesh;
+using namespace transformesh::testing;
+
+TEST_CASE("units: the comment, and the convention of STL") {
+  Document document;
+  CHECK(unit_of(document) == nullptr);
+  document.style.format = Format::stl_binary;
+  CHECK(unit_of(document) == find_unit("mm"));
+  set_unit(document, *find_unit("in"));
+  set_unit(document, *find_unit("foot"));
+  CHECK(document.style.comments == std::vector<std::string>{"tm:unit foot"});
+  CHECK(unit_of(document)->millimeters == 12 * 25.4);
+  CHECK(find_unit("parsec") == nullptr);
+}
+
+TEST_CASE("units: joined documents keep the first one, and differences are said") {
+  Document first, second;
+  set_unit(first, *find_unit("mm"));
+  set_unit(second, *find_unit("m"));
+  CHECK(append(first, second) ==
+        std::vector<std::string>{
+            "the units differ, millimeter and meter: numbers are joined as they are"});
+  CHECK(first.style.comments == std::vector<std::string>{"tm:unit millimeter"});
+}
