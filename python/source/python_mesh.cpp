@@ -150,8 +150,8 @@ void bind_files(py::module_& module) {
       "write", &write, py::arg("mesh"), py::arg("path"), py::kw_only(), py::arg("format") = "",
       py::arg("scalar") = "",
       "Writes a file, complete or not at all. The name's ending decides on the format "
-      "(.ply .off .obj .stl .glb .vtp) unless `format` does: ply, ply-ascii, ply-be, off, obj, "
-      "stl, glb, vtp; else it is that of the file read, or binary PLY. `scalar` is float or "
+      "(.ply .off .obj .stl .glb .vtp .3mf .xyz) unless `format` does: ply, ply-ascii, ply-be, off, obj, "
+      "stl, glb, vtp, 3mf, xyz; else it is that of the file read, or binary PLY. `scalar` is float or "
       "double.");
 }
 

@@ -101,7 +101,7 @@ spheres() {
     done
   done <<'TABLE'
 none.ply|cannot be read: No such file or directory
-words.txt|STL are read, and points as lines of x y z [nx ny nz] (words.txt)
+words.txt|PCD and points as text are read (words.txt)
 four.xyz|this line has 4: take the first three, by awk
 commas.csv|replace commas
 late.xyz|z of point 1 is not a number: 'x' (late.xyz line 2)

@@ -90,7 +90,7 @@ void declare_common(Program& program) {
   options.text("output,o", &common.output, "FILE", "where to write; - is stdout");
   if (program.may_write_mesh()) {
     options.choice("format", &common.format,
-                   {"ply", "ply-ascii", "ply-be", "off", "obj", "stl", "glb", "vtp"},
+                   {"ply", "ply-ascii", "ply-be", "off", "obj", "stl", "glb", "vtp", "3mf", "xyz"},
                    program.is_evolution() ? "format of the output (default ply)"
                                           : "format of the output instead of the input's");
     if (!program.is_evolution()) {

@@ -6,6 +6,6 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-convert", "[OPTION]... [INPUT]", "Converts between mesh formats"};
   program.epilog =
       "The output's format is that of --format, else of the name given with -o (.ply .off .obj\n"
-      ".stl .glb .vtp), else of the input.";
+      ".stl .glb .vtp .3mf .xyz), else of the input.";
   return program.run(argc, argv, [](tool::Run&) {});
 }

@@ -106,9 +106,17 @@ bool is_utf16(std::string_view bytes) {
   return (zeros[0] == half && letters[1] == half) || (zeros[1] == half && letters[0] == half);
 }
 
+/// Whether the bytes are as many as the count of facets says, which is not 0. Other formats have that
+/// number there by chance only.
+bool is_stl_of_stated_size(std::string_view bytes) {
+  return is_binary_stl_by_size(bytes) && bytes.size() > stl_header_size &&
+         load_scalar<std::uint32_t>(bytes.data() + 80, !host_is_little) != 0;
+}
+
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   const std::string_view word = first_word(bytes);
   if (is_ply_start(bytes)) return FileKind::ply;
+  if (is_stl_of_stated_size(bytes)) return FileKind::stl_binary;
   if (bytes.starts_with("glTF") || is_gltf_text(bytes)) return FileKind::gltf;
   if (is_zip(bytes)) return FileKind::three_mf;
   if (is_vtk(bytes)) return FileKind::vtk;

@@ -150,7 +150,36 @@ TEST_CASE(
   CHECK(image["mimeType"] == "image/png");
   CHECK(glb.bytes.substr(view["byteOffset"], view["byteLength"]) == document.texture);
   CHECK(glb.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] == 0);
-  CHECK(glb.json["extensionsUsed"] == std::vector<std::string>{"KHR_materials_unlit"});
+  CHECK(glb.json["extensionsUsed"] ==
+        std::vector<std::string>{"EXT_mesh_manifold", "KHR_materials_unlit"});
+}
+
+TEST_CASE("glb: closed manifolds are said to be such, with the copies that are one vertex") {
+  Document document = glb_document();
+  const auto extension_of = [](const Glb& glb) {
+    return glb.json["meshes"][0]["extensions"]["EXT_mesh_manifold"];
+  };
+  const Glb plain(write_mesh(document).bytes);
+  const auto primitive = extension_of(plain)["manifoldPrimitive"];
+  CHECK(primitive["indices"] == plain.primitive()["indices"]);
+  CHECK(primitive["attributes"]["POSITION"] == plain.primitive()["attributes"]["POSITION"]);
+  CHECK_FALSE(extension_of(plain).contains("mergeIndices"));
+
+  Column& lists = document.mesh.face_columns.get("texcoord", Scalar::float32, 0);
+  lists.list_count_type = Scalar::uint8;
+  lists.list_offsets = {0, 6, 12, 18, 18};
+  lists.values = {0, 0, 0.5, 0, 0.25, 0.5, 0, 0, 0.25, 0.5, 1, 1, 0.75, 0.5, 0.5, 0, 1, 1};
+  const Glb split(write_mesh(document).bytes);
+  // The first corner of the third face is a copy of vertex 1.
+  CHECK(split.numbers(extension_of(split)["mergeIndices"]) == std::vector<double>{6});
+  CHECK(split.numbers(extension_of(split)["mergeValues"]) == std::vector<double>{1});
+  const auto& merged =
+      split.json["accessors"][extension_of(split)["manifoldPrimitive"]["indices"].get<std::size_t>()];
+  CHECK(merged["sparse"]["count"] == 1);
+
+  document.mesh.faces.pop_back();
+  document.mesh.face_columns = {};
+  CHECK_FALSE(Glb(write_mesh(document).bytes).json.contains("extensionsUsed"));
 }
 
 TEST_CASE("glb: what the standard has no place for") {
