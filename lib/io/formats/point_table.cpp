@@ -100,7 +100,7 @@ class TableReader {
 
  private:
   void read_row() {
-    const auto row = [&] { return "point " + std::to_string(values_[0].size()); };
+    const auto row = [&] { return "point " + std::to_string(values_.back().size()); };
     for (std::size_t i = 0; i < names_.size(); ++i)
       values_[i].push_back(rows_.number_or_nan<double>([&] { return names_[i] + " of " + row(); }));
     rows_.end_row(row);

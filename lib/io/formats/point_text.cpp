@@ -8,6 +8,7 @@
 
 #include "io/formats/finite_values.h"
 #include "io/formats/text_rows.h"
+#include "io/streams/expand.h"
 #include "transformesh/mesh_io.h"
 
 namespace transformesh {
@@ -17,7 +18,8 @@ constexpr TextRows::Rules rules{'#', false};
 constexpr std::array<const char*, 6> value_names{"x", "y", "z", "nx", "ny", "nz"};
 
 bool has_off_name(const Source& source) {
-  return source.name.ends_with(".off") || source.name.ends_with(".OFF");
+  const std::string_view name = without_gz(source.name);
+  return name.ends_with(".off") || name.ends_with(".OFF");
 }
 
 bool is_number(std::string_view word) {

@@ -33,7 +33,8 @@ class Inflater {
     int code = Z_OK;
     std::size_t size = to.size();
     while (code == Z_OK && size <= most) {
-      if (size == to.size()) to.resize(std::max(least_room, 2 * size));
+      if (size == to.size())
+        to.resize(std::min<std::uint64_t>(std::max(least_room, 2 * size), most + 1));
       code = step(to, size);
     }
     to.resize(size);
@@ -105,7 +106,7 @@ Expanded expand_gzip(const Source& source) {
     const int code = inflater.run(result.bytes, most);
     const char* place = source.begin() + inflater.used();
     if (code == Z_BUF_ERROR) source.fail_at_byte(place, "the compressed data is cut off");
-    if (code == Z_OK) fail_expansion(source, most);
+    if (result.bytes.size() > most) fail_expansion(source, most);
     if (code == Z_MEM_ERROR) throw std::bad_alloc();
     if (code != Z_STREAM_END) source.fail_at_byte(place, "the compressed data is damaged");
     inflater.restart();

@@ -13,7 +13,7 @@ TEST_CASE("units: the comment, and the convention of STL") {
   set_unit(document, *find_unit("in"));
   set_unit(document, *find_unit("foot"));
   CHECK(document.style.comments == std::vector<std::string>{"tm:unit foot"});
-  CHECK(unit_of(document)->millimeters == 12 * 25.4);
+  CHECK(unit_of(document)->millimeters == doctest::Approx(12 * 25.4));
   CHECK(find_unit("parsec") == nullptr);
 }
 

@@ -46,7 +46,8 @@ TEST_CASE("gltf: the container, and its damages") {
   std::string long_chunk = bytes;
   long_chunk[14] = 1;
   CHECK(contains(read_error(long_chunk), "a chunk of GLB reaches beyond the end"));
-  CHECK(contains(read_error(glb_of("{\"asset\": [}", "")), "malformed (input byte 30)"));
+  CHECK(read_error(glb_of("{\"asset\": [}", "")) ==
+        "the JSON of glTF is malformed (input byte 31)");
   CHECK(has_note(read_mesh(bytes + "xy", "input").notes,
                  "glb: 2 bytes after the last chunk ignored"));
 }

@@ -37,5 +37,5 @@ TEST_CASE("points: lines that do not fit, and what is no such table") {
   CHECK(contains(read_error("x,y,z\n1,2,a\n"), "z of point 0"));
   CHECK(contains(read_error("x y\n1 2\n"), "unknown mesh format"));
   CHECK(contains(read_error("x x y z\n1 1 2 3\n"), "unknown mesh format"));
-  CHECK(contains(read_error("8\n"), "unknown mesh format"));
+  CHECK(contains(read_error("8\n"), "but this line has 1"));
 }

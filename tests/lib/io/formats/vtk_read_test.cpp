@@ -71,7 +71,7 @@ TEST_CASE("vtk: what is wrong is named") {
   CHECK(contains(error_with(square + "POLYGONS 2 4 3 0 1 2\n"), "2 cells are announced"));
   CHECK(contains(error_with(square + "POLYGONS 1 4 3 0 1 -2\n"), "no whole number"));
   CHECK(contains(error_with("POINTS 99999999999 float\n"), "elements are announced"));
-  CHECK(contains(error_with("POINTS 90 float\n1 2 3"), "270 numbers of 'points' are announced"));
+  CHECK(contains(error_with("POINTS 50 float\n1 2 3"), "150 numbers of 'points' are announced"));
   CHECK(contains(error_with("POINTS 1 float\n1 2 x"), "number 2 of 'points' is 'x'"));
   CHECK(contains(error_with("POINTS 1 bit\n1 2 3"), "the type 'bit' are not read"));
   CHECK(contains(error_with("WORD\n"), "the unknown word 'word'"));

@@ -12,16 +12,21 @@ TEST_CASE("xyz: points and normals, and what is dropped") {
   document.style.format = Format::xyz;
   document.style.comments = {"by hand"};
   CHECK(write_mesh(document).bytes == "# by hand\n0 0 0\n0.1 0 0\n0 1 0\n0 0 1\n");
-  for (const char* name : {"nx", "ny", "nz", "heat"})
-    document.mesh.vertex_columns.get(name, Scalar::float32, 4).values = {0, 0.5, 0, 1};
+  const auto set = [&](const char* name, const std::vector<double>& values) {
+    document.mesh.vertex_columns.get(name, Scalar::float64, 4).values = values;
+  };
+  set("nx", {1, 0, 0, 0.6});
+  set("ny", {0, 1, 0, 0.8});
+  set("nz", {0, 0, 1, 0});
+  set("heat", {1, 2, 3, 4});
   document.mesh.faces = {{0, 1, 2}};
   const WriteResult result = write_mesh(document);
-  CHECK(contains(result.bytes, "\n0.1 0 0 0.5 0.5 0.5\n"));
+  CHECK(contains(result.bytes, "\n0.1 0 0 0 1 0\n"));
   CHECK(result.notes ==
         std::vector<std::string>{"xyz: vertex property 'heat' cannot be stored in XYZ, dropped",
                                  "xyz: 1 face cannot be stored in XYZ, dropped"});
   const Document again = read_document(result.bytes);
   CHECK(again.mesh.positions == document.mesh.positions);
-  CHECK(column(again.mesh.vertex_columns, "ny").values == std::vector<double>{0, 0.5, 0, 1});
+  CHECK(column(again.mesh.vertex_columns, "ny").values == std::vector<double>{0, 1, 0, 0.8});
   CHECK(again.style.comments == document.style.comments);
 }
