@@ -6,8 +6,8 @@ import sys
 import zipfile
 import zlib
 
-POSITIONS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
-FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+POSITIONS = [(0, 0, 0), (1, 1, 0), (1, 0, 1), (0, 1, 1)]
+FACES = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
 NUMBERS = [x for position in POSITIONS for x in position]
 CORNERS = [corner for face in FACES for corner in face]
 

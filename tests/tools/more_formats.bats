@@ -8,6 +8,12 @@ convert() {
   tm-convert -q --no-provenance "$1" -o "$2"
 }
 
+# bare FILE: its triangles without properties, in floats.
+bare() {
+  convert "$1" "$BATS_TEST_TMPDIR/bare.stl"
+  triangles "$BATS_TEST_TMPDIR/bare.stl"
+}
+
 foreign_files() {
   needs_command python3
   python3 "$tm_root/tests/helpers/foreign_files.py" "$BATS_TEST_TMPDIR"
@@ -46,8 +52,8 @@ foreign_files() {
   foreign_files
   cd "$BATS_TEST_TMPDIR"
   tetrahedron >original.ply
-  expected=$(triangles original.ply)
-  for file in *.vtp *.vtk *.3mf; do [ "$(triangles "$file")" = "$expected" ] || fail "$file"; done
+  expected=$(bare original.ply)
+  for file in *.vtp *.vtk *.3mf; do [ "$(bare "$file")" = "$expected" ] || fail "$file"; done
   [ "$(find . -name '*.vtp' | wc -l)" -eq 32 ]
   tm-convert --no-provenance -q original.ply -o points.xyz
   for file in *.pcd; do tm-convert -q --no-provenance "$file" -o - --format xyz | cmp - points.xyz; done
@@ -58,12 +64,13 @@ foreign_files() {
   foreign_files
   cd "$BATS_TEST_TMPDIR"
   tetrahedron >a.ply
+  expected=$(bare a.ply)
   for format in off obj stl glb; do convert a.ply "a.$format"; done
   for file in a.* inline0.vtp raw6.vtp binary.vtk deflated.3mf; do
     [ "$(gzip -c "$file" | tm-info -q --get faces)" -eq 4 ] || fail "$file.gz"
     [ "$(tm-info -q --get faces <"$file")" -eq 4 ] || fail "$file"
     gzip -kf "$file"
-    cmp <(triangles "$file.gz") <(triangles a.ply) || fail "$file.gz by name"
+    [ "$(bare "$file.gz")" = "$expected" ] || fail "$file.gz by name"
   done
   [ "$(gzip -c text.pcd | tm-info -q --get vertices)" -eq 4 ]
   gzip -c a.stl | head -c 60 >cut.gz
@@ -75,14 +82,14 @@ foreign_files() {
 @test "assimp reads what is written, and its files are read, in every pair" {
   needs_command assimp
   cd "$BATS_TEST_TMPDIR"
-  tm-shape box --faces 200 | tm-convert --float --no-provenance -o original.ply
-  expected=$(triangles original.ply)
+  tm-shape box --faces 200 -o original.ply
+  expected=$(bare original.ply)
   for first in ply off obj stl glb 3mf; do
     convert original.ply "first.$first"
     for second in ply stl obj glb gltf; do
       rm -f "second.$second"
       assimp export "first.$first" "second.$second" >log 2>&1 || fail "$first to $second: $(cat log)"
-      [ "$(triangles "second.$second")" = "$expected" ] || fail "$first to $second"
+      [ "$(bare "second.$second")" = "$expected" ] || fail "$first to $second"
     done
   done
 }
@@ -113,7 +120,8 @@ foreign_files() {
   [[ $stderr == *"the mesh states no unit: name it with --from"* ]]
   tm-transform --from in --to mm -o a.3mf a.ply
   [ "$(tm-info --get bbox_max a.3mf)" = "25.4 25.4 25.4" ]
-  [ "$(tm-convert a.3mf | tm-transform --to in | tm-info --get bbox_max)" = "1 1 1" ]
+  tm-convert a.3mf | tm-transform --to in | tm-info --get bbox_max |
+    awk '{ exit !($1 > 0.999999 && $1 < 1.000001) }'
   [ "$(tm-transform --to m a.3mf | tm-convert --format glb | tm-info --units | grep unit)" = "unit: meter" ]
   [ "$(tm-info --units a.ply | grep unit)" = "unit: unknown" ]
   tm-convert a.ply -o a.stl
