@@ -16,13 +16,3 @@ TEST_CASE("units: the comment, and the convention of STL") {
   CHECK(unit_of(document)->millimeters == doctest::Approx(12 * 25.4));
   CHECK(find_unit("parsec") == nullptr);
 }
-
-TEST_CASE("units: joined documents keep the first one, and differences are said") {
-  Document first, second;
-  set_unit(first, *find_unit("mm"));
-  set_unit(second, *find_unit("m"));
-  CHECK(append(first, second) ==
-        std::vector<std::string>{
-            "the units differ, millimeter and meter: numbers are joined as they are"});
-  CHECK(first.style.comments == std::vector<std::string>{"tm:unit millimeter"});
-}

@@ -1,0 +1,69 @@
+#include "io/formats/vtk_data.h"
+
+#include "lib/io/bytes.h"
+
+using namespace transformesh;
+using namespace transformesh::testing;
+
+namespace {
+
+/// Four points, a quadrilateral and a strip of two triangles behind one cell of another kind.
+VtkPiece piece() {
+  VtkPiece piece;
+  piece.points.values = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  piece.polygons = {{0, 4}, {0, 1, 2, 3}, {1}};
+  piece.strips = {{0, 4}, {0, 1, 3, 2}, {2}};
+  piece.cells = 3;
+  piece.other_cells = 1;
+  return piece;
+}
+
+ReadResult mesh_of(VtkPiece piece) {
+  static const Source source{"", "input"};
+  return mesh_of_vtk(source, std::move(piece));
+}
+
+}  // namespace
+
+TEST_CASE("vtk data: rows of cells go to the triangles that cells become") {
+  VtkPiece given = piece();
+  given.cell_arrays.push_back({"id", "", Scalar::int32, 1, {5, 6, 7}});
+  const Mesh mesh = mesh_of(given).document.mesh;
+  CHECK(mesh.faces == std::vector<Face>{{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}});
+  CHECK(column(mesh.face_columns, "id").values == std::vector<double>{6, 6, 7, 7});
+}
+
+TEST_CASE("vtk data: names that PLY cannot have, and arrays that are too wide") {
+  VtkPiece given = piece();
+  given.point_arrays.push_back({"Point Ids", "", Scalar::int32, 1, {1, 2, 3, 4}});
+  given.point_arrays.push_back({"x", "", Scalar::float32, 1, {1, 2, 3, 4}});
+  given.point_arrays.push_back(
+      {"wide", "", Scalar::uint8, 256, std::vector<double>(std::size_t{4} * 256)});
+  const ReadResult result = mesh_of(given);
+  const Columns& columns = result.document.mesh.vertex_columns;
+  CHECK(column(columns, "Point_Ids").values[3] == 4);
+  CHECK(column(columns, "x_").values[3] == 4);
+  CHECK(columns.columns.size() == 2);
+  CHECK(has_note(result.notes, "vtk: array 'wide' of 256 components left out"));
+}
+
+TEST_CASE("vtk data: indices, offsets and lengths out of range") {
+  VtkPiece given = piece();
+  given.polygons.connectivity[2] = 4;
+  CHECK_THROWS_WITH_AS(mesh_of(given), "cell 1 has point index 4, but there are 4 points (input)",
+                       InputError);
+  given = piece();
+  given.strips.offsets = {5, 4};
+  CHECK_THROWS_WITH_AS(mesh_of(given), doctest::Contains("offsets of cell 2"), InputError);
+  given = piece();
+  given.cell_arrays.push_back({"id", "", Scalar::int32, 1, {5, 6}});
+  CHECK_THROWS_WITH_AS(mesh_of(given),
+                       doctest::Contains("'id' has 2 numbers, but there are 3 cells"), InputError);
+}
+
+TEST_CASE("vtk data: integers of 64 bits are narrow if they fit") {
+  CHECK(column_type(false, true, 8, {1, -5}) == Scalar::int32);
+  CHECK(column_type(false, true, 8, {1e10}) == Scalar::float64);
+  CHECK(column_type(false, false, 2, {}) == Scalar::uint16);
+  CHECK(column_type(true, true, 4, {}) == Scalar::float32);
+}
