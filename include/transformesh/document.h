@@ -1,5 +1,4 @@
-/// A mesh together with everything else that its file holds, so that it can be written as it was
-/// read. Algorithms use the mesh only.
+/// A mesh with everything else that its file holds, so that it can be written as it was read.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +9,10 @@
 
 namespace transformesh {
 
-enum class Format {
-  ply_ascii,
-  ply_little,
-  ply_big,
-  off,
-  obj,
-  stl_ascii,
-  stl_binary,
-  glb,
-  vtp,
-  three_mf,
-  xyz
-};
+// clang-format off
+enum class Format { ply_ascii, ply_little, ply_big, off, obj, stl_ascii, stl_binary, glb, vtp,
+                    three_mf, xyz };
+// clang-format on
 
 /// A PLY element other than vertices and faces, kept as it is.
 struct OtherElement {
@@ -61,8 +51,7 @@ struct Document {
 /// a list in one document and a number in the other. O(n).
 std::vector<std::string> append(Document& all, const Document& other);
 
-/// Returns the name of a format for messages: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp, 3mf
-/// or xyz.
+/// Returns the name of a format: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp, 3mf or xyz.
 const char* name_of(Format format);
 
 }  // namespace transformesh

@@ -7,7 +7,6 @@
 
 #include "evolution/loop/recorded_views.h"
 #include "io/streams/streams.h"
-#include "step/target_file.h"
 #include "support/number.h"
 #include "support/parallel.h"
 #include "transformesh/compare.h"

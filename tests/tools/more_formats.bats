@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
-# Formats other than those of pipes: glTF, 3MF, VTP, VTK, PCD, XYZ, and gzip of all; by files that
-# other programs write, and by other programs that read what is written.
+# Formats other than those of pipes: glTF, 3MF, VTP, VTK, PCD, XYZ, and gzip of all. Other programs
+# write files that are read here, and read files that are written here.
 
 load ../helpers/common
 

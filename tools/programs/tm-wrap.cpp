@@ -7,7 +7,6 @@
 #include "io/streams/streams.h"
 #include "mesh/location_text.h"
 #include "step/prepare_target.h"
-#include "step/target_file.h"
 #include "support/counted.h"
 #include "transformesh/errors.h"
 #include "transformesh/wrap.h"
@@ -68,8 +67,8 @@ void note_without_normal(const std::vector<Vec3>& normals, tool::Run& run) {
 void wrap(const Options& options, tool::Run& run) {
   run.progress()("read");
   const std::string& path = run.in().name();
-  const ReadResult read =
-      read_mesh(run.in().read_bytes(path), input_name(path), run.in().reading(path));
+  const std::string name = input_name(path);
+  const ReadResult read = read_mesh(run.in().read_bytes(path), name, run.in().reading(path));
   const Mesh& cloud = read.document.mesh;
   run.say().note_all(read.notes);
   run.report("points", cloud.positions.size());

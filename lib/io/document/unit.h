@@ -13,7 +13,7 @@
 namespace transformesh {
 
 struct Unit {
-  std::string_view name;        ///< as 3MF spells it: millimeter
+  std::string_view name;        ///< in the spelling of 3MF: millimeter
   std::string_view short_name;  ///< mm
   double millimeters = 1;       ///< in one of the unit
 };

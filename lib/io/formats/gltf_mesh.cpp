@@ -296,7 +296,7 @@ class MeshReader {
   std::string name_;
   ExpansionBudget& budget_;
   GltfLosses& losses_;
-  Json attributes_;        ///< of the vertices read last
+  Json attributes_;        ///< attributes of the vertices read last
   std::size_t first_ = 0;  ///< the first of these vertices
   bool are_triangles_ = true;
   std::vector<Color> face_colors_;

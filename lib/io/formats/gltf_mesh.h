@@ -17,9 +17,9 @@ struct GltfLosses {
   std::size_t unused_merges = 0;  ///< meshes whose EXT_mesh_manifold does not fit their primitives
 };
 
-/// Returns the triangles of a mesh, or its points, with NORMAL as nx ny nz, COLOR_0 as red green
-/// blue alpha of vertices, the base colors of materials as those of faces, TEXCOORD_0 as s t, and
-/// attributes _NAME of scalars as columns. Vertices that EXT_mesh_manifold merges are one; their
+/// Returns the triangles of a mesh, or its points. NORMAL becomes nx ny nz, COLOR_0 red green blue
+/// alpha of vertices, TEXCOORD_0 s t, and an attribute _NAME of scalars a column. The base colors
+/// of materials become those of faces. Vertices that EXT_mesh_manifold merges are one; their
 /// texture coordinates become the face column `texcoord`. Throws InputError.
 Mesh gltf_mesh(const GltfFile& file, std::size_t mesh, ExpansionBudget& budget, GltfLosses& losses);
 

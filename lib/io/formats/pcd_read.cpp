@@ -21,7 +21,7 @@ constexpr TextRows::Rules rules{'#', false};
 struct Field {
   std::string name;
   char kind = 'F';             ///< F floating, I signed, U unsigned
-  std::size_t bytes = 4;       ///< of a number
+  std::size_t bytes = 4;       ///< size of a number
   std::size_t count = 1;       ///< numbers of a point
   std::size_t offset = 0;      ///< of the first number in a point, in bytes
   std::vector<double> values;  ///< the first number of each point

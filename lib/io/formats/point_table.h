@@ -1,5 +1,5 @@
 /// Points as text with a header: a line of names such as `x y z nx ny nz` or `X,Y,Z,R,G,B`, perhaps
-/// behind `//`; or the number of points alone in the first line, as .pts files of scanners have it.
+/// behind `//`. Files of scanners (.pts) have the number of points alone in the first line instead.
 /// Blanks, commas and semicolons separate. Read only.
 #pragma once
 
@@ -12,8 +12,8 @@ namespace transformesh {
 bool is_point_table(const Source& source);
 
 /// Reads a mesh without faces. Normals become nx ny nz, colors red green blue alpha, and every
-/// other name a column; without names a line is x y z, x y z intensity, x y z red green blue, or x
-/// y z intensity red green blue. Throws InputError with the line for anything else.
+/// other name a column. Lines without names are x y z, x y z intensity, x y z red green blue, or
+/// all of these seven. Throws InputError with the line for anything else.
 ReadResult read_point_table(const Source& source);
 
 }  // namespace transformesh

@@ -224,7 +224,7 @@ class ModelReader {
 
   const Source& source_;
   const std::string& part_;
-  std::string object_;  ///< what messages call the object that is read
+  std::string object_;  ///< name in messages of the object that is read
   std::map<std::string, std::vector<ByteColor>> colors_;
   ThreeMfModel model_;
 };

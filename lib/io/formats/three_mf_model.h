@@ -19,7 +19,7 @@ using ByteColor = std::array<std::uint8_t, 4>;
 
 struct ThreeMfComponent {
   std::string object;         ///< its identifier
-  std::string part;           ///< another part that has the object; empty: the same one
+  std::string part;           ///< part that has the object; empty: the same one
   Eigen::Affine3d to_parent;  ///< to the coordinates of what contains it
 };
 
@@ -28,14 +28,14 @@ struct ThreeMfObject {
   std::vector<Face> faces;
   std::vector<std::array<std::optional<ByteColor>, 3>> colors;  ///< of the corners of each face
   std::vector<ThreeMfComponent> components;
-  bool is_other = false;  ///< of a type that is no part of the model
+  bool is_other = false;  ///< its type says that it is no part of the model
 };
 
 struct ThreeMfModel {
   std::string unit = "millimeter";
   std::string description;  ///< metadata
   std::size_t other_metadata = 0;
-  std::map<std::string, ThreeMfObject> objects;  ///< by identifier
+  std::map<std::string, ThreeMfObject> objects;  ///< their keys are identifiers
   std::vector<ThreeMfComponent> items;           ///< of the build
   std::size_t unread_properties = 0;  ///< groups of materials that are no colors, such as textures
   std::size_t beam_lattices = 0;

@@ -176,7 +176,7 @@ class ThreeMfWriter {
   TextBuffer text_;
   ColumnGroup colors_;
   bool are_of_vertices_ = false;
-  std::vector<std::size_t> color_numbers_;  ///< of the rows, in the color group
+  std::vector<std::size_t> color_numbers_;  ///< color of each row, in the color group
   std::vector<std::string_view> kept_vertex_columns_, kept_face_columns_;
   std::size_t collapsed_ = 0;
 };

@@ -142,7 +142,7 @@ class Converter {
   const Source& source_;
   VtkPiece piece_;
   FaceRows faces_;
-  std::vector<std::uint32_t> rows_;  ///< of the faces, among the cells
+  std::vector<std::uint32_t> rows_;  ///< the cell of each face
   ReadResult result_;
 };
 

@@ -21,7 +21,7 @@ struct VtkArray {
 struct VtkCells {
   std::vector<std::uint64_t> offsets{0};
   std::vector<std::uint64_t> connectivity;
-  std::vector<std::size_t> rows;  ///< of the cells in the arrays of cells
+  std::vector<std::size_t> rows;  ///< their rows in the arrays of cells
 
   std::size_t size() const { return offsets.size() - 1; }
 };

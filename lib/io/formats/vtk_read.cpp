@@ -268,8 +268,8 @@ class VtkReader {
   bool is_grid_ = false;
   VtkCells vertices_, lines_, polygons_, strips_, grid_;
   std::vector<std::uint64_t> types_;
-  std::vector<VtkArray>* arrays_ = nullptr;  ///< of points or cells, whose attributes follow
-  std::uint64_t rows_ = 0;                   ///< of these arrays
+  std::vector<VtkArray>* arrays_ = nullptr;  ///< arrays of points or cells, whose attributes follow
+  std::uint64_t rows_ = 0;                   ///< length of these arrays
   VtkPiece piece_;
 };
 

@@ -16,7 +16,7 @@ namespace transformesh {
 struct VtpEncoding {
   bool is_big_endian = false;
   bool has_wide_headers = false;  ///< sizes are 64 bits, not 32
-  bool is_compressed = false;     ///< by zlib, in blocks
+  bool is_compressed = false;     ///< arrays are blocks compressed by zlib
   bool is_appended_text = false;  ///< the appended data is base64
   std::string_view appended;      ///< the appended data
 };

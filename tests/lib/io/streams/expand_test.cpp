@@ -9,7 +9,7 @@ using namespace transformesh::testing;
 
 namespace {
 
-/// As gzip or, with a window of 15, as zlib has it.
+/// A member of gzip or, with a window of 15, a stream of zlib.
 std::string compressed(const std::string& text, int window = 31) {
   z_stream stream{};
   REQUIRE(deflateInit2(&stream, 9, Z_DEFLATED, window, 9, Z_DEFAULT_STRATEGY) == Z_OK);
